@@ -9,6 +9,7 @@
 #   make mutate           small errors put into the library, and how many the tests find: MUTANTS=200 SEED=1 LIMIT=3600; see
 #                         tests/mutate.sh
 #   make sanitize         memory read before it is written, races between threads; see tests/sanitize.sh
+#   make test-python      the Python package of c_api/python, by PYTHON=/usr/bin/python3; see tests/python.sh
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make test-petsc       harmorph_petsc.c on 1 to 4 processes, where petsc-dev is installed; MESHES=directory of SU2
 #                         files, LARGE="NI:NJ:FIRST ..." of O-meshes, PARTITIONS=012345 SOLVERS=01: tests/petsc/main.c
@@ -43,7 +44,7 @@
 # cannot do without is added to CXXFLAGS.
 .POSIX:
 .SUFFIXES:
-.PHONY: all checked rules deform-driver test-programs unit fuzzer fuzz test library-only tests-only coverage mutate sanitize test-petsc mpi \
+.PHONY: all checked rules deform-driver test-programs unit fuzzer fuzz test library-only tests-only coverage mutate sanitize test-petsc test-python mpi \
 	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
 	amalgamation compilers cross shared install-shared install-library abi manual dist
@@ -69,6 +70,8 @@ TARGETS =
 RELEASE =
 SECONDS = 60
 MPICC = mpicc
+# Debian's, as another python3 may come first in the path.
+PYTHON = /usr/bin/python3
 
 WARNINGS = -Wall -Wextra -Wconversion -Wshadow
 # No C++ runtime, no errno, so that only mem* stay undefined; no contraction, so that compilers agree on bits. Callers may
@@ -183,15 +186,17 @@ amalgamation:
 	@rm -rf $(BUILD)/amalgamation
 	@mkdir -p $(BUILD)/amalgamation
 	@sh c_api/packaging/amalgamate.sh >$(BUILD)/amalgamation/harmorph.cpp
-	@cp include/harmorph.h include/harmorph_design.h include/harmorph_space.h include/harmorph_parts.h \
-	    include/harmorph_study.h $(BUILD)/amalgamation/
+	@for header in `cat fortran/harmorph/headers`; do cp include/$$header $(BUILD)/amalgamation/; done
 
 check-link: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/check_link.sh $(BUILD)
 
 test: all
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' \
-	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' sh tests/run.sh
+	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' sh tests/run.sh
+
+test-python: all
+	@CXX='$(CXX)' PYTHON='$(PYTHON)' sh tests/python.sh $(BUILD)
 
 test-petsc: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' FFLAGS='$(FFLAGS)' MPICC='$(MPICC)' MESHES='$(MESHES)' sh tests/petsc.sh $(BUILD)
@@ -225,7 +230,9 @@ demo: all
 # What lies where after an installation; uninstall takes the same list away.
 INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/harmorph.h include/harmorph_design.h \
 	include/harmorph_space.h include/harmorph_parts.h include/harmorph_study.h include/harmorph_openmp.h \
+	include/harmorph_quality.h \
 	include/harmorph_pthreads.h include/harmorph_mpi.h include/harmorph_petsc.h include/harmorph_pages.h \
+	include/harmorph_fields.h \
 	lib/libharmorph.a lib/pkgconfig/harmorph.pc \
 	lib/cmake/harmorph/harmorphConfig.cmake lib/cmake/harmorph/harmorphConfigVersion.cmake share/harmorph/*.f90 \
 	share/harmorph/harmorph_mpi.c share/harmorph/harmorph_petsc.c share/harmorph/read_su2.c share/harmorph/read_su2.h \

@@ -6,6 +6,7 @@
 #include "fault_text.hpp"
 #include "harmorph_design.h"
 #include "harmorph_parts.h"
+#include "harmorph_quality.h"
 #include "harmorph_space.h"
 #include "harmorph_study.h"
 

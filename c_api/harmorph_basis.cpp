@@ -127,6 +127,43 @@ hm_status hm_basis_conditions(const hm_basis* basis, hm_condition* out, int32_t 
     });
 }
 
+hm_status hm_basis_along(const hm_basis* basis, int32_t condition, hm_curves* out, hm_curve* curve,
+                         int32_t capacity, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Basis b;
+        HARMORPH_TRY(require({{"curve", curve}}, fault));
+        HARMORPH_TRY(check_report(out, "out", fault));
+        HARMORPH_TRY(open_basis(basis, b, fault));
+        Index const count = b.conditions.count();
+        if (condition < 0 || condition >= count) {
+            return fault.refuse(Status::bad_argument, "condition # does not exist; the basis has @",
+                                condition_item(condition), plain(count));
+        }
+        Condition const& kept = b.conditions[condition];
+        if (kept.kind != ConditionKind::slip || kept.n_curves == 0) {
+            return fault.refuse(Status::bad_argument,
+                                "condition # of the basis has no curves along which points slide",
+                                condition_item(condition));
+        }
+        if (capacity < kept.n_curves) {
+            return fault.refuse(Status::bad_argument,
+                                "curve has room for # curves, but the condition has @",
+                                plain(capacity), plain(kept.n_curves));
+        }
+        for (Index k = 0; k < kept.n_curves; ++k)
+            curve[k] = struct_of(b.along.curve(kept.first_curve + k));
+        Curve const any = b.along.curve(kept.first_curve);
+        hm_curves filled = {};
+        filled.n_control = any.n_control;
+        filled.control = any.control;
+        filled.weights = any.weights;
+        filled.n_curves = kept.n_curves;
+        filled.curve = curve;
+        write_struct(filled, out);
+        return Status::ok;
+    });
+}
+
 hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t number, double* values,
                           hm_error* err) {
     return guarded(err, [&](CallFault& fault) {

@@ -71,7 +71,7 @@ struct DisplaceCall {
         filled.factor_entries = solved.factor_entries;
         filled.iterations = solved.iteration.iterations;
         filled.levels = solved.iteration.levels;
-        filled.fine_sweeps = solved.iteration.fine_sweeps;
+        filled.work = solved.iteration.work;
         write_struct(filled, report);
     }
 

@@ -6,7 +6,62 @@
 namespace harmorph {
 namespace {
 
-Status view_quantity(const hm_quantity* array, Index number, Quantity& out, Fault& fault) noexcept {
+// Reads the stations of a quantity.
+Status view_stations(hm_quantity const& q, Index number, Quantity& out, Fault& fault) noexcept {
+    bool const has_range = out.kind == QuantityKind::min_thickness,
+               has_station = has_range || out.kind == QuantityKind::thickness ||
+                             out.kind == QuantityKind::camber;
+    if (has_station ? !(is_finite(q.station) && q.station > 0 && q.station < 1) : q.station != 0) {
+        const char* const text =
+            has_station ? "the station of quantity # is ~, but it must lie between 0 and 1"
+                        : "quantity # has a station, but only HM_THICKNESS, HM_CAMBER and "
+                          "HM_MIN_THICKNESS use one";
+        return fault.refuse(Status::bad_argument, text, quantity_item(number), {}, q.station);
+    }
+    if (has_range
+            ? !(is_finite(q.last_station) && q.last_station >= q.station && q.last_station < 1)
+            : q.last_station != 0) {
+        const char* const text =
+            has_range ? "the last station of quantity # is ~, but it must lie between the first "
+                        "one and 1"
+                      : "quantity # has a last station, but only HM_MIN_THICKNESS uses one";
+        return fault.refuse(Status::bad_argument, text, quantity_item(number), {}, q.last_station);
+    }
+    out.station = q.station;
+    out.last_station = q.last_station;
+    return Status::ok;
+}
+
+// Reads the other body of a distance, and joins its curves to an outline.
+Status view_other(const hm_curves* curves, hm_quantity const& q, Index number,
+                  Section const& section, Quantity& out, Section& other,
+                  CallFault& fault) noexcept {
+    if (out.kind != QuantityKind::distance) {
+        if (q.other_curve == 0 && q.n_other == 0) return Status::ok;
+        return fault.refuse(Status::bad_argument,
+                            "quantity # names another body, but only HM_DISTANCE uses one",
+                            quantity_item(number));
+    }
+    Index const first = section.first_curve, end = first + section.n_curves;
+    if (q.n_other < 1 || q.other_curve < 0 ||
+        (q.other_curve < end && q.other_curve + Offset{q.n_other} > first)) {
+        return fault.refuse(Status::bad_argument,
+                            "the other body of quantity # has no curves, or curves of the section",
+                            quantity_item(number));
+    }
+    hm_section asked = {};
+    asked.struct_size = sizeof asked;
+    asked.first_curve = q.other_curve;
+    asked.n_curves = q.n_other;
+    CurvesView view;
+    HARMORPH_TRY(open_section(curves, &asked, view, other, fault));
+    out.other = &other;
+    return Status::ok;
+}
+
+Status view_quantity(const hm_curves* curves, const hm_quantity* array, Index number,
+                     Section const& section, Quantity& out, Section& other,
+                     CallFault& fault) noexcept {
     hm_quantity q;
     if (!read_struct(array, q) || !read_struct(element(array, number), q)) {
         return fault.refuse(
@@ -14,22 +69,25 @@ Status view_quantity(const hm_quantity* array, Index number, Quantity& out, Faul
             "struct_size of quantity # is not the size of an hm_quantity; begin with HM_INIT",
             quantity_item(number));
     }
-    if (q.kind < HM_AREA || q.kind > HM_CLEARANCE) {
+    if (q.kind < HM_AREA || q.kind > HM_DISTANCE) {
         return fault.refuse(
             Status::bad_argument,
-            "the kind of quantity # is @, but it must be one of HM_AREA to HM_CLEARANCE",
+            "the kind of quantity # is @, but it must be one of HM_AREA to HM_DISTANCE",
             quantity_item(number), plain(q.kind));
     }
     out.kind = static_cast<QuantityKind>(q.kind);
-    bool const has_station =
-        out.kind == QuantityKind::thickness || out.kind == QuantityKind::camber;
-    if (has_station ? !(is_finite(q.station) && q.station > 0 && q.station < 1) : q.station != 0) {
+    HARMORPH_TRY(view_stations(q, number, out, fault));
+    bool const may_be_smooth = out.kind == QuantityKind::clearance ||
+                               out.kind == QuantityKind::min_thickness ||
+                               out.kind == QuantityKind::distance;
+    if (!is_finite(q.sharpness) || q.sharpness < 0 || (q.sharpness > 0 && !may_be_smooth)) {
         const char* const text =
-            has_station ? "the station of quantity # is ~, but it must lie between 0 and 1"
-                        : "quantity # has a station, but only HM_THICKNESS and HM_CAMBER use one";
-        return fault.refuse(Status::bad_argument, text, quantity_item(number), {}, q.station);
+            may_be_smooth ? "the sharpness of quantity # is ~, but it must be finite and at least 0"
+                          : "quantity # has the sharpness ~, but only HM_CLEARANCE, "
+                            "HM_MIN_THICKNESS and HM_DISTANCE use one";
+        return fault.refuse(Status::bad_argument, text, quantity_item(number), {}, q.sharpness);
     }
-    out.station = q.station;
+    out.sharpness = q.sharpness;
     bool const has_polygon = out.kind == QuantityKind::clearance;
     constexpr Index most = Index{1} << 20;
     if (has_polygon ? q.n_polygon < 1 || q.n_polygon > most || q.polygon == nullptr
@@ -47,7 +105,7 @@ Status view_quantity(const hm_quantity* array, Index number, Quantity& out, Faul
                             "point @ of the polygon of quantity # is not finite or beyond 1e100",
                             quantity_item(number), entry_item(k));
     }
-    return Status::ok;
+    return view_other(curves, q, number, section, out, other, fault);
 }
 
 }  // namespace
@@ -70,7 +128,8 @@ hm_status hm_measure(const hm_curves* curves, const hm_section* section, int32_t
         Measured measured;
         auto const find = [&](Index k, ControlGradient const& gradient) {
             Quantity quantity;
-            HARMORPH_TRY(view_quantity(quantities, k, quantity, fault));
+            Section other;
+            HARMORPH_TRY(view_quantity(curves, quantities, k, outline, quantity, other, fault));
             if (failed(measure(outline, quantity, gradient, measured, fault)))
                 fault.item = quantity_item(k);
             return fault.status;

@@ -27,7 +27,7 @@ hm_solve_report report_of(SolveReport const& solved, Basis const& basis,
     filled.factor_entries = solved.factor_entries;
     filled.iterations = solved.iteration.iterations;
     filled.levels = solved.iteration.levels;
-    filled.fine_sweeps = solved.iteration.fine_sweeps;
+    filled.work = solved.iteration.work;
     return filled;
 }
 

@@ -89,7 +89,7 @@ inline hm_curve struct_of(Curve const& curve) noexcept {
 }
 inline hm_condition struct_of(Condition const& condition) noexcept {
     bool const slips =
-        condition.kind == ConditionKind::slip;  // the basis does not keep the curves `along`
+        condition.kind == ConditionKind::slip;  // hm_basis_along gives the curves `along`
     return {sizeof(hm_condition),
             condition.marker,
             static_cast<std::int32_t>(condition.kind),

@@ -99,6 +99,8 @@ Status check_engine(hm_options const& o, hm_study_options const& study, Fault& f
     }
     if (o.engine != HM_FAS && study.start != HM_START_COARSEST)
         wrong = "options.study.start must be HM_START_COARSEST unless the engine is HM_FAS";
+    if (o.engine != HM_FAS && study.cycle != HM_CYCLE_PAPER)
+        wrong = "options.study.cycle must be HM_CYCLE_PAPER unless the engine is HM_FAS";
     return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
 }
 
@@ -141,6 +143,13 @@ Status view_iteration(hm_study_options const& study, Iteration& iteration, Fault
             "options.study.start is #, but it must be HM_START_COARSEST or HM_START_ZERO",
             plain(study.start));
     }
+    if (study.cycle < HM_CYCLE_PAPER || study.cycle > HM_CYCLE_IMPROVED) {
+        return fault.refuse(
+            Status::bad_argument,
+            "options.study.cycle is #, but it must be HM_CYCLE_PAPER or HM_CYCLE_IMPROVED",
+            plain(study.cycle));
+    }
+    iteration.has_improved_cycle = study.cycle == HM_CYCLE_IMPROVED;
     iteration.starts_from_zero = study.start == HM_START_ZERO;
     iteration.merging = {static_cast<Merging>(study.agglomeration), study.levels};
     if (study.block_width != 0) iteration.block_width = study.block_width;
@@ -302,7 +311,7 @@ Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept 
     if (c.along == nullptr && c.n_curves != 0) {
         return fault.refuse(Status::bad_condition,
                             "condition # slips along @ curves, but its `along` is NULL; give the "
-                            "curves again, because a basis does not keep them",
+                            "curves again, which hm_basis_along takes from a basis",
                             condition_item(number), plain(c.n_curves));
     }
     hm_curves set;

@@ -7,7 +7,7 @@
 function type_of(struct, name) {
     name = struct
     sub(/_out$/, "", name)
-    if (name !~ /_report$/ && name != "hm_worst_cell") sub(/^hm_/, "hm_c_", name)
+    if (name !~ /_report$/ && name !~ /^hm_(worst_cell|bound_value|step_corner)$/) sub(/^hm_/, "hm_c_", name)
     return name
 }
 BEGIN {

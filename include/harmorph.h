@@ -8,11 +8,12 @@
  * functions for the concurrent shape and mesh morphing of airfoils".)
  *
  * This header suffices for a solver on one process. The other headers contain, by topic:
- *   harmorph_design.h  evaluation, refinement and measures of curves, design variables, functions
- *                      that are combined, given by table, stored in single precision, transferred
+ *   harmorph_design.h  evaluation, refinement and measures of curves, variables, derived bases
+ *   harmorph_study.h   diagnostics, and the schemes and engines of the paper
+ *   harmorph_fields.h  swept areas, wall distances, coarse levels, interpolation of fields
  *   harmorph_space.h   meshes one cell thick, blocks in arrays of their own, meshes given as edges
  *   harmorph_parts.h   functions and meshes shared among processes (harmorph_mpi.h, _petsc.h)
- *   harmorph_study.h   diagnostics, and the schemes and engines of the paper
+ *   harmorph_quality.h smooth bounds of the quality of a mesh, with derivatives, for optimisers
  *   harmorph_openmp.h, harmorph_pthreads.h, harmorph_pages.h   ready-made threads, huge pages
  *
  * CONVENTIONS hold for every function of these headers.
@@ -420,8 +421,8 @@ typedef struct hm_condition {
     int32_t reserved;      /* 0 */
     double near_x, near_y; /* piece: a point near it, at the start coordinates [length] */
     /* Slip: the curves along which the points move (see hm_slip); NULL (n_curves 0): the polyline
-     * of the marker, made smooth. Read by hm_analysis_size and hm_analysis_init only; a basis does
-     * not keep these curves. */
+     * of the marker, made smooth. Read by hm_analysis_size and hm_analysis_init only; a basis
+     * keeps copies, see hm_basis_along of harmorph_study.h. */
     const hm_curves* along;
 } hm_condition;
 
@@ -568,11 +569,10 @@ typedef struct hm_solve_report {
     double max_distance;          /* [length] largest distance of a curve point from its curve */
     int32_t max_distance_point;   /* the point with that distance */
     int32_t curve_points;         /* mesh points on curves */
-    int32_t refinements;          /* steps of iterative refinement */
-    int32_t reserved;             /* 0 */
+    int32_t refinements, reserved; /* steps of iterative refinement; 0 */
     int64_t factor_entries;       /* numbers in the factor; 0: there is no factor */
-    int32_t iterations, levels, fine_sweeps; /* of engines that iterate, see harmorph_study.h */
-    int32_t reserved_too;                    /* 0 */
+    int32_t iterations, levels;   /* of engines that iterate, see harmorph_study.h */
+    double work;                  /* of engines that iterate, see harmorph_study.h */
 } hm_solve_report;
 
 /* Solves for all functions of the basis with the factor of the plan. Both must come from the same

@@ -215,8 +215,21 @@ enum {
      * and corners do not count; degree >= 2 */
     HM_CURVATURE_VARIATION = 15,
     /* [length] smallest signed distance of the outline from a polygon that should fit inside;
-     * negative: a part of the polygon is outside */
-    HM_CLEARANCE = 16
+     * negative: a part of the polygon is outside. With a sharpness: of the points of the polygon
+     * alone, a smooth lower bound. */
+    HM_CLEARANCE = 16,
+    /* [degrees, -180 .. 180] angle from the x axis to the chord line, counter-clockwise: minus the
+     * twist of an airfoil whose nose turns up */
+    HM_TWIST = 17,
+    /* [length] smallest thickness over the stations from `station` to `last_station`. With a
+     * sharpness: a smooth lower bound of the thickness at 65 equidistant stations of this range. */
+    HM_MIN_THICKNESS = 18,
+    /* [length] smallest distance of the outline from the outline of another body; negative: the
+     * bodies overlap, by the depth of the deepest place, which has no unique derivative where it is
+     * in the middle of the other body. With a sharpness: a smooth lower bound of the distances of
+     * fixed places on both outlines, 4 * degree in each interval of knots. Derivatives are by the
+     * control points of both bodies. */
+    HM_DISTANCE = 19
 };
 
 typedef struct hm_quantity {
@@ -224,9 +237,18 @@ typedef struct hm_quantity {
     int32_t kind;         /* HM_AREA, ... */
     /* clearance: points of the polygon, 1 .. 2^20; a polygon of 2 points is a line */
     int32_t n_polygon;
-    double station; /* thickness, camber: 0 < station < 1 along the chord line */
+    double station; /* thickness, camber, min thickness: 0 < station < 1 along the chord line */
     /* [2*n_polygon] clearance: x,y pairs; the last point is connected to the first */
     const double* polygon;
+    double last_station; /* min thickness: station <= last_station < 1 */
+    /* [1/length] clearance, min thickness, distance. 0: the smallest value itself, with the
+     * derivative at one place. > 0: the smooth lower bound m - ln(sum_k exp(-sharpness (v_k - m)))
+     * / sharpness of the values v_1 .. v_N, m the smallest one: at most ln(N) / sharpness below m.
+     */
+    double sharpness;
+    /* Distance: the curves other_curve .. other_curve+n_other-1 are the outline of the other body,
+     * as in hm_section; none of them is a curve of the section. */
+    int32_t other_curve, n_other;
 } hm_quantity;
 
 /* Measures n quantities. values [n]. at [2*n], or NULL: the place of each: the point of the chord

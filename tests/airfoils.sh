@@ -142,7 +142,7 @@ printf 'name\n1 0\n0.5 abc\n' >"$tmp/bad.dat"
 refuses "a bad number" "bad.dat:3" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/bad.dat"
 refuses "two goals" "name one of them" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/selig.dat" \
     --move "$tmp/known.moves"
-refuses "on what chord" "--on-chord goes with --to-airfoil" morph "$naca" "$tmp/airfoil.basis" \
+refuses "on what chord" "--on-chord needs --to-airfoil" morph "$naca" "$tmp/airfoil.basis" \
     --move "$tmp/known.moves" --on-chord
 refuses "a curve that is not there" "--airfoil-curve" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/selig.dat" \
     --airfoil-curve 2
@@ -187,7 +187,7 @@ on_ellipse() {
         END { print n, worst; exit !(n > 48 && worst < 1e-14) }' "$1"
 }
 check "rational: the wall is on the ellipse" on_ellipse "$tmp/ellipse.su2"
-# What an independent reader found, evaluated by de Boor's algorithm in homogeneous coordinates.
+# Evaluates the curves that an independent reader found by de Boor's algorithm in homogeneous coordinates.
 curve_is_ellipse() {
     awk 'BEGIN { n = nt = 0 }
         $1 == "degree" { p = $2 } $1 == "knot" { t[nt++] = $2 }

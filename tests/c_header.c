@@ -4,6 +4,7 @@
 #include <harmorph.h>
 #include <harmorph_design.h>
 #include <harmorph_parts.h>
+#include <harmorph_quality.h>
 #include <harmorph_space.h>
 #include <harmorph_study.h>
 #include <harmorph.h>
@@ -101,6 +102,8 @@ int main(void) {
     BEGINS(hm_edge_mesh);
     BEGINS(hm_study_options);
     BEGINS(hm_mesh_report);
+    BEGINS(hm_bound);
+    BEGINS(hm_bound_value);
     if (sizeof(void*) == 8) {
         SIZE(hm_points, 24);
         SIZE(hm_points_out, 24);

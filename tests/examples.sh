@@ -42,12 +42,21 @@ check "Fortran: a mesh one cell thick" says "^one cell thick: 0 inverted cells, 
 check "Fortran: gradients" says "gradient by mesh points: relative difference to finite differences *[0-9.]*E-0[6-9]"
 check "Fortran: the target is found" says "pressure error: divided by [1-9][0-9][0-9]"
 check "Fortran: an optimum with constraints" says "pressure error: divided by 3[.]8"
+with_and_without() {   # two programs: with the mesh constraint, and without it
+    [ "$(grep -c '^pressure error: divided by 1[.][2-9].*, margins' "$log.kept")" = 2 ] &&
+        [ "$(grep -A 1 '^without the mesh constraint' "$log.kept" | grep -c '^the morph is refused')" = 2 ]
+}
+check "Fortran and C: a design loop with the mesh as a constraint; without it the morph is refused" with_and_without
 check "Fortran: fluid-structure interaction, the same work on mesh, wall and in modes" \
     says "work on mesh, on the wall and in modes: largest relative difference *[0-9.]*E-1[2-6]"
 check "Fortran: a valid mesh in each step" says "^valid in 200 steps"
 check "Fortran: a picture" grep -q "</svg>" "$dir/fortran/inverse.svg"
 lines=$(grep -c '!hm$' fortran/examples/inverse.f90)
 check "Fortran: $lines lines touch harmorph, 30 at most" test "$lines" -le 30
+lines=$(grep -c '!hm$' fortran/examples/design.f90)
+check "Fortran: $lines lines of the design loop touch harmorph, 80 at most" test "$lines" -le 80
+lines=$(grep -cE 'hm_|HM_|error\)|(mesh|problem|values\[k\]|limit|gradients\[k\])[.]|curves->' fortran/examples/design_c.c)
+check "C: $lines lines of the design loop touch harmorph, 80 at most" test "$lines" -le 80
 check "C, CMake" by_cmake c run
 check "Fortran, CMake" by_cmake fortran all
 check "Fortran: a program that CMake has built" "$dir/fortran-cmake/morph"

@@ -245,7 +245,7 @@ for input in folder /dev/null missing.su2; do
     done
 done
 
-# The same mesh through a pipe to and from the program, and with CR LF.
+# The mesh goes through a pipe to and from the program, and is read with CR LF.
 "$harmorph" morph "$mesh" good/a.basis --move moves.txt -o /dev/stdout 2>/dev/null | cat >piped
 passes "a mesh to a pipe" "$(head -c "$(wc -c <good/m.su2)" piped | cmp -s - good/m.su2; echo $?)"
 mkfifo fifo

@@ -19,7 +19,7 @@ if $FC --version 2>/dev/null | grep -q '^GNU'; then
 fi
 loose="-Wno-conversion -Wno-compare-reals"    # of the tests: numbers that must be equal
 quietly() { "$@" 2>&1 | tee "$dir/warnings"; test ! -s "$dir/warnings"; }
-# What the tests share, then the tests of each topic, then the program that calls them.
+# The modules that tests share come first, then the tests of each topic, then the program that calls them.
 shared="counts meshes body_mesh kept"
 topics=$(ls tests/fortran | sed 's/\.f90$//' | grep -vxE "use|$(echo $shared | tr ' ' '|')")
 build_and_run() {   # where, flags...: its own modules and objects in each place
@@ -78,7 +78,7 @@ else
     skip flang "it is not installed (Debian: flang-19)"
 fi
 
-# What a mesh keeps must be an array that outlives the call: the compiler says so.
+# An array that a mesh keeps must outlive the call; the compiler checks this.
 refused_by_compiler() {   # declaration of x, actual argument
     cat >"$dir/kept.f90" <<END
 use harmorph
@@ -98,8 +98,7 @@ check "a copy in parentheses is refused" is_refused_by_compiler "double precisio
 stat_and_err_last() { ! tr '\n' '~' <"$build/harmorph.f90" | sed 's/&~ *//g' | tr '~' '\n' |
     grep -E '^ *subroutine .*\bstat\b' | grep -v 'stat, err)$'; }
 check "stat and err are the last arguments of every call" stat_and_err_last
-headers='include/harmorph.h include/harmorph_design.h include/harmorph_space.h include/harmorph_parts.h
-    include/harmorph_study.h'
+headers=$(sed 's|^|include/|' fortran/harmorph/headers)
 # Structs and constants of the headers in a folder against those of a module that was made from these headers.
 compare_layouts() {   # folder that contains include/, folder of the module's objects
     place=$2

@@ -20,8 +20,7 @@ for standard in c++11 c++14 c++17 c++20; do
         "$build/libharmorph.a" -lm $LDFLAGS
     check "$standard, structs" "$dir/$standard"
 done
-headers="include/harmorph.h include/harmorph_design.h include/harmorph_parts.h include/harmorph_space.h
-    include/harmorph_study.h"
+headers=$(sed 's|^|include/|' fortran/harmorph/headers)
 awk '/^typedef struct [a-z_]* \{/ { name = $3 } /^    uint64_t struct_size;/ { print name }' $headers |
     sort >"$dir/declared"
 sed -n 's/^    BEGINS(\(hm_[a-z_]*\));$/\1/p' tests/c_header.c | sort >"$dir/begun"

@@ -1,8 +1,8 @@
 #!/bin/sh
 # Includes point only downwards. The rooms of the core, bottom to top: a file may include what is in a room below, or in
 # its own room; within a room headers include each other without a circle. The folder of a file is its room.
-rooms='base simd mesh space bspline boundary dense ordering basis operators parts direct multigrid plan morph safe'
-# Of the standard library the core may use what a freestanding compiler has, and mem*.
+rooms='base simd mesh space bspline boundary dense ordering basis operators parts direct multigrid plan morph safe fields'
+# The core may use those parts of the standard library that a freestanding compiler has, and mem*.
 freestanding='cstddef|cstdint|cfloat|climits|limits|type_traits|new|cstring|immintrin\.h|arm_neon\.h|cpuid\.h'
 
 topic=includes
@@ -84,7 +84,7 @@ is_empty "options for files without a FileUse" "$(cat c_api/cli/commands/*.cpp |
         if ($0 !~ /FileUse::/) print substr($0, RSTART + 1, RLENGTH - 1)
     }')"
 
-# C and C++ have at most 100 columns, laid out as .clang-format has it; Fortran and scripts 120.
+# C and C++ have at most 100 columns, laid out as .clang-format has it; Fortran, Python and scripts 120.
 too_wide() {   # columns, names of files
     columns=$1; shift
     find c_api fortran include src tests -type f \( "$@" \) -exec awk -v most="$columns" '
@@ -92,7 +92,7 @@ too_wide() {   # columns, names of files
 }
 is_empty "lines of more than 100 columns" "$(too_wide 100 -name '*.[ch]pp' -o -name '*.[ch]')"
 is_empty "lines of more than 120 columns" \
-    "$(too_wide 120 -name '*.sh' -o -name '*.f90' -o -name '*.f90.in' -o -name '*.f')"
+    "$(too_wide 120 -name '*.sh' -o -path 'c_api/python/*.py' -o -name '*.f90' -o -name '*.f90.in' -o -name '*.f')"
 if command -v clang-format >/dev/null; then
     is_empty "files that clang-format would change" "$(find c_api include src tests \
         \( -name '*.cpp' -o -name '*.hpp' -o -name '*.[ch]' \) -exec \
@@ -101,7 +101,7 @@ else
     skip "the layout of the sources" "clang-format is not installed"
 fi
 
-# What stands at the top; a test that leaves something there would have it committed one day.
+# The files of the top folder; files that a test leaves there could be committed by mistake.
 if tracked=$(git ls-files 2>/dev/null); then
     is_empty "the top of the sources" "$(echo "$tracked" | sed 's|/.*||' | sort -u |
         grep -vxE 'Makefile|CMakeLists\.txt|include|src|c_api|fortran|tests|README\.md|LICENSE|\..*')"

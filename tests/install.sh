@@ -19,12 +19,14 @@ cat >"$dir/expected" <<END
 ./bin/harmorph
 ./include/harmorph.h
 ./include/harmorph_design.h
+./include/harmorph_fields.h
 ./include/harmorph_mpi.h
 ./include/harmorph_openmp.h
 ./include/harmorph_pages.h
 ./include/harmorph_parts.h
 ./include/harmorph_petsc.h
 ./include/harmorph_pthreads.h
+./include/harmorph_quality.h
 ./include/harmorph_space.h
 ./include/harmorph_study.h
 ./lib/cmake/harmorph/harmorphConfig.cmake

@@ -3,9 +3,11 @@
  * values of the constants. */
 #include <harmorph.h>
 #include <harmorph_design.h>
+#include <harmorph_fields.h>
 #include <harmorph_parts.h>
 #include <harmorph_space.h>
 #include <harmorph_study.h>
+#include <harmorph_quality.h>
 
 int32_t layout_of(int32_t number, int64_t* numbers);
 

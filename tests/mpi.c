@@ -31,20 +31,20 @@ typedef struct part {
 } part;
 
 static part make_part(int32_t n_points) {
-    part its;
+    part out;
     int32_t k;
-    its.points = room(sizeof *its.points * (size_t)n_points);
-    its.n = 0;
+    out.points = room(sizeof *out.points * (size_t)n_points);
+    out.n = 0;
     for (k = n_points - 1; k >= 0; --k) {
-        if ((int)(scrambled((uint32_t)k) % (uint32_t)size) == rank) its.points[its.n++] = k;
+        if ((int)(scrambled((uint32_t)k) % (uint32_t)size) == rank) out.points[out.n++] = k;
     }
-    its.n_own = its.n;
+    out.n_own = out.n;
     for (k = 0; k < n_points; ++k) {
         const uint32_t its_number = scrambled((uint32_t)k);
         if ((int)(its_number % (uint32_t)size) != rank && its_number / 1000 % 7 == 0)
-            its.points[its.n++] = k;
+            out.points[out.n++] = k;
     }
-    return its;
+    return out;
 }
 
 static int same_bits(const double* a, const double* b, int32_t n) {
@@ -62,20 +62,20 @@ static void check_blocks(const hm_basis* a, const hm_basis* b) {
 }
 
 static void check_morph(const hm_basis* whole, const hm_basis* rows, const part* mine,
-                        const problem_case* its) {
-    const int32_t n = its->n_points;
-    double *move = room(2 * sizeof *move * (size_t)its->n_functions),
+                        const problem_case* setup) {
+    const int32_t n = setup->n_points;
+    double *move = room(2 * sizeof *move * (size_t)setup->n_functions),
            *all = room(2 * sizeof *all * (size_t)n);
     double* own = room(2 * sizeof *own * (size_t)mine->n);
     hm_error error;
     int32_t k, wrong = 0;
-    for (k = 0; k < 2 * its->n_functions; ++k) move[k] = 0.01 * cos(3.0 * k);
+    for (k = 0; k < 2 * setup->n_functions; ++k) move[k] = 0.01 * cos(3.0 * k);
     for (k = 0; k < mine->n; ++k) {
-        own[k] = its->x[mine->points[k]];
-        own[mine->n + k] = its->y[mine->points[k]];
+        own[k] = setup->x[mine->points[k]];
+        own[mine->n + k] = setup->y[mine->points[k]];
     }
-    need(hm_morph(whole, move, &(hm_points){its->x, its->y, 1}, &(hm_points_out){all, all + n, 1},
-                  NULL, &error),
+    need(hm_morph(whole, move, &(hm_points){setup->x, setup->y, 1},
+                  &(hm_points_out){all, all + n, 1}, NULL, &error),
          &error);
     need(hm_morph(rows, move, &(hm_points){own, own + mine->n, 1},
                   &(hm_points_out){own, own + mine->n, 1}, NULL, &error),
@@ -91,8 +91,8 @@ static void check_morph(const hm_basis* whole, const hm_basis* rows, const part*
 }
 
 static void check_adjoint(const hm_basis* whole, const hm_basis* rows, const part* mine,
-                          const problem_case* its) {
-    const int32_t n = its->n_points, n_gradient = 2 * its->n_functions;
+                          const problem_case* setup) {
+    const int32_t n = setup->n_points, n_gradient = 2 * setup->n_functions;
     double *all = room(2 * sizeof *all * (size_t)n), *own = room(2 * sizeof *own * (size_t)mine->n);
     double *expected = room(sizeof *expected * (size_t)n_gradient),
            *found = room(sizeof *found * (size_t)n_gradient);
@@ -136,7 +136,7 @@ static void check_adjoint(const hm_basis* whole, const hm_basis* rows, const par
 }
 
 static void check_operator(int32_t operator_kind, int32_t n_functions) {
-    problem_case its;
+    problem_case setup;
     solver with;
     part mine;
     hm_error error;
@@ -144,9 +144,9 @@ static void check_operator(int32_t operator_kind, int32_t n_functions) {
     void *whole_block, *share_block, *rows_block, *expected_block;
     hm_basis *whole, *share, *rows;
 
-    make_case(&its, 65, 25, n_functions, operator_kind);
-    make_solver(&with, &its);
-    mine = make_part(its.n_points);
+    make_case(&setup, 65, 25, n_functions, operator_kind);
+    make_solver(&with, &setup);
+    mine = make_part(setup.n_points);
     whole = solve_share(&with, 0, n_functions, &whole_block);
     need(hm_share_of(with.analysis, rank, size, &first, &n, &error), &error);
     share = solve_share(&with, first, n, &share_block);
@@ -160,8 +160,8 @@ static void check_operator(int32_t operator_kind, int32_t n_functions) {
     need(hm_mpi_exchange(rows, share, mine.n, mine.points, MPI_COMM_WORLD, &error), &error);
     free(share_block);
     check_blocks(rows, extract(whole, mine.n, mine.points, &expected_block));
-    check_morph(whole, rows, &mine, &its);
-    check_adjoint(whole, rows, &mine, &its);
+    check_morph(whole, rows, &mine, &setup);
+    check_adjoint(whole, rows, &mine, &setup);
     free(whole_block);
     free(rows_block);
     free(expected_block);
@@ -171,17 +171,17 @@ static void check_operator(int32_t operator_kind, int32_t n_functions) {
 /* A process that has nothing to exchange, as its mesh was refused, makes the call all the same:
  * none waits. */
 static void check_failure_before(void) {
-    problem_case its;
+    problem_case setup;
     hm_error error;
     hm_status status;
     size_t bytes;
     void* block;
     hm_analysis* analysis = NULL;
-    make_case(&its, 33, 9, 8, HM_LAPLACE);
-    if (rank == size - 1) its.x[40] = NAN;
-    need(hm_analysis_size(&its.problem, &its.options, &bytes, &error), &error);
+    make_case(&setup, 33, 9, 8, HM_LAPLACE);
+    if (rank == size - 1) setup.x[40] = NAN;
+    need(hm_analysis_size(&setup.problem, &setup.options, &bytes, &error), &error);
     block = room(bytes);
-    status = hm_analysis_init(&analysis, block, bytes, &its.problem, &its.options, &error);
+    status = hm_analysis_init(&analysis, block, bytes, &setup.problem, &setup.options, &error);
     check((status < 0) == (rank == size - 1), "a mesh with a NaN is refused where it is");
     status = hm_mpi_exchange(NULL, NULL, 0, NULL, MPI_COMM_WORLD, &error);
     check(status == HM_BAD_ARGUMENT, "an exchange of nothing is refused by all");
@@ -192,16 +192,16 @@ static void check_failure_before(void) {
 
 /* Shares that do not belong together are noticed, by all processes. */
 static void check_mixture(void) {
-    problem_case its;
+    problem_case setup;
     solver with;
     hm_error error;
     int32_t first, n;
     const int32_t points[] = {4, 2};
     void *share_block, *rows_block;
     hm_basis *share, *rows;
-    make_case(&its, 33, 9, 8, rank == 0 ? HM_WEIGHTED : HM_LAPLACE);
-    if (rank == 0) its.x[40] += 1e-3;
-    make_solver(&with, &its);
+    make_case(&setup, 33, 9, 8, rank == 0 ? HM_WEIGHTED : HM_LAPLACE);
+    if (rank == 0) setup.x[40] += 1e-3;
+    make_solver(&with, &setup);
     need(hm_share_of(with.analysis, rank, size, &first, &n, &error), &error);
     share = solve_share(&with, first, n, &share_block);
     rows = extract(share, 2, points, &rows_block);
@@ -217,9 +217,9 @@ static void check_mixture(void) {
     free(share_block);
 
     /* The last function is missing. */
-    if (rank == 0) its.x[40] -= 1e-3;
-    its.options.operator_kind = HM_LAPLACE;
-    make_solver(&with, &its);
+    if (rank == 0) setup.x[40] -= 1e-3;
+    setup.options.operator_kind = HM_LAPLACE;
+    make_solver(&with, &setup);
     need(hm_share_of(with.analysis, rank, size, &first, &n, &error), &error);
     share = solve_share(&with, first, rank == size - 1 ? n - 1 : n, &share_block);
     free(rows_block);
@@ -236,7 +236,7 @@ static void check_mixture(void) {
  * exact transpose. */
 static void check_displacements(int32_t operator_kind) {
     enum { FIELDS = 3 };
-    problem_case its;
+    problem_case setup;
     solver with;
     part mine;
     hm_error error;
@@ -250,13 +250,13 @@ static void check_displacements(int32_t operator_kind) {
     size_t bytes;
     void* work;
 
-    make_case(&its, 65, 25, 8, operator_kind);
+    make_case(&setup, 65, 25, 8, operator_kind);
     given.marker = WALL;
     given.kind = HM_GIVEN;
-    its.problem.curves = NULL;
-    its.problem.conditions = &given;
-    make_solver(&with, &its); /* of one process: what is expected */
-    mine = make_part(its.n_points);
+    setup.problem.curves = NULL;
+    setup.problem.conditions = &given;
+    make_solver(&with, &setup); /* of one process: what is expected */
+    mine = make_part(setup.n_points);
     hm_given_points(with.plan, NULL, 0, &n_given, NULL);
     all_given = room(sizeof *all_given * (size_t)n_given);
     need(hm_given_points(with.plan, all_given, n_given, &n_given, &error), &error);
@@ -269,20 +269,20 @@ static void check_displacements(int32_t operator_kind) {
     for (field = 0; field < FIELDS; ++field) {
         double *a = room(2 * sizeof *a * (size_t)n_given),
                *b = room(2 * sizeof *b * (size_t)mine.n);
-        double *c = room(2 * sizeof *c * (size_t)its.n_points),
-               *d = room(2 * sizeof *d * (size_t)its.n_points);
+        double *c = room(2 * sizeof *c * (size_t)setup.n_points),
+               *d = room(2 * sizeof *d * (size_t)setup.n_points);
         double *e = room(2 * sizeof *e * (size_t)mine.n), *f = room(2 * sizeof *f * (size_t)mine.n);
         double *g = room(2 * sizeof *g * (size_t)mine.n),
                *h = room(2 * sizeof *h * (size_t)n_given);
         for (k = 0; k < n_given; ++k) {
-            a[2 * k] = 0.01 * cos(its.x[all_given[k]] + field);
-            a[2 * k + 1] = 0.01 * sin(3 * its.y[all_given[k]]);
+            a[2 * k] = 0.01 * cos(setup.x[all_given[k]] + field);
+            a[2 * k + 1] = 0.01 * sin(3 * setup.y[all_given[k]]);
         }
         for (k = 0; k < n_wall; ++k) {
-            b[2 * k] = 0.01 * cos(its.x[own_wall[k]] + field);
-            b[2 * k + 1] = 0.01 * sin(3 * its.y[own_wall[k]]);
+            b[2 * k] = 0.01 * cos(setup.x[own_wall[k]] + field);
+            b[2 * k + 1] = 0.01 * sin(3 * setup.y[own_wall[k]]);
         }
-        for (k = 0; k < its.n_points; ++k) {
+        for (k = 0; k < setup.n_points; ++k) {
             c[2 * k] = sin(1.3 * k + field);
             c[2 * k + 1] = cos(0.7 * k);
         }
@@ -293,7 +293,7 @@ static void check_displacements(int32_t operator_kind) {
         wall[field] = (hm_points){a, a + 1, 2};
         on_wall[field] = (hm_points){b, b + 1, 2};
         dj[field] = (hm_points){c, c + 1, 2};
-        to[field] = (hm_points_out){d, d + its.n_points, 1};
+        to[field] = (hm_points_out){d, d + setup.n_points, 1};
         own_dj[field] = (hm_points){e, e + mine.n, 0};
         own_to[field] = (hm_points_out){f, f + mine.n, 1};
         gradient[field] = (hm_points_out){g, g + mine.n, 1};
@@ -342,11 +342,11 @@ static void check_displacements(int32_t operator_kind) {
     }
 
     for (k = 0; k < mine.n; ++k) { /* in place, with coordinates */
-        own_x[k] = its.x[mine.points[k]];
-        own_y[k] = its.y[mine.points[k]];
+        own_x[k] = setup.x[mine.points[k]];
+        own_y[k] = setup.y[mine.points[k]];
     }
     to[0] = (hm_points_out){to[0].x, to[0].y, 1};
-    need(hm_displace(with.plan, n_given, NULL, 1, wall, &(hm_points){its.x, its.y, 1}, to, work,
+    need(hm_displace(with.plan, n_given, NULL, 1, wall, &(hm_points){setup.x, setup.y, 1}, to, work,
                      bytes, NULL, &error),
          &error);
     need(hm_mpi_displace(rank == root ? with.plan : NULL, n_wall, own_wall, 1, on_wall, mine.n,
@@ -390,7 +390,7 @@ static void check_displacements(int32_t operator_kind) {
                     root);
         own_wall[0] = rank == 0 ? 70 : own_wall[0];
         REFUSED(HM_BAD_CONDITION, plan, n_wall, own_wall, 1, mine.n, mine.points, root);
-        mine.points[0] = rank == 0 ? its.n_points : mine.points[0];
+        mine.points[0] = rank == 0 ? setup.n_points : mine.points[0];
         REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 1, mine.n, mine.points, root);
         check(
             hm_mpi_displace(plan, n_wall, own_wall, 1, on_wall, rank == 0 ? 0 : mine.n, mine.points,

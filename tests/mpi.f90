@@ -34,7 +34,7 @@ program partitions
     call check_products(mine)
     call check_products(older)
 
-    ! What one process has wrong is refused by all.
+    ! An error of one process is refused by all processes.
     allocate(no_points(0))
     if (rank == 0) points = [points, ni * nj + 1]
     call plan%analyse(mesh, curves, [hm_condition(wall)])

@@ -82,7 +82,8 @@ LC_ALL=C awk '
 # A comma begins another pattern.
 slow=$(LC_ALL=C awk -F'\t' '$2 > 0.5 { gsub(/,/, "?"); printf "%s,", $3 }' "$dir/cases")
 
-# What may find a mutant, the likeliest and quickest first. Tests of any room may find it, as they use the C interface.
+# The tests that may find a mutant, the likeliest and quickest first. Tests of any room may find it, as they use the C
+# interface.
 until_failure() { timeout 1800 "$@" -aa=1; }   # what waits for ever uses no processor time
 step() {   # which, folder of the programs, room, file
     case $1 in
@@ -114,7 +115,7 @@ limit() {   # which, room
         END { print 3 + int(2 * sum) }' "$dir/cases" ;;
     esac
 }
-# What becomes of the mutant in a step: "caught", "out of time", or nothing.
+# Prints the result of a step for the mutant: "caught", "out of time", or nothing.
 outcome() {   # which, folder of the programs, room, file
     (
         ulimit -v 8000000

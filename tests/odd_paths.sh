@@ -78,7 +78,7 @@ for target in all clean dist amalgamation install; do
 done
 rm -rf "$sources/build"
 
-# As many compilers at once as -j says; as JOBS says without -j.
+# The option -j states how many compilers run at once; JOBS states this without -j.
 GATHER=5
 export GATHER
 rm -f "$dir/gathered"

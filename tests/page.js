@@ -35,7 +35,8 @@
         app.camera.pixel_y(app.curves.control[2 * i + 1]),
     ];
 
-    // From one pixel by so many, in steps; each with its frame. Median times [ms]: of a frame, and of its parts.
+    // Drags from one pixel by some others in steps, and draws a frame for each step. Returns median times [ms] of a
+    // frame and of the parts of a frame.
     const drag = ([px, py], dx, dy, steps) => {
         const times = { frame: [], morph: [], judge: [], draw: [] };
         pointer("pointerdown", px, py);

@@ -32,7 +32,7 @@ if explore "$naca" "$tmp/conformal.basis" -o "$tmp/whole.html"; then ok; else fa
 if grep -E '(src|href)=|https?:' "$tmp/whole.html" | grep -v 'link.href = URL' >/dev/null; then
     fail "the page refers to something outside"
 else ok; fi
-refuses "a file that is no moves" "expected index dx dy" "$naca" "$tmp/conformal.basis" -o "$tmp/x.html" --move "$naca"
+refuses "a file that is no moves" "the file needs index dx dy" "$naca" "$tmp/conformal.basis" -o "$tmp/x.html" --move "$naca"
 refuses "a file that is no basis" "basis" "$naca" "$naca" -o "$tmp/x.html"
 refuses "too few points" "--points" "$naca" "$tmp/conformal.basis" -o "$tmp/x.html" --points 3
 if [ -e "$tmp/x.html" ]; then fail "a refused command leaves a page"; else ok; fi
@@ -184,7 +184,7 @@ report polygons-report "$tmp/merged.vtk" "$tmp/merged.basis" polygons-inverted
 "$harmorph" morph "$naca" "$tmp/laplace.basis" --move "$tmp/inverted.moves" --safe --report "$tmp/safe.html" \
     >/dev/null 2>&1
 if grep -q '"safe": true' "$tmp/safe.html"; then ok; else fail "--safe --report"; fi
-# What a user does and sees. With axe-core (npm install axe-core; AXE=its axe.min.js) also what it finds.
+# Tests what a user does and sees, and with axe-core (npm install axe-core; AXE=path of axe.min.js) what axe-core finds.
 axe=${AXE:-$(npm root -g 2>/dev/null)/axe-core/axe.min.js}
 [ -f "$axe" ] || echo "axe-core is not installed: names and roles are checked without it"
 scripted use whole tests/page_use.js
@@ -226,7 +226,7 @@ scripted "own colours" whole tests/page_look.js --force-high-contrast
 if [ "$(value forced)" = true ]; then ok; else skip "the reader's own colours" "this browser does not force colours"; fi
 
 page thinned "$naca" "$tmp/conformal.basis" 30 --points 2000
-# As many points as a page shows without leaving any out: the demo's fine mesh.
+# The fine mesh of the demo has as many points as a page can show without leaving any out.
 "$harmorph" demo "$tmp/demo" >"$tmp/log" 2>&1 || fail "demo: $(tail -n 1 "$tmp/log")"
 page fine "$tmp/demo/fine.su2" "$tmp/demo/fine.basis" 30
 finish

@@ -1,6 +1,6 @@
 "use strict";
-// What a designer does on the page of `harmorph explore`: several control points at once, mirrored drags, locks, the
-// curvature comb, kept states, and the pressure. Leaves lines "check NAME ok" or "check NAME FAILED ..." as page.js
+// Does on the page of `harmorph explore` what a designer does: several control points at once, mirrored drags, locks,
+// the curvature comb, kept states, and the pressure. Leaves lines "check NAME ok" or "check NAME FAILED ..." as page.js
 // does.
 (() => {
     const lines = [];

@@ -1,6 +1,6 @@
 "use strict";
-// How the page of `harmorph explore` looks in a window: on telephones, on large screens, in the reader's own colours.
-// Leaves lines "check NAME ok" or "check NAME FAILED ..." as page.js does.
+// Checks the look of the page of `harmorph explore` in a window: on telephones, on large screens, in the reader's own
+// colours. Leaves lines "check NAME ok" or "check NAME FAILED ..." as page.js does.
 (() => {
     const lines = [];
     const check = (name, holds, found = "") => lines.push(`check ${name} ${holds ? "ok" : `FAILED ${found}`}`);

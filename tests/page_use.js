@@ -1,6 +1,6 @@
 "use strict";
-// What a user meets on the page of `harmorph explore`: fingers, typed numbers, walls that cross themselves, keyboard
-// and screen reader, what is drawn. Leaves lines "check NAME ok" or "check NAME FAILED ..." as page.js does.
+// Does on the page of `harmorph explore` what a user meets: fingers, typed numbers, walls that cross themselves,
+// keyboard and screen reader, what is drawn. Leaves lines "check NAME ok" or "check NAME FAILED ..." as page.js does.
 (async () => {
     const lines = [];
     const check = (name, holds, found = "") => lines.push(`check ${name} ${holds ? "ok" : `FAILED ${found}`}`);

@@ -36,7 +36,7 @@ program show
     print "(a, i0)", "airfoil is ", su2_marker(mesh, "airfoil")
 
 contains
-    ! As C writes it: a digit before the point.
+    ! Writes a number as C does, with a digit before the point.
     function with_zero(number) result(text)
         character(len=*), intent(in) :: number
         character(len=:), allocatable :: text

@@ -1,4 +1,4 @@
-! What stands round the lines of c_api/mpi/README.md: a mesh, its parts, and products that must agree.
+! The code around the lines of c_api/mpi/README.md: a mesh, the parts of the mesh, and products that must agree.
 program parts
     use, intrinsic :: iso_fortran_env, only: dp => real64
     use mpi_f08

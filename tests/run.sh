@@ -2,8 +2,8 @@
 # All tests (called by `make test`, which says with what compilers and where). Each step prints one or several lines
 # "N passed, M failed", or is the doctest program; the sum is the last line.
 : "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS=}" "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}" \
-    "${JOBS:=2}"
-export MAKE BUILD CXX CXXFLAGS CC CFLAGS FC FFLAGS AR LDFLAGS
+    "${JOBS:=2}" "${PYTHON:=/usr/bin/python3}"
+export MAKE BUILD CXX CXXFLAGS CC CFLAGS FC FFLAGS AR LDFLAGS PYTHON
 passed=0 failed=0
 logs=$BUILD/test-logs durations=$BUILD/test-durations
 
@@ -78,6 +78,10 @@ steps() {
     step 1 "MPI" sh tests/mpi.sh "$BUILD"
     if pkg-config --exists petsc; then step 1 "PETSc" sh tests/petsc.sh "$BUILD"
     elif [ $doing = telling ]; then echo "== PETSc: not installed (Debian's petsc-dev), its tests are SKIPPED"; fi
+    if $PYTHON -c 'import numpy, cffi, pytest, setuptools' 2>/dev/null; then step 2 "Python" sh tests/python.sh "$BUILD"
+    elif [ $doing = telling ]; then
+        echo "== Python: $PYTHON has no numpy, cffi, pytest or setuptools (Debian's python3-...), its tests are SKIPPED"
+    fi
     step 2 "program" sh tests/cli/run.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
     step 2 "faults of files" sh tests/faults.sh "$BUILD/harmorph" tests/meshes "$BUILD/faults"
     step 2 "given displacements on meshes" env CXX="$CXX" CXXFLAGS="$CXXFLAGS" MESHES="$MESHES" \

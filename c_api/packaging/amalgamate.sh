@@ -47,8 +47,7 @@ BEGIN {
         "See harmorph.h."
     print "// Made by `make amalgamation`. MIT licence. Compile with -O2 -fno-math-errno; where a C"
     print "// compiler links the program, also with -fno-exceptions -fno-rtti."
-    n = split("harmorph harmorph_design harmorph_space harmorph_parts harmorph_study", header, " ")
-    for (k = 1; k <= n; ++k) print "#include \"" header[k] ".h\""
+    while ((getline header <"fortran/harmorph/headers") > 0) print "#include \"" header "\""
     print "#if defined(__clang__)"
     print "#pragma clang fp contract(off)  // compilers agree on bits"
     print "#pragma clang diagnostic ignored \"-Wshadow\""

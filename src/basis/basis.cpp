@@ -25,6 +25,7 @@ void Basis::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(weights, counts.weights);
     arena.take(combination, Offset{counts.control} * counts.combined * counts.combination);
     arena.take(conditions, counts.conditions);
+    along.lay_out(arena, counts.along);
     arena.take(wall_point, counts.wall);
     arena.take(wall_curve, counts.wall);
     arena.take(wall_u, counts.wall);

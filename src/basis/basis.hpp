@@ -4,6 +4,7 @@
 
 #include "base/arena.hpp"
 #include "bspline/bspline.hpp"
+#include "basis/kept_curves.hpp"
 #include "basis/options.hpp"
 #include "basis/point_blocks.hpp"
 #include "boundary/moving_boundary.hpp"
@@ -22,7 +23,8 @@ struct BasisCounts {
     // The number of functions of design variables, and of numbers in an entry of their matrix; 0
     // means that there are none.
     Index combined = 0, combination = 0;
-    Index modes = 0;  // Functions with values from a table; they follow all others.
+    Index modes = 0;           // Functions with values from a table; they follow all others.
+    KeptCurves::Counts along;  // The curves along which points slide.
     // The functions whose values are stored here: all of them, or those of one process.
     Index first_stored = 0, stored = 0;
     ValueKind kind = ValueKind::real;
@@ -71,7 +73,7 @@ constexpr bool operator==(MeshFingerprint const& a, MeshFingerprint const& b) no
 // The first bytes of the block. All the rest follows in the order of Basis::lay_out, which the
 // counts determine.
 struct BasisHeader {
-    static constexpr std::uint32_t current_format = 11, native_order = 0x01020304;
+    static constexpr std::uint32_t current_format = 12, native_order = 0x01020304;
     static constexpr char expected_magic[8] = {'h', 'a', 'r', 'm', 'o', 'r', 'p', 'h'};
 
     char magic[8];
@@ -110,6 +112,7 @@ struct Basis {
     // [control points x combined x numbers] The movement of control points by variables.
     Span<Real> combination;
     Span<Condition> conditions;
+    KeptCurves along;                    // Conditions with slip name these curves.
     Span<Index> wall_point, wall_curve;  // [wall]
     Span<Real> wall_u;
     Span<Vec2> wall_offset;

@@ -17,11 +17,14 @@ bool is_within(Index number, Index begin, Index end) noexcept {
 }
 
 bool counts_are_plausible(BasisCounts const& counts) noexcept {
-    Index const all[] = {counts.points,     counts.cells,        counts.control,  counts.bodies,
-                         counts.curves,     counts.indices,      counts.knots,    counts.weights,
-                         counts.wall,       counts.joined,       counts.boundary, counts.loops,
-                         counts.conditions, counts.first_stored, counts.stored,   counts.combined,
-                         counts.modes,      counts.pieces,       counts.guards,   counts.sides};
+    Index const all[] = {
+        counts.points,       counts.cells,         counts.control,     counts.bodies,
+        counts.curves,       counts.indices,       counts.knots,       counts.weights,
+        counts.wall,         counts.joined,        counts.boundary,    counts.loops,
+        counts.conditions,   counts.first_stored,  counts.stored,      counts.combined,
+        counts.modes,        counts.pieces,        counts.guards,      counts.sides,
+        counts.along.curves, counts.along.indices, counts.along.knots, counts.along.control,
+        counts.along.weights};
     for (Index const count : all) {
         if (!is_within(count, 0, max_count + 1)) return false;
     }
@@ -32,6 +35,7 @@ bool counts_are_plausible(BasisCounts const& counts) noexcept {
     if (counts.pieces == 0 ? counts.guards != 0
                            : counts.pieces > Mesh::max_cells || counts.guards > Mesh::max_cells)
         return false;
+    if (counts.along.weights != 0 && counts.along.weights != counts.along.control) return false;
     if (counts.sides != 0 && counts.sides != counts.boundary) return false;
     // Nothing else in the block grows with the number of bodies, so they need a bound here.
     if (counts.bodies > counts.conditions) return false;
@@ -71,7 +75,7 @@ public:
         if (!options_fit()) {
             return refuse("the basis is damaged: an option of its solution is out of range");
         }
-        if (!curves_fit()) {
+        if (!curves_fit() || !basis_.along.fit()) {
             return refuse("the basis is damaged: the data of its curves are inconsistent");
         }
         if (!conditions_fit()) {
@@ -131,6 +135,9 @@ private:
             if (on_curve && !is_within(condition.first_curve, 0, counts_.curves)) return false;
             if (on_curve &&
                 !is_within(condition.n_curves, 1, counts_.curves - condition.first_curve + 1))
+                return false;
+            if (condition.kind == ConditionKind::slip && condition.n_curves != 0 &&
+                !basis_.along.is_set(condition.first_curve, condition.n_curves))
                 return false;
             if (condition.kind == ConditionKind::rigid &&
                 !is_within(condition.body, 0, counts_.bodies))

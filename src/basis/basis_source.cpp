@@ -28,6 +28,7 @@ BasisCounts BasisSource::counts() const noexcept {
     counts.loops = boundary.n_loops;
     counts.sides = demands.interfaces ? boundary.count : 0;
     counts.conditions = conditions.count();
+    counts.along = KeptCurves::count(along);
     return counts.share(0, counts.functions());
 }
 
@@ -70,6 +71,7 @@ void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const
             copy(basis.weights, Span<const Real>(any.weights, basis.weights.size()));
     }
     copy(basis.conditions, source.conditions);
+    basis.along.copy_from(source.along);
     copy(basis.wall_point, Span<const Index>(source.wall.point.first(counts.wall)));
     copy(basis.wall_curve, Span<const Index>(source.wall.curve.first(counts.wall)));
     copy(basis.wall_u, Span<const Real>(source.wall.u.first(counts.wall)));

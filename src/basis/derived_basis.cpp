@@ -17,6 +17,7 @@ void begin_derived(Basis const& from, BasisCounts const& counts, Basis const& to
     copy(to.control, Span<const Real>(from.control));
     copy(to.weights, Span<const Real>(from.weights));
     copy(to.conditions, Span<const Condition>(from.conditions));
+    to.along.copy_from(from.along);
     copy(to.wall_point, Span<const Index>(from.wall_point));
     copy(to.wall_curve, Span<const Index>(from.wall_curve));
     copy(to.wall_u, Span<const Real>(from.wall_u));

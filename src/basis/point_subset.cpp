@@ -129,6 +129,7 @@ void Extract::init(Basis const& whole, PointList const& list) const noexcept {
     copy(basis.weights, Span<const Real>(whole.weights));
     copy(basis.combination, Span<const Real>(whole.combination));
     copy(basis.conditions, Span<const Condition>(whole.conditions));
+    basis.along.copy_from(whole.along);
     for (Index whole_slot = 0; whole_slot < slot.count(); ++whole_slot) {
         if (slot[whole_slot] == none) continue;
         basis.wall_point[slot[whole_slot]] = position[whole_slot];

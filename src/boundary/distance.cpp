@@ -28,11 +28,19 @@ struct SortedPoints {
         for (Index i = 0; i < n_points; ++i) ++start[square[i]];
         counts_to_starts(Span<std::uint16_t>(start, squares));
         for (Index i = 0; i < n_points; ++i) set(start[square[i]]++, point[i], i);
-        for (n = n_points; n % in_group != 0; ++n)
-            set(n, {x[n_points - 1], y[n_points - 1]}, number[n_points - 1]);
+        repeat_last(n_points);
+    }
+    // Leaves the points in their order.
+    void take(const Vec2* point, Index n_points) noexcept {
+        for (Index i = 0; i < n_points; ++i) set(i, point[i], i);
+        repeat_last(n_points);
     }
 
 private:
+    void repeat_last(Index n_points) noexcept {
+        for (n = n_points; n % in_group != 0; ++n)
+            set(n, {x[n_points - 1], y[n_points - 1]}, number[n_points - 1]);
+    }
     void set(Index at, Vec2 point, Index new_number) noexcept {
         x[at] = point.x;
         y[at] = point.y;
@@ -103,6 +111,31 @@ FaceDistance::Foot FaceDistance::foot(Vec2 from, Index& group) const noexcept {
         best = {in_group * group + lane, t};
     }
     return best;
+}
+
+void FaceDistance::find_nearest(const Vec2* point, Index n, Index* hint) const noexcept {
+    static_assert(block == SortedPoints::max_points, "");
+    DistanceKernels const& kernels = distance_kernels(kernel);
+    SortedPoints sorted;
+    // Points with hints begin next to their faces, so their order matters less.
+    if (hint[0] == none) {
+        sorted.sort(*this, point, n);
+    } else {
+        sorted.take(point, n);
+    }
+    Index group = 0;  // without a hint, the group of the last point
+    for (Index i = 0; i < sorted.n; i += in_group) {
+        Index first[in_group], nearest[in_group];
+        for (Index lane = 0; lane < in_group; ++lane) {
+            Index const face = hint[sorted.number[i + lane]];
+            if (face != none) group = face / in_group;
+            first[lane] = group;
+        }
+        kernels.nearest_faces(*this, sorted.x + i, sorted.y + i, first, nearest);
+        // The numbers after the last point repeat its number.
+        for (Index lane = 0; lane < in_group; ++lane) hint[sorted.number[i + lane]] = nearest[lane];
+        group = nearest[in_group - 1] / in_group;
+    }
 }
 
 Vec2 FaceDistance::at(Foot const& foot, Points points) const noexcept {

@@ -79,6 +79,7 @@ struct FaceDistance {
 
     void lay_out(Arena& arena, Size max_faces) noexcept;
 
+    Span<const Face> chosen() const noexcept { return faces.first(count); }
     // Chooses the faces for which is_chosen(face) holds.
     template <class IsChosen>
     void choose(Boundary const& boundary, IsChosen is_chosen) noexcept;
@@ -98,6 +99,12 @@ struct FaceDistance {
     // Finds the foot of a point. The search begins at `group`, which then becomes the group of the
     // foot: neighbouring points have neighbouring feet.
     Foot foot(Vec2 from, Index& group) const noexcept;
+    // Finds the nearest face of each of the points begin .. end-1; of faces at equal distances, the
+    // one with the smallest number. hint(k) is a face that is probably nearest to point k, or none.
+    // Calls found(k, face). There must be faces. This is fast if points with neighbouring numbers
+    // are neighbours.
+    template <class Hint, class Found>
+    void find_nearest(Points points, Index begin, Index end, Hint hint, Found found) const noexcept;
     // Returns false if no face can be nearer than `reach`. This is fast, because only the bounding
     // box of all faces is tested, as it was when the tree was built.
     bool may_reach(Vec2 from, Real reach) const noexcept {
@@ -108,6 +115,9 @@ struct FaceDistance {
     Vec2 at(Foot const& foot, Points points) const noexcept;
 
 private:
+    static constexpr Index block = 512;
+    // Does the same for at most `block` points; hint [n] becomes the nearest faces.
+    void find_nearest(const Vec2* point, Index n, Index* hint) const noexcept;
     void find_unit(Points points) noexcept;
     void find_images(Points points) noexcept;
     void set_chord(Chords& node, Index lane, Points points, Index group) const noexcept;
@@ -137,6 +147,22 @@ void FaceDistance::choose(Boundary const& boundary, IsChosen is_chosen) noexcept
             if (!is_chosen(face)) continue;
             faces[count++] = {{boundary.point[face], boundary.point[boundary.after(face, loop)]}};
         }
+    }
+}
+
+template <class Hint, class Found>
+void FaceDistance::find_nearest(Points points, Index begin, Index end, Hint hint,
+                                Found found) const noexcept {
+    for (Index first = begin; first < end; first += block) {
+        Index const n = min(block, end - first);
+        Vec2 point[block];
+        Index face[block];
+        for (Index k = 0; k < n; ++k) {
+            point[k] = inverse_unit * points[first + k];
+            face[k] = hint(first + k);
+        }
+        find_nearest(point, n, face);
+        for (Index k = 0; k < n; ++k) found(first + k, face[k]);
     }
 }
 

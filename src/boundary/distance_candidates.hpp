@@ -13,6 +13,7 @@ constexpr Index width = Registers::lanes;
 constexpr Index vectors = lanes / width;
 constexpr Real slack = FaceDistance::slack;
 constexpr Real min_distance = 1e-30;
+constexpr Real min_reach = 1e-150;  // The square is a normal number.
 
 HARMORPH_INLINE Real largest_of(Real* eight) noexcept {
     for (Index n = lanes / 2; n > 0; n /= 2) {

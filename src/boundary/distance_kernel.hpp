@@ -18,7 +18,7 @@ struct One {
         : centre(point), group(first_group) {}
 
     HARMORPH_INLINE bool reaches(FaceDistance::Boxes const&, Index, Real bound) const noexcept {
-        return bound < (1 + 2 * slack) * square;
+        return bound < (1 + 2 * slack) * reach * reach;
     }
     HARMORPH_INLINE bool reaches(FaceDistance::Chords const& chords, Index lane,
                                  Real bound) const noexcept {
@@ -34,7 +34,8 @@ struct One {
         // depend on the group that was tried first.
         if (!(nearest < square || (nearest == square && tried < group))) return;
         square = nearest;
-        reach = sqrt(nearest);
+        // A point on a face reaches the other faces at distance 0, too.
+        reach = max(sqrt(nearest), min_reach);
         group = tried;
     }
 };
@@ -103,7 +104,6 @@ struct Eight {
         set_reach();
     }
 
-private:
     HARMORPH_INLINE void set_centre() noexcept {
         Vector sum_x{}, sum_y{};
         for (Index v = 0; v < vectors; ++v) {
@@ -123,6 +123,49 @@ private:
         for (Index v = 0; v < vectors; ++v)
             Registers::store(farthest + v * width, from_centre[v] + distance[v]);
         reach = (1 + slack) * largest_of(farthest);
+    }
+};
+
+// Finds the group of the nearest face for each of eight points.
+struct EightFeet : Eight {
+    using Eight::reaches;
+    Index groups[lanes];
+
+    HARMORPH_INLINE EightFeet(const Real* new_x, const Real* new_y, const Index* first) noexcept
+        : Eight(new_x, new_y, first[0]) {
+        for (Index k = 0; k < lanes; ++k) groups[k] = first[k];
+    }
+    HARMORPH_INLINE bool reaches(FaceDistance::Boxes const& boxes, Index lane,
+                                 Real) const noexcept {
+        unsigned any = 0;
+        for (Index v = 0; v < vectors; ++v) {
+            Vector const bound = square_outside(boxes.low_x[lane], boxes.low_y[lane],
+                                                boxes.high_x[lane], boxes.high_y[lane], x[v], y[v]);
+            any |= Registers::less(bound, (1 + 2 * slack) * distance[v] * distance[v]);
+        }
+        return any != 0;
+    }
+    HARMORPH_INLINE void try_group(FaceDistance::Segments const& segments, Index tried) noexcept {
+        bool closer = false;
+        for (Index v = 0; v < vectors; ++v) {
+            Vector nearest = square_from(segments, 0, x[v], y[v]);
+            for (Index lane = 1; lane < lanes; ++lane)
+                nearest = Registers::min(nearest, square_from(segments, lane, x[v], y[v]));
+            unsigned const is_less = Registers::less(nearest, square[v]),
+                           is_more = Registers::less(square[v], nearest);
+            square[v] = Registers::min(nearest, square[v]);
+            // A point on a face reaches the other faces at distance 0, too.
+            distance[v] = Registers::max(Registers::sqrt(square[v]), Vector{} + min_reach);
+            closer = closer || is_less != 0;
+            // At equal distances the group with the smallest number counts.
+            unsigned const all = (1u << width) - 1;
+            for (unsigned left = is_less | (all & ~is_more); left != 0; left &= left - 1) {
+                unsigned const lane = static_cast<unsigned>(__builtin_ctz(left));
+                Index& own = groups[v * width + static_cast<Index>(lane)];
+                own = (is_less >> lane & 1) != 0 || tried < own ? tried : own;
+            }
+        }
+        if (closer) set_reach();
     }
 };
 
@@ -197,7 +240,29 @@ void weigh_eight(FaceDistance const& tree, Index exponent_quarters, const Real* 
         Registers::store(k + v * width, weight_of(searches.square[v], exponent_quarters));
 }
 
-constexpr DistanceKernels kernels{nearest_square, weigh_eight};
+void nearest_faces(FaceDistance const& tree, const Real* x, const Real* y, const Index* groups,
+                   Index* faces) noexcept {
+    EightFeet searches(x, y, groups);
+    for (Index k = 0; k < lanes; ++k) {
+        if (k == 0 || groups[k] != groups[k - 1])
+            searches.try_group(tree.groups[groups[k]], groups[k]);
+    }
+    Search<EightFeet>(tree, searches, none).run();
+    Real square[lanes];
+    for (Index v = 0; v < vectors; ++v) Registers::store(square + v * width, searches.square[v]);
+    for (Index k = 0; k < lanes; ++k) {
+        Vec2 const from{x[k], y[k]};
+        FaceDistance::Segments const& segments = tree.groups[searches.groups[k]];
+        unsigned farther = 0;  // faces that are farther than the nearest one
+        for (Index lane = 0; lane < lanes; lane += width) {
+            farther |= Registers::less(Vector{} + square[k], square_from(segments, lane, from))
+                       << lane;
+        }
+        faces[k] = lanes * searches.groups[k] + __builtin_ctz(~farther);
+    }
+}
+
+constexpr DistanceKernels kernels{nearest_square, weigh_eight, nearest_faces};
 
 }  // namespace
 }  // namespace harmorph::distances::HARMORPH_SET

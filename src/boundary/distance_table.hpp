@@ -15,6 +15,10 @@ struct DistanceKernels {
     // points.
     void (*weigh_eight)(FaceDistance const& tree, Index exponent_quarters, const Real* x,
                         const Real* y, Real* k, Index& group) noexcept;
+    // Finds the nearest face of each of eight points in units, which are searched together; of
+    // faces at equal distances, the one with the smallest number. The searches begin at the groups.
+    void (*nearest_faces)(FaceDistance const& tree, const Real* x, const Real* y,
+                          const Index* groups, Index* faces) noexcept;
 };
 
 DistanceKernels const& distance_kernels(Kernel kernel) noexcept;

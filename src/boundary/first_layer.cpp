@@ -12,7 +12,7 @@ void WallPoints::lay_out(Arena& arena, Index n_points, Size max_faces) noexcept 
     arena.take(slot, n_points);
 }
 
-void WallPoints::find(Index n_points, FaceDistance const& walls) noexcept {
+void WallPoints::find(Index n_points, Span<const FaceDistance::Face> walls) noexcept {
     count = 0;
     fill(slot.first(n_points), none);
     auto const slot_of = [&](Index wall_point) {
@@ -24,7 +24,7 @@ void WallPoints::find(Index n_points, FaceDistance const& walls) noexcept {
         }
         return slot[wall_point];
     };
-    for (FaceDistance::Face const& face : walls.faces.first(walls.count)) {
+    for (FaceDistance::Face const& face : walls) {
         next[slot_of(face.point[0])] = face.point[1];
         previous[slot_of(face.point[1])] = face.point[0];
     }
@@ -64,7 +64,7 @@ void FirstLayer::lay_out(Arena& arena, Mesh const& mesh, Size max_faces) noexcep
 }
 
 void FirstLayer::find(Mesh const& mesh, Points points, Span<const Index> representative,
-                      FaceDistance const& walls) noexcept {
+                      Span<const FaceDistance::Face> walls) noexcept {
     wall.find(mesh.n_points, walls);
     fill(above, none);
     for (Index i = 0; i < mesh.n_cells; ++i) {

@@ -6,8 +6,7 @@
 
 namespace harmorph {
 
-// Lists the points of the walls. The walls are the faces of a FaceDistance, in its order; the mesh
-// is on their left.
+// Lists the points of the walls, which are given as faces; the mesh is on the left of each face.
 struct WallPoints {
     Index count = 0;
     Span<Index> point;  // [max_count], of which `count` are used: mesh points
@@ -19,7 +18,7 @@ struct WallPoints {
         return min(2 * max_faces, static_cast<Size>(n_points));
     }
     void lay_out(Arena& arena, Index n_points, Size max_faces) noexcept;
-    void find(Index n_points, FaceDistance const& walls) noexcept;
+    void find(Index n_points, Span<const FaceDistance::Face> walls) noexcept;
 
     // Returns the tangent, not normalised, of the parabola through the point of a slot and both
     // neighbours.
@@ -38,7 +37,7 @@ struct FirstLayer {
     void lay_out(Arena& arena, Mesh const& mesh, Size max_faces) noexcept;
     // representative [n_points] is the point that stands for each point.
     void find(Mesh const& mesh, Points points, Span<const Index> representative,
-              FaceDistance const& walls) noexcept;
+              Span<const FaceDistance::Face> walls) noexcept;
 };
 
 // An angle is the rotation of an edge relative to the wall. A height is that of the outer end of an

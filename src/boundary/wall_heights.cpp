@@ -28,7 +28,7 @@ void WallHeights::lay_out(Arena& arena, Mesh const& mesh, Size max_faces) noexce
 void WallHeights::find(Mesh const& mesh, Points before, Span<const PointKind> kinds,
                        Span<const Index> representative, FaceDistance const& walls,
                        Executor const& executor) noexcept {
-    wall.find(mesh.n_points, walls);
+    wall.find(mesh.n_points, walls.chosen());
     executor.for_ranges(mesh.n_points, min_points_near_walls, [&](Index begin, Index end) {
         Index group = 0;
         for (Index k = begin; k < end; ++k) {

@@ -1,6 +1,7 @@
 #include "bspline/section_clearance.hpp"
 
 #include "base/angle.hpp"
+#include "base/smooth_minimum.hpp"
 #include "bspline/projection.hpp"
 
 namespace harmorph {
@@ -40,8 +41,9 @@ bool is_inside(Section const& section, Vec2 q) noexcept {
     return inside;
 }
 
-// Finds the point of the outline nearest to q.
-Clearance nearest_to(Section const& section, Vec2 q) noexcept {
+}  // namespace
+
+Clearance clearance_of_point(Section const& section, Vec2 q) noexcept {
     Clearance out;
     Real nearest = infinity;
     for (Index c = 0; c < section.n_curves; ++c) {
@@ -69,13 +71,11 @@ Clearance nearest_to(Section const& section, Vec2 q) noexcept {
     return out;
 }
 
-}  // namespace
-
 Clearance measure_clearance(Section const& section, Points polygon, Index n) noexcept {
     Clearance best;
     best.value = infinity;
     auto const try_point = [&](Vec2 q) {
-        Clearance const found = nearest_to(section, q);
+        Clearance const found = clearance_of_point(section, q);
         if (found.value < best.value) best = found;
     };
     for (Index k = 0; k < n; ++k) try_point(polygon[k]);
@@ -120,6 +120,26 @@ void pull_clearance(Section const& section, Clearance const& clearance,
     gradient.add(section.end_of(section.n_curves - 1, true),
                  (1 - clearance.along) * clearance.towards);
     gradient.add(section.end_of(0, false), clearance.along * clearance.towards);
+}
+
+Clearance smooth_clearance(Section const& section, Points polygon, Index n, Real sharpness,
+                           ControlGradient const& gradient) noexcept {
+    SmoothMinimum found;
+    found.sharpness = sharpness;
+    Clearance best;
+    for (Index k = 0; k < n; ++k) {
+        Clearance const here = clearance_of_point(section, polygon[k]);
+        if (k == 0 || here.value < best.value) best = here;
+    }
+    found.shift = best.value;
+    for (Index k = 0; k < n; ++k) found.add(clearance_of_point(section, polygon[k]).value, k);
+    for (Index k = 0; k < n && gradient.wanted(); ++k) {
+        Clearance here = clearance_of_point(section, polygon[k]);
+        here.towards = (found.weight(here.value) / found.sum) * here.towards;
+        pull_clearance(section, here, gradient);
+    }
+    best.value = found.bound();
+    return best;
 }
 
 }  // namespace harmorph

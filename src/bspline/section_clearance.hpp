@@ -1,4 +1,5 @@
-// Computes the clearance between a section and a polygon that must fit inside.
+// Computes the clearance between a section and a polygon that must fit inside, and the distance
+// between two bodies.
 // tests/bspline/test_section_measures.cpp covers this file.
 #pragma once
 
@@ -23,5 +24,12 @@ struct Clearance {
 Clearance measure_clearance(Section const& section, Points polygon, Index n) noexcept;
 void pull_clearance(Section const& section, Clearance const& clearance,
                     ControlGradient const& gradient) noexcept;
+// Returns the clearance of the point of the polygon that is nearest, with the smooth lower bound of
+// all points as its value, and adds the derivatives to the gradient. sharpness is in 1 / length.
+Clearance smooth_clearance(Section const& section, Points polygon, Index n, Real sharpness,
+                           ControlGradient const& gradient) noexcept;
+
+// Returns the point of the outline nearest to q; the value is positive if q is inside.
+Clearance clearance_of_point(Section const& section, Vec2 q) noexcept;
 
 }  // namespace harmorph

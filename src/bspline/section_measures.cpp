@@ -3,6 +3,7 @@
 #include "base/angle.hpp"
 #include "bspline/section_clearance.hpp"
 #include "bspline/section_curvature.hpp"
+#include "bspline/section_distance.hpp"
 #include "bspline/section_stations.hpp"
 
 namespace harmorph {
@@ -57,6 +58,47 @@ Status measure_stations(Section& section, Quantity const& quantity, ControlGradi
     HARMORPH_TRY(measure_station(section, which, quantity.station, found, fault));
     measured = {found.value, found.point};
     return pull_station(section, which, found, 1, gradient, fault);
+}
+
+Status measure_twist(Section& section, ControlGradient const& gradient, Measured& measured,
+                     Fault& fault) noexcept {
+    HARMORPH_TRY(section.find_chord(false, fault));
+    Vec2 const along = section.chord();
+    measured = {in_degrees(angle_of(along)), section.leading_edge};
+    Vec2 const by_along = in_degrees(1 / square(along)) * left_of(along);
+    section.pull_chord({-1 * by_along, by_along}, gradient);
+    return Status::ok;
+}
+
+Status measure_min_thickness(Section& section, Quantity const& quantity,
+                             ControlGradient const& gradient, Measured& measured,
+                             Fault& fault) noexcept {
+    HARMORPH_TRY(section.find_chord(false, fault));
+    if (quantity.sharpness > 0) {
+        Station thinnest;
+        HARMORPH_TRY(measure_smooth_thinnest(section, quantity.station, quantity.last_station,
+                                             quantity.sharpness, thinnest, measured.value, gradient,
+                                             fault));
+        measured.at = thinnest.point;
+        return Status::ok;
+    }
+    ExtremeStation found;
+    HARMORPH_TRY(measure_thinnest(section, quantity.station, quantity.last_station, found, fault));
+    measured = {found.before.value, found.before.point};
+    return pull_extreme(section, StationValue::thickness, found, gradient, fault);
+}
+
+void measure_distance(Section const& section, Quantity const& quantity,
+                      ControlGradient const& gradient, Measured& measured) noexcept {
+    Section const& other = *quantity.other;
+    BodyDistance found;
+    if (quantity.sharpness > 0) {
+        found = smooth_body_distance(section, other, quantity.sharpness, gradient);
+    } else {
+        found = body_distance(section, other);
+        pull_body_distance(section, other, found, 1, gradient);
+    }
+    measured = {found.value, found.place.point()};
 }
 
 Status measure_leading_edge(Section& section, ControlGradient const& gradient, Measured& measured,
@@ -156,9 +198,19 @@ Status measure(Section& section, Quantity const& quantity, ControlGradient const
         case QuantityKind::min_radius:
         case QuantityKind::curvature_variation:
             return measure_curvature(section, quantity.kind, gradient, measured, fault);
+        case QuantityKind::twist: return measure_twist(section, gradient, measured, fault);
+        case QuantityKind::min_thickness:
+            return measure_min_thickness(section, quantity, gradient, measured, fault);
+        case QuantityKind::distance:
+            measure_distance(section, quantity, gradient, measured);
+            return Status::ok;
         case QuantityKind::clearance: break;
     }
-    Clearance const found = measure_clearance(section, quantity.polygon, quantity.n_polygon);
+    bool const is_smooth = quantity.sharpness > 0;
+    Clearance const found = is_smooth
+                                ? smooth_clearance(section, quantity.polygon, quantity.n_polygon,
+                                                   quantity.sharpness, gradient)
+                                : measure_clearance(section, quantity.polygon, quantity.n_polygon);
     measured.value = found.value;
     measured.at = found.nearest.point();
     if (found.on_closing) {
@@ -166,7 +218,7 @@ Status measure(Section& section, Quantity const& quantity, ControlGradient const
                    b = section.end_of(0, false).point();
         measured.at = a + found.along * (b - a);
     }
-    pull_clearance(section, found, gradient);
+    if (!is_smooth) pull_clearance(section, found, gradient);
     return Status::ok;
 }
 

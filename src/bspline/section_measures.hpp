@@ -23,7 +23,10 @@ enum class QuantityKind : std::int32_t {
     trailing_edge_gap = 13,
     min_radius = 14,
     curvature_variation = 15,
-    clearance = 16
+    clearance = 16,
+    twist = 17,
+    min_thickness = 18,
+    distance = 19
 };
 
 struct Quantity {
@@ -31,6 +34,9 @@ struct Quantity {
     Real station = 0;
     Points polygon;
     Index n_polygon = 0;
+    Real last_station = 0;
+    Real sharpness = 0;              // 1 / length; 0: no smooth bound
+    const Section* other = nullptr;  // the other body of `distance`, connected
 };
 
 struct Measured {

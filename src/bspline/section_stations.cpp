@@ -1,6 +1,7 @@
 #include "bspline/section_stations.hpp"
 
 #include "base/angle.hpp"
+#include "base/smooth_minimum.hpp"
 
 namespace harmorph {
 namespace {
@@ -114,25 +115,41 @@ Status measure_station(Section const& section, StationValue which, Real at, Stat
         at);
 }
 
-// The stations t^2 (3 - 2 t) are dense at both ends, where slopes are steep.
-Status measure_extreme(Section const& section, StationValue which, ExtremeStation& extreme,
-                       Fault& fault) noexcept {
-    constexpr Index n = 128;
-    Station& station = extreme.before;
-    auto const place = [&](Index k) {
+namespace {
+
+// The stations that a search tries, and the sign of the value that is made largest.
+struct StationSearch {
+    static constexpr Index n = 128;
+    bool is_whole =
+        true;  // all stations; otherwise those from first to last, for the smallest value
+    Real first = 0, last = 1;
+
+    // The stations t^2 (3 - 2 t) are dense at both ends, where slopes are steep.
+    Real place(Index k) const noexcept {
         Real const t = static_cast<Real>(k) / n;
-        return t * t * (3 - 2 * t);
-    };
+        return is_whole ? t * t * (3 - 2 * t) : first + (last - first) * t;
+    }
+    Index first_try() const noexcept { return is_whole ? 1 : 0; }
+    Index last_try() const noexcept { return is_whole ? n - 1 : n; }
+    Real sign(StationValue which, Real value) const noexcept {
+        if (!is_whole) return -1;
+        return which == StationValue::camber && value < 0 ? -1 : 1;
+    }
+};
+
+Status search_stations(Section const& section, StationValue which, StationSearch const& search,
+                       ExtremeStation& extreme, Fault& fault) noexcept {
+    Station& station = extreme.before;
     Index best = none;
     Real largest = -infinity, sign = 1;
-    for (Index k = 1; k < n; ++k) {
-        Real const value = value_at(section, which, place(k), station);
+    for (Index k = search.first_try(); k <= search.last_try(); ++k) {
+        Real const value = value_at(section, which, search.place(k), station);
         if (value == -infinity) continue;
-        Real const size = which == StationValue::camber ? abs(value) : value;
-        if (!(size > largest)) continue;
-        largest = size;
+        Real const sign_here = search.sign(which, value);
+        if (!(sign_here * value > largest)) continue;
+        largest = sign_here * value;
         best = k;
-        sign = which == StationValue::camber && value < 0 ? -1 : 1;
+        sign = sign_here;
     }
     if (best == none) {
         return fault.refuse(Status::bad_curve,
@@ -144,8 +161,9 @@ Status measure_extreme(Section const& section, StationValue which, ExtremeStatio
         bool const found = value_at(section, which, at, there) > -infinity;
         return found ? sign * slope_at(section, which, there) : 0;
     };
-    Neighbours at = {place(best), place(best)};
-    Real const low = place(max(best - 1, Index{1})), high = place(min(best + 1, n - 1));
+    Neighbours at = {search.place(best), search.place(best)};
+    Real const low = search.place(max(best - 1, search.first_try())),
+               high = search.place(min(best + 1, search.last_try()));
     if (rise(low) > 0 && rise(high) < 0) at = sign_change_between(low, high, rise);
     value_at(section, which, at.low, station);
     extreme.behind = station;
@@ -154,6 +172,43 @@ Status measure_extreme(Section const& section, StationValue which, ExtremeStatio
     Real const rise_before = rise(at.low), fall_behind = -rise(at.high);
     if (rise_before + fall_behind > 0)
         extreme.weight_before = fall_behind / (rise_before + fall_behind);
+    return Status::ok;
+}
+
+}  // namespace
+
+Status measure_extreme(Section const& section, StationValue which, ExtremeStation& extreme,
+                       Fault& fault) noexcept {
+    return search_stations(section, which, {}, extreme, fault);
+}
+
+Status measure_thinnest(Section const& section, Real first, Real last, ExtremeStation& extreme,
+                        Fault& fault) noexcept {
+    return search_stations(section, StationValue::thickness, {false, first, last}, extreme, fault);
+}
+
+Status measure_smooth_thinnest(Section const& section, Real first, Real last, Real sharpness,
+                               Station& thinnest, Real& bound, ControlGradient const& gradient,
+                               Fault& fault) noexcept {
+    constexpr Index n = 64;
+    constexpr StationValue which = StationValue::thickness;
+    auto const at = [&](Index k) { return first + (last - first) * k / n; };
+    SmoothMinimum found;
+    found.sharpness = sharpness;
+    Station station;
+    for (Index k = 0; k <= n; ++k) {
+        HARMORPH_TRY(measure_station(section, which, at(k), station, fault));
+        found.note(station.value, k);
+    }
+    found.shift = found.least;
+    for (Index k = 0; k <= n; ++k) found.add(value_at(section, which, at(k), station), k);
+    for (Index k = 0; k <= n; ++k) {
+        Real const weight = found.weight(value_at(section, which, at(k), station)) / found.sum;
+        if (weight > 0)
+            HARMORPH_TRY(pull_station(section, which, station, weight, gradient, fault));
+    }
+    value_at(section, which, at(found.item), thinnest);
+    bound = found.bound();
     return Status::ok;
 }
 

@@ -35,6 +35,15 @@ Status measure_station(Section const& section, StationValue which, Real at, Stat
                        Fault& fault) noexcept;
 Status measure_extreme(Section const& section, StationValue which, ExtremeStation& extreme,
                        Fault& fault) noexcept;
+// Finds the smallest thickness over the stations from first to last.
+Status measure_thinnest(Section const& section, Real first, Real last, ExtremeStation& extreme,
+                        Fault& fault) noexcept;
+// Computes the smooth lower bound of the thickness at equidistant stations from first to last, adds
+// its derivatives to the gradient, and sets the station of the smallest one. sharpness is in
+// 1 / length.
+Status measure_smooth_thinnest(Section const& section, Real first, Real last, Real sharpness,
+                               Station& thinnest, Real& bound, ControlGradient const& gradient,
+                               Fault& fault) noexcept;
 // Adds `weight` times the derivatives of the value at a fixed station.
 Status pull_station(Section const& section, StationValue which, Station const& station, Real weight,
                     ControlGradient const& gradient, Fault& fault) noexcept;

@@ -47,15 +47,15 @@ bool is_right_of(Vec2 from, Vec2 to, Vec2 point) noexcept {
     return cross(to - from, point - from) < 0;
 }
 
-void weigh(CellShape const& shape, Vec2 point, Real* weight) noexcept {
+}  // namespace
+
+void weigh_corners(CellShape const& shape, Vec2 point, Real* weight) noexcept {
     if (shape.n == 3) return add_barycentric(shape, point, 0, 1, 2, 1, weight);
     bool const beside_1 = is_right_of(shape.at[0], shape.at[2], point);
     bool const beside_2 = is_right_of(shape.at[1], shape.at[3], point);
     add_barycentric(shape, point, 0, beside_1 ? 1 : 2, beside_1 ? 2 : 3, 0.5, weight);
     add_barycentric(shape, point, 1, beside_2 ? 2 : 3, beside_2 ? 3 : 0, 0.5, weight);
 }
-
-}  // namespace
 
 void Locator::build(OrientedMesh const& mesh) noexcept {
     cells = mesh;
@@ -82,7 +82,7 @@ Location Locator::locate(Vec2 point, Index hint) const noexcept {
     out.longest_side = longest_side(corners);
     out.weights.n = cell.n;
     for (Index k = 0; k < cell.n; ++k) out.weights.point[k] = cell.point[k];
-    weigh(corners, point, out.weights.weight);
+    weigh_corners(corners, point, out.weights.weight);
     return out;
 }
 

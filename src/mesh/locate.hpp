@@ -18,6 +18,9 @@ struct CellWeights {
     Real weight[4] = {};
 };
 
+// Computes the weights [n] of the corners of a cell at a point.
+void weigh_corners(CellShape const& shape, Vec2 point, Real* weight) noexcept;
+
 struct Location {
     Index cell = none;
     Real distance = 0;      // from the cell; 0 inside the cell, to rounding

@@ -1,5 +1,6 @@
 #include "morph/cell_batch.hpp"
 
+#include "base/exponential_series.hpp"
 #include "morph/skew.hpp"
 
 #define HARMORPH_KERNELS "morph/cell_kernel.hpp"

@@ -99,8 +99,36 @@ struct ListQuality {
 // for all instruction sets.
 using MeasureCells = std::uint64_t(CellList const& cells, CellPlaces const& places,
                                    CellBounds const& bounds, ListQuality* quality) noexcept;
+
+// The smooth values of cells that a kernel computes, see morph/cell_bounds.hpp. Weights are
+// exp(sharpness * (shift - value)).
+struct SmoothRequest {
+    // Values to compute: the quality (also divided by the skew quality of the start), the corner
+    // areas divided by those of the start, and the derivatives.
+    bool quality = false, kept = false, area = false, slopes = false;
+    Real quality_sharpness = 0, quality_shift = 0, area_sharpness = 0, area_shift = 0;
+};
+// The derivatives of the value of a cell by the coordinates of its corners, multiplied by its
+// weight.
+struct SmoothSlopes {
+    Real x[4][CellBatches::max_count], y[4][CellBatches::max_count];
+};
+struct SmoothList {
+    Real quality[CellBatches::max_count], quality_weight[CellBatches::max_count];
+    // The smallest value of the corners of each cell, and the sum of the weights of all corners.
+    Real area[CellBatches::max_count], area_weight[CellBatches::max_count];
+    SmoothSlopes by_quality, by_area;
+    // The bits of cells that must be computed one by one: they are inverted, or products of their
+    // areas would overflow or underflow. Their numbers above are not set.
+    std::uint64_t odd = 0;
+};
+// Computes the smooth values of a list of cells at places.at, compared with places.reference. The
+// results have the same bits in all kernels.
+using SmoothCells = void(CellList const& cells, CellPlaces const& places,
+                         SmoothRequest const& request, SmoothList& list) noexcept;
 struct CellKernels {
     MeasureCells *triangles, *quads;
+    SmoothCells *smooth_triangles, *smooth_quads;
 };
 
 // Returns the kernels for so many cells; `known` is the best kernel, if known.

@@ -3,39 +3,10 @@
 // mesh/cell_shape, morph/quality and morph/admissible_step, in the same order of operations.
 // tests/morph/test_cell_batch.cpp covers this file.
 #include "morph/cell_places.hpp"
+#include "morph/bound_kernel.hpp"
 
 namespace harmorph::cell_measures::HARMORPH_SET {
 namespace {
-
-template <Index n>
-struct Corners {
-    static constexpr Index n_areas = n == 3 ? 1 : 4;
-    Vectors side[n];
-    Vector twice_area[n_areas];
-
-    // before() and after() are the sides that meet at a corner.
-    static constexpr Index before(Index k) noexcept { return n == 3 ? 0 : (k + 3) & 3; }
-    static constexpr Index after(Index k) noexcept { return n == 3 ? 1 : k; }
-
-    HARMORPH_INLINE explicit Corners(Shapes<n> const& shapes) noexcept {
-#pragma GCC unroll 4
-        for (Index k = 0; k < n; ++k) side[k] = shapes.at[k + 1 == n ? 0 : k + 1] - shapes.at[k];
-#pragma GCC unroll 4
-        for (Index k = 0; k < n_areas; ++k) twice_area[k] = cross(side[before(k)], side[after(k)]);
-    }
-    HARMORPH_INLINE Vector smallest() const noexcept {
-        if (n == 3) return twice_area[0];
-        Vector const* const a = twice_area;
-        Vector const sum = (a[0] + a[n_areas / 4]) + (a[n_areas / 2] + a[n_areas - 1]);
-        Vector const smallest_area =
-            lanes_min(lanes_min(a[0], a[n_areas / 4]), lanes_min(a[n_areas / 2], a[n_areas - 1]));
-        Vector const zero = sum - sum;
-        return zero == 0 ? smallest_area : zero;
-    }
-    HARMORPH_INLINE Vector area() const noexcept {
-        return 0.5 * (n == 3 ? twice_area[0] : twice_area[0] + twice_area[n_areas / 2]);
-    }
-};
 
 // Computes the same as skew_fraction() and CellMeasure::quality(). Square roots come first, as they
 // run in parallel with other operations. If a cell is inverted, no number is divided by its areas,
@@ -235,7 +206,7 @@ std::uint64_t measure(CellList const& cells, CellPlaces const& given_places,
     return found & given;
 }
 
-constexpr CellKernels kernels{measure<3>, measure<4>};
+constexpr CellKernels kernels{measure<3>, measure<4>, smooth<3>, smooth<4>};
 
 }  // namespace
 }  // namespace harmorph::cell_measures::HARMORPH_SET

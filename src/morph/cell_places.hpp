@@ -1,6 +1,7 @@
-// The coordinates of the corners of several cells, with the registers of one instruction set:
-// gathered from lists of cells, or side by side in the rows of a structured mesh. cell_batch.cpp
-// compiles this file for each set. tests/morph/test_cell_batch.cpp covers this file.
+// The corners of several cells, with their sides and areas, in the registers of one instruction
+// set: coordinates are gathered from lists of cells, or side by side in the rows of a structured
+// mesh. cell_batch.cpp compiles this file for each set. tests/morph/test_cell_batch.cpp covers this
+// file.
 
 namespace harmorph::cell_measures::HARMORPH_SET {
 namespace {
@@ -41,6 +42,36 @@ struct Shapes {
     HARMORPH_INLINE Vector area() const noexcept {
         return 0.5 * (n == 3 ? cross(at[1] - at[0], at[2] - at[0])
                              : cross(at[2] - at[0], at[n - 1] - at[1]));
+    }
+};
+
+template <Index n>
+struct Corners {
+    static constexpr Index n_areas = n == 3 ? 1 : 4;
+    Vectors side[n];
+    Vector twice_area[n_areas];
+
+    // before() and after() are the sides that meet at a corner.
+    static constexpr Index before(Index k) noexcept { return n == 3 ? 0 : (k + 3) & 3; }
+    static constexpr Index after(Index k) noexcept { return n == 3 ? 1 : k; }
+
+    HARMORPH_INLINE explicit Corners(Shapes<n> const& shapes) noexcept {
+#pragma GCC unroll 4
+        for (Index k = 0; k < n; ++k) side[k] = shapes.at[k + 1 == n ? 0 : k + 1] - shapes.at[k];
+#pragma GCC unroll 4
+        for (Index k = 0; k < n_areas; ++k) twice_area[k] = cross(side[before(k)], side[after(k)]);
+    }
+    HARMORPH_INLINE Vector smallest() const noexcept {
+        if (n == 3) return twice_area[0];
+        Vector const* const a = twice_area;
+        Vector const sum = (a[0] + a[n_areas / 4]) + (a[n_areas / 2] + a[n_areas - 1]);
+        Vector const smallest_area =
+            lanes_min(lanes_min(a[0], a[n_areas / 4]), lanes_min(a[n_areas / 2], a[n_areas - 1]));
+        Vector const zero = sum - sum;
+        return zero == 0 ? smallest_area : zero;
+    }
+    HARMORPH_INLINE Vector area() const noexcept {
+        return 0.5 * (n == 3 ? twice_area[0] : twice_area[0] + twice_area[n_areas / 2]);
     }
 };
 

@@ -1,10 +1,10 @@
-// Full-approximation cycles for a block of W functions. Two measures make the number of cycles
-// nearly independent of the mesh, which it is not in the paper's V-cycle with piecewise constant
-// corrections: 42 to 92 cycles on isotropic cells and 77 to 156 on viscous ones were measured from
-// 10k to 100k points, and are now 24 to 27 and 46 to 55. Each level is visited twice from the next
-// finer one (W-cycle), as the errors of coarse solutions would add up over the levels. One step of
-// Jacobi's method smooths each correction (smoothed aggregation; P. Vanek, J. Mandel, M. Brezina,
-// Computing 56 (1996) 179). tests/multigrid/test_full_approximation.cpp covers this file.
+// Full-approximation cycles for a block of W functions. The paper makes V-cycles, and adds the
+// corrections of merged cells to their members as they are. Three measures of the improved cycle
+// make the number of cycles nearly independent of the mesh: each level is visited twice from the
+// next finer one (W-cycle), as the errors of coarse solutions would add up over the levels; one
+// step of Jacobi's method smooths each correction (smoothed aggregation; P. Vanek, J. Mandel,
+// M. Brezina, Computing 56 (1996) 179); and the length of each correction minimises the energy of
+// the error. tests/multigrid/test_full_approximation.cpp covers this file.
 #pragma once
 
 #include <type_traits>
@@ -89,15 +89,13 @@ public:
             cycle(0, true);
             ++report.iterations;
         }
-        report.fine_sweeps = fine_steps_;
+        report.work = work_;
         return Status::ok;
     }
 
 private:
     // The numbers of steps before and after the coarse correction.
     static constexpr Index finest_steps = 2, coarse_steps = 1, coarsest_steps = 10;
-    // The number of visits of the next coarser level in a cycle.
-    static constexpr Index coarse_visits = 2;
     // The factor by which corrections are smoothed, relative to the step of Runge-Kutta.
     static constexpr Real smoothing = 0.5;
     // The number of cycles on each level on the way from the coarsest to the finest one.
@@ -184,8 +182,11 @@ private:
         return largest;
     }
 
+    void count_products(Index level, Index n) noexcept { work_ += n * engine_.product_work[level]; }
+
     void take_rest(Index level) noexcept {
         Vectors const& own = at_[level];
+        count_products(level, 1);
         if (level > 0 || finest_.nodal == nullptr)
             return residual<W>(a_.level[level], own.f, own.u, own.rest);
         copy<W>(own.f, own.rest, a_.level[0].n);
@@ -207,7 +208,6 @@ private:
                     own.u[row + k] = own.start[row + k] + by * own.rest[row + k];
             }
         }
-        if (level == 0) ++fine_steps_;
     }
     void steps(Index level, Index n, bool has_rest) noexcept {
         for (Index k = 0; k < n; ++k) step(level, has_rest && k == 0);
@@ -220,7 +220,8 @@ private:
         steps(level, n, has_rest);
         restrict_to_coarse(level);
         bool const coarsest_is_next = level + 2 == a_.count;
-        for (Index k = 0; k < (coarsest_is_next ? 1 : coarse_visits); ++k) cycle(level + 1, false);
+        Index const visits = engine_.iteration.has_improved_cycle && !coarsest_is_next ? 2 : 1;
+        for (Index k = 0; k < visits; ++k) cycle(level + 1, false);
         correct(level);
         steps(level, n, false);
     }
@@ -245,13 +246,15 @@ private:
         }
         copy<W>(coarse.u, coarse.restricted, n);
         multiply<W>(a_.level[below], coarse.u, coarse.f);
+        count_products(below, 1);
         for (Offset k = 0; k < Offset{n} * W; ++k) coarse.f[k] += coarse.rest[k];
     }
 
-    // Prolongation: u += length * S P (change of the coarse values). P copies the value of a merged
-    // cell to its members, S is a step of Jacobi's method. The length minimises the energy of the
-    // error on this level (A. Reusken, Numer. Math. 58 (1991) 819): corrections from merged cells
-    // are too small in smooth regions and too large elsewhere.
+    // Prolongation: u += P (change of the coarse values), where P copies the value of a merged cell
+    // to its members. The improved cycle has length * S P instead of P. S is a step of Jacobi's
+    // method; the length minimises the energy of the error on this level (A. Reusken, Numer. Math.
+    // 58 (1991) 819): corrections from merged cells are too small in smooth regions and too large
+    // elsewhere.
     void correct(Index level) noexcept {
         Vectors const& own = at_[level];
         Vectors const& coarse = at_[level + 1];
@@ -263,21 +266,30 @@ private:
             for (Index k = 0; k < W; ++k)
                 change[Offset{i} * W + k] = coarse.u[cell + k] - coarse.restricted[cell + k];
         }
+        PerFunction<W> length;
+        for (Index k = 0; k < W; ++k) length[k] = 1;
+        if (engine_.iteration.has_improved_cycle) length = smooth(level, change);
+        if (level == 0) {
+            corrected_ = largest<W>(change, n);
+            for (Index k = 0; k < W; ++k) corrected_[k] *= abs(length[k]);
+        }
+        add_multiple<W>(length, change, own.u, n);
+    }
+
+    // Makes a step of Jacobi's method and returns the lengths that minimise the energy of the
+    // error.
+    PerFunction<W> smooth(Index level, Real* change) noexcept {
+        Vectors const& own = at_[level];
+        Index const n = a_.level[level].n;
         multiply<W>(a_.level[level], change, own.product);
         for (Index i = 0; i < n; ++i)
             add<W>(-smoothing * engine_.rate[level][i], own.product + Offset{i} * W,
                    change + Offset{i} * W);
         PerFunction<W> length = dot<W>(change, own.rest, n);
         PerFunction<W> const along = energy<W>(a_.level[level], change);
-        for (Index k = 0; k < W; ++k) {
-            Real const optimal = along[k] > 0 ? length[k] / along[k] : 0;
-            length[k] = optimal;
-        }
-        if (level == 0) {
-            corrected_ = largest<W>(change, n);
-            for (Index k = 0; k < W; ++k) corrected_[k] *= abs(length[k]);
-        }
-        add_multiple<W>(length, change, own.u, n);
+        count_products(level, 2);
+        for (Index k = 0; k < W; ++k) length[k] = along[k] > 0 ? length[k] / along[k] : 0;
+        return length;
     }
 
     // FMG-FAS solves the problem on the coarsest level; the solution is the start on the next finer
@@ -306,7 +318,7 @@ private:
     FinestScheme<W> finest_;
     Rows const& values_;
     Index first_, width_;
-    Index fine_steps_ = 0;
+    Real work_ = 0;  // See IterationReport::work.
     bool is_active_[W] = {};
     // Relative residuals and the smallest ones so far; a function that has ended keeps its last
     // values.

@@ -49,8 +49,7 @@ Status solve_in_blocks(BlockIteration const& engine, Index functions, Progress c
             if (is_alone) status = ended;
             worker_report[worker].iterations =
                 max(worker_report[worker].iterations, block_report.iterations);
-            worker_report[worker].fine_sweeps =
-                max(worker_report[worker].fine_sweeps, block_report.fine_sweeps);
+            worker_report[worker].work = max(worker_report[worker].work, block_report.work);
             worker_report[worker].settled = worker_report[worker].settled && block_report.settled;
         });
         if (failed(status) || first + n >= blocks) break;
@@ -60,7 +59,7 @@ Status solve_in_blocks(BlockIteration const& engine, Index functions, Progress c
     report.levels = engine.levels.count;
     for (IterationReport const& one : worker_report) {
         report.iterations = max(report.iterations, one.iterations);
-        report.fine_sweeps = max(report.fine_sweeps, one.fine_sweeps);
+        report.work = max(report.work, one.work);
         report.settled = report.settled && one.settled;
     }
     engine.merge_histories();

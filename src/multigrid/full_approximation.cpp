@@ -33,7 +33,7 @@ void FullApproximation::lay_out_vectors(Arena& arena, Index n) noexcept {
 
 Status FullApproximation::set_up(SymmetricRows const& finest, Fault& fault) noexcept {
     HARMORPH_TRY(check_diagonals(finest, fault));
-    levels.build(finest, iteration.merging);
+    merge(finest);
     Offset used = 0;
     for (Index l = 0; l < levels.count; ++l) {
         rate[l] = rate_pool.from(used, levels.level[l].n);

@@ -1,6 +1,7 @@
 #include "multigrid/iteration.hpp"
 
 #include "base/scalar.hpp"
+#include "multigrid/runge_kutta.hpp"
 
 namespace harmorph {
 
@@ -19,6 +20,15 @@ Status BlockIteration::check_diagonals(SymmetricRows const& rows, Fault& fault) 
         if (!(rows.diagonal[i] > 0)) return refuse_row(i, fault);
     }
     return Status::ok;
+}
+
+void BlockIteration::merge(SymmetricRows const& finest) noexcept {
+    levels.build(finest, iteration.merging);
+    auto const numbers = [](SymmetricRows const& rows) {
+        return static_cast<Real>(rows.n) + 2 * static_cast<Real>(rows.entries());
+    };
+    for (Index l = 0; l < levels.count; ++l)
+        product_work[l] = numbers(levels.level[l]) / numbers(levels.level[0]) / stages;
 }
 
 Status BlockIteration::refuse_row(Index position, Fault& fault) noexcept {

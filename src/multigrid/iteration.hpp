@@ -16,6 +16,9 @@ struct Iteration {
     Index max_iterations = 0;
     // The full approximation scheme starts from F = 0 instead of full multigrid (FMG).
     bool starts_from_zero = false;
+    // The full approximation scheme makes W-cycles with smoothed corrections of optimal length
+    // instead of the paper's V-cycles with plain corrections.
+    bool has_improved_cycle = false;
     // The tolerance of each function, both for the relative residual in 2-norms, and for the
     // estimated error relative to the largest value.
     Real tolerance = 1e-10;
@@ -30,8 +33,9 @@ struct Iteration {
 
 struct IterationReport {
     Index iterations = 0;  // The largest number of iterations of a function.
-    // The largest number of sweeps of the smoother over the finest level for a function.
-    Index fine_sweeps = 0;
+    // The largest work for a function, all levels included, in products of the finest level's
+    // matrix and a vector divided by `stages`: one step of Runge-Kutta on the finest level is 1.
+    Real work = 0;
     Index levels = 0;
     bool settled = true;  // The estimated errors of values are within the tolerance.
 };
@@ -43,6 +47,8 @@ struct BlockIteration {
     Executor executor;
     Index workers = 1;
     Agglomeration levels;
+    // The work of a product of a level's matrix and a vector; see IterationReport::work.
+    Real product_work[Agglomeration::max_levels];
     Span<Real> vectors;         // [workers x numbers of a worker]
     Span<Real> worker_history;  // [workers x history]
 
@@ -51,6 +57,8 @@ struct BlockIteration {
     // Checks that all diagonals are positive; otherwise fault.item is a position of the
     // elimination.
     static Status check_diagonals(SymmetricRows const& rows, Fault& fault) noexcept;
+    // Builds the levels.
+    void merge(SymmetricRows const& finest) noexcept;
     static Status refuse_row(Index position, Fault& fault) noexcept;
     // Records the residual of a block in the worker's history, which has the maximum over all
     // blocks of the worker.

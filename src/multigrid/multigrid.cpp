@@ -19,7 +19,7 @@ void Multigrid::lay_out_vectors(Arena& arena, Index n) noexcept {
 
 Status Multigrid::set_up(SymmetricRows const& finest, Fault& fault) noexcept {
     HARMORPH_TRY(check_diagonals(finest, fault));
-    levels.build(finest, iteration.merging);
+    merge(finest);
     SymmetricRows const& last = levels.level[levels.count - 1];
     has_bottom = last.n <= Agglomeration::coarsest;
     if (!has_bottom) return Status::ok;

@@ -34,16 +34,22 @@ public:
     // Computes z = B r, where B approximates the inverse. B is positive definite, but depends
     // weakly on r through the inner steps of the cycle, so the conjugate gradients must be
     // flexible.
-    void precondition(const Real* r, Real* z) const noexcept { precondition(0, r, z); }
+    void precondition(const Real* r, Real* z) noexcept { precondition(0, r, z); }
+
+    // Returns the work of all calls so far, see IterationReport::work.
+    Real work() const noexcept { return work_; }
+    void count_products(Index level, Index n) noexcept { work_ += n * engine_.product_work[level]; }
 
 private:
     bool is_last(Index level) const noexcept { return level + 1 == a_.count; }
 
-    void precondition(Index level, const Real* r, Real* z) const noexcept {
+    void precondition(Index level, const Real* r, Real* z) noexcept {
         SymmetricRows const& rows = a_.level[level];
         copy<W>(r, z, rows.n);
         if (is_last(level) && engine_.has_bottom) return solve_bottom(z);
         forward<W>(rows, z);
+        // Each of the four passes goes through one triangle of the matrix.
+        count_products(level, is_last(level) ? 1 : 2);
         if (is_last(level)) {
             scale_by_diagonal<W>(rows, z);
         } else {
@@ -57,7 +63,7 @@ private:
 
     // Makes two steps of flexible conjugate gradients from 0, each preconditioned by the coarser
     // levels (K-cycle).
-    void solve(Index level) const noexcept {
+    void solve(Index level) noexcept {
         SymmetricRows const& rows = a_.level[level];
         Real* const r = coarse_[level][0];
         Real* const c = coarse_[level][1];
@@ -78,6 +84,7 @@ private:
         PerFunction<W> const across = dot<W>(d, v, rows.n);
         PerFunction<W> const second_r = dot<W>(d, r, rows.n);
         PerFunction<W> const second = energy<W>(rows, d);
+        count_products(level, 2);
         PerFunction<W> second_step;
         for (Index k = 0; k < W; ++k) {
             Real const projection = per_energy(across[k], along[k]);
@@ -99,6 +106,7 @@ private:
 
     Multigrid const& engine_;
     Agglomeration const& a_;
+    Real work_ = 0;
     Real* coarse_[Agglomeration::max_levels][Multigrid::coarse_vectors];
 };
 
@@ -141,7 +149,7 @@ public:
         }
         for (Index k = 0; k < W; ++k)
             report.settled = report.settled && (is_confirmed_[k] || is_settled(k));
-        report.fine_sweeps = iterations;  // Each iteration takes one symmetric Gauss-Seidel sweep.
+        report.work = cycle_.work();
         for (Index i = 0; i < rows_.n; ++i) {
             Real* const to = values_[i] + first_;
             for (Index k = 0; k < width_; ++k) to[k] = x()[Offset{i} * W + k];
@@ -193,6 +201,7 @@ private:
         copy<W>(z(), p(), n);
         while (iterations < engine_.iteration.max_iterations && !converged()) {
             PerFunction<W> const along = multiply<W>(rows_, p(), q());
+            cycle_.count_products(0, 1);
             // The step leads to the minimum of the energy along p, so the energy of the error never
             // grows for any p.
             PerFunction<W> step = dot<W>(p(), r(), n), minus_step;
@@ -221,6 +230,7 @@ private:
 
     void take_true_residual() noexcept {
         multiply<W>(rows_, x(), q());
+        cycle_.count_products(0, 1);
         squares_ = {};
         for (Index i = 0; i < rows_.n; ++i) {
             const Real* const given = values_[i] + first_;

@@ -153,6 +153,7 @@ BasisSource PartEquations::basis_source() const noexcept {
             problem.method,
             problem.demands,
             shared.curves,
+            {},
             shared.conditions,
             no_loops,
             wall,

@@ -227,7 +227,7 @@ Status Analysis::analyse_order(Fault& fault) noexcept {
 
 BasisSource Analysis::basis_source() const noexcept {
     return {topology_,       mesh_fingerprint_, conditions_fingerprint_,
-            problem_.method, problem_.demands,  curves_,
+            problem_.method, problem_.demands,  curves_, slip_along_,
             conditions_,     boundary_,         wall_,
             wall_work_.slot, &division_.pieces};
 }

@@ -223,7 +223,7 @@ void SolveReport::merge(SolveReport const& others) noexcept {
     factor_entries = others.factor_entries;
     refinements = max(refinements, others.refinements);
     iteration.iterations = max(iteration.iterations, others.iteration.iterations);
-    iteration.fine_sweeps = max(iteration.fine_sweeps, others.iteration.fine_sweeps);
+    iteration.work = max(iteration.work, others.iteration.work);
     iteration.levels = others.iteration.levels;
 }
 

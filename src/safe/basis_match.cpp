@@ -3,14 +3,14 @@
 namespace harmorph {
 namespace {
 
-// All that lies between header and values: curves, conditions, parameters.
+// Returns the bytes between the header and the values: curves, conditions and parameters.
 Span<const unsigned char> problem_of(Basis const& basis) noexcept {
     auto const begin = reinterpret_cast<const unsigned char*>(basis.shape.data());
     auto const end = reinterpret_cast<const unsigned char*>(basis.value.data());
     return {begin, static_cast<Size>(end - begin)};
 }
 
-// Do modes move the given points alike?
+// Returns whether the modes of both bases move the given points alike.
 bool same_modes(Basis const& basis, Basis const& other) noexcept {
     Index const modes = basis.header->counts.modes, n = basis.n_functions();
     if (modes > 0 && other.kind() != basis.kind()) return false;

@@ -1,15 +1,16 @@
-// Bases that can be used in one safe morph together.
+// Checks that bases can be used together in one safe morph.
 #pragma once
 
 #include "plan/plan.hpp"
 
 namespace harmorph {
 
-// Status::bad_basis unless a step with the other basis moves the wall as one with `basis` does: it
-// is solved, of the same mesh, and its curves, parameters and modes are the same.
+// Returns Status::bad_basis unless a step with the other basis moves the wall as a step with
+// `basis` does: the other basis must be solved on the same mesh and have the same curves,
+// parameters and modes.
 Status check_other(Basis const& basis, Basis const& other, Fault& fault) noexcept;
-// Status::bad_basis unless the derivative of the way fits in: the same functions, derived or not,
-// in the same layout.
+// Returns Status::bad_basis unless the derivative of the safe morph fits into the block of the
+// basis: both must have the same functions, derived or not, in the same layout.
 Status check_derivative(Plan const& plan, Basis const& basis, Basis const& derivative,
                         Fault& fault) noexcept;
 

@@ -1,18 +1,18 @@
-// 2 x 2 matrices: the entries of Hessians by points.
+// The entries of Hessians by points are 2 x 2 matrices.
 #pragma once
 
 #include "base/vec2.hpp"
 
 namespace harmorph {
 
-// Row by row, a b; c d.
+// The entries are in rows: (a, b) is the first row, (c, d) the second.
 struct Block {
     Real a = 0, b = 0, c = 0, d = 0;
 
     constexpr Vec2 operator*(Vec2 v) const noexcept {
         return {a * v.x + b * v.y, c * v.x + d * v.y};
     }
-    // + curvature u v^T
+    // Adds curvature * u v^T.
     constexpr void add(Real curvature, Vec2 u, Vec2 v) noexcept {
         a += curvature * u.x * v.x;
         b += curvature * u.x * v.y;
@@ -29,8 +29,8 @@ constexpr Block operator-(Block p, Block q) noexcept {
 }
 constexpr Block transpose(Block p) noexcept { return {p.a, p.c, p.b, p.d}; }
 
-// Of a sum of products u v^T: with each u, or each v, turned, that is multiplied as a complex
-// number.
+// For a block that is a sum of products u v^T, these functions return the block in which each u, or
+// each v, is turned, which is a multiplication by a complex number.
 constexpr Block turned_rows(Vec2 turn, Block p) noexcept {
     Vec2 const first = product(turn, {p.a, p.c}), second = product(turn, {p.b, p.d});
     return {first.x, second.x, first.y, second.y};

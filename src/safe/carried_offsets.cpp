@@ -5,9 +5,10 @@
 namespace harmorph {
 namespace {
 
-constexpr Index least_carried_points = 4096;  // for a thread
-constexpr Real least_residual =
-    1e-12;  // of the extent of the control points: below, it is rounding
+// One thread has at least this number of points.
+constexpr Index least_carried_points = 4096;
+// Offsets below this part of the extent of the control points are rounding.
+constexpr Real least_residual = 1e-12;
 
 Real fade_of_offset(Real x) noexcept { return x < 1 ? (1 - x) * (1 - x) * (1 + 2 * x) : 0; }
 
@@ -80,7 +81,8 @@ void CarriedOffsets::find(Basis const& by, Span<const Real> reached, Points now,
         x[k] = part[k] * (now[k].x - x[k]);
         y[k] = part[k] * (now[k].y - y[k]);
     }
-    for (Index k = 0; k < group.count(); ++k) {  // points of a cut or a pair move alike
+    // Points of a cut or of a pair move alike.
+    for (Index k = 0; k < group.count(); ++k) {
         if (group[k] == none) continue;
         x[k] = x[representative[k]];
         y[k] = y[representative[k]];

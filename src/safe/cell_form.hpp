@@ -1,5 +1,5 @@
-// Gradient and Hessian of the energy of one cell by its points, summed up from those of its
-// corners.
+// The gradient and the Hessian of the energy of one cell by the points of the cell, summed from
+// those of the corners.
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -8,13 +8,14 @@
 
 namespace harmorph {
 
-// Of a corner with the points p0, p1, p2, by its sides p1 - p0 and p2 - p1: fewer numbers than by
-// the three points.
+// The derivatives of the energy of a corner with the points p0, p1, p2, by the sides p1 - p0 and p2
+// - p1. These are fewer numbers than the derivatives by the three points.
 struct CornerForm {
     Vec2 by_side, by_next;
-    Block side_side, side_next, next_next;  // of the Hessian: by the first and by the second one
+    // The Hessian, by the first and by the second side.
+    Block side_side, side_next, next_next;
 
-    // A term, as CornerMap::differentiate() gives it.
+    // Adds a term in the form that CornerMap::differentiate() gives.
     void add(const Vec2 (&gradient)[3], const CornerMode (&mode)[4]) noexcept {
         by_side = by_side - gradient[0];
         by_next = by_next + gradient[2];
@@ -25,7 +26,7 @@ struct CornerForm {
             next_next.add(corner_mode.curvature, next, next);
         }
     }
-    // Derivatives by a side that is turned become those by the side itself.
+    // Turns derivatives by a side that is turned into derivatives by the side itself.
     void turn_back_side(Vec2 turn) noexcept {
         if (turn.x == 1) return;
         by_side = product(turn, by_side);
@@ -34,13 +35,13 @@ struct CornerForm {
     }
 };
 
-// Of a cell of n points; the Hessian is symmetric.
+// The derivatives of the energy of a cell with n points; the Hessian is symmetric.
 template <Index n>
 struct CellForm {
     Vec2 by[n];
     Block hessian[n][n];
 
-    // Of the corner at point `own`, from point `before` to point `after`.
+    // Adds those of the corner at point `own`, which goes from point `before` to point `after`.
     void add(Index before, Index own, Index after, CornerForm const& corner) noexcept {
         by[before] = by[before] - corner.by_side;
         by[own] = by[own] + (corner.by_side - corner.by_next);
@@ -57,7 +58,8 @@ struct CellForm {
         hessian[after][own] = hessian[after][own] + (turned - next);
         hessian[after][after] = hessian[after][after] + next;
     }
-    // Derivatives by points become those by the unknowns that move the points: see Tangle::turn.
+    // Turns derivatives by points into derivatives by the unknowns that move the points; see
+    // Tangle::turn.
     void turn_back(Span<const Vec2> turn, Cell const& cell) noexcept {
         for (Index own = 0; own < n; ++own) {
             Vec2 const back = conjugate(turn[cell.point[own]]);

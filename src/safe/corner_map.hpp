@@ -1,25 +1,27 @@
-// The linear map that a corner of a cell has undergone, and derivatives of energies of that map by
-// the corner's three points.
+// The linear map that deforms a corner of a cell, and derivatives of energies of that map by the
+// three points of the corner.
 #pragma once
 
 #include "base/vec2.hpp"
 
 namespace harmorph {
 
-// Three points; the second is the corner of the cell that the triangle stands for.
+// A triangle of three points. The second point is the corner of the cell that the triangle
+// represents.
 struct Triangle {
     Vec2 at[3];
 
     constexpr Real twice_area() const noexcept { return cross(at[1] - at[0], at[2] - at[1]); }
 };
 
-// One direction of a Hessian in the space of the three points: curvature * (at at^T).
+// One direction of a Hessian in the space of the three points; the term of the Hessian is curvature
+// * (at at^T).
 struct CornerMode {
     Real curvature;
     Vec2 at[3];
 };
 
-// Derivatives of an energy by p = |z|^2 and q = |w|^2.
+// The derivatives of an energy by p = |z|^2 and q = |w|^2.
 struct DensityDerivatives {
     Real by_p, by_q, by_pp, by_qq, by_pq;
 };
@@ -30,14 +32,14 @@ constexpr Vec2 direction_or_x(Vec2 a, Real size) noexcept {
 }
 inline Vec2 direction_or_x(Vec2 a) noexcept { return direction_or_x(a, length(a)); }
 
-// Eigenvalues of a symmetric 2 x 2 matrix, and the first one's direction.
+// The eigenvalues of a symmetric 2 x 2 matrix, and the direction of the first one.
 struct Eigen {
     Real value[2];
     Vec2 axis;
 
-    Eigen(Real a, Real b, Real c) noexcept {  // a b; b c
+    Eigen(Real a, Real b, Real c) noexcept {  // the matrix is (a, b; b, c)
         Real const mean = 0.5 * (a + c), whole = 0.5 * (a - c);
-        // Of cells that have nearly collapsed derivatives are so large that their squares would
+        // Derivatives of cells that have nearly collapsed are so large that their squares would
         // overflow.
         bool const is_large = max(abs(whole), abs(b)) > 0x1p500;
         Real const unit = is_large ? 0x1p512 : 1, per_unit = is_large ? 0x1p-512 : 1;
@@ -57,7 +59,7 @@ class CornerMap {
 public:
     explicit CornerMap(Triangle const& reference) noexcept;
 
-    Real twice_area() const noexcept { return twice_area_; }  // of the reference
+    Real twice_area() const noexcept { return twice_area_; }  // of the reference triangle
     Real determinant(Triangle const& now) const noexcept { return now.twice_area() / twice_area_; }
     Vec2 z(Triangle const& now) const noexcept {
         return product(first_, now.at[1] - now.at[0]) + product(second_, now.at[2] - now.at[1]);
@@ -66,8 +68,8 @@ public:
         return product(conjugate(first_), now.at[1] - now.at[0]) +
                product(conjugate(second_), now.at[2] - now.at[1]);
     }
-    // Derivatives by the three points. The Hessian is the sum of the modes, which are orthogonal as
-    // changes of J; curvatures below `least` are raised to it.
+    // Finds the derivatives by the three points. The Hessian is the sum of the modes, which are
+    // orthogonal as changes of J. Curvatures below `least` are raised to `least`.
     void differentiate(Triangle const& now, DensityDerivatives const& by, Real least,
                        Vec2 (&gradient)[3], CornerMode (&mode)[4]) const noexcept;
 
@@ -87,7 +89,8 @@ inline CornerMap::CornerMap(Triangle const& reference) noexcept
     second_ = -half * times_i(conjugate(side));
 }
 
-// A change of z and w as one of the points: the transpose of the map from points to z and w.
+// Turns a change by z and w into a change by the points: this is the transpose of the map from
+// points to z and w.
 inline void CornerMap::pull_back(Vec2 by_z, Vec2 by_w, Vec2 (&at)[3]) const noexcept {
     Vec2 const by_side = product(conjugate(first_), by_z) + product(first_, by_w);
     Vec2 const by_next = product(conjugate(second_), by_z) + product(second_, by_w);
@@ -102,7 +105,7 @@ inline void CornerMap::differentiate(Triangle const& now, DensityDerivatives con
     Real const p = square(z_now), q = square(w_now);
     pull_back(2 * by.by_p * z_now, 2 * by.by_q * w_now, gradient);
 
-    // Turning z or w leaves p and q; growing them couples the two.
+    // Turning z or w changes neither p nor q, and scaling couples the two.
     Real const size_of_z = sqrt(p), size_of_w = sqrt(q);
     Vec2 const along_z = direction_or_x(z_now, size_of_z),
                along_w = direction_or_x(w_now, size_of_w);

@@ -1,4 +1,4 @@
-// Where the three points of a corner are.
+// Finds the positions of the three points of a corner.
 #pragma once
 
 #include "safe/corner_map.hpp"

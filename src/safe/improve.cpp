@@ -7,15 +7,18 @@
 namespace harmorph {
 namespace {
 
-constexpr Real share_of_admissible = 0.9;  // that a step may take
-constexpr Real least_slope = 1e-4;  // Armijo's rule: part of the slope that the energy must fall by
+// A step takes at most this share of the admissible step.
+constexpr Real share_of_admissible = 0.9;
+// Armijo's rule: the energy must fall by at least this part of what the slope promises.
+constexpr Real least_slope = 1e-4;
 constexpr Index most_halvings = 30;
-constexpr Real at_rest = 1e-12;  // a step that promises less, relative to the energy, is rounding
-// Newton's step lifts a cell of the worst by a small factor only where the power is large: then
-// farther is better.
+// If a step promises a smaller relative decrease of the energy, the decrease is rounding.
+constexpr Real at_rest = 1e-12;
+// Where the power is large, Newton's step improves one of the worst cells only by a small factor;
+// then a longer step is better.
 constexpr Index most_doublings = 8;
-// A power that leaves less than this part of the smallest quality has sacrificed few cells to many;
-// the next power would begin there.
+// If the minimum of a power leaves less than this part of the smallest quality, this power has
+// sacrificed a few cells for many others, and the next power would begin at such a mesh.
 constexpr Real part_kept = 0.9;
 
 struct Valid {
@@ -26,8 +29,8 @@ struct Valid {
 }  // namespace
 
 struct Improvement::Score {
-    Real smallest = 1;  // quality / least, at most 1
-    Real sum = 0;       // of qualities
+    Real smallest = 1;  // the smallest ratio of quality and `least`, at most 1
+    Real sum = 0;       // the sum of qualities
 
     void merge(Score const& later) noexcept {
         smallest = min(smallest, later.smallest);
@@ -71,7 +74,7 @@ void Improvement::run(ImproveOptions const& options, Points from, MutablePoints 
     for (Index k = 0; k < now.count(); ++k) to.set(k, best[k]);
 }
 
-// From `now` on; `best`, whose score is `highest`, becomes the best on the way.
+// Begins at `now`. The best mesh on the way replaces `best`, the score of which is `highest`.
 void Improvement::climb(ImproveOptions const& options, Index power, Index most_steps,
                         Score& highest, ImproveReport& report) noexcept {
     Real before = energy(power);
@@ -88,7 +91,7 @@ void Improvement::climb(ImproveOptions const& options, Index power, Index most_s
     }
 }
 
-// From the best points so far on; false if no cell is below `enough`.
+// Begins at the best points so far. Returns false if no cell is below `enough`.
 bool Improvement::begin_near_poor(Real enough, Index layers) noexcept {
     copy(now, Span<const Vec2>(best));
     sliding.turn_lines(as_points(now));
@@ -168,7 +171,7 @@ Real Improvement::energy_of(Span<const Vec2> points, Index power) const noexcept
 
 bool Improvement::is_valid(Span<const Vec2> points) const noexcept {
     if (region.n_cells >
-        tangle.mesh.n_checked() / 2) {  // the kernels are faster; other cells have not moved
+        tangle.mesh.n_checked() / 2) {  // the kernels are faster if they measure most cells anyway
         return count_inverted({tangle.mesh, tangle.reversed}, as_points(points), executor) == 0;
     }
     return reduce_cells<Valid>(
@@ -208,7 +211,7 @@ Real Improvement::descend(Index power, Real before) noexcept {
     return after;
 }
 
-// All points at now + length change, and on their curves.
+// Sets the points ahead to now + length * change, with sliding points on their curves.
 void Improvement::look_ahead(Real length) const noexcept {
     executor.for_ranges(now.count(), 4096, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
@@ -218,7 +221,7 @@ void Improvement::look_ahead(Real length) const noexcept {
     });
 }
 
-// visit(point, step of its unknown)
+// Calls visit(point, step), where the step is that of the unknown that moves the point.
 template <class Visit>
 void Improvement::for_points(Visit const& visit) const noexcept {
     executor.for_ranges(now.count(), 4096, [&](Index begin, Index end) {

@@ -1,4 +1,4 @@
-// Makes a valid mesh better: inner points go where cells are most like their targets. P. Knupp,
+// Improves a valid mesh: inner points move to where cells are most like their targets. P. Knupp,
 // Introducing the target-matrix paradigm for mesh optimization via node-movement, Eng. Comput. 28
 // (2012) 419.
 #pragma once
@@ -10,54 +10,61 @@
 namespace harmorph {
 
 struct ImproveOptions {
-    Index most_iterations = 60;  // Newton steps, at most `most_for_power` of them for each power
-    Index most_products = 60;    // with the Hessian, in each step
-    Real least_gain = 5e-4;      // of the energy; if a step gains less, the next power begins
-    Real enough = 0;  // Q, see below: near cells that are below it at the end, more steps are made
+    // The largest number of Newton steps, of which at most `most_for_power` have the same power.
+    Index most_iterations = 60;
+    // The largest number of products with the Hessian in each step.
+    Index most_products = 60;
+    // If a step decreases the energy by a smaller part, the next power begins.
+    Real least_gain = 5e-4;
+    // If cells have a quality Q (see below) less than this at the end, further steps move the
+    // points near these cells.
+    Real enough = 0;
 };
 
 struct ImproveReport {
-    Index iterations = 0;  // Newton steps
-    Offset products = 0;   // with the Hessian
-    Index unknowns = 0;    // points that could move
+    Index iterations = 0;  // the number of Newton steps
+    Offset products = 0;   // the number of products with the Hessian
+    Index unknowns = 0;    // the number of points that could move
 };
 
 // The energy is a sum over cells, with the mean over the corners of a quadrilateral:
-//     1 / q^2 + (least / Q)^(2 power)
-// q is the size-skew quality relative to the target, Q the size-skew quality that the library
-// reports, `least` what Q should not fall below (see Targets). The first term alone (power 0) makes
-// cells like their targets; a mesh that is its own target is at rest. If a cell is below its least
-// quality then, the second term joins, with powers that grow: cells well above `least` do not feel
-// it, and of cells below it the worst counts most. The last power is one that leaves the smallest Q
-// / least clearly lower than it was.
+//   1 / q^2 + (least / Q)^(2 power)
+// Here q is the size-skew quality relative to the target, Q is the size-skew quality that the
+// library reports, and `least` is the value that Q should not fall below (see Targets). The first
+// term alone (power 0) makes cells similar to their targets; a mesh that is its own target is at
+// rest. If a cell is then below its least quality, the second term is added with increasing powers:
+// it is negligible for cells well above `least`, and among cells below `least` the worst one counts
+// most. The last power is the first one that leaves the smallest Q / least clearly lower than
+// before.
 //
-// Newton's method. No step goes farther than a part of the exact admissible step, so that no cell
-// inverts on the way, and the energy falls in each. Walls do not move; points that slide stay on
-// their lines and curves.
+// The minimiser is Newton's method. No step is longer than a part of the exact admissible step, so
+// that no cell is inverted on the way, and every step lowers the energy. Walls do not move; points
+// that slide stay on their lines and curves.
 struct Improvement {
     static constexpr Index powers[] = {0, 2, 4, 8}, most_for_power = 20;
     static constexpr Index powers_near_poor[] = {2, 4, 8, 16, 32}, most_near_poor = 60,
                            least_layers = 6, most_layers = 24;
 
-    Tangle tangle;    // set by the caller; its reference is that of the targets
-    Targets targets;  // found by the caller
-    SlidingPoints
-        sliding;        // set by the caller; along curves, their lines being those of the tangle
-    Executor executor;  // set by the caller
+    Tangle tangle;          // set by the caller, with the reference of the targets
+    Targets targets;        // found by the caller
+    SlidingPoints sliding;  // set by the caller: sliding along curves, the lines of which are those
+                            // of the tangle
+    Executor executor;      // set by the caller
     Region region;
     NewtonSystem system;
     Span<Vec2> now, change, ahead, best;  // [n_points]
 
     void lay_out(Arena& arena, RegionCounts const& counts) noexcept;
 
-    // from: a valid mesh. to: of all meshes on the way the one in which the smallest Q / least is
-    // largest, where more than 1 counts as 1, and then the mean quality; never a worse one than
-    // `from`. Points that are held keep their bits.
+    // The mesh `from` is valid. The mesh `to` becomes the best of all meshes on the way: that with
+    // the largest smallest Q / least, where values above 1 count as 1, and among these that with
+    // the largest mean quality. It is never worse than `from`. Held points keep their bits.
     void run(ImproveOptions const& options, Points from, MutablePoints to,
              ImproveReport& report) noexcept;
 
-    // The parts of run(): `now` becomes `points`; then a Newton step that lowers the energy of this
-    // power from `before` to what is returned, which is `before` if none does.
+    // These are the parts of run(). The first sets `now` to `points`. The second makes a Newton
+    // step that lowers the energy of the given power from `before` to the returned value, which is
+    // `before` if no step lowers the energy.
     void begin(Points points) noexcept;
     Real energy(Index power) const noexcept { return energy_of(now, power); }
     Real step(ImproveOptions const& options, Index power, Real before,

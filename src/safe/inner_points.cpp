@@ -1,12 +1,12 @@
-// The strategies of a safe morph that place inner points: untangling at the target, and improvement
+// These strategies of a safe morph place inner points: untangling at the target, and improvement
 // there.
 #include "safe/safe_work.hpp"
 
 namespace harmorph {
 
-// Points that slide ahead of a mesh that is valid now: where some have passed a neighbour on their
-// line, as beside the end of a wall that leaves the line, all go only a part of their way, or stay.
-// Returns whether any point slides.
+// Corrects sliding points ahead of the present mesh, which is valid. If some of them have passed a
+// neighbour on their line, as happens beside the end of a wall that leaves the line, all sliding
+// points go only a part of their way, or stay. Returns whether any point slides.
 bool SafeMorph::keep_order_of_sliding(Work const& work) noexcept {
     BoundaryFaces const faces = work.basis.faces();
     auto const slides = [&](Index point) {
@@ -41,7 +41,7 @@ bool SafeMorph::keep_order_of_sliding(Work const& work) noexcept {
     return true;
 }
 
-// Untangles the mesh ahead: with the whole boundary held, and if that is in vain with points that
+// Untangles the mesh ahead with all boundary points held, and if that fails, with points that
 // slide.
 bool SafeMorph::untangle_ahead(Work& work) noexcept {
     mobility.find(work.plan, mesh.ahead());
@@ -53,7 +53,7 @@ bool SafeMorph::untangle_ahead(Work& work) noexcept {
         untangling.sliding = sliding;
         Status const status =
             untangling.run(work.options.untangle, mesh.to_ahead(), work.report.untangle, why);
-        // A boundary may cross itself without an inverted cell.
+        // A boundary may cross itself although no cell is inverted.
         return status == Status::ok && is_valid(work, mesh.ahead());
     };
     Points const start = work.mesh().points;
@@ -62,9 +62,10 @@ bool SafeMorph::untangle_ahead(Work& work) noexcept {
     return any_slides && run(mobility.tangle(work.plan, start), mobility.sliding);
 }
 
-// The rest of the way in one step, whatever it inverts; then the inner points find their places,
-// and better ones where cells are poor. Returns whether the mesh is good then. If not, and it is
-// not the last thing to try, the way goes on from where it was.
+// Makes the rest of the movement in one step, however many cells the step inverts; then untangling
+// places the inner points, and improvement follows where cells are poor. Returns whether the mesh
+// is then good. If the mesh is not good, and this is not the last strategy, the morph continues
+// from the mesh before the step.
 bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     if (!work.options.tries(Strategy::untangled)) return false;
     look_ahead(work, by, 1);
@@ -93,8 +94,8 @@ bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     return is_good;
 }
 
-// Improves a mesh at the target that has the movement of the best one, and keeps the result if it
-// is better than the best one. The derivative remains that of the way.
+// Improves a mesh at the target that has the same movement as the best mesh, and keeps the result
+// if it is better than the best mesh. The derivative remains that of the path.
 bool SafeMorph::improve(Work& work, Points from) noexcept {
     ImproveReport report;
     Fault why;
@@ -110,8 +111,9 @@ bool SafeMorph::improve(Work& work, Points from) noexcept {
     return true;
 }
 
-// Heights near the walls and better cells, as they are asked for. Improvement from the mesh without
-// the heights may end with better cells than that with them.
+// Restores heights near the walls and improves cells, as far as the options ask for this.
+// Improvement from the mesh without restored heights may give better cells than improvement from
+// the mesh with them.
 void SafeMorph::improve_at_end(Work& work) noexcept {
     SafeOptions const& options = work.options;
     bool const improves = options.improves && options.tries(Strategy::improved);

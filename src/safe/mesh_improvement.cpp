@@ -38,7 +38,7 @@ void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points refe
                           MutablePoints to, ImproveReport& report) noexcept {
     FaceDistance const& walls = plan.walls_at(reference);
     mobility.find(plan, from);
-    first_layer.find(plan.mesh(), reference, mobility.representative, walls);
+    first_layer.find(plan.mesh(), reference, mobility.representative, walls.chosen());
     improvement.executor = plan.executor();
     improvement.tangle = mobility.tangle(plan, reference);
     improvement.sliding = mobility.sliding;
@@ -50,24 +50,25 @@ void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points refe
     auto const stay = [&] {
         for (Index k = 0; k < start.count(); ++k) start[k] = from[k];
     };
-    constexpr Real rounding = 1e-9;  // one and the same quality, found in two ways
+    constexpr Real rounding = 1e-9;  // the difference of one quality that is found in two ways
     Real const given = smallest(from);
     carry_first_layer(reference, from);
     hold_first_layer(plan, reference);
     bool const is_in_vain = smallest_held(plan, reference) < (1 - rounding) * given;
     if (!is_in_vain) improvement.run(options, result, result, report);
-    if (is_in_vain || smallest(result) < given) {  // what the first layer gained is not worth that
+    if (is_in_vain ||
+        smallest(result) < given) {  // the gain of the first layer is not worth that loss
         mobility.find(plan, from);
         stay();
         hold_first_layer(plan, reference);
         improvement.run(options, result, result, report);
         if (smallest(result) < given)
-            stay();  // the targets' measure is another one than the reported quality
+            stay();  // the quality that targets use differs from the reported quality
     }
     for (Index k = 0; k < start.count(); ++k) to.set(k, start[k]);
 }
 
-// The smallest quality of all cells without a movable point.
+// Returns the smallest quality of all cells without a movable point.
 Real MeshImprovement::smallest_held(Plan const& plan, Points reference) const noexcept {
     OrientedMesh const& cells = plan.cells();
     Mesh const& mesh = cells.mesh;
@@ -90,7 +91,8 @@ Real MeshImprovement::smallest_held(Plan const& plan, Points reference) const no
 }
 
 void MeshImprovement::carry_first_layer(Points reference, Points from) noexcept {
-    constexpr Real rounding = 1e-10;  // of the height: nearer than that, a top stays
+    constexpr Real rounding =
+        1e-10;  // in parts of the height; a top that is nearer to its place stays
     WallPoints const& wall = first_layer.wall;
     improvement.region.link(improvement.tangle);
     for (Index k = 0; k < start.count(); ++k) start[k] = from[k];
@@ -110,7 +112,7 @@ void MeshImprovement::carry_first_layer(Points reference, Points from) noexcept 
     for (Index k = 0; k < start.count(); ++k) start[k] = position(k, from);
 }
 
-// Moves a top unless that inverts one of its cells.
+// Moves a top unless the movement inverts one of the cells of the top.
 bool MeshImprovement::try_top(Index top, Vec2 at, Points from) noexcept {
     Vec2 const here = start[top];
     start[top] = at;
@@ -128,7 +130,8 @@ bool MeshImprovement::try_top(Index top, Vec2 at, Points from) noexcept {
     return true;
 }
 
-// Points of a cut or of a pair move as their representative does, or turned against it.
+// Returns the position of a point; points of a cut or of a pair move as their representative does,
+// or turned against it.
 Vec2 MeshImprovement::position(Index point, Points from) const noexcept {
     Index const own = mobility.representative[point];
     Tangle const& tangle = improvement.tangle;

@@ -1,5 +1,5 @@
-// Improves a mesh of a plan: targets are the cells before a movement; the first layers on walls get
-// back their heights.
+// Improves a mesh of a plan: the targets are the cells before a movement, and the first layers on
+// walls get their heights back.
 #pragma once
 
 #include "boundary/first_layer.hpp"
@@ -19,13 +19,15 @@ struct MeshImprovement {
 
     // Refuses coordinates out of range and inverted cells.
     static Status check(Plan const& plan, Points reference, Points from, Fault& fault) noexcept;
-    // reference, from: coordinates of the plan's mesh before and after a movement, as check()
-    // accepts them; to: the better ones; may be `from`. The tops of the first layer (the ends of
-    // the edges that leave walls most normal to them) are put where the wall carries them, at the
-    // height and the angle that they had, as far as no cell inverts, and held there; only a top of
-    // a cell that has less than half of its quality then may move on. If the smallest quality ends
-    // below that of `from`, or must end there as a cell below it has no point that moves, all is
-    // done with the tops where they are in `from`. The plan's distances are left at the reference.
+    // The arrays `reference` and `from` are coordinates of the plan's mesh before and after a
+    // movement, which check() has accepted; the improved coordinates are written to `to`, which may
+    // be `from`. The tops of the first layer are the ends of those edges that leave walls most
+    // nearly along the normal. They are put where the wall carries them, with their former height
+    // and angle, as far as no cell is inverted, and are held there; only a top of a cell that has
+    // less than half of its former quality may then move on. If the smallest quality ends below
+    // that of `from`, or must do so because a cell below it has no movable point, everything is
+    // repeated with the tops where they are in `from`. The plan's distances are left at the
+    // reference.
     void run(Plan& plan, ImproveOptions const& options, Points reference, Points from,
              MutablePoints to, ImproveReport& report) noexcept;
 

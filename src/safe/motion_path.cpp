@@ -5,7 +5,7 @@
 namespace harmorph {
 namespace {
 
-// The root with a real part >= 0.
+// Returns the root that has a real part >= 0.
 Vec2 complex_root(Vec2 z) noexcept {
     Real const size = length(z);
     Real const larger_part = sqrt(0.5 * (size + abs(z.x)));
@@ -112,7 +112,7 @@ void MovementPath::fit_curves(Basis const& basis, bool straight) noexcept {
     }
 }
 
-// A group is numbered by its first member.
+// The number of a group is that of its first member.
 void MovementPath::find_groups(Basis const& basis) noexcept {
     for (Index i = 0; i < group_of.count(); ++i) {
         group_of[i] = i;
@@ -144,8 +144,8 @@ void MovementPath::join(Index group, Index other) noexcept {
     groups[low].anchored = anchored;
 }
 
-// A loop of the boundary that is wall all round is a body: its curves turn as one. Where a loop is
-// wall in part, or of curves in part and rigid in part, whatever is on it goes straight.
+// A loop of the boundary that consists of walls only is a body: its curves turn together. If a loop
+// is a wall only in part, or has both curves and rigid parts, everything on the loop goes straight.
 void MovementPath::find_anchors(Basis const& basis) noexcept {
     Index const n_shapes = basis.header->counts.shapes();
     for (Index loop = 0; loop + 1 < basis.loop_start.count(); ++loop) {

@@ -1,25 +1,26 @@
-// The way from where control points are to where they shall be, for morphs in several steps.
+// The path of the control points from the start to the target, for morphs in several steps.
 #pragma once
 
 #include "basis/basis.hpp"
 
 namespace harmorph {
 
-// r^t for t in 0..1, along the shorter way round 0. By square roots alone.
+// Returns r^t for 0 <= t <= 1, along the shorter way round 0, computed by square roots alone.
 Vec2 complex_power(Vec2 r, Real t) noexcept;
 
-// Control points that curves connect turn and scale together: the similarity z -> c + d + r (z - c)
-// that fits their movement best is gone through along r^t, and what is left of the movement grows
+// Control points that curves connect turn and scale together. The similarity z -> c + d + r (z - c)
+// that fits their movement best proceeds along r^t, and the remainder of the movement grows
 // linearly in the turning frame:
-//     P_i(t) = c + t d + r^t (P_i - c + t D_i),   D_i = (P_i + dP_i - c - d) / r - (P_i - c).
-// A rotation is then a rotation all the way, where a straight line would shrink the body. Rigid
-// bodies likewise. Three things go straight, r = 1: whatever has functions with real values, which
-// cannot turn anything; walls that end on another boundary, which stay on it, or where it holds
-// them, only on a straight line; combined functions and modes, which do not know how to turn,
-// unless a mode has a ModeWay. All curves round one body turn as one.
+//   P_i(t) = c + t d + r^t (P_i - c + t D_i),   D_i = (P_i + dP_i - c - d) / r - (P_i - c).
+// So a rotation is a rotation all the way, whereas a straight line would shrink the body. Rigid
+// bodies move in the same way. Three kinds of groups go straight, with r = 1: groups with functions
+// of real values, which cannot turn; walls that end on another boundary, because their ends stay on
+// that boundary, or where it holds them, only on a straight line; and combined functions and modes,
+// for which no rotation is defined unless a mode has a ModeWay. All curves round one body turn
+// together.
 struct MovementPath {
-    // The amplitude of a mode is r^t (start + t drift) - start, with the drift that leads to its
-    // target.
+    // The amplitude of a mode is r^t (start + t drift) - start, where the drift leads to the target
+    // of the mode.
     struct ModeWay {
         Vec2 start, ratio;
     };
@@ -35,25 +36,29 @@ struct MovementPath {
     Span<Index> group_of;  // [functions]
     Span<Group> groups;    // [functions] at most
     Span<Vec2> start,
-        drift;  // [functions] P_i - c and D_i; a rigid body's turn: 1 and 0; straight: P_i and dP_i
+        // [functions] P_i - c and D_i of a group; 1 and 0 for the turn of a rigid body; P_i and
+        // dP_i if the group goes straight.
+        drift;
     Span<Real> target;              // [2 * functions] dP
     Span<const ModeWay> mode_ways;  // [modes], or empty: all modes go straight
 
-    Span<Index> slot_of;  // [points] number of a point on a wall that functions move, or none
+    // [points] The number of a point on a wall that functions move, or none.
+    Span<Index> slot_of;
 
     void lay_out(Arena& arena, BasisCounts const& counts) noexcept;
     void init(Basis const& basis, const Real* move) noexcept;
-    // From now on all go straight.
+    // Makes all groups go straight.
     void straighten(Basis const& basis) noexcept;
-    // Does anything turn or scale?
+    // Returns whether any group turns or scales.
     bool is_bent() const noexcept;
 
-    // movement [2 * functions] from the start to t in 0..1; at 1 the target itself.
+    // Finds the movement [2 * functions] from the start to the time t, 0 <= t <= 1; at 1 it is
+    // exactly the target.
     void at(Real t, Span<Real> movement) const noexcept;
-    // The derivative of that by the target, with the similarities held: dP_i(t) = weight (dP_i), a
-    // complex number; t r^(t-1).
+    // Returns the derivative of that movement by the target with the similarities held. It is a
+    // complex number: dP_i(t) = weight (dP_i), which is t r^(t-1).
     Vec2 weight(Index function, Real t) const noexcept;
-    // The group whose similarity a point of the wall follows.
+    // Returns the group whose similarity a point of the wall follows.
     Index group_of_slot(Basis const& basis, Index slot) const noexcept {
         BasisCounts const& counts = basis.header->counts;
         Index const number = basis.wall_curve[slot];
@@ -67,13 +72,13 @@ private:
     void find_anchors(Basis const& basis) noexcept;
     void fit_all(Basis const& basis, bool straight) noexcept;
     void fit_curves(Basis const& basis, bool straight) noexcept;
-    // One function by itself, from `from` with the similarity z -> ratio z.
+    // Sets one function that is a group by itself, from `from` with the similarity z -> ratio z.
     void set_alone(Index function, Vec2 from, Vec2 ratio, bool anchored) noexcept;
     void fit_group(Basis const& basis, Index group, bool straight) noexcept;
 };
 
-// What the groups of a path have turned and scaled by at one time, r^t. The last group is
-// remembered: points beside each other mostly follow the same one.
+// Returns the factor r^t by which each group of a path has turned and scaled at one time. The last
+// group is remembered, because neighbouring points mostly follow the same group.
 class TurnAt {
 public:
     TurnAt(MovementPath const& path, Real t) noexcept : groups_(path.groups), t_(t) {}

@@ -77,8 +77,8 @@ AdmissibleStep MovingMesh::look_ahead(Plan& plan, Basis const& basis, Basis cons
     return limit;
 }
 
-// Displacements along tangents become those to the nearest places of the curves, and the mesh
-// follows.
+// Replaces displacements along tangents by displacements to the nearest places of the curves; the
+// other points follow.
 void MovingMesh::put_on_slip_curves(Plan const& plan) noexcept {
     SlipCurves const& curves = plan.slip_curves();
     if (curves.count == 0) return;
@@ -94,7 +94,7 @@ void MovingMesh::put_on_slip_curves(Plan const& plan) noexcept {
         Vec2 const by = ahead()[point];
         if (by.x != 0 || by.y != 0) to_ahead().set(point, slid[slot].at - now()[point]);
     });
-    for (Index k = 0; k < x.count(); ++k) {  // bit by bit
+    for (Index k = 0; k < x.count(); ++k) {  // the displacements keep their bits
         if (plan.slips(k)) to_ahead().set(k, ahead()[plan.representative(k)]);
     }
 }

@@ -3,8 +3,9 @@
 namespace harmorph {
 namespace {
 
-// Entries have the size of 1 / length^2: their products are formed of parts of the size of 1.
-// Blocks are positive definite; of one that rounding made singular, all directions count alike.
+// Inverts a positive definite block. The entries have the size of 1 / length^2, and their products
+// are formed of parts of the size of 1. In a block that rounding has made singular, all directions
+// have equal weight.
 Block inverse_of(Block const& block) noexcept {
     Real const unit = 1 / power_of_two_at(block.a + block.d);
     Real const a = unit * block.a, b = unit * block.b, c = unit * block.c, d = unit * block.d;
@@ -32,8 +33,8 @@ void NewtonSystem::clear_row(Region const& region, Index u) const noexcept {
     gradient[u] = {};
 }
 
-// Of what moves the points of the row and its neighbours, only the parts along their lines are
-// left. The diagonal block stays regular; across the line nothing is ever put into it.
+// Keeps only those parts of the movements of the row's point and its neighbours that are along
+// their lines. The diagonal block stays regular, and the right-hand side is zero across the line.
 void NewtonSystem::constrain_row(Tangle const& tangle, Region const& region,
                                  Index u) const noexcept {
     Span<const Index> const neighbours = region.of(u);
@@ -64,8 +65,8 @@ void NewtonSystem::constrain_row(Tangle const& tangle, Region const& region,
     inverse[u] = inverse_of(own);
 }
 
-// Each pass over the rows is one pass over the memory: sums of what it has computed are formed on
-// the way.
+// Each pass over the rows is one pass over the memory: the sums of computed values are formed in
+// the same pass.
 Index NewtonSystem::solve(Region const& region, Index most_products,
                           Executor const& executor) const noexcept {
     Index const n = region.n;

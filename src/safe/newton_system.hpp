@@ -1,5 +1,5 @@
-// A Newton step for an energy of a region's corners: gradient, convex Hessian in 2 x 2 blocks,
-// conjugate gradients.
+// A Newton step for an energy of a region's corners: the gradient, the convex Hessian in 2 x 2
+// blocks, and conjugate gradients.
 #pragma once
 
 #include "base/parallel_reduce.hpp"
@@ -14,36 +14,39 @@ struct Sum {
     void merge(Sum const& later) noexcept { value += later.value; }
 };
 
-// The unknowns are movements of points; of points that slide, along their lines.
+// The unknowns are the movements of points; sliding points move along their lines.
 struct NewtonSystem {
-    // Relative residual at which a direction is good enough: the energy changes in the next step
-    // anyway.
+    // A direction with this relative residual is good enough, because the energy changes in the
+    // next step anyway.
     static constexpr Real enough = 0.2;
 
-    Span<Block> hessian;  // rows as in region.neighbour, so without the blocks below the diagonal
-                          // that those above stand for; 0 across lines of sliding points
-    Span<Block> inverse;  // [n] of the diagonal blocks
-    Span<Vec2> gradient;  // [n]
-    Span<Vec2> step;      // [n]
-    Span<Vec2> rest, search, image;  // [n] of the conjugate gradients
+    // The rows are those of region.neighbour; blocks below the diagonal are not stored, because
+    // those above represent them. Blocks are 0 across lines of sliding points.
+    Span<Block> hessian;
+    Span<Block> inverse;             // [n] the inverses of the diagonal blocks
+    Span<Vec2> gradient;             // [n]
+    Span<Vec2> step;                 // [n]
+    Span<Vec2> rest, search, image;  // [n] vectors of the conjugate gradients
 
     void lay_out(Arena& arena, RegionCounts const& counts) noexcept;
-    // visit(cell, points, add) calls add(gradient, mode) for each term of the energy of a corner:
-    // its cell, the numbers of its three points, and what CornerMap::differentiate gives.
+    // The function visit(cell, points, add) calls add(gradient, mode) for each term of the energy
+    // of a corner: `cell` is the cell of the corner, `points` are the numbers of its three points,
+    // and gradient and mode are those of CornerMap::differentiate().
     template <class Visit>
     void assemble(Tangle const& tangle, Region const& region, Executor const& executor,
                   Visit const& visit) const noexcept;
-    // step ~ -hessian^-1 gradient: a direction of descent. Returns the number of products.
+    // Solves approximately for step = -hessian^-1 gradient, which is a direction of descent.
+    // Returns the number of products.
     Index solve(Region const& region, Index most_products, Executor const& executor) const noexcept;
-    // In the rows begin .. end-1 of one range, see region.neighbour: to = hessian v; returns v .
-    // to.
+    // Computes to = hessian v in the rows begin .. end-1 of one range (see region.neighbour) and
+    // returns v . to.
     Real multiply(Region const& region, Index begin, Index end, Span<const Vec2> v,
                   Span<Vec2> to) const noexcept;
-    // gradient . step
+    // Returns gradient . step.
     Real slope(Region const& region, Executor const& executor) const noexcept;
 
 private:
-    static constexpr Index least_rows = 512;  // for a task of its own
+    static constexpr Index least_rows = 512;  // a task has at least so many rows
 
     template <class Visit>
     void assemble_cells(Tangle const& tangle, Region const& region,
@@ -64,9 +67,9 @@ private:
     void constrain_row(Tangle const& tangle, Region const& region, Index u) const noexcept;
 };
 
-// On one thread, cell after cell; on several, row by row, so that threads never meet: then a corner
-// is looked at once for each of its three points. Cells are in order in both, so that each row is
-// the same sum, bit by bit.
+// On one thread, the sum goes cell by cell. On several threads it goes row by row, so that threads
+// never write to the same row; then each corner is computed once for each of its three points.
+// Cells are in the same order in both cases, so that each row is the same sum, bit by bit.
 template <class Visit>
 void NewtonSystem::assemble(Tangle const& tangle, Region const& region, Executor const& executor,
                             Visit const& visit) const noexcept {
@@ -96,8 +99,8 @@ void NewtonSystem::assemble_row(Tangle const& tangle, Region const& region, Inde
     constrain_row(tangle, region, u);
 }
 
-// To those rows that is_wanted(row) asks for. A corner adds nothing to rows of other points than
-// its three.
+// Adds to those rows for which is_wanted(row) holds. A corner contributes to the rows of its three
+// points only.
 template <Index n, class IsWanted, class Visit>
 void NewtonSystem::add_cell_of(Tangle const& tangle, Region const& region, Index i,
                                IsWanted const& is_wanted, Visit const& visit) const noexcept {
@@ -132,13 +135,13 @@ void NewtonSystem::add_cell_of(Tangle const& tangle, Region const& region, Index
             if (v == none) continue;
             Size entry = 0;
             while (entry < neighbours.size() && neighbours[entry] != v)
-                ++entry;  // none below the diagonal
+                ++entry;  // blocks below the diagonal are not stored
             if (entry < neighbours.size()) row[entry] = row[entry] + sum.hessian[own][other];
         }
     }
 }
 
-// Pairs of numbers as points.
+// Returns pairs of numbers as points.
 inline Points as_points(Span<const Vec2> at) noexcept { return {&at.data()->x, &at.data()->y, 2}; }
 
 }  // namespace harmorph

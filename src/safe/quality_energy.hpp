@@ -1,32 +1,33 @@
-// How far a corner is from the shape and size of its target, as a power of the inverse quality:
-// infinite at inversion.
+// Measures the deviation of a corner from the shape and the size of its target by a power of the
+// inverse quality, which is infinite for inverted corners.
 #pragma once
 
 #include "safe/corner_map.hpp"
 
 namespace harmorph {
 
-// With J the map from the target corner, p and q as of CornerMap and d = det J > 0:
-//     shape = |J|^2 / (2 d) = (p + q) / (p - q),   size = (d + 1/d) / 2,   energy = (scale shape^2
-//     size)^power.
-// Both are 1 at the target, turned and moved at will, and larger elsewhere. 1 / (shape sqrt(size))
-// is the size-skew quality relative to the target: P. M. Knupp, SIAM J. Sci. Comput. 23 (2001) 193,
-// measures by the target matrix; 1 / size tends to 2 min(d, 1/d), but is smooth. So with scale =
-// least^2 the energy is (least / quality)^(2 power).
+// With the map J from the target corner, p and q as in CornerMap, and d = det J > 0:
+//   shape = |J|^2 / (2 d) = (p + q) / (p - q),   size = (d + 1/d) / 2,
+//   energy = (scale shape^2 size)^power.
+// Shape and size are 1 at the target, which may be turned and moved, and larger elsewhere. The
+// inverse 1 / (shape sqrt(size)) is the size-skew quality relative to the target: P. M. Knupp, SIAM
+// J. Sci. Comput. 23 (2001) 193, measures quality by the target matrix; 1 / size tends to 2 min(d,
+// 1/d) but is smooth. So with scale = least^2 the energy is (least / quality)^(2 power).
 class QualityEnergy {
 public:
-    // Of the smallest natural curvature; turning, which changes nothing at the target, has it too.
+    // This part of the smallest natural curvature is the lower bound; rotation, which changes
+    // nothing at the target, has this curvature, too.
     static constexpr Real least_curvature = 0.02;
 
     explicit QualityEnergy(Triangle const& target, Index power = 1, Real scale = 1) noexcept
         : map_(target), power_(power), scale_(scale) {}
 
-    // Infinite where the corner has no positive area, or is so far from its target that a
+    // Returns infinity if the corner has no positive area, or is so far from its target that a
     // derivative would overflow.
     Real energy(Triangle const& now) const noexcept;
-    // Derivatives by the three points, see CornerMap, of `weight` times the energy, which is
-    // finite. Curvatures below `least` times 4 power energy, that of growing at the target, are
-    // raised to it.
+    // Finds the derivatives by the three points (see CornerMap) of `weight` times the energy, which
+    // must be finite. Curvatures below `least` times 4 power energy, the curvature of scaling at
+    // the target, are raised to that bound.
     void differentiate(Triangle const& now, Real weight, Real least, Vec2 (&gradient)[3],
                        CornerMode (&mode)[4]) const noexcept;
 
@@ -36,8 +37,8 @@ private:
     Real scale_;
 };
 
-// Beyond `most` = room / max(s, 1) derivatives could overflow: up to 4 power energy max(s, 1) /
-// d^2, divided by the target's area.
+// Beyond `most` = room / max(s, 1), derivatives could overflow: they are up to 4 power energy
+// max(s, 1) / d^2, divided by the area of the target.
 inline Real QualityEnergy::energy(Triangle const& now) const noexcept {
     constexpr Real least_area = 1e-50, largest = 1e280;
     Real const d = map_.determinant(now), s = square(map_.z(now)) + square(map_.w(now)),
@@ -56,7 +57,8 @@ inline Real QualityEnergy::energy(Triangle const& now) const noexcept {
     return product;
 }
 
-// Of the logarithm 2 ln s - 2 ln d + ln (d + 1/d) first, with s = p + q and d = p - q.
+// First come the derivatives of the logarithm 2 ln s - 2 ln d + ln (d + 1/d), with s = p + q and d
+// = p - q.
 inline void QualityEnergy::differentiate(Triangle const& now, Real weight, Real least,
                                          Vec2 (&gradient)[3],
                                          CornerMode (&mode)[4]) const noexcept {

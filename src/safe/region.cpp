@@ -6,8 +6,8 @@
 namespace harmorph {
 namespace {
 
-// visit(representative) once for each that a cell has: in a periodic mesh one cell wide, two
-// corners have the same.
+// Calls visit(representative) once for each representative in a cell. In a periodic mesh that is
+// one cell wide, two corners have the same representative.
 template <class Visit>
 void for_each_point(Tangle const& tangle, Cell const& cell, Visit visit) noexcept {
     for (Index k = 0; k < cell.n; ++k) {
@@ -63,7 +63,7 @@ void Region::grow(Tangle const& tangle, Index layers) noexcept {
     list_neighbours(tangle);
 }
 
-// Fills the queue with points, layer by layer; returns how many.
+// Fills the queue with points layer by layer and returns the number of points.
 Index Region::reach_points(Tangle const& tangle, Index layers) noexcept {
     Index filled = 0;
     if (layers >= whole) {
@@ -90,7 +90,7 @@ Index Region::reach_points(Tangle const& tangle, Index layers) noexcept {
     return filled;
 }
 
-// In order, as cells_of() has them.
+// Lists the cells in the order of cells_of().
 void Region::list_cells(Tangle const& tangle) noexcept {
     n_cells = 0;
     for (Index i = 0; i < cell.count(); ++i) {

@@ -1,4 +1,4 @@
-// The part of a mesh round its inverted corners: which points may move there, their cells, and
+// The part of a mesh round its inverted corners: the points that may move there, their cells and
 // their neighbours.
 #pragma once
 
@@ -8,27 +8,29 @@
 
 namespace harmorph {
 
-// A mesh whose cells are to be made valid, without its coordinates.
+// A mesh the cells of which are to become valid, without the coordinates of the mesh.
 struct Tangle {
-    Mesh mesh;                    // `points` is not looked at
-    Points reference;             // of valid cells: the shapes and sizes wanted
+    Mesh mesh;                    // `points` is not read
+    Points reference;             // of valid cells, which have the desired shapes and sizes
     Span<std::uint8_t> reversed;  // [cells and guards]
-    Span<const Index>
-        representative;  // [n_points] points of a cut, or of a periodic pair, move as one
-    Span<const std::uint8_t> held;  // [n_points] 1: does not move; of representatives
-    Span<const Vec2> line = {};     // [n_points] unit vector along the line that a representative
-                                    // slides on; (0, 0): moves anywhere. Empty: all move anywhere
-    Span<const Vec2> turn =
-        {};  // [n_points] what turns the movement of an unknown into that of the point, on
-             // sides of a passage that are turned against each other. Empty: nothing
+    // [n_points] Points of a cut, or of a periodic pair, move together and have one representative.
+    Span<const Index> representative;
+    Span<const std::uint8_t> held;  // [n_points] 1: the representative does not move
+    // [n_points] The unit vector along the line on which a representative slides; (0, 0) if it
+    // moves in any direction. Empty: all representatives move in any direction.
+    Span<const Vec2> line = {};
+    // [n_points] The factor that turns the movement of an unknown into that of the point, on sides
+    // of a passage that are turned against each other. Empty: no point is turned.
+    Span<const Vec2> turn = {};
+    // sides of a passage that are turned against each other. Empty: nothing
 
-    // Counter-clockwise.
+    // Returns the corners of a cell or guard in counter-clockwise order.
     Cell cell(Index i) const noexcept {
         Cell shape = mesh.cell(i);
         if (reversed[i] != 0) shape.reverse();
         return shape;
     }
-    // Of cell or guard i.
+    // Returns the shape of cell or guard i.
     CellShape shape(Index i, Points points) const noexcept {
         return shape_of({mesh, reversed}, i, points);
     }
@@ -41,8 +43,8 @@ struct Tangle {
     bool slides(Index point) const noexcept { return !line.empty() && square(line[point]) > 0; }
 };
 
-// A corner, the second point, with its neighbours; the side to the first one turned back, see
-// guard_shape.hpp.
+// A corner, which is the second point, with its two neighbours. If the side to the first point is
+// turned, it is turned back; see guard_shape.hpp.
 struct CornerPoints {
     Index point[3] = {};
     Vec2 turn = {1, 0};
@@ -50,7 +52,8 @@ struct CornerPoints {
     Index operator[](Index k) const noexcept { return point[k]; }
 };
 
-// Each corner of a cell with its neighbours; the corners of a triangle are one and the same.
+// The triangles of a cell: each corner with its neighbours. A triangle has one such triangle, as
+// all its corners give the same.
 struct CellTriangles {
     Index n = 0;
     CornerPoints point[4] = {};
@@ -69,35 +72,37 @@ struct CellTriangles {
 };
 
 struct Region {
-    static constexpr Index whole = 200;  // layers that count as all there are
+    static constexpr Index whole = 200;  // this number of layers means the whole mesh
 
-    Index n = 0;        // points that may move: the unknowns
-    Index n_cells = 0;  // cells with an unknown point
-    Span<Index>
-        unknown;  // [n_points] number of a point, or none; points that move as one have the same
-    Span<Index> point;         // [n] representative of each unknown
+    Index n = 0;        // the number of unknowns, which are points that may move
+    Index n_cells = 0;  // the number of cells that have an unknown point
+    // [n_points] The number of the unknown that moves a point, or none; points that move together
+    // have the same.
+    Span<Index> unknown;
+    Span<Index> point;         // [n] the representative of each unknown
     Span<Index> cell;          // [cells and guards] in order
     Span<Offset> start;        // [n + 1]
     Span<Offset> outer_start;  // [n]
-    // Unknowns that share a cell with each, from `start` on: itself first; then those with larger
-    // numbers in its range (range_start() in parallel_reduce.hpp says which these are); from
-    // outer_start on, all that are in other ranges.
+    // The unknowns that share a cell with each unknown, from `start` on: first the unknown, then
+    // those with larger numbers in the same range (range_start() in parallel_reduce.hpp defines
+    // ranges), and from outer_start on all those in other ranges.
     Span<Index> neighbour;
     Span<Offset> cell_start;     // [n_points + 1]
-    Span<Index> cell_of;         // all cells of each representative
+    Span<Index> cell_of;         // the cells of each representative
     Span<std::uint8_t> reached;  // [n_points] working space
     Span<Index> queue;           // [n_points] working space
 
     void lay_out(Arena& arena, RegionCounts const& counts) noexcept;
-    // Once for a mesh: the cells of each point.
+    // Finds the cells of each point. This is done once for a mesh.
     void link(Tangle const& tangle) noexcept;
-    // As cells, those of the mesh for which is_one(cell) holds; leaves only those of the cells for
-    // which it does.
+    // Starts with those cells of the mesh for which is_one(cell) holds; or keeps only those cells
+    // of the region for which it holds.
     template <class IsOne>
     void choose(IsOne is_one) noexcept;
     template <class IsOne>
     void keep(IsOne is_one) noexcept;
-    // From those cells to all points within `layers` cells of them; from `whole` on, to all points.
+    // Grows the region from these cells to all points within `layers` cells of them; with `whole`
+    // layers or more, to all points of the mesh.
     void grow(Tangle const& tangle, Index layers) noexcept;
 
     Span<const Index> cells_of(Index mesh_point) const noexcept {

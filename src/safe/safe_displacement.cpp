@@ -7,7 +7,7 @@ namespace {
 
 constexpr Index modes_of_body = 3;
 
-// visit(points of the loop) for each loop of the boundary all of whose points are given.
+// Calls visit(points of the loop) for each loop of the boundary on which all points are given.
 template <class Visit>
 void for_each_body(Plan const& plan, Visit const& visit) noexcept {
     GivenWall const& wall = plan.given();
@@ -20,7 +20,7 @@ void for_each_body(Plan const& plan, Visit const& visit) noexcept {
     }
 }
 
-// A length that others are divided by.
+// Returns a length that is safe as a divisor.
 Real or_one(Real size) noexcept { return size > 0 ? size : 1; }
 
 }  // namespace
@@ -72,7 +72,7 @@ Status SafeDisplacement::run(Plan& plan, Basis const& basis, const Real* movemen
     return safe.run(plan, tabulated, move.data(), options, nullptr, report, fault);
 }
 
-// Into the order of the plan, by way of a displacement field.
+// Brings the displacements into the order of the plan by means of a displacement field.
 Status SafeDisplacement::read(Plan const& plan, PointList const& list, Points wall,
                               Fault& fault) noexcept {
     Displacement const& field = work.displacement;
@@ -82,7 +82,7 @@ Status SafeDisplacement::read(Plan const& plan, PointList const& list, Points wa
     return Status::ok;
 }
 
-// A point of two loops, at which they touch, goes with the first one.
+// If two loops touch at a point, the point belongs to the first loop.
 void SafeDisplacement::find_bodies(Plan const& plan) noexcept {
     Index number = 0;
     fill(body, none);
@@ -95,7 +95,7 @@ void SafeDisplacement::find_bodies(Plan const& plan) noexcept {
     });
 }
 
-// All modes are at most 1 in size; lengths are in the amplitudes.
+// All values of modes are at most 1 in size; the amplitudes contain the lengths.
 void SafeDisplacement::make_modes(Plan const& plan, Index first_mode) noexcept {
     Index const n = given.count();
     Points const points = plan.mesh().points;

@@ -55,16 +55,17 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
         measure_quality(work.cells(), mesh.now(), {}, work.executor()).min_quality;
     report.outcome.min_quality = report.start_quality;
     first_layer.find(plan.mesh(), plan.mesh().points, mesh.representative,
-                     plan.walls_at(plan.mesh().points));
+                     plan.walls_at(plan.mesh().points).chosen());
     Method const method = plan.equations().method();
     Status const status = climb(work);
     plan.change_operator(method.operator_kind, method.exponent_quarters);
-    if (work.factored_again) plan.forget_factor();  // of another mesh or operator
+    if (work.factored_again)
+        plan.forget_factor();  // the factor is that of another mesh or operator
     HARMORPH_TRY(status);
     return finish(work);
 }
 
-// Until the mesh is good.
+// Tries one strategy after another until the mesh is good.
 Status SafeMorph::climb(Work& work) noexcept {
     SafeOptions const& options = work.options;
     bool const may_turn_back = work.derivative == nullptr;
@@ -121,12 +122,12 @@ void SafeMorph::single_step(Work& work, Basis const& by, Strategy strategy, Inde
     keep_if_better(work);
 }
 
-// No way is worse than this one: straight ahead with the functions of the start, as far as no cell
-// inverts.
+// Goes straight ahead with the functions of the start, as far as no cell is inverted. No other
+// strategy ends with a worse mesh than this one.
 void SafeMorph::longest_linear_step(Work& work) noexcept {
     constexpr Index most_trials = 8;
     if (mesh.path.is_bent())
-        return;  // the derivative knows no way back; without one the path has been straightened
+        return;  // the derivative of a path that turns does not fit a straight step
     begin(work);
     Real length = min(0.98 * look_ahead(work, work.basis, 1).step, 1.0);
     for (Index trial = 0; trial < most_trials && length > work.best().fraction;
@@ -139,8 +140,9 @@ void SafeMorph::longest_linear_step(Work& work) noexcept {
     }
 }
 
-// Of the coordinates as they will be stored, after all roundings: every corner is positive exactly
-// and as quality measures it, and the boundary does not cross itself where it did not at the start.
+// Checks the coordinates as they will be stored, after all roundings: every corner must be
+// positive, both in exact arithmetic and in the measure of quality, and the boundary must not cross
+// itself except where it did so at the start.
 bool SafeMorph::is_valid(Work const& work, Points points) const noexcept {
     for (Index k = 0; k < best_x.count(); ++k) {
         if (!is_coordinate(points[k])) return false;
@@ -149,7 +151,7 @@ bool SafeMorph::is_valid(Work const& work, Points points) const noexcept {
            !find_new_crossing(work.basis.faces(), work.mesh().points, points).found;
 }
 
-// To where it looked, which is valid.
+// Makes the trial step, the mesh of which is valid.
 void SafeMorph::take_step(Work& work, Basis const& by) noexcept {
     if (work.derivative != nullptr) {
         for (Index i = 0; i < weight.count(); ++i) {
@@ -164,8 +166,8 @@ void SafeMorph::take_step(Work& work, Basis const& by) noexcept {
     ++work.attempt.steps;
 }
 
-// The derivative of the step that was looked at last, where points slide along curves: put back
-// onto them.
+// Turns the derivative of the last trial step at points that slide along curves, which the step
+// puts back onto their curves.
 void SafeMorph::turn_sliding(Work const& work) const noexcept {
     SlipCurves const& curves = work.plan.slip_curves();
     if (curves.count == 0) return;

@@ -1,6 +1,5 @@
-// A morph that reaches the target with cells of good quality, or says how far it came and where
-// cells are poor: strategies are tried in the order of their cost, and the best mesh of all is
-// kept.
+// A safe morph reaches the target with cells of good quality, or reports how far it came and where
+// cells are poor. It tries strategies in the order of their cost and keeps the best mesh.
 #pragma once
 
 #include "boundary/first_layer.hpp"
@@ -23,91 +22,100 @@ enum class Strategy : std::int32_t {
 
 struct SafeOptions {
     Index most_resolves = 10;
-    std::uint32_t skipped = 0;  // bit k: strategy k is not tried
+    std::uint32_t skipped = 0;  // bit k: strategy k is skipped
     Span<const Basis> others;   // solved with other operators or exponents
-    bool solves_others =
-        false;  // instead of `others`: solve with other operators at the start, where needed
+    // If true, the morph solves functions of other operators at the start where they are needed;
+    // then `others` is empty.
+    bool solves_others = false;
     UntangleOptions untangle;
     ImproveOptions improve;
-    bool improves = false;  // the mesh at the target is made better, however good it is
-    // 0..1, of the smallest quality of the start: below it, a mesh at the target that is good
-    // enough is still tried to be made better by other operators and by improvement, without steps
+    bool improves = false;  // the mesh at the target is always improved
+    // A fraction, 0 to 1, of the smallest quality of the start. If the quality of an acceptable
+    // mesh at the target is below this value, other operators and improvement are tried, but no
+    // steps.
     Real fair_quality = 0;
-    Real heights = 0;         // 0..1: how much of the heights near walls is brought back at the end
-    Real min_quality = 0.05;  // 0..1: of the smallest quality of the start
-    Real most_height_change =
-        infinity;  // > 1: of heights of the first layer, by which they may grow or shrink
+    Real heights = 0;  // 0 to 1: the part of the heights near walls that is restored at the end
+    Real min_quality = 0.05;  // 0 to 1: in parts of the smallest quality of the start
+    // A factor > 1, by which heights of the first layer may grow or shrink.
+    Real most_height_change = infinity;
 
     bool tries(Strategy strategy) const noexcept {
         return (skipped >> static_cast<std::int32_t>(strategy) & 1) == 0;
     }
 };
 
-// Where a strategy led.
+// The mesh that a strategy ended with.
 struct Outcome {
-    Strategy strategy = Strategy::linear;  // the last one that moved the mesh
-    Index other = none;  // which of `others`; where they are solved for here, the operator
+    Strategy strategy = Strategy::linear;  // the last strategy that moved the mesh
+    // The index in `others`, or the operator if the morph solves for other operators; or none.
+    Index other = none;
     Index steps = 0;
-    Real fraction = 0;       // of the way to the target
-    Real min_quality = 0;    // relative to the start
-    Real turned_offset = 0;  // largest of what points of walls moved by beside their curve
-    Real height_change = 1;  // largest factor, >= 1; not measured where it is not limited
+    Real fraction = 0;     // of the whole movement
+    Real min_quality = 0;  // relative to the start
+    // The largest displacement of points of walls that their carried offsets cause.
+    Real turned_offset = 0;
+    // The largest factor, >= 1, by which heights changed; it is not measured unless the change is
+    // limited.
+    Real height_change = 1;
 };
 
 struct WorstCell {
     Index cell = none;
-    Real quality = 0, before = 0;  // relative to the start; of the start alone
-    Vec2 centre;                   // mean of the corners
+    Real quality = 0, before = 0;  // relative to the start; absolute at the start
+    Vec2 centre;                   // the mean of the corners
 };
 
 struct SafeReport {
     static constexpr Index most_worst = 5;
 
-    Outcome outcome;       // of the mesh that is given
-    Index resolves = 0;    // of all strategies
-    AdmissibleStep limit;  // what stood in the way of the step that was tried last
+    Outcome outcome;       // of the returned mesh
+    Index resolves = 0;    // by all strategies together
+    AdmissibleStep limit;  // the limit of the last step that was tried
     UntangleReport untangle;
     FirstLayerChange first_layer;
-    Real heights = 0;        // how much of them could be brought back
-    Crossing crossing;       // of the boundary at the target
-    Real start_quality = 0;  // smallest of the start
-    // Of the ends of walls that leave the lines beside them, the one that goes farthest from its
-    // line, and how far; none: no end does
+    Real heights = 0;        // the part of the heights that could be restored
+    Crossing crossing;       // of boundary faces at the target
+    Real start_quality = 0;  // the smallest quality at the start
+    // Among the ends of walls that leave the lines beside them, the end that goes farthest from its
+    // line, and the distance from the line; none if no end leaves its line.
     Index end = none;
     Real end_leaves = 0;
     Index n_worst = 0;
-    WorstCell worst[most_worst];  // the worst first
+    WorstCell worst[most_worst];  // the worst cell first
 };
 
 struct SafeMorph {
     MovingMesh mesh;
     Span<Real> best_x, best_y;  // [n_points] the best mesh so far
-    Span<Real> reached;         // [2 * functions] the movement that it has
+    Span<Real> reached;         // [2 * functions] the movement of the best mesh
     Span<Vec2> weight;          // [functions]
-    Span<unsigned char> block;  // of the basis that is solved on the way
-    Mobility mobility;          // of the untangling
-    Untangling untangling;      // in the same memory as the improvement: one works after the other
+    Span<unsigned char> block;  // the block of the basis that is solved on the way
+    Mobility mobility;          // for untangling
+    // The untangling uses the same memory as the improvement, because they work one after the
+    // other.
+    Untangling untangling;
     MeshImprovement improvement;
     FirstLayer first_layer;
     WallHeights wall_heights;
-    Span<PointKind> kinds;  // [n_points] what wall_heights must know of them
+    Span<PointKind> kinds;  // [n_points] the kinds that wall_heights needs
 
-    // For bases with these counts: those of the plan, or of what was derived from its basis.
+    // Takes memory for bases with these counts, which are those of the plan, or of a basis derived
+    // from the plan's basis.
     void lay_out(Arena& arena, Plan const& plan, BasisCounts const& counts) noexcept;
 
-    // The plan's mesh is the start; `basis` was solved on it. Points on the wall end where the
-    // B-spline, and what is carried of their offsets, put them. Refused at once: a target that is
-    // impossible (Status::crossing, see check_target). Status::short_of_target: not all of the way.
-    // Status::poor: all of it, but the quality asked for is missed. derivative: a basis like
-    // `basis`, or null; see hm_morph_safe. Where functions were solved again, the plan is left
-    // without a factor.
+    // The plan's mesh, on which `basis` was solved, is the start. Points on the wall end where the
+    // B-spline and their carried offsets put them. An impossible target is refused at once
+    // (Status::crossing, see check_target). Status::short_of_target means that the movement is not
+    // complete. Status::poor means that the movement is complete but the quality asked for is not
+    // reached. The derivative is a basis like `basis`, or null; see hm_morph_safe. If functions
+    // were solved again, the plan is left without a factor.
     Status run(Plan& plan, Basis const& basis, const Real* move, SafeOptions const& options,
                const Basis* derivative, SafeReport& report, Fault& fault) noexcept;
     Points result() const noexcept { return {best_x.data(), best_y.data(), 1}; }
     void write(MutablePoints to) const noexcept;
 
 private:
-    struct Work;  // the arguments of run(), and what is asked for
+    struct Work;  // the arguments of run() and the values derived from them
 
     Status climb(Work& work) noexcept;
     void begin(Work& work) noexcept;
@@ -118,14 +126,13 @@ private:
     void keep_if_better(Work& work) noexcept;
     void keep(Work& work, Outcome const& outcome, Span<const Real> x, Span<const Real> y,
               Span<const Real> movement) noexcept;
-    // The best mesh becomes the one ahead, which has the same movement: reached and derivative
-    // stay.
+    // Puts the best mesh ahead, which has the same movement; `reached` and the derivative stay.
     void replace_inner_points(Work& work, Outcome const& outcome) noexcept;
     void measure(Work const& work, Points points, Outcome& outcome) const noexcept;
     void single_step(Work& work, Basis const& by, Strategy strategy, Index other) noexcept;
     void longest_linear_step(Work& work) noexcept;
 
-    // substeps.cpp
+    // These functions are in substeps.cpp.
     struct OperatorChoice;
     struct Operators;
     Status other_operators(Work& work) noexcept;

@@ -1,5 +1,5 @@
-// The end of a safe morph: heights near walls brought back, the worst cells, the derivative, and
-// what the caller is told.
+// The end of a safe morph: restored heights near walls, the worst cells, the derivative, and the
+// report to the caller.
 #include "base/range.hpp"
 #include "morph/weighted_sum.hpp"
 #include "safe/safe_work.hpp"
@@ -7,12 +7,12 @@
 namespace harmorph {
 namespace {
 
-// Heights that are asked for may cost this part of the smallest quality, where that remains as good
-// as was asked for.
+// Restored heights may reduce the smallest quality to this part of it, as long as the quality asked
+// for remains.
 constexpr Real least_kept_quality = 0.5;
 
-// Mean of the corners of one of the caller's cells: a polygon has them in its triangles, those at
-// diagonals repeatedly.
+// Returns the mean of the corners of one of the caller's cells. A polygon has its corners in its
+// triangles, and those at diagonals repeatedly.
 Vec2 centre_of(Mesh const& mesh, Index number, Points points) noexcept {
     Vec2 sum;
     Index n = 0;
@@ -23,7 +23,7 @@ Vec2 centre_of(Mesh const& mesh, Index number, Points points) noexcept {
     return (1.0 / n) * sum;
 }
 
-// Quality of one cell as measure_quality() has it.
+// Returns the quality of one cell as measure_quality() defines it.
 Real quality_of(OrientedMesh const& cells, Index cell, Points points, Points reference) noexcept {
     Quality one;
     one.add(cell, measure_cell(cells, cell, points), measure_cell(cells, cell, reference).area);
@@ -32,9 +32,10 @@ Real quality_of(OrientedMesh const& cells, Index cell, Points points, Points ref
 
 }  // namespace
 
-// Heights that are asked for: as much as leaves a valid mesh and the smallest quality that is
-// permitted, found by bisection. To limit the change of heights: all, or a half, or a quarter, ...,
-// the first that makes the mesh better.
+// Restores heights that the options ask for. The part that leaves a valid mesh with the smallest
+// quality that is permitted is found by bisection. If the change of heights is limited, all of the
+// heights are restored, or a half, or a quarter and so on: the first part that makes the mesh
+// better.
 void SafeMorph::restore_heights(Work& work) noexcept {
     constexpr Index most_trials = 6, most_halvings = 4;
     Points const before = work.mesh().points;
@@ -46,7 +47,7 @@ void SafeMorph::restore_heights(Work& work) noexcept {
     bool const is_asked_for = work.options.heights > 0;
     Real const quality = work.best().min_quality;
     Real const permitted = min(quality, max(work.goal(), least_kept_quality * quality));
-    // Restores an amount in the mesh ahead.
+    // Restores a part of the heights in the mesh ahead.
     Outcome outcome;
     auto const accepts = [&](Real amount) {
         copy(mesh.ahead_x, Span<const Real>(best_x));
@@ -77,7 +78,7 @@ void SafeMorph::restore_heights(Work& work) noexcept {
     work.report.heights = accepted;
 }
 
-// By insertion into the short list.
+// Inserts each cell into the short list of the worst cells.
 void SafeMorph::measure_worst(Work& work) const noexcept {
     SafeReport& report = work.report;
     report.n_worst = 0;
@@ -112,10 +113,10 @@ void SafeMorph::finish_derivative(Work& work) noexcept {
     derivative.seal();
 }
 
-// The mesh ahead is at the target. On the line or curve beside the end of a wall, neighbours stay
-// or slide: the end leaves it where the distance changes.
+// The mesh ahead is at the target. Beside the end of a wall, neighbours on the line or curve of the
+// boundary stay or slide; the end leaves the line if the distance to them changes.
 void SafeMorph::find_end_that_leaves(Work& work) const noexcept {
-    constexpr Real least = 1e-6;  // of the movement of the end
+    constexpr Real least = 1e-6;  // in parts of the movement of the end
     Plan const& plan = work.plan;
     Points const start = work.mesh().points, target = mesh.ahead();
     auto const distance = [&](Vec2 p, Index end, Index beside) {
@@ -144,7 +145,7 @@ void SafeMorph::find_end_that_leaves(Work& work) const noexcept {
     }
 }
 
-// Whether the cell has the point, or a neighbour of the point on the boundary.
+// Returns whether the cell has the point or one of the neighbours of the point on the boundary.
 bool SafeMorph::is_beside(Work const& work, Index cell, Index point) const noexcept {
     if (cell == none || point == none) return false;
     Cell const corners = work.mesh().cell(cell);

@@ -1,5 +1,4 @@
-// What the strategies of a safe morph have in common: the arguments, the attempt at hand, and what
-// is asked for.
+// The arguments, the present attempt and the goals that the strategies of a safe morph share.
 #pragma once
 
 #include "safe/safe_morph.hpp"
@@ -13,9 +12,9 @@ struct SafeMorph::Work {
     const Basis* derivative;
     SafeReport& report;
     Fault& fault;
-    Outcome attempt;  // of the mesh at hand
-    bool derivative_of_best =
-        true;  // the derivative is that of the best mesh, not of a later attempt
+    Outcome attempt;  // of the present mesh
+    // The derivative is that of the best mesh, and not that of a later attempt.
+    bool derivative_of_best = true;
     bool factored_again = false;
 
     Mesh const& mesh() const noexcept { return plan.mesh(); }
@@ -29,7 +28,7 @@ struct SafeMorph::Work {
         improvement.enough = goal();
         return improvement;
     }
-    // In parts of what is asked for; 1 is enough.
+    // Returns the quality in parts of the quality asked for; 1 is enough.
     Real score(Outcome const& outcome) const noexcept {
         Real const quality = goal() > 0 ? outcome.min_quality / goal() : 1;
         return min(min(quality, options.most_height_change / outcome.height_change), 1.0);
@@ -37,7 +36,7 @@ struct SafeMorph::Work {
     bool is_good(Outcome const& outcome) const noexcept {
         return outcome.fraction >= 1 && score(outcome) >= 1;
     }
-    // Nothing more is tried.
+    // Returns whether the mesh is so good that no further strategy is tried.
     bool is_fair(Outcome const& outcome) const noexcept {
         return is_good(outcome) &&
                outcome.min_quality >= options.fair_quality * report.start_quality;

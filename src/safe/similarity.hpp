@@ -1,4 +1,4 @@
-// The similarity z -> c + d + r (z - c) that fits movements of points best.
+// Finds the similarity z -> c + d + r (z - c) that fits movements of points best.
 #pragma once
 
 #include "base/vec2.hpp"
@@ -6,16 +6,17 @@
 namespace harmorph {
 
 struct Similarity {
-    // A body that collapses or turns inside out has no way round 0 that is worth going.
+    // A body that collapses or turns inside out has a smaller ratio than this; the path of such a
+    // body goes straight.
     static constexpr Real least_ratio = 0.05;
 
     Vec2 centre, shift, ratio{1, 0};  // c, d, r
     Index members = 0;
 };
 
-// for_each(visit) calls visit(point, movement) for each member. Least squares: c = mean of the
-// points p, d = mean of the movements w, r - 1 = sum conj(p - c) (w - d) / sum |p - c|^2; r = 1
-// where that is not a way worth going.
+// The function for_each(visit) calls visit(point, movement) for each member. Least squares give c =
+// mean of the points p, d = mean of the movements w, and r - 1 = sum conj(p - c) (w - d) / sum |p -
+// c|^2. If |r| is too small, r is set to 1.
 template <class ForEach>
 Similarity fit_similarity(ForEach const& for_each) noexcept {
     Similarity fit;

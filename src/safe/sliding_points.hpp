@@ -1,5 +1,5 @@
-// Points that slide along curves while an optimisation moves mesh points: a step leads along their
-// tangents, and they are put back onto their curves.
+// Points that slide along curves while an optimisation moves mesh points: a step moves them along
+// their tangents, and then they are put back onto their curves.
 #pragma once
 
 #include "base/range.hpp"
@@ -8,12 +8,14 @@
 namespace harmorph {
 
 struct SlidingPoints {
-    // A point that is farther beside its curve, in parts of a face there, does not slide.
+    // A point does not slide if its distance to its curve is larger than this part of the faces
+    // there.
     static constexpr Real most_beside = 1e-6;
 
     const SlipCurves* curves = nullptr;
-    Span<Index>
-        slot;  // [n_points] of the curves; none: does not slide along a curve. Empty: no point does
+    // [n_points] The number of a point in the curves; none if it does not slide along a curve.
+    // Empty: no point slides.
+    Span<Index> slot;
     Span<Vec2> line;  // [n_points] see Tangle
 
     Vec2 placed(Index point, Vec2 p) const noexcept {
@@ -21,11 +23,11 @@ struct SlidingPoints {
     }
     bool slides(Index point) const noexcept { return !slot.empty() && slot[point] != none; }
 
-    // Those that are on their curves in `now`; the others are held. Points that others are joined
-    // to are held, too.
+    // Finds the points that are on their curves in `now`; the others are held. Points that other
+    // points are joined to are held, too.
     void find(SlipCurves const& slip_curves, Points now, Span<const Index> representative,
               Span<std::uint8_t> held) noexcept;
-    // The tangents where points are now.
+    // Sets the lines to the tangents at the present positions.
     void turn_lines(Points now) const noexcept;
 };
 

@@ -1,19 +1,26 @@
-// A safe morph in several steps: the functions are solved again on the mesh as it moves, by another
-// operator where the one at hand is stuck.
+// A safe morph in several steps: the functions are solved again on the moved mesh, by another
+// operator if the present one allows short steps only.
 #include "safe/safe_work.hpp"
 
 namespace harmorph {
 namespace {
 
-constexpr Real substep_of_admissible = 0.5;  // that a substep may take
-constexpr Real least_step = 1e-4;            // of the whole way; shorter ones lead nowhere
-constexpr Index most_trials = 12;            // of a substep's length; the way is not straight
-constexpr Index usual_resolves = 5;          // what a large movement should do with
-constexpr Index most_leaps = 2;  // over the rest of the way, before all solutions are used up
-constexpr Real stuck_below =
-    0.5;  // of the pace that leads to the target with the resolves that are left
-constexpr Real worth_changing =
-    1.5;  // an operator that goes so much farther is the one from now on
+// A substep takes this part of the admissible step.
+constexpr Real substep_of_admissible = 0.5;
+// Steps that are shorter than this part of the whole movement do not help.
+constexpr Real least_step = 1e-4;
+// The largest number of trials of the length of a substep, which are needed because the path is not
+// straight.
+constexpr Index most_trials = 12;
+// The number of solutions that should suffice for a large movement.
+constexpr Index usual_resolves = 5;
+// The largest number of leaps over the rest of the movement before all solutions are used up.
+constexpr Index most_leaps = 2;
+// A step is too short if it is less than this part of the pace that leads to the target with the
+// remaining solutions.
+constexpr Real stuck_below = 0.5;
+// An operator replaces the present one if its step is longer by this factor.
+constexpr Real worth_changing = 1.5;
 
 }  // namespace
 
@@ -22,13 +29,15 @@ struct SafeMorph::OperatorChoice {
     Index quarters;
 };
 
-// The basis's own operator, and those that may help where it is stuck. Conformal functions do not
-// follow what shears cells, as bodies that pass each other do; and their exponent decides what is
-// kept: 1 bends far, 2 keeps what is near the wall.
+// The operator of the basis, and those operators that may help if it allows short steps only.
+// Conformal functions do not follow movements that shear cells, such as bodies that pass each
+// other. Their exponent decides which region keeps its shape: 1 deforms cells far away, 2 keeps
+// those near the wall.
 struct SafeMorph::Operators {
     OperatorChoice list[4];
     Index count = 0, current = 0;
-    Index rest = 0;  // steps for which no change is tried, after one that did not help
+    // The number of steps without a trial of another operator, after a trial that did not help.
+    Index rest = 0;
 
     OperatorChoice const& now() const noexcept { return list[current]; }
 
@@ -46,7 +55,7 @@ struct SafeMorph::Operators {
     }
 };
 
-// All of the way at once, by functions of other operators that are solved on the start.
+// Makes the whole movement at once with functions of other operators that are solved at the start.
 Status SafeMorph::other_operators(Work& work) noexcept {
     begin(work);
     Basis const here = unsolved_copy(work.basis);
@@ -69,9 +78,9 @@ Status SafeMorph::substeps(Work& work) noexcept {
     Operators operators(work.basis.header->method);
     Index leaps = work.derivative == nullptr
                       ? most_leaps
-                      : 0;  // the derivative does not know what untangling moves
-    // A solution that failed may have left anything in `here`; the functions of the start always
-    // serve.
+                      : 0;  // the derivative does not include movements by untangling
+    // After a solution that failed, `here` may contain any values; the functions of the start can
+    // always be used.
     const Basis* by = &work.basis;
     if (work.options.tries(Strategy::substeps)) {
         Real length = 0;
@@ -98,7 +107,7 @@ Status SafeMorph::substeps(Work& work) noexcept {
             }
             if (status == Status::cancelled) return status;
             by = here.header->solved == 1 ? &here : &work.basis;
-            if (failed(status)) break;  // a scheme that cannot, or a mesh too poor
+            if (failed(status)) break;  // the scheme does not apply, or the mesh is too poor
             if (length >= least_step) look_ahead(work, here, min(mesh.time + length, 1.0));
         }
         if (work.attempt.steps > 0) keep_if_better(work);
@@ -107,14 +116,15 @@ Status SafeMorph::substeps(Work& work) noexcept {
     return Status::ok;
 }
 
-// Is a step too short to reach the target with the solutions that are left?
+// Returns whether a step is too short to reach the target with the remaining solutions.
 bool SafeMorph::is_stuck(Work const& work, Real length) const noexcept {
     Real const left =
         static_cast<Real>(max(work.options.most_resolves - work.report.resolves, Index{1}));
     return length < stuck_below * (1 - mesh.time) / left;
 }
 
-// At the start all bases are there: the one that goes farthest, if the own one is stuck.
+// All bases are those of the start. Returns the one with the longest step if the step of the own
+// basis is too short.
 Basis const& SafeMorph::choose_first(Work& work, Real& length) noexcept {
     const Basis* best = &work.basis;
     const Basis* last = best;
@@ -133,8 +143,8 @@ Basis const& SafeMorph::choose_first(Work& work, Real& length) noexcept {
     return *best;
 }
 
-// By the operator that goes farthest from here, where the one at hand, which was solved last, is
-// stuck.
+// Changes to the operator with the longest step if the step of the present one, which was solved
+// last, is too short.
 Status SafeMorph::change_operator(Work& work, Basis const& here, Operators& operators,
                                   Real& length) noexcept {
     if (operators.rest > 0) {
@@ -160,7 +170,8 @@ Status SafeMorph::change_operator(Work& work, Basis const& here, Operators& oper
     return solved == operators.current ? Status::ok : solve_by(work, here, operators.now());
 }
 
-// On the mesh as it is. Status::unsupported: the conditions do not allow this operator.
+// Solves the functions of an operator on the present mesh. Status::unsupported means that the
+// conditions do not allow this operator.
 Status SafeMorph::solve_by(Work& work, Basis const& here, OperatorChoice const& choice) noexcept {
     Method& method = here.header->method;
     bool const is_new =
@@ -172,9 +183,9 @@ Status SafeMorph::solve_by(Work& work, Basis const& here, OperatorChoice const& 
     return solve_at_present(work, here);
 }
 
-// The longest step from here, in parts of the whole way, that takes no more than its share of what
-// is admissible and leaves enough quality for the rest. For quality no step becomes shorter than
-// the pace that leads to the target.
+// Returns the longest step, in parts of the whole movement, that takes no more than its share of
+// the admissible step and leaves enough quality for the rest. The criterion of quality never makes
+// a step shorter than the pace that leads to the target.
 Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
     Index const planned = min(usual_resolves, work.options.most_resolves);
     Index const most = work.report.resolves < planned ? planned : work.options.most_resolves;
@@ -200,11 +211,11 @@ Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
     return 0;
 }
 
-// All but the values stays as it is.
+// Returns a copy of the basis in which everything but the values is the same.
 Basis SafeMorph::unsolved_copy(Basis const& basis) const noexcept {
     auto const begin = reinterpret_cast<const unsigned char*>(basis.header);
     auto const end = reinterpret_cast<const unsigned char*>(basis.value.data());
-    // The values of derived functions include those on the wall, which nothing else knows.
+    // The values of derived functions include those on the wall, which are stored nowhere else.
     Size const values = basis.header->counts.derived() ? basis.value.size() * sizeof(Real) : 0;
     std::memcpy(block.data(), begin, static_cast<Size>(end - begin) + values);
     Basis const copy = Basis::view(static_cast<void*>(block.data()));
@@ -212,7 +223,7 @@ Basis SafeMorph::unsolved_copy(Basis const& basis) const noexcept {
     return copy;
 }
 
-// Not converged: a warning, and on.
+// A solution that does not converge causes a warning, and the morph continues.
 Status SafeMorph::solve_at_present(Work& work, Basis const& basis) noexcept {
     SolveReport solved;
     Fault why;

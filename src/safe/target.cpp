@@ -6,7 +6,7 @@
 namespace harmorph {
 namespace {
 
-// A loop of the boundary: the mesh is on its left.
+// A loop of the boundary, with the mesh on its left.
 struct Loop {
     Span<const Index> point;
 
@@ -24,8 +24,8 @@ struct Loop {
         }
         return false;
     }
-    // The sign of the area that the loop encloses; 0 of a wall without thickness, whose area is
-    // rounding.
+    // Returns the sign of the area that the loop encloses. The sign is 0 for a wall without
+    // thickness, the area of which is rounding.
     int sense(Points at) const noexcept {
         Vec2 const origin = at[point[0]];
         Real sum = 0, size = 0;
@@ -37,7 +37,8 @@ struct Loop {
         if (abs(sum) <= 1e-9 * size) return 0;
         return sum > 0 ? 1 : -1;
     }
-    // Is p inside, by the number of faces that a ray to the right crosses? `on` if p is on a face.
+    // Finds on which side of a loop the point p lies, by the number of faces that a ray to the
+    // right crosses; the side is `on` if p is on a face.
     enum class Side { outside, inside, on };
     Side side_of(Vec2 p, Points at) const noexcept {
         bool inside = false;
@@ -52,7 +53,7 @@ struct Loop {
         }
         return inside ? Side::inside : Side::outside;
     }
-    // Where another loop lies that does not cross this one.
+    // Returns on which side of this loop another loop lies that does not cross it.
     Side side_of(Loop const& other, Points at) const noexcept {
         for (Index const k : other.point) {
             Side const side = side_of(at[k], at);
@@ -66,7 +67,7 @@ Loop loop_of(Target const& target, Index number) noexcept {
     return {target.faces.points_of_loop(number)};
 }
 
-// Loops that do not cross must lie in each other as they did at the start.
+// Loops that do not cross each other must be nested as they were at the start.
 Status check_loops(Target const& target, Fault& fault) noexcept {
     Index const n_loops = target.faces.n_loops();
     for (Index number = 0; number < n_loops; ++number) {
@@ -100,7 +101,7 @@ Status check_loops(Target const& target, Fault& fault) noexcept {
     return Status::ok;
 }
 
-// Only the corners of cells at the boundary have three points that are prescribed.
+// Only cells at the boundary have corners with three prescribed points.
 Status check_corners(Target const& target, Fault& fault) noexcept {
     Index bad_corner = none;
     Mesh const& mesh = target.cells.mesh;
@@ -129,16 +130,16 @@ Status check_corners(Target const& target, Fault& fault) noexcept {
         cell_item(mesh.number(cell)), point_item(bad_corner));
 }
 
-// Faces of the walls, as the neighbouring period or passage has them.
+// The faces of the walls as they are in a neighbouring period or passage.
 struct WallImage {
     FaceDistance const& walls;
     Vec2 shift;
-    Index times = 0;  // of a rotation
+    Index times = 0;  // the multiple of a rotation
 
     Vec2 of(Vec2 p) const noexcept {
         return times == 0 ? p + shift : walls.rotation.image(p, times);
     }
-    // Whether the ends of each lie strictly on both sides of the other.
+    // Returns whether the ends of each face lie strictly on both sides of the other face.
     bool cross(Index face, Index other, Points at) const noexcept {
         FaceDistance::Face const &one = walls.faces[face], &two = walls.faces[other];
         Vec2 const a = at[one.point[0]], b = at[one.point[1]], c = of(at[two.point[0]]),
@@ -150,7 +151,7 @@ struct WallImage {
     }
 };
 
-// The box of all images first: few faces reach that.
+// The box of all images is tested first, because few faces reach it.
 Status check_image(Target const& target, WallImage const& image, Crossing& crossing,
                    Fault& fault) noexcept {
     Points const at = target.at_target;

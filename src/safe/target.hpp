@@ -1,5 +1,5 @@
-// Can there be a mesh at the target at all? Decided from what is prescribed there, exactly, before
-// the mesh moves.
+// Decides before the mesh moves whether there can be a mesh at the target at all. The decision uses
+// only what is prescribed at the target and is exact.
 #pragma once
 
 #include "basis/basis.hpp"
@@ -15,8 +15,8 @@ struct Target {
     // [n_points] `prescribed` for points of walls and fixed ones; inner points are `unknown`
     Span<const KnownEnd> ends;
     Points start;
-    Points at_target;  // where points are prescribed; where they slide, anywhere on their line
-    // The faces that move, and how the mesh is repeated; null: not known
+    Points at_target;  // prescribed positions; sliding points may be anywhere on their line
+    // The faces that move, and the periods of the mesh; null if these are not known.
     const FaceDistance* walls = nullptr;
 };
 

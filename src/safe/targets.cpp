@@ -7,8 +7,10 @@ namespace harmorph {
 namespace {
 
 constexpr Real most_of_extent = 0.25;
-constexpr Real thin = 0.5;           // height / length of cells whose ratio of sides matters
-constexpr Index least_cells = 4096;  // for a thread
+// The ratio of sides matters for cells with less than this ratio of height and length.
+constexpr Real thin = 0.5;
+// One thread has at least this number of cells.
+constexpr Index least_cells = 4096;
 
 Real extent_along(CellShape const& shape, Vec2 direction) noexcept {
     Real low = 0, high = 0;

@@ -1,4 +1,4 @@
-// What the cells of a deformed mesh should be, and the quality that no cell should fall below.
+// The targets of the cells of a deformed mesh, and the quality that no cell should fall below.
 #pragma once
 
 #include "base/arena.hpp"
@@ -21,40 +21,44 @@ namespace harmorph {
 //   not the ratio of their sides.
 struct Targets {
     struct Cell {
-        Vec2 along;      // unit tangent of the wall, before
-        Real more = 0;   // factor of the stretch along it, less 1
-        Real area = 0;   // of the reference cell
-        Real least = 0;  // size-skew quality that the cell should have
-        Real own = 1;    // skew quality of the reference cell
+        Vec2 along;      // the unit tangent of the wall before the movement
+        Real more = 0;   // the factor of the stretch along the wall, minus 1
+        Real area = 0;   // the area of the reference cell
+        Real least = 0;  // the size-skew quality that the cell should have
+        Real own = 1;    // the skew quality of the reference cell
         bool is_quad = false;
-        bool is_part =
-            false;  // one of several pieces of a polygon, or a guard: the reference is the ideal
-        bool any_ratio = false;  // of sides
+        // If true, the cell is one of several pieces of a polygon, or a guard, and its reference is
+        // the ideal shape.
+        bool is_part = false;
+        bool any_ratio = false;  // the ratio of sides may have any value
     };
     // No cell should have less than the smallest quality of the reference mesh, or than this part
-    // of its own there.
+    // of its own quality there.
     static constexpr Real part_of_own = 0.5;
 
     Points reference;
     Span<Cell> cell;  // [cells and guards]
 
     void lay_out(Arena& arena, Index n_cells) noexcept { arena.take(cell, n_cells); }
-    // walls: built at `before`; may be none. Cells of `before` are valid.
+    // The faces `walls` were built at `before`, and there may be none. All cells of `before` are
+    // valid.
     void find(OrientedMesh const& cells, FaceDistance const& walls, Points before, Points now,
               Executor const& executor) noexcept;
 
-    // Of the corner of a cell with these three points, whose sides are now those of `now`.
+    // Returns the target of the corner of a cell with these three points, the present sides of
+    // which are those of `now`.
     Triangle of(Index number, CornerPoints const& points, Triangle const& now) const noexcept;
-    // How much a corner counts: a quadrilateral has four, a polygon more than two parts for each
-    // corner.
+    // Returns the weight of a corner. A quadrilateral has four corners, and a polygon has more than
+    // two parts for each corner.
     Real share(Index number) const noexcept {
         return cell[number].is_quad || cell[number].is_part ? 0.25 : 1;
     }
-    // The corner of best quality with the area of the reference's: of an equilateral triangle, or
-    // of a rectangle. To be it, turned, is to have the size-skew quality 1.
+    // Returns the corner of best quality with the area of the reference corner: that of an
+    // equilateral triangle, or of a rectangle. A corner that is this one, turned, has the size-skew
+    // quality 1.
     Triangle ideal(Index number, CornerPoints const& points, Triangle const& now) const noexcept;
-    // Size-skew quality, as measure_quality has it; of parts of polygons relative to that of the
-    // reference, at most 1.
+    // Returns the size-skew quality as measure_quality() defines it; for parts of polygons it is
+    // relative to the reference and at most 1.
     Real quality(Index number, CellShape const& now) const noexcept;
 
 private:
@@ -62,8 +66,9 @@ private:
                       Index& group) const noexcept;
 };
 
-// Sides in the ratio of `now`: the area stays, and |J|^2 of the map from here to `now` is the
-// smallest for all ratios. So the derivatives of |J|^2 do not see that the target depends on `now`.
+// Returns the target with sides in the ratio of those of `now`: the area stays, and |J|^2 of the
+// map from this target to `now` is the smallest for all ratios. Therefore the derivatives of |J|^2
+// need no term for the dependence of the target on `now`.
 inline Triangle with_ratio_of(Triangle const& now, Vec2 side, Vec2 next) noexcept {
     Real const ratio = square(now.at[1] - now.at[0]) / square(now.at[2] - now.at[1]) *
                        (square(next) / square(side));
@@ -84,7 +89,8 @@ inline Triangle Targets::of(Index number, CornerPoints const& points,
 
 inline Triangle Targets::ideal(Index number, CornerPoints const& points,
                                Triangle const& now) const noexcept {
-    constexpr Real height = 0.8660254037844386;  // of the equilateral triangle with sides of 1
+    constexpr Real height =
+        0.8660254037844386;  // the height of an equilateral triangle with sides of length 1
     Triangle const before = triangle_of(points, reference);
     if (cell[number].is_part) return before;
     Real const twice_area = before.twice_area();

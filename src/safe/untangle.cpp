@@ -8,7 +8,7 @@ constexpr Real least_curvature = 0.1;
 
 struct Least {
     Real value = infinity;
-    // NaN counts as the worst there is, and stays.
+    // NaN counts as the worst value, and remains.
     void merge(Least const& later) noexcept {
         if (!(later.value >= value)) value = later.value == later.value ? later.value : -infinity;
     }
@@ -38,7 +38,8 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
         report.stuck_cell = i;
         return Status::not_converged;
     }
-    // Each region is round what the last one left, and begins where that ended.
+    // Each region surrounds the inverted cells that the previous one left, and begins with the mesh
+    // that the previous one ended with.
     for (Index layers = max(options.layers, Index{1}); region.n_cells > 0; layers *= 2) {
         bool const is_whole = layers >= Region::whole;
         region.grow(tangle, layers);
@@ -51,7 +52,7 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
         if (is_whole && region.n_cells > 0) break;
     }
     region.keep(
-        [&](Index i) { return !is_good(i, 0); });  // thin cells of the whole mesh are valid, too
+        [&](Index i) { return !is_good(i, 0); });  // thin cells of the whole mesh count as valid
     report.left = region.n_cells;
     if (region.n_cells > 0) return Status::not_converged;
     write(points);
@@ -94,7 +95,8 @@ bool Untangling::is_good(Index cell, Real margin) const noexcept {
 
 void Untangling::repair_region(UntangleOptions const& options, Index most_iterations,
                                UntangleReport& report) noexcept {
-    constexpr Real least_gain = 0.1;  // however little the energy falls, the softness does
+    constexpr Real least_gain =
+        0.1;  // the softness falls at least by this part, even if the energy does not
     copy(trial, Span<const Vec2>(now));
     Real smallest = smallest_determinant();
     Real softness = sqrt(1e-12 + 0.04 * smallest * smallest);
@@ -130,7 +132,7 @@ void Untangling::assemble(Real softness) const noexcept {
 }
 
 // Halves the step until the energy falls enough (Armijo's rule). Returns the energy; if no step
-// helps, nothing moves.
+// lowers it enough, no point moves.
 Real Untangling::descend(Real softness, Real before) noexcept {
     constexpr Index most_halvings = 30;
     Real const slope = system.slope(region, executor);

@@ -1,7 +1,7 @@
-// Moves inner points until no cell is inverted; the boundary stays, and points that slide stay on
-// their lines and curves. Newton's method on the energy
-// of Distortion, whose softness goes to 0 by the rule of Garanzha et al. (2021), with one step for
-// each softness. Only the surroundings of inverted cells move at first.
+// Moves inner points until no cell is inverted. The boundary stays, and points that slide stay on
+// their lines and curves. Newton's method minimises the energy of Distortion, the softness of which
+// goes to 0 by the rule of Garanzha et al. (2021), with one step for each softness. At first only
+// points near inverted cells move.
 #pragma once
 
 #include "safe/newton_system.hpp"
@@ -11,36 +11,41 @@
 namespace harmorph {
 
 struct UntangleOptions {
-    Index layers =
-        6;  // of cells round inverted ones move at first; if in vain, twice as many, and so on
-    Index iterations_in_part = 30;    // at most, in a region that is part of the mesh
-    Index iterations_in_whole = 200;  // at most, in the whole mesh
-    Index most_products = 200;        // with the Hessian, in each iteration
-    // Of corner areas in units of the reference's. A region is done when its smallest is at least
-    // `goal`, or at least `margin` and no longer grows; below `margin` a larger one is tried. Of
-    // the whole mesh, and of corners that cannot move, positive is enough.
+    // The number of layers of cells round inverted ones that move at first. If this region fails,
+    // the number is doubled, and so on.
+    Index layers = 6;
+    Index iterations_in_part = 30;    // the largest number in a part of the mesh
+    Index iterations_in_whole = 200;  // the largest number in the whole mesh
+    Index most_products = 200;  // the largest number of products with the Hessian in each iteration
+    // Areas of corners in units of those of the reference. A region is finished when its smallest
+    // area is at least `goal`, or is at least `margin` and no longer grows; if it stays below
+    // `margin`, a larger region is tried. In the whole mesh, and at corners that cannot move, any
+    // positive area suffices.
     Real goal = 0.05, margin = 1e-3;
 };
 
 struct UntangleReport {
-    Index inverted_before = 0;  // cells
-    Index left =
-        0;  // of them and those moved with them: cells that are inverted or below the margin
-    Index stuck_cell =
-        none;  // has an inverted corner whose three points are held: no iteration was made
-    Index iterations = 0;  // in all regions
-    Offset products = 0;   // with the Hessian
-    Index regions = 0;     // tried
-    Index unknowns = 0;    // points that could move in the last of them
-    Real smallest = 0;     // area, in units of the reference's, of a corner that could move there
+    Index inverted_before = 0;  // the number of cells
+    // The number of cells that are inverted or below the margin, among the inverted cells and those
+    // that moved with them.
+    Index left = 0;
+    // A cell with an inverted corner the three points of which are held; then no iteration was
+    // made. Or none.
+    Index stuck_cell = none;
+    Index iterations = 0;  // the number in all regions
+    Offset products = 0;   // the number of products with the Hessian
+    Index regions = 0;     // the number of regions that were tried
+    Index unknowns = 0;    // the number of points that could move in the last region
+    // The smallest area of a corner that could move in that region, in units of the reference's.
+    Real smallest = 0;
 };
 
-// Every corner counts alike. The integral over the reference mesh would weigh with areas; then
-// viscous layers, whose areas are ten orders smaller, would be as nothing beside the cells outside
-// them, and would pay for them.
+// Every corner has the same weight. An integral over the reference mesh would weigh corners with
+// their areas; then viscous layers, the areas of which are ten orders of magnitude smaller, would
+// be sacrificed for the cells outside them.
 struct Untangling {
     Tangle tangle;          // set by the caller
-    SlidingPoints sliding;  // set by the caller: along curves, with the lines of the tangle
+    SlidingPoints sliding;  // set by the caller: sliding along curves, with the lines of the tangle
     Executor executor;      // set by the caller
     Region region;
     NewtonSystem system;
@@ -48,9 +53,9 @@ struct Untangling {
 
     void lay_out(Arena& arena, RegionCounts const& counts) noexcept;
 
-    // Status::ok: no cell is inverted. Not a bit has changed if none was before, nor of points that
-    // are held. Status::not_converged: `points` is as it was. Refused: inverted cells of the
-    // reference.
+    // Status::ok means that no cell is inverted. No bit has changed if no cell was inverted before,
+    // and held points keep their bits. Status::not_converged leaves `points` unchanged. Inverted
+    // cells of the reference are refused.
     Status run(UntangleOptions const& options, MutablePoints points, UntangleReport& report,
                Fault& fault) noexcept;
 

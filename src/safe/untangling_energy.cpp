@@ -4,7 +4,7 @@ namespace harmorph {
 
 Real Distortion::energy(Triangle const& now, Real softness) const noexcept {
     Real const d = determinant(now), chi = regularised(d, softness);
-    if (chi == 0) return infinity;  // not by a division by 0, which callers may trap
+    if (chi == 0) return infinity;  // a division by 0 would trap if the caller traps exceptions
     return (2 * (square(map_.z(now)) + square(map_.w(now))) + size_weight * (d * d + 1)) / chi;
 }
 
@@ -15,9 +15,9 @@ void Distortion::differentiate(Triangle const& now, Real softness, Real least, V
     Real const numerator = 2 * (p + q) + size_weight * (d * d + 1);
     Real const scale = 1 / regularised(d, softness);
     Real const slope = -scale / root,
-               bend = 2 / (root * root * root);   // of 1 / chi by the determinant
-    Real const grow = 2 + 2 * size_weight * d;    // of the numerator by p
-    Real const shrink = 2 - 2 * size_weight * d;  // and by q
+               bend = 2 / (root * root * root);   // the derivative of 1 / chi by the determinant
+    Real const grow = 2 + 2 * size_weight * d;    // the derivative of the numerator by p
+    Real const shrink = 2 - 2 * size_weight * d;  // the derivative of the numerator by q
     DensityDerivatives by;
     by.by_p = grow * scale + numerator * slope;
     by.by_q = shrink * scale - numerator * slope;

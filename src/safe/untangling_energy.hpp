@@ -1,14 +1,15 @@
-// How far a triangle is from the shape and size of a reference: an energy that stays finite when it
-// is folded. V. Garanzha, I. Kaporin, L. Kudryavtseva, F. Protais, N. Ray, D. Sokolov:
-// Foldover-free maps in 50 lines of code, ACM Trans. Graph. 40 (2021), eqs. 2-4.
+// Measures the deviation of a triangle from the shape and the size of a reference by an energy that
+// stays finite when the triangle is folded. V. Garanzha, I. Kaporin, L. Kudryavtseva, F. Protais,
+// N. Ray, D. Sokolov: Foldover-free maps in 50 lines of code, ACM Trans. Graph. 40 (2021), eqs.
+// 2-4.
 #pragma once
 
 #include "safe/corner_map.hpp"
 
 namespace harmorph {
 
-// Positive for every determinant, and nearly it where that is large; increases with it. softness 0:
-// the positive part.
+// Returns a number that is positive for every determinant, increases with the determinant, and is
+// close to a large one. With softness 0 it is the positive part.
 inline Real regularised(Real determinant, Real softness) noexcept {
     Real const root = sqrt(softness * softness + determinant * determinant);
     if (determinant <= 0 && softness == 0) return 0;
@@ -16,8 +17,8 @@ inline Real regularised(Real determinant, Real softness) noexcept {
                            : 0.5 * softness * softness / (root - determinant);
 }
 
-// Energy of the map J from the reference, with chi the regularised determinant:
-//     (|J|^2 + size_weight (det^2 + 1)) / chi
+// The energy of the map J from the reference, with the regularised determinant chi: (|J|^2 +
+// size_weight (det^2 + 1)) / chi.
 struct Distortion {
     static constexpr Real size_weight = 0.1;
 
@@ -25,8 +26,8 @@ struct Distortion {
 
     Real determinant(Triangle const& now) const noexcept { return map_.determinant(now); }
     Real energy(Triangle const& now, Real softness) const noexcept;
-    // Derivatives by the three points, see CornerMap. Curvatures below `least` times that of |J|^2
-    // / chi are raised to it: from 0 on, no mode is negative.
+    // Finds the derivatives by the three points; see CornerMap. Curvatures below `least` times that
+    // of |J|^2 / chi are raised to it, so that with least >= 0 no mode is negative.
     void differentiate(Triangle const& now, Real softness, Real least, Vec2 (&gradient)[3],
                        CornerMode (&mode)[4]) const noexcept;
 

@@ -8,7 +8,7 @@
 
 using harmorph::angle_of;
 
-TEST_CASE("all the way round, at any length") {
+TEST_CASE("angles agree with the mathematics library in all directions and at any length") {
     double worst = 0;
     for (int k = -20000; k <= 20000; ++k) {
         double const angle = std::acos(-1.0) * k / 20000;
@@ -20,7 +20,7 @@ TEST_CASE("all the way round, at any length") {
     CHECK(worst < 2e-15);  // the last place of pi is 4e-16
 }
 
-TEST_CASE("small angles keep their digits; the axes are exact; turning round changes the sign") {
+TEST_CASE("small angles keep their digits, angles of axes are exact, and signs follow reflection") {
     for (double const y : {1e-300, 1e-20, 1e-9, 0.1}) {
         CHECK(angle_of({1, y}) == doctest::Approx(std::atan2(y, 1)).epsilon(1e-15));
         CHECK(angle_of({1, -y}) == -angle_of({1, y}));

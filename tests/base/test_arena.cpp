@@ -32,9 +32,7 @@ struct Layout {
 
 }  // namespace
 
-TEST_CASE(
-    "the counted size suffices at any address; arrays are aligned, inside, and do not overlap "
-    "unless they may") {
+TEST_CASE("an arena of the counted size holds aligned arrays at any address without overlap") {
     std::mt19937 random(1);
     for (int trial = 0; trial < 300; ++trial) {
         Layout layout;
@@ -72,7 +70,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("one byte less is noticed, and what is missing is said") {
+TEST_CASE("an arena that is one byte too small is noticed, and the missing size is reported") {
     Layout layout;
     for (std::size_t& size : layout.sizes) size = 100;
     Arena counting;
@@ -85,12 +83,12 @@ TEST_CASE("one byte less is noticed, and what is missing is said") {
         CHECK(placing.overflown());
         Fault fault;
         CHECK(placing.verify(block.size(), fault) == Status::block_too_small);
-        CHECK(fault.value == static_cast<double>(missing));
+        CHECK(fault.value == double(missing));
         CHECK(block.untouched());
     }
 }
 
-TEST_CASE("sizes beyond all addresses are refused instead of wrapping round") {
+TEST_CASE("sizes beyond all addresses are refused; they do not wrap round") {
     Size const most = std::numeric_limits<Size>::max();
     for (Size const n : {most, most / 2, most / 8, most / 8 + 1, most / 16 + 1}) {
         Arena counting;
@@ -115,7 +113,7 @@ TEST_CASE("sizes beyond all addresses are refused instead of wrapping round") {
     CHECK(negative.overflown());
 }
 
-TEST_CASE("released room counts by its peak") {
+TEST_CASE("memory that is released counts by its peak") {
     Arena arena;
     Span<char> array;
     Size const mark = arena.mark();
@@ -128,7 +126,7 @@ TEST_CASE("released room counts by its peak") {
     CHECK(arena.used() == 5056);
 }
 
-TEST_CASE("at an origin, offsets do not depend on the address") {
+TEST_CASE("offsets in an arena at an origin do not depend on the address") {
     Guarded block(4000, 8);
     Arena arena = Arena::at_origin(block.data(), block.size());
     Span<double> a, b;

@@ -5,7 +5,6 @@
 
 #include "base/fixed_sum.hpp"
 
-#include <cmath>
 #include <limits>
 #include <random>
 
@@ -14,17 +13,18 @@ using harmorph::FixedSum;
 
 namespace {
 
-// What kernels without an instruction for it do with vectors, for one number, in units of 2^63.
+// Computes for one number, in units of 2^63, the same as kernels whose instruction set has no such
+// instruction.
 FixedSum fixed(double t) {
     t = std::ldexp(t, 63);
     double const coarse = (t + FixedSum::coarse_grid) - FixedSum::coarse_grid;
     double const fine = ((t - coarse) + FixedSum::fine_grid) - FixedSum::fine_grid;
-    return {static_cast<std::int64_t>(std::ldexp(coarse, -31)), static_cast<std::int64_t>(fine)};
+    return {std::int64_t(std::ldexp(coarse, -31)), std::int64_t(fine)};
 }
 
 }  // namespace
 
-TEST_CASE("a number in fixed point is itself to 2^-64, and exactly so if it is not small") {
+TEST_CASE("a number in fixed point is exact to 2^-64, and entirely exact unless it is small") {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> uniform(-1, 1);
     for (int k = 0; k < 2000; ++k) {
@@ -32,8 +32,8 @@ TEST_CASE("a number in fixed point is itself to 2^-64, and exactly so if it is n
         CHECK(std::fabs(fixed(t).value() - t) <= 0x1p-64);
         if (std::fabs(t) >= 0x1p-10) CHECK(fixed(t).value() == t);  // its last bit is 2^-63 or more
         if (std::fabs(t) < 0.5) {  // the nearest integer, in one piece
-            FixedSum const its = fixed(t);
-            CHECK(its.coarse * (std::int64_t{1} << FixedSum::fine_bits) + its.fine ==
+            FixedSum const sum = fixed(t);
+            CHECK(sum.coarse * (std::int64_t{1} << FixedSum::fine_bits) + sum.fine ==
                   std::llrint(std::ldexp(t, 63)));
         }
     }
@@ -42,7 +42,7 @@ TEST_CASE("a number in fixed point is itself to 2^-64, and exactly so if it is n
     CHECK(fixed(0x1p-65).value() == 0);
 }
 
-TEST_CASE("ties are rounded by the number alone, whatever the sum is") {
+TEST_CASE("the number alone decides how a tie is rounded, whatever the sum is") {
     double const tie = 0x1p-33, odd_tie = 3 * 0x1p-33;
     CHECK(fixed(tie).coarse == 0);
     CHECK(fixed(odd_tie).coarse == 2);
@@ -52,7 +52,7 @@ TEST_CASE("ties are rounded by the number alone, whatever the sum is") {
     CHECK(fixed(3 * 0x1p-64).fine == 2);
 }
 
-TEST_CASE("values of sums: cancellation, carries, and 2^30 numbers of size 1") {
+TEST_CASE("fixed sums are right with cancellation, with carries, and for 2^30 numbers of size 1") {
     std::int64_t const unit = std::int64_t{1} << 32, fine = std::int64_t{1} << FixedSum::fine_bits,
                        most = std::int64_t{1} << 30;
     CHECK(FixedSum{unit * most, 0}.value() == std::ldexp(1.0, 30));
@@ -67,7 +67,7 @@ TEST_CASE("values of sums: cancellation, carries, and 2^30 numbers of size 1") {
               FixedSum{3 * unit + 5, 77}.value());
 }
 
-TEST_CASE("scales: above every number, exact both ways") {
+TEST_CASE("a scale exceeds every number and converts exactly in both directions") {
     double const largest = std::numeric_limits<double>::max(),
                  smallest = std::numeric_limits<double>::denorm_min();
     for (double const x : {1.0, 0.999, 1.5, -3.0, 1e-200, 1e300, largest, 7e-286}) {
@@ -92,9 +92,7 @@ TEST_CASE("scales: above every number, exact both ways") {
     CHECK(!BinaryScale::of_products(1, std::nan("")).finite());
 }
 
-TEST_CASE(
-    "scales of products: above every product, below twice the largest, and of no more than is "
-    "below") {
+TEST_CASE("a scale of products exceeds every product, by less than a factor of 2") {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> uniform(0.25, 4);
     for (int k = 0; k < 1000; ++k) {
@@ -112,15 +110,15 @@ TEST_CASE(
     CHECK(harmorph::is_finite(BinaryScale::of_products(tiny, 0x1p+900).units().down(0x1p+900)));
 }
 
-TEST_CASE("the largest magnitude: infinity is larger than all numbers, NaN larger than infinity") {
-    harmorph::LargestMagnitude its;
-    CHECK(its.value() == 0);
-    for (double const x : {-2.0, 1.5, 0.0}) its.include(x);
-    CHECK(its.value() == 2);
-    its.include(-HUGE_VAL);
-    its.include(1e300);
-    CHECK(its.value() == HUGE_VAL);
-    its.include(-std::nan(""));
-    its.include(HUGE_VAL);
-    CHECK(std::isnan(its.value()));
+TEST_CASE("the largest magnitude ranks infinity above all numbers and NaN above infinity") {
+    harmorph::LargestMagnitude largest;
+    CHECK(largest.value() == 0);
+    for (double const x : {-2.0, 1.5, 0.0}) largest.include(x);
+    CHECK(largest.value() == 2);
+    largest.include(-HUGE_VAL);
+    largest.include(1e300);
+    CHECK(largest.value() == HUGE_VAL);
+    largest.include(-std::nan(""));
+    largest.include(HUGE_VAL);
+    CHECK(std::isnan(largest.value()));
 }

@@ -16,7 +16,7 @@ Number product(Number a, Number b) {
 
 }  // namespace
 
-TEST_CASE("tiny products vanish inside, in single precision alone, and normal ones do not change") {
+TEST_CASE("tiny products are flushed in single precision alone; normal products do not change") {
     float const least = std::numeric_limits<float>::min();
     float const third = product(1.0f / 3, 3e-30f);
     {

@@ -6,9 +6,8 @@
 #include "base/hash.hpp"
 
 #include <set>
-#include <vector>
 
-TEST_CASE("hashes tell apart: order, zeros, lengths, single bits") {
+TEST_CASE("hashes distinguish order, zeros, lengths and single bits") {
     auto const hash = [](std::vector<std::uint64_t> const& words) {
         return harmorph::hash_of_block(words.data(), 8 * words.size());
     };
@@ -35,7 +34,7 @@ TEST_CASE("hashes tell apart: order, zeros, lengths, single bits") {
     CHECK(harmorph::hash_of_block(plus.data(), 8) != harmorph::hash_of_block(minus.data(), 8));
 }
 
-TEST_CASE("pieces of a long block: their order counts, the number of threads does not") {
+TEST_CASE("the hash of a long block depends on the order of its pieces, not on threads") {
     std::size_t const n = 40000;  // more words than a piece has
     std::vector<std::uint64_t> words(n);
     for (std::size_t k = 0; k < n; ++k) words[k] = k * k + 1;

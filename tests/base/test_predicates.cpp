@@ -58,25 +58,23 @@ int in_circle_sign(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {  // dif
     return sum.sign();
 }
 
-Vec2 at(GridPoint p, double scale) {
-    return {scale * static_cast<double>(p.x), scale * static_cast<double>(p.y)};
-}
+Vec2 at(GridPoint p, double scale) { return {scale * double(p.x), scale * double(p.y)}; }
 
 std::int64_t below(std::mt19937& random, std::int64_t end) {
-    return static_cast<std::int64_t>(fixtures::uniform(random) * static_cast<double>(end));
+    return std::int64_t(fixtures::uniform(random) * double(end));
 }
 
 // Any exponent a double can have, subnormals included, either sign, 0 now and then.
 double any_number(std::mt19937& random) {
     if (random() % 8 == 0) return 0;
     double const mantissa = 1 + fixtures::uniform(random);
-    double const size = std::ldexp(mantissa, static_cast<int>(random() % 2090) - 1067);
+    double const size = std::ldexp(mantissa, int(random() % 2090) - 1067);
     return random() % 2 == 0 ? size : -size;
 }
 
 }  // namespace
 
-TEST_CASE("signs are those of whole numbers, in any unit of length") {
+TEST_CASE("signs are those of integer arithmetic, in any unit of length") {
     std::mt19937 random(1);
     int degenerate = 0;
     fixtures::Wrong wrong;  // signs, in which round
@@ -103,7 +101,7 @@ TEST_CASE("signs are those of whole numbers, in any unit of length") {
     CHECK(degenerate > 2000);
 }
 
-TEST_CASE("a line through numbers that no double can hold the products of") {
+TEST_CASE("orientation is exact where no double can hold the products") {
     // (k, k) for neighbouring doubles k lie on one line; a step of one unit beside it decides.
     double const a = 0.1, b = std::nextafter(a, 1), c = std::nextafter(b, 1);
     CHECK(orientation_sign(Vec2{a, a}, Vec2{b, b}, Vec2{c, c}) == 0);
@@ -116,7 +114,7 @@ TEST_CASE("a line through numbers that no double can hold the products of") {
     CHECK(orientation_sign(Vec2{-most, -most}, Vec2{most, -most}, Vec2{most, most}) == 1);
 }
 
-TEST_CASE("a circle and a point next to it, the whole range of numbers apart") {
+TEST_CASE("the in-circle sign is exact for a point next to the circle, at any scale") {
     double const tiny = 5e-324;
     for (double const r : {1e300, 1.0, 1e-300}) {
         Vec2 const a{r, 0}, b{0, r}, c{-r, 0};
@@ -132,7 +130,7 @@ TEST_CASE("a circle and a point next to it, the whole range of numbers apart") {
     }
 }
 
-TEST_CASE("swapping two points changes the sign, whatever the sizes") {
+TEST_CASE("swapping two points changes the sign, whatever their coordinates") {
     std::mt19937 random(2);
     int not_zero = 0;
     fixtures::Wrong wrong;  // signs, in which round

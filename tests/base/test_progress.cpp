@@ -1,9 +1,4 @@
-// Progress and cancellation, and what calls out of order do: nothing is lost, nothing is solved by
-// chance.
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
+// Progress, cancellation and calls out of order lose no results and leave no partial ones.
 #include <fixtures/bodies.hpp>
 
 #include <limits>
@@ -17,7 +12,7 @@ struct Event {
     double fraction;
 };
 
-// A callback that takes down what it is told, and stops at one event.
+// A callback that records the events and stops at one of them.
 struct Listener {
     std::vector<Event> events;
     std::size_t stop_at = std::numeric_limits<std::size_t>::max();
@@ -47,25 +42,25 @@ std::vector<double> values_of(const hm_basis* basis, std::int32_t n_functions,
 
 }  // namespace
 
-TEST_CASE("a tolerance below rounding is a warning, and the functions are there") {
-    Case its = airfoil_case();
+TEST_CASE("a tolerance below rounding gives a warning, and the functions are there") {
+    Case setup = airfoil_case();
     Options options = laplace();
     options.tolerance = 1e-18;
-    Attempt const attempt(its.problem(), &options);
+    Attempt const attempt(setup.problem(), &options);
     CHECK(attempt.status == HM_NOT_CONVERGED);
     CHECK(attempt.error.code == HM_NOT_CONVERGED);
     CHECK(attempt.error.value == attempt.report.residual);
     CHECK(attempt.report.residual > 1e-18);
     CHECK(attempt.report.residual < 1e-12);
-    std::vector<double> values(its.mesh.x.size());
+    std::vector<double> values(setup.mesh.x.size());
     CHECK(hm_basis_values(attempt.basis, 0, 0, values.data(), nullptr) == HM_OK);
 }
 
-TEST_CASE("phases are reported in order, each from 0 to 1, never backwards") {
-    Case its = ring_case(60, 300, 0.5, 2);  // large enough for reports in between
+TEST_CASE("phases are reported in order, each from 0 to 1 and never backwards") {
+    Case setup = ring_case(60, 300, 0.5, 2);  // large enough for reports in between
     Listener listener;
     Options const options = listener.options();
-    Solved const solved(its, &options);
+    Solved const solved(setup, &options);
     std::vector<Event> const& events = listener.events;
     REQUIRE(events.size() > 14);
     CHECK(events.front().phase == HM_PHASE_STRUCTURE);
@@ -85,11 +80,11 @@ TEST_CASE("phases are reported in order, each from 0 to 1, never backwards") {
     CHECK(events.back().fraction == 1);
 }
 
-TEST_CASE("cancelled at any moment: nothing is lost, and doing it again gives the same bits") {
-    Case its = ring_case(40, 200, 0.5, 2, Cells::hybrid, 3, 10);
+TEST_CASE("a solution that is cancelled at any moment has the same bits when repeated") {
+    Case setup = ring_case(40, 200, 0.5, 2, Cells::hybrid, 3, 10);
     Listener listener;
     Options options = listener.options();
-    hm_problem const problem = its.problem();
+    hm_problem const problem = setup.problem();
     Solved const reference(problem, &options);
     std::vector<double> const expected = reference.all_values();
     std::vector<Event> const all = listener.events;
@@ -131,36 +126,34 @@ TEST_CASE("cancelled at any moment: nothing is lost, and doing it again gives th
             CHECK(status == HM_CANCELLED);
             CHECK(!cancelled);
             cancelled = true;
-            std::vector<double> values(its.mesh.x.size());
+            std::vector<double> values(setup.mesh.x.size());
             CHECK(hm_basis_values(attempt.basis, 0, 0, values.data(), nullptr) ==
                   HM_BAD_BASIS);  // not solved
             REQUIRE(hm_plan_solve(attempt.plan, attempt.basis, nullptr, nullptr) ==
                     HM_OK);  // the factor stays
         }
         CHECK(cancelled);
-        CHECK(same_bits(values_of(attempt.basis, 10, its.mesh.x.size()), expected));
+        CHECK(same_bits(values_of(attempt.basis, 10, setup.mesh.x.size()), expected));
         CHECK(attempt.guards_intact());
     }
 }
 
-TEST_CASE("what does not belong together is refused: no factor yet, another analysis's basis") {
-    Case its = tiny_case(), other = two_body_case();
-    Attempt attempt;
-    REQUIRE(attempt.analyse(its.problem()));
-    REQUIRE(attempt.prepare());
+TEST_CASE("a plan without a factor and the basis of another analysis are refused") {
+    Case setup = tiny_case(), other = two_body_case();
+    Attempt attempt = prepared(setup.problem());
     CHECK(hm_plan_solve(attempt.plan, attempt.basis, nullptr, nullptr) < 0);
     REQUIRE(attempt.solve());
     Solved const foreign(other);
     CHECK(hm_plan_solve(attempt.plan, foreign.basis, nullptr, nullptr) < 0);
 
     hm_mesh const mesh = other.mesh.view();
-    std::vector<double> const d(its.mesh.x.size(), 0.0);
+    std::vector<double> const d(setup.mesh.x.size(), 0.0);
     hm_step_report step{};
     step.struct_size = sizeof step;
     CHECK(hm_assess(attempt.basis, &mesh, nullptr, points_in(d, d), nullptr, nullptr, &step,
                     nullptr, nullptr) == HM_BAD_BASIS);
     Attempt only_mesh;
-    hm_problem problem = its.problem();
+    hm_problem problem = setup.problem();
     problem.curves = nullptr;
     REQUIRE(only_mesh.analyse(problem));
     std::size_t bytes = 0;
@@ -168,17 +161,17 @@ TEST_CASE("what does not belong together is refused: no factor yet, another anal
     CHECK(hm_basis_size(only_mesh.analysis, &bytes, nullptr) == HM_BAD_ARGUMENT);
 }
 
-TEST_CASE("factor and solve again on moved coordinates: as if the moved mesh had been solved") {
-    Case its = ring_case(10, 60, 0.5, 2, Cells::hybrid);
-    Case moved = its;
+TEST_CASE("functions solved again on moved coordinates are those of the moved mesh") {
+    Case setup = ring_case(10, 60, 0.5, 2, Cells::hybrid);
+    Case moved = setup;
     perturb(moved.mesh, 0.2, 4);
-    Solved const first(its), expected(moved);
+    Solved const first(setup), expected(moved);
     REQUIRE(hm_plan_factor(first.plan, points_in(moved.mesh.x, moved.mesh.y), nullptr) == HM_OK);
     REQUIRE(hm_plan_solve(first.plan, first.basis, nullptr, nullptr) == HM_OK);
     CHECK(largest_difference(first.all_values(), expected.all_values()) < 1e-12);
-    hm_mesh const on_moved = moved.mesh.view(), on_old = its.mesh.view();
+    hm_mesh const on_moved = moved.mesh.view(), on_old = setup.mesh.view();
     const hm_basis* basis = nullptr;
-    std::size_t const bytes = static_cast<std::size_t>(first.info().bytes);
+    std::size_t const bytes = std::size_t(first.info().bytes);
     CHECK(hm_basis_attach(&basis, first.basis, bytes, &on_moved, nullptr) == HM_OK);
     CHECK(hm_basis_attach(&basis, first.basis, bytes, &on_old, nullptr) == HM_MOVED);
 }

@@ -23,7 +23,7 @@ TEST_CASE("only infinities and NaN are not finite") {
     for (Real const x : {infinity, -infinity, not_a_number, -not_a_number}) CHECK(!is_finite(x));
 }
 
-TEST_CASE("the largest power of two that is not larger than a number") {
+TEST_CASE("the power of two of a number is the largest that does not exceed the number") {
     CHECK(power_of_two_at(1) == 1);
     CHECK(power_of_two_at(1.999) == 1);
     CHECK(power_of_two_at(2) == 2);
@@ -46,7 +46,7 @@ TEST_CASE("clamping keeps numbers in range and moves others to the nearer bound"
     CHECK(clamp(7, 0, 3) == 3);
 }
 
-TEST_CASE("numbers of the caller: bounds belong to the range, NaN and infinities never do") {
+TEST_CASE("the bounds belong to the range of an argument, and NaN and infinities never do") {
     CHECK(is_at_most(-1, 1));
     CHECK(!is_at_most(1.0001, 1));
     CHECK(is_between(1, 1, 2));
@@ -62,7 +62,7 @@ TEST_CASE("numbers of the caller: bounds belong to the range, NaN and infinities
     }
 }
 
-TEST_CASE("a set contains the values it was made of") {
+TEST_CASE("a set contains the values that it was made of") {
     enum class Colour : unsigned { red, green, blue };
     unsigned const set = set_of(Colour::red, Colour::blue);
     CHECK(contains(set, Colour::red));
@@ -74,7 +74,7 @@ TEST_CASE("a set contains the values it was made of") {
     CHECK(!has_row(rows, 2));
 }
 
-TEST_CASE("lengths and directions in space, where squares would overflow or underflow") {
+TEST_CASE("lengths and directions in space do not overflow or underflow") {
     for (Real const size : {1.0, 1e200, 1e-200}) {
         Vec3 const v{2 * size, 3 * size, -6 * size};
         CHECK(length(v) == doctest::Approx(7 * size).epsilon(1e-15));

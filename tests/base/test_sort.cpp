@@ -1,22 +1,19 @@
 // Sorting, and the sums that turn counts into places.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 
 #include "base/sort.hpp"
 
 using namespace fixtures;
 
-TEST_CASE("the heap sort sorts: all sizes, equal keys, sorted, reversed and random lists") {
+TEST_CASE("the heap sort sorts lists of all sizes, with equal keys, sorted, reversed and random") {
     std::mt19937 random(1);
     for (int n = 0; n < 200; ++n)
         for (int kind = 0; kind < 4; ++kind) {
             std::vector<int> items;
             for (int k = 0; k < n; ++k)
-                items.push_back(kind == 0 ? k
-                                : kind == 1
-                                    ? -k
-                                    : static_cast<int>(random() % (kind == 2 ? 5 : 100000)));
+                items.push_back(kind == 0   ? k
+                                : kind == 1 ? -k
+                                            : int(random() % (kind == 2 ? 5 : 100000)));
             std::vector<int> expected = items;
             std::sort(expected.begin(), expected.end());
             harmorph::sort(span(items), [](int a, int b) { return a < b; });
@@ -24,16 +21,15 @@ TEST_CASE("the heap sort sorts: all sizes, equal keys, sorted, reversed and rand
         }
 }
 
-TEST_CASE("the sort by insertion sorts, and keeps the order of equal keys") {
+TEST_CASE("the insertion sort sorts and keeps the order of equal keys") {
     std::mt19937 random(2);
     for (int n = 0; n < 60; ++n)
         for (int kind = 0; kind < 4; ++kind) {
             std::vector<std::pair<int, int>> items;
             for (int k = 0; k < n; ++k)
-                items.push_back({kind == 0 ? k
-                                 : kind == 1
-                                     ? -k
-                                     : static_cast<int>(random() % (kind == 2 ? 5 : 100000)),
+                items.push_back({kind == 0   ? k
+                                 : kind == 1 ? -k
+                                             : int(random() % (kind == 2 ? 5 : 100000)),
                                  k});
             std::vector<std::pair<int, int>> expected = items;
             std::stable_sort(expected.begin(), expected.end(),
@@ -44,7 +40,7 @@ TEST_CASE("the sort by insertion sorts, and keeps the order of equal keys") {
         }
 }
 
-TEST_CASE("counts become starts, filling becomes rewinding") {
+TEST_CASE("counts become starts, and starts that filling has advanced are rewound") {
     std::vector<harmorph::Index> starts = {3, 0, 2, 5, 0, 99};  // the last place is for the total
     starts.back() = 0;
     CHECK(harmorph::counts_to_starts(span(starts)) == 10);

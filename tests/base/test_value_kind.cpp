@@ -1,9 +1,5 @@
-// Values of all kinds, real, complex and 2 x 2: one basis, one morph, one adjoint, whatever a value
-// is made of.
+// Values of all kinds, real, complex and 2 x 2, have the same interface: basis, morph and adjoint.
 #include <harmorph_design.h>
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
 #include <fixtures/operators.hpp>
@@ -13,7 +9,7 @@ using namespace fixtures;
 
 namespace {
 
-// A square with a hole on a polygon, and what makes its values real, complex or 2 x 2.
+// A square with a hole on a polygon, and the settings that make the values real, complex or 2 x 2.
 struct Kind {
     const char* name;
     std::int32_t operator_kind;
@@ -56,14 +52,13 @@ std::vector<double> numbers(const hm_basis* basis, std::int32_t function, std::i
 TEST_CASE("the numbers of a value are the linear map that a morph applies") {
     for (Kind const& kind : kinds) {
         INFO(kind.name);
-        Case its = case_of(kind);
-        Options const options = options_of(kind.operator_kind);
-        Solved const solved(its, &options);
+        Case setup = case_of(kind);
+        Solved const solved(setup, options_of(kind.operator_kind));
         hm_basis_info const info = solved.info();
         CHECK(info.numbers_per_value >= kind.least_numbers);
         CHECK((info.numbers_per_value == 1 || info.numbers_per_value == 2 ||
                info.numbers_per_value == 4));
-        CHECK(info.functions == its.curves.n_control() + 2 * info.bodies);
+        CHECK(info.functions == setup.curves.n_control() + 2 * info.bodies);
         CHECK(info.bodies == (kind.rigid ? 1 : 0));
         for (std::int32_t i = 0; i < info.functions; ++i) {
             std::vector<std::vector<double>> value;
@@ -86,7 +81,7 @@ TEST_CASE("the numbers of a value are the linear map that a morph applies") {
                 CHECK(by_y[k] == Complex(xy, yy));
             }
         }
-        std::vector<double> to(static_cast<std::size_t>(info.points), 7);
+        std::vector<double> to(std::size_t(info.points), 7);
         CHECK(hm_basis_values(solved.basis, 0, info.numbers_per_value, to.data(), nullptr) ==
               HM_BAD_ARGUMENT);
         CHECK(hm_basis_values(solved.basis, 0, -1, to.data(), nullptr) == HM_BAD_ARGUMENT);
@@ -96,15 +91,14 @@ TEST_CASE("the numbers of a value are the linear map that a morph applies") {
     }
 }
 
-TEST_CASE("the adjoint is the transpose of the morph, for values of all kinds") {
+TEST_CASE("the adjoint is the transpose of the morph for values of all kinds") {
     for (Kind const& kind : kinds) {
         INFO(kind.name);
-        Case its = case_of(kind);
-        Options const options = options_of(kind.operator_kind);
-        Solved const solved(its, &options);
+        Case setup = case_of(kind);
+        Solved const solved(setup, options_of(kind.operator_kind));
         std::int32_t const n = solved.info().functions;
-        std::vector<double> const g = some_move(its.mesh.n_points(), 1, 5);
-        std::vector<double> gradient(2 * static_cast<std::size_t>(n), -1.0);
+        std::vector<double> const g = some_move(setup.mesh.n_points(), 1, 5);
+        std::vector<double> gradient(2 * std::size_t(n), -1.0);
         REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(),
                            nullptr, nullptr) == HM_OK);
         for (std::int32_t k = 0; k < 2 * n; ++k) {  // each of its numbers
@@ -116,7 +110,7 @@ TEST_CASE("the adjoint is the transpose of the morph, for values of all kinds") 
                 expected += part[0] + part[1];
                 size += std::fabs(part[0]) + std::fabs(part[1]);
             }
-            CHECK(std::fabs(gradient[static_cast<std::size_t>(k)] - expected) <= 1e-14 * size);
+            CHECK(std::fabs(gradient[std::size_t(k)] - expected) <= 1e-14 * size);
         }
         Backwards backwards;
         hm_executor const executor = backwards.executor(3);
@@ -127,15 +121,14 @@ TEST_CASE("the adjoint is the transpose of the morph, for values of all kinds") 
     }
 }
 
-TEST_CASE("larger meshes and many functions: adjoint and morph agree beyond one block of either") {
+TEST_CASE("adjoint and morph agree on meshes and functions beyond one block of either") {
     for (int const n : {9, 150}) {
-        Case its = ring_case(14, 300, 0.5, 2, Cells::hybrid, 3, n);
-        Options const options = options_of(HM_CONFORMAL);
-        Solved const solved(its, &options);
+        Case setup = ring_case(14, 300, 0.5, 2, Cells::hybrid, 3, n);
+        Solved const solved(setup, options_of(HM_CONFORMAL));
         std::vector<double> const move = some_move(n, 1, 4),
-                                  g = some_move(its.mesh.n_points(), 1, 5);
+                                  g = some_move(setup.mesh.n_points(), 1, 5);
         Field const moved = displacement(solved, move);
-        std::vector<double> gradient(2 * static_cast<std::size_t>(n));
+        std::vector<double> gradient(2 * std::size_t(n));
         REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(),
                            nullptr, nullptr) == HM_OK);
         double here = 0, there = 0, size = 0;
@@ -153,17 +146,16 @@ TEST_CASE("larger meshes and many functions: adjoint and morph agree beyond one 
 TEST_CASE("zero movement keeps every bit, and a movement that is not finite is refused") {
     for (Kind const& kind : kinds) {
         INFO(kind.name);
-        Case its = case_of(kind);
-        Options const options = options_of(kind.operator_kind);
-        Solved const solved(its, &options);
-        std::vector<double> move(2 * static_cast<std::size_t>(solved.info().functions), -0.0);
-        std::vector<double> x = its.mesh.x, y = its.mesh.y;
+        Case setup = case_of(kind);
+        Solved const solved(setup, options_of(kind.operator_kind));
+        std::vector<double> move(2 * std::size_t(solved.info().functions), -0.0);
+        std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
         x[3] = -0.0;
         std::vector<double> const before = x;
         REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
                          nullptr) == HM_OK);
         CHECK(same_bits(x, before));
-        CHECK(same_bits(y, its.mesh.y));
+        CHECK(same_bits(y, setup.mesh.y));
         move.back() = std::nan("");
         CHECK(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
                        nullptr) == HM_BAD_ARGUMENT);
@@ -171,18 +163,16 @@ TEST_CASE("zero movement keeps every bit, and a movement that is not finite is r
     }
 }
 
-TEST_CASE(
-    "values of all kinds are the same after saving and attaching; damaged values are refused") {
+TEST_CASE("saving and attaching keep values of all kinds, and damaged values are refused") {
     for (Kind const& kind : kinds) {
         INFO(kind.name);
-        Case its = case_of(kind);
-        Options const options = options_of(kind.operator_kind);
-        Solved const solved(its, &options);
-        std::size_t const bytes = static_cast<std::size_t>(solved.info().bytes);
+        Case setup = case_of(kind);
+        Solved const solved(setup, options_of(kind.operator_kind));
+        std::size_t const bytes = std::size_t(solved.info().bytes);
         std::vector<double> const move = some_move(solved.info().functions, 0.1, 6);
         Guarded whole(bytes, 8);
         std::memcpy(whole.data(), solved.basis, bytes);
-        hm_mesh const mesh = its.mesh.view();
+        hm_mesh const mesh = setup.mesh.view();
         const hm_basis* copy = nullptr;
         REQUIRE(hm_basis_attach(&copy, whole.data(), bytes, &mesh, nullptr) == HM_OK);
         CHECK(displacement(copy, move) == displacement(solved, move));
@@ -206,15 +196,15 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a basis gives back the conditions it was solved with, and how") {
-    Case its = two_body_case(Cells::hybrid, 4, 3);
-    its.conditions.clear();
-    its.put_on_curves(body, 0);
-    its.set_rigid(second_body, 1.25, 0.75);
-    its.set_slip(far_field);
+TEST_CASE("a basis gives back the conditions and options it was solved with") {
+    Case setup = two_body_case(Cells::hybrid, 4, 3);
+    setup.conditions.clear();
+    setup.put_on_curves(body, 0);
+    setup.set_rigid(second_body, 1.25, 0.75);
+    setup.set_slip(far_field);
     Options options = options_of(HM_CONFORMAL, 5);
     options.offset_correction = 1;
-    Solved const solved(its, &options);
+    Solved const solved(setup, &options);
     hm_basis_info const info = solved.info();
     CHECK(info.operator_kind == HM_CONFORMAL);
     CHECK(info.exponent_quarters == 5);
@@ -234,7 +224,7 @@ TEST_CASE("a basis gives back the conditions it was solved with, and how") {
     REQUIRE(n == 3);
     CHECK(found[3].marker == 0x55555555);
     for (std::size_t k = 0; k < 3; ++k) {
-        hm_condition const& expected = its.conditions[k];
+        hm_condition const& expected = setup.conditions[k];
         CHECK(found[k].struct_size == sizeof found[k]);
         CHECK(found[k].marker == expected.marker);
         CHECK(found[k].kind == expected.kind);
@@ -245,7 +235,8 @@ TEST_CASE("a basis gives back the conditions it was solved with, and how") {
         CHECK(found[k].x == expected.x);
         CHECK(found[k].y == expected.y);
     }
-    // With curves and parameters they make the problem, and so the basis, again.
+    // Together with curves and parameters, the conditions define the problem, and so the basis,
+    // again.
     hm_curves curves{};
     curves.struct_size = sizeof curves;
     hm_curve shape[2];
@@ -258,26 +249,26 @@ TEST_CASE("a basis gives back the conditions it was solved with, and how") {
         on.push_back(info.point_curve[k]);
         u.push_back(info.point_u[k]);
     }
-    hm_mesh const mesh = its.mesh.view();
+    hm_mesh const mesh = setup.mesh.view();
     hm_problem problem{};
     problem.struct_size = sizeof problem;
     problem.mesh = &mesh;
     problem.curves = &curves;
     problem.n_conditions = n;
     problem.conditions = found;
-    problem.n_given = static_cast<std::int32_t>(points.size());
+    problem.n_given = std::int32_t(points.size());
     problem.given_points = points.data();
     problem.given_curves = on.data();
     problem.given_u = u.data();
     Solved const again(problem, &options);
     REQUIRE(again.info().bytes == info.bytes);
-    CHECK(std::memcmp(again.basis, solved.basis, static_cast<std::size_t>(info.bytes)) == 0);
+    CHECK(std::memcmp(again.basis, solved.basis, std::size_t(info.bytes)) == 0);
 }
 
 TEST_CASE("a plan does not solve the basis of another operator, exponent or correction") {
-    Case its = tiny_case();
+    Case setup = tiny_case();
     auto const plan_of = [&](Attempt& attempt, Options const& options) {
-        REQUIRE(attempt.analyse(its.problem(), &options));
+        REQUIRE(attempt.analyse(setup.problem(), &options));
         REQUIRE(attempt.prepare());
         REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
     };
@@ -295,13 +286,12 @@ TEST_CASE("a plan does not solve the basis of another operator, exponent or corr
         }
 }
 
-TEST_CASE(
-    "sizes are exact for all kinds: every block at any alignment, and one byte less is refused") {
+TEST_CASE("blocks of the stated size suffice at any alignment; smaller ones are refused") {
     for (Kind const& kind : kinds) {
         INFO(kind.name);
-        Case its = case_of(kind);
+        Case setup = case_of(kind);
         Options const options = options_of(kind.operator_kind);
-        hm_problem const problem = its.problem();
+        hm_problem const problem = setup.problem();
         for (std::size_t const shift : {std::size_t{0}, std::size_t{1}, std::size_t{13}}) {
             Attempt attempt;
             REQUIRE(attempt.analyse(problem, &options, shift));

@@ -1,8 +1,6 @@
 // A basis is one block that may be copied, written to a file and attached again,
 // and gives back what it was solved with.
 #include <harmorph_design.h>
-#include <harmorph_study.h>
-#include <doctest/doctest.h>
 
 #include <fixtures/basis_copy.hpp>
 #include <fixtures/bodies.hpp>
@@ -11,43 +9,42 @@
 using namespace fixtures;
 
 TEST_CASE("a copy at another address is the same basis") {
-    Case its = two_body_case();
-    std::vector<double> expected, moved_x(its.mesh.x.size()), moved_y(its.mesh.x.size());
+    Case setup = two_body_case();
+    std::vector<double> expected, moved_x(setup.mesh.x.size()), moved_y(setup.mesh.x.size());
     std::vector<double> const move = some_move(20, 0.1, 1);
     std::unique_ptr<BasisCopy> copy;
     {
-        Solved const solved(its);
+        Solved const solved(setup);
         expected = solved.all_values();
-        REQUIRE(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+        REQUIRE(hm_morph(solved.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
                          points_out(moved_x, moved_y), nullptr, nullptr) == HM_OK);
         copy = std::make_unique<BasisCopy>(solved);
     }  // the original, its plan and its analysis are gone
-    hm_mesh const mesh = its.mesh.view();
+    hm_mesh const mesh = setup.mesh.view();
     REQUIRE(copy->attach(&mesh) == HM_OK);
-    std::vector<double> values, x(its.mesh.x.size()), y(its.mesh.x.size());
+    std::vector<double> values, x(setup.mesh.x.size()), y(setup.mesh.x.size());
     for (std::int32_t i = 0; i < 20; ++i) {
         REQUIRE(hm_basis_values(copy->basis, i, 0, x.data(), nullptr) == HM_OK);
         values.insert(values.end(), x.begin(), x.end());
     }
     CHECK(same_bits(values, expected));
-    REQUIRE(hm_morph(copy->basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(x, y),
-                     nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_morph(copy->basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
+                     points_out(x, y), nullptr, nullptr) == HM_OK);
     CHECK(same_bits(x, moved_x));
     CHECK(same_bits(y, moved_y));
     double error = 1;
-    CHECK(hm_boundary_error(copy->basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+    CHECK(hm_boundary_error(copy->basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
                             points_in(x, y), &error, nullptr, nullptr) == HM_OK);
     CHECK(error < 1e-14);
 }
 
-TEST_CASE(
-    "a basis gives back the curves, the points and the parameters of the problem that was solved") {
-    Case its = two_body_case();
-    its.curves.index_base = 1;
-    for (CurveSet::Shape& shape : its.curves.shapes)
+TEST_CASE("a basis gives back the curves, the points and the parameters of the solved problem") {
+    Case setup = two_body_case();
+    setup.curves.index_base = 1;
+    for (CurveSet::Shape& shape : setup.curves.shapes)
         for (std::int32_t& index : shape.indices) ++index;
-    for (int k = 0; k < 20; ++k) its.curves.weights.push_back(1 + 0.01 * k);
-    Solved const solved(its);
+    for (int k = 0; k < 20; ++k) setup.curves.weights.push_back(1 + 0.01 * k);
+    Solved const solved(setup);
     hm_curves set{};
     set.struct_size = sizeof set;
     hm_curve shape[2];
@@ -58,10 +55,10 @@ TEST_CASE(
     CHECK(set.n_control == 20);
     CHECK(set.index_base == 0);
     CHECK(set.curve == shape);
-    CHECK(same_bits({set.control, set.control + 40}, its.curves.control));
-    CHECK(same_bits({set.weights, set.weights + 20}, its.curves.weights));
+    CHECK(same_bits({set.control, set.control + 40}, setup.curves.control));
+    CHECK(same_bits({set.weights, set.weights + 20}, setup.curves.weights));
     for (std::size_t c = 0; c < 2; ++c) {
-        CurveSet::Shape const& own = its.curves.shapes[c];
+        CurveSet::Shape const& own = setup.curves.shapes[c];
         CHECK(shape[c].degree == own.degree);
         CHECK(same_bits({shape[c].knots, shape[c].knots + own.knots.size()}, own.knots));
         for (std::size_t k = 0; k < own.indices.size(); ++k)
@@ -69,8 +66,8 @@ TEST_CASE(
     }
     hm_basis_info const info = solved.info();
     CHECK(info.solved == 1);
-    CHECK(info.points == its.mesh.n_points());
-    CHECK(info.cells == its.mesh.n_cells());
+    CHECK(info.points == setup.mesh.n_points());
+    CHECK(info.cells == setup.mesh.n_cells());
     CHECK(info.functions == 20);
     CHECK(info.curves == 2);
     CHECK(info.curve_points == 96);
@@ -82,16 +79,16 @@ TEST_CASE(
         double xy[2];
         REQUIRE(hm_curve_point(&set, info.point_curve[k], info.point_u[k], 0, xy, nullptr) ==
                 HM_OK);
-        Point const p = its.mesh.point(info.curve_point[k]);
+        Point const p = setup.mesh.point(info.curve_point[k]);
         CHECK(distance(p, {xy[0], xy[1]}) < 0.05);
     }
 }
 
-TEST_CASE("moved curves: control points plus their movement, all else as it was") {
-    Case its = airfoil_case();
-    Solved const solved(its);
-    auto const n = static_cast<std::size_t>(solved.info().functions);
-    std::vector<double> move = some_move(static_cast<std::int32_t>(n), 0.1, 5), control(2 * n, 7);
+TEST_CASE("a moved curve has the control points plus their movement and is unchanged otherwise") {
+    Case setup = airfoil_case();
+    Solved const solved(setup);
+    auto const n = std::size_t(solved.info().functions);
+    std::vector<double> move = some_move(std::int32_t(n), 0.1, 5), control(2 * n, 7);
     hm_curves before{}, after{};
     before.struct_size = after.struct_size = sizeof before;
     hm_curve shape[2], moved[2];
@@ -105,7 +102,7 @@ TEST_CASE("moved curves: control points plus their movement, all else as it was"
     for (std::size_t k = 0; k < 2 * n; ++k) CHECK(control[k] == before.control[k] + move[k]);
     for (std::int32_t c = 0; c < after.n_curves; ++c) CHECK(moved[c].knots == shape[c].knots);
     // The wall is where it was, plus what hm_morph moves it by.
-    std::vector<double> x(its.mesh.x), y(its.mesh.y);
+    std::vector<double> x(setup.mesh.x), y(setup.mesh.y);
     REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
                      nullptr) == HM_OK);
     hm_basis_info const info = solved.info();
@@ -115,9 +112,9 @@ TEST_CASE("moved curves: control points plus their movement, all else as it was"
                 HM_OK);
         REQUIRE(hm_curve_point(&after, info.point_curve[k], info.point_u[k], 0, to, nullptr) ==
                 HM_OK);
-        auto const point = static_cast<std::size_t>(info.curve_point[k]);
-        CHECK(std::abs(x[point] - its.mesh.x[point] - (to[0] - from[0])) < 1e-13);
-        CHECK(std::abs(y[point] - its.mesh.y[point] - (to[1] - from[1])) < 1e-13);
+        auto const point = std::size_t(info.curve_point[k]);
+        CHECK(std::abs(x[point] - setup.mesh.x[point] - (to[0] - from[0])) < 1e-13);
+        CHECK(std::abs(y[point] - setup.mesh.y[point] - (to[1] - from[1])) < 1e-13);
     }
     // Refused, with outputs as they were.
     std::vector<double> const kept = control;
@@ -134,25 +131,21 @@ TEST_CASE("moved curves: control points plus their movement, all else as it was"
     CHECK(same_bits(control, kept));
 }
 
-TEST_CASE("a basis that is not solved refuses all calls, and is not attached") {
-    Case its = tiny_case();
-    Attempt attempt;
-    REQUIRE(attempt.analyse(its.problem()));
-    REQUIRE(attempt.prepare());
-    std::vector<double> x = its.mesh.x, y = its.mesh.y, move(8, 0.1);
-    hm_basis_info info{};
-    info.struct_size = sizeof info;
-    REQUIRE(hm_basis_info_get(attempt.basis, &info, nullptr) == HM_OK);
+TEST_CASE("a basis that is not solved refuses all calls and cannot be attached") {
+    Case setup = tiny_case();
+    Attempt attempt = prepared(setup.problem());
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y, move(8, 0.1);
+    hm_basis_info const info = info_of(attempt.basis);
     CHECK(info.solved == 0);
     CHECK(hm_morph(attempt.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
                    nullptr) == HM_BAD_BASIS);
     CHECK(hm_adjoint(attempt.basis, points_in(x, y), move.data(), nullptr, nullptr) ==
           HM_BAD_BASIS);
     CHECK(hm_basis_values(attempt.basis, 0, 0, x.data(), nullptr) == HM_BAD_BASIS);
-    CHECK(same_bits(x, its.mesh.x));
-    CHECK(same_bits(y, its.mesh.y));
+    CHECK(same_bits(x, setup.mesh.x));
+    CHECK(same_bits(y, setup.mesh.y));
     CHECK(move[3] == 0.1);
-    BasisCopy copy(attempt.basis, static_cast<std::size_t>(info.bytes));
+    BasisCopy copy(attempt.basis, std::size_t(info.bytes));
     CHECK(copy.attach() == HM_BAD_BASIS);
     CHECK(copy.says("not been solved"));
     REQUIRE(attempt.solve());
@@ -161,9 +154,9 @@ TEST_CASE("a basis that is not solved refuses all calls, and is not attached") {
 }
 
 TEST_CASE("a basis that is written to a file and read back has the same values") {
-    Case its = airfoil_case();
-    Solved const solved(its);
-    std::size_t const bytes = static_cast<std::size_t>(solved.info().bytes);
+    Case setup = airfoil_case();
+    Solved const solved(setup);
+    std::size_t const bytes = std::size_t(solved.info().bytes);
     std::FILE* const file = std::tmpfile();
     REQUIRE(file != nullptr);
     REQUIRE(std::fwrite(solved.basis, 1, bytes, file) == bytes);
@@ -171,10 +164,10 @@ TEST_CASE("a basis that is written to a file and read back has the same values")
     std::vector<double> block(bytes / 8 + 1);
     CHECK(std::fread(block.data(), 1, bytes, file) == bytes);
     std::fclose(file);
-    hm_mesh const mesh = its.mesh.view();
+    hm_mesh const mesh = setup.mesh.view();
     const hm_basis* basis = nullptr;
     REQUIRE(hm_basis_attach(&basis, block.data(), bytes, &mesh, nullptr) == HM_OK);
-    std::vector<double> values(its.mesh.x.size());
+    std::vector<double> values(setup.mesh.x.size());
     REQUIRE(hm_basis_values(basis, 3, 0, values.data(), nullptr) == HM_OK);
     CHECK(same_bits(values, solved.values(3)));
 }

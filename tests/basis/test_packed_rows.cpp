@@ -1,15 +1,10 @@
 // Shares of the functions, solved apart and put together from parcels, are the functions solved
 // together, bit by bit.
 #include <harmorph_parts.h>
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
 
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/parts.hpp>
-
-#include <cstring>
 
 using namespace fixtures;
 
@@ -28,7 +23,7 @@ public:
 
     Share(KindOfProblem& problem, Range range) {
         report.struct_size = sizeof report;
-        REQUIRE(attempt.analyse(problem.its.problem(), &problem.options));
+        REQUIRE(attempt.analyse(problem.setup.problem(), &problem.options));
         REQUIRE(attempt.prepare());
         std::size_t bytes = 0;
         REQUIRE(hm_share_size(attempt.analysis, range.first, range.n, &bytes, nullptr) == HM_OK);
@@ -41,9 +36,9 @@ public:
     }
     std::vector<double> parcel(std::vector<std::int32_t> const& points) const {
         std::int64_t doubles = 0;
-        std::int32_t const n = static_cast<std::int32_t>(points.size());
+        std::int32_t const n = std::int32_t(points.size());
         REQUIRE(hm_parcel_size(basis, n, &doubles, nullptr) == HM_OK);
-        std::vector<double> out(static_cast<std::size_t>(doubles) + 1, -3.0);
+        std::vector<double> out(std::size_t(doubles) + 1, -3.0);
         REQUIRE(hm_parcel_pack(basis, n, points.data(), out.data(), nullptr) == HM_OK);
         CHECK(out.back() == -3.0);  // not written
         out.pop_back();
@@ -55,27 +50,25 @@ private:
 };
 
 hm_status unpack(Rows const& rows, std::vector<double> const& parcel, hm_error* error = nullptr) {
-    return hm_parcel_unpack(rows.basis, parcel.data(), static_cast<std::int64_t>(parcel.size()),
-                            error);
+    return hm_parcel_unpack(rows.basis, parcel.data(), std::int64_t(parcel.size()), error);
 }
 
 }  // namespace
 
-TEST_CASE(
-    "shares of any size make the rows that the whole basis has: the same blocks, byte by byte") {
+TEST_CASE("shares of any size make the rows of the whole basis, byte by byte") {
     for (KindOfProblem& problem : kinds_of_problems()) {
-        Solved const solved(problem.its, &problem.options);
+        Solved const solved(problem.setup, &problem.options);
         std::int32_t const n = solved.info().functions;
         std::vector<std::int32_t> const points = random_parts(solved.info().points, 3, 4)[0];
         std::vector<unsigned char> const expected = bytes_of(Rows(solved.basis, points).basis);
         for (std::int32_t const processes : {1, 2, 3, n + 2}) {
             std::vector<std::unique_ptr<Share>> shares;
             for (std::int32_t part = 0; part < processes; ++part) {
-                Range its;
-                REQUIRE(hm_share_of(solved.analysis, part, processes, &its.first, &its.n,
+                Range range;
+                REQUIRE(hm_share_of(solved.analysis, part, processes, &range.first, &range.n,
                                     nullptr) == HM_OK);
-                CHECK((its.n == n / processes || its.n == (n - 1) / processes + 1));
-                shares.push_back(std::make_unique<Share>(problem, its));
+                CHECK((range.n == n / processes || range.n == (n - 1) / processes + 1));
+                shares.push_back(std::make_unique<Share>(problem, range));
             }
             Rows const rows(shares.back()->basis, points);
             REQUIRE(rows.status == HM_OK);
@@ -88,10 +81,10 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a share's report and values are those of its functions") {
+TEST_CASE("the report and the values of a share are those of the functions in the share") {
     KindOfProblem problem;
-    problem.its = two_body_case();
-    Solved const solved(problem.its);
+    problem.setup = two_body_case();
+    Solved const solved(problem.setup);
     Share const share(problem, {8, 5});
     CHECK(share.report.functions == 5);
     CHECK(share.report.residual_function >= 8);
@@ -102,7 +95,7 @@ TEST_CASE("a share's report and values are those of its functions") {
     CHECK(share.report.partition_defect == 0);
     CHECK(share.report.max_value <= solved.report.max_value);
     CHECK(share.report.max_value > 0.5);
-    std::vector<double> values(problem.its.mesh.x.size());
+    std::vector<double> values(problem.setup.mesh.x.size());
     for (std::int32_t const function : {8, 12}) {
         REQUIRE(hm_basis_values(share.basis, function, 0, values.data(), nullptr) == HM_OK);
         CHECK(same_bits(values, solved.values(function)));
@@ -111,11 +104,11 @@ TEST_CASE("a share's report and values are those of its functions") {
         CHECK(hm_basis_values(share.basis, function, 0, values.data(), nullptr) == HM_BAD_ARGUMENT);
 }
 
-TEST_CASE("a share's memory is proportional to it") {
+TEST_CASE("the memory of a share is proportional to the share") {
     KindOfProblem problem;
-    problem.its = two_body_case();
+    problem.setup = two_body_case();
     Attempt attempt;
-    REQUIRE(attempt.analyse(problem.its.problem()));
+    REQUIRE(attempt.analyse(problem.setup.problem()));
     std::size_t none = 0, one = 0, five = 0, whole = 0, all = 0;
     REQUIRE(hm_share_size(attempt.analysis, 3, 0, &none, nullptr) == HM_OK);
     REQUIRE(hm_share_size(attempt.analysis, 3, 1, &one, nullptr) == HM_OK);
@@ -123,9 +116,9 @@ TEST_CASE("a share's memory is proportional to it") {
     REQUIRE(hm_share_size(attempt.analysis, 0, 20, &whole, nullptr) == HM_OK);
     REQUIRE(hm_basis_size(attempt.analysis, &all, nullptr) == HM_OK);
     CHECK(whole == all);
-    CHECK(five - none >= 5 * 8 * problem.its.mesh.x.size());
-    CHECK(five - none < 5 * 8 * (problem.its.mesh.x.size() + 15) + 64);
-    CHECK(one - none < 8 * (problem.its.mesh.x.size() + 15) + 64);
+    CHECK(five - none >= 5 * 8 * problem.setup.mesh.x.size());
+    CHECK(five - none < 5 * 8 * (problem.setup.mesh.x.size() + 15) + 64);
+    CHECK(one - none < 8 * (problem.setup.mesh.x.size() + 15) + 64);
 }
 
 TEST_CASE("refinement of a function does not depend on those solved with it") {
@@ -133,26 +126,26 @@ TEST_CASE("refinement of a function does not depend on those solved with it") {
     // that reach there.
     int const n = 24, n_control = 9;
     KindOfProblem problem;
-    problem.its.mesh = square(n);
-    for (double& y : problem.its.mesh.y) y *= 0.4;
-    for (double& x : problem.its.mesh.x)
+    problem.setup.mesh = square(n);
+    for (double& y : problem.setup.mesh.y) y *= 0.4;
+    for (double& x : problem.setup.mesh.x)
         if (x == 1) x = 1 - 1.0 / n + 1e-7;
     Spline line;
     line.degree = 1;
     line.knots = clamped_knots(1, n_control);
     for (int k = 0; k < n_control; ++k)
         line.control.insert(line.control.end(), {k / (n_control - 1.0), 0.0});
-    problem.its.curves = line;
-    problem.its.put_on_curves(bottom);
-    problem.its.set_free(right);
-    Solved const solved(problem.its, &problem.options);
+    problem.setup.curves = line;
+    problem.setup.put_on_curves(bottom);
+    problem.setup.set_free(right);
+    Solved const solved(problem.setup, &problem.options);
     CHECK(solved.report.refinements > 0);
     std::int32_t least = 100, most = 0;
     for (std::int32_t i = 0; i < n_control; ++i) {
         Share const share(problem, {i, 1});
         least = std::min(least, share.report.refinements);
         most = std::max(most, share.report.refinements);
-        std::vector<double> values(problem.its.mesh.x.size());
+        std::vector<double> values(problem.setup.mesh.x.size());
         REQUIRE(hm_basis_values(share.basis, i, 0, values.data(), nullptr) == HM_OK);
         CHECK(same_bits(values, solved.values(i)));
     }
@@ -178,9 +171,9 @@ TEST_CASE(
                               {HM_LAPLACE, HM_NODAL_GRADIENT, HM_FAS, HM_DOUBLE}};
     std::vector<KindOfProblem> problems = kinds_of_problems();  // values of all kinds
     for (KindOfProblem& problem : problems)
-        problem.its.mesh = two_body_case(Cells::hybrid, 8, 5).mesh;
-    problems.back().its = airfoil_case(20, 10);
-    problems.back().its.mesh = c_mesh(naca4({}, 16), 6, 8, stretched(1e-3, 8, 12)).mesh;
+        problem.setup.mesh = two_body_case(Cells::hybrid, 8, 5).mesh;
+    problems.back().setup = airfoil_case(20, 10);
+    problems.back().setup.mesh = c_mesh(naca4({}, 16), 6, 8, stretched(1e-3, 8, 12)).mesh;
     for (Method const& method : methods)
         for (KindOfProblem& problem : problems) {
             Options& options = problem.options;
@@ -189,9 +182,9 @@ TEST_CASE(
             options.scheme = method.scheme;
             options.engine = method.engine;
             options.precision = method.precision;
-            Attempt const attempt(problem.its.problem(), &options);
+            Attempt const attempt(problem.setup.problem(), &options);
             if (attempt.status == HM_UNSUPPORTED) continue;  // bodies that turn, points that slip
-            Solved const all(problem.its, &options);
+            Solved const all(problem.setup, &options);
             std::int32_t const n = all.info().functions;
             std::vector<double> const expected = values_in_shares(all, n);
             INFO("operator " << method.operator_kind << ", scheme " << method.scheme << ", engine "
@@ -210,15 +203,15 @@ TEST_CASE(
             Backwards order;
             hm_executor const executor = order.executor(3);
             options.executor = &executor;
-            CHECK(same_bits(values_in_shares(Solved(problem.its, &options), 7), expected));
+            CHECK(same_bits(values_in_shares(Solved(problem.setup, &options), 7), expected));
         }
 }
 
-TEST_CASE("shares are refused where all functions are needed, and ranges that are none") {
+TEST_CASE("shares are refused where all functions are needed, and so are invalid ranges") {
     KindOfProblem problem;
-    problem.its = two_body_case();
+    problem.setup = two_body_case();
     Share const share(problem, {0, 3});
-    std::vector<double> x = problem.its.mesh.x, move(40, 0.1);
+    std::vector<double> x = problem.setup.mesh.x, move(40, 0.1);
     hm_error error{};
     CHECK(hm_morph(share.basis, move.data(), points_in(x, x), points_out(x, x), nullptr, &error) ==
           HM_BAD_BASIS);
@@ -227,12 +220,12 @@ TEST_CASE("shares are refused where all functions are needed, and ranges that ar
     std::size_t bytes = 0;
     std::int32_t const wrong[][2] = {{-1, 2}, {0, 21}, {19, 2},
                                      {21, 0}, {3, -1}, {2147483647, 2147483647}};
-    for (auto const& its : wrong)
-        CHECK(hm_share_size(share.attempt.analysis, its[0], its[1], &bytes, &error) ==
+    for (auto const& refused : wrong)
+        CHECK(hm_share_size(share.attempt.analysis, refused[0], refused[1], &bytes, &error) ==
               HM_BAD_ARGUMENT);
     std::int32_t first = 0, n = 0;
-    for (auto const& its : {Range{0, 0}, Range{-1, 2}, Range{2, 2}})
-        CHECK(hm_share_of(share.attempt.analysis, its.first, its.n, &first, &n, nullptr) ==
+    for (auto const& refused : {Range{0, 0}, Range{-1, 2}, Range{2, 2}})
+        CHECK(hm_share_of(share.attempt.analysis, refused.first, refused.n, &first, &n, nullptr) ==
               HM_BAD_ARGUMENT);
     CHECK(hm_share_of(share.attempt.analysis, 0, 1, &first, nullptr, nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_share_of(share.attempt.analysis, 0, 1, nullptr, &n, nullptr) == HM_BAD_ARGUMENT);
@@ -249,10 +242,10 @@ TEST_CASE("shares are refused where all functions are needed, and ranges that ar
     CHECK(made == nullptr);
 }
 
-TEST_CASE("parcels out of order, of other lists or problems, truncated, or no parcels at all") {
+TEST_CASE("parcels out of order, of other lists or problems, or truncated are refused") {
     KindOfProblem problem, other;
-    problem.its = two_body_case();
-    other.its = two_body_case(Cells::triangles);
+    problem.setup = two_body_case();
+    other.setup = two_body_case(Cells::triangles);
     Share const first(problem, {0, 12}), second(problem, {12, 8}), foreign(other, {0, 12});
     std::vector<std::int32_t> const points{5, 3, 8}, fewer{5, 3};
     Rows const rows(first.basis, points);
@@ -284,7 +277,7 @@ TEST_CASE("parcels out of order, of other lists or problems, truncated, or no pa
     CHECK(hm_parcel_pack(first.basis, 1, points.data(), nullptr, nullptr) == HM_BAD_ARGUMENT);
 }
 
-TEST_CASE("a parcel is for its own list of points and its own functions") {
+TEST_CASE("a parcel is for one list of points and one set of functions") {
     struct Sender {
         const char* what;
         std::int32_t operator_kind;
@@ -306,12 +299,12 @@ TEST_CASE("a parcel is for its own list of points and its own functions") {
         {"another control point", HM_LAPLACE, 1e-9, {5, 3, 8}, other_problem},
     };
     KindOfProblem problem;
-    problem.its = two_body_case();
+    problem.setup = two_body_case();
     Share const first(problem, {0, 12}), second(problem, {12, 8});
     for (Sender const& sender : senders) {
         KindOfProblem changed = problem;
         changed.options.operator_kind = sender.operator_kind;
-        changed.its.curves.control[0] += sender.offset;
+        changed.setup.curves.control[0] += sender.offset;
         Share const share(changed, {0, 12});
         Rows const rows(first.basis, {5, 3, 8});
         std::vector<unsigned char> const before = bytes_of(rows.basis);
@@ -330,13 +323,13 @@ TEST_CASE("a parcel is for its own list of points and its own functions") {
     }
 }
 
-TEST_CASE("lists of lists: positions in an extract are another list than the numbers of the mesh") {
+TEST_CASE("positions in an extract are another list than the numbers of the mesh") {
     KindOfProblem problem;
-    problem.its = two_body_case();
+    problem.setup = two_body_case();
     Share const first(problem, {0, 12}), second(problem, {12, 8});
-    Solved const whole(problem.its, &problem.options);
+    Solved const whole(problem.setup, &problem.options);
     std::vector<std::int32_t> all;
-    for (std::int32_t k = 0; k < problem.its.mesh.n_points(); ++k) all.push_back(k);
+    for (std::int32_t k = 0; k < problem.setup.mesh.n_points(); ++k) all.push_back(k);
     // The list of all points in their order is the mesh itself.
     Rows const of_all(first.basis, all);
     CHECK(unpack(of_all, first.parcel(all)) == HM_OK);

@@ -1,13 +1,9 @@
 // Rows of some points do what the whole basis does at these points.
 #include <harmorph_parts.h>
-#include <harmorph_study.h>
-#include <doctest/doctest.h>
 
 #include <fixtures/parts.hpp>
 
 #include "basis/basis.hpp"
-
-#include <cstring>
 
 using namespace fixtures;
 
@@ -28,13 +24,11 @@ Moved morphed(const hm_basis* basis, Numbers const& move, Moved const& from) {
 
 }  // namespace
 
-TEST_CASE(
-    "values, morph, curves and wall points of a subset are those of the whole, with ghosts and "
-    "repeats") {
+TEST_CASE("a subset with ghosts and repeats has the values of the whole basis") {
     for (KindOfProblem& problem : kinds_of_problems())
         for (std::int32_t const base : {0, 1}) {
-            problem.its.index_base = base;
-            Solved const solved(problem.its, &problem.options);
+            problem.setup.index_base = base;
+            Solved const solved(problem.setup, &problem.options);
             hm_basis_info const whole = solved.info();
             std::vector<std::int32_t> points =
                 random_parts(whole.points, 3, 8)[1];  // counted from 0
@@ -48,7 +42,7 @@ TEST_CASE(
             hm_basis_info const info = info_of(rows.basis);
             CHECK(info.solved == 1);
             CHECK(info.cells == 0);
-            CHECK(info.points == static_cast<std::int32_t>(points.size()));
+            CHECK(info.points == std::int32_t(points.size()));
             CHECK(info.functions == whole.functions);
             CHECK(info.numbers_per_value == whole.numbers_per_value);
             CHECK(info.curves == whole.curves);
@@ -56,13 +50,13 @@ TEST_CASE(
 
             for (std::int32_t i = 0; i < info.functions; ++i)
                 for (std::int32_t p = 0; p < info.numbers_per_value; ++p) {
-                    Numbers all(static_cast<std::size_t>(whole.points)), some(points.size());
+                    Numbers all(std::size_t(whole.points)), some(points.size());
                     REQUIRE(hm_basis_values(solved.basis, i, p, all.data(), nullptr) == HM_OK);
                     REQUIRE(hm_basis_values(rows.basis, i, p, some.data(), nullptr) == HM_OK);
                     CHECK(same_bits(some, pick(all, points)));
                 }
             Numbers const move = some_move(info.functions, 0.05, 3);
-            Moved const from{problem.its.mesh.x, problem.its.mesh.y},
+            Moved const from{problem.setup.mesh.x, problem.setup.mesh.y},
                 to = morphed(solved.basis, move, from);
             Moved const here{pick(from.x, points), pick(from.y, points)},
                 there = morphed(rows.basis, move, here);
@@ -85,7 +79,7 @@ TEST_CASE(
             double error = -1;
             std::int32_t worst = -1;
             Moved wrong = there;
-            wrong.x[static_cast<std::size_t>(info.curve_point[5])] += 0.01;
+            wrong.x[std::size_t(info.curve_point[5])] += 0.01;
             REQUIRE(hm_boundary_error(rows.basis, move.data(), points_in(here.x, here.y),
                                       points_in(there.x, there.y), &error, &worst,
                                       nullptr) == HM_OK);
@@ -98,15 +92,14 @@ TEST_CASE(
         }
 }
 
-TEST_CASE("the row of one point takes x and y side by side, with any stride") {
-    Case its = tiny_case();
-    Solved const solved(its);
+TEST_CASE("the row of one point accepts x and y side by side, with any stride") {
+    Case setup = tiny_case();
+    Solved const solved(setup);
     std::vector<std::int32_t> one = {solved.info().curve_point[1]};
     Rows const row(solved.basis, one);
     REQUIRE(row.status == HM_OK);
     Numbers const move = some_move(solved.info().functions, 0.05, 3);
-    double at[2] = {its.mesh.x[static_cast<std::size_t>(one[0])],
-                    its.mesh.y[static_cast<std::size_t>(one[0])]};
+    double at[2] = {setup.mesh.x[std::size_t(one[0])], setup.mesh.y[std::size_t(one[0])]};
     Moved const to = morphed(row.basis, move, {{at[0]}, {at[1]}});
     Numbers gradient(move.size()), expected(move.size());
     double const dj[2] = {0.3, -0.7};
@@ -121,21 +114,21 @@ TEST_CASE("the row of one point takes x and y side by side, with any stride") {
     CHECK(at[1] == to.y[0]);
 }
 
-TEST_CASE("rows can be moved, saved and attached like any basis, and rows taken of rows") {
-    Case its = two_body_case();
-    Solved const solved(its);
-    std::vector<std::int32_t> const points = random_parts(its.mesh.n_points(), 2, 1)[0];
+TEST_CASE("rows can be moved, saved and attached like any basis, and extracted again") {
+    Case setup = two_body_case();
+    Solved const solved(setup);
+    std::vector<std::int32_t> const points = random_parts(setup.mesh.n_points(), 2, 1)[0];
     Rows const rows(solved.basis, points);
     std::vector<unsigned char> const bytes = bytes_of(rows.basis);
     std::vector<double> copy(bytes.size() / sizeof(double));
     std::memcpy(copy.data(), bytes.data(), bytes.size());
     const hm_basis* attached = nullptr;
     REQUIRE(hm_basis_attach(&attached, copy.data(), bytes.size(), nullptr, nullptr) == HM_OK);
-    CHECK(info_of(attached).points == static_cast<std::int32_t>(points.size()));
+    CHECK(info_of(attached).points == std::int32_t(points.size()));
 
     std::vector<std::int32_t> every_other, direct;
     for (std::size_t k = 0; k < points.size(); k += 2) {
-        every_other.push_back(static_cast<std::int32_t>(k));
+        every_other.push_back(std::int32_t(k));
         direct.push_back(points[k]);
     }
     // Only the fingerprint of the list tells them apart.
@@ -151,11 +144,11 @@ TEST_CASE("rows can be moved, saved and attached like any basis, and rows taken 
     CHECK(of_rows == of_mesh);
 }
 
-TEST_CASE("what needs the mesh is refused, and so are lists that are wrong") {
-    Case its = two_body_case();
-    its.index_base = 1;
-    Solved const solved(its);
-    hm_mesh const mesh = its.mesh_view();
+TEST_CASE("rows refuse calls that need the mesh, and invalid lists are refused") {
+    Case setup = two_body_case();
+    setup.index_base = 1;
+    Solved const solved(setup);
+    hm_mesh const mesh = setup.mesh_view();
     Rows const rows(solved.basis, {1, 2, 3});
     REQUIRE(rows.status == HM_OK);
     hm_error error{};
@@ -176,7 +169,7 @@ TEST_CASE("what needs the mesh is refused, and so are lists that are wrong") {
     CHECK(std::string(error.text).find("list of points") != std::string::npos);
     CHECK(hm_plan_solve(solved.plan, rows.basis, nullptr, &error) == HM_BAD_BASIS);
 
-    Rows const below(solved.basis, {1, 2, 0}), above(solved.basis, {its.mesh.n_points() + 1});
+    Rows const below(solved.basis, {1, 2, 0}), above(solved.basis, {setup.mesh.n_points() + 1});
     CHECK(below.status == HM_BAD_ARGUMENT);
     CHECK(below.error.item - below.error.item_base == 2);
     CHECK(above.status == HM_BAD_ARGUMENT);
@@ -197,11 +190,9 @@ TEST_CASE("what needs the mesh is refused, and so are lists that are wrong") {
           HM_BAD_ARGUMENT);
 }
 
-TEST_CASE(
-    "the size suffices for any list, whatever part of it are points of the wall, and repeats of "
-    "them") {
-    Case its = two_body_case();
-    Solved const solved(its);
+TEST_CASE("the size suffices for any list, whatever share of the list is wall points or repeats") {
+    Case setup = two_body_case();
+    Solved const solved(setup);
     hm_basis_info const info = solved.info();
     for (std::size_t const n : {1u, 7u, 33u, 100u, 130u})
         for (std::size_t repeats = 0; repeats < n; ++repeats) {
@@ -212,16 +203,14 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "a block that is too small is refused, and the size suffices for the list with the most points "
-    "of the wall") {
-    Case its = two_body_case();
-    Solved const solved(its);
+TEST_CASE("blocks that are too small are refused, and the stated size suffices for any list") {
+    Case setup = two_body_case();
+    Solved const solved(setup);
     hm_basis_info const info = solved.info();
     std::vector<std::int32_t> const wall(info.curve_point, info.curve_point + info.curve_points);
     CHECK(info_of(Rows(solved.basis, wall, 24).basis).curve_points == info.curve_points);
 
-    std::int32_t const n = static_cast<std::int32_t>(wall.size());
+    std::int32_t const n = std::int32_t(wall.size());
     std::size_t need = 0;
     REQUIRE(hm_extract_size(solved.basis, n, &need, nullptr) == HM_OK);
     std::size_t const slack = 64 + 256;  // for alignment, and for lists that repeat points

@@ -1,6 +1,4 @@
 // Blocks that are no whole, unchanged basis of this mesh are refused with the reason.
-#include <doctest/doctest.h>
-
 #include <fixtures/basis_copy.hpp>
 #include <fixtures/bodies.hpp>
 #include <fixtures/polygon_cases.hpp>
@@ -9,9 +7,9 @@
 using namespace fixtures;
 using harmorph::Index;
 
-TEST_CASE("a basis that is truncated, at any length, is refused with the reason") {
-    Case its = tiny_case();
-    Solved const solved(its);
+TEST_CASE("a basis that is truncated at any length is refused with the reason") {
+    Case setup = tiny_case();
+    Solved const solved(setup);
     BasisCopy whole(solved);
     REQUIRE(whole.attach() == HM_OK);
     for (std::size_t size = 0; size < whole.size(); ++size) {
@@ -20,20 +18,20 @@ TEST_CASE("a basis that is truncated, at any length, is refused with the reason"
         bool const in_header = size < sizeof(harmorph::BasisHeader);
         CHECK(part.says(size == 0 ? "not a harmorph basis: the mark" : "truncated"));
         std::size_t const wanted = in_header ? sizeof(harmorph::BasisHeader) : whole.size();
-        if (size > 0) CHECK(part.error.value == static_cast<double>(wanted - size));
+        if (size > 0) CHECK(part.error.value == double(wanted - size));
     }
-    // A longer block, as a file with something behind it, is none of its business.
+    // A longer block, such as a file with further contents, is accepted.
     std::vector<double> longer(whole.size() / 8 + 10, 3.0);
     std::memcpy(longer.data(), whole.data(), whole.size());
     const hm_basis* basis = nullptr;
     CHECK(hm_basis_attach(&basis, longer.data(), longer.size() * 8, nullptr, nullptr) == HM_OK);
 }
 
-TEST_CASE("a basis with any byte changed, in the header or behind the header, is refused") {
-    Case its = tiny_case();
-    Solved const solved(its);
+TEST_CASE("a basis with any byte of header or contents changed is refused") {
+    Case setup = tiny_case();
+    Solved const solved(setup);
     BasisCopy copy(solved);
-    hm_mesh const mesh = its.mesh.view();
+    hm_mesh const mesh = setup.mesh.view();
     REQUIRE(copy.attach(&mesh) == HM_OK);
     for (std::size_t k = 0; k < copy.size(); ++k)
         for (unsigned const flip : {1u, 0x80u, 0xFFu}) {
@@ -46,8 +44,8 @@ TEST_CASE("a basis with any byte changed, in the header or behind the header, is
 }
 
 TEST_CASE("each reason to refuse a basis has a sentence of its own") {
-    Case its = tiny_case();
-    Solved const solved(its);
+    Case setup = tiny_case();
+    Solved const solved(setup);
     BasisCopy copy(solved);
     harmorph::BasisHeader const good = copy.header();
 
@@ -101,12 +99,10 @@ TEST_CASE("each reason to refuse a basis has a sentence of its own") {
     CHECK(basis == nullptr);
 }
 
-TEST_CASE(
-    "indices out of range and numbers that are not finite are found in a basis whose checksum is "
-    "right") {
-    Case its = two_body_case(Cells::hybrid, 4, 3);
-    Solved const solved(its);
-    hm_mesh const mesh = its.mesh.view();
+TEST_CASE("a basis with a valid checksum but indices out of range or infinite numbers is refused") {
+    Case setup = two_body_case(Cells::hybrid, 4, 3);
+    Solved const solved(setup);
+    hm_mesh const mesh = setup.mesh.view();
     BasisCopy copy(solved);
     harmorph::BasisHeader const good = copy.header();
     harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(copy.data()));
@@ -175,11 +171,12 @@ TEST_CASE(
     CHECK(attach_sealed() == HM_OK);
     CHECK(basis.header->checksum == good.checksum);
 
-    // Any word of all that is not values: refused, or of no use to whom would read elsewhere.
+    // Each word other than the values is refused when changed, or has no effect on where data are
+    // read.
     std::int32_t* const words = reinterpret_cast<std::int32_t*>(copy.data());
     std::ptrdiff_t const n = reinterpret_cast<std::int32_t*>(basis.value.data()) - words;
     std::vector<double> const move = some_move(20, 0.1, 1);
-    std::vector<double> x(its.mesh.x.size()), y = x, gradient(40);
+    std::vector<double> x(setup.mesh.x.size()), y = x, gradient(40);
     int accepted = 0;
     for (std::ptrdiff_t k = sizeof(harmorph::BasisHeader) / 4; k < n; ++k)
         for (std::int32_t const wrong : {-1, 1 << 30, 0x7FF00000}) {
@@ -198,13 +195,11 @@ TEST_CASE(
     CHECK(accepted < 3 * n);
 }
 
-TEST_CASE(
-    "cells and guards of polygons that do not follow each other are found in a basis whose "
-    "checksum is right") {
-    Case its = honeycomb_case();
-    its.mesh.cell_layout = HM_CELLS_POLYGONS;
-    Solved const solved(its);
-    hm_mesh const mesh = its.mesh.view();
+TEST_CASE("a basis with a valid checksum but polygons out of order is refused") {
+    Case setup = honeycomb_case();
+    setup.mesh.cell_layout = HM_CELLS_POLYGONS;
+    Solved const solved(setup);
+    hm_mesh const mesh = setup.mesh.view();
     BasisCopy copy(solved);
     harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(copy.data()));
     harmorph::Pieces const& pieces = basis.pieces;
@@ -218,43 +213,42 @@ TEST_CASE(
         number = right;
         return is_refused;
     };
-    Index const cell = its.mesh.n_cells() / 2;
+    Index const cell = setup.mesh.n_cells() / 2;
     CHECK(refuses(pieces.start[cell], pieces.start[cell + 1]));  // a cell without a piece
     CHECK(refuses(pieces.guard_start[cell], pieces.guard_start[cell + 1] + 1));
     basis.header->checksum = harmorph::checksum_of(*basis.header);
     CHECK(copy.attach(&mesh) == HM_OK);
 }
 
-TEST_CASE(
-    "a basis with another mesh is refused; the same mesh with other coordinates is a warning") {
-    Case its = tiny_case();
-    Solved const solved(its);
+TEST_CASE("a basis with another mesh is refused; other coordinates give a warning") {
+    Case setup = tiny_case();
+    Solved const solved(setup);
     BasisCopy copy(solved);
 
-    Case other = its;
+    Case other = setup;
     other.mesh.add_point({9, 9});
     hm_mesh view = other.mesh.view();
     CHECK(copy.attach(&view) == HM_BAD_BASIS);
     CHECK(copy.says("another mesh, which has 48 points"));
-    other = its;
+    other = setup;
     std::swap(other.mesh.cells[0], other.mesh.cells[2]);  // the same counts
     view = other.mesh.view();
     CHECK(copy.attach(&view) == HM_BAD_BASIS);
     CHECK(copy.says("the cells differ"));
-    other = its;
+    other = setup;
     std::swap(other.mesh.face_markers.front(),
               other.mesh.face_markers.back());  // a face each on the other's marker
-    REQUIRE(other.mesh.face_markers != its.mesh.face_markers);
+    REQUIRE(other.mesh.face_markers != setup.mesh.face_markers);
     view = other.mesh.view();
     CHECK(copy.attach(&view) == HM_BAD_BASIS);
     CHECK(copy.says("the markers contain other points"));
-    other = its;
+    other = setup;
     for (std::int32_t& marker : other.mesh.face_markers)
         marker += 7;  // the same points on markers of other numbers
     view = other.mesh.view();
     CHECK(copy.attach(&view) == HM_BAD_BASIS);
     CHECK(copy.says("the markers contain other points"));
-    other = its;
+    other = setup;
     other.mesh.x[20] += 1e-12;
     view = other.mesh.view();
     CHECK(copy.attach(&view) == HM_MOVED);
@@ -264,21 +258,21 @@ TEST_CASE(
 
     // Numbering, layout and stride are ways of writing the same mesh; so are the order of faces and
     // that of their ends.
-    other = its;
+    other = setup;
     std::reverse(other.mesh.faces.begin(), other.mesh.faces.end());
     std::reverse(other.mesh.face_markers.begin(), other.mesh.face_markers.end());
     view = other.mesh.view();
     CHECK(copy.attach(&view) == HM_OK);
-    other = its;
+    other = setup;
     other.index_base = 1;
     CHECK(copy.attach(&other.mesh_view()) == HM_OK);
-    std::vector<std::int32_t> const quads = quads_of(its.mesh);
-    view = its.mesh.view();
+    std::vector<std::int32_t> const quads = quads_of(setup.mesh);
+    view = setup.mesh.view();
     view.cell_layout = HM_CELLS_QUADS;
     view.cell_points = quads.data();
     std::vector<double> xy;
-    for (std::size_t k = 0; k < its.mesh.x.size(); ++k)
-        xy.insert(xy.end(), {its.mesh.x[k], its.mesh.y[k]});
+    for (std::size_t k = 0; k < setup.mesh.x.size(); ++k)
+        xy.insert(xy.end(), {setup.mesh.x[k], setup.mesh.y[k]});
     view.points = {xy.data(), xy.data() + 1, 2};
     CHECK(copy.attach(&view) == HM_OK);
 }

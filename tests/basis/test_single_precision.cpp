@@ -1,19 +1,14 @@
 // Functions in single precision: the wall moves as with double ones, the rest to the stated bound,
 // and the adjoint is the transpose of that.
-#include <harmorph_study.h>
-#include <doctest/doctest.h>
-
 #include <fixtures/executors.hpp>
 #include <fixtures/single.hpp>
 #include <fixtures/wrong.hpp>
 
-#include <cstring>
-
 using namespace fixtures;
 
-TEST_CASE("each number is the nearest one of single precision, and on the wall the number itself") {
+TEST_CASE("each number is rounded to single precision, except on the wall, where doubles remain") {
     for (KindOfProblem& problem : problems_and_a_cut()) {
-        Solved const solved(problem.its, &problem.options);
+        Solved const solved(problem.setup, &problem.options);
         Single const single(solved.basis, 24);
         REQUIRE(single.status == HM_OK);
         hm_basis_info const info = info_of(single.basis), whole = solved.info();
@@ -27,22 +22,21 @@ TEST_CASE("each number is the nearest one of single precision, and on the wall t
         CHECK(info.numbers_per_value == whole.numbers_per_value);
         CHECK(same_bits<double>({info.point_u, info.point_u + info.curve_points},
                                 {whole.point_u, whole.point_u + whole.curve_points}));
-        if (problem.its.mesh.n_points() > 10 * whole.curve_points)
+        if (problem.setup.mesh.n_points() > 10 * whole.curve_points)
             CHECK(3 * info.bytes < 2 * whole.bytes);
-        std::vector<bool> const wall = wall_of(problem.its);
+        std::vector<bool> const wall = wall_of(problem.setup);
         Matrices const before(solved.basis), after(single.basis);
         Wrong wrong;
         std::size_t on_wall = 0, rounded = 0;
         for (std::int32_t p = 0; p < info.numbers_per_value; ++p)
             for (std::size_t i = 0; i < before.plane[p].size(); ++i)
                 for (std::size_t k = 0; k < wall.size(); ++k) {
-                    double const was = before.plane[p][i][k], is = after.plane[p][i][k];
-                    wrong.compare(k, is,
-                                  wall[k] ? was : static_cast<double>(static_cast<float>(was)));
-                    wrong.add(!(std::fabs(is - was) <= 0x1p-24 * std::fabs(was) + 0x1p-150), k,
-                              is - was);
-                    on_wall += wall[k] && was != static_cast<double>(static_cast<float>(was));
-                    rounded += is != was;
+                    double const was = before.plane[p][i][k], now = after.plane[p][i][k];
+                    wrong.compare(k, now, wall[k] ? was : double(float(was)));
+                    wrong.add(!(std::fabs(now - was) <= 0x1p-24 * std::fabs(was) + 0x1p-150), k,
+                              now - was);
+                    on_wall += wall[k] && was != double(float(was));
+                    rounded += now != was;
                 }
         CHECK(wrong == 0);
         CHECK(on_wall > 10);  // the test could have failed
@@ -50,31 +44,29 @@ TEST_CASE("each number is the nearest one of single precision, and on the wall t
     }
 }
 
-TEST_CASE(
-    "a morph moves the wall bit by bit as double functions do, fixed points not at all, others to "
-    "the bound") {
+TEST_CASE("a single-precision morph moves the wall exactly and other points within the bound") {
     for (KindOfProblem& problem : problems_and_a_cut()) {
-        Mesh const& mesh = problem.its.mesh;
-        Solved const solved(problem.its, &problem.options);
+        Mesh const& mesh = problem.setup.mesh;
+        Solved const solved(problem.setup, &problem.options);
         Single const single(solved.basis);
         Numbers const move = some_move(solved.info().functions, 0.05, 3);
         Moved const expected = morphed(solved.basis, mesh, move),
                     found = morphed(single.basis, mesh, move);
-        Moved const by = displaced(solved.basis, move), its = displaced(single.basis, move);
-        std::vector<bool> const wall = wall_of(problem.its);
+        Moved const by = displaced(solved.basis, move), by_floats = displaced(single.basis, move);
+        std::vector<bool> const wall = wall_of(problem.setup);
         Matrices const functions(solved.basis);
         Wrong wrong;
         std::size_t differ = 0;
         for (std::size_t k = 0; k < wall.size(); ++k) {
             Magnitude const size(functions, move, k);
             double const rounding = 1e-15;
-            wrong.add(!(std::fabs(its.x[k] - by.x[k]) <= (0x1p-24 + rounding) * size.x), k,
-                      its.x[k] - by.x[k]);
-            wrong.add(!(std::fabs(its.y[k] - by.y[k]) <= (0x1p-24 + rounding) * size.y), k,
-                      its.y[k] - by.y[k]);
+            wrong.add(!(std::fabs(by_floats.x[k] - by.x[k]) <= (0x1p-24 + rounding) * size.x), k,
+                      by_floats.x[k] - by.x[k]);
+            wrong.add(!(std::fabs(by_floats.y[k] - by.y[k]) <= (0x1p-24 + rounding) * size.y), k,
+                      by_floats.y[k] - by.y[k]);
             if (wall[k]) {
-                wrong.compare(k, its.x[k], by.x[k]);
-                wrong.compare(k, its.y[k], by.y[k]);
+                wrong.compare(k, by_floats.x[k], by.x[k]);
+                wrong.compare(k, by_floats.y[k], by.y[k]);
                 wrong.compare(k, found.x[k], expected.x[k]);
                 wrong.compare(k, found.y[k], expected.y[k]);
             }
@@ -82,7 +74,7 @@ TEST_CASE(
                 wrong.compare(k, found.x[k], mesh.x[k]);
                 wrong.compare(k, found.y[k], mesh.y[k]);
             }
-            differ += its.x[k] != by.x[k];
+            differ += by_floats.x[k] != by.x[k];
         }
         CHECK(wrong == 0);
         CHECK(differ > wall.size() / 4);
@@ -91,7 +83,7 @@ TEST_CASE(
                                   points_in(found.x, found.y), &error, nullptr, nullptr) == HM_OK);
         CHECK(error < 1e-14);
 
-        // In place, in pairs; and the movement 0 keeps every bit.
+        // The morph also works in place and in pairs; and the movement 0 keeps every bit.
         Numbers xy, nothing(move.size(), 0.0);
         for (std::size_t k = 0; k < mesh.x.size(); ++k) xy.insert(xy.end(), {mesh.x[k], mesh.y[k]});
         xy[0] = -0.0;
@@ -112,12 +104,12 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("both sides of a cut move as one, on the wall and off it") {
-    Case its = cut_ring(30);
-    Solved const solved(its);
+TEST_CASE("both sides of a cut move as one, on the wall and off the wall") {
+    Case setup = cut_ring(30);
+    Solved const solved(setup);
     CHECK(solved.info().curve_points == 30);  // 31 points of the mesh are on the curve
     Single const single(solved.basis);
-    // The wall's other side, and not the side with the parameter.
+    // The list has the wall's other side, and not the side with the parameter.
     std::vector<std::int32_t> copy_alone = {30, 61, 5, 30};
     Rows const rows(single.basis, copy_alone);
     CHECK(info_of(rows.basis).curve_points == 2);
@@ -132,22 +124,22 @@ TEST_CASE("both sides of a cut move as one, on the wall and off it") {
         CHECK(by.x[k] == whole.x[k]);
         CHECK(by.y[k] == whole.y[k]);
     }
-    CHECK(by.x[0] != static_cast<double>(static_cast<float>(by.x[0])));
+    CHECK(by.x[0] != double(float(by.x[0])));
     for (std::size_t const k : {0u, 3u}) {
         CHECK(some.x[k] == whole.x[30]);
         CHECK(some.y[k] == whole.y[30]);
     }
 }
 
-TEST_CASE("the sum of the functions is 1 to single precision, on the curve to double") {
-    Case its = ring_case(20, 60, 0.5, 2);
-    its.set_free(far_field);  // then it is 1 everywhere
-    Solved const solved(its);
+TEST_CASE("the functions sum to 1 in single precision, and on the curve in double precision") {
+    Case setup = ring_case(20, 60, 0.5, 2);
+    setup.set_free(far_field);  // then it is 1 everywhere
+    Solved const solved(setup);
     Single const single(solved.basis);
     Numbers move;
     for (std::int32_t i = 0; i < solved.info().functions; ++i) move.insert(move.end(), {1.0, 0.0});
     Moved const found = displaced(single.basis, move);
-    std::vector<bool> const wall = wall_of(its);
+    std::vector<bool> const wall = wall_of(setup);
     double worst = 0;
     for (std::size_t k = 0; k < wall.size(); ++k) {
         CHECK(std::fabs(found.x[k] - 1) <= (wall[k] ? 1e-15 : 0x1p-24 + 1e-10));  // solved to 1e-10
@@ -156,11 +148,11 @@ TEST_CASE("the sum of the functions is 1 to single precision, on the curve to do
     CHECK(worst > 1e-10);
 }
 
-TEST_CASE("the adjoint is the transpose: right to its bound, and <g, F m> = <F^T g, m>") {
+TEST_CASE("the adjoint is within the stated bound, and <g, F m> = <F^T g, m>") {
     for (KindOfProblem& problem : problems_and_a_cut()) {
-        Solved const solved(problem.its, &problem.options);
+        Solved const solved(problem.setup, &problem.options);
         Single const single(solved.basis);
-        Gradient const g(problem.its.mesh.x.size(), 3);
+        Gradient const g(problem.setup.mesh.x.size(), 3);
         Numbers const found = adjoint(single.basis, g);
         Matrices const exact(single.basis);
         for (std::size_t i = 0; i < found.size() / 2; ++i) exact.check_gradient(i, g, found);
@@ -177,21 +169,22 @@ TEST_CASE("the adjoint is the transpose: right to its bound, and <g, F m> = <F^T
     }
 }
 
-TEST_CASE("more numbers in a row than one block of them, and threads change no bit") {
+TEST_CASE("rows of more than one block of numbers are right, and threads change no bit") {
     for (int const n : {150, 9}) {
-        Case its = ring_case(60, 300, 0.5, 2, Cells::quads, 3, n);  // 18300 points: several ranges
-        Solved const solved(its);
+        Case setup =
+            ring_case(60, 300, 0.5, 2, Cells::quads, 3, n);  // 18300 points: several ranges
+        Solved const solved(setup);
         Single const single(solved.basis);
         Numbers const move = some_move(n, 0.01, 5);
-        Gradient const g(its.mesh.x.size(), 6);
-        Moved const expected = morphed(single.basis, its.mesh, move),
-                    exact = morphed(solved.basis, its.mesh, move);
+        Gradient const g(setup.mesh.x.size(), 6);
+        Moved const expected = morphed(single.basis, setup.mesh, move),
+                    exact = morphed(solved.basis, setup.mesh, move);
         Numbers const gradient = adjoint(single.basis, g);
         CHECK(largest_difference(expected.x, exact.x) < 1e-8);
         for (std::int32_t const threads : {2, 5}) {
             Backwards order;
             hm_executor const executor = order.executor(threads);
-            Moved const again = morphed(single.basis, its.mesh, move, &executor);
+            Moved const again = morphed(single.basis, setup.mesh, move, &executor);
             CHECK(same_bits(again.x, expected.x));
             CHECK(same_bits(again.y, expected.y));
             CHECK(same_bits(adjoint(single.basis, g, &executor), gradient));
@@ -200,13 +193,11 @@ TEST_CASE("more numbers in a row than one block of them, and threads change no b
     }
 }
 
-TEST_CASE(
-    "parts: rows of single functions are the rows made single, and any parts give the same "
-    "gradient") {
+TEST_CASE("rows of single-precision functions are rounded rows, and parts add up to one gradient") {
     for (KindOfProblem& problem : problems_and_a_cut()) {
-        Solved const solved(problem.its, &problem.options);
+        Solved const solved(problem.setup, &problem.options);
         Single const single(solved.basis);
-        std::int32_t const n = problem.its.mesh.n_points();
+        std::int32_t const n = problem.setup.mesh.n_points();
         std::vector<std::int32_t> points = random_parts(n, 3, 8)[1];
         points.insert(points.end(),
                       {solved.info().curve_point[3], points.front(), solved.info().curve_point[3]});
@@ -215,14 +206,14 @@ TEST_CASE(
         CHECK(bytes_of(Single(of_double.basis).basis) == bytes_of(of_single.basis));
 
         Mesh here;  // the wall is exact wherever the list names it
-        for (std::int32_t const k : points) here.add_point(problem.its.mesh.point(k));
+        for (std::int32_t const k : points) here.add_point(problem.setup.mesh.point(k));
         Numbers const move = some_move(solved.info().functions, 0.05, 3);
-        Moved const all = morphed(single.basis, problem.its.mesh, move),
+        Moved const all = morphed(single.basis, problem.setup.mesh, move),
                     some = morphed(of_single.basis, here, move);
         CHECK(same_bits(some.x, pick(all.x, points)));
         CHECK(same_bits(some.y, pick(all.y, points)));
 
-        Gradient const g(problem.its.mesh.x.size(), 5);
+        Gradient const g(problem.setup.mesh.x.size(), 5);
         Numbers const expected = adjoint(single.basis, g);
         for (std::size_t const parts : {1u, 2u, 7u, 40u})
             CHECK(

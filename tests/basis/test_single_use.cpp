@@ -2,31 +2,27 @@
 // refuses them.
 #include <harmorph_design.h>
 #include <harmorph_parts.h>
-#include <harmorph_study.h>
-#include <doctest/doctest.h>
 
 #include <fixtures/single.hpp>
 
 #include "basis/single_precision.hpp"
 
-#include <cstring>
-
 using namespace fixtures;
 
-TEST_CASE("copied, attached, truncated, damaged: like any basis") {
-    Case its = tiny_case();
-    Solved const solved(its);
+TEST_CASE("a single-precision basis is copied and attached like any basis, and damage is refused") {
+    Case setup = tiny_case();
+    Solved const solved(setup);
     Single const single(solved.basis);
     std::vector<unsigned char> const bytes = bytes_of(single.basis);
     CHECK(bytes == bytes_of(Single(solved.basis, 40).basis));
     Numbers block(bytes.size() / sizeof(double));
     std::memcpy(block.data(), bytes.data(), bytes.size());
-    hm_mesh const mesh = its.mesh.view();
+    hm_mesh const mesh = setup.mesh.view();
     const hm_basis* attached = nullptr;
     REQUIRE(hm_basis_attach(&attached, block.data(), bytes.size(), &mesh, nullptr) == HM_OK);
     Numbers const move = some_move(solved.info().functions, 0.1, 1);
-    Moved const expected = morphed(single.basis, its.mesh, move),
-                found = morphed(attached, its.mesh, move);
+    Moved const expected = morphed(single.basis, setup.mesh, move),
+                found = morphed(attached, setup.mesh, move);
     CHECK(same_bits(found.x, expected.x));
     CHECK(same_bits(found.y, expected.y));
     for (std::size_t size = 0; size < bytes.size(); size += 8)
@@ -41,13 +37,11 @@ TEST_CASE("copied, attached, truncated, damaged: like any basis") {
     }
 }
 
-TEST_CASE(
-    "values beyond the range of single precision: large ones are refused, tiny ones keep the "
-    "bound") {
-    Case its = tiny_case();
-    Solved const solved(its);
+TEST_CASE("values beyond single precision are refused if large, and tiny values keep the bound") {
+    Case setup = tiny_case();
+    Solved const solved(setup);
     harmorph::Basis const view = harmorph::Basis::view(static_cast<void*>(solved.basis));
-    Numbers all(its.mesh.x.size());
+    Numbers all(setup.mesh.x.size());
     for (double const tiny : {0x1.234567p-140, 0x1p-151, -0x1.8p-150}) {
         view.value[0] = tiny;  // point 0, function 0
         view.seal();
@@ -64,11 +58,11 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("calls that need the functions in double precision refuse single ones") {
-    Case its = two_body_case();
-    Solved const solved(its);
+TEST_CASE("calls that need the functions in double precision refuse those in single precision") {
+    Case setup = two_body_case();
+    Solved const solved(setup);
     Single const single(solved.basis);
-    hm_mesh const mesh = its.mesh_view();
+    hm_mesh const mesh = setup.mesh_view();
     hm_error error{};
     std::size_t bytes = 0;
     std::int64_t doubles = 0;
@@ -96,7 +90,7 @@ TEST_CASE("calls that need the functions in double precision refuse single ones"
     REQUIRE(hm_morph_safe_size(solved.plan, nullptr, &bytes, nullptr) == HM_OK);
     work.resize(bytes);
     Numbers const move = some_move(20, 1e-3, 1);
-    Numbers x = its.mesh.x, y = its.mesh.y;
+    Numbers x = setup.mesh.x, y = setup.mesh.y;
     auto const safe = [&](const hm_basis* by, hm_basis* derivative,
                           hm_safe_options const* options) {
         return hm_morph_safe(solved.plan, by, move.data(), points_out(x, y), derivative,
@@ -110,15 +104,13 @@ TEST_CASE("calls that need the functions in double precision refuse single ones"
     CHECK(refused(safe(single.basis, nullptr, nullptr), error));
     CHECK(refused(safe(solved.basis, single.basis, nullptr), error));
     CHECK(refused(safe(solved.basis, nullptr, &options), error));
-    CHECK(same_bits(x, its.mesh.x));
-    CHECK(morphed(single.basis, its.mesh, move).x != its.mesh.x);  // it has come to no harm
+    CHECK(same_bits(x, setup.mesh.x));
+    CHECK(morphed(single.basis, setup.mesh, move).x != setup.mesh.x);  // it has come to no harm
 }
 
-TEST_CASE(
-    "wrong arguments, shares, bases that are not solved and blocks that are too small are "
-    "refused") {
-    Case its = two_body_case();
-    Solved const solved(its);
+TEST_CASE("wrong arguments, shares, unsolved bases and blocks that are too small are refused") {
+    Case setup = two_body_case();
+    Solved const solved(setup);
     std::size_t need = 0;
     CHECK(hm_single_size(nullptr, &need, nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_single_size(solved.basis, nullptr, nullptr) == HM_BAD_ARGUMENT);
@@ -135,7 +127,7 @@ TEST_CASE(
               HM_BLOCK_TOO_SMALL);
         CHECK(made == nullptr);
         CHECK(block.guards_intact());
-        CHECK(error.value == static_cast<double>(need - give));
+        CHECK(error.value == double(need - give));
     }
     std::size_t bytes = 0;
     REQUIRE(hm_share_size(solved.analysis, 0, 3, &bytes, nullptr) == HM_OK);

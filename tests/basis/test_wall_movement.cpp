@@ -1,21 +1,16 @@
 // hm_recover_movement: the movement is found again from where the points of the wall are.
 #include <harmorph_design.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
 
 #include <fixtures/derived.hpp>
 #include <fixtures/fitted.hpp>
 #include <fixtures/refused.hpp>
 #include <fixtures/safe.hpp>
 
-#include <complex>
-#include <limits>
-
 using namespace fixtures;
 
 namespace {
 
-// What the call returns for a mesh whose points are at x and y.
+// The result of the call for a mesh with points at x and y.
 struct Recovered {
     std::vector<double> move;
     double residual = -1;
@@ -25,13 +20,11 @@ struct Recovered {
 
     Recovered(const hm_basis* basis, std::vector<double> const& x, std::vector<double> const& y,
               double tolerance = 0) {
-        hm_basis_info info{};
-        info.struct_size = sizeof info;
-        REQUIRE(hm_basis_info_get(basis, &info, nullptr) == HM_OK);
+        hm_basis_info const info = info_of(basis);
         std::size_t bytes = 0;
         REQUIRE(hm_recover_movement_size(basis, &bytes, nullptr) == HM_OK);
         Guarded work(bytes);
-        move.assign(2 * static_cast<std::size_t>(info.functions), 7.5);
+        move.assign(2 * std::size_t(info.functions), 7.5);
         status = hm_recover_movement(basis, points_in(x, y), tolerance, move.data(), &residual,
                                      &point, work.data(), bytes, &error);
         CHECK(work.guards_intact());
@@ -49,7 +42,7 @@ double difference(std::vector<double> const& a, std::vector<double> const& b) {
 // last-1, on which no point of the wall depends.
 void check_sum(const hm_basis* basis, Mesh const& mesh, std::int32_t functions,
                double exactness = 1e-12, std::size_t first = 0, std::size_t last = 0) {
-    std::vector<double> x = mesh.x, y = mesh.y, sum(2 * static_cast<std::size_t>(functions));
+    std::vector<double> x = mesh.x, y = mesh.y, sum(2 * std::size_t(functions));
     for (unsigned const seed : {1u, 2u}) {
         std::vector<double> const move = some_move(functions, 0.01, seed);
         REQUIRE(hm_morph(basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) ==
@@ -67,11 +60,10 @@ void check_sum(const hm_basis* basis, Mesh const& mesh, std::int32_t functions,
 
 }  // namespace
 
-TEST_CASE(
-    "movement so far: the sum of all morphs, for each kind of curves, conditions and values") {
+TEST_CASE("the movement so far is the sum of all morphs for every kind of basis") {
     struct Row {
         const char* name;
-        Case its;
+        Case setup;
         std::int32_t operator_kind, offset_correction;
         std::size_t first = 0, last = 0;  // control points of a curve without points
     };
@@ -81,7 +73,7 @@ TEST_CASE(
                              {"a periodic curve", ring_case(6, 32, 1, 4), HM_CONFORMAL, 0},
                              {"two bodies", two_body_case(), HM_CONFORMAL, 0},
                              {"numbers from 1", two_body_case(), HM_LAPLACE, 0}};
-    rows.back().its.index_base = 1;
+    rows.back().setup.index_base = 1;
     Case rigid = two_body_case();
     rigid.conditions.pop_back();
     rigid.set_rigid(second_body, 1.5, 0.5);
@@ -93,59 +85,53 @@ TEST_CASE(
         INFO(std::string(row.name));
         Options options = options_of(row.operator_kind);
         options.offset_correction = row.offset_correction;
-        Solved solved(row.its.problem(), &options);
+        Solved solved(row.setup.problem(), &options);
         REQUIRE(solved.status >= 0);
-        hm_basis_info info{};
-        info.struct_size = sizeof info;
-        REQUIRE(hm_basis_info_get(solved.basis, &info, nullptr) == HM_OK);
-        check_sum(solved.basis, row.its.mesh, info.functions, 1e-12, row.first, row.last);
-        Recovered const start(solved.basis, row.its.mesh.x, row.its.mesh.y);
+        hm_basis_info const info = info_of(solved.basis);
+        check_sum(solved.basis, row.setup.mesh, info.functions, 1e-12, row.first, row.last);
+        Recovered const start(solved.basis, row.setup.mesh.x, row.setup.mesh.y);
         CHECK(start.status == HM_OK);
         CHECK(difference(start.move, std::vector<double>(start.move.size())) == 0);
         Single const single(solved.basis);
-        check_sum(single.basis, row.its.mesh, info.functions, 1e-12, row.first, row.last);
+        check_sum(single.basis, row.setup.mesh, info.functions, 1e-12, row.first, row.last);
     }
 }
 
-TEST_CASE("movement so far: of design variables, and of modes at given points") {
-    Case its = curve_and_table();
-    Options const options = options_of(HM_CONFORMAL);
-    Solved solved(its.problem(), &options);
+TEST_CASE("the movement so far is found for design variables and for modes at given points") {
+    Case setup = curve_and_table();
+    Solved solved(setup.problem(), options_of(HM_CONFORMAL));
     REQUIRE(solved.status >= 0);
     Combination const by(20, 4, 2, 3);  // the second curve has no points
     Combined const combined(solved.basis, by);
     REQUIRE(combined.status == HM_OK);
-    check_sum(combined.basis, its.mesh, 4, 1e-11);
+    check_sum(combined.basis, setup.mesh, 4, 1e-11);
     auto const n = given_points(solved.plan).size();
     std::vector<Field> modes(2, Field(n));
     for (std::size_t k = 0; k < n; ++k) {
-        modes[0][k] = {0.3, 0.1 * std::cos(0.2 * static_cast<double>(k))};
-        modes[1][k] = {std::sin(0.3 * static_cast<double>(k)), 0};
+        modes[0][k] = {0.3, 0.1 * std::cos(0.2 * double(k))};
+        modes[1][k] = {std::sin(0.3 * double(k)), 0};
     }
     Tabulated const tabulated(solved.plan, solved.basis, modes, 2);
     REQUIRE(tabulated.status >= 0);
-    check_sum(tabulated.basis, its.mesh, 22, 1e-12, 11, 20);
+    check_sum(tabulated.basis, setup.mesh, 22, 1e-12, 11, 20);
     // Without modes, given points may be anywhere.
-    std::vector<double> x = its.mesh.x;
-    for (std::int32_t const point : given_points(solved.plan))
-        x[static_cast<std::size_t>(point)] += 0.05;
-    Recovered const without(solved.basis, x, its.mesh.y);
+    std::vector<double> x = setup.mesh.x;
+    for (std::int32_t const point : given_points(solved.plan)) x[std::size_t(point)] += 0.05;
+    Recovered const without(solved.basis, x, setup.mesh.y);
     CHECK(without.status == HM_OK);
     CHECK(without.residual == 0);
 }
 
-TEST_CASE(
-    "movement so far: safe morphs turn the offsets of the wall, and the curve is found all the "
-    "same") {
-    Case its;
+TEST_CASE("the movement so far is found after safe morphs, which turn the offsets of the wall") {
+    Case setup;
     Outline const outline = naca4({}, 40);
-    its.mesh = o_mesh(outline, stretched(1e-6, 8, 40));
-    its.curves = fitted_loop(outline.points, 12);
-    its.put_on_curves(body);
-    Safe safe(its);
+    setup.mesh = o_mesh(outline, stretched(1e-6, 8, 40));
+    setup.curves = fitted_loop(outline.points, 12);
+    setup.put_on_curves(body);
+    Safe safe(setup);
     safe.safe_options.min_quality = 0;
     REQUIRE(safe.solved().report.max_distance > 1e-4);
-    std::vector<double> const move = similarity_move(its.curves, std::polar(1.0, 1.0), 0.25);
+    std::vector<double> const move = similarity_move(setup.curves, std::polar(1.0, 1.0), 0.25);
     REQUIRE(safe.run(move) == HM_OK);
     REQUIRE(safe.report.turned_offset > 1e-4);
     Recovered const found(safe.solved().basis, safe.x, safe.y);
@@ -154,24 +140,21 @@ TEST_CASE(
     CHECK(difference(found.move, move) < 1e-10);
 }
 
-TEST_CASE(
-    "movement so far: control points on which no point of the wall depends follow their "
-    "neighbours") {
-    Case its = ring_case(6, 12, 1, 4);  // 12 points for 40 control points
+TEST_CASE("control points on which no wall point depends move with their neighbours") {
+    Case setup = ring_case(6, 12, 1, 4);  // 12 points for 40 control points
     double const pi = std::acos(-1.0);
-    its.curves = ring(3, 40, 1, 1);
-    its.conditions.clear();
-    its.put_on_curves(body);
-    its.given_points.clear();
-    its.given_curves.clear();
-    its.given_u.clear();
-    for (int k = 0; k < 12; ++k) its.give(k, ring_parameter(3, 40, 2 * pi * k / 12));
-    Options const options = options_of(HM_CONFORMAL);
-    Solved solved(its.problem(), &options);
+    setup.curves = ring(3, 40, 1, 1);
+    setup.conditions.clear();
+    setup.put_on_curves(body);
+    setup.given_points.clear();
+    setup.given_curves.clear();
+    setup.given_u.clear();
+    for (int k = 0; k < 12; ++k) setup.give(k, ring_parameter(3, 40, 2 * pi * k / 12));
+    Solved solved(setup.problem(), options_of(HM_CONFORMAL));
     REQUIRE(solved.status >= 0);
     std::vector<double> const turn =
-        similarity_move(its.curves, std::polar(1.2, 0.4), {0.1, 0}, {0.3, 0.2});
-    std::vector<double> x = its.mesh.x, y = its.mesh.y;
+        similarity_move(setup.curves, std::polar(1.2, 0.4), {0.1, 0}, {0.3, 0.2});
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
     REQUIRE(hm_morph(solved.basis, turn.data(), points_in(x, y), points_out(x, y), nullptr,
                      nullptr) == HM_OK);
     Recovered const found(solved.basis, x, y);
@@ -187,15 +170,12 @@ TEST_CASE(
     CHECK(any.residual < 1e-13);
 }
 
-TEST_CASE(
-    "movement so far: a wall that is on no curve of the basis is refused, with the point and the "
-    "distance") {
-    Case its = airfoil_case();
-    Options const options = options_of(HM_CONFORMAL);
-    Solved solved(its.problem(), &options);
-    std::vector<double> x = its.mesh.x, y = its.mesh.y;
-    std::int32_t const wall = points_on(its.mesh, body)[10];
-    y[static_cast<std::size_t>(wall)] += 0.01;
+TEST_CASE("a wall that is on no curve of the basis is refused with the point and the distance") {
+    Case setup = airfoil_case();
+    Solved solved(setup.problem(), options_of(HM_CONFORMAL));
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
+    std::int32_t const wall = points_on(setup.mesh, body)[10];
+    y[std::size_t(wall)] += 0.01;
     Recovered const found(solved.basis, x, y);
     CHECK(found.status == HM_BAD_MESH);
     CHECK(std::string(found.error.text).find("the wall is on no curve of this basis") == 0);
@@ -210,12 +190,12 @@ TEST_CASE(
     CHECK(any.residual == found.error.value);
     CHECK(any.point == wall);
     double const nan = std::numeric_limits<double>::quiet_NaN();
-    y[static_cast<std::size_t>(wall)] = nan;
+    y[std::size_t(wall)] = nan;
     Recovered const broken(solved.basis, x, y);
     CHECK(broken.status == HM_BAD_MESH);
     CHECK(std::string(broken.error.text).find("of the wall has a coordinate that is not finite") !=
           std::string::npos);
-    Recovered const negative(solved.basis, its.mesh.x, its.mesh.y, -1);
+    Recovered const negative(solved.basis, setup.mesh.x, setup.mesh.y, -1);
     CHECK(negative.status == HM_BAD_ARGUMENT);
     CHECK(std::string(negative.error.text).find("tolerance must be at least 0") == 0);
 }

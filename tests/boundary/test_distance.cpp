@@ -1,6 +1,4 @@
 // Distances from faces and the nearest places on them, against trying all faces.
-#include <doctest/doctest.h>
-
 #include <fixtures/airfoil.hpp>
 #include <fixtures/face_loops.hpp>
 
@@ -15,7 +13,7 @@ double const pi = std::acos(-1.0);
 
 }  // namespace
 
-TEST_CASE("random loops, wherever the point is: the distance of the nearest face") {
+TEST_CASE("the distance is that of the nearest face for random loops and points anywhere") {
     std::mt19937 random(3);
     double worst = 0;
     for (int const n_loops : {1, 2, 9, 70, 600})
@@ -23,12 +21,12 @@ TEST_CASE("random loops, wherever the point is: the distance of the nearest face
             if (n_loops * corners > 20000) continue;
             FaceLoops loops;
             for (int loop = 0; loop < n_loops; ++loop) {
-                std::vector<Point> its;
+                std::vector<Point> loop_points;
                 Point const centre{4 * uniform(random), 4 * uniform(random)};
                 for (int k = 0; k < corners; ++k)
-                    its.push_back(
+                    loop_points.push_back(
                         {centre.x + (uniform(random) - 0.5), centre.y + (uniform(random) - 0.5)});
-                loops.add(its);
+                loops.add(loop_points);
             }
             FaceTree const tree(loops);
             CHECK(tree.count == n_loops * corners);
@@ -43,7 +41,7 @@ TEST_CASE("random loops, wherever the point is: the distance of the nearest face
     CHECK(worst < 1e-15);
 }
 
-TEST_CASE("bodies: within layers that are thin against the faces, far away, and inside") {
+TEST_CASE("distances from bodies are right in thin layers, far away and inside") {
     std::mt19937 random(5);
     FaceLoops loops;
     Naca4 naca;
@@ -62,8 +60,7 @@ TEST_CASE("bodies: within layers that are thin against the faces, far away, and 
     }
 }
 
-TEST_CASE(
-    "ends and degenerate faces: beyond the ends of a face its ends count; no length is a point") {
+TEST_CASE("beyond a face the distance is that of the end; a face may have no length") {
     FaceLoops line;
     line.add({{0, 0}, {1, 0}});  // there and back
     FaceTree const tree(line);
@@ -90,7 +87,7 @@ TEST_CASE(
     CHECK(FaceTree(std::size_t{40}).distance({0, 0}) == harmorph::infinity);  // no face chosen
 }
 
-TEST_CASE("only the chosen faces count, and moved coordinates count when the tree is built again") {
+TEST_CASE("only the chosen faces count, with the coordinates at the time when the tree is built") {
     FaceLoops loops;
     loops.add(ellipse_points(100, 1, 1, {0, 0}));
     loops.add(ellipse_points(37, 1, 1, {10, 0}));
@@ -110,12 +107,10 @@ TEST_CASE("only the chosen faces count, and moved coordinates count when the tre
     tree.build(loops.points());
     long double const alone =
         from_segment({20, 1}, {loops.x[117], loops.y[117]}, {loops.x[118], loops.y[118]});
-    CHECK(tree.distance({20, 1}) == doctest::Approx(static_cast<double>(alone)));
+    CHECK(tree.distance({20, 1}) == doctest::Approx(double(alone)));
 }
 
-TEST_CASE(
-    "feet: the nearest place, whichever group is tried first, also where two faces are equally "
-    "near") {
+TEST_CASE("the foot is the nearest place for any order of groups, also for equal distances") {
     FaceLoops loops;
     // Corners at whole numbers, so that distances from both faces there are the same to the bit.
     std::vector<Point> stairs;
@@ -142,9 +137,7 @@ TEST_CASE(
     CHECK(FaceTree(std::size_t{0}).foot({0, 0}, group).face == harmorph::none);
 }
 
-TEST_CASE(
-    "the box round all faces: no point nearer than the reach is left out, points twice as far off "
-    "are") {
+TEST_CASE("the box round all faces excludes no point within the reach and all at twice the reach") {
     std::mt19937 random(23);
     for (double const unit : {1e-9, 1.0, 3e7}) {
         CAPTURE(unit);
@@ -178,9 +171,9 @@ TEST_CASE("loops that are moved and turned have the same distances to rounding")
         turned.x[k] = p.x;
         turned.y[k] = p.y;
     }
-    FaceTree const its(turned);
+    FaceTree const turned_tree(turned);
     for (int trial = 0; trial < 200; ++trial) {
         Point const p{4 * uniform(random) - 1.5, 4 * uniform(random) - 2};
-        CHECK(std::fabs(its.distance(vec(turn(p))) - tree.distance(vec(p))) < 1e-14);
+        CHECK(std::fabs(turned_tree.distance(vec(turn(p))) - tree.distance(vec(p))) < 1e-14);
     }
 }

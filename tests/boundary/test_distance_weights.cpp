@@ -1,7 +1,5 @@
 // Weights of cells by their distance from faces, against repeated multiplication; scaled meshes,
 // threads, kernels.
-#include <doctest/doctest.h>
-
 #include <fixtures/airfoil.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/face_loops.hpp>
@@ -13,8 +11,7 @@ using harmorph::FaceDistance;
 using harmorph::Index;
 using harmorph::Vec2;
 
-TEST_CASE(
-    "scaling by powers of two changes no bit of weights, up to lengths whose squares overflow") {
+TEST_CASE("scaling by powers of two changes no bit of weights, even where squares overflow") {
     FaceLoops loops;
     Naca4 naca;
     loops.add(naca4(naca, 60).points);
@@ -26,14 +23,14 @@ TEST_CASE(
         Mesh large_mesh = mesh;
         for (std::vector<double>* numbers : {&large.x, &large.y, &large_mesh.x, &large_mesh.y})
             for (double& number : *numbers) number = std::ldexp(number, exponent);
-        FaceTree const its(large);
-        CHECK(its.distance({std::ldexp(0.3, exponent), std::ldexp(0.4, exponent)}) ==
+        FaceTree const large_tree(large);
+        CHECK(large_tree.distance({std::ldexp(0.3, exponent), std::ldexp(0.4, exponent)}) ==
               std::ldexp(tree.distance({0.3, 0.4}), exponent));
-        CHECK(weights_of(large_mesh, its, 6) == expected);
+        CHECK(weights_of(large_mesh, large_tree, 6) == expected);
     }
 }
 
-TEST_CASE("weights: powers of the distance from the mean of the corners, on all cells") {
+TEST_CASE("weights are powers of the distance from the mean of the corners, on all cells") {
     Naca4 naca;
     naca.camber = 0.02;
     HybridOptions options;
@@ -46,16 +43,16 @@ TEST_CASE("weights: powers of the distance from the mean of the corners, on all 
     std::vector<double> distance;
     for (Index cell = 0; cell < mesh.n_cells(); ++cell)
         distance.push_back(by_trying_all(loops, barycentre(mesh, cell)));
-    for (Index quarters = 0; quarters <= 16; ++quarters) {
-        std::vector<double> const k = weights_of(mesh, tree, quarters);
+    for (Index exponent_quarters = 0; exponent_quarters <= 16; ++exponent_quarters) {
+        std::vector<double> const k = weights_of(mesh, tree, exponent_quarters);
         double worst = 0;  // in what rounding may do
         for (std::size_t cell = 0; cell < k.size(); ++cell) {
-            double const rounding =
-                1e-14 + quarters * 4e-16 / distance[cell];  // of either barycentre: 3 in 2^-53
+            double const rounding = 1e-14 + exponent_quarters * 4e-16 /
+                                                distance[cell];  // of either barycentre: 3 in 2^-53
             double const fourth =
                 (k[cell] * k[cell]) * (k[cell] * k[cell]);  // times (d / unit)^quarters is 1
             double product = fourth;
-            for (Index factor = 0; factor < quarters; ++factor)
+            for (Index factor = 0; factor < exponent_quarters; ++factor)
                 product *= distance[cell] / tree.unit;
             worst = std::fmax(worst, std::fabs(product - 1) / rounding);
         }
@@ -63,9 +60,7 @@ TEST_CASE("weights: powers of the distance from the mean of the corners, on all 
     }
 }
 
-TEST_CASE(
-    "weights do not depend on the numbers of cells and points, on threads, or on where loops "
-    "begin") {
+TEST_CASE("weights do not depend on numbering, on threads, or on where loops begin") {
     Naca4 naca;
     Mesh const mesh = o_mesh(naca4(naca, 150), stretched(1e-4, 20, 40), Cells::triangles);
     FaceLoops loops = body_loops(mesh);
@@ -103,9 +98,7 @@ TEST_CASE(
     CHECK(weights_of(mesh, seeds, 6) == expected);
 }
 
-TEST_CASE(
-    "kernels give the same bits, of distances, feet and weights; images of the faces count as "
-    "faces do") {
+TEST_CASE("all kernels give the same bits, and images of faces count as faces do") {
     Naca4 naca;
     naca.camber = 0.02;
     Mesh const ordered = o_mesh(naca4(naca, 150), stretched(1e-4, 20, 40), Cells::hybrid);
@@ -129,11 +122,11 @@ TEST_CASE(
     for (int k = 0; k < 300; ++k)
         places.push_back({20 * uniform(random) - 10, 20 * uniform(random) - 10});
     for (Mesh const* mesh : {&ordered, static_cast<Mesh const*>(&shuffled)})
-        for (Index const quarters : {1, 6, 16}) {
-            std::vector<double> const expected = weights_of(*mesh, tree, quarters),
-                                      with_images = weights_of(*mesh, images, quarters);
-            std::vector<double> const of_copies = weights_of(*mesh, copies, quarters);
-            double const units = std::pow(copies.unit / images.unit, 0.25 * quarters);
+        for (Index const exponent_quarters : {1, 6, 16}) {
+            std::vector<double> const expected = weights_of(*mesh, tree, exponent_quarters),
+                                      with_images = weights_of(*mesh, images, exponent_quarters);
+            std::vector<double> const of_copies = weights_of(*mesh, copies, exponent_quarters);
+            double const units = std::pow(copies.unit / images.unit, 0.25 * exponent_quarters);
             double worst = 0;
             std::size_t nearer = 0;
             for (std::size_t k = 0; k < expected.size(); ++k) {
@@ -146,8 +139,8 @@ TEST_CASE(
             CHECK(nearer < expected.size());
             for (harmorph::Kernel const kernel : usable_kernels()) {
                 tree.kernel = images.kernel = kernel;
-                CHECK(weights_of(*mesh, tree, quarters) == expected);
-                CHECK(weights_of(*mesh, images, quarters) == with_images);
+                CHECK(weights_of(*mesh, tree, exponent_quarters) == expected);
+                CHECK(weights_of(*mesh, images, exponent_quarters) == with_images);
             }
             tree.kernel = images.kernel = harmorph::Kernel::baseline;
         }
@@ -158,7 +151,7 @@ TEST_CASE(
         double const distance = tree.distance(place);
         for (harmorph::Kernel const kernel : usable_kernels()) {
             tree.kernel = kernel;
-            Index guess = static_cast<Index>(random() % static_cast<unsigned>(tree.groups.count()));
+            Index guess = Index(random() % unsigned(tree.groups.count()));
             FaceDistance::Foot const seen = tree.foot(place, guess);
             CHECK(seen.face == foot.face);
             CHECK(seen.t == foot.t);
@@ -168,7 +161,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("weights without faces, without extent, and at a distance of 0 are finite") {
+TEST_CASE("weights without faces, without extent, and at zero distance are finite") {
     Mesh mesh = square(6, Cells::hybrid);
     for (double const k : weights_of(mesh, FaceTree(std::size_t{8}), 6)) CHECK(k == 1);
     FaceLoops place;
@@ -182,6 +175,5 @@ TEST_CASE("weights without faces, without extent, and at a distance of 0 are fin
     CHECK(std::isfinite(k));
     Untrapped const untrapped;
     mesh.x[0] = mesh.y[3] = std::nan("");  // no valid mesh, but no reason to go astray
-    CHECK(weights_of(mesh, FaceTree(through), 6).size() ==
-          static_cast<std::size_t>(mesh.n_cells()));
+    CHECK(weights_of(mesh, FaceTree(through), 6).size() == std::size_t(mesh.n_cells()));
 }

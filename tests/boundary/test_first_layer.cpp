@@ -1,7 +1,5 @@
 // The first layer: which edges leave the wall, and what deformations with known derivatives do to
 // angles and heights.
-#include <doctest/doctest.h>
-
 #include <fixtures/walls.hpp>
 
 #include "base/angle.hpp"
@@ -19,7 +17,7 @@ Point turned(Point p, double angle, double scale) {
 
 }  // namespace
 
-TEST_CASE("quads: the column's edge; triangles: the edge nearest to the normal") {
+TEST_CASE("the first layer follows the column in quads, and in triangles the normal") {
     Walls const quads(annulus(4, 30, 1, 1.5));
     CHECK(quads.layer.wall.count == 30);
     for (Index slot = 0; slot < 30; ++slot)
@@ -45,7 +43,7 @@ TEST_CASE("quads: the column's edge; triangles: the edge nearest to the normal")
     }
 }
 
-TEST_CASE("rigid motion and scaling change no angle; heights scale") {
+TEST_CASE("rigid motion and scaling change no angle, and heights scale") {
     Naca4 naca;
     naca.camber = 0.03;
     Walls walls(hybrid_mesh(naca4(naca, 60), HybridOptions{}));
@@ -66,7 +64,7 @@ TEST_CASE("rigid motion and scaling change no angle; heights scale") {
     }
 }
 
-TEST_CASE("shear of a flat wall: the angle and the point are known; walls may end") {
+TEST_CASE("shear of a flat wall gives the known angle and point, also where walls end") {
     Mesh mesh = square(8, Cells::quads);  // all of its boundary is the far field
     for (std::size_t k = 0; k < mesh.face_markers.size(); ++k)
         if (mesh.point(mesh.faces[2 * k]).y == 0 && mesh.point(mesh.faces[2 * k + 1]).y == 0)
@@ -91,9 +89,7 @@ TEST_CASE("shear of a flat wall: the angle and the point are known; walls may en
     CHECK(one.mean_angle == doctest::Approx(45.0 / 9));
 }
 
-TEST_CASE(
-    "a conformal map keeps angles and scales heights with the stretch of the wall, to first "
-    "order") {
+TEST_CASE("a conformal map keeps angles and scales heights with the wall to first order") {
     double last[2] = {1, 1};
     for (int const n : {60, 120, 240}) {
         Walls walls(annulus(8, n, 1, 1 + 8.0 / n));
@@ -113,13 +109,12 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("the turn of a wall is second order also where its faces are of uneven length") {
+TEST_CASE("the turn of a wall is of second order also where faces have uneven lengths") {
     double last = 0;
     for (int const n : {40, 80, 160}) {
         Mesh mesh = annulus(1, n, 1, 1 + 1e-6);  // so low that only the wall's turn is left
         for (std::size_t k = 0; k < mesh.x.size(); ++k) {
-            double const angle =
-                2 * std::acos(-1.0) * (static_cast<int>(k) % n + (k % 2 == 0 ? 0.0 : 0.5)) / n;
+            double const angle = 2 * std::acos(-1.0) * (int(k) % n + (k % 2 == 0 ? 0.0 : 0.5)) / n;
             double const r = std::hypot(mesh.x[k], mesh.y[k]);
             mesh.x[k] = r * std::cos(angle);
             mesh.y[k] = r * std::sin(angle);

@@ -1,8 +1,4 @@
 // Sliding interfaces: a rotor in a stator, which meet on one circle with different points.
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/annulus.hpp>
 #include <fixtures/safe_displaced.hpp>
 
@@ -43,8 +39,8 @@ Case rigid_rotor(bool is_declared) {
 
 std::vector<double> turn(double angle) { return {0, 0, std::cos(angle) - 1, std::sin(angle)}; }
 
-std::string refusal(Case& its) {
-    Attempt const attempt(its.problem());
+std::string refusal(Case& setup) {
+    Attempt const attempt(setup.problem());
     CHECK(attempt.status == HM_BAD_CONDITION);
     return attempt.error.text;
 }
@@ -52,31 +48,31 @@ std::string refusal(Case& its) {
 }  // namespace
 
 TEST_CASE("a rotor turns in its stator by any angle") {
-    Case its = rigid_rotor(true);
-    Safe safe(its);
+    Case setup = rigid_rotor(true);
+    Safe safe(setup);
     for (double const angle : {0.03, 0.4, 2.0, 3.1}) {
         INFO("angle " << angle);
         std::vector<double> const move = turn(angle);
         CHECK(safe.run(move) == HM_OK);
         for (std::size_t k = 0; k < 24 * 6; ++k) {  // the rotor turns as a whole
-            Complex const start{its.mesh.x[k], its.mesh.y[k]};
+            Complex const start{setup.mesh.x[k], setup.mesh.y[k]};
             CHECK(std::abs(Complex{safe.x[k], safe.y[k]} - std::polar(1.0, angle) * start) < 1e-13);
         }
-        for (std::size_t k = 24 * 6; k < its.mesh.x.size(); ++k) {  // the stator rests
-            CHECK(safe.x[k] == its.mesh.x[k]);
-            CHECK(safe.y[k] == its.mesh.y[k]);
+        for (std::size_t k = 24 * 6; k < setup.mesh.x.size(); ++k) {  // the stator rests
+            CHECK(safe.x[k] == setup.mesh.x[k]);
+            CHECK(safe.y[k] == setup.mesh.y[k]);
         }
     }
 }
 
-TEST_CASE("one step of a rotor: nothing touches, nothing crosses") {
-    Case its = rigid_rotor(true);
-    Solved const solved(its);
+TEST_CASE("one step of a rotor touches and crosses nothing") {
+    Case setup = rigid_rotor(true);
+    Solved const solved(setup);
     std::vector<double> const move = turn(0.4);
-    std::vector<double> dx(its.mesh.x.size()), dy(dx.size());
+    std::vector<double> dx(setup.mesh.x.size()), dy(dx.size());
     REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) ==
             HM_OK);
-    hm_mesh const view = its.mesh.view();
+    hm_mesh const view = setup.mesh.view();
     hm_step_report step{};
     hm_quality_report quality{};
     step.struct_size = sizeof step;
@@ -85,34 +81,34 @@ TEST_CASE("one step of a rotor: nothing touches, nothing crosses") {
                       &quality, nullptr) == HM_OK);
     CHECK(step.boundary > 1);  // farther on, the rotor grows until it reaches the outer boundary
     CHECK(quality.self_crossing == 0);
-    // As a mesh of its own.
+    // The displaced mesh is assessed as a mesh of its own.
     REQUIRE(hm_assess(solved.basis, &view, nullptr, nullptr, nullptr, nullptr, nullptr, &quality,
                       nullptr) == HM_OK);
     CHECK(quality.self_crossing == 0);
 }
 
-TEST_CASE("displacements that are given slide, too, in one step and safely") {
-    Case its = rotor_in_stator(true);
-    its.set_given(body);
-    its.set_given(rotor_side);
-    SafeDisplaced given(its);
+TEST_CASE("given displacements slide, too, in one step and in safe steps") {
+    Case setup = rotor_in_stator(true);
+    setup.set_given(body);
+    setup.set_given(rotor_side);
+    SafeDisplaced given(setup);
     Field const wall = given.similarity(std::polar(1.0, 0.3), 0);
     CHECK(given.run(wall) == HM_OK);
     CHECK(given.is_at(wall));
 }
 
 TEST_CASE("without the declaration a rotor may rest but not turn") {
-    Case its = rigid_rotor(false);
-    Safe safe(its);
+    Case setup = rigid_rotor(false);
+    Safe safe(setup);
     CHECK(safe.run(turn(0)) == HM_OK);  // the two sides cross in the given mesh
     CHECK(safe.untouched());
     CHECK(safe.run(turn(0.1)) == HM_CROSSING);
 }
 
-TEST_CASE("a body that leaves the rotor is refused all the same") {
-    Case its = rotor_in_stator(true);
-    its.set_rigid(body, 0, 0);
-    Safe safe(its);
+TEST_CASE("a body that leaves the rotor is refused with an interface, too") {
+    Case setup = rotor_in_stator(true);
+    setup.set_rigid(body, 0, 0);
+    Safe safe(setup);
     CHECK(safe.run({0.8, 0, 0, 0}) == HM_CROSSING);
     CHECK(safe.run({5, 0, 0, 0}) == HM_CROSSING);
 }
@@ -133,28 +129,28 @@ TEST_CASE("conditions of interfaces that contradict each other are refused") {
 }
 
 // Both halves of a channel end on the line x = 1 and slide along it: their walls end there.
-TEST_CASE("walls that end on an interface slide with it") {
-    Case its;
+TEST_CASE("walls that end on an interface slide along the interface") {
+    Case setup;
     Mesh const left = square(6);
-    its.mesh = left;
-    for (std::int32_t& marker : its.mesh.face_markers)
-        marker = marker == right ? rotor_side : static_cast<std::int32_t>(body);
+    setup.mesh = left;
+    for (std::int32_t& marker : setup.mesh.face_markers)
+        marker = marker == right ? rotor_side : std::int32_t(body);
     std::int32_t const first = left.n_points();
     for (std::int32_t k = 0; k < left.n_points(); ++k)
-        its.mesh.add_point({left.point(k).x + 1, left.point(k).y});
+        setup.mesh.add_point({left.point(k).x + 1, left.point(k).y});
     for (std::size_t cell = 0; cell < 36; ++cell) {
         const std::int32_t* const p = &left.cells[4 * cell];
-        its.mesh.add_cell({first + p[0], first + p[1], first + p[2], first + p[3]});
+        setup.mesh.add_cell({first + p[0], first + p[1], first + p[2], first + p[3]});
     }
     for (std::size_t face = 0; face < left.face_markers.size(); ++face) {
         std::int32_t const marker = left.face_markers[face];
-        its.mesh.add_face(first + left.faces[2 * face], first + left.faces[2 * face + 1],
-                          marker == fixtures::left ? stator_side : std::int32_t{far_field});
+        setup.mesh.add_face(first + left.faces[2 * face], first + left.faces[2 * face + 1],
+                            marker == fixtures::left ? stator_side : std::int32_t{far_field});
     }
-    its.add_condition(stator_side, HM_INTERFACE).partner = rotor_side;
-    its.set_rigid(body, 0.5, 0.5);
-    its.set_rigid(rotor_side, 0.5, 0.5);
-    Safe safe(its);
+    setup.add_condition(stator_side, HM_INTERFACE).partner = rotor_side;
+    setup.set_rigid(body, 0.5, 0.5);
+    setup.set_rigid(rotor_side, 0.5, 0.5);
+    Safe safe(setup);
     for (double const up : {0.01, 0.07, 1.0 / 6, 0.3, -0.5}) {
         INFO("up " << up);
         CHECK(safe.run({0, up, 0, 0}) == HM_OK);

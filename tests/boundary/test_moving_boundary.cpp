@@ -1,6 +1,4 @@
 // Every point of a curve's marker gets the right curve and parameter.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 
 using namespace fixtures;
@@ -22,52 +20,49 @@ std::map<std::int32_t, std::pair<std::int32_t, double>> parameters(Solved const&
     hm_basis_info const info = solved.info();
     for (std::int32_t k = 0; k < info.curve_points; ++k)
         out[info.curve_point[k]] = {info.point_curve[k], info.point_u[k]};
-    CHECK(out.size() == static_cast<std::size_t>(info.curve_points));  // every point once
+    CHECK(out.size() == std::size_t(info.curve_points));  // every point once
     return out;
 }
 
 }  // namespace
 
-TEST_CASE(
-    "parameters are found where the points lie on the curve, in either direction and from any "
-    "start") {
+TEST_CASE("parameters are found where points lie on the curve, from any start") {
     for (int const degree : {2, 3, 5})
         for (bool const against : {false, true}) {
             Spline spline = ring(degree, 9, 0.55, 0.5, 0, 0, 0.3);
             if (against)  // the curve runs against the boundary
                 for (std::size_t k = 1; k < spline.control.size(); k += 2) spline.control[k] *= -1;
             int const n_t = 40;
-            Case its = on_curve(spline, n_t);
+            Case setup = on_curve(spline, n_t);
             std::vector<double> expected;
             for (int k = 0; k < n_t; ++k) {
                 double const u = std::fmod(9.0 * ((against ? n_t - k : k) + 0.3) / n_t, 9.0);
                 harmorph::Vec2 const p = curve_point(spline.curve(), u);
-                its.mesh.x[static_cast<std::size_t>(k)] = p.x;
-                its.mesh.y[static_cast<std::size_t>(k)] = p.y;
+                setup.mesh.x[std::size_t(k)] = p.x;
+                setup.mesh.y[std::size_t(k)] = p.y;
                 expected.push_back(u);
             }
             // Turn the rings behind it so that cells stay valid.
-            double const turn = std::atan2(its.mesh.y[0], its.mesh.x[0]);
-            for (std::size_t k = static_cast<std::size_t>(n_t); k < its.mesh.x.size(); ++k) {
-                double const x = its.mesh.x[k], y = its.mesh.y[k];
-                its.mesh.x[k] = 1.3 * (x * std::cos(turn) - y * std::sin(turn));
-                its.mesh.y[k] = 1.3 * (x * std::sin(turn) + y * std::cos(turn));
+            double const turn = std::atan2(setup.mesh.y[0], setup.mesh.x[0]);
+            for (std::size_t k = std::size_t(n_t); k < setup.mesh.x.size(); ++k) {
+                double const x = setup.mesh.x[k], y = setup.mesh.y[k];
+                setup.mesh.x[k] = 1.3 * (x * std::cos(turn) - y * std::sin(turn));
+                setup.mesh.y[k] = 1.3 * (x * std::sin(turn) + y * std::cos(turn));
             }
-            Solved const solved(its);
+            Solved const solved(setup);
             CHECK(solved.report.max_distance < 1e-13);
             auto const found = parameters(solved);
             REQUIRE(found.size() == 40);
             for (int k = 0; k < n_t; ++k)
-                CHECK(std::fabs(found.at(k).second - expected[static_cast<std::size_t>(k)]) <
-                      1e-10);
+                CHECK(std::fabs(found.at(k).second - expected[std::size_t(k)]) < 1e-10);
         }
 }
 
-TEST_CASE("given parameters are taken as they are, the others are found") {
-    Case its = tiny_case();
-    its.give(16, 0.125);  // wrong on purpose
-    its.give(24, 1.75);
-    Solved const solved(its);
+TEST_CASE("given parameters are taken unchanged, and the others are found") {
+    Case setup = tiny_case();
+    setup.give(16, 0.125);  // wrong on purpose
+    setup.give(24, 1.75);
+    Solved const solved(setup);
     auto const found = parameters(solved);
     CHECK(found.at(16).second == 0.125);
     CHECK(found.at(24).second == 1.75);
@@ -78,15 +73,15 @@ TEST_CASE("given parameters are taken as they are, the others are found") {
     CHECK(solved.report.max_distance_point == 24);
 }
 
-TEST_CASE("a tied curve: the point at the corner gets the corner's function, exactly 1") {
+TEST_CASE("the point at the corner of a tied curve has exactly the corner's function") {
     for (std::int32_t const start : {0, 1, 2, 3}) {  // the curve may begin at any corner
-        Case its = tiny_case();
+        Case setup = tiny_case();
         std::vector<Point> const corners = {{2, 2}, {4, 2}, {4, 4}, {2, 4}};
         std::vector<Point> turned;
         for (std::int32_t k = 0; k < 4; ++k)
-            turned.push_back(corners[static_cast<std::size_t>((k + start) % 4)]);
-        its.curves = polyline(turned);
-        Solved const solved(its);
+            turned.push_back(corners[std::size_t((k + start) % 4)]);
+        setup.curves = polyline(turned);
+        Solved const solved(setup);
         std::size_t const ids[] = {16, 18, 31, 29};
         for (std::int32_t k = 0; k < 4; ++k) {
             std::vector<double> const f = solved.values(k);
@@ -96,7 +91,7 @@ TEST_CASE("a tied curve: the point at the corner gets the corner's function, exa
     }
 }
 
-TEST_CASE("a blunt base: points there are on the second curve, the ends belong to both") {
+TEST_CASE("points of a blunt base are on the second curve, and the ends belong to both curves") {
     Naca4 naca;
     naca.blunt = true;
     Outline const outline = naca4(naca, 40);  // four edges on the base
@@ -104,7 +99,7 @@ TEST_CASE("a blunt base: points there are on the second curve, the ends belong t
     options.struct_size = sizeof options;
     hm_fit_report report{};
     report.struct_size = sizeof report;
-    std::int32_t const n = static_cast<std::int32_t>(outline.points.size());
+    std::int32_t const n = std::int32_t(outline.points.size());
     std::size_t bytes = 0;
     REQUIRE(hm_fit_size(n, &options, &bytes, nullptr) == HM_OK);
     Guarded block(bytes);
@@ -115,11 +110,11 @@ TEST_CASE("a blunt base: points there are on the second curve, the ends belong t
     REQUIRE(curves->n_curves == 2);
     REQUIRE(report.base_points == 5);
 
-    Case its;
-    its.mesh = o_mesh(outline, stretched(2e-3, 10, 25));
-    its.put_on_curves(body, 0, 2);
-    hm_mesh const mesh = its.mesh.view();
-    hm_problem problem = its.problem(mesh);
+    Case setup;
+    setup.mesh = o_mesh(outline, stretched(2e-3, 10, 25));
+    setup.put_on_curves(body, 0, 2);
+    hm_mesh const mesh = setup.mesh.view();
+    hm_problem problem = setup.problem(mesh);
     problem.curves = curves;
     Solved const solved(problem);
     auto const found = parameters(solved);
@@ -132,18 +127,17 @@ TEST_CASE("a blunt base: points there are on the second curve, the ends belong t
     CHECK(solved.report.partition_defect < 1e-14);
     // Each corner has the function of one control point alone, and the base is linear between the
     // two.
-    std::vector<double> move(2 * static_cast<std::size_t>(curves->n_control), 0.0);
+    std::vector<double> move(2 * std::size_t(curves->n_control), 0.0);
     for (std::int32_t i = 0; i < curves->n_control; ++i) {
         std::vector<double> const f = solved.values(i);
         CHECK((f[0] == 0 || f[0] == 1));
         CHECK((f[4] == 0 || f[4] == 1));
         for (std::size_t k = 1; k <= 3; ++k)
-            CHECK(f[k] ==
-                  doctest::Approx(f[0] + (f[4] - f[0]) * static_cast<double>(k) / 4).epsilon(1e-9));
+            CHECK(f[k] == doctest::Approx(f[0] + (f[4] - f[0]) * double(k) / 4).epsilon(1e-9));
     }
 }
 
-TEST_CASE("several bodies on one marker: each finds its curve") {
+TEST_CASE("several bodies on one marker find one curve each") {
     Case two = two_body_case(), one = two;
     for (std::int32_t& marker : one.mesh.face_markers)
         marker = marker == second_body ? body : marker;
@@ -154,7 +148,7 @@ TEST_CASE("several bodies on one marker: each finds its curve") {
     CHECK(same_bits(a.all_values(), b.all_values()));
 }
 
-TEST_CASE("one body over several markers, on one curve: as if it were one marker") {
+TEST_CASE("one body on several markers with one curve is solved as on one marker") {
     Case whole = airfoil_case(), split = whole;
     split_marker(split.mesh, body, 4, 31);
     split.conditions.clear();
@@ -162,30 +156,29 @@ TEST_CASE("one body over several markers, on one curve: as if it were one marker
     Solved const a(whole), b(split);
     auto const expected = parameters(a), found = parameters(b);
     REQUIRE(found.size() == expected.size());
-    for (auto const& [point, its] : expected)
-        CHECK(std::fabs(found.at(point).second - its.second) < 1e-12);
+    for (auto const& [point, parameter] : expected)
+        CHECK(std::fabs(found.at(point).second - parameter.second) < 1e-12);
 }
 
-TEST_CASE(
-    "markers with a curve each share their points: these belong to the control point of both") {
+TEST_CASE("points that two markers share belong to the control point that their curves share") {
     // The hole's lower side on one curve, the other three on another; the ends are common control
     // points.
-    Case its = tiny_case();
-    for (std::size_t k = 0; k < its.mesh.face_markers.size(); ++k) {
-        bool const low = its.mesh.y[static_cast<std::size_t>(its.mesh.faces[2 * k])] == 2 &&
-                         its.mesh.y[static_cast<std::size_t>(its.mesh.faces[2 * k + 1])] == 2;
-        if (its.mesh.face_markers[k] == body && low) its.mesh.face_markers[k] = 40;
+    Case setup = tiny_case();
+    for (std::size_t k = 0; k < setup.mesh.face_markers.size(); ++k) {
+        bool const low = setup.mesh.y[std::size_t(setup.mesh.faces[2 * k])] == 2 &&
+                         setup.mesh.y[std::size_t(setup.mesh.faces[2 * k + 1])] == 2;
+        if (setup.mesh.face_markers[k] == body && low) setup.mesh.face_markers[k] = 40;
     }
     for (bool const first_low : {false, true}) {
-        its.curves = CurveSet{};
-        its.curves.control = {2, 2, 4, 2, 4, 4, 2, 4};
-        its.curves.add_over(1, {0, 1}, {0, 0, 1, 1});
-        its.curves.add_over(1, {1, 2, 3, 0}, {0, 0, 1, 2, 3, 3});
-        its.conditions.clear();
-        if (first_low) its.put_on_curves(40, 0);
-        its.put_on_curves(body, 1);
-        if (!first_low) its.put_on_curves(40, 0);
-        Solved const solved(its);
+        setup.curves = CurveSet{};
+        setup.curves.control = {2, 2, 4, 2, 4, 4, 2, 4};
+        setup.curves.add_over(1, {0, 1}, {0, 0, 1, 1});
+        setup.curves.add_over(1, {1, 2, 3, 0}, {0, 0, 1, 2, 3, 3});
+        setup.conditions.clear();
+        if (first_low) setup.put_on_curves(40, 0);
+        setup.put_on_curves(body, 1);
+        if (!first_low) setup.put_on_curves(40, 0);
+        Solved const solved(setup);
         CHECK(solved.report.curve_points == 8);
         auto const found = parameters(solved);
         CHECK(found.at(17).first == 0);
@@ -199,46 +192,43 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "the curve of another body: points farther from it than it is large are refused, with point "
-    "and distance") {
+TEST_CASE("points farther from their curve than its extent are refused with point and distance") {
     for (double const size : {1.0, 1e-6, 1e6}) {
-        Case its = airfoil_case();
-        for (std::vector<double>* const numbers : {&its.mesh.x, &its.mesh.y, &its.curves.control})
+        Case setup = airfoil_case();
+        for (std::vector<double>* const numbers :
+             {&setup.mesh.x, &setup.mesh.y, &setup.curves.control})
             for (double& number : *numbers) number *= size;
         Attempt right;
-        CHECK(right.analyse(its.problem()));
-        its.conditions.clear();
-        its.put_on_curves(far_field);  // on the airfoil's curve
+        CHECK(right.analyse(setup.problem()));
+        setup.conditions.clear();
+        setup.put_on_curves(far_field);  // on the airfoil's curve
         Attempt wrong;
-        CHECK(!wrong.analyse(its.problem()));
+        CHECK(!wrong.analyse(setup.problem()));
         CHECK(wrong.status == HM_BAD_CONDITION);
         CHECK(wrong.error.value > 6 * size);  // a circle of radius 8 round the chord
         CHECK(wrong.error.value < 9 * size);
         std::vector<std::int32_t> farthest;
-        for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face)
-            if (its.mesh.face_markers[face] == far_field)
-                farthest.push_back(its.mesh.faces[2 * face]);
+        for (std::size_t face = 0; face < setup.mesh.face_markers.size(); ++face)
+            if (setup.mesh.face_markers[face] == far_field)
+                farthest.push_back(setup.mesh.faces[2 * face]);
         CHECK(std::find(farthest.begin(), farthest.end(), wrong.error.item) != farthest.end());
     }
 }
 
-TEST_CASE(
-    "points farther from their curve than 5 % of its extent: a warning with the point and its "
-    "distance") {
+TEST_CASE("points farther from their curve than 5 % of its extent give a warning") {
     for (double const size : {1.0, 1e-6, 1e6})
         for (double const part : {0.049, 0.051}) {
-            Case its;
-            its.mesh = square(10, Cells::quads, 2, 2);
-            its.curves = polyline(
+            Case setup;
+            setup.mesh = square(10, Cells::quads, 2, 2);
+            setup.curves = polyline(
                 {{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6 - 0.2 * part}, {0.4, 0.6 - 0.2 * part}});
-            its.curves.control.insert(its.curves.control.end(), {0.4, 0.6});  // of no curve
-            its.put_on_curves(body);
+            setup.curves.control.insert(setup.curves.control.end(), {0.4, 0.6});  // of no curve
+            setup.put_on_curves(body);
             for (std::vector<double>* const numbers :
-                 {&its.mesh.x, &its.mesh.y, &its.curves.control})
+                 {&setup.mesh.x, &setup.mesh.y, &setup.curves.control})
                 for (double& number : *numbers) number *= size;
             Attempt attempt;
-            CHECK(attempt.analyse(its.problem()));
+            CHECK(attempt.analyse(setup.problem()));
             CHECK(attempt.error.code == attempt.status);
             if (part < 0.05) {
                 CHECK(attempt.status == HM_OK);
@@ -246,7 +236,7 @@ TEST_CASE(
             }
             CHECK(attempt.status == HM_FAR_FROM_CURVE);
             CHECK(attempt.error.value == doctest::Approx(0.2 * part * size));
-            CHECK(its.mesh.y[static_cast<std::size_t>(attempt.error.item)] == 0.6 * size);
+            CHECK(setup.mesh.y[std::size_t(attempt.error.item)] == 0.6 * size);
             CHECK(attempt.prepare());
             CHECK(attempt.solve());  // the result can be used
             CHECK(attempt.status == HM_OK);

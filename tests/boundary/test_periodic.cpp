@@ -1,8 +1,4 @@
-// Periodic pairs: both sides move alike, and one period is all there is to know about many.
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
+// Periodic pairs: both sides move alike, and one period is equivalent to many.
 #include <fixtures/cascade.hpp>
 
 using namespace fixtures;
@@ -18,9 +14,9 @@ std::vector<double> repeated(std::vector<double> const& move, int n) {
     return out;
 }
 
-hm_status refused(Case& its, const char* words, std::int32_t item) {
+hm_status refused(Case& setup, const char* words, std::int32_t item) {
     Options const options = options_of(HM_CONFORMAL);
-    Attempt const attempt(its.problem(), &options);
+    Attempt const attempt(setup.problem(), &options);
     INFO(attempt.error.text);
     CHECK(std::string(attempt.error.text).find(words) != std::string::npos);
     CHECK(attempt.error.item == item);
@@ -29,18 +25,16 @@ hm_status refused(Case& its, const char* words, std::int32_t item) {
 
 }  // namespace
 
-TEST_CASE("both sides move alike, to the last bit, and not only along the wall") {
+TEST_CASE("both sides of a periodic pair move alike to the last bit, and not only along the wall") {
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : kinds) {
-            Case its = cascade(kind);
-            Options const options = options_of(operator_kind);
-            Solved const solved(its, &options);
+            Case setup = cascade(kind);
+            Solved const solved(setup, options_of(operator_kind));
             Field const moved = displacement(solved, some_move(4, 1, 4));
             for (std::size_t j = 0; j <= 8; ++j) {
-                std::vector<std::int32_t> const l = points_on(its.mesh, left),
-                                                r = points_on(its.mesh, right);
-                Complex const a = moved[static_cast<std::size_t>(l[j])],
-                              b = moved[static_cast<std::size_t>(r[j])];
+                std::vector<std::int32_t> const l = points_on(setup.mesh, left),
+                                                r = points_on(setup.mesh, right);
+                Complex const a = moved[std::size_t(l[j])], b = moved[std::size_t(r[j])];
                 CHECK(a == b);
                 CHECK((j == 0 || j == 8 ? a == 0.0
                                         : std::abs(a) > 1e-3));  // top and bottom are fixed
@@ -59,8 +53,8 @@ TEST_CASE("two and three periods with bodies that move alike are one period, rep
                 Field const expected = displacement(a, move);
                 Field found = displacement(b, repeated(move, n));
                 found.resize(expected.size());
-                // Weights see the bodies of all periods where there are several, and one where
-                // there is one.
+                // Weights take the bodies of all periods into account where there are several, and
+                // one where there is one.
                 bool const weighted = operator_kind != HM_LAPLACE;
                 CHECK(largest_difference(found, expected) < (weighted ? 1e-2 : 1e-13));
                 Case fixed = one;
@@ -70,14 +64,12 @@ TEST_CASE("two and three periods with bodies that move alike are one period, rep
             }
 }
 
-TEST_CASE(
-    "weighted and conformal functions of several periods are those of one, too: the wall's images "
-    "count") {
+TEST_CASE("weighted and conformal functions count the wall's images in other periods") {
     for (std::int32_t const kind : {HM_CONFORMAL, HM_WEIGHTED})
-        for (std::int32_t const quarters : {std::int32_t{HM_NO_WEIGHT}, 4, 16})
+        for (std::int32_t const exponent_quarters : {std::int32_t{HM_NO_WEIGHT}, 4, 16})
             for (int const n : {2, 3}) {
                 Case one = cascade(Cells::hybrid), several = periods(one, n);
-                Options const options = options_of(kind, quarters);
+                Options const options = options_of(kind, exponent_quarters);
                 Solved const a(one, &options), b(several, &options);
                 std::vector<double> const move = some_move(4, 0.3, 6);
                 Field const expected = displacement(a, move);
@@ -87,7 +79,7 @@ TEST_CASE(
             }
 }
 
-TEST_CASE("where the mesh is cut does not matter, and it may be turned") {
+TEST_CASE("the place where the mesh is cut does not matter, and the mesh may be turned") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL})
         for (int const column : {1, 2})
             for (Cells const cells : kinds)
@@ -100,15 +92,14 @@ TEST_CASE("where the mesh is cut does not matter, and it may be turned") {
                     Field const expected = displacement(Solved(a, &options), move);
                     Field const all = displacement(Solved(b, &options), move);
                     Field found;
-                    for (std::int32_t const k : number)
-                        found.push_back(all[static_cast<std::size_t>(k)]);
+                    for (std::int32_t const k : number) found.push_back(all[std::size_t(k)]);
                     CHECK(largest_difference(found, expected) < 1e-12);
                 }
 }
 
-TEST_CASE("a pair one cell apart is one period of many, too, whatever scheme and engine") {
+TEST_CASE("a pair one cell apart is one period of many for every scheme and engine") {
     struct {
-        std::int32_t operator_kind, quarters, scheme, engine;
+        std::int32_t operator_kind, exponent_quarters, scheme, engine;
         bool slip;
     } const all[] = {{HM_CONFORMAL, HM_NO_WEIGHT, HM_COMPACT, HM_DIRECT, false},
                      {HM_LAPLACE, 0, HM_COMPACT, HM_DIRECT, true},
@@ -122,7 +113,7 @@ TEST_CASE("a pair one cell apart is one period of many, too, whatever scheme and
             Case one = one_cell_apart(kind);
             if (way.slip) one.set_slip(top);
             Case two = periods(one, 2);
-            Options options = options_of(way.operator_kind, way.quarters);
+            Options options = options_of(way.operator_kind, way.exponent_quarters);
             options.scheme = way.scheme;
             options.engine = way.engine;
             INFO("operator " << way.operator_kind << ", scheme " << way.scheme << ", engine "
@@ -137,14 +128,12 @@ TEST_CASE("a pair one cell apart is one period of many, too, whatever scheme and
         }
 }
 
-TEST_CASE(
-    "numbering and orientation, which marker is named, and a pair of slanting sides do not "
-    "matter") {
+TEST_CASE("numbering, orientation and the order of markers do not change a periodic pair") {
     Case const origin = cascade(Cells::hybrid);
     Options const options = options_of(HM_CONFORMAL);
     std::vector<double> const move = some_move(4, 0.3, 7);
-    Case its = origin;
-    Solved const reference(its, &options);
+    Case setup = origin;
+    Solved const reference(setup, &options);
     Field const expected = displacement(reference, move);
 
     Case changed = origin;
@@ -159,7 +148,7 @@ TEST_CASE(
     reverse_some_faces(changed.mesh, 11);
     Field const mangled = displacement(Solved(changed, &options), move);
     for (std::size_t k = 0; k < expected.size(); ++k)
-        CHECK(std::abs(mangled[static_cast<std::size_t>(new_of[k])] - expected[k]) < 1e-12);
+        CHECK(std::abs(mangled[std::size_t(new_of[k])] - expected[k]) < 1e-12);
 
     Complex const turn = std::polar(2.0, 0.8);
     changed = similar(origin, turn, {3, 4});
@@ -175,141 +164,136 @@ TEST_CASE(
     Solved const sheared(changed, &options);
     Field const moved = displacement(sheared, move);
     for (std::size_t j = 0; j <= 8; ++j)
-        CHECK(moved[static_cast<std::size_t>(points_on(changed.mesh, left)[j])] ==
-              moved[static_cast<std::size_t>(points_on(changed.mesh, right)[j])]);
+        CHECK(moved[std::size_t(points_on(changed.mesh, left)[j])] ==
+              moved[std::size_t(points_on(changed.mesh, right)[j])]);
 }
 
-TEST_CASE(
-    "two pairs: the four corners are one point, and a translation of the body moves the whole "
-    "mesh") {
+TEST_CASE("the four corners of two pairs are one point, and a translation moves the whole mesh") {
     for (std::int32_t const operator_kind : operators) {
-        Case its = cascade(Cells::hybrid);
-        its.set_periodic(top, bottom);
-        Options const options = options_of(operator_kind);
-        Solved const solved(its, &options);
+        Case setup = cascade(Cells::hybrid);
+        setup.set_periodic(top, bottom);
+        Solved const solved(setup, options_of(operator_kind));
         Field const moved = displacement(solved, some_move(4, 0.2, 12));
         std::size_t const last =
             moved.size() - 1;  // the corners: the mesh's first and last points, and two more
-        std::vector<std::int32_t> const b = points_on(its.mesh, bottom),
-                                        t = points_on(its.mesh, top);
+        std::vector<std::int32_t> const b = points_on(setup.mesh, bottom),
+                                        t = points_on(setup.mesh, top);
         CHECK(moved[0] == moved[last]);
-        CHECK(moved[static_cast<std::size_t>(b.back())] == moved[0]);
-        CHECK(moved[static_cast<std::size_t>(t.front())] == moved[0]);
+        CHECK(moved[std::size_t(b.back())] == moved[0]);
+        CHECK(moved[std::size_t(t.front())] == moved[0]);
         CHECK(std::abs(moved[0]) > 1e-3);
-        Field const translated = displacement(solved, similarity_move(its.curves, 1, 0, {0.5, -1}));
+        Field const translated =
+            displacement(solved, similarity_move(setup.curves, 1, 0, {0.5, -1}));
         for (Complex const d : translated) CHECK(std::abs(d - Complex(0.5, -1)) < 1e-12);
     }
 }
 
-TEST_CASE("a pair whose ends lie on slip lines and on free boundaries") {
-    Case its = cascade(Cells::hybrid);
-    its.set_slip(top);
+TEST_CASE("a periodic pair may end on slip lines and on free boundaries") {
+    Case setup = cascade(Cells::hybrid);
+    setup.set_slip(top);
     Options options = options_of(HM_CONFORMAL);
-    Solved const slipping(its, &options);
+    Solved const slipping(setup, &options);
     Field const moved = displacement(slipping, some_move(4, 0.2, 13));
     std::size_t const corner[] = {moved.size() - 9, moved.size() - 1};
     CHECK(moved[corner[0]] == moved[corner[1]]);
     CHECK(moved[corner[0]].imag() == 0);
     CHECK(std::abs(moved[corner[0]]) > 1e-4);
-    its.conditions.back().kind = HM_FREE;
+    setup.conditions.back().kind = HM_FREE;
     options = options_of(HM_LAPLACE);
-    Solved const free_top(its, &options);
+    Solved const free_top(setup, &options);
     Field const freely = displacement(free_top, some_move(4, 0.2, 13));
     CHECK(freely[corner[0]] == freely[corner[1]]);
     CHECK(std::fabs(freely[corner[0]].imag()) > 1e-4);
 }
 
-TEST_CASE(
-    "slip lines of two directions at the ends of a pair: the point that is on both cannot slide") {
+TEST_CASE("a point at the end of a pair on slip lines of two directions cannot slide") {
     for (double const slope : {0.3, 0.0}) {
-        Case its = cascade(Cells::hybrid, 0, 0);  // the top is a roof
-        for (std::size_t k = 0; k < its.mesh.x.size(); ++k)
-            its.mesh.y[k] += slope * (0.5 - std::fabs(its.mesh.x[k] - 0.5)) *
-                             std::fmax(its.mesh.y[k] - 0.75, 0.0) * 4;
-        its.set_slip(top);
-        Options const options = options_of(HM_CONFORMAL);
-        Solved const solved(its, &options);
+        Case setup = cascade(Cells::hybrid, 0, 0);  // the top is a roof
+        for (std::size_t k = 0; k < setup.mesh.x.size(); ++k)
+            setup.mesh.y[k] += slope * (0.5 - std::fabs(setup.mesh.x[k] - 0.5)) *
+                               std::fmax(setup.mesh.y[k] - 0.75, 0.0) * 4;
+        setup.set_slip(top);
+        Solved const solved(setup, options_of(HM_CONFORMAL));
         Field const moved = displacement(solved, some_move(4, 0.2, 14));
-        std::vector<std::int32_t> const roof = points_on(its.mesh, top);
-        Complex const a = moved[static_cast<std::size_t>(roof.front())],
-                      b = moved[static_cast<std::size_t>(roof.back())];
+        std::vector<std::int32_t> const roof = points_on(setup.mesh, top);
+        Complex const a = moved[std::size_t(roof.front())], b = moved[std::size_t(roof.back())];
         CHECK(a == b);
         CHECK((slope == 0 ? std::abs(a) > 1e-4 : a == 0.0));
-        Complex const beside = moved[static_cast<std::size_t>(roof[1])];
+        Complex const beside = moved[std::size_t(roof[1])];
         CHECK(std::abs(beside) > 1e-4);
         CHECK(std::fabs(beside.imag() - slope * beside.real()) < 1e-15);
     }
 }
 
-TEST_CASE("what is no pair is refused, with the place") {
+TEST_CASE("markers that are no periodic pair are refused with the place") {
     Case const good = cascade(Cells::quads);
-    Case its = good;
-    its.mesh.y[static_cast<std::size_t>(points_on(its.mesh, right)[4])] += 1e-4;
+    Case setup = good;
+    setup.mesh.y[std::size_t(points_on(setup.mesh, right)[4])] += 1e-4;
     Options const options = options_of(HM_CONFORMAL);
     {
-        Attempt const attempt(its.problem(), &options);
+        Attempt const attempt(setup.problem(), &options);
         CHECK(attempt.status == HM_BAD_CONDITION);
         CHECK(std::string(attempt.error.text).find("the translated point is") != std::string::npos);
-        std::int32_t const l = points_on(its.mesh, left)[4], r = points_on(its.mesh, right)[4];
+        std::int32_t const l = points_on(setup.mesh, left)[4], r = points_on(setup.mesh, right)[4];
         CHECK((attempt.error.item == l || attempt.error.item == r));
         CHECK(attempt.error.value == doctest::Approx(1e-4).epsilon(0.2));
     }
-    its = good;  // coordinates rounded as in a file
-    for (std::int32_t const point : points_on(its.mesh, right))
-        its.mesh.x[static_cast<std::size_t>(point)] += 1e-8 * (point % 3);
-    CHECK(Attempt(its.problem(), &options).status == HM_OK);
+    setup = good;  // coordinates rounded as in a file
+    for (std::int32_t const point : points_on(setup.mesh, right))
+        setup.mesh.x[std::size_t(point)] += 1e-8 * (point % 3);
+    CHECK(Attempt(setup.problem(), &options).status == HM_OK);
 
-    its = good;  // a side of another number of points
-    for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face) {
-        Point const a = its.mesh.point(its.mesh.faces[2 * face]);
-        if (its.mesh.face_markers[face] == right && a.y > 0.8) its.mesh.face_markers[face] = 50;
+    setup = good;  // a side of another number of points
+    for (std::size_t face = 0; face < setup.mesh.face_markers.size(); ++face) {
+        Point const a = setup.mesh.point(setup.mesh.faces[2 * face]);
+        if (setup.mesh.face_markers[face] == right && a.y > 0.8) setup.mesh.face_markers[face] = 50;
     }
-    CHECK(refused(its, "same number of points", left) == HM_BAD_CONDITION);
+    CHECK(refused(setup, "same number of points", left) == HM_BAD_CONDITION);
 
-    its = good;  // two pieces
-    for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face) {
-        Point const a = its.mesh.point(its.mesh.faces[2 * face]);
-        if (its.mesh.face_markers[face] == right && std::fabs(a.y - 0.5) < 0.01)
-            its.mesh.face_markers[face] = 50;
+    setup = good;  // two pieces
+    for (std::size_t face = 0; face < setup.mesh.face_markers.size(); ++face) {
+        Point const a = setup.mesh.point(setup.mesh.faces[2 * face]);
+        if (setup.mesh.face_markers[face] == right && std::fabs(a.y - 0.5) < 0.01)
+            setup.mesh.face_markers[face] = 50;
     }
-    CHECK(refused(its, "must form one connected line", right) == HM_BAD_CONDITION);
+    CHECK(refused(setup, "must form one connected line", right) == HM_BAD_CONDITION);
 
-    its = two_body_case(Cells::quads, 4, 3);  // closed
-    its.conditions.pop_back();
-    its.set_periodic(second_body, far_field);
-    CHECK(refused(its, "must form one connected line", second_body) == HM_BAD_CONDITION);
+    setup = two_body_case(Cells::quads, 4, 3);  // closed
+    setup.conditions.pop_back();
+    setup.set_periodic(second_body, far_field);
+    CHECK(refused(setup, "must form one connected line", second_body) == HM_BAD_CONDITION);
 
-    its = good;  // of conditions
-    its.conditions.back().partner = left;
-    CHECK(refused(its, "its own periodic partner", left) == HM_BAD_CONDITION);
-    its = good;
-    its.set_slip(right);
-    CHECK(refused(its, "condition of its own", right) == HM_BAD_CONDITION);
-    its = good;
-    its.set_periodic(right, left);
-    CHECK(refused(its, "condition of its own", right) == HM_BAD_CONDITION);
-    its = good;
-    its.conditions.back().partner = 99;
-    CHECK(refused(its, "no boundary face has marker", 99) == HM_BAD_CONDITION);
+    setup = good;  // of conditions
+    setup.conditions.back().partner = left;
+    CHECK(refused(setup, "its own periodic partner", left) == HM_BAD_CONDITION);
+    setup = good;
+    setup.set_slip(right);
+    CHECK(refused(setup, "condition of its own", right) == HM_BAD_CONDITION);
+    setup = good;
+    setup.set_periodic(right, left);
+    CHECK(refused(setup, "condition of its own", right) == HM_BAD_CONDITION);
+    setup = good;
+    setup.conditions.back().partner = 99;
+    CHECK(refused(setup, "no boundary face has marker", 99) == HM_BAD_CONDITION);
 
-    its = good;  // a wall that ends on the pair
-    its.curves.add([] {
+    setup = good;  // a wall that ends on the pair
+    setup.curves.add([] {
         Spline floor;
         floor.degree = 1;
         floor.knots = {0, 0, 1, 1};
         floor.control = {0, 0, 1, 0};
         return floor;
     }());
-    its.put_on_curves(bottom, 1);
-    Attempt const attempt(its.problem(), &options);
+    setup.put_on_curves(bottom, 1);
+    Attempt const attempt(setup.problem(), &options);
     CHECK(attempt.status == HM_BAD_CONDITION);
     CHECK(std::string(attempt.error.text).find("a moving wall") != std::string::npos);
     CHECK((attempt.error.item == 0 || attempt.error.item == 8));
 }
 
-TEST_CASE("a side that is the partner of two others") {
-    Case its = cascade(Cells::quads);
-    its.set_periodic(top, right);  // right is left's partner already, and no translate of the top
+TEST_CASE("a side that is the partner of two others is refused") {
+    Case setup = cascade(Cells::quads);
+    setup.set_periodic(top, right);  // right is left's partner already, and no translate of the top
     Options const options = options_of(HM_CONFORMAL);
-    CHECK(Attempt(its.problem(), &options).status == HM_BAD_CONDITION);
+    CHECK(Attempt(setup.problem(), &options).status == HM_BAD_CONDITION);
 }

@@ -1,8 +1,4 @@
-// Rotation pairs: one passage of an annulus is all there is to know about all of them.
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
+// Rotation pairs: one passage of an annulus is equivalent to the whole annulus.
 #include <fixtures/displaced.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/passage.hpp>
@@ -17,12 +13,12 @@ constexpr int n_control = 8;
 
 Field of_passage(Field const& all, std::vector<std::int32_t> const& number) {
     Field out;
-    for (std::int32_t const k : number) out.push_back(all[static_cast<std::size_t>(k)]);
+    for (std::int32_t const k : number) out.push_back(all[std::size_t(k)]);
     return out;
 }
 
-void refused(Case& its, hm_status status, const char* words, Options const& options) {
-    Attempt const attempt(its.problem(), &options);
+void refused(Case& setup, hm_status status, const char* words, Options const& options) {
+    Attempt const attempt(setup.problem(), &options);
     INFO(attempt.error.text);
     CHECK(attempt.status == status);
     CHECK(std::string(attempt.error.text).find(words) != std::string::npos);
@@ -30,13 +26,11 @@ void refused(Case& its, hm_status status, const char* words, Options const& opti
 
 }  // namespace
 
-TEST_CASE(
-    "one passage is an annulus whose bodies move as turned copies, with all operators and cells") {
+TEST_CASE("one passage moves as the annulus of turned copies for all operators and cells") {
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : kinds)
             for (int const n : {2, 3, 5}) {
-                INFO("operator " << operator_kind << ", cells " << static_cast<int>(kind)
-                                 << ", passages " << n);
+                INFO("operator " << operator_kind << ", cells " << int(kind) << ", passages " << n);
                 Case one = passage(kind, n);
                 std::vector<std::vector<std::int32_t>> number;
                 Case all = annulus_of(one, n, number);
@@ -48,8 +42,7 @@ TEST_CASE(
                 CHECK(largest_difference(found, of_passage(expected, number[0])) < 1e-14);
                 Complex const turn = turn_of_passage(n);
                 CHECK(misfit_of_sides(one.mesh, found, turn) < 1e-16);
-                CHECK(std::abs(found[static_cast<std::size_t>(points_on(one.mesh, left)[4])]) >
-                      1e-4);
+                CHECK(std::abs(found[std::size_t(points_on(one.mesh, left)[4])]) > 1e-4);
                 CHECK(a.info().numbers_per_value == 2);
                 Case fixed = one;
                 fixed.conditions.pop_back();
@@ -58,7 +51,7 @@ TEST_CASE(
             }
 }
 
-TEST_CASE("a passage that is one cell wide in places, where its two sides are one unknown") {
+TEST_CASE("a passage that is one cell wide has two sides that are one unknown") {
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : kinds)
             for (int const n : {12, 30}) {
@@ -74,9 +67,7 @@ TEST_CASE("a passage that is one cell wide in places, where its two sides are on
             }
 }
 
-TEST_CASE(
-    "thin cells at the hub and the sides, also with a single-precision factor: one passage gives "
-    "the annulus") {
+TEST_CASE("one passage with thin cells gives the annulus, also with a factor in single precision") {
     int const n = 5;
     for (bool const at_sides : {false, true})
         for (std::int32_t const operator_kind : operators)
@@ -105,15 +96,15 @@ TEST_CASE(
 TEST_CASE("any number of threads gives the same bits") {
     Case flat;
     flat.mesh = square(130, Cells::hybrid, 6, 6);  // several ranges of rows
-    Case its = bent(flat, 7, 0.3);
-    std::vector<double> const move = some_move(its.curves.n_control(), 0.05, 3);
+    Case setup = bent(flat, 7, 0.3);
+    std::vector<double> const move = some_move(setup.curves.n_control(), 0.05, 3);
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
         Options options = options_of(operator_kind);
-        Field const expected = displacement(Solved(its, &options), move);
+        Field const expected = displacement(Solved(setup, &options), move);
         Backwards pool;
         hm_executor const executor = pool.executor(4);
         options.executor = &executor;
-        Field const found = displacement(Solved(its, &options), move);
+        Field const found = displacement(Solved(setup, &options), move);
         CHECK(pool.tasks > 4);
         CHECK(same_bits(found, expected));
     }
@@ -150,14 +141,13 @@ TEST_CASE("rigid bodies in a passage turn and move as turned copies") {
     }
 }
 
-TEST_CASE(
-    "which side is named first, numbering, orientation, and where the centre is do not matter") {
+TEST_CASE("the order of the sides, the numbering, the orientation and the centre do not matter") {
     Case const origin = passage(Cells::hybrid, 5);
     std::vector<double> const move = some_move(n_control, 0.05, 7);
     for (std::int32_t const operator_kind : operators) {
         Options const options = options_of(operator_kind);
-        Case its = origin;
-        Field const expected = displacement(Solved(its, &options), move);
+        Case setup = origin;
+        Field const expected = displacement(Solved(setup, &options), move);
 
         Case changed = origin;
         changed.conditions.pop_back();
@@ -180,7 +170,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a pair in two pieces, each a pair of its own, in either sense") {
+TEST_CASE("a pair in two pieces, each a pair of its own, works in either sense") {
     Case const whole = passage(Cells::hybrid, 5);
     std::vector<double> const move = some_move(n_control, 0.05, 7);
     for (bool const same_sense : {false, true}) {
@@ -197,8 +187,8 @@ TEST_CASE("a pair in two pieces, each a pair of its own, in either sense") {
         else parts.set_rotation(52, 51);
         for (std::int32_t const operator_kind : operators) {
             Options const options = options_of(operator_kind);
-            Case its = whole;
-            Field const expected = displacement(Solved(its, &options), move);
+            Case setup = whole;
+            Field const expected = displacement(Solved(setup, &options), move);
             CHECK(largest_difference(displacement(Solved(parts, &options), move), expected) <
                   1e-14);
         }
@@ -207,22 +197,21 @@ TEST_CASE("a pair in two pieces, each a pair of its own, in either sense") {
 
 TEST_CASE("the adjoint is the transpose") {
     for (std::int32_t const operator_kind : operators) {
-        Case its = passage(Cells::hybrid, 7);
-        Options const options = options_of(operator_kind);
-        Solved const solved(its, &options);
+        Case setup = passage(Cells::hybrid, 7);
+        Solved const solved(setup, options_of(operator_kind));
         std::vector<double> const move = some_move(n_control, 0.5, 3);
         Field const moved = displacement(solved, move), dj = some_field(moved.size(), 4);
         std::vector<double> gradient(move.size());
-        const double* const of = reinterpret_cast<const double*>(dj.data());
-        REQUIRE(hm_adjoint(solved.basis, points_in(of, of + 1, 2), gradient.data(), nullptr,
-                           nullptr) == HM_OK);
+        const double* const derivatives = reinterpret_cast<const double*>(dj.data());
+        REQUIRE(hm_adjoint(solved.basis, points_in(derivatives, derivatives + 1, 2),
+                           gradient.data(), nullptr, nullptr) == HM_OK);
         double product = 0;
         for (std::size_t k = 0; k < move.size(); ++k) product += move[k] * gradient[k];
         CHECK(std::fabs(product - dot(moved, dj)) < 1e-14 * dot_of_sizes(moved, dj));
     }
 }
 
-TEST_CASE("displacements that are given: one passage of an annulus, and the exact transpose") {
+TEST_CASE("given displacements of a passage are those of the annulus, with the exact transpose") {
     int const n = 3;
     for (std::int32_t const operator_kind : operators) {
         Case curved = passage(Cells::hybrid, n);
@@ -236,8 +225,7 @@ TEST_CASE("displacements that are given: one passage of an annulus, and the exac
         Field everywhere(all.mesh.x.size());
         for (std::size_t m = 0; m < number.size(); ++m)
             for (std::size_t k = 0; k < some.size(); ++k)
-                everywhere[static_cast<std::size_t>(number[m][k])] =
-                    some[k] * std::pow(turn, static_cast<int>(m));
+                everywhere[std::size_t(number[m][k])] = some[k] * std::pow(turn, int(m));
         Field const found = a.displace(a.on_wall(some)),
                     expected = b.displace(b.on_wall(everywhere));
         CHECK(largest_difference(found, of_passage(expected, number[0])) < 1e-14);
@@ -248,114 +236,114 @@ TEST_CASE("displacements that are given: one passage of an annulus, and the exac
     }
 }
 
-TEST_CASE(
-    "sides that meet in the centre: the point there stays, and displacements obey the rotation") {
+TEST_CASE("the centre where sides meet stays, and displacements obey the rotation") {
     int const n = 6;
     Complex const turn = turn_of_passage(n);
     for (std::int32_t const operator_kind : operators) {
-        Case its = passage(Cells::triangles, n, 0.0);  // filled up to the centre
-        std::int32_t const centre = its.mesh.add_point({0, 0});
+        Case setup = passage(Cells::triangles, n, 0.0);  // filled up to the centre
+        std::int32_t const centre = setup.mesh.add_point({0, 0});
         std::vector<std::int32_t> hub;
-        for (std::size_t face = 0; face < its.mesh.face_markers.size();) {
-            if (its.mesh.face_markers[face] != top) {
+        for (std::size_t face = 0; face < setup.mesh.face_markers.size();) {
+            if (setup.mesh.face_markers[face] != top) {
                 ++face;
                 continue;
             }
-            std::int32_t const a = its.mesh.faces[2 * face], b = its.mesh.faces[2 * face + 1];
-            its.mesh.cells.insert(its.mesh.cells.end(), {a, b, centre});
-            its.mesh.cell_start.push_back(static_cast<std::int32_t>(its.mesh.cells.size()));
+            std::int32_t const a = setup.mesh.faces[2 * face], b = setup.mesh.faces[2 * face + 1];
+            setup.mesh.cells.insert(setup.mesh.cells.end(), {a, b, centre});
+            setup.mesh.cell_start.push_back(std::int32_t(setup.mesh.cells.size()));
             hub.insert(hub.end(), {a, b});
-            its.mesh.face_markers.erase(its.mesh.face_markers.begin() +
-                                        static_cast<std::ptrdiff_t>(face));
-            its.mesh.faces.erase(
-                its.mesh.faces.begin() + static_cast<std::ptrdiff_t>(2 * face),
-                its.mesh.faces.begin() + static_cast<std::ptrdiff_t>(2 * face + 2));
+            setup.mesh.face_markers.erase(setup.mesh.face_markers.begin() +
+                                          static_cast<std::ptrdiff_t>(face));
+            setup.mesh.faces.erase(
+                setup.mesh.faces.begin() + static_cast<std::ptrdiff_t>(2 * face),
+                setup.mesh.faces.begin() + static_cast<std::ptrdiff_t>(2 * face + 2));
         }
         std::int32_t first = -1, last = -1;
-        for (std::int32_t const k : points_on(its.mesh, left))
-            if (std::fabs(std::abs(to_complex(its.mesh.point(k))) - radius_of_hub) < 1e-12)
+        for (std::int32_t const k : points_on(setup.mesh, left))
+            if (std::fabs(std::abs(to_complex(setup.mesh.point(k))) - radius_of_hub) < 1e-12)
                 first = k;
-        for (std::int32_t const k : points_on(its.mesh, right))
-            if (std::fabs(std::abs(to_complex(its.mesh.point(k))) - radius_of_hub) < 1e-12)
+        for (std::int32_t const k : points_on(setup.mesh, right))
+            if (std::fabs(std::abs(to_complex(setup.mesh.point(k))) - radius_of_hub) < 1e-12)
                 last = k;
-        its.mesh.add_face(first, centre, left);
-        its.mesh.add_face(centre, last, right);
+        setup.mesh.add_face(first, centre, left);
+        setup.mesh.add_face(centre, last, right);
         Options const options = options_of(operator_kind);
-        Field const found = displacement(Solved(its, &options), some_move(n_control, 0.05, 5));
-        CHECK(found[static_cast<std::size_t>(centre)] == 0.0);
-        CHECK(std::abs(found[static_cast<std::size_t>(first)]) > 1e-4);
-        CHECK(std::abs(found[static_cast<std::size_t>(last)] -
-                       turn * found[static_cast<std::size_t>(first)]) < 1e-17);
+        Field const found = displacement(Solved(setup, &options), some_move(n_control, 0.05, 5));
+        CHECK(found[std::size_t(centre)] == 0.0);
+        CHECK(std::abs(found[std::size_t(first)]) > 1e-4);
+        CHECK(std::abs(found[std::size_t(last)] - turn * found[std::size_t(first)]) < 1e-17);
     }
 }
 
-TEST_CASE("what is no rotation pair is refused, with the place") {
-    Case const good = passage(Cells::quads, 5);
+TEST_CASE("markers that are no rotation pair are refused with the place") {
+    Case const good = passage(Cells::quads, 5), translates = cascade(Cells::quads);
     Options const options = options_of(HM_CONFORMAL);
-    Case its = good;
-    std::int32_t const moved = points_on(its.mesh, right)[4];
-    its.mesh.y[static_cast<std::size_t>(moved)] += 1e-4;
-    {
-        Attempt const attempt(its.problem(), &options);
-        CHECK(attempt.status == HM_BAD_CONDITION);
-        CHECK(std::string(attempt.error.text).find("the turned point is") != std::string::npos);
-        CHECK(attempt.error.item == points_on(its.mesh, left)[4]);
-        CHECK(attempt.error.value == doctest::Approx(1e-4).epsilon(0.3));
+    Case setup = good;
+    setup.mesh.y[std::size_t(points_on(setup.mesh, right)[4])] += 1e-4;
+    Attempt const attempt(setup.problem(), &options);
+    CHECK(attempt.status == HM_BAD_CONDITION);
+    CHECK(std::string(attempt.error.text).find("the turned point is") != std::string::npos);
+    CHECK(attempt.error.item == points_on(setup.mesh, left)[4]);
+    CHECK(attempt.error.value == doctest::Approx(1e-4).epsilon(0.3));
+    struct {
+        Case const& start;
+        hm_status status;
+        const char* words;
+        void (*spoil)(Case&);
+    } const cases[] = {
+        {good, HM_OK, "",  // coordinates rounded as in a file
+         [](Case& c) {
+             for (std::int32_t const point : points_on(c.mesh, right))
+                 c.mesh.x[std::size_t(point)] += 1e-8 * (point % 3);
+         }},
+        {good, HM_OK, "", [](Case& c) { c = similar(c, 1e-90, 0); }},
+        {good, HM_OK, "", [](Case& c) { c = similar(c, 1e90, 0); }},
+        {good, HM_BAD_CONDITION, "the turned point is",
+         [](Case& c) { c.conditions.back().x = 0.01; }},
+        {good, HM_BAD_CONDITION, "a coordinate beyond 1e100",
+         [](Case& c) { c.conditions.back().x = 1e101; }},
+        {good, HM_BAD_CONDITION, "is not finite",
+         [](Case& c) { c.conditions.back().x = std::nan(""); }},
+        {good, HM_BAD_CONDITION, "the translated point is",
+         [](Case& c) { c.conditions.back().kind = HM_PERIODIC_PAIR; }},
+        {translates, HM_BAD_CONDITION, "the turned point is",
+         [](Case& c) { c.conditions.pop_back(), c.set_rotation(left, right); }},
+        {good, HM_BAD_CONDITION, "are not turned; use HM_PERIODIC_PAIR",  // a whole annulus, cut
+         [](Case& c) { c = bent(cascade(Cells::quads, 0), 1, 0); }},
+        {translates, HM_OK, "",  // a quarter turn about a corner
+         [](Case& c) { c.conditions.pop_back(), c.set_rotation(bottom, left); }},
+        {translates, HM_BAD_CONDITION, "has another centre or angle",
+         [](Case& c) {
+             c.conditions.pop_back(), c.set_rotation(bottom, left);
+             c.set_rotation(right, top, 1, 1);
+         }},
+        {good, HM_BAD_CONDITION, "chooses a piece of a marker",
+         [](Case& c) { c.conditions.back().piece = 1; }},
+        {good, HM_UNSUPPORTED, "cannot be combined with slip", [](Case& c) { c.set_slip(right); }},
+        {good, HM_BAD_CONDITION, "its own periodic partner",
+         [](Case& c) { c.conditions.back().partner = left; }},
+    };
+    for (auto const& one : cases) {
+        INFO("case " << &one - cases);
+        Case spoiled = one.start;
+        one.spoil(spoiled);
+        refused(spoiled, one.status, one.words, options);
     }
-    its = good;  // coordinates rounded as in a file
-    for (std::int32_t const point : points_on(its.mesh, right))
-        its.mesh.x[static_cast<std::size_t>(point)] += 1e-8 * (point % 3);
-    CHECK(Attempt(its.problem(), &options).status == HM_OK);
-    its = similar(good, 1e-90, 0);  // tiny
-    CHECK(Attempt(its.problem(), &options).status == HM_OK);
-    its = similar(good, 1e90, 0);
-    CHECK(Attempt(its.problem(), &options).status == HM_OK);
-    its = good;
-    its.conditions.back().x = 0.01;
-    refused(its, HM_BAD_CONDITION, "the turned point is", options);
-    its.conditions.back().x = 1e101;
-    refused(its, HM_BAD_CONDITION, "a coordinate beyond 1e100", options);
-    its.conditions.back().x = std::nan("");
-    refused(its, HM_BAD_CONDITION, "is not finite", options);
-    its = good;
-    its.conditions.back().kind = HM_PERIODIC_PAIR;
-    refused(its, HM_BAD_CONDITION, "the translated point is", options);
-    its = cascade(Cells::quads);  // translates are turned about nothing
-    its.conditions.pop_back();
-    its.set_rotation(left, right);
-    refused(its, HM_BAD_CONDITION, "the turned point is", options);
-    its = bent(cascade(Cells::quads, 0), 1, 0);  // a whole annulus, cut
-    refused(its, HM_BAD_CONDITION, "are not turned; use HM_PERIODIC_PAIR", options);
-    its = cascade(Cells::quads);  // a quarter turn about each of two corners
-    its.conditions.pop_back();
-    its.set_rotation(bottom, left);
-    CHECK(Attempt(its.problem(), &options).status == HM_OK);
-    its.set_rotation(right, top, 1, 1);
-    refused(its, HM_BAD_CONDITION, "has another centre or angle", options);
-    its = good;
-    its.conditions.back().piece = 1;
-    refused(its, HM_BAD_CONDITION, "chooses a piece of a marker", options);
-    its = good;
-    its.set_slip(right);
-    refused(its, HM_UNSUPPORTED, "cannot be combined with slip", options);
-    its = good;
-    its.conditions.back().partner = left;
-    refused(its, HM_BAD_CONDITION, "its own periodic partner", options);
 }
 
-TEST_CASE("combinations without rotation pairs say so") {
-    Case its = passage(Cells::quads, 5);
-    Options options = options_of(HM_LAPLACE);
-    options.engine = HM_MULTIGRID;
-    refused(its, HM_UNSUPPORTED, "needs the direct engine", options);
-    options.engine = HM_FAS;
-    refused(its, HM_UNSUPPORTED, "needs the direct engine", options);
-    options = options_of(HM_LAPLACE);
-    options.scheme = HM_BOUNDED;
-    refused(its, HM_UNSUPPORTED, "needs the compact scheme", options);
-    options.scheme = HM_NODAL_GRADIENT;
-    refused(its, HM_UNSUPPORTED, "needs the compact scheme", options);
-    options = options_of(HM_CONFORMAL);
-    its.set_periodic(top, bottom);
-    refused(its, HM_UNSUPPORTED, "cannot be combined with HM_PERIODIC_PAIR", options);
+TEST_CASE("combinations that rotation pairs do not support are refused by name") {
+    Case setup = passage(Cells::quads, 5);
+    for (std::int32_t const engine : {std::int32_t{HM_MULTIGRID}, std::int32_t{HM_FAS}}) {
+        Options options = options_of(HM_LAPLACE);
+        options.engine = engine;
+        refused(setup, HM_UNSUPPORTED, "needs the direct engine", options);
+    }
+    for (std::int32_t const scheme : {std::int32_t{HM_BOUNDED}, std::int32_t{HM_NODAL_GRADIENT}}) {
+        Options options = options_of(HM_LAPLACE);
+        options.scheme = scheme;
+        refused(setup, HM_UNSUPPORTED, "needs the compact scheme", options);
+    }
+    setup.set_periodic(top, bottom);
+    refused(setup, HM_UNSUPPORTED, "cannot be combined with HM_PERIODIC_PAIR",
+            options_of(HM_CONFORMAL));
 }

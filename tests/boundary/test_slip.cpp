@@ -1,7 +1,4 @@
 // Slip boundaries: points slide along straight lines, and a slip line is a line of symmetry.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/half_ring.hpp>
 
@@ -16,7 +13,7 @@ constexpr std::int32_t operators[] = {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL};
 
 }  // namespace
 
-TEST_CASE("a line of symmetry: the half with slip moves as the half of the whole does") {
+TEST_CASE("a half mesh with slip on the line of symmetry moves as half of the whole mesh does") {
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : kinds) {
             Case half = half_ring(6, 16, kind, 0.3, 3), whole = mirrored(half);
@@ -33,25 +30,25 @@ TEST_CASE("a line of symmetry: the half with slip moves as the half of the whole
         }
 }
 
-TEST_CASE("at any angle points stay on their line to rounding, and slide") {
+TEST_CASE("points slide and stay on a line at any angle to rounding") {
     for (std::int32_t const operator_kind : operators)
         for (double const angle : {0.0, 0.3, pi / 2, 2.2, -1.0}) {
             Complex const turn = std::polar(1.0, angle);
-            Case its = similar(half_ring(6, 16, Cells::hybrid, 0.3, 5), turn, {0.4, -7});
+            Case setup = similar(half_ring(6, 16, Cells::hybrid, 0.3, 5), turn, {0.4, -7});
             Options const options = options_of(operator_kind);
-            Solved const solved(its, &options);
+            Solved const solved(setup, &options);
             Field const moved = displacement(solved, turned(some_move(8, 1, 6), turn));
             double off = 0, along = 0;
-            for (std::int32_t const point : points_on(its.mesh, slip_line)) {
+            for (std::int32_t const point : points_on(setup.mesh, slip_line)) {
                 if (point == 0 || point == 16)
                     continue;  // on the body, which moves as its curve does
-                Complex const d = moved[static_cast<std::size_t>(point)] / turn;
+                Complex const d = moved[std::size_t(point)] / turn;
                 off = std::fmax(off, std::fabs(d.imag()));
                 along = std::fmax(along, std::fabs(d.real()));
             }
             CHECK(off < 2e-16 * 8);
             CHECK(along > 0.05);
-            // And the whole does not depend on the angle.
+            // The functions of the whole mesh do not depend on the angle.
             Case straight = half_ring(6, 16, Cells::hybrid, 0.3, 5);
             Solved const reference(straight, &options);
             Field expected = displacement(reference, some_move(8, 1, 6));
@@ -60,38 +57,35 @@ TEST_CASE("at any angle points stay on their line to rounding, and slide") {
         }
 }
 
-TEST_CASE("many small steps later they are still on it") {
+TEST_CASE("after many small steps, points are still on their slip line") {
     Complex const turn = std::polar(1.0, 0.4);
-    Case its = similar(half_ring(6, 16, Cells::quads, 0.3, 7), turn, 0);
-    Options const options = options_of(HM_CONFORMAL);
-    Solved const solved(its, &options);
-    Mesh mesh = its.mesh;
+    Case setup = similar(half_ring(6, 16, Cells::quads, 0.3, 7), turn, 0);
+    Solved const solved(setup, options_of(HM_CONFORMAL));
+    Mesh mesh = setup.mesh;
     for (unsigned step = 0; step < 100; ++step) {
         std::vector<double> const move = some_move(8, 0.01, step);
         REQUIRE(hm_morph(solved.basis, move.data(), points_in(mesh.x, mesh.y),
                          points_out(mesh.x, mesh.y), nullptr, nullptr) == HM_OK);
     }
-    for (std::int32_t const point : points_on(its.mesh, slip_line))
+    for (std::int32_t const point : points_on(setup.mesh, slip_line))
         if (point != 0 && point != 16)
             CHECK(std::fabs((to_complex(mesh.point(point)) / turn).imag()) < 1e-14);
 }
 
-TEST_CASE(
-    "kinds of points: corners of two lines are fixed, what is stronger wins, and lines go on over "
-    "markers") {
-    auto const kinds_of = [](Case& its, std::int32_t operator_kind) {
+TEST_CASE("corners of slip lines are fixed, stronger conditions win, and lines cross markers") {
+    auto const kinds_of = [](Case& setup, std::int32_t operator_kind) {
         Options const options = options_of(operator_kind);
         Attempt seen;
-        bool const done = seen.analyse(its.problem(), &options);
+        bool const done = seen.analyse(setup.problem(), &options);
         INFO(seen.error.text);
         REQUIRE(done);
         std::vector<PointKind> out;
         for (PointKind const kind : inside(seen.analysis).kinds()) out.push_back(kind);
         return out;
     };
-    Case its = tiny_case();  // point (i, j) below the hole is i + 7 j
-    for (std::int32_t const side : {bottom, right, top, left}) its.set_slip(side);
-    std::vector<PointKind> found = kinds_of(its, HM_CONFORMAL);
+    Case setup = tiny_case();  // point (i, j) below the hole is i + 7 j
+    for (std::int32_t const side : {bottom, right, top, left}) setup.set_slip(side);
+    std::vector<PointKind> found = kinds_of(setup, HM_CONFORMAL);
     CHECK(found[0] == PointKind::fixed);
     CHECK(found[6] == PointKind::fixed);
     CHECK(found[1] == PointKind::slip);
@@ -102,33 +96,30 @@ TEST_CASE(
     CHECK(std::count(found.begin(), found.end(), PointKind::slip) == 20);
     CHECK(std::count(found.begin(), found.end(), PointKind::fixed) == 4);
 
-    its = tiny_case();  // a free neighbour leaves the corner on the line, a fixed one holds it
-    its.set_slip(bottom);
-    its.set_free(right);
-    found = kinds_of(its, HM_LAPLACE);
+    setup = tiny_case();  // a free neighbour leaves the corner on the line, a fixed one holds it
+    setup.set_slip(bottom);
+    setup.set_free(right);
+    found = kinds_of(setup, HM_LAPLACE);
     CHECK(found[0] == PointKind::fixed);
     CHECK(found[6] == PointKind::slip);
     CHECK(found[13] == PointKind::free);
 
-    its = tiny_case();  // one line over two markers
-    for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face)
-        if (its.mesh.face_markers[face] == bottom &&
-            its.mesh.x[static_cast<std::size_t>(its.mesh.faces[2 * face])] > 2.5)
-            its.mesh.face_markers[face] = 40;
-    its.set_slip(bottom);
-    its.set_slip(40);
-    found = kinds_of(its, HM_CONFORMAL);
+    setup = tiny_case();  // one line over two markers
+    for (std::size_t face = 0; face < setup.mesh.face_markers.size(); ++face)
+        if (setup.mesh.face_markers[face] == bottom &&
+            setup.mesh.x[std::size_t(setup.mesh.faces[2 * face])] > 2.5)
+            setup.mesh.face_markers[face] = 40;
+    setup.set_slip(bottom);
+    setup.set_slip(40);
+    found = kinds_of(setup, HM_CONFORMAL);
     for (std::size_t k = 1; k < 6; ++k) CHECK(found[k] == PointKind::slip);
 }
 
-TEST_CASE(
-    "slip beside a free boundary: points of the corner stay on the line, and the functions are "
-    "Laplace's") {
-    Case its = tiny_case();
-    its.set_slip(bottom);
-    its.set_free(right);
-    Options const options = options_of(HM_LAPLACE);
-    Solved const solved(its, &options);
+TEST_CASE("corner points beside a free boundary stay on the slip line as Laplace's functions do") {
+    Case setup = tiny_case();
+    setup.set_slip(bottom);
+    setup.set_free(right);
+    Solved const solved(setup, options_of(HM_LAPLACE));
     std::vector<double> const move = some_move(4, 1, 9);
     Field const moved = displacement(solved, move);
     for (std::size_t k = 0; k < 7; ++k) CHECK(moved[k].imag() == 0);
@@ -136,7 +127,7 @@ TEST_CASE(
     CHECK(std::fabs(moved[6].real()) > 1e-3);
     // x and y are not coupled by lines along x: x moves as with a free bottom, y as with a fixed
     // one.
-    Case free_bottom = its, fixed_bottom = its;
+    Case free_bottom = setup, fixed_bottom = setup;
     free_bottom.conditions[1].kind = HM_FREE;
     fixed_bottom.conditions[1].kind = HM_FIXED;
     Solved const for_x(free_bottom), for_y(fixed_bottom);
@@ -147,26 +138,23 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "all sides of a channel slip, two bodies, one of them rigid: everything stays in its "
-    "rectangle") {
+TEST_CASE("in a channel with slip on all sides and two bodies, all points stay in the rectangle") {
     for (std::int32_t const operator_kind : operators) {
-        Case its = similar(two_body_case(Cells::hybrid, 6, 5), std::polar(1.5, 0.7), {1, 2});
-        its.conditions.clear();
-        its.put_on_curves(body, 0);
+        Case setup = similar(two_body_case(Cells::hybrid, 6, 5), std::polar(1.5, 0.7), {1, 2});
+        setup.conditions.clear();
+        setup.put_on_curves(body, 0);
         Complex const centre = std::polar(1.5, 0.7) * Complex(1.5, 0.5) + Complex(1, 2);
-        its.set_rigid(second_body, centre.real(), centre.imag());
-        its.set_slip(far_field);  // one marker, four lines
-        Options const options = options_of(operator_kind);
-        Solved const solved(its, &options);
+        setup.set_rigid(second_body, centre.real(), centre.imag());
+        setup.set_slip(far_field);  // one marker, four lines
+        Solved const solved(setup, options_of(operator_kind));
         std::vector<double> const move = some_move(solved.info().functions, 0.2, 10);
         Field const moved = displacement(solved, move);
         double most = 0;
-        for (std::int32_t const point : points_on(its.mesh, far_field)) {
-            Complex const d = moved[static_cast<std::size_t>(point)] / std::polar(1.0, 0.7);
+        for (std::int32_t const point : points_on(setup.mesh, far_field)) {
+            Complex const d = moved[std::size_t(point)] / std::polar(1.0, 0.7);
             CHECK(std::fmin(std::fabs(d.real()), std::fabs(d.imag())) < 1e-15);
             Complex const at =
-                (to_complex(its.mesh.point(point)) - Complex(1, 2)) / std::polar(1.5, 0.7);
+                (to_complex(setup.mesh.point(point)) - Complex(1, 2)) / std::polar(1.5, 0.7);
             bool const corner = (at.real() < 1e-9 || at.real() > 2 - 1e-9) &&
                                 (at.imag() < 1e-9 || at.imag() > 1 - 1e-9);
             if (corner) CHECK(d == 0.0);
@@ -176,14 +164,12 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "what bends a little is a curve, what bends as little as coordinates are rounded is straight") {
+TEST_CASE("a bend above the rounding of coordinates makes a curve, and a smaller one a line") {
     auto const bent = [](double by) {
-        Case its = tiny_case();
-        its.set_slip(bottom);
-        its.mesh.y[3] -= by;
-        Options const options = options_of(HM_CONFORMAL);
-        Solved const solved(its, &options);
+        Case setup = tiny_case();
+        setup.set_slip(bottom);
+        setup.mesh.y[3] -= by;
+        Solved const solved(setup, options_of(HM_CONFORMAL));
         Field const moved = displacement(solved, some_move(4, 1, 9));
         double angle = 0;
         for (std::size_t k = 1; k < 6; ++k)
@@ -198,19 +184,17 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "corners: a jump of the direction that the points beside do not share, or more than 30 "
-    "degrees") {
+TEST_CASE("a corner is a jump of direction without neighbours like it, or above 30 degrees") {
     auto const kinds_of = [](double lift) {
-        Case its = tiny_case();
-        its.set_slip(bottom);
-        its.mesh.y[3] -= lift;  // of a line with faces of length 1
+        Case setup = tiny_case();
+        setup.set_slip(bottom);
+        setup.mesh.y[3] -= lift;  // of a line with faces of length 1
         Options const options = options_of(HM_CONFORMAL);
         Attempt seen;
-        REQUIRE(seen.analyse(its.problem(), &options));
+        REQUIRE(seen.analyse(setup.problem(), &options));
         std::vector<PointKind> out;
         for (std::size_t k = 1; k < 6; ++k)
-            out.push_back(inside(seen.analysis).kinds()[static_cast<harmorph::Index>(k)]);
+            out.push_back(inside(seen.analysis).kinds()[harmorph::Index(k)]);
         return out;
     };
     std::vector<PointKind> const flat(5, PointKind::slip);
@@ -234,31 +218,29 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "on a circle points move along its tangents, also where the matrix is factored on moved "
-    "coordinates") {
+TEST_CASE("points on a circle move along tangents, also when factored on moved coordinates") {
     for (std::int32_t const operator_kind : operators) {
-        Case its = ring_case(6, 24, 0.5, 2, Cells::hybrid);
-        its.set_slip(far_field);
+        Case setup = ring_case(6, 24, 0.5, 2, Cells::hybrid);
+        setup.set_slip(far_field);
         Options const options = options_of(operator_kind);
-        Solved solved(its, &options);
+        Solved solved(setup, &options);
         auto const largest_normal = [&](Mesh const& mesh) {
             Field const moved = displacement(solved, some_move(8, 1, 11));
             double normal = 0, along = 0;
             for (std::int32_t const point : points_on(mesh, far_field)) {
                 Complex const radius = to_complex(mesh.point(point));
                 Complex const part =
-                    moved[static_cast<std::size_t>(point)] * std::conj(radius) / std::abs(radius);
+                    moved[std::size_t(point)] * std::conj(radius) / std::abs(radius);
                 normal = std::fmax(normal, std::fabs(part.real()));
                 along = std::fmax(along, std::fabs(part.imag()));
             }
             CHECK(along > 1e-2);
             return normal;
         };
-        CHECK(largest_normal(its.mesh) < 1e-15);
-        Case turned_case = its;  // by half a face
-        for (std::size_t k = 0; k < its.mesh.x.size(); ++k) {
-            Complex const z = Complex(its.mesh.x[k], its.mesh.y[k]) * std::polar(1.0, pi / 24);
+        CHECK(largest_normal(setup.mesh) < 1e-15);
+        Case turned_case = setup;  // by half a face
+        for (std::size_t k = 0; k < setup.mesh.x.size(); ++k) {
+            Complex const z = Complex(setup.mesh.x[k], setup.mesh.y[k]) * std::polar(1.0, pi / 24);
             turned_case.mesh.x[k] = z.real();
             turned_case.mesh.y[k] = z.imag();
         }
@@ -266,7 +248,7 @@ TEST_CASE(
                                nullptr) == HM_OK);
         REQUIRE(hm_plan_solve(solved.plan, solved.basis, nullptr, nullptr) == HM_OK);
         CHECK(largest_normal(turned_case.mesh) < 1e-6);
-        // The same functions as those of the turned mesh, but for the circle through its points.
+        // The functions are those of the turned mesh, except for the circle through its points.
         Solved const other(turned_case, &options);
         CHECK(largest_difference(displacement(solved, some_move(8, 1, 11)),
                                  displacement(other, some_move(8, 1, 11))) < 1e-6);

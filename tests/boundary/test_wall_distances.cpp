@@ -1,6 +1,4 @@
 // Points of a wall that do not lie on the curves that they were given.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 
 using namespace fixtures;
@@ -19,56 +17,55 @@ Case hole() {
 }
 
 bool is_middle_of_base(Mesh const& mesh, std::int32_t point) {
-    std::size_t const k = static_cast<std::size_t>(point);
+    std::size_t const k = std::size_t(point);
     return std::fabs(mesh.x[k] - 0.4) < 1e-12 && std::fabs(mesh.y[k] - 0.5) < 1e-12;
 }
 
 }  // namespace
 
-TEST_CASE(
-    "a condition that does not name the curve of the base: refused, with the point and the curve") {
-    Case its = hole();
-    its.put_on_curves(body, 0, 2);
-    CHECK(Attempt(its.problem()).status == HM_OK);
-    its.conditions.clear();
-    its.put_on_curves(body);
+TEST_CASE("a condition that omits the curve of the base is refused with the point and the curve") {
+    Case setup = hole();
+    setup.put_on_curves(body, 0, 2);
+    CHECK(Attempt(setup.problem()).status == HM_OK);
+    setup.conditions.clear();
+    setup.put_on_curves(body);
     Attempt attempt;
-    CHECK(!attempt.analyse(its.problem()));
+    CHECK(!attempt.analyse(setup.problem()));
     CHECK(attempt.status == HM_BAD_CONDITION);
     INFO(attempt.error.text);
     CHECK(std::string(attempt.error.text).find("on curve 1, which its condition does not name") !=
           std::string::npos);
-    CHECK(is_middle_of_base(its.mesh, attempt.error.item));
+    CHECK(is_middle_of_base(setup.mesh, attempt.error.item));
     CHECK(attempt.error.value == doctest::Approx(0.1));
 }
 
-TEST_CASE("points beyond the end of their curve, which would move as one: a warning") {
-    Case its = hole();
-    its.curves.shapes.pop_back();
-    its.curves.control.insert(its.curves.control.end(),
-                              {3, 0, 3, 3});  // of curve 1, which is far away
-    its.curves.add_over(1, {4, 5}, {0, 0, 1, 1});
-    its.put_on_curves(body);
-    for (double& x : its.mesh.x)
+TEST_CASE("points beyond the end of their curve, which would move as one, give a warning") {
+    Case setup = hole();
+    setup.curves.shapes.pop_back();
+    setup.curves.control.insert(setup.curves.control.end(),
+                                {3, 0, 3, 3});  // of curve 1, which is far away
+    setup.curves.add_over(1, {4, 5}, {0, 0, 1, 1});
+    setup.put_on_curves(body);
+    for (double& x : setup.mesh.x)
         x = 0.4 + (x - 0.4) * (x < 0.4 ? 1 : 100);  // .1 is little of the extent then
     for (std::size_t k = 0; k < 8; k += 2)
-        its.curves.control[k] = 0.4 + (its.curves.control[k] - 0.4) * 100;
+        setup.curves.control[k] = 0.4 + (setup.curves.control[k] - 0.4) * 100;
     Attempt attempt;
-    CHECK(attempt.analyse(its.problem()));
+    CHECK(attempt.analyse(setup.problem()));
     CHECK(attempt.status == HM_FAR_FROM_CURVE);
     INFO(attempt.error.text);
     CHECK(std::string(attempt.error.text).find("beyond the end of its curve") != std::string::npos);
-    CHECK(is_middle_of_base(its.mesh, attempt.error.item));
+    CHECK(is_middle_of_base(setup.mesh, attempt.error.item));
     CHECK(attempt.error.value == doctest::Approx(0.1));
 }
 
-TEST_CASE("a curve in another unit is much larger than the wall: refused") {
+TEST_CASE("a curve in another unit, much larger than the wall, is refused") {
     for (double const unit : {25.4, 1000.0}) {
-        Case its = hole();
-        for (double& number : its.curves.control) number = 0.5 + (number - 0.5) * unit;
-        its.put_on_curves(body, 0, 2);
+        Case setup = hole();
+        for (double& number : setup.curves.control) number = 0.5 + (number - 0.5) * unit;
+        setup.put_on_curves(body, 0, 2);
         Attempt attempt;
-        CHECK(!attempt.analyse(its.problem()));
+        CHECK(!attempt.analyse(setup.problem()));
         CHECK(attempt.status == HM_BAD_CONDITION);
         CHECK(std::string(attempt.error.text).find("more than the extent of the curve or wall") !=
               std::string::npos);
@@ -76,11 +73,12 @@ TEST_CASE("a curve in another unit is much larger than the wall: refused") {
 }
 
 TEST_CASE("a warning about distances is a whole sentence") {
-    Case its = hole();
-    for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] += 0.02;
-    its.put_on_curves(body, 0, 2);
+    Case setup = hole();
+    for (std::size_t k = 1; k < setup.curves.control.size(); k += 2)
+        setup.curves.control[k] += 0.02;
+    setup.put_on_curves(body, 0, 2);
     Attempt attempt;
-    CHECK(attempt.analyse(its.problem()));
+    CHECK(attempt.analyse(setup.problem()));
     CHECK(attempt.status == HM_FAR_FROM_CURVE);
     CHECK(std::string(attempt.error.text)
               .find("away from its curve, more than 0.05 of the extent of the curve or wall; check "

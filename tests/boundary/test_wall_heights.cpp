@@ -1,13 +1,9 @@
 // Heights above the walls brought back after conformal maps, whose stretch is known; and what must
 // stay as it is.
-#include <doctest/doctest.h>
-
 #include <fixtures/airfoil.hpp>
 #include <fixtures/check.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/walls.hpp>
-
-#include <complex>
 
 using namespace fixtures;
 using harmorph::FirstLayerChange;
@@ -43,7 +39,7 @@ Mesh hybrid_airfoil(double first = 1e-4) {
 
 }  // namespace
 
-TEST_CASE("heights of the first layers come back to a percent; angles, walls and far points stay") {
+TEST_CASE("heights of the first layers return to a percent, and far points stay") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Mesh mesh = annulus(60, 120, 1, 3, kind, true);
         for (std::size_t k = 0; k < mesh.x.size();
@@ -76,9 +72,7 @@ TEST_CASE("heights of the first layers come back to a percent; angles, walls and
     }
 }
 
-TEST_CASE(
-    "no motion is left alone to the last bit, rigid motion to rounding; scaling is undone near the "
-    "wall") {
+TEST_CASE("without motion no bit changes, and after rigid motion only rounding") {
     Walls walls(hybrid_airfoil());
     Mesh before = walls.deformed;
     walls.restore();
@@ -110,7 +104,7 @@ TEST_CASE("heights keep their order as long as the wall is stretched by more tha
     }
 }
 
-TEST_CASE("a viscous airfoil mesh: heights come back, sharp edge and all, and no cell inverts") {
+TEST_CASE("heights return round an airfoil with a sharp trailing edge, and no cell is inverted") {
     for (double const first : {1e-5, 1e-3})
         for (double const a : {0.001, -0.001}) {
             Walls walls(hybrid_airfoil(first));
@@ -144,7 +138,7 @@ TEST_CASE("joined points move together") {
     };
     for (std::size_t k = 0; k < mesh.cells.size();
          ++k)  // the last column: beyond the cut the points are others
-        if (static_cast<int>(k / 4) % n_t == n_t - 1) cut(mesh.cells[k]);
+        if (int(k / 4) % n_t == n_t - 1) cut(mesh.cells[k]);
     for (std::size_t k = 0; k < mesh.faces.size(); ++k)
         if (mesh.faces[k ^ 1] % n_t == n_t - 1) cut(mesh.faces[k]);
     Walls walls(mesh);
@@ -159,9 +153,7 @@ TEST_CASE("joined points move together") {
     CHECK(moved(walls, before, n_t) > 0);
 }
 
-TEST_CASE(
-    "the reach: within the radius of curvature and a quarter of the extent, graded, 0 where walls "
-    "end") {
+TEST_CASE("the reach is within the radius of curvature and a quarter of the extent") {
     Walls walls(hybrid_airfoil());
     walls.restore();
     harmorph::WallPoints const& wall = walls.heights.wall;
@@ -192,13 +184,13 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("nothing moves beside a boundary that is no wall") {
+TEST_CASE("points beside a boundary that is no wall do not move") {
     Mesh mesh = two_bodies(16, 12, {0.4, 0.3, 0}, {0.45, 0.35, 0.1});
     for (std::int32_t& marker : mesh.face_markers)
         marker = marker == second_body ? std::int32_t{9} : marker;
     std::vector<char> is_fixed(mesh.x.size(), 0);
     for (std::size_t k = 0; k < mesh.faces.size(); ++k)
-        if (mesh.face_markers[k / 2] != body) is_fixed[static_cast<std::size_t>(mesh.faces[k])] = 1;
+        if (mesh.face_markers[k / 2] != body) is_fixed[std::size_t(mesh.faces[k])] = 1;
     Walls walls(mesh);
     walls.deform([](Point p) { return Point{1.2 * p.x, 1.2 * p.y}; });
     Mesh const before = walls.deformed;
@@ -206,12 +198,11 @@ TEST_CASE("nothing moves beside a boundary that is no wall") {
     CHECK(!is_still(walls, before));
     for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
         std::int32_t const next = mesh.cells[k % 4 == 3 ? k - 3 : k + 1];  // all cells are quads
-        if (is_fixed[static_cast<std::size_t>(next)])
-            CHECK(moved(walls, before, mesh.cells[k]) == 0);
+        if (is_fixed[std::size_t(next)]) CHECK(moved(walls, before, mesh.cells[k]) == 0);
     }
 }
 
-TEST_CASE("two bodies: where the nearest changes nothing moves, and cells stay valid") {
+TEST_CASE("points whose nearest body does not change do not move, and cells stay valid") {
     Mesh const mesh = two_bodies(16, 12, {0.4, 0.3, 0},
                                  {0.4, 0.35, 0.2});  // gap 0.2, much less than their extent
     Walls walls(mesh);
@@ -233,7 +224,7 @@ TEST_CASE("two bodies: where the nearest changes nothing moves, and cells stay v
     CHECK(change.max_ratio - 1 < 0.3 * (lost.max_ratio - 1));
 }
 
-TEST_CASE("any number of threads, the same bits") {
+TEST_CASE("the number of threads changes no bit of wall heights") {
     Walls walls(hybrid_airfoil());
     walls.deform(Quadratic{0.02});
     Mesh const before = walls.deformed;

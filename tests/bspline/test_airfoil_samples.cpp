@@ -18,7 +18,7 @@ struct Sampled {
     Status status;
 
     explicit Sampled(std::vector<Vec2> const& points, bool is_loop = true) {
-        auto const n = static_cast<Index>(points.size());
+        auto const n = Index(points.size());
         Arena counting;
         AirfoilSamples().lay_out(counting, n, 400);
         block.resize(counting.bytes());
@@ -47,7 +47,7 @@ double distance_from(std::vector<Vec2> const& fine, Vec2 p) {
 
 }  // namespace
 
-TEST_CASE("samples lie on the section between the points, and the shares tell both sides apart") {
+TEST_CASE("samples lie on the section between the points, and the shares distinguish the sides") {
     Naca4 const shape{0.04, 0.4, 0.12, false};
     Sampled const run(naca(shape, 30));
     REQUIRE_MESSAGE(!failed(run.status), run.fault.sentence);
@@ -69,7 +69,7 @@ TEST_CASE("samples lie on the section between the points, and the shares tell bo
     CHECK(length(run.samples.points.from_unit(line.leading)) < 5e-3);
 }
 
-TEST_CASE("a loop may begin anywhere and run either way; a closed line can begin elsewhere") {
+TEST_CASE("a loop may begin anywhere and run either way, and a closed line may begin elsewhere") {
     std::vector<Vec2> points = naca({0.02, 0.4, 0.12, false}, 40);
     Sampled const first(points);
     std::rotate(points.begin(), points.begin() + 23, points.end());
@@ -91,7 +91,7 @@ TEST_CASE("a loop may begin anywhere and run either way; a closed line can begin
     CHECK(length(ellipse.line().front() - ellipse.line().back()) == 0);
 }
 
-TEST_CASE("a blunt base is left out; open points end where they end") {
+TEST_CASE("a blunt base is left out, and open points end at their ends") {
     Naca4 const blunt{0, 0.4, 0.12, true};
     Sampled const loop(naca(blunt, 40));
     CHECK(loop.samples.course.closure == Closure::open);

@@ -18,7 +18,7 @@ struct Measured {
 
     explicit Measured(std::vector<Vec2> const& given, bool is_loop = true)
         : points(given), corners(given.size()) {
-        auto const n = static_cast<Index>(points.size());
+        auto const n = Index(points.size());
         Arena counting;
         Outline().lay_out(counting, n);
         block.resize(counting.bytes());
@@ -27,8 +27,7 @@ struct Measured {
         outline.points = {points.data(), points.size()};
         outline.is_loop = is_loop;
         outline.measure();
-        corners.resize(
-            static_cast<std::size_t>(find_corners(outline, {corners.data(), corners.size()})));
+        corners.resize(std::size_t(find_corners(outline, {corners.data(), corners.size()})));
     }
 };
 
@@ -45,7 +44,7 @@ std::vector<Vec2> naca(fixtures::Naca4 const& shape, int n_side, double clusteri
 
 }  // namespace
 
-TEST_CASE("arc lengths, turns and curvature of a circle") {
+TEST_CASE("arc lengths, turns and curvature of a circle are right") {
     for (int const n : {12, 100, 5000}) {
         Measured const circle(fixtures::ellipse(n, 1));
         double const pi = std::acos(-1.0);
@@ -56,7 +55,7 @@ TEST_CASE("arc lengths, turns and curvature of a circle") {
     }
 }
 
-TEST_CASE("walking a given length along the outline") {
+TEST_CASE("a given length along the outline leads to the right place") {
     Measured const square(fixtures::polygon({{0, 0}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}, 10));
     CHECK(square.outline.ahead(0, 0.12) == 3);
     CHECK(square.outline.ahead(38, 0.12) == 1);
@@ -71,8 +70,7 @@ TEST_CASE("walking a given length along the outline") {
     CHECK(line.outline.turn[1] == 0);
 }
 
-TEST_CASE(
-    "sharp trailing edges are corners, rounded noses are none, however few points there are") {
+TEST_CASE("sharp trailing edges are corners, and rounded leading edges are not") {
     for (int const n : {15, 20, 50, 100, 1000, 2500})
         for (double const clustering : {0.3, 0.8, 1.0}) {
             CHECK(corners_of(naca({0.02, 0.4, 0.12, false}, n, clustering)) == Indices{0});
@@ -103,7 +101,7 @@ TEST_CASE("rounded edges, ellipses and polygons with many equal bends have no co
             CHECK(corners_of(fixtures::ellipse(n, height)).empty());
 }
 
-TEST_CASE("polygons have their corners; bends of less than five degrees are none") {
+TEST_CASE("polygons have their corners, and bends of less than five degrees are none") {
     CHECK(corners_of(fixtures::polygon({{0.5, 0}, {0, 0.05}, {-0.5, 0}, {0, -0.05}}, 9)) ==
           Indices{0, 9, 18, 27});
     CHECK(corners_of(fixtures::polygon({{0.5, 0}, {0, 0.02}, {-0.5, 0}, {0, -0.02}}, 9)) ==

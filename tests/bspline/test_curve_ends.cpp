@@ -19,7 +19,7 @@ struct Chosen {
 
 Chosen choose(std::vector<Vec2> const& points, Closure wanted, bool is_loop = true,
               Index most = 100) {
-    auto const n = static_cast<Index>(points.size());
+    auto const n = Index(points.size());
     Arena counting;
     Outline().lay_out(counting, n);
     std::vector<unsigned char> block(counting.bytes());
@@ -37,14 +37,14 @@ Chosen choose(std::vector<Vec2> const& points, Closure wanted, bool is_loop = tr
     out.dropped = n_found - n_corners;
     out.course = choose_course(outline, corners.first(n_corners), wanted);
     out.corners.resize(
-        static_cast<std::size_t>(corners_on(out.course, outline, corners.first(n_corners), most)));
+        std::size_t(corners_on(out.course, outline, corners.first(n_corners), most)));
     return out;
 }
 
-// Chosen alike wherever the loop begins, whichever way it runs, and however it lies: returns that
-// choice, with the first point as in the list given.
+// Checks that the choice is the same wherever the loop begins, whichever way it runs, and however
+// it lies. Returns the choice, with the first point as in the given list.
 Chosen choose_always(std::vector<Vec2> points) {
-    auto const n = static_cast<Index>(points.size());
+    auto const n = Index(points.size());
     Vec2 centre;
     for (Vec2 const p : points) centre = centre + (1.0 / n) * p;
     for (Vec2& p : points) p = p - centre;
@@ -76,7 +76,7 @@ std::vector<Vec2> turned_by(std::vector<Vec2> points, int places) {
 
 }  // namespace
 
-TEST_CASE("no corner: periodic; one: tied at it; a blunt base: open, the long way round") {
+TEST_CASE("an outline is periodic without a corner, tied with one, and open with a blunt base") {
     Chosen const round = choose(fixtures::ellipse(60, 0.2), Closure::automatic);
     CHECK(round.course.closure == Closure::periodic);
     CHECK(round.course.n_positions == 61);
@@ -98,7 +98,7 @@ TEST_CASE("no corner: periodic; one: tied at it; a blunt base: open, the long wa
     }
 }
 
-TEST_CASE("other corners lie on the course, the sharpest ones if there is not room for all") {
+TEST_CASE("other corners lie on the course, and only the sharpest if there is no room for all") {
     std::vector<Vec2> const kite =
         fixtures::polygon({{0.6, 0}, {0, 0.1}, {-0.4, 0}, {0, -0.1}}, 10);
     Chosen const all = choose(turned_by(kite, 5), Closure::automatic);
@@ -109,7 +109,7 @@ TEST_CASE("other corners lie on the course, the sharpest ones if there is not ro
     CHECK(choose(kite, Closure::automatic, true, 0).corners.empty());
 }
 
-TEST_CASE("the caller's wish is followed") {
+TEST_CASE("the closure that the caller asks for is used") {
     std::vector<Vec2> const blunt =
         fixtures::vectors(fixtures::naca4({0, 0.4, 0.12, true}, 30, 0.8, 4));
     Chosen const tied = choose(blunt, Closure::tied);
@@ -134,15 +134,15 @@ TEST_CASE("the caller's wish is followed") {
 namespace {
 
 // NACA 00xx, closed, with points in geometric progression from the trailing edge, and one straight
-// facet across the nose that is `longer` times as long as the ones beside it.
-std::vector<Vec2> with_nose_facet(double thickness, int n_side, double longer) {
+// facet across the leading edge that is `longer` times as long as the ones beside it.
+std::vector<Vec2> with_leading_facet(double thickness, int n_side, double longer) {
     fixtures::Naca4 const shape{0, 0.4, thickness, false};
     std::vector<Vec2> points = {{1, 0}};
-    double const half = 0.004;  // of the nose facet: where the section is as high
-    double x_nose = 0;
-    while (fixtures::naca4_point(shape, x_nose, 1).y < half) x_nose += 1e-6;
+    double const half = 0.004;  // half the height of the section at the facet
+    double x_leading = 0;
+    while (fixtures::naca4_point(shape, x_leading, 1).y < half) x_leading += 1e-6;
     std::vector<double> x;
-    double step = 2 * half / longer, at = x_nose;
+    double step = 2 * half / longer, at = x_leading;
     while (at < 1) {
         x.push_back(at);
         at += step;
@@ -152,8 +152,8 @@ std::vector<Vec2> with_nose_facet(double thickness, int n_side, double longer) {
         auto const p = fixtures::naca4_point(shape, x[k], 1);
         points.push_back({p.x, p.y});
     }
-    for (double const its : x) {
-        auto const p = fixtures::naca4_point(shape, its, -1);
+    for (double const column : x) {
+        auto const p = fixtures::naca4_point(shape, column, -1);
         points.push_back({p.x, p.y});
     }
     return points;
@@ -163,7 +163,7 @@ std::vector<Vec2> with_nose_facet(double thickness, int n_side, double longer) {
 // edges at both ends.
 std::vector<Vec2> blade(double turning, double thickness, double tail, int n_side, int n_cap) {
     double const pi = std::acos(-1.0), radius = 0.5 / std::sin(0.5 * turning);
-    auto const on_line = [&](double s) {  // 0 nose, 1 tail
+    auto const on_line = [&](double s) {  // 0: leading edge, 1: trailing edge
         double const a = turning * (s - 0.5);
         return Vec2{radius * std::sin(a), radius * std::cos(a)};
     };
@@ -207,28 +207,26 @@ std::vector<Vec2> cut_off(double height, double slant, int n_side, int n_base) {
     }
     Vec2 const low{1, -0.5 * height}, high{1 - slant * height, 0.5 * height};
     std::vector<Vec2> base;
-    for (int k = 0; k <= n_base; ++k)
-        base.push_back(low + (static_cast<double>(k) / n_base) * (high - low));
+    for (int k = 0; k <= n_base; ++k) base.push_back(low + (double(k) / n_base) * (high - low));
     out.insert(out.begin(), base.begin(), base.end());
     return out;
 }
 
 }  // namespace
 
-TEST_CASE("a facet across a nose is no base and no corner, however coarse") {
+TEST_CASE("a facet across a leading edge is no base and no corner, however coarse") {
     Index dropped = 0;
     for (double const thickness : {0.06, 0.12, 0.2})
         for (int const n_side : {10, 40, 200})
             for (double const longer : {1.0, 2.0, 5.0, 20.0}) {
-                CAPTURE(thickness);
-                CAPTURE(n_side);
-                CAPTURE(longer);
-                Chosen const its = choose_always(with_nose_facet(thickness, n_side, longer));
-                CHECK(its.course.reason == ClosureReason::corner);
-                CHECK(its.course.closure == Closure::tied);
-                CHECK(its.course.first == 0);
-                CHECK(its.corners.empty());
-                dropped += its.dropped;
+                INFO("thickness = " << thickness << ", n_side = " << n_side
+                                    << ", longer = " << longer);
+                Chosen const chosen = choose_always(with_leading_facet(thickness, n_side, longer));
+                CHECK(chosen.course.reason == ClosureReason::corner);
+                CHECK(chosen.course.closure == Closure::tied);
+                CHECK(chosen.course.first == 0);
+                CHECK(chosen.corners.empty());
+                dropped += chosen.dropped;
             }
     CHECK(dropped > 0);  // some of these do look like corners
 }
@@ -238,40 +236,35 @@ TEST_CASE("a turbine blade with round ends has no base") {
         for (double const tail : {0.004, 0.01, 0.02})
             for (int const n_cap : {4, 5, 8, 20})
                 for (int const n_side : {20, 60}) {
-                    CAPTURE(turning);
-                    CAPTURE(tail);
-                    CAPTURE(n_cap);
-                    CAPTURE(n_side);
+                    INFO("turning = " << turning << ", tail = " << tail << ", n_cap = " << n_cap
+                                      << ", n_side = " << n_side);
                     CHECK(choose_always(blade(turning, 0.08, tail, n_side, n_cap))
                               .course.base_points == 0);
                 }
 }
 
-TEST_CASE(
-    "blunt bases, thin and thick, straight and slanted, are found at the end that is no nose") {
+TEST_CASE("blunt bases of any thickness and slant are found at the end opposite the leading edge") {
     for (double const height : {2e-4, 1e-3, 1e-2, 0.05, 0.1})
         for (double const slant : {0.0, 0.5, -0.3})
             for (int const n_base : {1, 2, 6})
                 for (int const n_side : {30, 100}) {
-                    CAPTURE(height);
-                    CAPTURE(slant);
-                    CAPTURE(n_base);
-                    CAPTURE(n_side);
-                    Chosen const its = choose_always(cut_off(height, slant, n_side, n_base));
-                    CHECK(its.course.reason == ClosureReason::base);
-                    CHECK(its.course.base_points == n_base + 1);
-                    CHECK(its.course.first == n_base);
-                    CHECK(its.corners.empty());
+                    INFO("height = " << height << ", slant = " << slant << ", n_base = " << n_base
+                                     << ", n_side = " << n_side);
+                    Chosen const chosen = choose_always(cut_off(height, slant, n_side, n_base));
+                    CHECK(chosen.course.reason == ClosureReason::base);
+                    CHECK(chosen.course.base_points == n_base + 1);
+                    CHECK(chosen.course.first == n_base);
+                    CHECK(chosen.corners.empty());
                 }
 }
 
-TEST_CASE("straight pieces elsewhere are no base: ends of a plate, a step on the side, chamfers") {
+TEST_CASE("ends of a plate, a step on a side and chamfers are no base") {
     std::vector<Vec2> const plate =
         fixtures::polygon({{0.5, 0.02}, {-0.5, 0.025}, {-0.48, -0.02}, {0.5, -0.02}}, 8);
-    Chosen const its = choose_always(plate);
-    CHECK(its.course.reason == ClosureReason::corner);
-    CHECK(its.corners.size() == 3);
-    // Down at half chord, as in a cove, and sharp behind.
+    Chosen const chosen = choose_always(plate);
+    CHECK(chosen.course.reason == ClosureReason::corner);
+    CHECK(chosen.corners.size() == 3);
+    // This section has a step down at half chord, as in a cove, and a sharp trailing edge.
     Chosen const step =
         choose_always(fixtures::polygon({{1, 0}, {0.5, 0.02}, {0.5, 0.06}, {0, 0}}, 10));
     CHECK(step.course.base_points == 0);
@@ -305,7 +298,7 @@ static std::vector<Vec2> with_horn(double degrees, double reach, int base) {
     return out;
 }
 
-TEST_CASE("the tip of a horn of ice is no base: the trailing edge is where the curve begins") {
+TEST_CASE("the tip of a horn of ice is no base, and the curve begins at the trailing edge") {
     for (double const degrees : {110.0, 130.0, 150.0, 170.0})
         for (double const reach : {0.04, 0.08}) {
             INFO(degrees << " degrees, " << reach);
@@ -354,12 +347,9 @@ TEST_CASE("a trailing edge of one point is no base, though the last panel turns 
                             double const turn = std::asin(std::abs(cross(before, panel)) /
                                                           (length(before) * length(panel)));
                             if (turn > 0.42) continue;  // like a slanted base
-                            CAPTURE(blunt);
-                            CAPTURE(thickness);
-                            CAPTURE(camber);
-                            CAPTURE(last);
-                            CAPTURE(n_side);
-                            CAPTURE(above);
+                            INFO("blunt = " << blunt << ", thickness = " << thickness
+                                            << ", camber = " << camber << ", last = " << last
+                                            << ", n_side = " << n_side << ", above = " << above);
                             Chosen const chosen = choose_always(section);
                             CHECK(chosen.course.closure == Closure::tied);
                             CHECK(chosen.course.reason == ClosureReason::corner);

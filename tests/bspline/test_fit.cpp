@@ -5,9 +5,7 @@
 #include <fixtures/spline.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <random>
 #include <string>
 
 using namespace harmorph;
@@ -64,7 +62,7 @@ void refused(std::vector<Vec2> const& points, FitOptions const& wish, bool is_lo
 
 }  // namespace
 
-TEST_CASE("airfoils with 20 control points: sharp, blunt, rounded, cambered; few points and many") {
+TEST_CASE("airfoils of all kinds are fitted with 20 control points") {
     for (int const n : {15, 20, 50, 100, 1000})
         for (double const clustering : {0.8, 1.0})
             for (double const camber : {0.0, 0.04}) {
@@ -80,7 +78,7 @@ TEST_CASE("airfoils with 20 control points: sharp, blunt, rounded, cambered; few
     CHECK(max_error(fixtures::rounded_to(naca({0.02, 0.4, 0.12, true}, 1000), 6)) < 1e-4);
 }
 
-TEST_CASE("what is reported is what was made") {
+TEST_CASE("the report of a fit agrees with the fitted curve") {
     std::vector<Vec2> const points = naca({0.02, 0.4, 0.12, true}, 60, 0.8, 5);
     FitRun const run(points, {});
     REQUIRE(run.status == Status::ok);
@@ -107,16 +105,12 @@ TEST_CASE("what is reported is what was made") {
         sum += distance * distance;
     }
     CHECK(run.report.max_error == largest);
-    CHECK(run.report.rms_error ==
-          doctest::Approx(std::sqrt(sum / static_cast<double>(points.size()))));
-    CHECK(std::fmin(
-              project(wing, points[static_cast<std::size_t>(run.report.max_error_point)]).distance,
-              1) == largest);
+    CHECK(run.report.rms_error == doctest::Approx(std::sqrt(sum / double(points.size()))));
+    CHECK(std::fmin(project(wing, points[std::size_t(run.report.max_error_point)]).distance, 1) ==
+          largest);
 }
 
-TEST_CASE(
-    "a tied curve begins and ends in one control point; a periodic one repeats as many as its "
-    "degree") {
+TEST_CASE("a tied curve closes in one control point, a periodic one in as many as its degree") {
     for (Index degree = 1; degree <= 5; ++degree) {
         std::vector<Vec2> const points = naca({}, 60);
         FitRun const tied(points, options(degree, 16));
@@ -136,7 +130,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("corners on the way are kept: polygons are reproduced") {
+TEST_CASE("corners are kept, so that polygons are reproduced") {
     for (Index degree = 1; degree <= 5; ++degree) {
         CHECK(max_error(fixtures::polygon({{1, 0}, {0.5, 0.05}, {0, 0}, {0.5, -0.05}}, 20),
                         options(degree, 24)) < 1e-13);
@@ -158,7 +152,7 @@ TEST_CASE("straight lines are reproduced to rounding") {
         }
 }
 
-TEST_CASE("points of a B-spline are fitted by it") {
+TEST_CASE("points of a B-spline are fitted by a B-spline") {
     for (Index degree = 2; degree <= 5; ++degree) {
         fixtures::Spline bezier = fixtures::clamped(degree, degree + 1, 1);
         CHECK(max_error(sampled(bezier, 60, true), options(degree, degree + 1), false) <
@@ -166,13 +160,13 @@ TEST_CASE("points of a B-spline are fitted by it") {
         FitRun const run(sampled(bezier, 60, true), options(degree, degree + 1), false);
         CHECK(run.report.closure == Closure::open);
     }
-    // Knots are found, too, but only nearly.
+    // The knots are found, too, but only approximately.
     CHECK(max_error(sampled(fixtures::clamped(3, 10, 2), 200, true), options(3, 10), false) < 0.05);
     CHECK(max_error(sampled(fixtures::clamped(3, 10, 2), 200, true), options(3, 20), false) <
           0.005);
 }
 
-TEST_CASE("as many control points as points: interpolation") {
+TEST_CASE("as many control points as points interpolate the points") {
     for (Index degree = 1; degree <= 5; ++degree) {
         std::vector<Vec2> const points = naca({0.02, 0.4, 0.15, false}, 12);
         CHECK(max_error(points, options(degree, 24)) < 1e-6);
@@ -209,8 +203,7 @@ TEST_CASE("the fit turns, moves and grows with the points") {
             for (int i = 0; i < 20; ++i) expected.push_back(plain.control(i));
             expected = fixtures::placed(expected, 0.7, scale, by);
             for (int i = 0; i < 20; ++i)
-                CHECK(length(moved.control(i) - expected[static_cast<std::size_t>(i)]) <
-                      1e-8 * scale);
+                CHECK(length(moved.control(i) - expected[std::size_t(i)]) < 1e-8 * scale);
         }
     }
 }
@@ -241,7 +234,7 @@ TEST_CASE("the same input gives the same bits") {
     CHECK(std::equal(a.fit.control.begin(), a.fit.control.end(), b.fit.control.begin()));
 }
 
-TEST_CASE("what cannot be fitted is refused, and why") {
+TEST_CASE("points that cannot be fitted are refused with the reason") {
     std::vector<Vec2> const points = naca({}, 30);
     refused(points, options(0, 20), true, "degree", 0);
     refused(points, options(6, 20), true, "degree", 6);
@@ -270,14 +263,14 @@ TEST_CASE("what cannot be fitted is refused, and why") {
     refused(bad, {}, true, "beyond 1e100", 3);
 }
 
-TEST_CASE("facets divided by further points make no blunt base at the nose") {
+TEST_CASE("facets divided by further points make no blunt base at the leading edge") {
     for (int const parts : {2, 3, 4}) {
         std::vector<Vec2> const corners = naca({}, 41, 0.8, 0);
         std::vector<Vec2> points;
         for (std::size_t k = 0; k < corners.size(); ++k) {
             Vec2 const from = corners[k], to = corners[(k + 1) % corners.size()];
             for (int i = 0; i < parts; ++i)
-                points.push_back(from + (static_cast<double>(i) / parts) * (to - from));
+                points.push_back(from + (double(i) / parts) * (to - from));
         }
         FitRun const run(points, {}, true);
         CHECK(run.status == Status::ok);
@@ -288,7 +281,7 @@ TEST_CASE("facets divided by further points make no blunt base at the nose") {
     }
 }
 
-TEST_CASE("a curve that runs back between two points is said") {
+TEST_CASE("a curve that runs back between two points is reported") {
     std::vector<Vec2> const square = fixtures::polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 5);
     FitRun const run(square, options(5, 16));
     CHECK(run.status == Status::backtracks);
@@ -297,10 +290,9 @@ TEST_CASE("a curve that runs back between two points is said") {
     CHECK(run.fault.item.number == at);
     CHECK(std::string(run.fault.sentence) ==
           "the fitted curve runs backwards between points # and @; use fewer control points");
-    // It does: of some piece of the curve near that step the direction is against it.
+    // Near that step, some piece of the curve has a direction against the step.
     Curve const& curve = run.fit.curve[0];
-    Vec2 const from = square[static_cast<std::size_t>(at)],
-               to = square[static_cast<std::size_t>((at + 1) % 20)];
+    Vec2 const from = square[std::size_t(at)], to = square[std::size_t((at + 1) % 20)];
     double const begin = project(curve, from).u;
     double const end = (at + 1) % 20 == run.report.first_point ? curve.end() : project(curve, to).u;
     double least = 1;
@@ -343,29 +335,25 @@ TEST_CASE("points whose distance is lost in rounding of the arc length are refus
     CHECK(FitRun(points, options(1, 11), false).status == Status::bad_curve);
 }
 
-TEST_CASE(
-    "random points: a fit that is not refused is made of well-formed curves, whose control points "
-    "are in range") {
+TEST_CASE("fits of random points that are not refused are well-formed curves") {
     std::mt19937 random(34);
     auto const between = [&](double low, double high) {
-        return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+        return low + (high - low) * (double(random()) / 4294967296.0);
     };
     int fitted = 0, warned = 0, not_fitted = 0;
     for (int trial = 0; trial < 600; ++trial) {
-        int const n = 6 + static_cast<int>(random() % 20), degree = 1 + trial % 5;
+        int const n = 6 + int(random() % 20), degree = 1 + trial % 5;
         double const unit = trial % 3 == 0 ? 9e99 : 1, tiny = trial % 2 == 0 ? 1e-16 : 1e-3;
         std::vector<Vec2> points;
         for (int k = 0; k < n; ++k) {
-            double const angle =
-                2 * std::acos(-1.0) * std::pow(static_cast<double>(k) / n, between(1, 1.2));
+            double const angle = 2 * std::acos(-1.0) * std::pow(double(k) / n, between(1, 1.2));
             Vec2 p{std::cos(angle), 0.1 * std::sin(angle)};
             if (k > 0 && random() % 10 == 0)
                 p = points.back() + Vec2{tiny * between(-1, 1), tiny * between(-1, 1)};
             points.push_back(p);
         }
         for (Vec2& p : points) p = unit * p;
-        FitRun const run(points, options(degree, degree + 1 + static_cast<Index>(random() % 4)),
-                         trial % 4 != 0);
+        FitRun const run(points, options(degree, degree + 1 + Index(random() % 4)), trial % 4 != 0);
         if (failed(run.status)) {
             ++not_fitted;
             continue;

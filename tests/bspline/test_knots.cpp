@@ -18,7 +18,7 @@ struct Sites {
     Sites(int n, std::vector<Index> const& corners)
         : corner(corners), section_spans(corners.size() + 1) {
         for (int k = 0; k < n; ++k) u.push_back(k / (n - 1.0));
-        mass.assign(static_cast<std::size_t>(n - 1), 1);
+        mass.assign(std::size_t(n - 1), 1);
         capped = mass;
     }
     KnotSites view() {
@@ -29,7 +29,7 @@ struct Sites {
                 {section_spans.data(), section_spans.size()}};
     }
     std::vector<double> place(int degree, int n_indices, bool periodic) {
-        std::vector<double> knots(static_cast<std::size_t>(n_indices + degree + 1));
+        std::vector<double> knots(std::size_t(n_indices + degree + 1));
         place_knots(view(), degree, n_indices, periodic, {knots.data(), knots.size()});
         return knots;
     }
@@ -39,7 +39,7 @@ bool is_well_formed(std::vector<double> const& knots, int degree) {
     std::vector<double> control(2 * knots.size());
     Curve curve;
     curve.degree = degree;
-    curve.n_indices = curve.n_control = static_cast<Index>(knots.size()) - degree - 1;
+    curve.n_indices = curve.n_control = Index(knots.size()) - degree - 1;
     curve.knots = knots.data();
     curve.control = control.data();
     Fault fault;
@@ -55,17 +55,16 @@ TEST_CASE("even mass gives even knots") {
         CHECK(clamped[k] == doctest::Approx(expected[k]).epsilon(1e-14));
     std::vector<double> const periodic = Sites(101, {}).place(2, 12, true);
     for (int k = 0; k < 15; ++k)
-        CHECK(periodic[static_cast<std::size_t>(k)] ==
-              doctest::Approx((k - 2) / 10.0).epsilon(1e-14));
+        CHECK(periodic[std::size_t(k)] == doctest::Approx((k - 2) / 10.0).epsilon(1e-14));
 }
 
-TEST_CASE("knots go where the mass is, but each span keeps a point") {
+TEST_CASE("knots follow the mass, but each span keeps a point") {
     Sites sites(41, {});
     sites.mass[20] = 1e6;
     for (int const n_indices : {10, 20, 41}) {
         std::vector<double> const knots = sites.place(3, n_indices, false);
         CHECK(is_well_formed(knots, 3));
-        for (std::size_t k = 3; k < static_cast<std::size_t>(n_indices); ++k)
+        for (std::size_t k = 3; k < std::size_t(n_indices); ++k)
             CHECK(std::any_of(sites.u.begin(), sites.u.end(), [&](double u) {
                 return u > knots[k] - 1e-6 && u < knots[k + 1] + 1e-6;
             }));
@@ -77,7 +76,7 @@ TEST_CASE("knots go where the mass is, but each span keeps a point") {
           30);
 }
 
-TEST_CASE("a corner gets as many knots as the degree, and every section a span") {
+TEST_CASE("a corner has as many knots as the degree, and every section has a span") {
     for (int degree = 1; degree <= 5; ++degree) {
         Sites sites(61, {6, 30});
         for (std::size_t k = 0; k < 6; ++k) sites.mass[k] = 1e-3;
@@ -92,7 +91,7 @@ TEST_CASE("a corner gets as many knots as the degree, and every section a span")
     }
 }
 
-TEST_CASE("mass by curvature: 1 + 8 sqrt(curvature)") {
+TEST_CASE("the mass by curvature is 1 + 8 sqrt(curvature)") {
     double const arc[] = {0, 1, 3}, curvature[] = {4, 4, 0};
     double mass[2];
     weigh_by_curvature({arc, 3}, {curvature, 3}, {mass, 2});
@@ -100,7 +99,7 @@ TEST_CASE("mass by curvature: 1 + 8 sqrt(curvature)") {
     CHECK(mass[1] == doctest::Approx(2 * (1 + 8 * std::sqrt(2.0))));
 }
 
-TEST_CASE("mass moves to the span that errs: by the root of the error, of order degree + 1") {
+TEST_CASE("mass moves to the span with the error, by the root of the error of order degree + 1") {
     Sites sites(41, {});
     std::vector<double> const knots = sites.place(3, 7, false);  // four spans, ten intervals each
     std::vector<double> control(14), error(41, 1e-4), work(7);

@@ -17,7 +17,7 @@ struct Chained {
 };
 
 Chained chain(Curve const& curve, std::vector<Vec2> const& points, bool is_loop) {
-    auto const n = static_cast<Index>(points.size());
+    auto const n = Index(points.size());
     Arena counting;
     ChainWork work;
     work.lay_out(counting, n);
@@ -67,7 +67,7 @@ Spline thin_blade() {
 
 }  // namespace
 
-TEST_CASE("points along an open curve, forwards and backwards") {
+TEST_CASE("points along an open curve are projected forwards and backwards") {
     Spline const spline = fixtures::clamped(3, 12, 1);
     Curve const curve = spline.curve();
     std::vector<Vec2> points = points_on(curve, 50, 0, 1);
@@ -83,7 +83,7 @@ TEST_CASE("points along an open curve, forwards and backwards") {
     CHECK(forwards.u == backwards.u);
 }
 
-TEST_CASE("a loop on a periodic curve passes the seam once, wherever it begins") {
+TEST_CASE("a loop on a periodic curve passes the seam once, wherever the loop begins") {
     Spline const spline = fixtures::periodic(3, 10, 0.3, 2);
     Curve const curve = spline.curve();
     for (double const first : {0.0, 0.003, 0.31, 0.5, 0.999}) {
@@ -108,7 +108,7 @@ TEST_CASE("an open piece of a periodic curve may pass its seam") {
     }
 }
 
-TEST_CASE("on a tied curve the nearest point of a loop gets the tied end") {
+TEST_CASE("on a tied curve the nearest point of a loop has the tied end") {
     Spline const spline = thin_blade();
     Curve const curve = spline.curve();
     std::vector<Vec2> points = points_on(curve, 60, 0);
@@ -162,13 +162,13 @@ TEST_CASE("the seam may be within a thin part") {
         CHECK(turns_back(found.u, true) == 1);
         for (int k = 0; k < 150; ++k) {
             double const exact = 24 * std::fmod(first + k / 150.0, 1.0);
-            double const off = std::fabs(found.u[static_cast<std::size_t>(k)] - exact);
+            double const off = std::fabs(found.u[std::size_t(k)] - exact);
             CHECK(std::fmin(off, 24 - off) < 1.5);
         }
     }
 }
 
-TEST_CASE("no points, one point, points all in one place") {
+TEST_CASE("no points, one point, and points all in one place are projected") {
     Spline const spline = thin_blade();
     Curve const curve = spline.curve();
     CHECK(chain(curve, {}, true).sum == 0);

@@ -34,7 +34,7 @@ TEST_CASE("points of a curve get their parameter back") {
         }
 }
 
-TEST_CASE("a point off along the normal has its foot where it came from") {
+TEST_CASE("a point off along the normal has its foot where the normal begins") {
     Spline const spline = fixtures::periodic(3, 12, 0.6, 3);
     Curve const curve = spline.curve();
     for (int k = 0; k < 100; ++k)
@@ -49,7 +49,7 @@ TEST_CASE("a point off along the normal has its foot where it came from") {
         }
 }
 
-TEST_CASE("the nearest point is found wherever the point is, and at corners too") {
+TEST_CASE("the nearest point is found from everywhere, and at corners too") {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> uniform(-3, 3);
     Spline corner = fixtures::clamped(3, 9, 5);
@@ -71,7 +71,7 @@ TEST_CASE("the nearest point is found wherever the point is, and at corners too"
     }
 }
 
-TEST_CASE("a part of the curve is kept to") {
+TEST_CASE("the projection stays within the given part of the curve") {
     Spline const spline = fixtures::clamped(3, 12, 8);
     Curve const curve = spline.curve();
     Vec2 const point = curve_point(curve, 2.5);
@@ -81,7 +81,7 @@ TEST_CASE("a part of the curve is kept to") {
     CHECK(project(curve, point, 4.5, 4.5).u == 4.5);
 }
 
-TEST_CASE("what coincides with an end within rounding is the end") {
+TEST_CASE("a place that coincides with an end within rounding is the end") {
     Spline spline = fixtures::clamped(3, 10, 9);
     for (double const shift : {0.0, 1e3}) {
         for (double& c : spline.control) c += shift;
@@ -95,7 +95,7 @@ TEST_CASE("what coincides with an end within rounding is the end") {
     }
 }
 
-TEST_CASE("closed curves are told from open ones, smooth seams from corners") {
+TEST_CASE("closed curves are distinguished from open ones, and smooth seams from corners") {
     CHECK(!is_closed(fixtures::clamped(3, 9, 1).curve()));
     for (int degree = 2; degree <= 5; ++degree)
         CHECK(is_periodic(fixtures::periodic(degree, 9, 0.3, 2).curve()));

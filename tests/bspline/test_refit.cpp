@@ -22,7 +22,7 @@ struct RefitRun {
 
     RefitRun(Curve const& curve, Curve const* base, std::vector<Vec2> const& points,
              RefitOptions const& options = {}) {
-        auto const n = static_cast<Index>(points.size());
+        auto const n = Index(points.size());
         Arena counting;
         Refit().lay_out(counting, curve, n);
         block.resize(counting.bytes());
@@ -69,7 +69,7 @@ FitOptions const twenty{3, 20, Closure::automatic};
 
 }  // namespace
 
-TEST_CASE("a section that the curve already has moves nothing; a moved curve is found again") {
+TEST_CASE("a section that the curve already has moves nothing, and a moved curve is found again") {
     for (Closure const closure : {Closure::tied, Closure::periodic}) {
         FitRun const fit(naca(plain_section), {3, 20, closure});
         REQUIRE(!failed(fit.status));
@@ -88,8 +88,7 @@ TEST_CASE("a section that the curve already has moves nothing; a moved curve is 
     }
 }
 
-TEST_CASE(
-    "NACA sections: as near as a fit of this number of control points, and better with more") {
+TEST_CASE("NACA sections are refitted as well as by a new fit") {
     double last = 1;
     for (Index const n : {12, 20, 40}) {
         FitRun const fit(naca(plain_section), {3, n, Closure::automatic});
@@ -116,16 +115,15 @@ TEST_CASE("the moved curve does not cross itself") {
                 REQUIRE(!failed(run.status));
                 Curve moved = fit.fit.curve[0];
                 moved.control = run.refit.control.data();
-                CAPTURE(camber);
-                CAPTURE(front);
-                CAPTURE(thickness);
+                INFO("camber = " << camber << ", front = " << front
+                                 << ", thickness = " << thickness);
                 CHECK(crossings(sampled(moved, 300)) == 0);
             }
         }
     }
 }
 
-TEST_CASE("beginning, direction, unit and, on the chord, the place of the section do not matter") {
+TEST_CASE("the beginning, direction, unit and place of the section do not matter") {
     FitRun const fit(naca(plain_section), twenty);
     Curve const curve = fit.fit.curve[0];
     std::vector<Vec2> points = naca(cambered);
@@ -149,7 +147,7 @@ TEST_CASE("beginning, direction, unit and, on the chord, the place of the sectio
         CHECK(length(scaled.control(i) - 1000.0 * first.control(i)) < 1e-6);
 }
 
-TEST_CASE("a blunt curve takes its base along; a sharp or round curve closes a blunt section") {
+TEST_CASE("a blunt curve moves its base along, and a sharp or round curve closes a blunt section") {
     Naca4 const blunt{0, 0.4, 0.12, true}, other{0.03, 0.4, 0.16, true};
     FitRun const fit(naca(blunt), twenty);
     REQUIRE(fit.fit.n_curves == 2);
@@ -167,7 +165,7 @@ TEST_CASE("a blunt curve takes its base along; a sharp or round curve closes a b
     CHECK(std::fabs(closed.report.closed_width - width) < 1e-12);
 }
 
-TEST_CASE("what is no airfoil is refused, and so is a section without the base of the curve") {
+TEST_CASE("points that are no airfoil, or lack the base of the curve, are refused") {
     FitRun const sharp(naca(plain_section), twenty);
     FitRun const blunt(naca({0, 0.4, 0.12, true}), twenty);
     auto const refused = [](RefitRun const& run, char const* words) {

@@ -1,13 +1,10 @@
-// What calls with curves and sections refuse, with the whole sentence that says so.
+// Calls with curves and sections that are refused, with the whole sentence of each refusal.
 #include <harmorph_design.h>
-#include <doctest/doctest.h>
 
 #include <fixtures/curves.hpp>
 #include <fixtures/refused.hpp>
 
 #include <limits>
-#include <string>
-#include <vector>
 
 using namespace fixtures;
 
@@ -22,17 +19,17 @@ struct Square {
     hm_curves set{};
 
     explicit Square(std::size_t n = 1) {
-        hm_curve its{};
-        its.struct_size = sizeof its;
-        its.degree = 1;
-        its.n_indices = 5;
-        its.indices = indices.data();
-        its.knots = knots;
-        curve.assign(n, its);
+        hm_curve one{};
+        one.struct_size = sizeof one;
+        one.degree = 1;
+        one.n_indices = 5;
+        one.indices = indices.data();
+        one.knots = knots;
+        curve.assign(n, one);
         set.struct_size = sizeof set;
         set.n_control = 4;
         set.control = control.data();
-        set.n_curves = static_cast<std::int32_t>(n);
+        set.n_curves = std::int32_t(n);
         set.curve = curve.data();
     }
 };
@@ -41,28 +38,28 @@ double const not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-TEST_CASE("points of curves, and knots that are to be inserted") {
-    Square its;
+TEST_CASE("refused evaluations and refinements of curves have the stated texts") {
+    Square square;
     double xy[4], u[1];
     std::size_t bytes = 0;
     auto const refine = [&](double knot) {
         return [&, knot](hm_error* e) {
-            return u[0] = knot, hm_refine_size(&its.set, 0, 0, 1, u, &bytes, e);
+            return u[0] = knot, hm_refine_size(&square.set, 0, 0, 1, u, &bytes, e);
         };
     };
     check_texts({
         {HM_BAD_ARGUMENT, "u is 9, which is outside the range of the parameter of the curve",
-         [&](hm_error* e) { return hm_curve_point(&its.set, 0, 9, 0, xy, e); }},
+         [&](hm_error* e) { return hm_curve_point(&square.set, 0, 9, 0, xy, e); }},
         {HM_BAD_ARGUMENT, "u is NaN, which is outside the range of the parameter of the curve",
-         [&](hm_error* e) { return hm_curve_point(&its.set, 0, not_a_number, 0, xy, e); }},
+         [&](hm_error* e) { return hm_curve_point(&square.set, 0, not_a_number, 0, xy, e); }},
         {HM_BAD_ARGUMENT, "n_derivatives must be between 0 and 5, not 6",
-         [&](hm_error* e) { return hm_curve_point(&its.set, 0, 1, 6, xy, e); }},
+         [&](hm_error* e) { return hm_curve_point(&square.set, 0, 1, 6, xy, e); }},
         {HM_BAD_ARGUMENT, "n_derivatives must be between 0 and 5, not -1",
-         [&](hm_error* e) { return hm_curve_point(&its.set, 0, 1, -1, xy, e); }},
+         [&](hm_error* e) { return hm_curve_point(&square.set, 0, 1, -1, xy, e); }},
         {HM_BAD_ARGUMENT, "curve 1 does not exist; curves.n_curves is 1",
-         [&](hm_error* e) { return hm_curve_point(&its.set, 1, 1, 0, xy, e); }},
+         [&](hm_error* e) { return hm_curve_point(&square.set, 1, 1, 0, xy, e); }},
         {HM_BAD_ARGUMENT, "curve -1 does not exist; curves.n_curves is 1",
-         [&](hm_error* e) { return hm_curve_point(&its.set, -1, 1, 0, xy, e); }},
+         [&](hm_error* e) { return hm_curve_point(&square.set, -1, 1, 0, xy, e); }},
         {HM_BAD_ARGUMENT, "knot 0 to be inserted, 4, is not inside the range of curve 0",
          refine(4)},
         {HM_BAD_ARGUMENT, "knot 0 to be inserted, 0, is not inside the range of curve 0",
@@ -74,8 +71,8 @@ TEST_CASE("points of curves, and knots that are to be inserted") {
     });
 }
 
-TEST_CASE("sections: which curves, and an outline round nothing") {
-    Square its(9), flat, point;
+TEST_CASE("refused sections have the stated texts") {
+    Square square(9), flat, point;
     point.control = {1, 1, 1, 1, 1, 1, 1, 1};
     point.set.control = point.control.data();
     flat.control = {1, 0, 0.5, 0, 0, 0, 0.5, 0};  // there and back
@@ -88,7 +85,7 @@ TEST_CASE("sections: which curves, and an outline round nothing") {
             section = {size, first, n, 0, 0, 1, 0};
             quantity.struct_size = sizeof quantity;
             quantity.kind = HM_AREA;
-            return hm_measure(&its.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
+            return hm_measure(&square.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
         };
     };
     check_texts({
@@ -113,7 +110,7 @@ TEST_CASE("sections: which curves, and an outline round nothing") {
          [&](hm_error* e) {
              section = {sizeof section, 0, 1, 1, 1, 1, 1};
              quantity.kind = HM_CHORD;
-             return hm_measure(&its.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
+             return hm_measure(&square.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
          }},
         {HM_BAD_CURVE, "all points of the section are in the same place",
          [&](hm_error* e) {
@@ -123,13 +120,13 @@ TEST_CASE("sections: which curves, and an outline round nothing") {
          [&](hm_error* e) {
              section = {sizeof section, 0, 1, 20, 20, 21, 20};
              quantity.kind = HM_MAX_THICKNESS;
-             return hm_measure(&its.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
+             return hm_measure(&square.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
          }},
         {HM_BAD_ARGUMENT, "the polygon of quantity 0 is NULL, empty or longer than 2^20 points",
          [&](hm_error* e) {
              quantity.kind = HM_CLEARANCE;
              section = {sizeof section, 0, 1, 0, 0, 1, 0};
-             return hm_measure(&its.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
+             return hm_measure(&square.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
          }},
         {HM_BAD_CURVE, "the section encloses no area: the integral along the outline is 0",
          [&](hm_error* e) {
@@ -139,7 +136,7 @@ TEST_CASE("sections: which curves, and an outline round nothing") {
     });
 }
 
-TEST_CASE("a curve that stands still has no curvature there") {
+TEST_CASE("a curve that is constant has no curvature there") {
     std::vector<double> const control{1, 0, 0.5, 0.5, 0, 0, 0, 0, 0, 0, 0.5, -0.5, 1, 0};
     double const knots[] = {0, 0, 0, 1, 2, 3, 4, 5, 5, 5};
     hm_curve curve{};
@@ -162,8 +159,8 @@ TEST_CASE("a curve that stands still has no curvature there") {
     CHECK(value == 7);
 }
 
-TEST_CASE("design variables: fields of another kind, and numbers out of range") {
-    Square its;
+TEST_CASE("refused design variables have the stated texts") {
+    Square square;
     hm_variables v{};
     std::int32_t n = 0;
     std::size_t bytes = 0;
@@ -176,13 +173,15 @@ TEST_CASE("design variables: fields of another kind, and numbers out of range") 
             if (kind == HM_CST || kind == HM_HICKS_HENNE) v.n_upper = 1;
             change(v);
             if (v.peaks != nullptr) v.peaks = peaks;
-            return hm_variables_size(&its.set, nullptr, &v, &n, &bytes, e);
+            return hm_variables_size(&square.set, nullptr, &v, &n, &bytes, e);
         };
     };
     static double const some = 0.5;
     check_texts({
         {HM_BAD_ARGUMENT, "variables is NULL",
-         [&](hm_error* e) { return hm_variables_size(&its.set, nullptr, nullptr, &n, &bytes, e); }},
+         [&](hm_error* e) {
+             return hm_variables_size(&square.set, nullptr, nullptr, &n, &bytes, e);
+         }},
         {HM_BAD_ARGUMENT,
          "variables.struct_size is not the size of an hm_variables; begin with HM_INIT(variables)",
          with(HM_FFD, [](auto& o) { o.struct_size = 0; })},

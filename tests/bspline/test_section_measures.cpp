@@ -21,9 +21,19 @@ hm_quantity quantity(int kind, double station = 0) {
     out.station = station;
     return out;
 }
+hm_quantity thinnest(double first, double last, double sharpness) {
+    hm_quantity out = quantity(HM_MIN_THICKNESS, first);
+    out.last_station = last;
+    out.sharpness = sharpness;
+    return out;
+}
+hm_quantity sharpened(hm_quantity out, double sharpness) {
+    out.sharpness = sharpness;
+    return out;
+}
 hm_quantity clearance(std::vector<double> const& polygon) {
     hm_quantity out = quantity(HM_CLEARANCE);
-    out.n_polygon = static_cast<int>(polygon.size() / 2);
+    out.n_polygon = int(polygon.size() / 2);
     out.polygon = polygon.data();
     return out;
 }
@@ -107,14 +117,14 @@ CurveSet section(bool open, bool rational, int degree = 3) {
     Spline out;
     out.degree = degree;
     for (std::size_t k = 0; k < x.size(); ++k) {
-        out.indices.push_back(static_cast<int>(k));
+        out.indices.push_back(int(k));
         if (!open && k == 12) {
             out.indices.back() = 0;
             continue;
         }
         out.control.push_back(x[k]);
         out.control.push_back(y[k]);
-        if (rational) out.weights.push_back(0.7 + 0.13 * static_cast<double>(k % 6));
+        if (rational) out.weights.push_back(0.7 + 0.13 * double(k % 6));
     }
     out.knots = fixtures::clamped_knots(degree, 13);
     return CurveSet(out);
@@ -146,9 +156,7 @@ BothDirections slopes(CurveSet set, hm_quantity const& asked, std::size_t k) {
 
 }  // namespace
 
-TEST_CASE(
-    "a circle: area, moments, radius of curvature, thickness, clearance are those of the "
-    "formulas") {
+TEST_CASE("the measures of a circle are those of the formulas") {
     double const r = 0.7, cx = 3, cy = -2;
     CurveSet set = circle(r, cx, cy);
     hm_section chord{};
@@ -156,19 +164,19 @@ TEST_CASE(
     chord.leading_x = cx - r;
     chord.trailing_x = cx + r;
     chord.leading_y = chord.trailing_y = cy;
-    auto const is = [&](int kind, double value) {
+    auto const check_value = [&](int kind, double value) {
         CHECK(value_of(set, quantity(kind), &chord) == doctest::Approx(value).epsilon(1e-13));
     };
-    is(HM_AREA, pi * r * r);
-    is(HM_CENTROID_X, cx);
-    is(HM_CENTROID_Y, cy);
-    is(HM_MOMENT_XX, pi * std::pow(r, 4) / 4);
-    is(HM_MOMENT_YY, pi * std::pow(r, 4) / 4);
+    check_value(HM_AREA, pi * r * r);
+    check_value(HM_CENTROID_X, cx);
+    check_value(HM_CENTROID_Y, cy);
+    check_value(HM_MOMENT_XX, pi * std::pow(r, 4) / 4);
+    check_value(HM_MOMENT_YY, pi * std::pow(r, 4) / 4);
     CHECK(std::fabs(value_of(set, quantity(HM_MOMENT_XY), &chord)) < 1e-14);
-    is(HM_CHORD, 2 * r);
-    is(HM_MAX_THICKNESS, 2 * r);
-    is(HM_LEADING_EDGE_RADIUS, r);
-    is(HM_MIN_RADIUS, r);
+    check_value(HM_CHORD, 2 * r);
+    check_value(HM_MAX_THICKNESS, 2 * r);
+    check_value(HM_LEADING_EDGE_RADIUS, r);
+    check_value(HM_MIN_RADIUS, r);
     for (double const station : {0.1, 0.37, 0.9}) {
         double const x = (2 * station - 1) * r;
         CHECK(value_of(set, quantity(HM_THICKNESS, station), &chord) ==
@@ -189,8 +197,7 @@ TEST_CASE(
     CHECK(distance({cx + 2, cy}) == doctest::Approx(r - 2).epsilon(1e-12));
 }
 
-TEST_CASE(
-    "polygons: areas of degree-1 outlines, and what a side is farther from than its corners") {
+TEST_CASE("areas of polygons and clearances to their sides are right") {
     Spline square;
     square.degree = 1;
     square.control = {0, 0, 4, 0, 4, 2, 0, 2};
@@ -212,7 +219,7 @@ TEST_CASE(
     CHECK(value_of(notch, clearance({1, 1.25, 3, 1.25})) < -0.1);
 }
 
-TEST_CASE("a section of two curves may have gaps of 1e-9 of the extent; the base is a side, too") {
+TEST_CASE("a section of two curves may have gaps of 1e-9 of the extent, and its base is a side") {
     for (bool const upright : {false, true})
         for (double const gap : {0.0, 5e-10, 2e-9}) {
             Spline upper, lower;
@@ -241,9 +248,7 @@ TEST_CASE("a section of two curves may have gaps of 1e-9 of the extent; the base
         }
 }
 
-TEST_CASE(
-    "derivatives of all quantities agree with differences: tied, open, rational, both "
-    "orientations") {
+TEST_CASE("derivatives of all quantities agree with differences for sections of all kinds") {
     std::vector<double> const box = {0.2, -0.03, 0.6, -0.02, 0.6, 0.05, 0.2, 0.06},
                               wide = {0.1, -0.2, 0.8, 0.0, 0.3, 0.3};
     for (bool const rational : {false, true})
@@ -272,13 +277,18 @@ TEST_CASE(
                     check_gradient(set, quantity(HM_THICKNESS, station), &chord, 2e-7);
                     check_gradient(set, quantity(HM_CAMBER, station), &chord, 2e-7);
                 }
+                for (double const sharpness : {0.0, 30.0, 500.0}) {
+                    check_gradient(set, thinnest(0.05, 0.3, sharpness), &chord, 1e-6);
+                    check_gradient(set, thinnest(0.15, 0.9, sharpness), &chord, 1e-6);
+                }
+                if (!fixed) check_gradient(set, quantity(HM_TWIST), &chord, 1e-7);
+                check_gradient(set, sharpened(clearance(box), 40), &chord, 1e-6);
                 check_gradient(set, clearance(box), &chord, 1e-6);
                 check_gradient(set, clearance(wide), &chord, 1e-6);
             }
 }
 
-TEST_CASE(
-    "the measures of a section do not depend on its direction, and turn, grow and move with it") {
+TEST_CASE("measures of a section do not depend on direction, and follow rotation and scale") {
     for (bool const open : {false, true}) {
         CurveSet set = section(open, true), back = reversed(section(open, true)),
                  moved = section(open, true);
@@ -298,6 +308,12 @@ TEST_CASE(
         };
         check(HM_AREA, 2);
         check(HM_CHORD, 1);
+        CHECK(value_of(moved, quantity(HM_TWIST)) - value_of(set, quantity(HM_TWIST)) ==
+              doctest::Approx(angle * 180 / pi).epsilon(1e-10));
+        for (double const sharpness : {0.0, 60.0})
+            CHECK(value_of(moved, thinnest(0.1, 0.8, sharpness / scale)) ==
+                  doctest::Approx(scale * value_of(set, thinnest(0.1, 0.8, sharpness)))
+                      .epsilon(1e-10));
         check(HM_THICKNESS, 1, 0.3);
         check(HM_CAMBER, 1, 0.3);
         check(HM_MAX_THICKNESS, 1);
@@ -312,7 +328,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("the maximum over stations is no smaller than any station, and is one of them") {
+TEST_CASE("the maximum over stations is at least the value of any station, and is one of them") {
     CurveSet set = section(true, false);
     Result const thickest = measured(set, quantity(HM_MAX_THICKNESS)),
                  cambered = measured(set, quantity(HM_MAX_CAMBER));
@@ -325,9 +341,57 @@ TEST_CASE("the maximum over stations is no smaller than any station, and is one 
     CHECK(thickest.at[0] < 0.6);
 }
 
-TEST_CASE(
-    "a smooth closed outline has the edge angle 180, wherever rounding puts it, and its exact "
-    "derivative") {
+TEST_CASE("the smallest thickness is no larger than any station, and the smooth bound is below") {
+    CurveSet set = section(true, false);
+    for (double const first : {0.05, 0.3, 0.6}) {
+        for (double const last : {first, 0.75, 0.9}) {
+            Result const exact = measured(set, thinnest(first, last, 0));
+            double least = HUGE_VAL;
+            for (int k = 0; k <= 200; ++k) {
+                double const station = first + (last - first) * k / 200;
+                least = std::fmin(least, value_of(set, quantity(HM_THICKNESS, station)));
+            }
+            CHECK(exact.value <= least * (1 + 1e-12));
+            CHECK(exact.value >= least - 1e-4);
+            for (double const sharpness : {10.0, 1000.0, 1e5}) {
+                double const smooth = value_of(set, thinnest(first, last, sharpness));
+                CHECK(smooth <= least * (1 + 1e-12));
+                CHECK(smooth >= exact.value - std::log(65.0) / sharpness * (1 + 1e-9));
+            }
+        }
+    }
+    // An hourglass is thinnest in its middle.
+    Spline waist;
+    waist.degree = 2;
+    waist.control = {4, 0, 4, 1, 2, 0.2, 0, 1, 0, 0, 0, -1, 2, -0.2, 4, -1};
+    for (int k = 0; k < 9; ++k) waist.indices.push_back(k % 8);
+    waist.knots = fixtures::clamped_knots(2, 9);
+    CurveSet hourglass(waist);
+    hm_section chord{};
+    chord.struct_size = sizeof chord;
+    chord.trailing_x = 4;
+    Result const middle = measured(hourglass, thinnest(0.2, 0.8, 0), &chord);
+    REQUIRE(middle.status == HM_OK);
+    CHECK(middle.at[0] == doctest::Approx(2).epsilon(1e-6));
+    CHECK(middle.value ==
+          doctest::Approx(value_of(hourglass, quantity(HM_THICKNESS, 0.5), &chord)).epsilon(1e-12));
+    check_gradient(hourglass, thinnest(0.2, 0.8, 0), &chord, 1e-6);
+}
+
+TEST_CASE("the smooth clearance is below that of the points of the polygon") {
+    CurveSet set = circle(2, 1, 1);
+    std::vector<double> const box = {0, 0.2, 2.1, 0, 1.8, 2, 0.3, 1.9};
+    double least = HUGE_VAL;
+    for (std::size_t k = 0; k < box.size(); k += 2)
+        least = std::fmin(least, 2 - std::hypot(box[k] - 1, box[k + 1] - 1));
+    for (double const sharpness : {5.0, 100.0, 1e4}) {
+        double const smooth = value_of(set, sharpened(clearance(box), sharpness));
+        CHECK(smooth <= least);
+        CHECK(smooth >= least - std::log(4.0) / sharpness * (1 + 1e-9));
+    }
+}
+
+TEST_CASE("a smooth closed outline has the edge angle 180 and its exact derivative") {
     for (bool const back : {false, true})
         for (int turn = 0; turn < 40; ++turn) {
             Spline const ellipse = fixtures::ring(3 + turn % 2, 9, 1, 0.4, 3, -2, 0.17 * turn);
@@ -339,9 +403,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "edge angles from a thin edge to a notch are continuous, and those of crossed ends are "
-    "negative") {
+TEST_CASE("edge angles are continuous from a thin edge to a notch, and negative for crossed ends") {
     for (double angle = -80; angle < 265; angle += 7.25) {
         double const half = angle * pi / 360, c = std::cos(half), s = std::sin(half);
         Spline kite;  // its edge is at the origin, its body at the left
@@ -393,7 +455,7 @@ TEST_CASE("the derivative of an extreme at a corner follows the corner") {
         spline.degree = outline.degree;
         spline.control = outline.control;
         spline.knots = outline.knots;
-        int const n = static_cast<int>(outline.control.size() / 2);
+        int const n = int(outline.control.size() / 2);
         for (int k = 0; k <= n; ++k) spline.indices.push_back(k % n);
         for (bool const back : {false, true}) {
             CurveSet const set = back ? reversed(CurveSet(spline)) : CurveSet(spline);
@@ -415,12 +477,12 @@ TEST_CASE("the derivative of an extreme at a corner follows the corner") {
     }
 }
 
-TEST_CASE("what cannot be measured is refused with the reason, outputs untouched") {
+TEST_CASE("quantities that cannot be measured are refused with the reason, and outputs stay") {
     CurveSet set = section(false, false), ring(fixtures::ring(3, 9, 1, 0.4)),
              line(fixtures::clamped(1, 2, 1));
-    auto const refusal = [&](CurveSet& of, hm_quantity const& asked, std::string const& word,
+    auto const refusal = [&](CurveSet& curves, hm_quantity const& asked, std::string const& word,
                              hm_section const* with = nullptr) {
-        Result const out = measured(of, asked, with);
+        Result const out = measured(curves, asked, with);
         CHECK_MESSAGE(std::string(out.error.text).find(word) != std::string::npos, out.error.text);
         CHECK(out.value == -777);
         CHECK(out.gradient[0] == -777);

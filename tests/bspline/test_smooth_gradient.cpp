@@ -19,27 +19,27 @@ struct Set {
 
     Set(std::vector<Spline> const& parts, int n_unused = 0) : splines(parts) {
         for (Spline& s : splines) {
-            auto const first = static_cast<std::int32_t>(control.size() / 2);
+            auto const first = std::int32_t(control.size() / 2);
             if (s.indices.empty())
                 for (std::size_t k = 0; k < s.control.size() / 2; ++k)
-                    s.indices.push_back(static_cast<std::int32_t>(k));
+                    s.indices.push_back(std::int32_t(k));
             for (std::int32_t& i : s.indices) i += first;
             control.insert(control.end(), s.control.begin(), s.control.end());
         }
-        control.resize(control.size() + 2 * static_cast<std::size_t>(n_unused), 0.5);
+        control.resize(control.size() + 2 * std::size_t(n_unused), 0.5);
         for (Spline const& s : splines) {
             hm_curve curve{};
             HM_INIT(curve);
             curve.degree = s.degree;
-            curve.n_indices = static_cast<std::int32_t>(s.indices.size());
+            curve.n_indices = std::int32_t(s.indices.size());
             curve.indices = s.indices.data();
             curve.knots = s.knots.data();
             curves.push_back(curve);
         }
         HM_INIT(view);
-        view.n_control = static_cast<std::int32_t>(control.size() / 2);
+        view.n_control = std::int32_t(control.size() / 2);
         view.control = control.data();
-        view.n_curves = static_cast<std::int32_t>(curves.size());
+        view.n_curves = std::int32_t(curves.size());
         view.curve = curves.data();
     }
     hm_status smooth(double length, std::vector<double> const& gradient, std::vector<double>& out,
@@ -79,7 +79,7 @@ struct Dense {
     std::vector<std::vector<double>> stiffness;
 
     explicit Dense(Set const& set) {
-        auto const n = static_cast<std::size_t>(set.view.n_control);
+        auto const n = std::size_t(set.view.n_control);
         mass.assign(n, 0);
         stiffness.assign(n, std::vector<double>(n, 0));
         for (Spline const& s : set.splines) {
@@ -95,10 +95,10 @@ struct Dense {
                 auto const basis = harmorph::curve_basis(curve, u, 1);
                 double const speed = length(c[1]);
                 for (int a = 0; a < basis.order; ++a) {
-                    auto const i = static_cast<std::size_t>(basis.control[a]);
+                    auto const i = std::size_t(basis.control[a]);
                     mass[i] += width * speed * basis.value[0][a];
                     for (int b = 0; b < basis.order; ++b)
-                        stiffness[i][static_cast<std::size_t>(basis.control[b])] +=
+                        stiffness[i][std::size_t(basis.control[b])] +=
                             width / speed * basis.value[1][a] * basis.value[1][b];
                 }
             }
@@ -120,7 +120,7 @@ Set const round_body({fixtures::periodic(3, 14, 0.4, 2)});
 
 }  // namespace
 
-TEST_CASE("the smooth gradient solves the equation of the header") {
+TEST_CASE("the smooth gradient solves the equation that the header states") {
     Dense const dense(round_body);
     std::vector<double> const g = random_gradient(round_body, 1);
     for (double const length : {0.01, 0.3, 5.0}) {
@@ -134,7 +134,7 @@ TEST_CASE("the smooth gradient solves the equation of the header") {
     for (std::size_t i = 0; i < g.size(); ++i) CHECK(std::fabs(same[i] - constant[i]) < 1e-8);
 }
 
-TEST_CASE("symmetric and positive; length 0 keeps all bits; longer lengths damp waves more") {
+TEST_CASE("smoothing is symmetric and positive, and longer lengths damp waves more") {
     std::vector<double> const a = random_gradient(round_body, 3),
                               b = random_gradient(round_body, 4);
     std::vector<double> const smooth = round_body.smoothed(0.5, a);
@@ -152,7 +152,7 @@ TEST_CASE("symmetric and positive; length 0 keeps all bits; longer lengths damp 
     CHECK(last < 0.05 * dot(wave, wave));
 }
 
-TEST_CASE("units of length and of the gradient, and the direction of the curve, do not matter") {
+TEST_CASE("units of length and gradient and the direction of the curve do not matter") {
     std::vector<double> const g = random_gradient(round_body, 5);
     std::vector<double> const first = round_body.smoothed(0.4, g);
     Spline large = fixtures::periodic(3, 14, 0.4, 2);
@@ -178,7 +178,7 @@ TEST_CASE("units of length and of the gradient, and the direction of the curve, 
         CHECK(std::fabs(s[i] - t[h.size() - 2 - i + 2 * (i % 2)]) < 1e-12);
 }
 
-TEST_CASE("curves without common control points are independent; unused points keep theirs") {
+TEST_CASE("curves without common control points are independent; unused points stay") {
     Spline const one = fixtures::clamped(2, 6, 8), two = fixtures::clamped(3, 7, 9);
     Set const both({one, two}, 2);
     std::vector<double> g = random_gradient(both, 10);
@@ -189,7 +189,7 @@ TEST_CASE("curves without common control points are independent; unused points k
     for (std::size_t i = g.size() - 4; i < g.size(); ++i) CHECK(std::fabs(s[i] - g[i]) < 1e-15);
 }
 
-TEST_CASE("refused calls name the argument and leave the result as it was") {
+TEST_CASE("refused calls name the argument and leave the result unchanged") {
     std::vector<double> g = random_gradient(round_body, 11), out(g.size(), 7);
     hm_error error{};
     auto const refused = [&](double length, char const* words) {

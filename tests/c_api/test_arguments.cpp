@@ -23,30 +23,22 @@ using namespace fixtures;
 namespace {
 
 struct Given {  // a mesh with a solved basis, and points to read and to write
-    Case its = tiny_case();
-    hm_mesh mesh = its.mesh_view();
-    Solved solved{its.problem(mesh)};
+    Case setup = tiny_case();
+    hm_mesh mesh = setup.mesh_view();
+    Solved solved{setup.problem(mesh)};
     hm_analysis* analysis = solved.analysis;
     hm_plan* plan = solved.plan;
     hm_basis* basis = solved.basis;
-    std::vector<double> x = its.mesh.x, y = its.mesh.y, to_x = x, to_y = y,
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y, to_x = x, to_y = y,
                         zero = std::vector<double>(x.size(), 0.0);
     std::vector<double> move = std::vector<double>(8, 0.0),
                         numbers = std::vector<double>(1000, 0.0);
     hm_points at{x.data(), y.data(), 1}, still{zero.data(), zero.data(), 1};
     hm_points_out to{to_x.data(), to_y.data(), 1};
-    hm_executor executor = with_size<hm_executor>();
+    hm_executor executor = sized<hm_executor>();
     std::size_t bytes = 0;
     std::int32_t n = 0, other = 0, list[100] = {};
 };
-
-// A block of the size that a query asks for.
-template <class Query>
-Guarded block_of(Query const& query) {
-    std::size_t bytes = 0;
-    REQUIRE(query(&bytes) == HM_OK);
-    return Guarded(bytes);
-}
 
 }  // namespace
 
@@ -62,9 +54,9 @@ TEST_CASE("curves and fits") {
     check_arguments("curves, -, -, -, u, distance", hm_curve_project, &curves, 0, 2.0, 0.0, &u,
                     &distance);
 
-    hm_fit_options options = with_size<hm_fit_options>();
+    hm_fit_options options = sized<hm_fit_options>();
     options.n_control = 8;
-    hm_fit_report report = with_size<hm_fit_report>();
+    hm_fit_report report = sized<hm_fit_report>();
     std::size_t bytes = 0;
     std::vector<double> x, y;
     for (int k = 0; k < 40; ++k) {
@@ -84,13 +76,13 @@ TEST_CASE("curves and fits") {
     Guarded refined(bytes);
     check_arguments("finer, ?matrix, block, bytes, curves, -, -, -, u", hm_refine, &fitted, &matrix,
                     refined.data(), bytes, &curves, 0, 0, 1, at);
-    hm_section section = with_size<hm_section>();
-    hm_quantity quantity = with_size<hm_quantity>();
+    hm_section section = sized<hm_section>();
+    hm_quantity quantity = sized<hm_quantity>();
     quantity.kind = HM_AREA;
     std::vector<double> gradient(16), map(2 * 8 * 8);
     check_arguments("curves, ?section, -, quantities, values, ?at, ?gradients", hm_measure, &curves,
                     &section, 1, &quantity, values, values + 2, gradient.data());
-    hm_variables variables = with_size<hm_variables>();
+    hm_variables variables = sized<hm_variables>();
     variables.kind = HM_FFD;
     variables.degree_x = variables.degree_y = 1;
     std::int32_t n = 0;
@@ -116,13 +108,13 @@ TEST_CASE("curves and fits") {
 
 TEST_CASE("from the problem to the basis") {
     Given g;
-    hm_problem const problem = g.its.problem(g.mesh);
+    hm_problem const problem = g.setup.problem(g.mesh);
     Options const options = laplace();
     hm_analysis* analysis = nullptr;
     hm_plan* plan = nullptr;
     hm_basis* basis = nullptr;
-    hm_mesh_report of_mesh = with_size<hm_mesh_report>();
-    hm_solve_report solved = with_size<hm_solve_report>();
+    hm_mesh_report of_mesh = sized<hm_mesh_report>();
+    hm_solve_report solved = sized<hm_solve_report>();
     std::int32_t const marker = body;
     check_arguments("problem, ?options, bytes", hm_analysis_size, &problem, &options, &g.bytes);
     Guarded analysed(g.bytes);
@@ -153,13 +145,13 @@ TEST_CASE("from the problem to the basis") {
 
 TEST_CASE("what a basis is asked for") {
     Given g;
-    hm_basis_info info = with_size<hm_basis_info>();
+    hm_basis_info info = sized<hm_basis_info>();
     REQUIRE(hm_basis_info_get(g.basis, &info, nullptr) == HM_OK);
     const hm_basis* attached = nullptr;
     hm_basis* made = nullptr;
-    hm_curves curves = with_size<hm_curves>();
-    hm_curve curve[2] = {with_size<hm_curve>(), with_size<hm_curve>()};
-    hm_condition conditions[4] = {with_size<hm_condition>()};
+    hm_curves curves = sized<hm_curves>();
+    hm_curve curve[2] = {sized<hm_curve>(), sized<hm_curve>()};
+    hm_condition conditions[4] = {sized<hm_condition>()};
     check_arguments("basis, block, -, ?mesh", hm_basis_attach, &attached,
                     static_cast<void*>(g.basis), static_cast<std::size_t>(info.bytes), &g.mesh);
     check_arguments("basis, info", hm_basis_info_get, g.basis, &info);
@@ -177,11 +169,11 @@ TEST_CASE("what a basis is asked for") {
     Guarded combined(g.bytes);
     check_arguments("combined, block, bytes, basis, -, -, matrix", hm_combine, &made,
                     combined.data(), g.bytes, g.basis, 2, 1, matrix);
-    hm_transfer_report report = with_size<hm_transfer_report>();
+    hm_transfer_report report = sized<hm_transfer_report>();
     check_arguments("analysis, mesh, bytes", hm_transfer_size, g.analysis, &g.mesh, &g.bytes);
     Guarded room(g.bytes);
     Attempt fine;
-    REQUIRE(fine.analyse(g.its.problem()));
+    REQUIRE(fine.analyse(g.setup.problem()));
     REQUIRE(fine.prepare());
     check_arguments("basis, block, bytes, analysis, coarse, mesh, ?report", hm_transfer, fine.basis,
                     room.data(), g.bytes, fine.analysis, g.basis, &g.mesh, &report);
@@ -191,8 +183,8 @@ TEST_CASE("movements, gradients, quality") {
     Given g;
     double error = 0;
     std::int64_t sums[64] = {}, doubles = 0;
-    hm_step_report step = with_size<hm_step_report>();
-    hm_quality_report quality = with_size<hm_quality_report>();
+    hm_step_report step = sized<hm_step_report>();
+    hm_quality_report quality = sized<hm_quality_report>();
     check_arguments("basis, move, ?from, to, ?executor", hm_morph, g.basis, g.move.data(), &g.at,
                     &g.to, &g.executor);
     check_arguments("basis, dj, gradient, ?executor", hm_adjoint, g.basis, &g.at, g.numbers.data(),
@@ -241,10 +233,10 @@ TEST_CASE("movements, gradients, quality") {
 
 TEST_CASE("large movements and better cells") {
     Given g;
-    hm_safe_options safe = with_size<hm_safe_options>();
-    hm_safe_report report = with_size<hm_safe_report>();
-    hm_improve_options better = with_size<hm_improve_options>();
-    hm_improve_report improved = with_size<hm_improve_report>();
+    hm_safe_options safe = sized<hm_safe_options>();
+    hm_safe_report report = sized<hm_safe_report>();
+    hm_improve_options better = sized<hm_improve_options>();
+    hm_improve_report improved = sized<hm_improve_report>();
     check_arguments("plan, ?basis, bytes", hm_morph_safe_size, g.plan, g.basis, &g.bytes);
     Guarded work(g.bytes);
     check_arguments("plan, basis, move, to, -, block, bytes, ?options, ?report", hm_morph_safe,
@@ -257,16 +249,16 @@ TEST_CASE("large movements and better cells") {
 }
 
 TEST_CASE("given displacements") {
-    Case its = given_instead(tiny_case());
-    Displaced d(its);
+    Case setup = given_instead(tiny_case());
+    Displaced d(setup);
     std::int32_t const n = static_cast<std::int32_t>(d.points.size());
-    std::vector<double> zero(100, 0.0), x = its.mesh.x, y = its.mesh.y, modes(200, 1.0);
+    std::vector<double> zero(100, 0.0), x = setup.mesh.x, y = setup.mesh.y, modes(200, 1.0);
     hm_points const wall{zero.data(), zero.data(), 1},
-        from{its.mesh.x.data(), its.mesh.y.data(), 1};
+        from{setup.mesh.x.data(), setup.mesh.y.data(), 1};
     hm_points_out const to{x.data(), y.data(), 1};
-    hm_solve_report report = with_size<hm_solve_report>();
-    hm_safe_options safe = with_size<hm_safe_options>();
-    hm_safe_report of_safe = with_size<hm_safe_report>();
+    hm_solve_report report = sized<hm_solve_report>();
+    hm_safe_options safe = sized<hm_safe_options>();
+    hm_safe_report of_safe = sized<hm_safe_report>();
     std::int32_t list[100] = {}, n_given = 0;
     std::size_t bytes = 0, work_bytes = 0;
     check_arguments("plan, points, -, n", hm_given_points, d.plan, list, 100, &n_given);
@@ -293,11 +285,11 @@ TEST_CASE("given displacements") {
 
 TEST_CASE("a mesh one cell thick") {
     Given g;
-    Extruded const space(g.its.mesh, along_axis(2));
+    Extruded const space(g.setup.mesh, along_axis(2));
     hm_space_mesh const mesh = space.view();
     hm_plane* plane = nullptr;
-    hm_plane_info info = with_size<hm_plane_info>();
-    hm_mesh of_plane = with_size<hm_mesh>();
+    hm_plane_info info = sized<hm_plane_info>();
+    hm_mesh of_plane = sized<hm_mesh>();
     std::vector<double> x = space.x, y = space.y, z = space.z;
     hm_space_points const at = space.points();
     hm_space_points_out const to{x.data(), y.data(), z.data(), 1};
@@ -334,14 +326,14 @@ TEST_CASE("structured blocks in arrays of their own") {
 
 TEST_CASE("a part of a mesh, and its equations") {
     for (bool const given : {false, true}) {
-        Case its = given ? given_instead(tiny_case()) : tiny_case();
-        std::vector<PartOfMesh> parts = cut(its.mesh, stripes(its.mesh, 1), false);
+        Case setup = given ? given_instead(tiny_case()) : tiny_case();
+        std::vector<PartOfMesh> parts = cut(setup.mesh, stripes(setup.mesh, 1), false);
         PartOfMesh& whole = parts[0];
         Options const options = laplace();
-        hm_problem problem = its.problem();
+        hm_problem problem = setup.problem();
         problem.mesh = nullptr;
         hm_mesh const mesh = whole.mesh.view();
-        hm_part_mesh of_part = with_size<hm_part_mesh>();
+        hm_part_mesh of_part = sized<hm_part_mesh>();
         of_part.mesh = &mesh;
         of_part.numbers = whole.numbers.data();
         hm_part* part = nullptr;
@@ -350,7 +342,7 @@ TEST_CASE("a part of a mesh, and its equations") {
         Guarded block(bytes);
         check_arguments("part, block, bytes, mesh", hm_part_init, &part, block.data(), bytes,
                         &of_part);
-        hm_mesh own = with_size<hm_mesh>();
+        hm_mesh own = sized<hm_mesh>();
         const std::int32_t* cell = nullptr;
         std::vector<std::uint8_t> role(whole.numbers.size());
         check_arguments("part, own, cell", hm_part_cells, part, &own, &cell);
@@ -361,7 +353,7 @@ TEST_CASE("a part of a mesh, and its equations") {
         std::int64_t n_open = n_edges;
         check_arguments("edges, n", hm_match_edges, edges.data(), &n_open);
         hm_equations* equations = nullptr;
-        hm_equations_info info = with_size<hm_equations_info>();
+        hm_equations_info info = sized<hm_equations_info>();
         check_arguments("part, -, problem, ?options, bytes", hm_equations_size, part, n_edges,
                         &problem, &options, &bytes);
         Guarded of_equations(bytes);

@@ -27,14 +27,14 @@ struct Spoiled {
 
 void check_refused(Spoiled const& bad) {
     for (std::int32_t const base : {0, 1}) {
-        Case its = tiny_case();
-        its.index_base = base;
-        if (bad.change) bad.change(its);
-        hm_mesh view = its.mesh_view();
+        Case setup = tiny_case();
+        setup.index_base = base;
+        if (bad.change) bad.change(setup);
+        hm_mesh view = setup.mesh_view();
         if (bad.change_view) bad.change_view(view);
-        hm_problem const problem = its.problem(view);
-        Mesh const mesh = its.mesh;
-        std::vector<double> const control = its.curves.control;
+        hm_problem const problem = setup.problem(view);
+        Mesh const mesh = setup.mesh;
+        std::vector<double> const control = setup.curves.control;
 
         Attempt attempt(problem);
         INFO(std::string(bad.word)
@@ -52,9 +52,9 @@ void check_refused(Spoiled const& bad) {
         if (kind == HM_ITEM_NONE && bad.item != nobody) CHECK(attempt.error.value == bad.item);
         CHECK(attempt.guards_intact());
         CHECK(attempt.basis == nullptr);
-        CHECK(same_bits(mesh.x, its.mesh.x));
-        CHECK(mesh.cells == its.mesh.cells);
-        CHECK(same_bits(control, its.curves.control));
+        CHECK(same_bits(mesh.x, setup.mesh.x));
+        CHECK(mesh.cells == setup.mesh.cells);
+        CHECK(same_bits(control, setup.curves.control));
     }
 }
 
@@ -75,78 +75,90 @@ void replace_cell(Mesh& mesh, std::int32_t cell, std::vector<std::int32_t> const
 
 TEST_CASE("what the others spoil is sound") {
     for (std::int32_t const base : {0, 1}) {
-        Case its = tiny_case();
-        its.index_base = base;
-        Solved const solved(its);
+        Case setup = tiny_case();
+        setup.index_base = base;
+        Solved const solved(setup);
         CHECK(solved.report.curve_points == 8);
         CHECK(solved.report.unknowns == 48 - 8 - 24);
     }
 }
 
 TEST_CASE("bad counts and missing arrays of a mesh") {
+    const char *const negative = "mesh.n_faces and mesh.n_lists must not be negative",
+                      *const no_points = "mesh.points.x or mesh.points.y is NULL",
+                      *const no_faces = "mesh.face_points or mesh.face_markers is NULL";
     Spoiled const all[] = {
-        {HM_BAD_ARGUMENT, "index_base", 2, {}, [](hm_mesh& m) { m.index_base = 2; }},
-        {HM_BAD_MESH, "n_points", 2, {}, [](hm_mesh& m) { m.n_points = 2; }},
+        {HM_BAD_ARGUMENT,
+         "mesh.index_base must be 0 or 1, not 2",
+         2,
+         {},
+         [](hm_mesh& m) { m.index_base = 2; }},
+        {HM_BAD_MESH,
+         "mesh.n_points must be between 3 and 2^30, not 2",
+         2,
+         {},
+         [](hm_mesh& m) { m.n_points = 2; }},
         {HM_BAD_MESH, "n_points", -5, {}, [](hm_mesh& m) { m.n_points = -5; }},
-        {HM_BAD_MESH, "n_cells", 0, {}, [](hm_mesh& m) { m.n_cells = 0; }},
-        {HM_BAD_ARGUMENT, "negative", nobody, {}, [](hm_mesh& m) { m.n_faces = -1; }},
-        {HM_BAD_ARGUMENT, "negative", nobody, {}, [](hm_mesh& m) { m.n_lists = -1; }},
-        {HM_BAD_ARGUMENT, "cell_layout", 9, {}, [](hm_mesh& m) { m.cell_layout = 9; }},
-        {HM_BAD_ARGUMENT, "struct_size", nobody, {}, [](hm_mesh& m) { m.struct_size = 0; }},
-        {HM_BAD_ARGUMENT, "cell_points", nobody, {}, [](hm_mesh& m) { m.cell_points = nullptr; }},
-        {HM_BAD_ARGUMENT, "cell_start", nobody, {}, [](hm_mesh& m) { m.cell_start = nullptr; }},
-        {HM_BAD_ARGUMENT, "mesh.points.x", nobody, {}, [](hm_mesh& m) { m.points.x = nullptr; }},
-        {HM_BAD_ARGUMENT, "mesh.points.y", nobody, {}, [](hm_mesh& m) { m.points.y = nullptr; }},
-        {HM_BAD_ARGUMENT, "stride", nobody, {}, [](hm_mesh& m) { m.points.stride = -1; }},
-        {HM_BAD_ARGUMENT, "face_points", nobody, {}, [](hm_mesh& m) { m.face_points = nullptr; }},
-        {HM_BAD_ARGUMENT, "face_markers", nobody, {}, [](hm_mesh& m) { m.face_markers = nullptr; }},
-        {HM_BAD_ARGUMENT, "list_start", nobody, {}, [](hm_mesh& m) { m.n_lists = 1; }},
+        {HM_BAD_MESH,
+         "mesh.n_cells must be between 1 and 2^29, not 0",
+         0,
+         {},
+         [](hm_mesh& m) { m.n_cells = 0; }},
+        {HM_BAD_ARGUMENT, negative, nobody, {}, [](hm_mesh& m) { m.n_faces = -1; }},
+        {HM_BAD_ARGUMENT, negative, nobody, {}, [](hm_mesh& m) { m.n_lists = -1; }},
+        {HM_BAD_ARGUMENT,
+         "mesh.cell_layout is 9, but it must be one of HM_CELLS_ROWS to HM_CELLS_POLYGONS",
+         9,
+         {},
+         [](hm_mesh& m) { m.cell_layout = 9; }},
+        {HM_BAD_ARGUMENT,
+         "mesh.struct_size is not the size of an hm_mesh; begin with HM_INIT(mesh)",
+         nobody,
+         {},
+         [](hm_mesh& m) { m.struct_size = 0; }},
+        {HM_BAD_ARGUMENT,
+         "mesh.cell_points is NULL",
+         nobody,
+         {},
+         [](hm_mesh& m) { m.cell_points = nullptr; }},
+        {HM_BAD_ARGUMENT,
+         "mesh.cell_start is NULL",
+         nobody,
+         {},
+         [](hm_mesh& m) { m.cell_start = nullptr; }},
+        {HM_BAD_ARGUMENT, no_points, nobody, {}, [](hm_mesh& m) { m.points.x = nullptr; }},
+        {HM_BAD_ARGUMENT, no_points, nobody, {}, [](hm_mesh& m) { m.points.y = nullptr; }},
+        {HM_BAD_ARGUMENT,
+         "mesh.points.stride is negative",
+         nobody,
+         {},
+         [](hm_mesh& m) { m.points.stride = -1; }},
+        {HM_BAD_ARGUMENT, no_faces, nobody, {}, [](hm_mesh& m) { m.face_points = nullptr; }},
+        {HM_BAD_ARGUMENT, no_faces, nobody, {}, [](hm_mesh& m) { m.face_markers = nullptr; }},
+        {HM_BAD_ARGUMENT,
+         "mesh.list_start, mesh.list_points or mesh.list_markers is NULL",
+         nobody,
+         {},
+         [](hm_mesh& m) { m.n_lists = 1; }},
     };
     for (Spoiled const& bad : all) check_refused(bad);
 }
 
 TEST_CASE("bad cells") {
+    static std::int32_t const five = 5;
+    auto const cell_becomes = [](std::int32_t cell, std::vector<std::int32_t> const& points) {
+        return [=](Case& c) { replace_cell(c.mesh, cell, points); };
+    };
     Spoiled const all[] = {
-        {HM_BAD_MESH,
-         "begin with",
-         5,
-         {},
-         [](hm_mesh& m) {
-             static std::int32_t const five = 5;
-             m.cell_start = &five;
-         }},
-        {HM_BAD_MESH, "3 or 4", 9,
-         [](Case& c) {
-             replace_cell(c.mesh, 9, {10, 11, 18, 17, 3});
-         }},
-        {HM_BAD_MESH, "3 or 4", 5,
-         [](Case& c) {
-             replace_cell(c.mesh, 5, {5, 6});
-         }},
-        {HM_BAD_MESH, "does not exist", 7,
-         [](Case& c) {
-             replace_cell(c.mesh, 7, {8, 9, 48, 15});
-         }},
-        {HM_BAD_MESH, "does not exist", 7,
-         [](Case& c) {
-             replace_cell(c.mesh, 7, {8, -1, 16, 15});
-         }},
-        {HM_BAD_MESH, "does not exist", 20,
-         [](Case& c) {
-             replace_cell(c.mesh, 20, {24, 25, 2000000000});
-         }},
-        {HM_BAD_MESH, "twice", 18,
-         [](Case& c) {
-             replace_cell(c.mesh, 18, {22, 23, 22});
-         }},
-        {HM_BAD_MESH, "twice", 3,
-         [](Case& c) {
-             replace_cell(c.mesh, 3, {3, 4, 3, 10});
-         }},
-        {HM_BAD_MESH, "twice", 3,
-         [](Case& c) {
-             replace_cell(c.mesh, 3, {3, 3, 11, 10});
-         }},
+        {HM_BAD_MESH, "begin with", 5, {}, [](hm_mesh& m) { m.cell_start = &five; }},
+        {HM_BAD_MESH, "3 or 4", 9, cell_becomes(9, {10, 11, 18, 17, 3})},
+        {HM_BAD_MESH, "3 or 4", 5, cell_becomes(5, {5, 6})},
+        {HM_BAD_MESH, "does not exist", 7, cell_becomes(7, {8, 9, 48, 15})},
+        {HM_BAD_MESH, "does not exist", 7, cell_becomes(7, {8, -1, 16, 15})},
+        {HM_BAD_MESH, "does not exist", 20, cell_becomes(20, {24, 25, 2000000000})},
+        {HM_BAD_MESH, "twice", 18, cell_becomes(18, {22, 23, 22})},
+        {HM_BAD_MESH, "twice", 3, cell_becomes(3, {3, 4, 3, 10})},
+        {HM_BAD_MESH, "twice", 3, cell_becomes(3, {3, 3, 11, 10})},
         {HM_BAD_MESH, "more than two cells", 8,
          [](Case& c) {
              c.mesh.add_cell({8, 9, 5});
@@ -165,23 +177,23 @@ TEST_CASE("the largest and smallest of numbers as an index") {
     for (std::int32_t const base : {0, 1})
         for (std::int32_t const number :
              {std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()}) {
-            Case its = tiny_case();
-            its.index_base = base;
-            hm_mesh view = its.mesh_view();
+            Case setup = tiny_case();
+            setup.index_base = base;
+            hm_mesh view = setup.mesh_view();
             std::vector<std::int32_t> cells(view.cell_points,
-                                            view.cell_points + its.mesh.cells.size());
+                                            view.cell_points + setup.mesh.cells.size());
             cells[17] = number;
             view.cell_points = cells.data();
-            Attempt const in_cell(its.problem(view));
+            Attempt const in_cell(setup.problem(view));
             CHECK(in_cell.status == HM_BAD_MESH);
             CHECK(in_cell.error.item == 4 + base);
 
-            view = its.mesh_view();
+            view = setup.mesh_view();
             std::vector<std::int32_t> faces(view.face_points,
-                                            view.face_points + its.mesh.faces.size());
+                                            view.face_points + setup.mesh.faces.size());
             faces[17] = number;
             view.face_points = faces.data();
-            Attempt const in_face(its.problem(view));
+            Attempt const in_face(setup.problem(view));
             CHECK(in_face.status == HM_BAD_MESH);
             CHECK(in_face.error.item == 8 + base);
         }
@@ -201,7 +213,11 @@ TEST_CASE("bad structured blocks") {
     check_refused({HM_BAD_MESH, "n_cells", 0, {}, block(48, 1)});
     check_refused({HM_BAD_MESH, "n_cells", 0, {}, block(-6, -8)});
     check_refused({HM_BAD_MESH, "n_cells", 0, {}, block(2000000000, 2000000000)});
-    check_refused({HM_BAD_MESH, "(ni-1)*(nj-1)", 34, {}, [](hm_mesh& m) {
+    check_refused({HM_BAD_MESH,
+                   "a structured mesh has (ni-1)*(nj-1) cells, but mesh.n_cells is 34",
+                   34,
+                   {},
+                   [](hm_mesh& m) {
                        m.cell_layout = HM_CELLS_STRUCTURED;
                        m.n_cells = 34;
                        m.ni = 6;
@@ -257,18 +273,16 @@ TEST_CASE("bad boundaries") {
     check_refused({HM_BAD_MESH, "two markers", 0, {}, lists({0, 0, 2}, {0, 1})});
 }
 
-TEST_CASE(
-    "cells that were not given: their boundary edges are named, by their points, as edges of no "
-    "cell") {
+TEST_CASE("boundary edges of cells that are not given are refused by the numbers of their points") {
     // Triangles alone of a hybrid mesh. Lists begin with the bottom, whose cells are quads.
     std::int32_t const start[] = {1, 8, 15}, markers[] = {bottom, top};
     std::vector<std::int32_t> points;
     for (std::int32_t k = 1; k <= 7; ++k) points.push_back(k);
     for (std::int32_t k = 48; k > 41; --k) points.push_back(k);
-    Case its = tiny_case();
-    its.index_base = 1;
-    Mixed const mixed(its.mesh, 1);
-    hm_mesh view = mixed.put_into(its.mesh_view());
+    Case setup = tiny_case();
+    setup.index_base = 1;
+    Mixed const mixed(setup.mesh, 1);
+    hm_mesh view = mixed.put_into(setup.mesh_view());
     view.n_cells = mixed.n_triangles();
     view.n_quads = 0;
     for (bool const in_lists : {true, false}) {
@@ -280,9 +294,9 @@ TEST_CASE(
             view.n_faces = 0;
         } else {
             view.n_lists = 0;
-            view.n_faces = its.mesh.n_faces();
+            view.n_faces = setup.mesh.n_faces();
         }
-        Attempt const attempt(its.problem(view));
+        Attempt const attempt(setup.problem(view));
         INFO(attempt.error.text);
         CHECK(attempt.status == HM_BAD_MESH);
         std::string const text = attempt.error.text;
@@ -296,14 +310,14 @@ TEST_CASE(
 
 TEST_CASE("bad cells in two arrays") {
     for (std::int32_t const base : {0, 1}) {
-        Case its = tiny_case();
-        its.index_base = base;
-        Mixed mixed(its.mesh, base);
+        Case setup = tiny_case();
+        setup.index_base = base;
+        Mixed mixed(setup.mesh, base);
         auto const refused = [&](hm_status status, const char* word, std::int32_t item,
                                  auto change) {
-            hm_mesh view = mixed.put_into(its.mesh_view());
+            hm_mesh view = mixed.put_into(setup.mesh_view());
             change(view);
-            Attempt const attempt(its.problem(view));
+            Attempt const attempt(setup.problem(view));
             INFO(std::string(word) << ": " << attempt.error.text);
             CHECK(attempt.status == status);
             CHECK(std::string(attempt.error.text).find(word) != std::string::npos);
@@ -327,49 +341,33 @@ TEST_CASE("bad cells in two arrays") {
 }
 
 TEST_CASE("bad curves") {
-    auto const number = [](std::int32_t hm_curves::*member, std::int32_t value) {
-        return [=](hm_curves& c) { c.*member = value; };
-    };
     struct Bad {
         hm_status status;
         const char* word;
         std::function<void(CurveSet&)> change;
-        std::function<void(hm_curves&)> change_view;
     };
     Bad const all[] = {
-        {HM_BAD_ARGUMENT, "struct_size", {}, [](hm_curves& c) { c.struct_size = 0; }},
-        {HM_BAD_ARGUMENT, "index_base", {}, number(&hm_curves::index_base, 7)},
-        {HM_BAD_CURVE, "n_control", {}, number(&hm_curves::n_control, 1)},
-        {HM_BAD_CURVE, "n_curves", {}, number(&hm_curves::n_curves, 0)},
-        {HM_BAD_CURVE, "n_curves", {}, number(&hm_curves::n_curves, -1)},
-        {HM_BAD_ARGUMENT, "NULL", {}, [](hm_curves& c) { c.control = nullptr; }},
-        {HM_BAD_ARGUMENT, "NULL", {}, [](hm_curves& c) { c.curve = nullptr; }},
-        {HM_BAD_CURVE, "degree", [](CurveSet& c) { c.shapes[0].degree = 0; }, {}},
-        {HM_BAD_CURVE, "degree", [](CurveSet& c) { c.shapes[0].degree = 6; }, {}},
-        {HM_BAD_CURVE, "knot", [](CurveSet& c) { c.shapes[0].knots[3] = 0.5; }, {}},
-        {HM_BAD_CURVE, "knot", [](CurveSet& c) { c.shapes[0].knots[3] = not_a_number; }, {}},
-        {HM_BAD_CURVE, "index", [](CurveSet& c) { c.shapes[0].indices[2] = 4; }, {}},
-        {HM_BAD_CURVE, "index", [](CurveSet& c) { c.shapes[0].indices[2] = -1; }, {}},
-        {HM_BAD_CURVE, "finite", [](CurveSet& c) { c.control[5] = not_a_number; }, {}},
-        {HM_BAD_CURVE,
-         "weight",
+        {HM_BAD_CURVE, "degree", [](CurveSet& c) { c.shapes[0].degree = 0; }},
+        {HM_BAD_CURVE, "degree", [](CurveSet& c) { c.shapes[0].degree = 6; }},
+        {HM_BAD_CURVE, "knot", [](CurveSet& c) { c.shapes[0].knots[3] = 0.5; }},
+        {HM_BAD_CURVE, "knot", [](CurveSet& c) { c.shapes[0].knots[3] = not_a_number; }},
+        {HM_BAD_CURVE, "index", [](CurveSet& c) { c.shapes[0].indices[2] = 4; }},
+        {HM_BAD_CURVE, "index", [](CurveSet& c) { c.shapes[0].indices[2] = -1; }},
+        {HM_BAD_CURVE, "finite", [](CurveSet& c) { c.control[5] = not_a_number; }},
+        {HM_BAD_CURVE, "weight",
          [](CurveSet& c) {
-             c.weights = {1, 1, 0, 1};
-         },
-         {}},
+             c.weights.assign({1, 1, 0, 1});
+         }},
     };
     for (Bad const& bad : all) {
-        Case its = tiny_case();
-        if (bad.change) bad.change(its.curves);
-        hm_problem problem = its.problem();
-        hm_curves view = *problem.curves;
-        if (bad.change_view) bad.change_view(view);
-        problem.curves = &view;
+        Case setup = tiny_case();
+        bad.change(setup.curves);
+        hm_problem const problem = setup.problem();
         Attempt const attempt(problem);
         INFO(std::string(bad.word) << ": " << attempt.error.text);
         CHECK(attempt.status == bad.status);
         CHECK(std::string(attempt.error.text).find(bad.word) != std::string::npos);
-        CHECK(hm_curves_check(&view, nullptr) == bad.status);
+        CHECK(hm_curves_check(problem.curves, nullptr) == bad.status);
     }
 }
 
@@ -378,8 +376,12 @@ TEST_CASE("bad conditions and parameters") {
         {HM_BAD_CONDITION, "no condition", nobody, [](Case& c) { c.conditions.clear(); }},
         {HM_BAD_CONDITION, "no boundary face has marker", 77, [](Case& c) { c.set_free(77); }},
         {HM_BAD_CONDITION, "two conditions", body, [](Case& c) { c.set_free(body); }},
-        {HM_BAD_ARGUMENT, "kind", 0, [](Case& c) { c.conditions[0].kind = HM_INTERFACE + 1; }},
-        {HM_BAD_ARGUMENT, "struct_size", 0, [](Case& c) { c.conditions[0].struct_size = 0; }},
+        {HM_BAD_ARGUMENT, "is 9, but it must be one of HM_ON_CURVE to HM_ROTATION_PAIR", 0,
+         [](Case& c) { c.conditions[0].kind = HM_INTERFACE + 1; }},
+        {HM_BAD_ARGUMENT, "is -1, but it must be one of HM_ON_CURVE to HM_ROTATION_PAIR", 0,
+         [](Case& c) { c.conditions[0].kind = -1; }},
+        {HM_BAD_ARGUMENT, "is not the size of an hm_condition; begin with HM_INIT", 0,
+         [](Case& c) { c.conditions[0].struct_size = 0; }},
         {HM_BAD_CONDITION, "curves that do not exist", 0,
          [](Case& c) { c.conditions[0].n_curves = 2; }},
         {HM_BAD_CONDITION, "its n_curves is 0; there are 1", 0,
@@ -401,8 +403,7 @@ TEST_CASE("bad conditions and parameters") {
     for (Spoiled const& bad : all) check_refused(bad);
 }
 
-TEST_CASE(
-    "fields that are not of a condition's kind are refused by name, and which condition has them") {
+TEST_CASE("fields that a condition of this kind does not have are refused by name") {
     struct {
         const char* name;
         std::int32_t kind, also;  // whose they are; `partner` is that of interfaces, too
@@ -420,11 +421,11 @@ TEST_CASE(
         for (auto const& field : fields) {
             if (field.kind == kind || field.also == kind) continue;
             if (field.kind == HM_PERIODIC_PAIR && kind == HM_INTERFACE) continue;
-            Case its = tiny_case();
-            its.add_condition(far_field, kind);
-            its.conditions[1].n_curves = kind == HM_ON_CURVE ? 1 : 0;
-            field.set(its.conditions[1]);
-            Attempt const attempt(its.problem());
+            Case setup = tiny_case();
+            setup.add_condition(far_field, kind);
+            setup.conditions[1].n_curves = kind == HM_ON_CURVE ? 1 : 0;
+            field.set(setup.conditions[1]);
+            Attempt const attempt(setup.problem());
             INFO("kind " << kind << ", " << std::string(field.name) << ": " << attempt.error.text);
             CHECK(attempt.status == HM_BAD_CONDITION);
             CHECK(attempt.error.item == 1);
@@ -433,10 +434,10 @@ TEST_CASE(
 }
 
 TEST_CASE("nothing inside: a mesh all of whose points are on fixed markers and curves") {
-    Case its = tiny_case();
-    its.mesh = square(4, Cells::hybrid, 2, 2);
-    its.curves = polyline({{.25, .25}, {.75, .25}, {.75, .75}, {.25, .75}});
-    Attempt const attempt(its.problem());
+    Case setup = tiny_case();
+    setup.mesh = square(4, Cells::hybrid, 2, 2);
+    setup.curves = polyline({{.25, .25}, {.75, .25}, {.75, .75}, {.25, .75}});
+    Attempt const attempt(setup.problem());
     CHECK(attempt.status == HM_BAD_CONDITION);
     CHECK(std::string(attempt.error.text).find("nothing to solve") != std::string::npos);
 }
@@ -446,20 +447,21 @@ TEST_CASE("a region of the mesh in which no value is known is refused") {
     // kernel.
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         for (int const n : {1, 2, 3, 10, 30}) {
-            Case its = tiny_case();
+            Case setup = tiny_case();
             Mesh const island = square(n, kind);
-            std::int32_t const first = its.mesh.n_points();
+            std::int32_t const first = setup.mesh.n_points();
             for (std::size_t k = 0; k < island.x.size(); ++k)
-                its.mesh.add_point({10 + island.x[k], 1 + 0.7 * island.y[k]});
+                setup.mesh.add_point({10 + island.x[k], 1 + 0.7 * island.y[k]});
             for (std::size_t cell = 0; cell + 1 < island.cell_start.size(); ++cell) {
                 for (std::int32_t k = island.cell_start[cell]; k < island.cell_start[cell + 1]; ++k)
-                    its.mesh.cells.push_back(first + island.cells[static_cast<std::size_t>(k)]);
-                its.mesh.cell_start.push_back(static_cast<std::int32_t>(its.mesh.cells.size()));
+                    setup.mesh.cells.push_back(first + island.cells[static_cast<std::size_t>(k)]);
+                setup.mesh.cell_start.push_back(static_cast<std::int32_t>(setup.mesh.cells.size()));
             }
             for (std::size_t f = 0; f < island.face_markers.size(); ++f)
-                its.mesh.add_face(first + island.faces[2 * f], first + island.faces[2 * f + 1], 50);
-            its.set_free(50);
-            Attempt const attempt(its.problem());
+                setup.mesh.add_face(first + island.faces[2 * f], first + island.faces[2 * f + 1],
+                                    50);
+            setup.set_free(50);
+            Attempt const attempt(setup.problem());
             INFO(n << " x " << n << ": " << attempt.reached << ": " << attempt.error.text);
             CHECK(attempt.status == HM_BAD_CONDITION);
             CHECK(attempt.error.item >= first);  // a point of the island

@@ -18,7 +18,7 @@ double const bad_polygon[] = {3, 3, not_a_number, 3}, far_polygon[] = {3, 3, 4, 
 
 TEST_CASE("quantities of a section") {
     CurveSet set = airfoil_case().curves;
-    hm_quantity area = with_size<hm_quantity>();
+    hm_quantity area = sized<hm_quantity>();
     area.kind = HM_AREA;
     hm_quantity thickness = area, clearance = area;
     thickness.kind = HM_THICKNESS;
@@ -36,9 +36,14 @@ TEST_CASE("quantities of a section") {
         {{nullptr, [](Q&) {}},
          {"struct_size of quantity 0", [](Q& q) { q.struct_size = 0; }},
          {"the kind of quantity 0 is -1, but", [](Q& q) { q.kind = -1; }},
-         {"the kind of quantity 0 is 17, but", [](Q& q) { q.kind = HM_CLEARANCE + 1; }},
-         {"has a station, but only HM_THICKNESS and HM_CAMBER use one",
+         {"the kind of quantity 0 is 20, but", [](Q& q) { q.kind = HM_DISTANCE + 1; }},
+         {"has a station, but only HM_THICKNESS, HM_CAMBER and HM_MIN_THICKNESS use one",
           [](Q& q) { q.station = 0.5; }},
+         {"has a last station, but only HM_MIN_THICKNESS uses one",
+          [](Q& q) { q.last_station = 0.5; }},
+         {"has the sharpness 1, but only HM_CLEARANCE, HM_MIN_THICKNESS and HM_DISTANCE use one",
+          [](Q& q) { q.sharpness = 1; }},
+         {"names another body, but only HM_DISTANCE uses one", [](Q& q) { q.n_other = 1; }},
          {"has a polygon, but only HM_CLEARANCE uses one", [](Q& q) { q.n_polygon = 1; }}},
         HM_BAD_ARGUMENT, measure);
     check_changes<Q>(thickness,
@@ -49,6 +54,28 @@ TEST_CASE("quantities of a section") {
                       {"the station of quantity 0 is 1", [](Q& q) { q.station = 1; }},
                       {"the station of quantity 0 is NaN", [](Q& q) { q.station = not_a_number; }}},
                      HM_BAD_ARGUMENT, measure);
+    hm_quantity thinnest = thickness;
+    thinnest.kind = HM_MIN_THICKNESS;
+    thinnest.last_station = 0.6;
+    check_changes<Q>(
+        thinnest,
+        {{nullptr, [](Q&) {}},
+         {nullptr, [](Q& q) { q.last_station = q.station; }},
+         {"the last station of quantity 0 is 0", [](Q& q) { q.last_station = 0; }},
+         {"the last station of quantity 0 is 1", [](Q& q) { q.last_station = 1; }},
+         {"the last station of quantity 0 is NaN", [](Q& q) { q.last_station = not_a_number; }},
+         {"the sharpness of quantity 0 is -1, but it must be finite and at least 0",
+          [](Q& q) { q.sharpness = -1; }},
+         {"the sharpness of quantity 0 is NaN", [](Q& q) { q.sharpness = not_a_number; }}},
+        HM_BAD_ARGUMENT, measure);
+    hm_quantity distance = area;
+    distance.kind = HM_DISTANCE;
+    check_changes<Q>(
+        distance,
+        {{"the other body of quantity 0 has no curves, or curves of the section", [](Q&) {}},
+         {"has no curves, or curves of the section", [](Q& q) { q.n_other = 1; }},
+         {"does not have these curves", [](Q& q) { q.other_curve = 7, q.n_other = 1; }}},
+        HM_BAD_ARGUMENT, measure);
     check_changes<Q>(
         clearance,
         {{nullptr, [](Q&) {}},
@@ -74,14 +101,14 @@ TEST_CASE("quantities of a section") {
 
 TEST_CASE("sections") {
     CurveSet set = ring(3, 8, 1, 1);
-    hm_quantity area = with_size<hm_quantity>();
+    hm_quantity area = sized<hm_quantity>();
     area.kind = HM_AREA;
     auto const measure = [&](hm_section const& section, hm_error* e) {
         double value = 0;
         return hm_measure(&set.view(), &section, 1, &area, &value, nullptr, nullptr, e);
     };
     using S = hm_section;
-    check_changes<S>(with_size<S>(),
+    check_changes<S>(sized<S>(),
                      {{nullptr, [](S&) {}},
                       {nullptr, [](S& s) { s.n_curves = 1; }},
                       {"section.struct_size", [](S& s) { s.struct_size = 0; }},
@@ -110,10 +137,10 @@ TEST_CASE("design variables") {
     CurveSet set = airfoil_case().curves;
     static double const peaks[] = {0.3, 0.6}, low[] = {0.3, 0}, high[] = {1, 0.6},
                         none_at_all[] = {not_a_number, 0.6};
-    hm_variables box = with_size<hm_variables>();
+    hm_variables box = sized<hm_variables>();
     box.kind = HM_FFD;
     box.degree_x = box.degree_y = 1;
-    hm_variables cst = with_size<hm_variables>(), bumps = cst, naca = cst;
+    hm_variables cst = sized<hm_variables>(), bumps = cst, naca = cst;
     cst.kind = HM_CST;
     cst.n_upper = 2;
     bumps.kind = HM_HICKS_HENNE;
@@ -200,7 +227,7 @@ TEST_CASE("design variables") {
 TEST_CASE("curves: each field of the set and of a curve") {
     CurveSet set = ring(3, 8, 1, 1);
     hm_curves const& curves = set.view();
-    auto const check = [](hm_curves const& its, hm_error* e) { return hm_curves_check(&its, e); };
+    auto const check = [](hm_curves const& all, hm_error* e) { return hm_curves_check(&all, e); };
     using C = hm_curves;
     check_changes<C>(
         curves,
@@ -216,9 +243,9 @@ TEST_CASE("curves: each field of the set and of a curve") {
                       {"index_base", [](C& c) { c.index_base = -1; }}},
                      HM_BAD_ARGUMENT, check);
     // Wherever curves are read.
-    Case its = tiny_case();
-    its.curves.add(ring(3, 8, 1, 1));
-    hm_problem problem = its.problem();
+    Case setup = tiny_case();
+    setup.curves.add(ring(3, 8, 1, 1));
+    hm_problem problem = setup.problem();
     hm_curves two = *problem.curves;
     std::vector<hm_curve> its_curves(two.curve, two.curve + 2);
     two.curve = its_curves.data();
@@ -231,11 +258,10 @@ TEST_CASE("curves: each field of the set and of a curve") {
                      : "struct_size of curve 1 is not the size of an hm_curve; begin with HM_INIT";
         std::size_t bytes = 0;
         double at[2];
-        REQUIRE(hm_analysis_size(&problem, nullptr, &bytes, nullptr) == HM_OK);
-        Guarded block(bytes);
+        Guarded block = block_of(hm_analysis_size, &problem, nullptr);
         hm_analysis* analysis = nullptr;
         hm_error error{};
-        CHECK(hm_analysis_init(&analysis, block.data(), bytes, &problem, nullptr, &error) ==
+        CHECK(hm_analysis_init(&analysis, block.data(), block.size(), &problem, nullptr, &error) ==
               HM_BAD_ARGUMENT);
         CHECK(error.text == text);
         CHECK(hm_curves_check(&two, &error) == HM_BAD_ARGUMENT);
@@ -244,7 +270,7 @@ TEST_CASE("curves: each field of the set and of a curve") {
         CHECK(error.text == text);
         CHECK(hm_refine_size(&two, 0, 0, 0, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
         CHECK(error.text == text);
-        hm_quantity area = with_size<hm_quantity>();
+        hm_quantity area = sized<hm_quantity>();
         area.kind = HM_AREA;
         CHECK(hm_measure(&two, nullptr, 1, &area, at, nullptr, nullptr, &error) == HM_BAD_ARGUMENT);
         CHECK(error.text == text);
@@ -256,7 +282,7 @@ TEST_CASE("fits and finer curves") {
         std::size_t bytes = 0;
         return hm_fit_size(40, &options, &bytes, e);
     };
-    hm_fit_options sound = with_size<hm_fit_options>();
+    hm_fit_options sound = sized<hm_fit_options>();
     sound.n_control = 8;
     using F = hm_fit_options;
     check_changes<F>(sound,
@@ -296,12 +322,12 @@ TEST_CASE("an edge angle where the curve stands still") {
     double const control[] = {1, 0, 1, 0, 0.5, 0.2, 0, 0, 0.5, -0.2, 1, 0};
     double const knots[] = {0, 0, 0, 0, 1, 2, 3, 3, 3, 3};
     hm_curve const curve{sizeof curve, 3, 6, nullptr, knots};
-    hm_curves curves = with_size<hm_curves>();
+    hm_curves curves = sized<hm_curves>();
     curves.n_control = 6;
     curves.control = control;
     curves.n_curves = 1;
     curves.curve = &curve;
-    hm_quantity angle = with_size<hm_quantity>();
+    hm_quantity angle = sized<hm_quantity>();
     angle.kind = HM_TRAILING_EDGE_ANGLE;
     double value = 7;
     hm_error error{};
@@ -317,13 +343,13 @@ TEST_CASE("curvature of a curve with a cusp inside a span") {
     double const control[] = {0, 0, 1, 1, 0, 1, 1, 0},
                  knots[] = {0, 0, 0, 0, 1, 1, 1, 1};  // C'(1/2) = 0
     hm_curve const curve{sizeof curve, 3, 4, nullptr, knots};
-    hm_curves curves = with_size<hm_curves>();
+    hm_curves curves = sized<hm_curves>();
     curves.n_control = 4;
     curves.control = control;
     curves.n_curves = 1;
     curves.curve = &curve;
     for (std::int32_t const kind : {HM_MIN_RADIUS, HM_CURVATURE_VARIATION}) {
-        hm_quantity quantity = with_size<hm_quantity>();
+        hm_quantity quantity = sized<hm_quantity>();
         quantity.kind = kind;
         double value = 7;
         hm_error error{};

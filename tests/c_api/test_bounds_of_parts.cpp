@@ -17,34 +17,31 @@ TEST_CASE("two cells of a part on one side of an edge") {
     mesh.add_cell({0, 1, 3});
     std::vector<std::int64_t> const numbers = {10, 11, 12, 13};
     hm_mesh const view = mesh.view();
-    hm_part_mesh part = with_size<hm_part_mesh>();
+    hm_part_mesh part = sized<hm_part_mesh>();
     part.mesh = &view;
     part.numbers = numbers.data();
-    std::size_t bytes = 0;
-    REQUIRE(hm_part_size(&part, &bytes, nullptr) == HM_OK);
-    Guarded block(bytes);
+    Guarded block = block_of(hm_part_size, &part);
     hm_part* made = nullptr;
     hm_error error{};
-    CHECK(hm_part_init(&made, block.data(), bytes, &part, &error) == HM_BAD_MESH);
+    CHECK(hm_part_init(&made, block.data(), block.size(), &part, &error) == HM_BAD_MESH);
     CHECK(std::string(error.text) ==
           "the cells on both sides of the edge between points 0 and 1 overlap");
 }
 
 TEST_CASE("columns and unknowns of a part's equations") {
-    Case its = tiny_case();
+    Case setup = tiny_case();
     Options const options = laplace();
-    Parted parted(cut(its.mesh, stripes(its.mesh, 1), false));
+    Parted parted(cut(setup.mesh, stripes(setup.mesh, 1), false));
     REQUIRE(parted.match());
-    REQUIRE(parted.equate(its.problem(), options));
+    REQUIRE(parted.equate(setup.problem(), options));
     hm_equations* const equations = parted.parts[0].equations;
     hm_equations_info const& info = parted.parts[0].info();
     hm_part* const part = parted.parts[0].part;
     std::int32_t const n_edges = static_cast<std::int32_t>(parted.edges.size());
     std::size_t bytes = 0;
-    REQUIRE(hm_rows_size(equations, &bytes, nullptr) == HM_OK);
-    Guarded block(bytes);
+    Guarded block = block_of(hm_rows_size, equations);
     hm_basis* rows = nullptr;
-    REQUIRE(hm_rows_init(&rows, block.data(), bytes, equations, nullptr) == HM_OK);
+    REQUIRE(hm_rows_init(&rows, block.data(), block.size(), equations, nullptr) == HM_OK);
     std::vector<double> numbers(1000, 0.0);
     std::int64_t n = 0;
     hm_error error{};
@@ -85,7 +82,7 @@ TEST_CASE("columns and unknowns of a part's equations") {
     says(hm_equations_size(part, n_edges, &problem, &options, &bytes, &error),
          "there is nothing to solve, because the problem has no curves, rigid bodies or given "
          "displacements");
-    problem = its.problem();
+    problem = setup.problem();
     problem.mesh = nullptr;
     for (std::int32_t const count : {-1, (1 << 29) + 1})
         says(hm_equations_size(part, count, &problem, &options, &bytes, &error),
@@ -93,7 +90,7 @@ TEST_CASE("columns and unknowns of a part's equations") {
     REQUIRE(hm_rows_finish(equations, rows, 1, &error) == HM_OK);
     says(hm_rows_get(equations, rows, 0, numbers.data(), &error),
          "the rows are finished; make new ones by hm_rows_init");
-    Solved const whole(its, &options);
+    Solved const whole(setup, &options);
     says(hm_rows_get(equations, whole.basis, 0, numbers.data(), &error),
          "the rows were made from other equations");
     Case two = two_body_case(Cells::hybrid, 4, 3);
@@ -101,7 +98,7 @@ TEST_CASE("columns and unknowns of a part's equations") {
     says(hm_rows_get(equations, elsewhere.basis, 0, numbers.data(), &error),
          "the rows were made from other equations");
 
-    hm_part_mesh nobody = with_size<hm_part_mesh>();
+    hm_part_mesh nobody = sized<hm_part_mesh>();
     hm_mesh const mesh = parted.parts[0].mesh.view();
     nobody.mesh = &mesh;
     says(hm_part_size(&nobody, &bytes, &error), "part.numbers is NULL");

@@ -18,12 +18,12 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 // The arguments of one call; a test spoils one of them.
 struct Arguments {
-    Case its = given_instead(tiny_case());
-    Displaced displaced{its};
+    Case setup = given_instead(tiny_case());
+    Displaced displaced{setup};
     std::int32_t n_fields = 2;
     std::vector<std::int32_t> list = displaced.points;
     std::vector<double> wall = std::vector<double>(32, 0.125),
-                        mesh = std::vector<double>(4 * its.mesh.x.size(), 0.5);
+                        mesh = std::vector<double>(4 * setup.mesh.x.size(), 0.5);
     std::vector<hm_points> given, dj;
     std::vector<hm_points_out> to, gradient;
     hm_solve_report report{};
@@ -35,7 +35,7 @@ struct Arguments {
 
     Arguments() {
         report.struct_size = sizeof report;
-        std::size_t const n_mesh = its.mesh.x.size();
+        std::size_t const n_mesh = setup.mesh.x.size();
         for (std::size_t field = 0; field < 2; ++field) {
             given.push_back({&wall[16 * field], &wall[16 * field + 8], 1});
             dj.push_back({&mesh[2 * n_mesh * field], &mesh[2 * n_mesh * field + n_mesh], 1});
@@ -133,8 +133,7 @@ TEST_CASE("a repeated point with another displacement") {
     CHECK(std::string(error.text).find("two different displacements") != std::string::npos);
 }
 
-TEST_CASE(
-    "plans that cannot: no given marker, no factor, a marker that is both given and on a curve") {
+TEST_CASE("a plan needs a factor, a given marker, and no marker that is also on a curve") {
     Case curves = tiny_case();
     Solved const solved(curves);
     std::size_t bytes = 0;
@@ -144,7 +143,7 @@ TEST_CASE(
 
     Arguments unfactored;
     Attempt other;
-    REQUIRE(other.analyse(unfactored.its.problem()));
+    REQUIRE(other.analyse(unfactored.setup.problem()));
     REQUIRE(other.prepare());
     unfactored.displaced.plan = other.plan;
     CHECK(unfactored.displace(error) == HM_BAD_ARGUMENT);
@@ -157,7 +156,7 @@ TEST_CASE(
 
     Options nodal = laplace();
     nodal.scheme = HM_NODAL_GRADIENT;
-    Attempt const not_there(unfactored.its.problem(), &nodal);
+    Attempt const not_there(unfactored.setup.problem(), &nodal);
     CHECK(not_there.status == HM_UNSUPPORTED);
 }
 

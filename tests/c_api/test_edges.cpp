@@ -84,8 +84,8 @@ std::vector<std::int32_t> sorted_cell(hm_mesh const& mesh, std::int32_t cell) {
 
 TEST_CASE("the cells and faces of triangles and quadrilaterals are found again, and solved") {
     for (Cells const kind : {Cells::triangles, Cells::quads}) {
-        Case its = two_body_case(kind, 16, 5);
-        hm_mesh const mesh = its.mesh.view();
+        Case setup = two_body_case(kind, 16, 5);
+        hm_mesh const mesh = setup.mesh.view();
         EdgeList const edges(mesh);
         Converted const found(edges.view);
         INFO(found.error.text);
@@ -96,15 +96,15 @@ TEST_CASE("the cells and faces of triangles and quadrilaterals are found again, 
         for (std::int32_t cell = 0; cell < mesh.n_cells; ++cell) {
             CHECK(sorted_cell(found.mesh, cell) == sorted_cell(mesh, cell));
         }
-        Solved const from_edges(its.problem(found.mesh)), from_cells(its.problem(mesh));
+        Solved const from_edges(setup.problem(found.mesh)), from_cells(setup.problem(mesh));
         CHECK(from_edges.report.unknowns == from_cells.report.unknowns);
         CHECK(from_edges.report.residual < 1e-10);
     }
 }
 
 TEST_CASE("edges that form no cell are refused with the edge or the cell") {
-    Case its = two_body_case(Cells::quads, 16, 5);
-    EdgeList const good(its.mesh.view());
+    Case setup = two_body_case(Cells::quads, 16, 5);
+    EdgeList const good(setup.mesh.view());
     auto const refused = [&](void (*change)(EdgeList&), const char* words) {
         EdgeList bad = good;
         bad.view.edge_points = bad.points.data();

@@ -1,6 +1,6 @@
-// What lay in a block before decides nothing: every call of the C interface gives the same bits,
-// whatever bytes its block and its outputs held; and no call that succeeds raises a floating-point
-// exception that a debugging build would trap.
+// The bytes that a block held before have no influence: every call of the C interface gives the
+// same bits, whatever bytes the block and the outputs held, and no call that succeeds raises a
+// floating-point exception that a debugging build would trap.
 #include <harmorph_design.h>
 #include <harmorph_parts.h>
 #include <harmorph_study.h>
@@ -28,10 +28,10 @@ public:
     }
     // Statuses, numbers, and reports: structs of this interface have no padding.
     template <class Plain>
-    void add(Plain const& its) {
-        add_bytes(&its, sizeof its);
+    void add(Plain const& plain) {
+        add_bytes(&plain, sizeof plain);
     }
-    // The text behind its end is nobody's.
+    // The bytes after the end of the text have no meaning.
     void add_outcome(hm_status status, hm_error const& error) {
         add(status);
         add(error.item);
@@ -48,8 +48,8 @@ public:
 private:
     void add_bytes(const void* begin, std::size_t n) {
         if (n == 0) return;
-        const unsigned char* const its = static_cast<const unsigned char*>(begin);
-        bytes_.insert(bytes_.end(), its, its + n);
+        const unsigned char* const bytes = static_cast<const unsigned char*>(begin);
+        bytes_.insert(bytes_.end(), bytes, bytes + n);
     }
     std::vector<unsigned char> bytes_;
 };
@@ -123,9 +123,9 @@ std::vector<Way> ways() {
     offset.name = "conformal, offset correction";
     offset.options.offset_correction = 1;
     out.insert(out.end(), {single, real_single, offset});
-    for (Way& its : out)
-        if (its.options.engine == HM_FAS)
-            its.options.max_iterations = 5;  // enough to touch all that an iteration has
+    for (Way& each : out)
+        if (each.options.engine == HM_FAS)
+            each.options.max_iterations = 5;  // enough to touch all that an iteration has
     return out;
 }
 
@@ -140,14 +140,12 @@ Case block() {
 
 }  // namespace
 
-TEST_CASE(
-    "analysis, plan and basis: every operator, scheme and engine, with one thread and with "
-    "several") {
+TEST_CASE("analysis, plan and basis do not depend on old bytes for any operator and engine") {
     for (Way& way : ways())
         for (std::int32_t const threads : {1, 3}) {
             INFO(way.name << ", " << threads << " threads");
             check_fills([&](Record& record) {
-                Case its = ring_case(12, 60, 0.5, 2, Cells::hybrid);
+                Case setup = ring_case(12, 60, 0.5, 2, Cells::hybrid);
                 Backwards order;
                 hm_executor const executor = order.executor(threads);
                 Options options = way.options;
@@ -157,12 +155,12 @@ TEST_CASE(
                     options.history_length = 8;
                 }
                 options.executor = &executor;
-                Attempt const attempt(its.problem(), &options);
+                Attempt const attempt(setup.problem(), &options);
                 record.add_solution(attempt);
                 if (options.engine == HM_DIRECT) return;
                 for (std::int32_t k = 0; k <= std::min(attempt.report.iterations, 7); ++k)
                     record.add(history[static_cast<std::size_t>(k)]);
-                std::vector<std::int32_t> cells = filled<std::int32_t>(its.mesh.x.size());
+                std::vector<std::int32_t> cells = filled<std::int32_t>(setup.mesh.x.size());
                 std::int32_t n = -1;
                 record.add(hm_plan_level(attempt.plan, 1, cells.data(), &n, nullptr));
                 record.add(cells);
@@ -171,35 +169,33 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "problems of each kind of value: morph, adjoint, measures, shares, parcels, rows, single "
-    "precision") {
+TEST_CASE("all calls with a basis do not depend on old bytes for any kind of value") {
     for (KindOfProblem const& problem : problems_and_a_cut())
         check_fills([&](Record& record) {
-            Case its = problem.its;
-            Attempt const solved(its.problem(), &problem.options);
+            Case setup = problem.setup;
+            Attempt const solved(setup.problem(), &problem.options);
             record.add_solution(solved);
             REQUIRE(solved.status >= 0);
-            hm_mesh const& mesh = its.mesh_view();
-            std::size_t const n = its.mesh.x.size();
+            hm_mesh const& mesh = setup.mesh_view();
+            std::size_t const n = setup.mesh.x.size();
             std::int32_t const functions = info_of(solved.basis).functions,
                                numbers = info_of(solved.basis).numbers_per_value;
             std::vector<double> const move = some_move(functions, 0.01, 3),
                                       gradient = some_move(mesh.n_points, 1, 4);
             std::vector<double> x = filled<double>(n), y = filled<double>(n);
-            record.add(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+            record.add(hm_morph(solved.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
                                 points_out(x, y), nullptr, nullptr));
             record.add(x);
             record.add(y);
             double error = 0;
             std::int32_t point = 0;
             record.add(hm_boundary_error(solved.basis, move.data(),
-                                         points_in(its.mesh.x, its.mesh.y), points_in(x, y), &error,
-                                         &point, nullptr));
+                                         points_in(setup.mesh.x, setup.mesh.y), points_in(x, y),
+                                         &error, &point, nullptr));
             record.add(error);
             hm_quality_report quality = filled_report<hm_quality_report>();
             record.add(hm_assess(solved.basis, &mesh, points_in(x, y), nullptr,
-                                 points_in(its.mesh.x, its.mesh.y), nullptr, nullptr, &quality,
+                                 points_in(setup.mesh.x, setup.mesh.y), nullptr, nullptr, &quality,
                                  nullptr));
             record.add(quality);
             record.add(
@@ -268,7 +264,7 @@ TEST_CASE(
 TEST_CASE("coarse to fine") {
     for (KindOfProblem const& problem : kinds_of_problems())
         check_fills([&](Record& record) {
-            Case coarse = problem.its, fine = problem.its;
+            Case coarse = problem.setup, fine = problem.setup;
             perturb(fine.mesh, 0.1, 8);
             Solved const solved(coarse, &problem.options);
             TransferAttempt attempt;
@@ -290,38 +286,35 @@ TEST_CASE("fits of every closure, and the points of a curve") {
                 Outline const outline = naca4(naca, 30);
                 double const* const xy = &outline.points[0].x;
                 std::int32_t const n = static_cast<std::int32_t>(outline.points.size());
-                hm_fit_options options{};
-                options.struct_size = sizeof options;
+                auto options = sized<hm_fit_options>();
                 options.closed = closed;
-                std::size_t bytes = 0;
-                REQUIRE(hm_fit_size(n, &options, &bytes, nullptr) == HM_OK);
-                Guarded block(bytes);
+                Guarded block = block_of(hm_fit_size, n, &options);
                 hm_fit_report report = filled_report<hm_fit_report>();
                 const hm_curves* curves = nullptr;
                 hm_error error{};
                 hm_status const status =
-                    hm_fit(&curves, block.data(), bytes, points_in(xy, xy + 1, 2), n, 1, &options,
-                           &report, &error);
+                    hm_fit(&curves, block.data(), block.size(), points_in(xy, xy + 1, 2), n, 1,
+                           &options, &report, &error);
                 record.add_outcome(status, error);
                 if (status < 0) return;
                 record.add(report);
                 record.add(
                     std::vector<double>(curves->control, curves->control + 2 * curves->n_control));
                 for (std::int32_t k = 0; k < curves->n_curves; ++k) {
-                    hm_curve const& its = curves->curve[k];
-                    record.add(
-                        std::vector<double>(its.knots, its.knots + its.n_indices + its.degree + 1));
-                    if (its.indices != nullptr)
-                        record.add(
-                            std::vector<std::int32_t>(its.indices, its.indices + its.n_indices));
+                    hm_curve const& curve = curves->curve[k];
+                    record.add(std::vector<double>(
+                        curve.knots, curve.knots + curve.n_indices + curve.degree + 1));
+                    if (curve.indices != nullptr)
+                        record.add(std::vector<std::int32_t>(curve.indices,
+                                                             curve.indices + curve.n_indices));
                     double u = 0, distance = 0;
                     record.add(hm_curve_project(curves, k, 0.3, 0.2, &u, &distance, nullptr));
                     record.add(u);
                     record.add(distance);
                     std::vector<double> values = filled<double>(24), at = filled<double>(6);
                     std::vector<std::int32_t> control = filled<std::int32_t>(6);
-                    values.resize(3 * static_cast<std::size_t>(its.degree + 1));
-                    control.resize(static_cast<std::size_t>(its.degree + 1));
+                    values.resize(3 * static_cast<std::size_t>(curve.degree + 1));
+                    control.resize(static_cast<std::size_t>(curve.degree + 1));
                     record.add(
                         hm_curve_basis(curves, k, u, 2, control.data(), values.data(), nullptr));
                     record.add(hm_curve_point(curves, k, u, 2, at.data(), nullptr));
@@ -336,9 +329,9 @@ TEST_CASE("fits of every closure, and the points of a curve") {
 TEST_CASE("the boundary of a mesh, and its report") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         check_fills([&](Record& record) {
-            Case its = airfoil_case(30, 12, kind);
+            Case setup = airfoil_case(30, 12, kind);
             Attempt attempt;
-            REQUIRE(attempt.analyse(its.problem()));
+            REQUIRE(attempt.analyse(setup.problem()));
             hm_mesh_report report = filled_report<hm_mesh_report>();
             record.add(hm_analysis_report(attempt.analysis, &report, nullptr));
             record.add(report);
@@ -355,9 +348,7 @@ TEST_CASE("the boundary of a mesh, and its report") {
 
 // Far turns, so that every strategy is tried: bounded functions, which cannot be solved again,
 // leave the rest to untangling.
-TEST_CASE(
-    "safe morphs: every operator and scheme that the direct engine solves, every strategy, to the "
-    "end or not") {
+TEST_CASE("safe morphs do not depend on old bytes for any operator, scheme or strategy") {
     for (Way& way : ways()) {
         if (way.options.engine != HM_DIRECT) continue;
         for (double const degrees : {20.0, 75.0, 100.0})
@@ -366,22 +357,18 @@ TEST_CASE(
                 INFO(way.name << ", turned by " << degrees << " degrees, without the strategies "
                               << skipped);
                 check_fills([&](Record& record) {
-                    Case its = block();
-                    Solved const solved(its, &way.options);
+                    Case setup = block();
+                    Solved const solved(setup, &way.options);
                     Attempt derivative;
-                    REQUIRE(derivative.analyse(its.problem(), &way.options));
+                    REQUIRE(derivative.analyse(setup.problem(), &way.options));
                     REQUIRE(derivative.prepare());
-                    std::size_t bytes = 0;
-                    REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) ==
-                            HM_OK);
-                    Guarded work(bytes);
+                    Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
                     std::vector<double> const move = similarity_move(
-                        its.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), {0.5, 0.5},
+                        setup.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), {0.5, 0.5},
                         0.03);
-                    std::vector<double> x = filled<double>(its.mesh.x.size()), y = x,
+                    std::vector<double> x = filled<double>(setup.mesh.x.size()), y = x,
                                         reached = filled<double>(move.size());
-                    hm_safe_options options{};
-                    options.struct_size = sizeof options;
+                    auto options = sized<hm_safe_options>();
                     options.skipped_strategies = skipped;
                     options.max_resolves = 3;
                     options.heights = 0.5;
@@ -390,7 +377,7 @@ TEST_CASE(
                     hm_error error{};
                     hm_status const status = hm_morph_safe(
                         solved.plan, solved.basis, move.data(), points_out(x, y), derivative.basis,
-                        work.data(), bytes, &options, &report, &error);
+                        work.data(), work.size(), &options, &report, &error);
                     REQUIRE(status >= 0);
                     record.add_outcome(status, error);
                     record.add(report);
@@ -406,25 +393,23 @@ TEST_CASE(
 TEST_CASE("improvements: of a mesh with layers, and of one whose sides slide") {
     for (bool const slides : {false, true}) {
         check_fills([&](Record& record) {
-            Case its = slides ? block() : airfoil_case(20, 8);
-            if (slides) its.set_slip(top);
-            Solved const solved(its);
-            std::size_t bytes = 0;
-            REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
-            Guarded work(bytes);
-            std::vector<double> const move =
-                similarity_move(its.curves, std::polar(1.0, 0.04), {0.5, slides ? 0.5 : 0.0}, 0.01);
-            std::vector<double> x = its.mesh.x, y = its.mesh.y;
+            Case setup = slides ? block() : airfoil_case(20, 8);
+            if (slides) setup.set_slip(top);
+            Solved const solved(setup);
+            Guarded work = block_of(hm_improve_size, solved.plan);
+            std::vector<double> const move = similarity_move(setup.curves, std::polar(1.0, 0.04),
+                                                             {0.5, slides ? 0.5 : 0.0}, 0.01);
+            std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
             REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
                              nullptr) == HM_OK);
-            hm_improve_options options{};
-            options.struct_size = sizeof options;
-            hm_points const reference = {its.mesh.x.data(), its.mesh.y.data(), 1};
+            auto options = sized<hm_improve_options>();
+            hm_points const reference = {setup.mesh.x.data(), setup.mesh.y.data(), 1};
             options.reference = &reference;
             hm_improve_report report = filled_report<hm_improve_report>();
             hm_error error{};
-            hm_status const status = hm_improve(solved.plan, points_in(x, y), points_out(x, y),
-                                                work.data(), bytes, &options, &report, &error);
+            hm_status const status =
+                hm_improve(solved.plan, points_in(x, y), points_out(x, y), work.data(), work.size(),
+                           &options, &report, &error);
             INFO(error.text);
             REQUIRE(status == HM_OK);
             record.add_outcome(status, error);

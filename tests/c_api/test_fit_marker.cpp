@@ -38,10 +38,10 @@ struct WallFit {
 }  // namespace
 
 TEST_CASE("the walls of two bodies, on markers of their own or on one, are two pieces") {
-    Case its = two_body_case(Cells::quads, 24, 6);
-    hm_mesh const mesh = its.mesh.view();
+    Case setup = two_body_case(Cells::quads, 24, 6);
+    hm_mesh const mesh = setup.mesh.view();
     std::vector<std::int32_t> walls;
-    for (hm_condition const& condition : its.conditions) walls.push_back(condition.marker);
+    for (hm_condition const& condition : setup.conditions) walls.push_back(condition.marker);
     REQUIRE(walls.size() == 2);
     WallFit const both(mesh, walls), first(mesh, {walls[0]}), second(mesh, {walls[1]});
     INFO(both.error.text);
@@ -54,9 +54,9 @@ TEST_CASE("the walls of two bodies, on markers of their own or on one, are two p
     CHECK(both.report.max_error == std::max(first.report.max_error, second.report.max_error));
     CHECK(hm_curves_check(both.curves, nullptr) == HM_OK);
     // The problem with these curves is solved, with every wall point near its curve.
-    hm_problem problem = its.problem(mesh);
+    hm_problem problem = setup.problem(mesh);
     problem.curves = both.curves;
-    hm_condition conditions[2] = {its.conditions[0], its.conditions[1]};
+    hm_condition conditions[2] = {setup.conditions[0], setup.conditions[1]};
     for (std::int32_t k = 0; k < 2; ++k) {
         conditions[k].first_curve = 0;
         conditions[k].n_curves = both.curves->n_curves;
@@ -68,9 +68,9 @@ TEST_CASE("the walls of two bodies, on markers of their own or on one, are two p
 }
 
 TEST_CASE("unknown markers, few points and short blocks are refused, and nothing is made") {
-    Case its = two_body_case(Cells::quads, 24, 6);
-    hm_mesh const mesh = its.mesh.view();
-    std::int32_t const wall = its.conditions[0].marker;
+    Case setup = two_body_case(Cells::quads, 24, 6);
+    hm_mesh const mesh = setup.mesh.view();
+    std::int32_t const wall = setup.conditions[0].marker;
     CHECK(WallFit(mesh, {12345}).status == HM_BAD_CONDITION);
     WallFit const second_unknown(mesh, {wall, 12345});
     CHECK(second_unknown.status == HM_BAD_CONDITION);

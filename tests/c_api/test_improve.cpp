@@ -17,22 +17,22 @@ namespace {
 
 // A solved case, a linear morph of it, and the improved mesh.
 struct Morphed {
-    Case its;
+    Case setup;
     Solved solved;
     std::vector<double> x, y, better_x, better_y;
     hm_improve_report report{};
     hm_error error{};
     std::size_t bytes = 0;
 
-    Morphed(Case const& of, std::vector<double> const& move,
+    Morphed(Case const& shown, std::vector<double> const& move,
             Options const& options = options_of(HM_CONFORMAL))
-        : its(of),
-          solved(its.problem(), &options),
-          x(its.mesh.x.size()),
+        : setup(shown),
+          solved(setup.problem(), &options),
+          x(setup.mesh.x.size()),
           y(x),
           better_x(x),
           better_y(x) {
-        REQUIRE(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+        REQUIRE(hm_morph(solved.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
                          points_out(x, y), nullptr, nullptr) == HM_OK);
         REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
         report.struct_size = sizeof report;
@@ -47,11 +47,10 @@ struct Morphed {
         return status;
     }
     hm_quality_report quality(std::vector<double> const& at_x, std::vector<double> const& at_y) {
-        hm_quality_report out{};
-        out.struct_size = sizeof out;
-        hm_mesh const& mesh = its.mesh_view();
+        auto out = sized<hm_quality_report>();
+        hm_mesh const& mesh = setup.mesh_view();
         REQUIRE(hm_assess(solved.basis, &mesh, points_in(at_x, at_y), nullptr,
-                          points_in(its.mesh.x, its.mesh.y), nullptr, nullptr, &out,
+                          points_in(setup.mesh.x, setup.mesh.y), nullptr, nullptr, &out,
                           nullptr) == HM_OK);
         return out;
     }
@@ -73,9 +72,9 @@ Case sliding_block() {
 }  // namespace
 
 TEST_CASE("hm_improve: better cells, the report is that of hm_assess, and walls keep their bits") {
-    Case its = airfoil_case();
+    Case setup = airfoil_case();
     Complex const turn = std::polar(1.0, 0.6);
-    Morphed out(its, similarity_move(its.curves, turn, 0.25));
+    Morphed out(setup, similarity_move(setup.curves, turn, 0.25));
     REQUIRE(out.improve() == HM_OK);
     hm_quality_report const before = out.quality(out.x, out.y),
                             after = out.quality(out.better_x, out.better_y);
@@ -89,13 +88,13 @@ TEST_CASE("hm_improve: better cells, the report is that of hm_assess, and walls 
     CHECK(after.self_crossing == 0);
     CHECK(after.mean_quality > before.mean_quality);
     CHECK(out.report.iterations > 0);
-    std::vector<std::int32_t> const on_wall = points_on(its.mesh, body);
-    std::int32_t held = its.mesh.n_points() - out.report.movable;
+    std::vector<std::int32_t> const on_wall = points_on(setup.mesh, body);
+    std::int32_t held = setup.mesh.n_points() - out.report.movable;
     CHECK(held >=
-          static_cast<std::int32_t>(on_wall.size() + points_on(its.mesh, far_field).size()));
+          static_cast<std::int32_t>(on_wall.size() + points_on(setup.mesh, far_field).size()));
     for (std::int32_t const marker :
          {static_cast<std::int32_t>(body), static_cast<std::int32_t>(far_field)})
-        for (std::int32_t const point : points_on(its.mesh, marker)) CHECK(out.stays(point));
+        for (std::int32_t const point : points_on(setup.mesh, marker)) CHECK(out.stays(point));
 }
 
 TEST_CASE("hm_improve: the first layer gets back the heights that a conformal morph has changed") {
@@ -105,17 +104,17 @@ TEST_CASE("hm_improve: the first layer gets back the heights that a conformal mo
     with_hanging_nodes.mesh =
         refined(with_hanging_nodes.mesh, [](Point p) { return std::hypot(p.x, p.y) > 0.62; });
     with_hanging_nodes.mesh.cell_layout = HM_CELLS_POLYGONS;
-    for (Case const& its :
+    for (Case const& setup :
          {ring_case(12, static_cast<int>(around), 0.5, 2, Cells::quads),
           ring_case(12, static_cast<int>(around), 0.5, 2, Cells::hybrid), with_hanging_nodes}) {
-        Morphed out(its, some_move(8, 0.12, 3));
+        Morphed out(setup, some_move(8, 0.12, 3));
         REQUIRE(out.improve() == HM_OK);
         double worst_before = 0, worst = 0;
         for (std::size_t k = 0; k < around; ++k) {  // the point above is of the next ring
             auto const height = [&](std::vector<double> const& x, std::vector<double> const& y) {
                 return std::hypot(x[k + around] - x[k], y[k + around] - y[k]);
             };
-            double const wanted = height(its.mesh.x, its.mesh.y);
+            double const wanted = height(setup.mesh.x, setup.mesh.y);
             worst_before = std::fmax(worst_before, std::fabs(height(out.x, out.y) / wanted - 1));
             worst = std::fmax(worst, std::fabs(height(out.better_x, out.better_y) / wanted - 1));
         }
@@ -125,9 +124,7 @@ TEST_CASE("hm_improve: the first layer gets back the heights that a conformal mo
     }
 }
 
-TEST_CASE(
-    "hm_improve: a first layer whose heights would make a worse cell stays where it is, the others "
-    "improve") {
+TEST_CASE("hm_improve keeps a first layer whose heights would make a cell worse") {
     int const around = 16;
     for (unsigned const seed : {1u, 2u, 3u}) {
         Morphed out(ring_case(12, around, 0.3, 2, Cells::triangles), some_move(8, 0.03, seed));
@@ -139,25 +136,27 @@ TEST_CASE(
 }
 
 TEST_CASE("hm_improve: a mesh where it was does not move, with each kind of condition") {
-    for (Case its : {airfoil_case(), cascade(Cells::hybrid), sliding_block()}) {
-        Morphed out(its, std::vector<double>(its.curves.control.size(), 0.0));
+    for (Case setup : {airfoil_case(), cascade(Cells::hybrid), sliding_block()}) {
+        Morphed out(setup, std::vector<double>(setup.curves.control.size(), 0.0));
         REQUIRE(out.improve() == HM_OK);
-        CHECK(out.better_x == its.mesh.x);
-        CHECK(out.better_y == its.mesh.y);
+        CHECK(out.better_x == setup.mesh.x);
+        CHECK(out.better_y == setup.mesh.y);
     }
 }
 
 TEST_CASE("hm_improve: sliding points stay on their lines, corners stay") {
-    Case its = sliding_block();
-    Morphed out(its, similarity_move(its.curves, std::polar(1.0, 0.7), {0.5, 0.5}, {0.1, 0.12}));
+    Case setup = sliding_block();
+    Morphed out(setup,
+                similarity_move(setup.curves, std::polar(1.0, 0.7), {0.5, 0.5}, {0.1, 0.12}));
     REQUIRE(out.improve() == HM_OK);
     CHECK(out.report.min_quality > out.report.min_quality_before);
     int slid = 0;
     for (std::int32_t const side : {bottom, right, top, left}) {
-        for (std::int32_t const point : points_on(its.mesh, side)) {
+        for (std::int32_t const point : points_on(setup.mesh, side)) {
             auto const k = static_cast<std::size_t>(point);
             bool const level = side == bottom || side == top;
-            CHECK((level ? out.better_y : out.better_x)[k] == (level ? its.mesh.y : its.mesh.x)[k]);
+            CHECK((level ? out.better_y : out.better_x)[k] ==
+                  (level ? setup.mesh.y : setup.mesh.x)[k]);
             slid += out.stays(point) ? 0 : 1;
         }
     }
@@ -166,17 +165,17 @@ TEST_CASE("hm_improve: sliding points stay on their lines, corners stay") {
 
 TEST_CASE("hm_improve: periodic pairs move together, and the cut between them is not felt") {
     for (Cells const kind : {Cells::quads, Cells::hybrid}) {
-        Case its = cascade(kind, 0.2);
+        Case setup = cascade(kind, 0.2);
         std::vector<double> const move =
-            similarity_move(its.curves, std::polar(1.0, 0.5), {0.5, 0.5}, {0.08, 0.02});
-        Morphed out(its, move);
+            similarity_move(setup.curves, std::polar(1.0, 0.5), {0.5, 0.5}, {0.08, 0.02});
+        Morphed out(setup, move);
         REQUIRE(out.improve() == HM_OK);
         CHECK(out.report.min_quality > out.report.min_quality_before);
         int moved = 0;
-        for (std::int32_t const point : points_on(its.mesh, left))
-            for (std::int32_t const image : points_on(its.mesh, right)) {
+        for (std::int32_t const point : points_on(setup.mesh, left))
+            for (std::int32_t const image : points_on(setup.mesh, right)) {
                 auto const a = static_cast<std::size_t>(point), b = static_cast<std::size_t>(image);
-                if (std::fabs(its.mesh.y[a] - its.mesh.y[b]) > 1e-9) continue;
+                if (std::fabs(setup.mesh.y[a] - setup.mesh.y[b]) > 1e-9) continue;
                 CHECK(out.better_x[b] - out.better_x[a] == doctest::Approx(1).epsilon(1e-14));
                 CHECK(out.better_y[b] == doctest::Approx(out.better_y[a]).epsilon(1e-14));
                 moved += out.stays(point) ? 0 : 1;
@@ -200,8 +199,9 @@ TEST_CASE("hm_improve: periodic pairs move together, and the cut between them is
 
 TEST_CASE("hm_improve: a periodic mesh one cell wide") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
-        Case its = one_cell_apart(kind);
-        Morphed out(its, similarity_move(its.curves, std::polar(1.0, 0.3), {0.5, 0.5}, {0, 0.1}));
+        Case setup = one_cell_apart(kind);
+        Morphed out(setup,
+                    similarity_move(setup.curves, std::polar(1.0, 0.3), {0.5, 0.5}, {0, 0.1}));
         REQUIRE(out.improve() == HM_OK);
         for (int row = 0; row < 4; ++row) {
             auto const k = static_cast<std::size_t>(2 * row);
@@ -212,15 +212,16 @@ TEST_CASE("hm_improve: a periodic mesh one cell wide") {
 }
 
 TEST_CASE("hm_improve: in place, and with threads, the same bits") {
-    Case its = sliding_block();
-    std::vector<double> const move = similarity_move(its.curves, std::polar(1.0, 0.5), {0.5, 0.5});
-    Morphed out(its, move);
+    Case setup = sliding_block();
+    std::vector<double> const move =
+        similarity_move(setup.curves, std::polar(1.0, 0.5), {0.5, 0.5});
+    Morphed out(setup, move);
     REQUIRE(out.improve() == HM_OK);
     Backwards order;
     hm_executor const executor = order.executor(3);
     Options options = options_of(HM_CONFORMAL);
     options.executor = &executor;
-    Morphed other(its, move, options);
+    Morphed other(setup, move, options);
     Guarded work(other.bytes);
     REQUIRE(hm_improve(other.solved.plan, points_in(other.x, other.y), points_out(other.x, other.y),
                        work.data(), other.bytes, nullptr, nullptr, nullptr) == HM_OK);
@@ -229,8 +230,8 @@ TEST_CASE("hm_improve: in place, and with threads, the same bits") {
 }
 
 TEST_CASE("hm_improve: what cannot be improved is refused by name, and nothing has moved") {
-    Case its = sliding_block();
-    Morphed out(its, similarity_move(its.curves, std::polar(1.0, 0.5), {0.5, 0.5}));
+    Case setup = sliding_block();
+    Morphed out(setup, similarity_move(setup.curves, std::polar(1.0, 0.5), {0.5, 0.5}));
     std::vector<double> const untouched = out.better_x;
     auto const refuses = [&](hm_status status, const char* text) {
         INFO(out.error.text);
@@ -247,8 +248,7 @@ TEST_CASE("hm_improve: what cannot be improved is refused by name, and nothing h
     CHECK(hm_improve(out.solved.plan, nullptr, points_out(out.better_x, out.better_y), nullptr, 0,
                      nullptr, nullptr, &out.error) == HM_BAD_ARGUMENT);
     CHECK(hm_improve_size(nullptr, &out.bytes, &out.error) == HM_BAD_ARGUMENT);
-    hm_improve_options options{};
-    options.struct_size = sizeof options;
+    auto options = sized<hm_improve_options>();
     for (std::int32_t const wrong : {-1, 10001}) {
         options.max_iterations = wrong;
         CHECK(out.improve(&options) == HM_BAD_ARGUMENT);

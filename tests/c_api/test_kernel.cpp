@@ -10,19 +10,19 @@ using namespace fixtures;
 namespace {
 
 // Numbers of x, then of y.
-std::vector<double> morphed(Case const& its, Solved const& solved, std::vector<double> const& move,
-                            hm_executor const* executor) {
-    std::size_t const n = its.mesh.x.size();
+std::vector<double> morphed(Case const& setup, Solved const& solved,
+                            std::vector<double> const& move, hm_executor const* executor) {
+    std::size_t const n = setup.mesh.x.size();
     std::vector<double> out(2 * n);
     hm_points_out const to{out.data(), out.data() + n, 1};
-    REQUIRE(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), &to, executor,
-                     nullptr) == HM_OK);
+    REQUIRE(hm_morph(solved.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y), &to,
+                     executor, nullptr) == HM_OK);
     return out;
 }
 
-std::vector<double> gradient(Case const& its, Solved const& solved, hm_executor const* executor) {
-    std::vector<double> out(2 * static_cast<std::size_t>(its.curves.n_control()));
-    REQUIRE(hm_adjoint(solved.basis, points_in(its.mesh.y, its.mesh.x), out.data(), executor,
+std::vector<double> gradient(Case const& setup, Solved const& solved, hm_executor const* executor) {
+    std::vector<double> out(2 * static_cast<std::size_t>(setup.curves.n_control()));
+    REQUIRE(hm_adjoint(solved.basis, points_in(setup.mesh.y, setup.mesh.x), out.data(), executor,
                        nullptr) == HM_OK);
     return out;
 }
@@ -33,32 +33,31 @@ TEST_CASE("the best kernel is one that the processor has") {
     CHECK(hm_best_kernel() == static_cast<std::int32_t>(usable_kernels().back()));
 }
 
-TEST_CASE(
-    "movements and gradients have the same bits with every kernel that an executor may name") {
-    Case its = airfoil_case();
-    Solved const solved(its);
-    std::vector<double> const move = some_move(its.curves.n_control(), 0.01, 1);
-    std::vector<double> const points = morphed(its, solved, move, nullptr),
-                              slopes = gradient(its, solved, nullptr);
+TEST_CASE("every kernel that an executor may name gives the same bits of movements and gradients") {
+    Case setup = airfoil_case();
+    Solved const solved(setup);
+    std::vector<double> const move = some_move(setup.curves.n_control(), 0.01, 1);
+    std::vector<double> const points = morphed(setup, solved, move, nullptr),
+                              slopes = gradient(setup, solved, nullptr);
     for (harmorph::Kernel const kernel : usable_kernels()) {
         hm_executor const executor{sizeof executor, nullptr, nullptr, 1,
                                    static_cast<std::int32_t>(kernel)};
-        CHECK(same_bits(morphed(its, solved, move, &executor), points));
-        CHECK(same_bits(gradient(its, solved, &executor), slopes));
+        CHECK(same_bits(morphed(setup, solved, move, &executor), points));
+        CHECK(same_bits(gradient(setup, solved, &executor), slopes));
     }
 }
 
 TEST_CASE("a kernel that is none is refused, and nothing is moved") {
-    Case its = airfoil_case();
-    Solved const solved(its);
-    std::vector<double> x = its.mesh.x, y = its.mesh.y,
-                        move(2 * static_cast<std::size_t>(its.curves.n_control()), 1.0);
+    Case setup = airfoil_case();
+    Solved const solved(setup);
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y,
+                        move(2 * static_cast<std::size_t>(setup.curves.n_control()), 1.0);
     for (std::int32_t const kernel : {-1, 5}) {
         hm_executor const executor{sizeof executor, nullptr, nullptr, 1, kernel};
         hm_error error{};
-        CHECK(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+        CHECK(hm_morph(solved.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
                        points_out(x, y), &executor, &error) == HM_UNSUPPORTED);
         CHECK(std::string(error.text).find("executor.kernel") != std::string::npos);
-        CHECK(same_bits(x, its.mesh.x));
+        CHECK(same_bits(x, setup.mesh.x));
     }
 }

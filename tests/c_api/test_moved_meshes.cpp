@@ -12,20 +12,21 @@ namespace {
 
 // The arrays of the mesh are the caller's, and change.
 struct Moved {
-    Case its = airfoil_case();
-    std::vector<double> x = its.mesh.x, y = its.mesh.y;
+    Case setup = airfoil_case();
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
     hm_points own{x.data(), y.data(), 1};
     hm_points_out in_place{x.data(), y.data(), 1};
-    hm_mesh mesh = its.mesh_view();
+    hm_mesh mesh = setup.mesh_view();
     Options options = options_of(HM_CONFORMAL);
     std::unique_ptr<Solved> solved;
     std::vector<double> move, work;
 
     Moved() {
         mesh.points = own;
-        solved = std::make_unique<Solved>(its.problem(mesh), &options);
-        move.assign(its.curves.control.size(), 0);
-        for (std::size_t k = 0; k < move.size(); k += 2) move[k + 1] = 0.1 * its.curves.control[k];
+        solved = std::make_unique<Solved>(setup.problem(mesh), &options);
+        move.assign(setup.curves.control.size(), 0);
+        for (std::size_t k = 0; k < move.size(); k += 2)
+            move[k + 1] = 0.1 * setup.curves.control[k];
         std::size_t safe = 0, improve = 0;
         REQUIRE(hm_morph_safe_size(solved->plan, solved->basis, &safe, nullptr) == HM_OK);
         REQUIRE(hm_improve_size(solved->plan, &improve, nullptr) == HM_OK);
@@ -47,9 +48,7 @@ struct Moved {
 
 }  // namespace
 
-TEST_CASE(
-    "a safe morph from a mesh that was moved in place is refused, until the basis is solved "
-    "there") {
+TEST_CASE("a safe morph from a mesh that was moved in place needs a new solution there") {
     Moved o;
     std::vector<double> x(o.x.size()), y(o.x.size());
     hm_points_out const to{x.data(), y.data(), 1};
@@ -62,13 +61,12 @@ TEST_CASE(
     REQUIRE(hm_plan_factor(o.solved->plan, nullptr, nullptr) == HM_OK);
     REQUIRE(hm_plan_solve(o.solved->plan, o.solved->basis, nullptr, nullptr) == HM_OK);
     CHECK(o.safe(to, nullptr) == HM_OK);
-    o.x = o.its.mesh.x;  // the functions are those of the moved mesh now
-    o.y = o.its.mesh.y;
+    o.x = o.setup.mesh.x;  // the functions are those of the moved mesh now
+    o.y = o.setup.mesh.y;
     CHECK(o.safe(to, nullptr) == HM_BAD_MESH);
 }
 
-TEST_CASE(
-    "a mesh that was moved in place is improved with the reference of before, and not without") {
+TEST_CASE("a mesh that was moved in place is improved only with the reference from before") {
     Moved o;
     REQUIRE(o.go() == HM_OK);
     std::vector<double> x(o.x.size()), y(o.x.size());
@@ -77,12 +75,10 @@ TEST_CASE(
                   "the mesh has moved since the analysis; give the coordinates before the movement "
                   "as options.reference",
                   [&](hm_error* e) { return o.improve(to, nullptr, nullptr, e); }}});
-    hm_points const before{o.its.mesh.x.data(), o.its.mesh.y.data(), 1};
-    hm_improve_options asked{};
-    asked.struct_size = sizeof asked;
+    hm_points const before{o.setup.mesh.x.data(), o.setup.mesh.y.data(), 1};
+    auto asked = sized<hm_improve_options>();
     asked.reference = &before;
-    hm_improve_report report{};
-    report.struct_size = sizeof report;
+    auto report = sized<hm_improve_report>();
     CHECK(o.improve(to, &asked, &report, nullptr) == HM_OK);
     CHECK(report.mean_quality > report.mean_quality_before);
 }
@@ -91,19 +87,17 @@ TEST_CASE("a mesh of other cells is refused, also with as many points and cells 
     Moved o;
     std::vector<double> const still(o.x.size());
     hm_points const none{still.data(), still.data(), 1};
-    hm_quality_report quality{};
-    hm_step_report step{};
-    quality.struct_size = sizeof quality;
-    step.struct_size = sizeof step;
+    auto quality = sized<hm_quality_report>();
+    auto step = sized<hm_step_report>();
     std::vector<std::int32_t> turned(
-        o.its.mesh.cells);  // each point has the number of the next one
+        o.setup.mesh.cells);  // each point has the number of the next one
     for (std::int32_t& point : turned) point = (point + 1) % o.mesh.n_points;
     hm_mesh renumbered = o.mesh, other_cell = o.mesh;
     renumbered.cell_points = turned.data();
     std::vector<std::int32_t> changed(
-        o.its.mesh.cells);  // the last of the 64 cells that are compared
+        o.setup.mesh.cells);  // the last of the 64 cells that are compared
     std::int32_t const first =
-        o.its.mesh.cell_start[static_cast<std::size_t>(63LL * o.mesh.n_cells / 64)];
+        o.setup.mesh.cell_start[static_cast<std::size_t>(63LL * o.mesh.n_cells / 64)];
     std::swap(changed[static_cast<std::size_t>(first)],
               changed[static_cast<std::size_t>(first) + 1]);
     other_cell.cell_points = changed.data();
@@ -129,8 +123,7 @@ TEST_CASE("a mesh of other cells is refused, also with as many points and cells 
     CHECK(measure(o.mesh, nullptr) == HM_OK);
 }
 
-TEST_CASE(
-    "a morph into arrays that share numbers of other points is refused, and changes nothing") {
+TEST_CASE("a morph into arrays that share numbers of other points is refused and changes nothing") {
     Moved o;
     std::int32_t const n = o.mesh.n_points;
     std::vector<double> pairs(2 * o.x.size() + 4);

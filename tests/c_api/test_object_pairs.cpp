@@ -1,6 +1,6 @@
-// Which kind of basis each call takes, and which two bases go together in one call: tables whose
-// cells are the expected statuses. A refused call changes neither basis, and a call that succeeds
-// changes only what it fills.
+// Tables state which kinds of bases each call takes, and which two bases go together in one call;
+// the cells are the expected statuses. A refused call changes neither basis, and a call that
+// succeeds changes only what it fills.
 #include <harmorph_design.h>
 #include <harmorph_space.h>
 #include <harmorph_parts.h>
@@ -32,13 +32,6 @@ struct Arrays {
     hm_points_out out{x.data(), y.data(), 1};
 };
 
-template <class Struct>
-Struct sized() {
-    Struct out{};
-    out.struct_size = sizeof out;
-    return out;
-}
-
 // The size of a block, then the block.
 template <class Size, class Init>
 hm_status in_block(hm_error* error, Size const& size, Init const& init) {
@@ -54,7 +47,7 @@ hm_status in_block(hm_error* error, Size const& size, Init const& init) {
 struct World {
     Bases one, two;  // two of each kind, of equal problems
     Arrays arrays;
-    Extruded space{one.its.mesh, along_axis(2)};
+    Extruded space{one.setup.mesh, along_axis(2)};
     hm_space_mesh space_mesh = space.view();
     Plane plane{space_mesh};
 

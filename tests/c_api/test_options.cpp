@@ -36,13 +36,13 @@ constexpr Wish wishes[] = {
 }  // namespace
 
 TEST_CASE("each option with each engine: solved, or refused by name") {
-    Case its = two_body_case(Cells::quads, 8, 6);
+    Case setup = two_body_case(Cells::quads, 8, 6);
     for (std::int32_t engine = HM_DIRECT; engine <= HM_FAS; ++engine)
         for (Wish const& wish : wishes) {
             Options options = laplace();
             options.engine = engine;
             wish.set(options);
-            Attempt const attempt(its.problem(), &options);
+            Attempt const attempt(setup.problem(), &options);
             INFO("engine " << engine << ", " << wish.name << ": " << attempt.error.text);
             if (wish.by_engine[engine]) {
                 CHECK(attempt.status == HM_OK);
@@ -55,18 +55,18 @@ TEST_CASE("each option with each engine: solved, or refused by name") {
 }
 
 TEST_CASE("nodal gradients with the direct engine: the same, though that iterates within") {
-    Case its = two_body_case(Cells::quads, 8, 6);
+    Case setup = two_body_case(Cells::quads, 8, 6);
     Options options = laplace();
     options.scheme = HM_NODAL_GRADIENT;
-    CHECK(Attempt(its.problem(), &options).status == HM_OK);
+    CHECK(Attempt(setup.problem(), &options).status == HM_OK);
     options.max_iterations = 1000;
-    CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
+    CHECK(Attempt(setup.problem(), &options).status == HM_UNSUPPORTED);
 }
 
 namespace {
 
-hm_status size_with(Case& its, hm_options const& options) {
-    hm_problem const problem = its.problem();
+hm_status size_with(Case& setup, hm_options const& options) {
+    hm_problem const problem = setup.problem();
     std::size_t bytes = 0;
     return hm_analysis_size(&problem, &options, &bytes, nullptr);
 }
@@ -74,7 +74,7 @@ hm_status size_with(Case& its, hm_options const& options) {
 }  // namespace
 
 TEST_CASE("options of a younger caller: nothing new set is fine, anything else is refused") {
-    Case its = two_body_case(Cells::quads, 8, 6);
+    Case setup = two_body_case(Cells::quads, 8, 6);
     struct {
         hm_options known = laplace();
         std::int32_t more[4] = {};
@@ -86,10 +86,10 @@ TEST_CASE("options of a younger caller: nothing new set is fine, anything else i
     options.known.struct_size = sizeof options;
     study.known.struct_size = sizeof study;
     options.known.study = &study.known;
-    CHECK(size_with(its, options.known) == HM_OK);
+    CHECK(size_with(setup, options.known) == HM_OK);
     options.more[3] = 1;
-    CHECK(size_with(its, options.known) == HM_UNSUPPORTED);
+    CHECK(size_with(setup, options.known) == HM_UNSUPPORTED);
     options.more[3] = 0;
     study.more[3] = 1;
-    CHECK(size_with(its, options.known) == HM_UNSUPPORTED);
+    CHECK(size_with(setup, options.known) == HM_UNSUPPORTED);
 }

@@ -8,21 +8,20 @@
 
 using namespace fixtures;
 
-TEST_CASE(
-    "polygons with a coordinate that is not finite count as inverted, whichever corner it is") {
+TEST_CASE("polygons with a coordinate that is not finite count as inverted at any corner") {
     Untrapped const untrapped;
     for (NamedCase& named : polygon_cases()) {
         CAPTURE(named.name);
-        Case& its = named.its;
-        hm_mesh const view = in_polygons(its.mesh_view());
-        Solved const solved(its.problem(view));
+        Case& setup = named.setup;
+        hm_mesh const view = in_polygons(setup.mesh_view());
+        Solved const solved(setup.problem(view));
         for (double const bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
             for (std::int32_t point = 0; point < view.n_points; point += 7) {
-                std::vector<double> x = its.mesh.x;
+                std::vector<double> x = setup.mesh.x;
                 x[static_cast<std::size_t>(point)] = bad;
                 std::int32_t cells = 0;
-                for (std::int32_t const corner : its.mesh.cells) cells += corner == point ? 1 : 0;
-                hm_quality_report const seen = quality_of(solved, view, x, its.mesh.y);
+                for (std::int32_t const corner : setup.mesh.cells) cells += corner == point ? 1 : 0;
+                hm_quality_report const seen = quality_of(solved, view, x, setup.mesh.y);
                 CHECK(seen.inverted == cells);
                 if (cells > 0) CHECK(seen.min_area == -HUGE_VAL);
             }
@@ -30,19 +29,17 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "polygons: the admissible step ends where a cell is no longer sound; quality and assessment "
-    "agree") {
+TEST_CASE("the admissible step of polygons ends where a cell is no longer sound") {
     for (NamedCase& named : polygon_cases()) {
         for (std::int32_t const base : {0, 1}) {
             CAPTURE(named.name);
-            Case& its = named.its;
-            its.index_base = base;
-            Mesh const mesh = counter_clockwise(its.mesh);
-            hm_mesh const view = in_polygons(its.mesh_view());
+            Case& setup = named.setup;
+            setup.index_base = base;
+            Mesh const mesh = counter_clockwise(setup.mesh);
+            hm_mesh const view = in_polygons(setup.mesh_view());
             Options options = laplace();
             options.operator_kind = HM_CONFORMAL;
-            Solved const solved(its.problem(view), &options);
+            Solved const solved(setup.problem(view), &options);
             CHECK(is_sound(mesh, mesh.x, mesh.y));
             int stopped = 0;
             for (unsigned seed = 1; seed <= 6; ++seed) {
@@ -54,8 +51,7 @@ TEST_CASE(
                 step.struct_size = also_step.struct_size = sizeof step;
                 REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr,
                                   &step, nullptr, nullptr) == HM_OK);
-                hm_quality_report assessed{};
-                assessed.struct_size = sizeof assessed;
+                auto assessed = sized<hm_quality_report>();
                 REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr,
                                   &also_step, &assessed, nullptr) == HM_OK);
                 CHECK(also_step.admissible == step.admissible);
@@ -93,41 +89,39 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "polygons: a convex corner may not become reflex though all triangles stay positive, a flat "
-    "one may bend") {
+TEST_CASE("a convex corner of a polygon may not become reflex, but a flat one may bend") {
     // A regular hexagon inside a ring of quadrilaterals; one corner is pushed inwards.
     double const pi = std::acos(-1.0);
-    Case its;
+    Case setup;
     for (int ring_number = 0; ring_number < 3; ++ring_number) {
         for (int k = 0; k < 12; ++k) {  // corners and middles of the sides
             double const flat = k % 2 == 0 ? 1 : std::cos(pi / 6), r = (1 + ring_number) * flat,
                          angle = pi * k / 6;
-            its.mesh.add_point({r * std::cos(angle), r * std::sin(angle)});
+            setup.mesh.add_point({r * std::cos(angle), r * std::sin(angle)});
         }
     }
-    std::vector<std::int32_t>& cells = its.mesh.cells;
+    std::vector<std::int32_t>& cells = setup.mesh.cells;
     for (std::int32_t k = 0; k < 12; ++k) cells.push_back(k);
-    its.mesh.cell_start.push_back(12);
+    setup.mesh.cell_start.push_back(12);
     for (std::int32_t j = 0; j < 2; ++j) {
         for (std::int32_t k = 0; k < 12; ++k) {
             std::int32_t const a = 12 * j + k, b = 12 * j + (k + 1) % 12;
-            its.mesh.add_cell({a, a + 12, b + 12, b});
+            setup.mesh.add_cell({a, a + 12, b + 12, b});
         }
     }
-    for (std::int32_t k = 0; k < 12; ++k) its.mesh.add_face(24 + k, 24 + (k + 1) % 12, far_field);
-    its.curves = ring(2, 12, 3, 3);
-    its.put_on_curves(far_field);
-    its.conditions.clear();
-    its.set_rigid(far_field, 0, 0);
-    its.curves = {};
-    hm_mesh const view = in_polygons(its.mesh_view());
-    Solved const solved(its.problem(view));
-    std::vector<double> x = its.mesh.x, y = its.mesh.y;
+    for (std::int32_t k = 0; k < 12; ++k) setup.mesh.add_face(24 + k, 24 + (k + 1) % 12, far_field);
+    setup.curves = ring(2, 12, 3, 3);
+    setup.put_on_curves(far_field);
+    setup.conditions.clear();
+    setup.set_rigid(far_field, 0, 0);
+    setup.curves = {};
+    hm_mesh const view = in_polygons(setup.mesh_view());
+    Solved const solved(setup.problem(view));
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
     CHECK(quality_of(solved, view, x, y).min_quality > 0.5);
     auto const quality_with = [&](std::size_t point, double part) {
-        x = its.mesh.x;
-        y = its.mesh.y;
+        x = setup.mesh.x;
+        y = setup.mesh.y;
         x[point] *= part;
         y[point] *= part;
         return quality_of(solved, view, x, y);
@@ -146,16 +140,15 @@ TEST_CASE(
     CHECK(quality_with(1, bent + 1e-9).inverted == 0);
     CHECK(quality_with(1, bent - 1e-9).inverted == 1);
 
-    // The same as a movement, also where all points go far along: those differences are without
-    // rounding.
+    // The step is that of the same movement, also if all points have a large displacement in
+    // common, because these differences have no rounding.
     double const tick = std::ldexp(1, -20), inwards_x = 0.75,
                  inwards_y = tick * std::round(std::sqrt(0.1875) / tick);
     auto const step_with = [&](double together) {
-        std::vector<double> dx(its.mesh.x.size(), together), dy(dx);
+        std::vector<double> dx(setup.mesh.x.size(), together), dy(dx);
         dx[1] -= inwards_x;
         dy[1] -= inwards_y;
-        hm_step_report step{};
-        step.struct_size = sizeof step;
+        auto step = sized<hm_step_report>();
         REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr, &step,
                           nullptr, nullptr) == HM_OK);
         CHECK(step.cell == 0);
@@ -169,27 +162,23 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
     for (NamedCase& named : polygon_cases()) {
         if (std::string(named.name) == "clockwise") continue;
         CAPTURE(named.name);
-        Case& its = named.its;
-        hm_mesh const view = in_polygons(its.mesh_view());
+        Case& setup = named.setup;
+        hm_mesh const view = in_polygons(setup.mesh_view());
         Options options = options_of(HM_CONFORMAL);
-        Solved const solved(its.problem(view), &options);
-        std::size_t bytes = 0;
-        REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
-        Guarded work(bytes);
+        Solved const solved(setup.problem(view), &options);
+        Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
         std::int32_t const n = solved.info().functions;
         std::vector<std::vector<double>> moves = {some_move(n, 0.12, 5), std::vector<double>()};
-        moves[1] = turned_by(1.2, its.curves,
+        moves[1] = turned_by(1.2, setup.curves,
                              std::string(named.name) == "hanging nodes" ? Complex(0.5, 0.5) : 0);
         for (std::vector<double> const& move : moves) {
             for (std::int32_t const skipped :
                  {0, without({HM_STRATEGY_LINEAR, HM_STRATEGY_SUBSTEPS})}) {
                 CAPTURE(skipped);
-                std::vector<double> x = its.mesh.x, y = its.mesh.y;
-                hm_safe_options safe{};
-                safe.struct_size = sizeof safe;
+                std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
+                auto safe = sized<hm_safe_options>();
                 safe.skipped_strategies = skipped;
-                hm_safe_report report{};
-                report.struct_size = sizeof report;
+                auto report = sized<hm_safe_report>();
                 hm_error error{};
                 REQUIRE(hm_plan_factor(solved.plan, nullptr, nullptr) == HM_OK);
                 hm_status const status =
@@ -199,71 +188,64 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
                 REQUIRE(status >= HM_OK);
                 CHECK(work.guards_intact());
                 CHECK(report.inverted == 0);
-                CHECK(is_sound(its.mesh, x, y));
+                CHECK(is_sound(setup.mesh, x, y));
                 if (skipped == 0) CHECK(report.step_fraction == 1);
                 hm_quality_report const measured =
-                    quality_of(solved, view, x, y, points_in(its.mesh.x, its.mesh.y));
+                    quality_of(solved, view, x, y, points_in(setup.mesh.x, setup.mesh.y));
                 CHECK(measured.min_quality == report.min_quality);
                 CHECK(measured.min_quality_cell == report.min_quality_cell);
                 CHECK(report.worst[0].cell == report.min_quality_cell);
                 CHECK(report.worst[0].quality == report.min_quality);
-                CHECK(report.worst[0].cell < its.mesh.n_cells());
+                CHECK(report.worst[0].cell < setup.mesh.n_cells());
 
-                REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
-                Guarded improve_work(bytes);
-                hm_improve_report improved{};
-                improved.struct_size = sizeof improved;
+                Guarded improve_work = block_of(hm_improve_size, solved.plan);
+                auto improved = sized<hm_improve_report>();
                 std::vector<double> better_x(x.size()), better_y(x.size());
                 REQUIRE(hm_improve(solved.plan, points_in(x, y), points_out(better_x, better_y),
-                                   improve_work.data(), bytes, nullptr, &improved,
+                                   improve_work.data(), improve_work.size(), nullptr, &improved,
                                    &error) == HM_OK);
                 CHECK(improve_work.guards_intact());
-                CHECK(is_sound(its.mesh, better_x, better_y));
+                CHECK(is_sound(setup.mesh, better_x, better_y));
                 CHECK(improved.min_quality_before == measured.min_quality);
                 CHECK(improved.mean_quality > 0.97 * improved.mean_quality_before);
             }
         }
         // The mesh itself is as good as it can be: it is its own target.
-        std::vector<double> same_x(its.mesh.x.size()), same_y(same_x);
-        hm_improve_report report{};
-        report.struct_size = sizeof report;
-        Guarded improve_work(bytes);
-        REQUIRE(hm_improve(solved.plan, points_in(its.mesh.x, its.mesh.y),
-                           points_out(same_x, same_y), improve_work.data(), bytes, nullptr, &report,
-                           nullptr) == HM_OK);
-        CHECK(largest_difference(same_x, its.mesh.x) < 1e-12);
-        CHECK(largest_difference(same_y, its.mesh.y) < 1e-12);
+        std::vector<double> same_x(setup.mesh.x.size()), same_y(same_x);
+        auto report = sized<hm_improve_report>();
+        Guarded improve_work = block_of(hm_improve_size, solved.plan);
+        REQUIRE(hm_improve(solved.plan, points_in(setup.mesh.x, setup.mesh.y),
+                           points_out(same_x, same_y), improve_work.data(), improve_work.size(),
+                           nullptr, &report, nullptr) == HM_OK);
+        CHECK(largest_difference(same_x, setup.mesh.x) < 1e-12);
+        CHECK(largest_difference(same_y, setup.mesh.y) < 1e-12);
     }
 }
 
 TEST_CASE("polygons: the last strategy untangles cells that one step inverts") {
-    Case its = honeycomb_case();
-    hm_mesh const view = in_polygons(its.mesh_view());
+    Case setup = honeycomb_case();
+    hm_mesh const view = in_polygons(setup.mesh_view());
     Options options = laplace();
-    Solved const solved(its.problem(view), &options);
-    std::vector<double> move, x(its.mesh.x.size()), y(x);
+    Solved const solved(setup.problem(view), &options);
+    std::vector<double> move, x(setup.mesh.x.size()), y(x);
     hm_quality_report morphed{};
     for (double angle = 0.1; morphed.inverted == 0;
          angle *= 1.1) {  // the smallest of these turns that inverts a cell
         REQUIRE(angle < 3);
-        move = turned_by(angle, its.curves, 0);
-        REQUIRE(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+        move = turned_by(angle, setup.curves, 0);
+        REQUIRE(hm_morph(solved.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
                          points_out(x, y), nullptr, nullptr) == HM_OK);
         morphed = quality_of(solved, view, x, y);
     }
     REQUIRE(morphed.self_crossing == 0);
-    REQUIRE(!is_sound(its.mesh, x, y));
-    std::size_t bytes = 0;
-    REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
-    Guarded work(bytes);
-    hm_safe_options safe{};
-    safe.struct_size = sizeof safe;
+    REQUIRE(!is_sound(setup.mesh, x, y));
+    Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
+    auto safe = sized<hm_safe_options>();
     safe.max_resolves = -1;
     safe.skipped_strategies = without({HM_STRATEGY_SUBSTEPS});
-    hm_safe_report report{};
-    report.struct_size = sizeof report;
+    auto report = sized<hm_safe_report>();
     REQUIRE(hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(x, y), nullptr,
                           work.data(), work.size(), &safe, &report, nullptr) >= HM_OK);
     CHECK(report.untangled > 0);
-    CHECK(is_sound(its.mesh, x, y));
+    CHECK(is_sound(setup.mesh, x, y));
 }

@@ -14,15 +14,14 @@ using namespace fixtures;
 TEST_CASE("polygons: the report counts cells, sides and kinds as they are in the mesh") {
     for (NamedCase& named : polygon_cases()) {
         CAPTURE(named.name);
-        Mesh const mesh = counter_clockwise(named.its.mesh);
-        hm_mesh const view = in_polygons(named.its.mesh_view());
-        hm_problem problem = named.its.problem(view);
+        Mesh const mesh = counter_clockwise(named.setup.mesh);
+        hm_mesh const view = in_polygons(named.setup.mesh_view());
+        hm_problem problem = named.setup.problem(view);
         problem.curves = nullptr;
         problem.n_conditions = 0;
         Attempt attempt;
         REQUIRE(attempt.analyse(problem));
-        hm_mesh_report report{};
-        report.struct_size = sizeof report;
+        auto report = sized<hm_mesh_report>();
         REQUIRE(hm_analysis_report(attempt.analysis, &report, nullptr) == HM_OK);
         std::int32_t triangles = 0, quads = 0;
         double smallest = 1, sum = 0;
@@ -30,9 +29,9 @@ TEST_CASE("polygons: the report counts cells, sides and kinds as they are in the
             std::vector<Point> const p = outline(mesh, cell, mesh.x, mesh.y);
             triangles += p.size() == 3 ? 1 : 0;
             quads += p.size() == 4 ? 1 : 0;
-            double const its = polygon_quality(p);
-            smallest = std::min(smallest, its);
-            sum += its;
+            double const quality = polygon_quality(p);
+            smallest = std::min(smallest, quality);
+            sum += quality;
         }
         CHECK(report.cells == mesh.n_cells());
         CHECK(report.triangles == triangles);
@@ -51,21 +50,21 @@ TEST_CASE("polygons: linear fields are exact") {
         for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL, HM_WEIGHTED}) {
             CAPTURE(named.name);
             CAPTURE(kind);
-            Case its = given_instead(named.its);
-            std::vector<std::int32_t> markers = its.mesh.face_markers;
+            Case setup = given_instead(named.setup);
+            std::vector<std::int32_t> markers = setup.mesh.face_markers;
             std::sort(markers.begin(), markers.end());
             markers.erase(std::unique(markers.begin(), markers.end()), markers.end());
             for (std::int32_t const marker : markers) {
-                if (marker != body) its.set_given(marker);
+                if (marker != body) setup.set_given(marker);
             }
             Options options = laplace();
             options.operator_kind = kind;
             if (kind == HM_WEIGHTED) options.exponent_quarters = HM_NO_WEIGHT;
-            hm_mesh const view = in_polygons(its.mesh_view());
-            Displaced displaced(its.problem(view), &options);
+            hm_mesh const view = in_polygons(setup.mesh_view());
+            Displaced displaced(setup.problem(view), &options);
             Field field;  // of conformal functions z -> a z + b, of others any linear one
-            for (std::size_t k = 0; k < its.mesh.x.size(); ++k) {
-                double const x = its.mesh.x[k], y = its.mesh.y[k];
+            for (std::size_t k = 0; k < setup.mesh.x.size(); ++k) {
+                double const x = setup.mesh.x[k], y = setup.mesh.y[k];
                 field.push_back(kind == HM_CONFORMAL
                                     ? Complex(0.3, 0.4) * Complex(x, y) + Complex(1, -2)
                                     : Complex(2 * x - 3 * y + 1, x + 0.5 * y - 4));
@@ -79,34 +78,31 @@ TEST_CASE("polygons: linear fields are exact") {
     }
 }
 
-TEST_CASE(
-    "polygons: a mesh of triangles and quadrilaterals has the functions of the other layouts, bit "
-    "by bit") {
-    Case its;
-    its.mesh = annulus(6, 24, 0.5, 3, Cells::hybrid, true);
-    its.curves = ring(3, 8, 0.5, 0.5);
-    its.put_on_curves(body);
-    hm_mesh const rows = its.mesh_view(), polygons = in_polygons(rows);
-    Solved const a(its.problem(rows)), b(its.problem(polygons));
+TEST_CASE("triangles and quadrilaterals given as polygons have the same functions bit by bit") {
+    Case setup;
+    setup.mesh = annulus(6, 24, 0.5, 3, Cells::hybrid, true);
+    setup.curves = ring(3, 8, 0.5, 0.5);
+    setup.put_on_curves(body);
+    hm_mesh const rows = setup.mesh_view(), polygons = in_polygons(rows);
+    Solved const a(setup.problem(rows)), b(setup.problem(polygons));
     CHECK(same_bits(a.all_values(), b.all_values()));
     // Either basis goes with the mesh as polygons or rows; cells are the same.
     const hm_basis* attached = nullptr;
     CHECK(hm_basis_attach(&attached, b.basis, static_cast<std::size_t>(b.info().bytes), &rows,
                           nullptr) == HM_OK);
-    CHECK(quality_of(b, rows, its.mesh.x, its.mesh.y).inverted == 0);
-    hm_quality_report const one = quality_of(a, rows, its.mesh.x, its.mesh.y);
-    hm_quality_report const other = quality_of(b, polygons, its.mesh.x, its.mesh.y);
+    CHECK(quality_of(b, rows, setup.mesh.x, setup.mesh.y).inverted == 0);
+    hm_quality_report const one = quality_of(a, rows, setup.mesh.x, setup.mesh.y);
+    hm_quality_report const other = quality_of(b, polygons, setup.mesh.x, setup.mesh.y);
     CHECK(one.min_quality == other.min_quality);
     CHECK(one.mean_quality == doctest::Approx(other.mean_quality).epsilon(1e-14));
-    hm_quality_report report{};
-    report.struct_size = sizeof report;
+    auto report = sized<hm_quality_report>();
     CHECK(hm_assess(a.basis, &polygons, nullptr, nullptr, nullptr, nullptr, nullptr, &report,
                     nullptr) == HM_BAD_BASIS);
 }
 
 TEST_CASE("polygons: every engine, scheme and kind of derived basis takes meshes of polygons") {
-    Case its = honeycomb_case(6, 24);
-    hm_mesh const view = in_polygons(its.mesh_view());
+    Case setup = honeycomb_case(6, 24);
+    hm_mesh const view = in_polygons(setup.mesh_view());
     struct Way {
         std::int32_t operator_kind, scheme, engine;
     };
@@ -119,19 +115,19 @@ TEST_CASE("polygons: every engine, scheme and kind of derived basis takes meshes
         options.engine = way.engine;
         CAPTURE(way.scheme);
         CAPTURE(way.engine);
-        Solved const solved(its.problem(view), &options);
+        Solved const solved(setup.problem(view), &options);
         // Harmonic measure of the circle: the Laplace ones ln(r) / ln(..).
         std::vector<double> const sum = solved.sum();
         if (way.operator_kind != HM_LAPLACE) continue;
         double worst = 0;
         for (std::size_t k = 0; k < sum.size(); ++k) {
-            double const r = std::hypot(its.mesh.x[k], its.mesh.y[k]);
+            double const r = std::hypot(setup.mesh.x[k], setup.mesh.y[k]);
             worst = std::max(worst, std::fabs(sum[k] - std::log(4 / r) / std::log(8.0)));
         }
         CHECK(worst < 0.06);
     }
     Options options = options_of(HM_CONFORMAL);
-    Solved const solved(its.problem(view), &options);
+    Solved const solved(setup.problem(view), &options);
     std::size_t bytes = 0;
     hm_error error{};
     REQUIRE(hm_single_size(solved.basis, &bytes, &error) == HM_OK);
@@ -162,8 +158,7 @@ TEST_CASE("polygons: functions are transferred between meshes of polygons") {
     hm_error error{};
     REQUIRE(hm_transfer_size(target.analysis, &coarse_view, &bytes, &error) == HM_OK);
     Guarded work(bytes);
-    hm_transfer_report report{};
-    report.struct_size = sizeof report;
+    auto report = sized<hm_transfer_report>();
     REQUIRE(hm_transfer(target.basis, work.data(), bytes, target.analysis, source.basis,
                         &coarse_view, &report, &error) >= HM_OK);
     CHECK(work.guards_intact());
@@ -173,24 +168,23 @@ TEST_CASE("polygons: functions are transferred between meshes of polygons") {
     CHECK(largest_difference(interpolated, exact.values(2)) < 0.05);
 }
 
-TEST_CASE(
-    "polygons: damaged bases and meshes that are no mesh of polygons are refused with the reason") {
-    Case its = honeycomb_case(4, 12);
-    hm_mesh const view = in_polygons(its.mesh_view());
-    Solved const solved(its.problem(view));
+TEST_CASE("damaged bases of polygons and wrong polygons are refused with the reason") {
+    Case setup = honeycomb_case(4, 12);
+    hm_mesh const view = in_polygons(setup.mesh_view());
+    Solved const solved(setup.problem(view));
     std::size_t const bytes = static_cast<std::size_t>(solved.info().bytes);
     const hm_basis* attached = nullptr;
     hm_error error{};
     CHECK(hm_basis_attach(&attached, solved.basis, bytes, &view, &error) == HM_OK);
-    std::vector<std::int32_t> cells = its.mesh.cells;
+    std::vector<std::int32_t> cells = setup.mesh.cells;
     std::swap(cells[0], cells[1]);
     hm_mesh other = view;
     other.cell_points = cells.data();
     CHECK(hm_basis_attach(&attached, solved.basis, bytes, &other, &error) == HM_BAD_BASIS);
     other = view;
-    std::vector<std::int32_t> start = its.mesh.cell_start;
+    std::vector<std::int32_t> start = setup.mesh.cell_start;
     other.cell_start = start.data();
-    hm_problem problem = its.problem(other);
+    hm_problem problem = setup.problem(other);
     std::size_t needed = 0;
     auto const refused = [&](hm_status status, const char* words) {
         CHECK(hm_analysis_size(&problem, nullptr, &needed, &error) == status);
@@ -199,39 +193,39 @@ TEST_CASE(
     };
     start[3] = start[2] + 2;
     refused(HM_BAD_MESH, "polygon 2 has 2 points, but must have 3 to 1024");
-    start = its.mesh.cell_start;
+    start = setup.mesh.cell_start;
     start[0] = 1;
     refused(HM_BAD_MESH, "must begin with index_base");
     other.cell_start = nullptr;
     refused(HM_BAD_ARGUMENT, "cell_start is NULL");
     other = view;
-    cells = its.mesh.cells;
+    cells = setup.mesh.cells;
     other.cell_points = cells.data();
     auto const not_analysed = [&](const char* words) {
         Attempt attempt;
-        CHECK(!attempt.analyse(its.problem(other)));
+        CHECK(!attempt.analyse(setup.problem(other)));
         INFO(attempt.error.text);
         CHECK(attempt.status == HM_BAD_MESH);
         CHECK(std::string(attempt.error.text).find(words) != std::string::npos);
     };
     cells[7] = 1000;
     not_analysed("cell 1 names point 1000");
-    cells = its.mesh.cells;
+    cells = setup.mesh.cells;
     cells[8] = cells[6];
     not_analysed("cell 1 contains point");
-    cells = its.mesh.cells;
+    cells = setup.mesh.cells;
     std::swap(cells[7], cells[9]);  // its sides cross
     not_analysed("");
 }
 
 TEST_CASE("polygons: same bits on any number of threads") {
-    Case its = hanging_case();
-    hm_mesh const view = in_polygons(its.mesh_view());
+    Case setup = hanging_case();
+    hm_mesh const view = in_polygons(setup.mesh_view());
     Options options = options_of(HM_CONFORMAL);
-    Solved const one(its.problem(view), &options);
+    Solved const one(setup.problem(view), &options);
     Backwards backwards;
     hm_executor const executor = backwards.executor(3);
     options.executor = &executor;
-    Solved const several(its.problem(view), &options);
+    Solved const several(setup.problem(view), &options);
     CHECK(same_bits(one.all_values(), several.all_values()));
 }

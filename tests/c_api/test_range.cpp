@@ -67,26 +67,26 @@ int crossings(Mesh const& mesh) {
     return out;
 }
 
-Attempt analysed(Case& its) {
+Attempt analysed(Case& setup) {
     Attempt out;
-    out.analyse(its.problem());
+    out.analyse(setup.problem());
     return out;
 }
 
-hm_quality_report quality_of(Attempt const& solved, Case& its, Mesh const& at) {
-    hm_quality_report out{};
-    out.struct_size = sizeof out;
-    REQUIRE(hm_assess(solved.basis, &its.mesh_view(), points_in(at.x, at.y), nullptr,
-                      points_in(its.mesh.x, its.mesh.y), nullptr, nullptr, &out, nullptr) == HM_OK);
+hm_quality_report quality_of(Attempt const& solved, Case& setup, Mesh const& at) {
+    auto out = sized<hm_quality_report>();
+    REQUIRE(hm_assess(solved.basis, &setup.mesh_view(), points_in(at.x, at.y), nullptr,
+                      points_in(setup.mesh.x, setup.mesh.y), nullptr, nullptr, &out,
+                      nullptr) == HM_OK);
     return out;
 }
 
-// What holds of any movement, whatever the mesh: the admissible step, the assessment, and a safe
-// morph.
-void check_promises(Case& its, Options const& options, std::vector<double> const& move,
+// Checks the admissible step, the assessment and a safe morph by relations that hold for any
+// movement of any mesh.
+void check_promises(Case& setup, Options const& options, std::vector<double> const& move,
                     bool& ended) {
-    Solved const solved(its, &options);
-    Mesh moved = its.mesh;
+    Solved const solved(setup, &options);
+    Mesh moved = setup.mesh;
     std::size_t const n = moved.x.size();
     double size = 0, way = 0;
     for (std::size_t k = 0; k < n; ++k)
@@ -96,17 +96,15 @@ void check_promises(Case& its, Options const& options, std::vector<double> const
     std::vector<double> dx(n), dy(n);
     REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) ==
             HM_OK);
-    hm_step_report step{};
-    step.struct_size = sizeof step;
-    hm_quality_report assessed{};
-    assessed.struct_size = sizeof assessed;
-    REQUIRE(hm_assess(solved.basis, &its.mesh_view(), nullptr, points_in(dx, dy), nullptr, nullptr,
-                      &step, &assessed, nullptr) == HM_OK);
+    auto step = sized<hm_step_report>();
+    auto assessed = sized<hm_quality_report>();
+    REQUIRE(hm_assess(solved.basis, &setup.mesh_view(), nullptr, points_in(dx, dy), nullptr,
+                      nullptr, &step, &assessed, nullptr) == HM_OK);
     for (std::size_t k = 0; k < n; ++k) {
         moved.x[k] += dx[k];
         moved.y[k] += dy[k];
     }
-    hm_quality_report const measured = quality_of(solved, its, moved);
+    hm_quality_report const measured = quality_of(solved, setup, moved);
     CHECK(assessed.inverted == measured.inverted);
     CHECK(assessed.first_inverted == measured.first_inverted);
     CHECK(assessed.min_area == measured.min_area);
@@ -114,17 +112,14 @@ void check_promises(Case& its, Options const& options, std::vector<double> const
     if (step.admissible > 1.001) CHECK(inverted_cells(moved) == 0);
     if (inverted_cells(moved) > 0) CHECK(step.admissible < 1.001);
 
-    std::size_t bytes = 0;
-    REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
-    Guarded work(bytes);
+    Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
     std::vector<double> reached(move.size());
-    hm_safe_options safe{};
-    safe.struct_size = sizeof safe;
+    auto safe = sized<hm_safe_options>();
     safe.max_resolves = 3;
     safe.reached = reached.data();
     hm_status const status =
         hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(moved.x, moved.y), nullptr,
-                      work.data(), bytes, &safe, nullptr, nullptr);
+                      work.data(), work.size(), &safe, nullptr, nullptr);
     ended = status == HM_OK;
     if (status < 0) {
         CHECK(status == HM_CROSSING);
@@ -135,10 +130,10 @@ void check_promises(Case& its, Options const& options, std::vector<double> const
         not_finite.add(!std::isfinite(moved.x[k] + moved.y[k]), k, moved.x[k]);
     CHECK(not_finite == 0);
     CHECK(inverted_cells(moved) == 0);
-    CHECK(quality_of(solved, its, moved).inverted == 0);
+    CHECK(quality_of(solved, setup, moved).inverted == 0);
     CHECK(crossings(moved) == 0);
     double error = -1;
-    REQUIRE(hm_boundary_error(solved.basis, reached.data(), points_in(its.mesh.x, its.mesh.y),
+    REQUIRE(hm_boundary_error(solved.basis, reached.data(), points_in(setup.mesh.x, setup.mesh.y),
                               points_in(moved.x, moved.y), &error, nullptr, nullptr) == HM_OK);
     CHECK(error <= 4e-16 * (size + 4 * way));
     if (status == HM_OK) CHECK(same_bits(reached, move));
@@ -147,9 +142,9 @@ void check_promises(Case& its, Options const& options, std::vector<double> const
 }  // namespace
 
 TEST_CASE("coordinates beyond 1e100 are refused, with the point and the value") {
-    Case its = block(Cells::quads);
-    its.mesh.y[17] = -1.5e100;
-    Attempt const refused = analysed(its);
+    Case setup = block(Cells::quads);
+    setup.mesh.y[17] = -1.5e100;
+    Attempt const refused = analysed(setup);
     CHECK(refused.status == HM_BAD_MESH);
     CHECK(refused.error.item == 17);
     CHECK(refused.error.value == -1.5e100);
@@ -159,25 +154,23 @@ TEST_CASE("coordinates beyond 1e100 are refused, with the point and the value") 
 }
 
 TEST_CASE("control points and centres beyond 1e100 are refused") {
-    Case its = block(Cells::quads);
-    its.curves.control[3] = 2e100;
-    CHECK(analysed(its).status == HM_BAD_CURVE);
+    Case setup = block(Cells::quads);
+    setup.curves.control[3] = 2e100;
+    CHECK(analysed(setup).status == HM_BAD_CURVE);
 
-    its = block(Cells::quads);
-    its.set_rigid(body, 0, -3e100);
-    its.conditions.erase(its.conditions.begin());
-    CHECK(analysed(its).status == HM_BAD_CONDITION);
+    setup = block(Cells::quads);
+    setup.set_rigid(body, 0, -3e100);
+    setup.conditions.erase(setup.conditions.begin());
+    CHECK(analysed(setup).status == HM_BAD_CONDITION);
 }
 
-TEST_CASE(
-    "cells whose heights are lost in the digits of their coordinates are refused, thicker ones are "
-    "not") {
+TEST_CASE("cells whose heights are lost in the digits of their coordinates are refused") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         double const height = kind == Cells::quads ? 0.1 : 0.1 * std::sqrt(0.5);
         for (double const offset : {0x1p40, 0x1p46, 0x1p48}) {
-            Case its = similar(block(kind), 10, Complex(offset, 0));
+            Case setup = similar(block(kind), 10, Complex(offset, 0));
             bool const resolved = 10 * height >= 0x1p-46 * (offset + 10);
-            Attempt const attempt = analysed(its);
+            Attempt const attempt = analysed(setup);
             INFO(offset << ": " << attempt.error.text);
             CHECK((attempt.status == HM_OK) == resolved);
             if (resolved) continue;
@@ -188,42 +181,37 @@ TEST_CASE(
 }
 
 TEST_CASE("heights below 1e-100 are refused") {
-    Case its = similar(block(Cells::quads), 1e-98, 0);
-    CHECK(analysed(its).status == HM_OK);
-    its = similar(block(Cells::quads), 1e-100, 0);
-    Attempt const refused = analysed(its);
+    Case setup = similar(block(Cells::quads), 1e-98, 0);
+    CHECK(analysed(setup).status == HM_OK);
+    setup = similar(block(Cells::quads), 1e-100, 0);
+    Attempt const refused = analysed(setup);
     CHECK(refused.status == HM_BAD_MESH);
     CHECK(refused.error.value == doctest::Approx(1e-101));
 }
 
-TEST_CASE(
-    "a power of two as the unit of length changes no bit of the functions, of steps and of safe "
-    "morphs") {
+TEST_CASE("a unit of length that is a power of two changes no bit of functions and steps") {
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE, HM_WEIGHTED})
         for (double const degrees : {20.0, 100.0}) {
-            Case its = block(Cells::hybrid);
+            Case setup = block(Cells::hybrid);
             Options const options = options_of(operator_kind);
             Complex const turn = std::polar(1.0, degrees * std::acos(-1.0) / 180);
-            std::vector<double> const move = similarity_move(its.curves, turn, {0.5, 0.5}, 0.03);
+            std::vector<double> const move = similarity_move(setup.curves, turn, {0.5, 0.5}, 0.03);
             std::vector<double> expected_values, expected_x;
             double expected_step = 0;
             for (double const unit : {1.0, 0x1p-310, 0x1p-265, 0x1p265, 0x1p320}) {
                 INFO(operator_kind << ", " << degrees << " degrees, unit " << unit);
-                Case scaled = similar(its, unit, 0);
+                Case scaled = similar(setup, unit, 0);
                 Solved const solved(scaled, &options);
                 std::vector<double> const scaled_move = turned(move, unit);
                 std::vector<double> dx(scaled.mesh.x.size()), dy = dx, x = dx, y = dx;
                 REQUIRE(hm_morph(solved.basis, scaled_move.data(), nullptr, points_out(dx, dy),
                                  nullptr, nullptr) == HM_OK);
-                hm_step_report step{};
-                step.struct_size = sizeof step;
+                auto step = sized<hm_step_report>();
                 REQUIRE(hm_assess(solved.basis, &scaled.mesh_view(), nullptr, points_in(dx, dy),
                                   nullptr, nullptr, &step, nullptr, nullptr) == HM_OK);
-                std::size_t bytes = 0;
-                REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
-                Guarded work(bytes);
+                Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
                 REQUIRE(hm_morph_safe(solved.plan, solved.basis, scaled_move.data(),
-                                      points_out(x, y), nullptr, work.data(), bytes, nullptr,
+                                      points_out(x, y), nullptr, work.data(), work.size(), nullptr,
                                       nullptr, nullptr) >= HM_OK);
                 for (double& coordinate : x) coordinate /= unit;
                 std::vector<double> const values = solved.all_values();
@@ -247,16 +235,16 @@ TEST_CASE("random problems of scales 1e-80 to 1e80, near the origin and far from
     int ended = 0, short_of_target = 0;
     for (int problem = 0; problem < 240; ++problem) {
         Cells const kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
-        Case its = block(kinds[problem % 3]);
-        perturb(its.mesh, between(0, 0.3), static_cast<unsigned>(problem));
+        Case setup = block(kinds[problem % 3]);
+        perturb(setup.mesh, between(0, 0.3), static_cast<unsigned>(problem));
         Options options = options_of(problem % 4 == 3 ? HM_LAPLACE : problem % 4);
         if (problem % 4 == 3) options.scheme = HM_BOUNDED;
         double const scale = std::pow(10.0, between(-80, 80)),
                      far = std::pow(10.0, between(-2, 10));
         Complex const offset = scale * far * Complex(between(-1, 1), between(-1, 1));
-        its = similar(its, std::polar(scale, between(0, 6.28)), problem % 2 == 0 ? 0 : offset);
+        setup = similar(setup, std::polar(scale, between(0, 6.28)), problem % 2 == 0 ? 0 : offset);
         double const way = scale * std::pow(10.0, between(-3, 1));
-        std::vector<double> move(its.curves.control.size());
+        std::vector<double> move(setup.curves.control.size());
         Complex const shift = scale * between(0, 0.3) * Complex(between(-1, 1), between(-1, 1));
         for (std::size_t k = 0; k < move.size(); k += 2) {
             move[k] = shift.real() + 0.2 * way * between(-1, 1);
@@ -265,7 +253,7 @@ TEST_CASE("random problems of scales 1e-80 to 1e80, near the origin and far from
         INFO("problem " << problem << ", scale " << scale << ", offset " << offset.real() << ", "
                         << offset.imag());
         bool reached = false;
-        check_promises(its, options, move, reached);
+        check_promises(setup, options, move, reached);
         ++(reached ? ended : short_of_target);
     }
     CHECK(ended > 60);
@@ -273,24 +261,23 @@ TEST_CASE("random problems of scales 1e-80 to 1e80, near the origin and far from
 }
 
 // The functions of a body are its points' offsets from the centre.
-TEST_CASE(
-    "a body whose size is no number of single precision is refused there, and finite otherwise") {
+TEST_CASE("a body whose size is no number of single precision is refused there only") {
     for (double const scale : {1e-40, 1e-8, 1.0, 1e20, 1e40}) {
-        Case its = block(Cells::hybrid);
-        its.conditions.clear();
-        its.curves = {};
-        its = similar(its, scale, 0);
-        its.set_rigid(body, 0.5 * scale, 0.5 * scale);
+        Case setup = block(Cells::hybrid);
+        setup.conditions.clear();
+        setup.curves = {};
+        setup = similar(setup, scale, 0);
+        setup.set_rigid(body, 0.5 * scale, 0.5 * scale);
         for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE}) {
             INFO("scale " << scale << ", precision " << precision);
             Options options = options_of(HM_LAPLACE);
             options.precision = precision;
             Attempt attempt;
             bool const is_refused = precision == HM_SINGLE && (scale == 1e-40 || scale == 1e40);
-            CHECK(attempt.analyse(its.problem(), &options) != is_refused);
+            CHECK(attempt.analyse(setup.problem(), &options) != is_refused);
             if (is_refused) CHECK(attempt.status == HM_UNSUPPORTED);
             if (is_refused) continue;
-            Solved const solved(its, &options);
+            Solved const solved(setup, &options);
             for (double const value : solved.all_values()) CHECK(std::isfinite(value));
         }
     }

@@ -1,4 +1,4 @@
-// What calls with a plan or a basis refuse, with the whole sentence that says so: room in arrays,
+// Calls with a plan or a basis refuse wrong arguments with a whole sentence: room in arrays,
 // numbers out of range, objects that do not belong together, steps in the wrong order.
 #include <harmorph_design.h>
 #include <harmorph_parts.h>
@@ -22,45 +22,19 @@ using namespace fixtures;
 namespace {
 
 struct Objects {
-    Case its = tiny_case();
-    hm_mesh mesh = its.mesh_view();
-    Solved solved{its.problem(mesh)};
+    Case setup = tiny_case();
+    hm_mesh mesh = setup.mesh_view();
+    Solved solved{setup.problem(mesh)};
     hm_basis* basis = solved.basis;
-    std::vector<double> x = its.mesh.x, y = its.mesh.y, move = std::vector<double>(8, 0.0);
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y, move = std::vector<double>(8, 0.0);
     hm_points points{x.data(), y.data(), 1};
     hm_points_out out{x.data(), y.data(), 1};
 };
 
 }  // namespace
 
-TEST_CASE("arguments that every call checks") {
-    Objects o;
-    hm_basis_info info{};
-    hm_points_out no_x{nullptr, o.y.data(), 1}, backwards{o.x.data(), o.y.data(), -1};
-    check_texts({
-        {HM_BAD_ARGUMENT, "info is NULL",
-         [&](hm_error* e) { return hm_basis_info_get(o.basis, nullptr, e); }},
-        {HM_BAD_ARGUMENT,
-         "info.struct_size is not the size of the struct; begin with HM_INIT(info)",
-         [&](hm_error* e) { return hm_basis_info_get(o.basis, &info, e); }},
-        {HM_BAD_ARGUMENT, "to is NULL",
-         [&](hm_error* e) {
-             return hm_morph(o.basis, o.move.data(), nullptr, nullptr, nullptr, e);
-         }},
-        {HM_BAD_ARGUMENT, "to.x or to.y is NULL",
-         [&](hm_error* e) { return hm_morph(o.basis, o.move.data(), nullptr, &no_x, nullptr, e); }},
-        {HM_BAD_ARGUMENT, "to.stride is negative",
-         [&](hm_error* e) {
-             return hm_morph(o.basis, o.move.data(), nullptr, &backwards, nullptr, e);
-         }},
-        {HM_BAD_ARGUMENT, "move is NULL",
-         [&](hm_error* e) { return hm_morph(o.basis, nullptr, nullptr, &o.out, nullptr, e); }},
-        {HM_BAD_ARGUMENT, "basis is NULL",
-         [&](hm_error* e) {
-             return hm_morph(nullptr, o.move.data(), nullptr, &o.out, nullptr, e);
-         }},
-    });
-    harmorph::Arena arena;  // of a size query: more than there can be
+TEST_CASE("a problem that is too large for the addresses of the machine") {
+    harmorph::Arena arena;
     harmorph::Span<double> numbers;
     arena.take(numbers, std::numeric_limits<std::size_t>::max() / 24);
     arena.take(numbers, std::numeric_limits<std::size_t>::max() / 24);
@@ -77,12 +51,9 @@ TEST_CASE("room for fewer than there are, and numbers that there are not") {
         return hm_analysis_boundary(o.solved.analysis, n_markers, &marker, piece, nullptr, 0, &n,
                                     &is_loop, e);
     };
-    hm_curves curves{};
-    hm_curve curve{};
-    hm_condition condition{};
-    curves.struct_size = sizeof curves;
-    curve.struct_size = sizeof curve;
-    condition.struct_size = sizeof condition;
+    auto curves = sized<hm_curves>();
+    auto curve = sized<hm_curve>();
+    auto condition = sized<hm_condition>();
     check_texts({
         {HM_BAD_ARGUMENT, "points has room for 0 points, but this piece of the boundary has 8",
          [&](hm_error* e) { return boundary(1, 0, e); }},
@@ -143,7 +114,7 @@ TEST_CASE("where room is missing, the number is told and nothing is filled in") 
         CHECK(n == 8);
         CHECK(std::count(list.begin(), list.end(), -7) == (fits ? 1 : 9));
     }
-    // Of pieces that there are not, nothing is told.
+    // Nothing is stated about pieces that do not exist.
     list.assign(9, -7);
     n = is_loop = -7;
     for (std::int32_t const piece : {-1, 1, std::numeric_limits<std::int32_t>::max()})
@@ -163,15 +134,13 @@ TEST_CASE("combined functions, gradients in parts, parcels") {
                                   ", but these points need at least " + std::to_string(scale) +
                                   "; take the largest scale of all parts";
     hm_basis *share = nullptr, *rows = nullptr;
-    REQUIRE(hm_share_size(o.solved.analysis, 0, 2, &bytes, nullptr) == HM_OK);
-    Guarded share_block(bytes);
-    REQUIRE(hm_share_init(&share, share_block.data(), bytes, o.solved.analysis, 0, 2, nullptr) ==
-            HM_OK);
+    Guarded share_block = block_of(hm_share_size, o.solved.analysis, 0, 2);
+    REQUIRE(hm_share_init(&share, share_block.data(), share_block.size(), o.solved.analysis, 0, 2,
+                          nullptr) == HM_OK);
     REQUIRE(hm_plan_solve(o.solved.plan, share, nullptr, nullptr) == HM_OK);
     std::int32_t const list[] = {20, 30};
-    REQUIRE(hm_extract_size(share, 2, &bytes, nullptr) == HM_OK);
-    Guarded block(bytes);
-    REQUIRE(hm_extract_init(&rows, block.data(), bytes, share, 2, list, nullptr) == HM_OK);
+    Guarded block = block_of(hm_extract_size, share, 2);
+    REQUIRE(hm_extract_init(&rows, block.data(), block.size(), share, 2, list, nullptr) == HM_OK);
     REQUIRE(hm_parcel_size(share, 2, &doubles, nullptr) == HM_OK);
     std::vector<double> parcel(static_cast<std::size_t>(doubles));
     REQUIRE(hm_parcel_pack(share, 2, list, parcel.data(), nullptr) == HM_OK);
@@ -207,8 +176,7 @@ TEST_CASE("combined functions, gradients in parts, parcels") {
 TEST_CASE("a basis of another version, of another machine, of a mesh that has moved") {
     Objects o;
     std::vector<double> copy(o.solved.basis_block->size() / 8 + 1);
-    hm_basis_info info{};
-    info.struct_size = sizeof info;
+    auto info = sized<hm_basis_info>();
     REQUIRE(hm_basis_info_get(o.basis, &info, nullptr) == HM_OK);
     std::memcpy(copy.data(), static_cast<const void*>(o.basis), info.bytes);
     harmorph::BasisHeader& header = *reinterpret_cast<harmorph::BasisHeader*>(copy.data());
@@ -247,13 +215,13 @@ TEST_CASE("a basis of another version, of another machine, of a mesh that has mo
 }
 
 TEST_CASE("steps in the wrong order") {
-    Case its = tiny_case();
+    Case setup = tiny_case();
     Attempt attempt;
-    REQUIRE(attempt.analyse(its.problem()));
+    REQUIRE(attempt.analyse(setup.problem()));
     REQUIRE(attempt.prepare());
     std::int32_t cells[100], n_cells = 0;
-    hm_points const wall{its.mesh.x.data(), its.mesh.y.data(), 1};
-    hm_points_out const to{its.mesh.x.data(), its.mesh.y.data(), 1};
+    hm_points const wall{setup.mesh.x.data(), setup.mesh.y.data(), 1};
+    hm_points_out const to{setup.mesh.x.data(), setup.mesh.y.data(), 1};
     Case given = given_instead(tiny_case());
     Attempt of_given;
     REQUIRE(of_given.analyse(given.problem()));
@@ -261,8 +229,7 @@ TEST_CASE("steps in the wrong order") {
     std::int32_t n = 0;
     hm_given_points(of_given.plan, nullptr, 0, &n, nullptr);
     std::size_t bytes = 0;
-    REQUIRE(hm_displace_size(of_given.plan, 1, &bytes, nullptr) == HM_OK);
-    Guarded work(bytes);
+    Guarded work = block_of(hm_displace_size, of_given.plan, 1);
     check_texts({
         {HM_BAD_CONDITION, "no marker has the condition HM_GIVEN, so no displacements can be given",
          [&](hm_error* e) { return hm_displace_size(attempt.plan, 1, &bytes, e); }},
@@ -271,7 +238,7 @@ TEST_CASE("steps in the wrong order") {
         {HM_BAD_ARGUMENT, "the plan has no factor; call hm_plan_factor first",
          [&](hm_error* e) {
              return hm_displace(of_given.plan, n, nullptr, 1, &wall, nullptr, &to, work.data(),
-                                bytes, nullptr, e);
+                                work.size(), nullptr, e);
          }},
         {HM_BAD_ARGUMENT,
          "the plan has no levels; hm_plan_factor makes them for the engines multigrid and fas",
@@ -283,10 +250,10 @@ TEST_CASE("functions of other curves or bodies are not interpolated") {
     Objects o;
     Case other = tiny_case(), rigid = tiny_case(), off_centre = tiny_case();
     other.curves.control[0] += 1e-9;
-    for (Case* its : {&rigid, &off_centre}) {
-        its->conditions.clear();
-        its->curves = {};
-        its->set_rigid(body, its == &rigid ? 3 : 3.5, 3);
+    for (Case* setup : {&rigid, &off_centre}) {
+        setup->conditions.clear();
+        setup->curves = {};
+        setup->set_rigid(body, setup == &rigid ? 3 : 3.5, 3);
     }
     Solved const of_rigid(rigid);
     auto const transfer = [](Case& fine, hm_basis const* coarse, hm_mesh const& mesh) {
@@ -309,18 +276,19 @@ TEST_CASE("functions of other curves or bodies are not interpolated") {
 }
 
 TEST_CASE("modes: numbers, lists, and what they do not go with") {
-    Case its = given_instead(tiny_case());
-    Displaced displaced(its);
+    Case setup = given_instead(tiny_case());
+    Displaced displaced(setup);
     std::size_t bytes = 0, work_bytes = 0;
     hm_basis* made = nullptr;
     std::int32_t const n = static_cast<std::int32_t>(displaced.points.size());
     std::vector<double> modes(200, 1.0);
     std::vector<std::int32_t> list(100, displaced.points[0]), twice = displaced.points;
     twice.push_back(twice[0]);
-    std::vector<double> dx(twice.size(), 0.0), dy(twice.size(), 0.0), x = its.mesh.x,
-                                                                      y = its.mesh.y;
+    std::vector<double> dx(twice.size(), 0.0), dy(twice.size(), 0.0), x = setup.mesh.x,
+                                                                      y = setup.mesh.y;
     dx.back() = 1;
-    hm_points const wall{dx.data(), dy.data(), 1}, from{its.mesh.x.data(), its.mesh.y.data(), 1};
+    hm_points const wall{dx.data(), dy.data(), 1},
+        from{setup.mesh.x.data(), setup.mesh.y.data(), 1};
     hm_points_out const to{x.data(), y.data(), 1};
     Guarded room = displaced.work_for(1);
     std::vector<double> far(twice.size(), 0.0);
@@ -355,8 +323,8 @@ TEST_CASE("modes: numbers, lists, and what they do not go with") {
                         nullptr, 1, 1, modes.data(), work.data(), work_bytes, nullptr,
                         nullptr) == HM_OK);
     TransferAttempt transfer;
-    REQUIRE(transfer.open(its.problem()));
-    CHECK_FALSE(transfer.fill_from(made, its.mesh_view()));
+    REQUIRE(transfer.open(setup.problem()));
+    CHECK_FALSE(transfer.fill_from(made, setup.mesh_view()));
     CHECK(transfer.status == HM_UNSUPPORTED);
     CHECK(std::string(transfer.error.text) ==
           "the basis contains functions that a table gives, but this call needs a basis without "
@@ -367,18 +335,14 @@ TEST_CASE("options of the safe morph and of better cells") {
     Objects o;
     hm_safe_options safe{};
     hm_improve_options better{};
-    std::size_t bytes = 0;
-    REQUIRE(hm_morph_safe_size(o.solved.plan, o.basis, &bytes, nullptr) == HM_OK);
-    Guarded work(bytes);
-    REQUIRE(hm_improve_size(o.solved.plan, &bytes, nullptr) == HM_OK);
-    Guarded room(bytes);
+    Guarded work = block_of(hm_morph_safe_size, o.solved.plan, o.basis);
+    Guarded room = block_of(hm_improve_size, o.solved.plan);
     hm_basis const* nobody = nullptr;
     hm_basis* derivative = nullptr;  // of two functions
     double matrix[] = {1, 0, 0, 1, 0, 0, 0, 0};
-    REQUIRE(hm_combine_size(o.basis, 2, 1, &bytes, nullptr) == HM_OK);
-    Guarded combined(bytes);
-    REQUIRE(hm_combine(&derivative, combined.data(), bytes, o.basis, 2, 1, matrix, nullptr) ==
-            HM_OK);
+    Guarded combined = block_of(hm_combine_size, o.basis, 2, 1);
+    REQUIRE(hm_combine(&derivative, combined.data(), combined.size(), o.basis, 2, 1, matrix,
+                       nullptr) == HM_OK);
     auto const morph = [&](std::function<void()> const& change) {
         return [&, change](hm_error* e) {
             safe = {};
@@ -409,9 +373,9 @@ TEST_CASE("options of the safe morph and of better cells") {
     } younger_better{};
     younger_better.better.struct_size = sizeof younger_better;
     younger_better.more = 1;
-    std::vector<double> folded = o.its.mesh.x;
+    std::vector<double> folded = o.setup.mesh.x;
     folded[8] = 5;
-    hm_points const reference{folded.data(), o.its.mesh.y.data(), 1};
+    hm_points const reference{folded.data(), o.setup.mesh.y.data(), 1};
     const char* const strategies =
         "options.skipped_strategies is 1048576, but it must be a sum of 1 << HM_STRATEGY_..., "
         "that is between 0 and 31";
@@ -477,20 +441,18 @@ TEST_CASE("options of the safe morph and of better cells") {
 }
 
 TEST_CASE("a safe displacement that turns a body inside out") {
-    Case its = given_instead(tiny_case());
-    Displaced displaced(its);
-    std::vector<double> dx, dy(displaced.points.size(), 0.0), x = its.mesh.x, y = its.mesh.y;
+    Case setup = given_instead(tiny_case());
+    Displaced displaced(setup);
+    std::vector<double> dx, dy(displaced.points.size(), 0.0), x = setup.mesh.x, y = setup.mesh.y;
     for (std::int32_t const point : displaced.points)
-        dx.push_back(2 * (3 - its.mesh.point(point).x));
+        dx.push_back(2 * (3 - setup.mesh.point(point).x));
     hm_points const wall{dx.data(), dy.data(), 1};
     hm_points_out const to{x.data(), y.data(), 1};
-    std::size_t bytes = 0;
-    REQUIRE(hm_displace_safe_size(displaced.plan, displaced.basis, &bytes, nullptr) == HM_OK);
-    Guarded work(bytes);
+    Guarded work = block_of(hm_displace_safe_size, displaced.plan, displaced.basis);
     hm_error error{};
     CHECK(hm_displace_safe(displaced.plan, displaced.basis, nullptr,
                            static_cast<std::int32_t>(dx.size()), displaced.points.data(), &wall,
-                           &to, work.data(), bytes, nullptr, nullptr, &error) == HM_CROSSING);
+                           &to, work.data(), work.size(), nullptr, nullptr, &error) == HM_CROSSING);
     CHECK(std::string(error.text) == "the boundary through point 17 at (3, 2) is inside out");
-    CHECK(x == its.mesh.x);
+    CHECK(x == setup.mesh.x);
 }

@@ -36,23 +36,22 @@ std::size_t stack_of(Call call) {
 
 }  // namespace
 
-TEST_CASE(
-    "hm_morph needs at most 16 KiB of stack, hm_adjoint on one thread 40, and other calls 112") {
+TEST_CASE("hm_morph needs at most 16 KiB of stack, hm_adjoint on one thread 40, other calls 112") {
     std::size_t const of_thread = stack_of([] {});
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
-        Case its = two_body_case(Cells::hybrid, 16, 8);
-        hm_mesh const mesh = its.mesh.view();
+        Case setup = two_body_case(Cells::hybrid, 16, 8);
+        hm_mesh const mesh = setup.mesh.view();
         Options options = laplace();
         options.operator_kind = operator_kind;
         std::size_t used[4] = {};
-        Solved const solved_once(its.problem(mesh), &options);
+        Solved const solved_once(setup.problem(mesh), &options);
         Attempt solved;
-        used[0] = stack_of([&] { solved.run(its.problem(mesh), &options); });
+        used[0] = stack_of([&] { solved.run(setup.problem(mesh), &options); });
         REQUIRE(solved.status == HM_OK);
         std::int32_t const n = solved_once.info().functions;
         std::vector<double> const move = some_move(n, 1e-3, 4);
         std::vector<double> gradient(static_cast<std::size_t>(2 * n));
-        std::vector<double> x(its.mesh.x), y(its.mesh.y);
+        std::vector<double> x(setup.mesh.x), y(setup.mesh.y);
         hm_quality_report quality;
         HM_INIT(quality);
         used[1] = stack_of([&] {

@@ -56,11 +56,11 @@ void starve(std::size_t need, Init init) {
 }  // namespace
 
 TEST_CASE("analysis: with curves and without, at every size below the required one") {
-    Case its = two_body_case(Cells::hybrid, 4, 3);
-    Mixed const mixed(its.mesh);
+    Case setup = two_body_case(Cells::hybrid, 4, 3);
+    Mixed const mixed(setup.mesh);
     hm_mesh const in_two_arrays = mixed.put_into(mixed.rows.view());
     for (bool const with_curves : {true, false}) {
-        hm_problem problem = with_curves ? its.problem() : its.problem(in_two_arrays);
+        hm_problem problem = with_curves ? setup.problem() : setup.problem(in_two_arrays);
         if (!with_curves) problem.curves = nullptr;
         std::size_t need = 0;
         REQUIRE(hm_analysis_size(&problem, nullptr, &need, nullptr) == HM_OK);
@@ -75,8 +75,8 @@ TEST_CASE("analysis: with curves and without, at every size below the required o
 }
 
 TEST_CASE("plan: at every size below the required one; the smallest block solves") {
-    Case its = two_body_case(Cells::hybrid, 4, 3);
-    Attempt reference(its.problem());
+    Case setup = two_body_case(Cells::hybrid, 4, 3);
+    Attempt reference(setup.problem());
     REQUIRE(reference.status == HM_OK);
     std::size_t need = 0;
     REQUIRE(hm_plan_size(reference.analysis, &need, nullptr) == HM_OK);
@@ -93,8 +93,8 @@ TEST_CASE("plan: at every size below the required one; the smallest block solves
 }
 
 TEST_CASE("basis: at every size below the required one; the smallest block holds the solution") {
-    Case its = two_body_case(Cells::hybrid, 4, 3);
-    Attempt reference(its.problem());
+    Case setup = two_body_case(Cells::hybrid, 4, 3);
+    Attempt reference(setup.problem());
     REQUIRE(reference.status == HM_OK);
     std::size_t need = 0;
     REQUIRE(hm_basis_size(reference.analysis, &need, nullptr) == HM_OK);
@@ -113,8 +113,7 @@ TEST_CASE("fit: at every size below the required one") {
     Outline const outline = naca4(naca, 30);
     double const* const xy = &outline.points[0].x;
     std::int32_t const n = static_cast<std::int32_t>(outline.points.size());
-    hm_fit_options options{};
-    options.struct_size = sizeof options;
+    auto options = sized<hm_fit_options>();
     options.n_control = 12;
     std::size_t need = 0;
     REQUIRE(hm_fit_size(n, &options, &need, nullptr) == HM_OK);
@@ -128,11 +127,11 @@ TEST_CASE("fit: at every size below the required one") {
 }
 
 TEST_CASE("plane: at every size below the required one; the smallest block moves all points") {
-    Case its = tiny_case();
-    Solved const solved(its);
+    Case setup = tiny_case();
+    Solved const solved(setup);
     std::vector<double> const move = some_move(4, 0.1, 1);
     for (Placement const& place : {along_axis(1), wedge(5)}) {
-        Extruded const space(its.mesh, place, 2);
+        Extruded const space(setup.mesh, place, 2);
         hm_space_mesh const view = space.view();
         std::size_t need = 0;
         REQUIRE(hm_plane_size(&view, &need, nullptr) == HM_OK);
@@ -153,15 +152,13 @@ TEST_CASE("plane: at every size below the required one; the smallest block moves
     }
 }
 
-TEST_CASE(
-    "blocks of exactly the stated size carry the whole way, at every alignment, on every kind of "
-    "mesh") {
+TEST_CASE("blocks of exactly the stated size suffice at every alignment on every kind of mesh") {
     // Guards are checked after the solution: no kernel writes past its block, whatever the sizes of
     // its fronts.
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         for (int const n : {4, 7, 8, 9, 17}) {
-            Case its = ring_case(7, 24, 0.5, 2, kind, 2, n);
-            hm_problem const problem = its.problem();
+            Case setup = ring_case(7, 24, 0.5, 2, kind, 2, n);
+            hm_problem const problem = setup.problem();
             std::vector<double> first;
             for (std::size_t const shift : shifts) {
                 Attempt attempt;
@@ -169,7 +166,7 @@ TEST_CASE(
                 REQUIRE(attempt.prepare(shift));
                 REQUIRE(attempt.solve());
                 CHECK(attempt.guards_intact());
-                std::vector<double> values(static_cast<std::size_t>(its.mesh.n_points()));
+                std::vector<double> values(static_cast<std::size_t>(setup.mesh.n_points()));
                 REQUIRE(hm_basis_values(attempt.basis, 2, 0, values.data(), nullptr) == HM_OK);
                 if (first.empty()) first = values;
                 CHECK(same_bits(first, values));
@@ -178,13 +175,13 @@ TEST_CASE(
 }
 
 TEST_CASE("blocks for several threads: exactly the stated size, and one byte less is refused") {
-    Case its = two_body_case(Cells::hybrid, 14, 10);
+    Case setup = two_body_case(Cells::hybrid, 14, 10);
     for (std::int32_t const threads : {2, 5, 64}) {
         Backwards order;
         hm_executor const executor = order.executor(threads);
         Options options = laplace();
         options.executor = &executor;
-        hm_problem const problem = its.problem();
+        hm_problem const problem = setup.problem();
         for (std::size_t const shift : shifts) {
             Attempt attempt;
             REQUIRE(attempt.analyse(problem, &options, shift));
@@ -209,11 +206,11 @@ TEST_CASE("blocks for several threads: exactly the stated size, and one byte les
 }
 
 TEST_CASE("sizes follow from the counts alone, and do not depend on where anything lies") {
-    Case its = airfoil_case();
-    hm_problem problem = its.problem();
+    Case setup = airfoil_case();
+    hm_problem problem = setup.problem();
     std::size_t a = 0, b = 0;
     REQUIRE(hm_analysis_size(&problem, nullptr, &a, nullptr) == HM_OK);
-    Case other = its;
+    Case other = setup;
     renumber_points(other.mesh, 1);
     problem = other.problem();
     REQUIRE(hm_analysis_size(&problem, nullptr, &b, nullptr) == HM_OK);

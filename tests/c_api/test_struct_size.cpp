@@ -23,8 +23,8 @@ std::vector<double> values_of(const hm_basis* basis, std::int32_t n_functions,
     return out;
 }
 
-// Of a struct that ends before the field at this place. A struct's size is a multiple of its
-// alignment: where pointers have 32 bits, that field may still be in it.
+// Returns the size of a struct that ends before the field at this place. A struct's size is a
+// multiple of its alignment: where pointers have 32 bits, that field may still be in it.
 template <class Struct>
 std::uint64_t size_before(std::size_t place) {
     return (place + alignof(Struct) - 1) / alignof(Struct) * alignof(Struct);
@@ -37,12 +37,12 @@ bool says(hm_error const& error, const char* word) {
 }  // namespace
 
 TEST_CASE("a struct of an older caller is shorter: what is missing has its default") {
-    Case its = tiny_case();
-    Solved const reference(its);
-    hm_mesh mesh = its.mesh.view();
+    Case setup = tiny_case();
+    Solved const reference(setup);
+    hm_mesh mesh = setup.mesh.view();
     mesh.struct_size = size_before<hm_mesh>(offsetof(hm_mesh, n_lists));  // no boundary lists yet
     if (mesh.struct_size <= offsetof(hm_mesh, n_lists)) mesh.n_lists = 1000;  // not looked at
-    hm_problem problem = its.problem(mesh);
+    hm_problem problem = setup.problem(mesh);
     problem.struct_size = offsetof(hm_problem, n_given);
     problem.n_given = 1000;
     Options options = laplace();
@@ -54,49 +54,47 @@ TEST_CASE("a struct of an older caller is shorter: what is missing has its defau
     CHECK(same_bits(values_of(attempt.basis, 4, 48), reference.all_values()));
 }
 
-TEST_CASE(
-    "a mesh of an older caller has no second array of cells: what lies behind the mesh is not "
-    "looked at") {
-    Case its = tiny_case();
-    Solved const reference(its);
-    hm_mesh mesh = its.mesh.view();
+TEST_CASE("no bytes behind a mesh of an older caller are read as a second array of cells") {
+    Case setup = tiny_case();
+    Solved const reference(setup);
+    hm_mesh mesh = setup.mesh.view();
     mesh.struct_size = size_before<hm_mesh>(offsetof(hm_mesh, n_quads));
     bool const has_no_quads = mesh.struct_size <= offsetof(hm_mesh, n_quads);
     if (has_no_quads) mesh.n_quads = 1000;
-    Attempt const attempt(its.problem(mesh));
+    Attempt const attempt(setup.problem(mesh));
     INFO(attempt.error.text);
     REQUIRE(attempt.status == HM_OK);
     CHECK(same_bits(values_of(attempt.basis, 4, 48), reference.all_values()));
     if (!has_no_quads) return;
-    Mixed const mixed(its.mesh);
-    hm_mesh short_of_quads = mixed.put_into(its.mesh.view());
+    Mixed const mixed(setup.mesh);
+    hm_mesh short_of_quads = mixed.put_into(setup.mesh.view());
     short_of_quads.struct_size = offsetof(hm_mesh, n_quads);  // then all cells are triangles
     short_of_quads.n_cells = mixed.n_triangles();
-    Attempt const triangles(its.problem(short_of_quads));
+    Attempt const triangles(setup.problem(short_of_quads));
     CHECK(triangles.status == HM_BAD_MESH);
     CHECK(says(triangles.error, "check whether cells are missing"));
 }
 
 TEST_CASE("a struct of a younger caller is longer: what is unknown is left alone") {
-    Case its = tiny_case();
-    Solved const reference(its);
+    Case setup = tiny_case();
+    Solved const reference(setup);
     struct {
         hm_mesh mesh;
         double more[4] = {1, 2, 3, 4};
     } mesh;
-    mesh.mesh = its.mesh.view();
+    mesh.mesh = setup.mesh.view();
     mesh.mesh.struct_size = sizeof mesh;
     struct Longer {
         hm_condition condition;
         double more[3] = {1, 2, 3};
     };
-    its.add_condition(top, HM_FIXED);
+    setup.add_condition(top, HM_FIXED);
     Longer conditions[2];  // an array whose elements are as long as the first one says
     for (std::size_t k = 0; k < 2; ++k) {
-        conditions[k].condition = its.conditions[k];
+        conditions[k].condition = setup.conditions[k];
         conditions[k].condition.struct_size = sizeof(Longer);
     }
-    hm_problem problem = its.problem(mesh.mesh);
+    hm_problem problem = setup.problem(mesh.mesh);
     problem.n_conditions = 2;
     problem.conditions = &conditions[0].condition;
     Attempt const attempt(problem);
@@ -117,9 +115,9 @@ TEST_CASE("a struct of a younger caller is longer: what is unknown is left alone
 }
 
 TEST_CASE("reports are filled as far as the caller's struct goes, for each of them") {
-    Case its = tiny_case();
-    Solved const solved(its);
-    hm_mesh const mesh = its.mesh.view();
+    Case setup = tiny_case();
+    Solved const solved(setup);
+    hm_mesh const mesh = setup.mesh.view();
     std::vector<double> const d(48, 0.0);
     auto const shortened = [&](auto whole, auto call) {
         using Report = decltype(whole);
@@ -151,24 +149,22 @@ TEST_CASE("reports are filled as far as the caller's struct goes, for each of th
     });
 }
 
-TEST_CASE(
-    "a struct_size that was never set, or with which the next struct of an array were not aligned, "
-    "is refused") {
-    Case its = tiny_case();
+TEST_CASE("a struct_size that was never set or breaks the alignment of an array is refused") {
+    Case setup = tiny_case();
     std::size_t bytes = 0;
     for (std::uint64_t const size :
          {std::uint64_t{0}, std::uint64_t{7}, std::uint64_t{75}, std::uint64_t{1} << 40}) {
-        hm_problem problem = its.problem();
+        hm_problem problem = setup.problem();
         Options options{};
         hm_error error{};
         problem.struct_size = size;
         CHECK(hm_analysis_size(&problem, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
         CHECK(says(error, "problem.struct_size"));
-        problem = its.problem();
+        problem = setup.problem();
         options.hm_options::struct_size = size;
         CHECK(hm_analysis_size(&problem, &options, &bytes, &error) == HM_BAD_ARGUMENT);
         CHECK(says(error, "options.struct_size"));
-        std::vector<hm_condition> conditions(2, its.conditions[0]);
+        std::vector<hm_condition> conditions(2, setup.conditions[0]);
         for (hm_condition& condition : conditions) condition.struct_size = size;
         problem.conditions = conditions.data();
         problem.n_conditions = 2;

@@ -97,7 +97,7 @@ runs "adjoint: two objectives as CSV" 0 adjoint "$mesh" "$basis" --sensitivity "
     --sensitivity "$tmp/sens.csv" -o "$tmp/both.csv"
 check "adjoint: two objectives: twice 20 rows" test "$(grep -c ',point,' "$tmp/both.csv")" -eq 40
 
-# What is refused, with file and line.
+# Wrong files are refused with file and line.
 adjoint() { # adjoint NAME TEXT FILE OPTION...
     name=$1 text=$2 file=$3; shift 3
     refuses "adjoint: $name" 3 "$text" adjoint "$mesh" "$basis" --sensitivity "$file" -o "$tmp/x" "$@"

@@ -26,7 +26,7 @@ check "again: so has the table" same_points "$tmp/wanted" "$tmp/found"
 sum_of "$curve" "$tmp/small.txt" >"$tmp/wanted"
 awk -F, '$1 == "control" { print $5, $6 }' "$tmp/twice.csv" >"$tmp/found"
 check "again: and the movement before is where that begins" same_points "$tmp/wanted" "$tmp/found"
-# To the circle, from a mesh that has left it: the wall comes back.
+# A mesh whose wall has left the circle is moved to the circle: the wall comes back.
 awk 'BEGIN { for (k = 0; k <= 60; k++) { t = 8 * atan2(1, 1) * k / 60; print cos(t), sin(t) } }' >"$tmp/circle.dat"
 runs "again: --to-airfoil" 0 morph "$tmp/twice.su2" "$basis" --to-airfoil "$tmp/circle.dat" -o "$tmp/back.su2" --json
 check "again: --to-airfoil: the wall is on it" awk '

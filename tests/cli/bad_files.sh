@@ -11,7 +11,7 @@ bad_curve "curve: degree 9" 1 'between 1 and 5' 'degree 9\n'
 bad_curve "curve: closed maybe" 2 'periodic' 'degree 1\nclosed maybe\n'
 bad_curve "curve: a point of one number" 5 'point 2 of 4' 'degree 1\nclosed tied\npoints 4\n1 1\n2\n'
 bad_curve "curve: not a number" 4 "'nan'" 'degree 1\nclosed tied\npoints 4\n1 nan\n2 2\n'
-bad_curve "curve: too few knots" 8 'knots 7' "degree 1\nclosed tied\n${square}knots 6\n0 0 1 2 3 4\n"
+bad_curve "curve: too few knots" 8 'the curve needs 7 knots' "degree 1\nclosed tied\n${square}knots 6\n0 0 1 2 3 4\n"
 bad_curve "curve: file ends in the knots" 10 'knot 5 of 7' "degree 1\nclosed tied\n${square}knots 7\n0 0 1 2\n"
 line='knots 4\n0 0 1 1\n'
 bad_curve "curve: index out of range" 8 'between 1 and 4' "degree 1\nclosed open\n${square}indices 2\n1 5\n$line"

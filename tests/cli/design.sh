@@ -52,7 +52,7 @@ same_points() { paste -d ' ' "$1" "$2" | awk 'NF % 2 == 0 { for (i = 1; i <= NF 
 check "moved by modes: as displaced" same_points "$tmp/by-modes.su2" "$tmp/displaced.su2"
 refuses "modes without --given" 2 '--given' solve "$mesh" --mode "$tmp/plunge" -o "$tmp/x"
 sed 1d "$tmp/plunge" >"$tmp/fewer"
-refuses "a mode of fewer points" 3 'has not the points' solve "$mesh" --given airfoil \
+refuses "a mode of fewer points" 3 'does not have the points' solve "$mesh" --given airfoil \
     --mode "$tmp/plunge" --mode "$tmp/fewer" -o "$tmp/x"
 sed 's/ 0 1$/ 0 0/' "$tmp/plunge" >"$tmp/zero"
 refuses "a mode that is zero" 2 'mode 0 is zero' solve "$mesh" --given airfoil \
@@ -72,6 +72,6 @@ printf '10 100 # heavy\n11 0\n' >"$tmp/weights"
 runs "fit: weights, smooth, tangents" 0 fit "$mesh" --marker airfoil --weights "$tmp/weights" --smooth 0.001 \
     --begin=-1,0.1 --end 1,0.1 -o "$tmp/wished.curve" --json
 echo '99999 1' >"$tmp/weights"
-refuses "fit: a weight of no point" 3 'weights:1: expected a point of the boundary' fit "$mesh" --marker airfoil \
+refuses "fit: a weight of no point" 3 'weights:1: the file needs a point of the boundary' fit "$mesh" --marker airfoil \
     --weights "$tmp/weights" -o "$tmp/x"
 refuses "fit: a tangent that is none" 2 'expects a direction' fit "$mesh" --marker airfoil --begin 0,0 -o "$tmp/x"

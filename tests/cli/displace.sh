@@ -31,7 +31,7 @@ refuses "displace: a point of no such marker" 2 'point 60 is in the list, but on
 refuses "displace: two displacements" 2 'point 3 has two different displacements' \
     displace "$ring" --given body --wall "$tmp/twice.txt" -o "$tmp/x"
 echo '3 nan 0' >"$tmp/nan.txt"
-refuses "displace: not a number" 3 "$tmp/nan.txt:1: expected a finite number, found 'nan'" \
+refuses "displace: not a number" 3 "$tmp/nan.txt:1: the file needs a finite number here, but 'nan' follows" \
     displace "$ring" --given body --wall "$tmp/nan.txt" -o "$tmp/x"
 echo '624 0 0' >"$tmp/nan.txt"
 refuses "displace: no such point" 3 'between 0 and 623' displace "$ring" --given body --wall "$tmp/nan.txt" -o "$tmp/x"
@@ -89,9 +89,9 @@ refuses "displace --safe: a wall that crosses itself" 1 'the moved boundary cros
 runs "displace --safe --strict: poor cells" 1 displace "$ring" --given body --wall "$tmp/turn.txt" --safe \
     --min-quality 1 --strict -o "$tmp/x"
 leaves_nothing "displace --safe --strict: no file" "$tmp/x"
-refuses "displace --min-quality alone" 2 '--min-quality goes with --safe' \
+refuses "displace --min-quality alone" 2 '--min-quality needs --safe' \
     displace "$ring" --given body --wall "$tmp/wall.txt" --min-quality .5
-refuses "displace --move without what moves" 2 '--move goes with --curve or --rigid' \
+refuses "displace --move without what moves" 2 '--move needs --curve or --rigid' \
     displace "$ring" --given body --wall "$tmp/wall.txt" --move "$tmp/small.txt"
 marker_points() { # marker_points MESH MARKER: their numbers and coordinates
     awk -v marker="$2" '/NPOIN=/ { n = $2; k = 0; next } n > 0 { x[k] = $1; y[k++] = $2; n--; next }

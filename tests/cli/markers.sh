@@ -1,6 +1,7 @@
 # Markers by name.
 
-# The same mesh with its markers in another order, with other names, and with two sides' faces exchanged.
+# Three meshes are the first mesh with the markers in another order, with other names, and with the faces of two sides
+# exchanged.
 markers_of() { awk -v tag="$1" '/^MARKER_TAG=/ { on = $2 == tag } on' "$box"; }
 { sed '/^MARKER_TAG/,$d' "$box"; for tag in out block high in:let low; do markers_of $tag; done; } >"$tmp/shuffled.su2"
 sed 's/MARKER_TAG= block/MARKER_TAG= brick/' "$box" >"$tmp/renamed.su2"
@@ -21,10 +22,10 @@ refuses "a marker of another name" \
 refuses "the same names on other points" 3 'the markers contain other points' morph "$tmp/exchanged.su2" \
     "$tmp/rigid.basis" --move "$no_moves"
 sed '/^harmorph markers/,$d' "$tmp/rigid.basis" >"$tmp/unnamed.basis"
-refuses "a basis without names" 3 'the file has no names of markers: solve it again' morph "$box" \
+refuses "a basis without names" 3 'the file has no names of markers; solve the basis again' morph "$box" \
     "$tmp/unnamed.basis" --move "$no_moves"
 { cat "$tmp/unnamed.basis"; printf 'harmorph markers 5\nblock\nhigh\nin:l'; } >"$tmp/cut.basis"
-refuses "a basis with its names cut off" 3 'it has 2 names of markers, expected are 5' morph "$box" "$tmp/cut.basis" \
+refuses "a basis with its names cut off" 3 'it has 2 names of markers, but must have 5' morph "$box" "$tmp/cut.basis" \
     --move "$no_moves"
 refuses "messages name markers: periodic" 2 \
     "must not have a condition of its own (marker 0 is 'block', marker 3 is 'low')" \

@@ -1,7 +1,8 @@
 # Mesh files: as other programs write them; with something wrong, which is exit code 3, by file and line; and those
 # that are shipped.
 
-# The same ring as other programs write it: carriage returns, points first, odd blanks, and things that are passed over.
+# The ring is written as other programs write it: carriage returns, points first, odd blanks, and things that are passed
+# over.
 {
     echo 'NZONE= 1'
     echo 'NDIME=2 % two'

@@ -52,7 +52,7 @@ check "movements: displace: the wall is that of morph" awk -f "$tmp/same_wall.aw
 
 refuses "movements: a marker without a curve" 3 'a marker on a curve' morph "$mesh" "$basis" \
     --by 'turn farfield 3' -o "$tmp/x"
-refuses "movements: no number" 3 '--by:2: expected a finite number' morph "$mesh" "$basis" --by 'shift airfoil 0 0' \
+refuses "movements: no number" 3 '--by:2: the file needs a finite number' morph "$mesh" "$basis" --by 'shift airfoil 0 0' \
     --by 'turn airfoil x' -o "$tmp/x"
 refuses "movements: too few words" 3 'flap MARKER X,Y degrees' morph "$mesh" "$basis" --by 'flap airfoil 3' -o "$tmp/x"
 refuses "movements: a factor of 0" 3 'a factor above 0' morph "$mesh" "$basis" --by 'scale airfoil 0' -o "$tmp/x"
@@ -115,10 +115,10 @@ refuses "movements: too many modes" 2 'has only' variables "$airfoil" --family "
 refuses "movements: two kinds" 2 'exclude each other' variables "$airfoil" --parsec --cst 3,3 -o "$tmp/x"
 refuses "movements: two shapes" 2 'exclude each other' variables "$airfoil" --parsec --blade 0,0 -o "$tmp/x"
 refuses "movements: a place that is none" 2 'expects X,Y' variables "$airfoil" --flap 3 -o "$tmp/x"
-refuses "movements: --at without variables" 2 '--at goes with --variables' adjoint "$mesh" "$basis" \
+refuses "movements: --at without variables" 2 '--at needs --variables' adjoint "$mesh" "$basis" \
     --sensitivity "$tmp/sens.txt" --at "$tmp/values" -o "$tmp/x"
 printf 'movements 1\npoints 20\nturn 3\n' >"$tmp/bad.map"
-refuses "movements: a map without a centre" 3 'bad.map:3: expected 2 numbers after turn' morph "$mesh" "$basis" \
+refuses "movements: a map without a centre" 3 'bad.map:3: the file needs 2 numbers after turn' morph "$mesh" "$basis" \
     --variables "$tmp/bad.map" --move "$tmp/values" -o "$tmp/x"
 printf 'movements 2\npoints 20\nturn 3 0\n' >"$tmp/bad.map"
 refuses "movements: a map that is short" 3 'announces 2 movements' morph "$mesh" "$basis" \

@@ -98,7 +98,8 @@ stays_as "an output over the movement beside -o" morph mesh.su2 a.basis --move m
 stays_as "a picture over the mesh that replaces itself" morph mesh.su2 a.basis --move moves -o mesh.su2 --svg mesh.su2
 rm "$outputs/to_nothing"
 
-# What is allowed: a morphed mesh in place of the mesh, two outputs to one device, and curves beside -o as before.
+# Three things are allowed: a morphed mesh in place of the mesh, two outputs to one device, and curves beside -o as
+# before.
 (cd "$outputs" && cp mesh.su2 kept.su2 && ln -s mesh.su2 link.su2)
 for place in mesh.su2 ./mesh.su2 link.su2; do
     cp "$outputs/kept.su2" "$outputs/mesh.su2"

@@ -10,7 +10,7 @@ has_keys "fit: keys" points degree closed reason corners base_points backtracks 
 check "fit: periodic file" grep -c 'closed periodic' "$curve"
 runs "solve" 0 solve "$ring" --curve body="$curve" -o "$basis" --json --repeat 2
 has_keys "solve: keys" points cells functions boundary_error partition_defect min_value max_value residual \
-    iterations sweeps levels setup_seconds factor_seconds solve_seconds plan_bytes basis_bytes storage
+    iterations work levels setup_seconds factor_seconds solve_seconds plan_bytes basis_bytes storage
 check "solve: functions" says '"functions": 12'
 for engine in multigrid fas; do
     runs "solve: $engine" 0 solve "$ring" --curve body="$curve" --operator laplace --engine $engine --levels 3 \
@@ -54,7 +54,7 @@ check "a moved mesh only warns: says so" says 'warning'
 for kept in 5 100 4000; do
     head -c $kept "$basis" >"$tmp/short.basis"
     refuses "a basis file cut off after $kept bytes" \
-        3 "short.basis: the file is cut off: it has $kept bytes, at least" \
+        3 "short.basis: the file is cut off: it has $kept bytes, but at least" \
         morph "$ring" "$tmp/short.basis" --move "$no_moves"
 done
 : >"$tmp/short.basis"

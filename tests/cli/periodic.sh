@@ -4,7 +4,7 @@ runs "--periodic, with a colon in a tag" 0 solve "$box" $on_block --periodic in:
 runs "--periodic by patterns, with a colon in a tag" 0 solve "$box" $on_block --periodic 'in:*:ou?' \
     -o "$tmp/named.basis"
 check "--periodic by patterns: the same basis" cmp "$tmp/pair.basis" "$tmp/named.basis"
-refuses "--periodic by a pattern of two markers" 2 "each of which stands for one marker, found 'in:let:*o*'" \
+refuses "--periodic by a pattern of two markers" 2 "each of which stands for one marker, not 'in:let:*o*'" \
     solve "$box" $on_block --periodic 'in:let:*o*' -o "$tmp/x"
 runs "--periodic: morph" 0 morph "$box" "$tmp/pair.basis" --move "$tmp/turn40.txt" -o "$tmp/pair.su2"
 set -- $(place 0 7 "$tmp/pair.su2")

@@ -35,7 +35,7 @@ check "--min-quality: the warning names a cell and its place" grep -E 'smallest 
 refuses "--strict" 1 'smallest quality' morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe \
     --min-quality 0.99 --strict -o "$tmp/strict.su2"
 leaves_nothing "--strict: nothing written" "$tmp/strict.su2"
-# What is judged is the mesh that is written.
+# The program judges the mesh that it writes.
 for asked in .1 .3 .5 .6 .7 .8 .9; do
     "$harmorph" morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe --improve --json --strict \
         --min-quality $asked >"$tmp/out" 2>"$tmp/err"
@@ -52,11 +52,11 @@ check "--heights --improve: not below --improve alone" awk "BEGIN { exit !($(num
 runs "--safe --operator auto" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe \
     --operator auto --json
 check "--safe --operator auto: both are reported" says '"operators": [{"operator": '
-refuses "--operator without --safe" 2 '--operator goes with --safe' morph "$box" "$tmp/conformal.basis" \
+refuses "--operator without --safe" 2 '--operator needs --safe' morph "$box" "$tmp/conformal.basis" \
     --move "$no_moves" --operator auto
-refuses "morph --operator laplace" 2 '--operator expects auto' morph "$box" "$tmp/conformal.basis" \
+refuses "morph --operator laplace" 2 '--operator of this command must be auto' morph "$box" "$tmp/conformal.basis" \
     --move "$no_moves" --safe --operator laplace
-refuses "solve --operator auto" 2 'goes with displace' solve "$box" --rigid block --operator auto -o "$tmp/x"
+refuses "solve --operator auto" 2 'only for displace' solve "$box" --rigid block --operator auto -o "$tmp/x"
 # A basis of Laplace functions that stops short of the target: conformal functions are tried, too.
 makes fit "$meshes/cascade.su2" --marker blade --points 20 -o "$tmp/blade.curve"
 makes solve "$meshes/cascade.su2" --curve blade="$tmp/blade.curve" --periodic lower:upper --operator laplace \

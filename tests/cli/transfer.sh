@@ -1,4 +1,4 @@
-# From a coarse mesh to a fine one: `harmorph transfer`.
+# `harmorph transfer` carries functions from a coarse mesh to a fine one.
 
 make_ring 110 31 >"$tmp/fine.su2"
 makes solve "$ring" --curve body="$curve" -o "$tmp/narrow.basis" --storage single

@@ -13,8 +13,8 @@ using harmorph::Index;
 namespace {
 
 // Solutions with a dense matrix, function by function: A F = -couplings N.
-void check_against_dense(Case& its, double tolerance) {
-    Solved const solved(its);
+void check_against_dense(Case& setup, double tolerance) {
+    Solved const solved(setup);
     harmorph::Analysis const& analysis = inside(solved.analysis);
     AssembledMatrix laplace(analysis);
     laplace.assemble();
@@ -48,8 +48,8 @@ TEST_CASE("small meshes of every kind: the same as dense Cholesky") {
         Case tiny = tiny_case();
         check_against_dense(tiny, 1e-14);
         for (int const n_r : {2, 3, 7, 12}) {  // from a single leaf to several levels of separators
-            Case its = ring_case(n_r, 5 * n_r, 0.5, 2, kind, 2, 5);
-            check_against_dense(its, 1e-13);
+            Case setup = ring_case(n_r, 5 * n_r, 0.5, 2, kind, 2, 5);
+            check_against_dense(setup, 1e-13);
         }
         Case two = two_body_case(kind, 8, 5);
         check_against_dense(two, 1e-13);
@@ -65,17 +65,16 @@ TEST_CASE("small meshes of every kind: the same as dense Cholesky") {
 
 TEST_CASE("any number of right-hand sides: 2 to 40, and more than a block of them") {
     for (int const n : {2, 3, 7, 8, 9, 16, 17, 31, 40, 130}) {
-        Case its = ring_case(6, n > 40 ? 150 : 48, 0.5, 2, Cells::hybrid, 1, n);
-        Solved const solved(its);
+        Case setup = ring_case(6, n > 40 ? 150 : 48, 0.5, 2, Cells::hybrid, 1, n);
+        Solved const solved(setup);
         CHECK(solved.report.functions == n);
         CHECK(solved.report.residual < 1e-13);
         CHECK(solved.report.partition_defect < 1e-15);
-        CHECK(largest_difference(solved.sum(), Solved(its).sum()) == 0);
+        CHECK(largest_difference(solved.sum(), Solved(setup).sum()) == 0);
     }
 }
 
-TEST_CASE(
-    "residuals stay at rounding on viscous meshes, with sharp and with blunt trailing edges") {
+TEST_CASE("residuals stay at rounding on viscous meshes with sharp and with blunt trailing edges") {
     for (double const first : {1e-3, 1e-5})
         for (bool const blunt : {false, true}) {
             Naca4 naca;
@@ -84,30 +83,30 @@ TEST_CASE(
             options.first = first;
             options.layers = first < 1e-4 ? 30 : 12;
             options.fan = blunt ? 0 : 2;
-            Case its = airfoil_case();
-            its.mesh = hybrid_mesh(naca4(naca, 60), options);
-            Solved const solved(its);
-            INFO(its.mesh.n_points() << " points, residual " << solved.report.residual);
+            Case setup = airfoil_case();
+            setup.mesh = hybrid_mesh(naca4(naca, 60), options);
+            Solved const solved(setup);
+            INFO(setup.mesh.n_points() << " points, residual " << solved.report.residual);
             CHECK(solved.report.residual < 1e-12);
             CHECK(solved.report.factor_entries > solved.report.unknowns);
         }
 }
 
 TEST_CASE("two parts that are not joined are solved side by side") {
-    Case its = tiny_case(), alone = its;
-    std::int32_t const first = its.mesh.n_points();
+    Case setup = tiny_case(), alone = setup;
+    std::int32_t const first = setup.mesh.n_points();
     for (std::int32_t k = 0; k < first; ++k)
-        its.mesh.add_point({its.mesh.point(k).x + 20, its.mesh.point(k).y});
-    for (std::size_t k = 0, n = its.mesh.cells.size(); k < n; ++k)
-        its.mesh.cells.push_back(its.mesh.cells[k] + first);
-    for (std::size_t k = 1, n = its.mesh.cell_start.size(); k < n; ++k)
-        its.mesh.cell_start.push_back(its.mesh.cell_start[n - 1] + its.mesh.cell_start[k]);
-    for (std::size_t k = 0, n = its.mesh.face_markers.size(); k < n; ++k)
-        its.mesh.add_face(its.mesh.faces[2 * k] + first, its.mesh.faces[2 * k + 1] + first,
-                          its.mesh.face_markers[k] == body ? second_body : far_field);
-    its.curves.add(polyline({{22, 2}, {24, 2}, {24, 4}, {22, 4}}));
-    its.put_on_curves(second_body, 1);
-    Solved const both(its), one(alone);
+        setup.mesh.add_point({setup.mesh.point(k).x + 20, setup.mesh.point(k).y});
+    for (std::size_t k = 0, n = setup.mesh.cells.size(); k < n; ++k)
+        setup.mesh.cells.push_back(setup.mesh.cells[k] + first);
+    for (std::size_t k = 1, n = setup.mesh.cell_start.size(); k < n; ++k)
+        setup.mesh.cell_start.push_back(setup.mesh.cell_start[n - 1] + setup.mesh.cell_start[k]);
+    for (std::size_t k = 0, n = setup.mesh.face_markers.size(); k < n; ++k)
+        setup.mesh.add_face(setup.mesh.faces[2 * k] + first, setup.mesh.faces[2 * k + 1] + first,
+                            setup.mesh.face_markers[k] == body ? second_body : far_field);
+    setup.curves.add(polyline({{22, 2}, {24, 2}, {24, 4}, {22, 4}}));
+    setup.put_on_curves(second_body, 1);
+    Solved const both(setup), one(alone);
     for (std::int32_t i = 0; i < 4; ++i) {
         std::vector<double> const f = both.values(i), g = both.values(4 + i),
                                   expected = one.values(i);
@@ -153,8 +152,8 @@ struct Threads {
 }  // namespace
 
 TEST_CASE("targets: where the positions of a border are in the parent's front") {
-    Case its = ring_case(12, 60, 0.5, 2, Cells::triangles);
-    Solved const solved(its);
+    Case setup = ring_case(12, 60, 0.5, 2, Cells::triangles);
+    Solved const solved(setup);
     FrontalSystem const system(inside(solved.analysis), false, 2);
     harmorph::Multifrontal const& engine = system.engine;
     Index wrong = 0, checked = 0;
@@ -173,18 +172,16 @@ TEST_CASE("targets: where the positions of a border are in the parent's front") 
     CHECK(wrong == 0);
 }
 
-TEST_CASE(
-    "Hermitian matrices with random circulations: the solution of dense Cholesky, in both "
-    "precisions") {
+TEST_CASE("Hermitian matrices have the solutions of dense Cholesky in both precisions") {
     for (Cells const kind : {Cells::quads, Cells::triangles})
         for (int const n_r : {3, 9})
             for (Index const threads : {1, 3}) {
-                Case its = ring_case(n_r, 5 * n_r, 0.5, 2, kind, 2, 5);
+                Case setup = ring_case(n_r, 5 * n_r, 0.5, 2, kind, 2, 5);
                 for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE})
                     for (Index const width : {1, 8, 11}) {
                         Threads lanes(threads);
                         lanes.options.precision = precision;
-                        Analysed const seen(its, &lanes.options);
+                        Analysed const seen(setup, &lanes.options);
                         FrontalSystem system(*seen.operator->(), true, width);
                         system.randomise(7, 0.8);
                         ComplexDenseMatrix dense = system.assembled.complex_unknowns();
@@ -205,10 +202,10 @@ TEST_CASE(
 TEST_CASE("right-hand sides in single precision: the bits of those in double that are rounded") {
     for (bool const complex : {false, true})
         for (Index const width : {1, 8, 11}) {
-            Case its = ring_case(9, 45, 0.5, 2, Cells::hybrid, 2, 5);
+            Case setup = ring_case(9, 45, 0.5, 2, Cells::hybrid, 2, 5);
             Threads lanes(1);
             lanes.options.precision = HM_SINGLE;
-            Analysed const seen(its, &lanes.options);
+            Analysed const seen(setup, &lanes.options);
             FrontalSystem system(*seen.operator->(), complex, width);
             system.randomise(9, complex ? 0.8 : 0);
             system.factorise();
@@ -222,14 +219,12 @@ TEST_CASE("right-hand sides in single precision: the bits of those in double tha
         }
 }
 
-TEST_CASE(
-    "right-hand sides of one number each: most of the tree is passed over, wherever that number "
-    "is") {
+TEST_CASE("right-hand sides of one number pass over most of the tree, wherever the number is") {
     for (Index const threads : {1, 3})
         for (bool const complex : {false, true}) {
-            Case its = ring_case(6, 30, 0.5, 2, Cells::hybrid, 2, 5);
+            Case setup = ring_case(6, 30, 0.5, 2, Cells::hybrid, 2, 5);
             Threads const lanes(threads);
-            Analysed const seen(its, &lanes.options);
+            Analysed const seen(setup, &lanes.options);
             Index const width = 3;
             FrontalSystem system(*seen.operator->(), complex, width);
             system.randomise(9, complex ? 0.8 : 0);
@@ -261,16 +256,14 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "right-hand sides that are not finite are told from zeros: what they reach is not finite "
-    "either") {
+TEST_CASE("right-hand sides that are not finite are told from zeros") {
     Untrapped const untrapped;
     for (Index const threads : {1, 3})
         for (double const bad :
              {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-            Case its = ring_case(9, 45, 0.5, 2, Cells::hybrid, 2, 5);
+            Case setup = ring_case(9, 45, 0.5, 2, Cells::hybrid, 2, 5);
             Threads const lanes(threads);
-            Analysed const seen(its, &lanes.options);
+            Analysed const seen(setup, &lanes.options);
             FrontalSystem system(*seen.operator->(), false, 1);
             system.randomise(9, 0);
             system.factorise();
@@ -285,11 +278,11 @@ TEST_CASE(
 }
 
 TEST_CASE("without circulation the complex engine gives the real one's answer") {
-    Case its = ring_case(12, 60, 0.5, 2, Cells::hybrid, 2, 5);
+    Case setup = ring_case(12, 60, 0.5, 2, Cells::hybrid, 2, 5);
     for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE}) {
         Threads lanes(1);
         lanes.options.precision = precision;
-        Analysed const seen(its, &lanes.options);
+        Analysed const seen(setup, &lanes.options);
         FrontalSystem complex(*seen.operator->(), true, 9), real(*seen.operator->(), false, 18);
         complex.randomise(3, 0);
         real.randomise(3, 0);
@@ -304,8 +297,8 @@ TEST_CASE("without circulation the complex engine gives the real one's answer") 
 }
 
 TEST_CASE("a complex system is the real one of twice the size, [[a, -b], [b, a]]") {
-    Case its = ring_case(6, 30, 0.5, 2, Cells::triangles, 2, 5);
-    Analysed const seen(its);
+    Case setup = ring_case(6, 30, 0.5, 2, Cells::triangles, 2, 5);
+    Analysed const seen(setup);
     FrontalSystem system(*seen.operator->(), true, 1);
     system.randomise(11, 1.5);
     ComplexDenseMatrix const a = system.assembled.complex_unknowns();
@@ -333,13 +326,13 @@ TEST_CASE("a complex system is the real one of twice the size, [[a, -b], [b, a]]
 }
 
 TEST_CASE("a Hermitian matrix that is not positive definite is refused, by position") {
-    Case its = ring_case(8, 40, 0.5, 2, Cells::triangles, 2, 5);
+    Case setup = ring_case(8, 40, 0.5, 2, Cells::triangles, 2, 5);
     for (Index const threads : {1, 3}) {
         for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE})
             for (Index const bad : {0, 17, 100, 250}) {
                 Threads lanes(threads);
                 lanes.options.precision = precision;
-                Analysed const seen(its, &lanes.options);
+                Analysed const seen(setup, &lanes.options);
                 FrontalSystem system(*seen.operator->(), true, 4);
                 system.randomise(5, 0.5);
                 harmorph::Matrix& matrix = system.assembled.matrix;
@@ -353,10 +346,10 @@ TEST_CASE("a Hermitian matrix that is not positive definite is refused, by posit
 }
 
 TEST_CASE("of several pivots that are not positive the first is told, for any number of threads") {
-    Case its = ring_case(20, 120, 0.5, 2, Cells::triangles, 2, 5);
+    Case setup = ring_case(20, 120, 0.5, 2, Cells::triangles, 2, 5);
     for (Index const threads : {1, 2, 3, 5, 8}) {
         Threads lanes(threads);
-        Analysed const seen(its, &lanes.options);
+        Analysed const seen(setup, &lanes.options);
         FrontalSystem system(*seen.operator->(), true, 4);
         Index const n = system.assembled.matrix.n;
         std::vector<Index> places{0, n - 1};  // and some of each front

@@ -25,7 +25,7 @@ if echo '#include <cgnslib.h>' | $CXX -x c++ -E - >/dev/null 2>&1 && command -v 
             check "$what: only coordinates differ" \
                 sh -c "cgnsdiff -d '$mesh' '$moved' | grep -v -e 'Coordinate[XY]' | grep -q . && exit 1 || exit 0"
             test $kind = polygons && continue
-            # The same mesh in text moves alike.
+            # The mesh in text moves as the mesh in the CGNS file does.
             "$with_cgns" convert "$mesh" "$tmp/a.su2" >"$tmp/out" 2>&1
             "$with_cgns" convert "$moved" "$tmp/b.su2" >"$tmp/out" 2>&1
             "$harmorph" solve "$tmp/a.su2" --curve "body=$tmp/curve" -o "$tmp/basis" >"$tmp/out" 2>&1

@@ -45,7 +45,7 @@ if python has gmsh 2>/dev/null; then
         if [ $? -eq 2 ] && grep -F -e "$text" "$tmp/out" >/dev/null; then ok "$name"; else
             fail "$name: does not say '$text': $(head -n 1 "$tmp/out")"; fi
     }
-    refuses_usage "gmsh: a loop that is none" 'has no loop:3: its boundary has 2 loops' \
+    refuses_usage "gmsh: a loop that is none" 'has no loop:3, because the boundary has 2 loops' \
         "$harmorph" fit "$mesh" --marker loop:3 --points 8 -o "$tmp/x.curve"
     refuses_usage "gmsh: no marker: not all names are listed" "and 16 more; a name may have * for any characters" \
         "$harmorph" fit "$mesh" --marker nothing -o "$tmp/x.curve"
@@ -55,7 +55,7 @@ if python has gmsh 2>/dev/null; then
     check "gmsh: curves only: nothing else" test "$(wc -l <"$tmp/out")" -eq 1
     python gmsh 1 0 lines "$tmp/old.msh" >"$tmp/out" 2>&1
     refuses "gmsh: version 1" \
-        'this is version 1 of the format, which is not read: save the mesh in version 2.2 or 4.1' \
+        'this is version 1 of the format, which is not read; save the mesh in version 2.2 or 4.1' \
         "$harmorph" check "$tmp/old.msh"
     python gmsh 4.0 0 lines "$tmp/old.msh" >"$tmp/out" 2>&1
     refuses "gmsh: version 4.0" 'Mesh.MshFileVersion = 4.1' "$harmorph" check "$tmp/old.msh"
@@ -149,7 +149,38 @@ morphs "VTU of two pieces" "$tmp/pieces.vtu" boundary1
 says "VTU of two pieces: the boundary" '[{"name": "boundary1", "faces": 24}, {"name": "boundary2", "faces": 24}]'
 grep -v '<' "$moved" | awk 'NF == 3 { n[$1 " " $2]++ } END { for (p in n) if (n[p] == 2) k++; exit k != 14 }' &&
     ok "VTU of two pieces: they stay closed" || fail "VTU of two pieces: they stay closed"
-# The same pieces in files of their own, as a file .pvtu names them.
+# The halves are pieces of a structured grid, flat and one cell thick.
+structured() { # structured LAST: the file with points 0 to LAST along k
+    awk -v last="$1" 'BEGIN { pi = atan2(0, -1)
+        print "<VTKFile type=\"StructuredGrid\"><StructuredGrid WholeExtent=\"0 24 0 6 0 " last "\">"
+        for (part = 0; part < 2; part++) {
+            print "<Piece Extent=\"" 12 * part, 12 * part + 12, 0, 6, 0, last "\"><Points>"
+            print "<DataArray type=\"Float64\" NumberOfComponents=\"3\">"
+            for (k = 0; k <= last; k++) for (j = 0; j < 7; j++) for (i = 12 * part; i <= 12 * part + 12; i++) {
+                r = 4 ^ (j / 6); t = 2 * pi * (i % 24) / 24
+                printf "%.16g %.16g %d\n", r * cos(t), r * sin(t), k
+            }
+            print "</DataArray></Points></Piece>"
+        }
+        print "</StructuredGrid></VTKFile>" }'
+}
+for last in 0 1; do
+    structured $last >"$tmp/grid.vts"
+    morphs "VTS, $last cells thick" "$tmp/grid.vts" boundary1
+    "$harmorph" check "$tmp/grid.vts" --json >"$tmp/out" 2>&1
+    says "VTS, $last cells thick: the boundary" \
+        '[{"name": "boundary1", "faces": 24}, {"name": "boundary2", "faces": 24}]'
+done
+for extent in "" "0 12 0 6 0" "0 12 0 6 1 0" "-1 12 0 6 0 0" "0 2147483647 0 6 0 0" "0 99999 0 99999 0 0" \
+    "0 x 0 6 0 0"; do
+    structured 0 | sed "s/Extent=\"0 12 0 6 0 0\"/Extent=\"$extent\"/" >"$tmp/grid.vts"
+    refuses "VTS: the extent '$extent'" 'the tag needs an Extent of six whole numbers' "$harmorph" check "$tmp/grid.vts"
+done
+structured 0 | sed 's/Extent="0 12 0 6 0 0"/Extent="0 90 0 0 0 0"/' >"$tmp/grid.vts"
+refuses "VTS: a line of points" 'the grid has no cells' "$harmorph" check "$tmp/grid.vts"
+structured 0 | sed 's/Extent="0 12 0 6 0 0"/Extent="0 12 0 7 0 0"/' >"$tmp/grid.vts"
+refuses "VTS: more points than there are" 'a coordinate of a point' "$harmorph" check "$tmp/grid.vts"
+# A file .pvtu names the pieces, which are in files of their own.
 piece_file() { # piece_file N: the text of the N-th piece as a file
     awk -v n=$1 '/<Piece/ { k++ } k == 0 || k == n || /<.Unstr/ || /<.VTKFile/' "$tmp/pieces.vtu" |
         sed 's|</Piece></Piece>|</Piece>|'
@@ -174,6 +205,12 @@ for file in joined moved; do
     tr -s ' \n' '\n' <"$tmp/$file.vtu" | sed 's/<[^>]*>//g' | grep . >"$tmp/$file.numbers"
 done
 check "PVTU: moves as one file of the pieces" cmp "$tmp/joined.numbers" "$tmp/moved.numbers"
+for output in -o --svg; do
+    other=$([ $output = -o ] || echo "-o $tmp/other.vtu")
+    "$harmorph" morph "$tmp/halves.pvtu" "$tmp/basis" --move "$tmp/moves.txt" $other $output \
+        "$tmp/parallel/half-2.vtu" >"$tmp/out" 2>&1
+    says "PVTU: $output does not replace a piece" 'an output must not replace an input'
+done
 "$harmorph" morph "$tmp/halves.pvtu" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/joined.pvtu" >"$tmp/out" 2>&1
 [ $? -eq 2 ] && ok "PVTU: not under a name .pvtu" || fail "PVTU: not under a name .pvtu"
 says "PVTU: not under a name .pvtu: says why" 'must end in .vtu'
@@ -188,13 +225,13 @@ refuses "PVTU: a file that is not there" "the file 'parallel/half-3.vtu' of this
 parallel 0 parallel >"$tmp/bad.pvtu"
 refuses "PVTU: a folder" "the file 'parallel' of this piece does not exist" "$harmorph" check "$tmp/bad.pvtu"
 parallel 0 bad.pvtu >"$tmp/bad.pvtu"
-refuses "PVTU: itself" "expected a piece of type UnstructuredGrid, found 'PUnstructuredGrid'" "$harmorph" \
+refuses "PVTU: itself" "the type of a piece must be UnstructuredGrid, not 'PUnstructuredGrid'" "$harmorph" \
     check "$tmp/bad.pvtu"
 parallel 0 >"$tmp/bad.pvtu"
-refuses "PVTU: no piece" 'expected <Piece' "$harmorph" check "$tmp/bad.pvtu"
+refuses "PVTU: no piece" 'the file needs <Piece here' "$harmorph" check "$tmp/bad.pvtu"
 sed '4s/.*/nonsense/' "$tmp/parallel/half-2.vtu" >"$tmp/parallel/bad.vtu"
 parallel 0 parallel/half-1.vtu parallel/bad.vtu >"$tmp/bad.pvtu"
-refuses "PVTU: a bad number: the file and the line of the piece" 'parallel/bad.vtu:4: expected a coordinate' \
+refuses "PVTU: a bad number: the file and the line of the piece" 'parallel/bad.vtu:4: the file needs a coordinate' \
     "$harmorph" check "$tmp/bad.pvtu"
 sed 's|</Piece>||' "$tmp/parallel/half-2.vtu" >"$tmp/parallel/bad.vtu"
 refuses "PVTU: a piece without its end" 'the piece has no end </Piece>' "$harmorph" check "$tmp/bad.pvtu"

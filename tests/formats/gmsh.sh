@@ -1,6 +1,6 @@
 # Gmsh: bad files, and the files of gmsh itself. (A part of tests/formats.sh.)
 sed 's/^2.2 /2.9 /' "$tmp/text-2.msh" >"$tmp/bad.msh"
-refuses "gmsh: another version" 'bad.msh:2: expected version 2.2 or 4.1' "$harmorph" check "$tmp/bad.msh"
+refuses "gmsh: another version" 'bad.msh:2: the file needs version 2.2 or 4.1' "$harmorph" check "$tmp/bad.msh"
 sed '50s/ 0$/ 1/' "$tmp/text-2.msh" >"$tmp/bad.msh"
 refuses "gmsh: three dimensions" 'bad.msh:50: the points must lie in a plane x, y or z = constant' \
     "$harmorph" check "$tmp/bad.msh"
@@ -8,7 +8,7 @@ sed 's/^100 3 2 3 7 \(.*\)/100 5 2 3 7 \1 \1/' "$tmp/text-2.msh" >"$tmp/bad.msh"
 refuses "gmsh: hexahedra" 'bad.msh:282: the mesh has three dimensions and is not one cell thick' \
     "$harmorph" check "$tmp/bad.msh"
 sed '/^\$EndNodes/,$d' "$tmp/text-4.msh" >"$tmp/bad.msh"
-refuses "gmsh: cut off" 'found the end of the file' "$harmorph" check "$tmp/bad.msh"
+refuses "gmsh: cut off" 'but the end of the file follows' "$harmorph" check "$tmp/bad.msh"
 sed '/^[0-9]* 1 2 2 7/d; s/^192$/168/' "$tmp/text-2.msh" >"$tmp/open.msh"
 check "gmsh: boundary without lines" "$harmorph" check "$tmp/open.msh" --json
 says "gmsh: boundary without lines: gets a name" '"boundary1", "faces": 24'

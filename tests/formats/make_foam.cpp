@@ -208,10 +208,10 @@ void write(const std::string& folder) {
     }
     points.file << ")\n\n// * * * //\n";
     std::vector<int> owners, neighbours, start = {0}, corners;
-    for (const Face& its : faces) {
-        owners.push_back(its.owner);
-        if (its.neighbour >= 0) neighbours.push_back(its.neighbour);
-        corners.insert(corners.end(), its.points.begin(), its.points.end());
+    for (const Face& face : faces) {
+        owners.push_back(face.owner);
+        if (face.neighbour >= 0) neighbours.push_back(face.neighbour);
+        corners.insert(corners.end(), face.points.begin(), face.points.end());
         start.push_back(int(corners.size()));
     }
     Out(mesh, "owner", "labelList").labels(owners);
@@ -219,9 +219,10 @@ void write(const std::string& folder) {
     Out list(mesh, "faces", storage == "text" ? "faceList" : "faceCompactList");
     if (storage == "text") {
         list.file << faces.size() << "\n(\n";
-        for (const Face& its : faces) {
-            list.file << its.points.size() << "(";
-            for (const int k : its.points) list.file << k << (k == its.points.back() ? ")\n" : " ");
+        for (const Face& face : faces) {
+            list.file << face.points.size() << "(";
+            for (const int k : face.points)
+                list.file << k << (k == face.points.back() ? ")\n" : " ");
         }
         list.file << ")\n";
     } else {

@@ -53,7 +53,7 @@ for storage in text binary-64; do
     check "$what: no SU2 file of polygons" \
         sh -c "'$harmorph' convert '$moved' '$tmp/none.su2' 2>'$tmp/why'; test \$? -eq 2"
     check "$what: no SU2 file of polygons: why" \
-        grep -q 'cells of more than four corners (the first is cell 0): SU2 takes triangles and' "$tmp/why"
+        grep -q 'cells of more than four corners (the first is cell 0), but SU2 takes triangles and' "$tmp/why"
 done
 what="openfoam interface" case=$tmp/foam moved=$tmp/foam-moved
 rm -rf "$case" "$moved"
@@ -104,14 +104,14 @@ broken faces 's/^4(0 /4(999 /'
 refuses "openfoam: a face of points that do not exist" 'has point 999, but there are 336 points' "$harmorph" \
     check "$tmp/foam-bad"
 broken faces '$d'
-refuses "openfoam: cut off" "expected ')', found the end of the file" "$harmorph" check "$tmp/foam-bad"
+refuses "openfoam: cut off" "the file needs ')' here, but the end of the file follows" "$harmorph" check "$tmp/foam-bad"
 broken owner '17s/^0$/x/'
-refuses "openfoam: owners" "owner:17: expected a label, found 'x'" "$harmorph" check "$tmp/foam-bad"
+refuses "openfoam: owners" "owner:17: the file needs a label here, but 'x' follows" "$harmorph" check "$tmp/foam-bad"
 rm "$tmp/foam-bad/constant/polyMesh/owner"
 refuses "openfoam: a file is missing" 'owner does not exist' "$harmorph" check "$tmp/foam-bad"
 "$tmp/make_foam" "$tmp/foam" binary-64 z
 broken points 's/label=64/label=32/; s/scalar=64/scalar=32/'
-refuses "openfoam: another size of numbers than the header says" 'or its header says another size of numbers' \
+refuses "openfoam: another size of numbers than the header says" 'or its header states another size of numbers' \
     "$harmorph" check "$tmp/foam-bad"
 
 if command -v checkMesh >/dev/null 2>&1; then

@@ -4,7 +4,7 @@ check "ugrid: names of a .mapbc file" "$harmorph" check "$tmp/prisms.lb8.ugrid" 
 says "ugrid: names of a .mapbc file: those that are not in the planes" \
     '"body", "faces": 24}, {"name": "outer", "faces": 24}]'
 echo 'body 5' >>"$tmp/prisms.mapbc"
-refuses "ugrid: a bad .mapbc file" 'prisms.mapbc:6: expected' "$harmorph" check "$tmp/prisms.lb8.ugrid"
+refuses "ugrid: a bad .mapbc file" 'prisms.mapbc:6: the file needs' "$harmorph" check "$tmp/prisms.lb8.ugrid"
 rm "$tmp/prisms.mapbc"
 head -c 9000 "$tmp/prisms.lb8.ugrid" >"$tmp/bad.lb8.ugrid"
 refuses "ugrid: cut off" 'little-endian byte order the file would have' "$harmorph" check "$tmp/bad.lb8.ugrid"

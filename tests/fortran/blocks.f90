@@ -61,7 +61,7 @@ contains
         call blocks_apart(own, sides(3, 1), move, in_blocks, bx, by)
     end subroutine
 
-    ! The same blocks in arrays of their own, the second inside ghost layers.
+    ! The blocks are in arrays of their own, the second one inside ghost layers.
     subroutine blocks_apart(own, wall, move, one_after_the_other, moved_x, moved_y)
         integer, parameter :: ni = around / 3 + 1, nj = rings, n = ni * nj
         integer, intent(in) :: own(:), wall

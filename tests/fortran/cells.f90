@@ -36,10 +36,10 @@ contains
     subroutine solve_from_0(mesh)
         type(hm_mesh), intent(in) :: mesh
         type(hm_basis) :: basis
-        real(dp) :: its(n_points)
+        real(dp) :: found(n_points)
         call solve(mesh, basis, first=0)
-        call basis%values(3, its)
-        call check(maxval(abs(its - values)) <= 0, "cells - 1, and faces of 8 bytes")
+        call basis%values(3, found)
+        call check(maxval(abs(found - values)) <= 0, "cells - 1, and faces of 8 bytes")
     end subroutine
 
     ! Triangles from some quads, then the other quads: cell numbers run on.

@@ -14,7 +14,7 @@ contains
         integer(c_int32_t), target :: its_cells(4, 200), its_faces(2, 100), its_markers(100)
         type(hm_mesh) :: channel
         type(hm_plan) :: plan
-        type(hm_basis) :: its, again
+        type(hm_basis) :: own, again
         type(hm_basis_info) :: info
         type(hm_condition), allocatable :: known(:)
         type(hm_curves) :: none
@@ -34,18 +34,18 @@ contains
         call plan%boundary([3], above)
         call plan%boundary([4], left)
         call plan%factor()
-        call plan%solve(its)
-        call its%info(info)
+        call plan%solve(own)
+        call own%info(info)
         call check(info%bodies == 1 .and. info%functions == 2 .and. info%curves == 0 .and. &
             info%numbers_per_value == 4, "a rigid body without curves")
         call check(size(info%curve_point) == 12 .and. all(info%point_curve == 1), "its points")
-        call its%curves(none)
+        call own%curves(none)
         call check(size(none%control, 2) == 0 .and. size(none%curve) == 0, "no curves to be had")
 
         c = cos(0.3_dp) - 1
         s = sin(0.3_dp)
         move = reshape([0.4_dp, 0.2_dp, c, s], [2, 2])
-        call its%displacement(move, dx, dy)
+        call own%displacement(move, dx, dy)
         call check(all(abs(dx(hole) - (0.4_dp + c * (cx(hole) - 10) - s * (cy(hole) - 5))) < 1e-14_dp) .and. &
             all(abs(dy(hole) - (0.2_dp + s * (cx(hole) - 10) + c * (cy(hole) - 5))) < 1e-14_dp), &
             "the body moves rigidly")
@@ -54,7 +54,7 @@ contains
         call check(same(dx(left), dx(right(size(right):1:-1))) .and. same(dy(left), dy(right(size(right):1:-1))) .and. &
             maxval(abs(dx(left))) > 1e-3_dp, "left and right move alike")
 
-        call its%conditions(known)
+        call own%conditions(known)
         call check(size(known) == 3, "three conditions are known")
         call check(known(1)%kind == hm_rigid .and. known(1)%body == 1 .and. abs(known(1)%x - 10) + abs(known(1)%y - &
             5) <= 0 .and. known(2)%kind == hm_slip .and. known(2)%marker == 3 .and. known(3)%partner == 2, &
@@ -63,7 +63,7 @@ contains
         call plan%factor()
         call plan%solve(again)
         do k = 1, 4
-            call its%values(2, dx, number=k)
+            call own%values(2, dx, number=k)
             call again%values(2, value, number=k)
             call check(same(dx, value), "the same conditions, the same functions")
         end do
@@ -92,20 +92,20 @@ contains
         call plan%analyse(channel, conditions=[hm_condition(5, hm_rigid, x=30._dp, y=5._dp), &
             hm_condition(4, hm_rotation_pair, partner=2, x=1._dp, y=2._dp)])
         call plan%factor()
-        call plan%solve(its)
-        call its%displacement(move, dx, dy)
+        call plan%solve(own)
+        call own%displacement(move, dx, dy)
         right = right(size(right):1:-1)
         call check(all(abs(cos(angle) * dx(left) - sin(angle) * dy(left) - dx(right)) < 1e-14_dp) .and. &
             all(abs(sin(angle) * dx(left) + cos(angle) * dy(left) - dy(right)) < 1e-14_dp) .and. &
             maxval(abs(dx(left))) > 1e-3_dp, "the right side of a passage moves as the left one, turned")
-        call its%conditions(known)
+        call own%conditions(known)
         call check(known(2)%kind == hm_rotation_pair .and. abs(known(2)%x - 1) + abs(known(2)%y - 2) <= 0, &
             "a rotation pair as it was given")
         call plan%analyse(channel, conditions=[hm_condition(5, hm_rigid, x=30._dp, y=5._dp), &
             hm_condition(4, hm_interface, partner=2)])
         call plan%factor()
-        call plan%solve(its)
-        call its%conditions(known)
+        call plan%solve(own)
+        call own%conditions(known)
         call check(known(2)%kind == hm_interface .and. known(2)%marker == 4 .and. known(2)%partner == 2, &
             "an interface as it was given")
     end subroutine

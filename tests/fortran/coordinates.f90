@@ -185,7 +185,7 @@ contains
         call check_collapsed(plan, "arrays that run backwards")
     end subroutine
 
-    ! What the library cannot use as it lies is read again by each call that uses the mesh.
+    ! Each call that uses the mesh reads arrays again that the library cannot use as they lie in memory.
     subroutine not_doubles()
         type(odd_node), allocatable, target :: node(:)
         real(c_float), allocatable, target :: x4(:), xy4(:, :)

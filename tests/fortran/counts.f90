@@ -1,4 +1,4 @@
-! What is counted: checks that hold, and checks that do not.
+! Counts the checks that hold and the checks that fail.
 module counts
     implicit none
     integer :: passed = 0, failed = 0

@@ -94,7 +94,7 @@ contains
     ! Walls of the mesh: the curves through the points that plan%boundary gives, of one marker and of two.
     subroutine fits_of_walls()
         type(hm_curves) :: curves, by_points, outer
-        type(hm_fit_report) :: report, its, of_outer
+        type(hm_fit_report) :: report, of_wall, of_outer
         type(hm_mesh) :: from_0
         type(hm_plan) :: plan
         integer, allocatable :: wall(:)
@@ -105,16 +105,16 @@ contains
         call plan%boundary([far_field], wall, loop)
         call outer%fit(x(wall), y(wall), loop, degree=4, n_control=n_control, closed=hm_periodic, report=of_outer)
         call plan%boundary([body], wall, loop)
-        call by_points%fit(x(wall), y(wall), loop, degree=4, n_control=n_control, closed=hm_periodic, report=its)
+        call by_points%fit(x(wall), y(wall), loop, degree=4, n_control=n_control, closed=hm_periodic, report=of_wall)
         call curves%fit(mesh, body, degree=4, n_control=n_control, closed=hm_periodic, report=report)
         call check(size(curves%curve) == 1 .and. curves%curve(1)%degree == 4, "the fit of a marker is one curve")
         call check(same([curves%control], [by_points%control]) .and. &
             same(curves%curve(1)%knots, by_points%curve(1)%knots), "the curve is that of the points in order")
         call check(all(curves%curve(1)%indices == by_points%curve(1)%indices), "and so are the indices")
-        call check(same([report%max_error, report%rms_error], [its%max_error, its%rms_error]) .and. &
+        call check(same([report%max_error, report%rms_error], [of_wall%max_error, of_wall%rms_error]) .and. &
             report%pieces == 1, "and so is the report")
-        call check(report%max_error_point == wall(its%max_error_point) .and. &
-            report%first_point == wall(its%first_point), "which names points of the mesh")
+        call check(report%max_error_point == wall(of_wall%max_error_point) .and. &
+            report%first_point == wall(of_wall%first_point), "which names points of the mesh")
 
         call curves%fit(mesh, [body, far_field], degree=4, n_control=n_control, closed=hm_periodic, report=report)
         call check(size(curves%curve) == 2 .and. size(curves%control, 2) == 2 * n_control .and. report%pieces == 2, &
@@ -122,14 +122,14 @@ contains
         call check(same([curves%control(:, :n_control)], [by_points%control]) .and. &
             same([curves%control(:, n_control + 1:)], [outer%control]), "each through its own points")
         call check(all(curves%curve(2)%indices == n_control + outer%curve(1)%indices), "with its own control points")
-        call check(report%max_error >= max(its%max_error, of_outer%max_error), "the report is that of the worst one")
+        call check(report%max_error >= max(of_wall%max_error, of_outer%max_error), "the report is that of the worst one")
 
         call from_0%points(x, y, first=0)
         call from_0%cells(cells - 1_c_int32_t)
         call from_0%faces(faces - 1_c_int32_t, markers)
         call curves%fit(from_0, body, degree=4, n_control=n_control, closed=hm_periodic, report=report)
         call check(same([curves%control], [by_points%control]), "a mesh that counts from 0 has the same curve")
-        call check(report%max_error_point == wall(its%max_error_point) - 1, "and a report that counts from 0")
+        call check(report%max_error_point == wall(of_wall%max_error_point) - 1, "and a report that counts from 0")
 
         call curves%fit(mesh, [body, 1234], stat=stat, err=err)
         call check(stat == hm_bad_condition .and. err%item_kind == hm_item_marker .and. err%item == 1234, &

@@ -57,7 +57,7 @@ contains
         call of_edges%edges(ends, sides, edge_markers, stat, err)
         call check(stat == hm_bad_argument, "edges of a mesh with cells: " // err%text)
 
-        ! From 0, with integers of 8 bytes, faces apart: the same cells.
+        ! Points counted from 0, integers of 8 bytes and separate faces give the same cells.
         call of_edges%points(x, y, first=0)
         call of_edges%edges(ends - 1_c_int64_t, sides - 1_c_int64_t)
         call of_edges%faces(faces - 1_c_int32_t, markers)
@@ -65,7 +65,7 @@ contains
         call plan%report(report)
         call check(report%quads == n_cells .and. report%boundary_edges == 2 * around, "edges that count from 0")
 
-        ! What is refused leaves a mesh without cells.
+        ! A refused call leaves a mesh without cells.
         call of_edges%points(x, y)
         call of_edges%edges(ends(:, [1, 2]), sides(:, [1, 2]), stat=stat, err=err)
         call check(stat == hm_bad_mesh, "two edges: " // err%text)

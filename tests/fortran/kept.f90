@@ -1,4 +1,4 @@
-! What tests of the arrays that a mesh keeps share: the body's mesh in integers of the default kind, and whether
+! Shared by tests of the arrays that a mesh keeps: the body's mesh in integers of the default kind, and whether
 ! functions on another mesh are those of x and y.
 module kept
     use harmorph
@@ -25,18 +25,18 @@ contains
         call mesh%faces(faces, markers)
     end subroutine
 
-    ! The same functions as on x, y; tolerance: what default reals leave of them.
+    ! Checks that the functions are those on x, y to the tolerance that default reals allow.
     subroutine check_values(mesh, what, tolerance)
         type(hm_mesh), intent(in) :: mesh
         character(len=*), intent(in) :: what
         real(dp), intent(in), optional :: tolerance
         type(hm_basis) :: basis
-        real(dp) :: its(n_points), bound
+        real(dp) :: found(n_points), bound
         bound = 0
         if (present(tolerance)) bound = tolerance
         call solve(mesh, basis)
-        call basis%values(3, its)
-        call check(maxval(abs(its - values)) <= bound, what // ": the functions are those of x and y")
+        call basis%values(3, found)
+        call check(maxval(abs(found - values)) <= bound, what // ": the functions are those of x and y")
     end subroutine
 
     ! The caller has made x or y 0 everywhere, which is refused: the plan reads coordinates as they are now.

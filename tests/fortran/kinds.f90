@@ -18,7 +18,7 @@ contains
         type(hm_mesh) :: mesh4
         type(hm_plan) :: plan
         type(hm_curves) :: curves
-        type(hm_basis) :: its
+        type(hm_basis) :: own
         type(hm_step_report) :: step
         type(hm_quality_report) :: quality
         type(hm_error) :: err
@@ -29,51 +29,51 @@ contains
         call mesh4%points(x4, y4)
         call mesh4%cells(cells)
         call mesh4%faces(faces, markers)
-        call solve(mesh4, its)
-        call its%curves(curves)
-        call its%displacement(real(move4, dp), dx, dy)
-        call its%adjoint(dx, dy, gradient)
+        call solve(mesh4, own)
+        call own%curves(curves)
+        call own%displacement(real(move4, dp), dx, dy)
+        call own%adjoint(dx, dy, gradient)
         dx4 = signaling()
         dy4 = signaling()
         x_new4 = signaling()
         y_new4 = signaling()
         gradient4 = signaling()
-        call its%displacement(move4, dx4, dy4)
+        call own%displacement(move4, dx4, dy4)
         call check(maxval(abs(dx4 - dx)) < 1e-8_dp .and. maxval(abs(dy4 - dy)) < 1e-8_dp, &
             "displacement in default reals")
-        call its%velocity(move4, dx4, dy4)
-        call its%adjoint(dx4, dy4, gradient4)
+        call own%velocity(move4, dx4, dy4)
+        call own%adjoint(dx4, dy4, gradient4)
         call check(maxval(abs(gradient4 - gradient)) < 1e-5_dp * maxval(abs(gradient)), "adjoint in default reals")
-        call its%morph_to(move4, x4, y4, x_new4, y_new4)
-        call its%boundary_error(move4, x4, y4, x_new4, y_new4, error)
+        call own%morph_to(move4, x4, y4, x_new4, y_new4)
+        call own%boundary_error(move4, x4, y4, x_new4, y_new4, error)
         call check(error < 1e-6_dp, "boundary in default reals")
-        call its%assess(mesh4, dx4, dy4, step)
+        call own%assess(mesh4, dx4, dy4, step)
         call check(step%admissible > 0, "step in default reals")
-        call its%assess(mesh4, x_new4 - x4, y_new4 - y4, quality=quality)
+        call own%assess(mesh4, x_new4 - x4, y_new4 - y4, quality=quality)
         call check(quality%inverted == 0, "quality in default reals")
-        call its%values(3, values4)
+        call own%values(3, values4)
         block_x = reshape(x4, shape(block_x))
         block_y = reshape(y4, shape(block_y))
-        call its%morph(move4, x4, y4)
+        call own%morph(move4, x4, y4)
         call check(all(abs(x4 - x_new4) <= 0) .and. all(abs(y4 - y_new4) <= 0), "morph in default reals")
 
         ! Any rank 2 array of so many points will do for the products.
-        call its%displacement(move4, block_dx, block_dy)
+        call own%displacement(move4, block_dx, block_dy)
         call check(all(abs(reshape(block_dx, shape(dx4)) - dx4) <= 0), "displacement of a block in default reals")
-        call its%adjoint(block_dx, block_dy, gradient4)
+        call own%adjoint(block_dx, block_dy, gradient4)
         call check(maxval(abs(gradient4 - gradient)) < 1e-5_dp * maxval(abs(gradient)), "its adjoint")
-        call its%assess(mesh4, block_dx, block_dy, step)
-        call its%values(3, block_values)
+        call own%assess(mesh4, block_dx, block_dy, step)
+        call own%values(3, block_values)
         call check(all(abs(reshape(block_values, shape(values4)) - values4) <= 0), "values of a block in default reals")
         block_dx = block_x
         block_dy = block_y
-        call its%morph(move4, block_dx, block_dy)
+        call own%morph(move4, block_dx, block_dy)
         call check(all(abs(reshape(block_dx, shape(x4)) - x4) <= 0), "morph of a block in default reals")
-        call its%boundary_error(move4, block_x, block_y, block_dx, block_dy, error)
+        call own%boundary_error(move4, block_x, block_y, block_dx, block_dy, error)
         call check(error < 1e-6_dp, "its boundary")
-        call its%assess(mesh4, quality, block_x, block_y)
+        call own%assess(mesh4, quality, block_x, block_y)
         call check(quality%inverted == 0, "its quality")
-        call its%morph_to(move4, block_x, block_y, block_dx, block_dy)
+        call own%morph_to(move4, block_x, block_y, block_dx, block_dy)
         call check(all(abs(reshape(block_dx, shape(x4)) - x4) <= 0), "to another array")
         call mesh4%free()
 
@@ -90,9 +90,9 @@ contains
         x4 = -x4
         call mesh4%free()
         call plan%factor()
-        call its%free()
-        call plan%solve(its)
-        call its%values(3, block_values)
+        call own%free()
+        call plan%solve(own)
+        call own%values(3, block_values)
         call check(all(abs(reshape(block_values, shape(values4)) - values4) < 1e-6_dp), "and that it was mirrored back")
     end subroutine
 
@@ -103,7 +103,7 @@ contains
         type(hm_mesh) :: mesh8
         type(hm_plan) :: plan
         type(hm_mesh_report) :: report
-        type(hm_basis) :: its
+        type(hm_basis) :: own
         real(dp) :: a(n_points), b(n_points)
         integer :: k
         type(hm_error) :: err
@@ -114,10 +114,10 @@ contains
         call mesh8%points(x, y)
         call mesh8%cells(cells8)
         call mesh8%faces(faces8, markers8)
-        call solve(mesh8, its)
-        call its%values(1, a)
-        call solve(mesh, its)
-        call its%values(1, b)
+        call solve(mesh8, own)
+        call own%values(1, a)
+        call solve(mesh, own)
+        call own%values(1, b)
         call check(same(a, b), "8-byte integers")
         rows8 = reshape(cells8, shape(rows8))
         start8 = 1 + 4 * [(int(k, c_int64_t), k = 0, n_cells)]

@@ -14,7 +14,7 @@ contains
         integer(c_int64_t) :: words
         type(hm_plan) :: plan
         type(hm_curves) :: curves
-        type(hm_basis) :: its
+        type(hm_basis) :: own
         real(dp) :: a(n_points), b(n_points)
         type(hm_error) :: err
         integer :: stat
@@ -30,19 +30,19 @@ contains
         call plan%prepare(plan_block(2:), stat)
         call check(stat == hm_block_too_small, "work of the plan too small")
         call plan%prepare(plan_block)
-        call its%init(plan, basis_block(2:), stat)
+        call own%init(plan, basis_block(2:), stat)
         call check(stat == hm_block_too_small, "work of the basis too small")
-        call its%init(plan, basis_block)
+        call own%init(plan, basis_block)
         call plan%drop_analysis()
         analysis = -1
         call plan%factor()
-        call plan%solve(its)
+        call plan%solve(own)
         call plan%free()
         plan_block = -1
-        call its%values(4, a)
+        call own%values(4, a)
         call basis%values(4, b)
         call check(same(a, b), "the same functions in own memory")
-        call its%free()
+        call own%free()
         basis_block = -1
         call check(same(basis_block(:1), [-1._dp]), "own memory is not freed")
     end subroutine
@@ -76,7 +76,7 @@ contains
         type(hm_mesh), allocatable :: mesh
         type(hm_plan) :: plan
         type(hm_basis) :: basis
-        real(dp) :: its(n_points)
+        real(dp) :: found(n_points)
         integer :: stat
         allocate(mesh)
         call mesh%points(x, y)
@@ -88,7 +88,7 @@ contains
         deallocate(mesh)
         call plan%factor()
         call plan%solve(basis)
-        call basis%values(3, its)
-        call check(maxval(abs(its - values)) <= 0, "a plan outlives the mesh")
+        call basis%values(3, found)
+        call check(maxval(abs(found - values)) <= 0, "a plan outlives the mesh")
     end subroutine
 end module

@@ -63,7 +63,7 @@ contains
         call check(abs(here - there) < 1e-12_dp, "the adjoint is the transpose")
     end subroutine
 
-    ! The same morph from every layout that needs no copy.
+    ! Every layout that needs no copy gives the same morph.
     subroutine layouts()
         real(dp) :: move(2, n_control), gradient(2, n_control), expected(2, n_control)
         real(dp), dimension(n_points) :: x_new, y_new, dx, dy
@@ -72,7 +72,7 @@ contains
         integer(c_int32_t), target :: shifted(4, n_cells)
         integer(c_int32_t), target :: list(2 * around + 2), list_start(3), list_markers(2)
         type(hm_mesh) :: other
-        type(hm_basis) :: its
+        type(hm_basis) :: own
         type(hm_step_report) :: step, its_step
         integer :: k
         move = some_move()
@@ -102,10 +102,10 @@ contains
         call other%points(xy(1, :), xy(2, :))
         call other%cells(cells)
         call other%faces(faces, markers)
-        call solve(other, its)
-        call its%displacement(move, x_new, y_new)
+        call solve(other, own)
+        call own%displacement(move, x_new, y_new)
         call check(same(x_new, dx) .and. same(y_new, dy), "a mesh of xy(2,:)")
-        call its%assess(other, x_new, y_new, its_step)
+        call own%assess(other, x_new, y_new, its_step)
         call check(same([its_step%admissible], [step%admissible]) .and. its_step%cell == step%cell, "its step")
 
         start = 1 + 4 * [(k, k = 0, n_cells)]
@@ -117,8 +117,8 @@ contains
         call other%points(by_column(:, 1), by_column(:, 2))
         call other%cells(rows, start)
         call other%lists(list, list_start, list_markers)
-        call solve(other, its)
-        call its%displacement(move, x_new, y_new)
+        call solve(other, own)
+        call own%displacement(move, x_new, y_new)
         call check(same(x_new, dx) .and. same(y_new, dy), "a mesh of rows and lists")
 
         call other%free()
@@ -128,10 +128,10 @@ contains
         list = list - 1
         list_start = list_start - 1
         call other%lists(list, list_start, list_markers)
-        call solve(other, its, first=0)
-        call its%displacement(move, x_new, y_new)
+        call solve(other, own, first=0)
+        call own%displacement(move, x_new, y_new)
         call check(same(x_new, dx) .and. same(y_new, dy), "a mesh counted from 0")
-        call its%assess(other, x_new, y_new, its_step)
+        call own%assess(other, x_new, y_new, its_step)
         call check(its_step%cell == step%cell - 1, "and reports as well")
 
         do k = 1, n_cells
@@ -142,8 +142,8 @@ contains
         call other%points(x, y)
         call other%cells(triangles)
         call other%faces(faces, markers)
-        call solve(other, its)
-        call its%displacement(move, x_new, y_new)
+        call solve(other, own)
+        call own%displacement(move, x_new, y_new)
         call check(maxval(abs(x_new - dx)) < 1e-2_dp .and. maxval(abs(x_new - dx)) > 0, "a mesh of triangles")
     end subroutine
 end module

@@ -97,7 +97,8 @@ contains
         call plan%analyse(mesh, curves, [hm_condition(body)], options=options, stat=stat)
         call check(stat == hm_bad_argument, "an agglomeration to come")
 
-        ! With the offset correction a rigid motion of the control points is one of the wall; without, its offset stays.
+        ! With the offset correction a rigid motion of the control points moves the wall rigidly; without the correction
+        ! the offset of the wall stays.
         options = hm_options(offset_correction=.true.)
         call solve(mesh, other, options=options)
         call other%info(info)
@@ -122,15 +123,15 @@ contains
         call check(stat == hm_unsupported, "without correction, and the direct engine: " // err%text)
     end subroutine
 
-    ! How far the wall is from where a turn about the origin takes it.
-    subroutine turn_wall(its, degrees, error)
-        type(hm_basis), intent(in) :: its
+    ! Computes how far the wall is from the wall that is turned about the origin.
+    subroutine turn_wall(turned, degrees, error)
+        type(hm_basis), intent(in) :: turned
         real(dp), intent(in) :: degrees
         real(dp), intent(out) :: error
         type(hm_curves) :: curves
         real(dp) :: dx(n_points), dy(n_points), wanted(2, around)
-        call its%curves(curves)
-        call its%displacement(turn(curves%control, degrees), dx, dy)
+        call turned%curves(curves)
+        call turned%displacement(turn(curves%control, degrees), dx, dy)
         wanted = turn(xy(:, :around), degrees)
         error = maxval(hypot(dx(:around) - wanted(1, :), dy(:around) - wanted(2, :)))
     end subroutine

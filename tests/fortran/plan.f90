@@ -33,7 +33,7 @@ contains
         type(hm_curves) :: curves
         type(hm_solve_report) :: solved
         type(hm_options) :: options
-        type(hm_basis) :: its
+        type(hm_basis) :: own
         integer :: stat
         call basis%curves(curves)
         options%progress => watch
@@ -45,14 +45,14 @@ contains
         call check(plan%basis_words() > 0, "size of the basis")
         call plan%prepare()
         call plan%factor()
-        call plan%solve(its, stat=stat)
+        call plan%solve(own, stat=stat)
         call check(stat == hm_cancelled, "the callback cancels the solution")
         cancel_in = -1
-        call plan%solve(its, solved)
+        call plan%solve(own, solved)
         call check(phases_seen == 127, "all seven phases are reported")
         call check(solved%residual < 1e-12_dp .and. solved%functions == n_control, "the solution")
         call check(solved%residual_function >= 1 .and. solved%residual_function <= n_control, "its worst function")
-        call what_a_basis_knows(its, curves)
+        call what_a_basis_knows(own, curves)
     end subroutine
 
     subroutine watch(phase, fraction, cancel)
@@ -64,35 +64,35 @@ contains
         cancel = phase == cancel_in
     end subroutine
 
-    subroutine what_a_basis_knows(its, curves)
-        type(hm_basis), intent(in) :: its
+    subroutine what_a_basis_knows(own, curves)
+        type(hm_basis), intent(in) :: own
         type(hm_curves), intent(in) :: curves
         type(hm_basis_info) :: info
         type(hm_curves) :: same_curves
         real(dp) :: total(n_points), u, distance
         integer :: k
-        call its%info(info)
+        call own%info(info)
         call check(info%solved .and. info%points == n_points .and. info%index_base == 1, "info of the basis")
         call check(all(sort(info%curve_point) == [(k, k = 1, around)]) .and. all(info%point_curve == 1), &
             "its curve points")
-        call check(info%bytes == its%bytes(), "its length")
-        call its%curves(same_curves)
+        call check(info%bytes == own%bytes(), "its length")
+        call own%curves(same_curves)
         call check(all(same_curves%curve(1)%indices == curves%curve(1)%indices), "its curves")
         call same_curves%project(1, x(info%curve_point(1)), y(info%curve_point(1)), u, distance)
         call check(abs(u - info%point_u(1)) < 1e-9_dp, "its parameters")
         total = 0
         do k = 1, n_control
-            total = total + values_of(its, k)
+            total = total + values_of(own, k)
         end do
         call check(maxval(abs(total(:around) - 1)) < 1e-12_dp .and. maxval(abs(total(n_points - around + 1:))) <= 0, &
             "the functions' sum on the boundaries")
     end subroutine
 
-    function values_of(its, number) result(values)
-        type(hm_basis), intent(in) :: its
+    function values_of(own, number) result(values)
+        type(hm_basis), intent(in) :: own
         integer, intent(in) :: number
         real(dp) :: values(n_points)
-        call its%values(number, values)
+        call own%values(number, values)
     end function
 
     function sort(numbers) result(sorted)
@@ -108,14 +108,14 @@ contains
     subroutine rational_curves()
         type(hm_plan) :: plan
         type(hm_curves) :: curves, same_curves
-        type(hm_basis) :: its
+        type(hm_basis) :: own
         integer :: k
         call basis%curves(curves)
         allocate(curves%weights(n_control), source=1 + 0.1_dp * [(modulo(k, 3), k = 1, n_control)])
         call plan%analyse(mesh, curves, [hm_condition(body)])
         call plan%factor()
-        call its%init(plan)
-        call its%curves(same_curves)
+        call own%init(plan)
+        call own%curves(same_curves)
         call check(maxval(abs(same_curves%weights - curves%weights)) <= 0, "weights of a rational basis")
     end subroutine
 
@@ -124,7 +124,7 @@ contains
         type(hm_plan) :: plan
         type(hm_curves) :: curves
         type(hm_mesh_report) :: report
-        type(hm_basis) :: its, another
+        type(hm_basis) :: own, another
         real(dp) :: first(n_points)
         real(dp), target :: x_moved(n_points), y_moved(n_points)
         type(hm_error) :: err
@@ -132,21 +132,21 @@ contains
         call basis%curves(curves)
         call plan%analyse(mesh, curves, [hm_condition(body)])
         call plan%factor()
-        call plan%solve(its)
+        call plan%solve(own)
         call plan%drop_analysis()
         call plan%report(report, stat)
         call check(stat == hm_bad_argument, "no report without an analysis")
         x_moved = 2 * x
         y_moved = 2 * y
         call plan%factor(x_moved, y_moved)
-        call plan%solve(its)
-        first = values_of(its, 1)
+        call plan%solve(own)
+        first = values_of(own, 1)
         call plan%factor(real(x_moved, c_float), real(y_moved, c_float))
-        call plan%solve(its)
-        call check(maxval(abs(first - values_of(its, 1))) < 1e-4_dp, "default reals: nearly the same functions")
+        call plan%solve(own)
+        call check(maxval(abs(first - values_of(own, 1))) < 1e-4_dp, "default reals: nearly the same functions")
         call plan%factor(reshape(real(x, c_float), [around, rings]), reshape(real(y, c_float), [around, rings]))
-        call plan%solve(its)
-        call check(maxval(abs(first - values_of(its, 1))) < 1e-4_dp, "default reals in rank 2")
+        call plan%solve(own)
+        call check(maxval(abs(first - values_of(own, 1))) < 1e-4_dp, "default reals in rank 2")
         call plan%factor(x_moved(2:), y_moved(2:), stat)
         call check(stat == hm_bad_argument, "a point too few")
         call plan%solve(another, stat=stat, err=err)
@@ -157,24 +157,24 @@ contains
     subroutine pieces()
         type(hm_plan) :: plan
         type(hm_curves) :: curves
-        type(hm_basis) :: its
+        type(hm_basis) :: own
         type(hm_error) :: err
         integer :: stat
         call basis%curves(curves)
         call plan%analyse(mesh, curves, [hm_condition(body, piece=1, near_x=1._dp, near_y=0._dp)])
         call plan%factor()
-        call plan%solve(its)
-        call check(maxval(abs(values_of(basis, 1) - values_of(its, 1))) < 1e-4_dp, "a piece of a marker")
+        call plan%solve(own)
+        call check(maxval(abs(values_of(basis, 1) - values_of(own, 1))) < 1e-4_dp, "a piece of a marker")
         call plan%analyse(mesh, curves, [hm_condition(body, piece=1, near_x=1._dp), hm_condition(body)], stat=stat, &
             err=err)
         call check(stat == hm_bad_condition, "no piece is left: " // err%text)
     end subroutine
 
-    ! Where the points of a curve are given, they are used.
+    ! Points of a curve are used if they are given.
     subroutine given_parameters()
         type(hm_plan) :: plan
         type(hm_curves) :: curves
-        type(hm_basis) :: its, in_work
+        type(hm_basis) :: own, in_work
         type(hm_basis_info) :: info
         real(dp), allocatable, target :: work(:)
         type(hm_error) :: err
@@ -183,11 +183,11 @@ contains
         call basis%info(info)
         call plan%analyse(mesh, curves, [hm_condition(body)])
         call plan%factor()
-        call plan%solve(its)
+        call plan%solve(own)
         call plan%analyse(mesh, curves, [hm_condition(body), hm_condition(far_field, hm_fixed)], &
             given_points=info%curve_point, given_curves=info%point_curve, given_u=info%point_u)
         call plan%factor()
-        call plan%solve(its, stat=stat, err=err)
+        call plan%solve(own, stat=stat, err=err)
         call check(stat == hm_ok, "a basis of another analysis is made anew: " // err%text)
         allocate(work(plan%basis_words()))
         call in_work%init(plan, work)

@@ -86,7 +86,7 @@ contains
         call check(all(px == sx + [ax, ax]) .and. all(pz == sz + [ay, ay]) .and. all(py == sy), "spread")
     end subroutine
 
-    ! As solvers of structured meshes have them, one cell thick: sections are copied by the compiler.
+    ! Solvers of structured meshes have such arrays, one cell thick; the compiler copies the sections.
     subroutine blocks()
         real(dp) :: bx(around, n_points / around, 2), by(around, n_points / around, 2), bz(around, n_points / around, 2)
         real(dp) :: ghosts(0:around + 1, n_points / around, 2)
@@ -109,7 +109,7 @@ contains
 
     subroutine single_precision()
         type(hm_plane) :: narrow
-        type(hm_plane_info) :: its
+        type(hm_plane_info) :: narrow_info
         real(c_float), dimension(2 * n_points) :: px, py, pz, gx
         real(c_float) :: gradient(2, n_control), ax(n_points), ay(n_points), dx(2 * n_points), dy(2 * n_points), &
             dz(2 * n_points)
@@ -120,8 +120,8 @@ contains
         call narrow%points(px, py, pz, first=0)
         call narrow%faces(int(cells, c_int64_t) - 1_c_int64_t)
         call narrow%find(kind=hm_planes, tolerance=1e-5_dp)
-        call narrow%info(its)
-        call check(all(its%follows == info%follows - 1), "single precision, numbers from 0: who follows whom")
+        call narrow%info(narrow_info)
+        call check(all(narrow_info%follows == info%follows - 1), "single precision, numbers from 0: who follows whom")
         wx = real(px, dp)
         wy = real(py, dp)
         wz = real(pz, dp)

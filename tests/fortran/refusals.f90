@@ -1,4 +1,4 @@
-! What is refused, and the numbers in its errors.
+! Refused calls, and the numbers in their errors.
 module refusals_tests
     use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t
     use body_mesh

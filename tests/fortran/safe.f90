@@ -8,7 +8,7 @@ module safe_tests
 
 contains
 
-    ! What is done depends on how large the movement is.
+    ! The strategy depends on the size of the movement.
     subroutine safe_strategies()
         type(hm_plan) :: plan
         type(hm_curves) :: curves
@@ -25,7 +25,7 @@ contains
         call plan%morph_safe(laplace, some_move(), x_new, y_new, stat=stat)
         call check(stat == hm_bad_argument, "a plan that is empty")
 
-        ! What is small is the morph.
+        ! A small movement is a linear morph.
         call plan%analyse(mesh, curves, [hm_condition(body)], options=hm_options(operator_kind=hm_laplace))
         call plan%prepare()
         move = 0.1_dp * some_move()
@@ -36,7 +36,7 @@ contains
         call check(maxval(abs(x_new - x_other)) < 1e-15_dp .and. maxval(abs(y_new - y_other)) < 1e-15_dp, &
             "it is the morph")
 
-        ! What is large is too much for the functions, but not in several steps.
+        ! A large movement is too much for the functions at once, but not in several steps.
         move = turn(curves%control, 40._dp)
         call laplace%morph_to(move, x, y, x_other, y_other)
         call laplace%assess(mesh, x_other - x, y_other - y, quality=quality)

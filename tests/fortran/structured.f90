@@ -18,7 +18,7 @@ contains
         type(hm_mesh) :: block, inner
         type(hm_curves) :: curves
         type(hm_plan) :: plan
-        type(hm_basis) :: its, again
+        type(hm_basis) :: own, again
         type(hm_step_report) :: step, same_step
         type(hm_quality_report) :: quality
         integer :: i, j
@@ -39,21 +39,21 @@ contains
         call curves%fit(xs(:ni - 1, 1), ys(:ni - 1, 1), .true., n_control=n_control)
         call plan%analyse(block, curves, [hm_condition(body)])
         call plan%factor()
-        call plan%solve(its)
+        call plan%solve(own)
         move = some_move()
-        call its%morph_to(move, xs, ys, x_new, y_new)
+        call own%morph_to(move, xs, ys, x_new, y_new)
         call check(same(x_new(1, :), x_new(ni, :)) .and. same(y_new(1, :), y_new(ni, :)), "the cut stays closed")
-        call its%boundary_error(move, xs, ys, x_new, y_new, error)
+        call own%boundary_error(move, xs, ys, x_new, y_new, error)
         call check(error < 1e-12_dp, "its wall moves as the B-spline does")
-        call its%displacement(move, dx, dy)
-        call its%adjoint(dx, dy, expected)
-        call its%assess(block, dx, dy, step, quality)
+        call own%displacement(move, dx, dy)
+        call own%adjoint(dx, dy, expected)
+        call own%assess(block, dx, dy, step, quality)
         call check(quality%inverted == 0 .and. step%admissible > 1, "step and quality of a block")
-        call its%values(2, value)
-        call its%values(2, one)
+        call own%values(2, value)
+        call own%values(2, one)
         call check(same(reshape(value, [ni * nj]), one), "values of a block")
 
-        ! The same inside ghost layers, interleaved: converted, and written back.
+        ! Interleaved arrays inside ghost layers are converted and written back.
         padded = -7
         padded(1, 1:ni, 1:nj) = xs
         padded(2, 1:ni, 1:nj) = ys
@@ -78,7 +78,7 @@ contains
         call check(all(abs(xs - x_new) <= 0), "a block in place")
         call inner%free()
 
-        ! The same as one row of points.
+        ! The block is given as one row of points.
         do j = 1, nj
             do i = 1, ni
                 call place(i - 1, j - 1, flat(i + ni * (j - 1)), flat_y(i + ni * (j - 1)))

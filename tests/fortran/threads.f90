@@ -14,7 +14,7 @@ contains
         type(hm_options) :: options
         type(hm_plan) :: plan
         type(hm_curves) :: curves
-        type(hm_basis) :: its
+        type(hm_basis) :: own
         type(hm_step_report) :: step
         type(hm_quality_report) :: quality
         integer(c_int64_t) :: sums(4 * 2 * n_control)
@@ -29,40 +29,40 @@ contains
         tasks_seen = 0
         call plan%analyse(mesh, curves, [hm_condition(body)], options=options)
         call plan%factor()
-        call plan%solve(its)
-        call its%values(2, a)
+        call plan%solve(own)
+        call own%values(2, a)
         call basis%values(2, b)
         call check(same(a, b), "four threads, whose tasks run backwards: the same bits")
         call check(tasks_seen > 0, "there were tasks")
         move = some_move()
         call basis%displacement(move, a, b)
         call basis%adjoint(a, b, expected)
-        call its%displacement(move, dx, dy, executor=four)
+        call own%displacement(move, dx, dy, executor=four)
         call check(same(dx, a) .and. same(dy, b), "displacement on threads")
-        call its%adjoint(dx, dy, gradient, executor=four)
+        call own%adjoint(dx, dy, gradient, executor=four)
         call check(maxval(abs(gradient - expected)) <= 0, "adjoint on threads")
-        call its%assess(mesh, dx, dy, step, executor=four)
-        call its%assess(mesh, quality, executor=four)
+        call own%assess(mesh, dx, dy, step, executor=four)
+        call own%assess(mesh, quality, executor=four)
         call check(step%admissible > 0 .and. quality%inverted == 0, "step and quality on threads")
-        call its%morph_to(move, x, y, a, b, executor=hm_openmp(2))
+        call own%morph_to(move, x, y, a, b, executor=hm_openmp(2))
         call check(maxval(abs(a - x - dx)) < 1e-15_dp, "threads of OpenMP, if it is there")
 
         ! Each of them hands the executor on: 300 threads are refused.
         four%n_threads = 300
-        call its%displacement(move, dx, dy, executor=four, stat=stat)
+        call own%displacement(move, dx, dy, executor=four, stat=stat)
         call check(stat == hm_bad_argument, "displacement on 300 threads")
-        call its%adjoint(dx, dy, gradient, executor=four, stat=stat)
+        call own%adjoint(dx, dy, gradient, executor=four, stat=stat)
         call check(stat == hm_bad_argument, "adjoint on 300 threads")
-        call its%assess(mesh, quality, executor=four, stat=stat)
+        call own%assess(mesh, quality, executor=four, stat=stat)
         call check(stat == hm_bad_argument, "quality on 300 threads")
-        call its%assess(mesh, quality, x, y, executor=four, stat=stat)
+        call own%assess(mesh, quality, x, y, executor=four, stat=stat)
         call check(stat == hm_bad_argument, "quality relative to other coordinates on 300 threads")
-        call its%assess(mesh, dx, dy, step, quality, executor=four, stat=stat)
+        call own%assess(mesh, dx, dy, step, quality, executor=four, stat=stat)
         call check(stat == hm_bad_argument, "assessment on 300 threads")
         scale = 0
-        call its%adjoint_scale(dx, dy, scale, executor=four, stat=stat)
+        call own%adjoint_scale(dx, dy, scale, executor=four, stat=stat)
         call check(stat == hm_bad_argument, "scale on 300 threads")
-        call its%adjoint_sums(dx, dy, scale, sums, executor=four, stat=stat)
+        call own%adjoint_sums(dx, dy, scale, sums, executor=four, stat=stat)
         call check(stat == hm_bad_argument, "sums on 300 threads")
     end subroutine
 

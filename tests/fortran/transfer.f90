@@ -8,7 +8,7 @@ module transfer_tests
 
 contains
 
-    ! From every second point in both directions to all of them.
+    ! Functions go from every second point in both directions to all points.
     subroutine transfers()
         integer, parameter :: n = around / 2, m = (rings + 1) / 2
         real(dp), target :: cx(n * m), cy(n * m)

@@ -6,6 +6,7 @@ program use
     use assessment_tests
     use blocks_tests
     use boundaries_tests
+    use bounds_tests
     use cells_tests
     use conditions_tests
     use coordinates_tests
@@ -76,6 +77,7 @@ program use
     call operators()
     call conditions()
     call assessments()
+    call smooth_bounds()
     call safe_strategies()
     call safe_heights()
     call safe_steps()
@@ -103,7 +105,7 @@ contains
         call check(hm_status_name(99) == "unknown status", "name of an unknown status")
     end subroutine
 
-    ! What must stop the program with the reason.
+    ! These calls must stop the program with the reason.
     subroutine stop_by(what)
         character(len=*), intent(in) :: what
         type(hm_mesh) :: another_mesh

@@ -42,7 +42,7 @@ public:
     unsigned char* data() const { return end_ - shift_ - bytes_; }
     std::size_t size() const { return bytes_; }
     void expect_intact() const {
-        expect(std::all_of(end_ - shift_, end_, [](unsigned char its) { return its == mark; }),
+        expect(std::all_of(end_ - shift_, end_, [](unsigned char byte) { return byte == mark; }),
                "written behind a block");
     }
 

@@ -12,41 +12,42 @@ Number& some(std::vector<Number>& from, Input& input) {
     return from[input.below(static_cast<std::uint32_t>(from.size()))];
 }
 template <class Struct>
-void shorten(Struct& its, Input& input) {
-    its.struct_size = input.any_of<std::uint64_t>({0, 7, 8, sizeof its - 8, sizeof its - 1});
+void shorten(Struct& fields, Input& input) {
+    fields.struct_size =
+        input.any_of<std::uint64_t>({0, 7, 8, sizeof fields - 8, sizeof fields - 1});
 }
 
-void shorten(Options& its, Input& input) {
-    hm_options& options = its;
-    hm_study_options& study = its;
+void shorten(Options& all, Input& input) {
+    hm_options& options = all;
+    hm_study_options& study = all;
     if (input.one_in(2)) shorten(options, input);
     else shorten(study, input);
 }
 
-void break_points(Problem& its, Input& input) {
-    double& number = some(its.coordinates, input);
+void break_points(Problem& problem, Input& input) {
+    double& number = some(problem.coordinates, input);
     switch (input.below(4)) {
         case 0: number = input.wild(); break;
         case 1:
-            number = some(its.coordinates, input);
+            number = some(problem.coordinates, input);
             break;  // points in one place, cells without area
-        case 2: number += input.between(-3, 3) * its.size() / 10; break;  // inverted cells
+        case 2: number += input.between(-3, 3) * problem.size() / 10; break;  // inverted cells
         default:
-            for (double& each : its.coordinates)
+            for (double& each : problem.coordinates)
                 each *= input.any_of({1e-200, 1e-90, 1e95, 1e200, 0.0});
     }
 }
-void break_indices(Problem& its, Input& input) {
+void break_indices(Problem& problem, Input& input) {
     std::vector<std::int32_t>* const arrays[] = {
-        &its.cells, &its.quads,      &its.cell_start,   &its.faces,
-        &its.lists, &its.list_start, &its.face_markers, &its.list_markers};
+        &problem.cells, &problem.quads,      &problem.cell_start,   &problem.faces,
+        &problem.lists, &problem.list_start, &problem.face_markers, &problem.list_markers};
     std::vector<std::int32_t>& array = *arrays[input.below(8)];
     if (array.empty()) return;
     std::int32_t& index = some(array, input);
     index = input.one_in(2) ? input.wild_index() : some(array, input);
 }
-void break_counts(Problem& its, Input& input) {
-    hm_mesh& mesh = its.mesh;
+void break_counts(Problem& problem, Input& input) {
+    hm_mesh& mesh = problem.mesh;
     std::int32_t* const counts[] = {&mesh.n_points, &mesh.n_cells, &mesh.n_faces, &mesh.n_lists,
                                     &mesh.n_quads,  &mesh.ni,      &mesh.nj};
     std::int32_t& count = *counts[input.below(7)];
@@ -56,23 +57,23 @@ void break_counts(Problem& its, Input& input) {
     if (input.one_in(4)) mesh.index_base = input.any_of({-1, 2, 1 - mesh.index_base});
     if (input.one_in(4)) mesh.cell_layout = input.any_of({-1, 5, 1000});
 }
-void break_pointers(Problem& its, Input& input) {
+void break_pointers(Problem& problem, Input& input) {
     switch (input.below(10)) {
-        case 0: its.mesh.points.x = nullptr; break;
-        case 1: its.mesh.points.y = nullptr; break;
-        case 2: its.mesh.cell_points = nullptr; break;
-        case 3: its.mesh.cell_start = nullptr; break;
-        case 4: its.mesh.face_points = nullptr; break;
-        case 5: its.mesh.list_start = nullptr; break;
-        case 6: its.problem.mesh = nullptr; break;
-        case 7: its.problem.conditions = nullptr; break;
-        case 8: its.on_walls.view.control = nullptr; break;
-        default: its.mesh.points.stride = -1;
+        case 0: problem.mesh.points.x = nullptr; break;
+        case 1: problem.mesh.points.y = nullptr; break;
+        case 2: problem.mesh.cell_points = nullptr; break;
+        case 3: problem.mesh.cell_start = nullptr; break;
+        case 4: problem.mesh.face_points = nullptr; break;
+        case 5: problem.mesh.list_start = nullptr; break;
+        case 6: problem.problem.mesh = nullptr; break;
+        case 7: problem.problem.conditions = nullptr; break;
+        case 8: problem.on_walls.view.control = nullptr; break;
+        default: problem.mesh.points.stride = -1;
     }
 }
-void break_curves(Problem& its, Input& input) {
-    CurveArrays& along = its.along[its.along[0].curve.empty() ? 1 : 0];
-    CurveArrays& set = !along.curve.empty() && input.one_in(2) ? along : its.on_walls;
+void break_curves(Problem& problem, Input& input) {
+    CurveArrays& along = problem.along[problem.along[0].curve.empty() ? 1 : 0];
+    CurveArrays& set = !along.curve.empty() && input.one_in(2) ? along : problem.on_walls;
     if (set.curve.empty()) return;
     hm_curve& curve = some(set.curve, input);
     std::size_t const c = static_cast<std::size_t>(&curve - set.curve.data());
@@ -92,9 +93,9 @@ void break_curves(Problem& its, Input& input) {
         default: set.view.n_control -= input.from(1, 3);
     }
 }
-void break_conditions(Problem& its, Input& input) {
-    if (its.conditions.empty()) return;
-    hm_condition& condition = some(its.conditions, input);
+void break_conditions(Problem& problem, Input& input) {
+    if (problem.conditions.empty()) return;
+    hm_condition& condition = some(problem.conditions, input);
     switch (input.below(8)) {
         case 0: condition.marker = input.wild_index(); break;
         case 1: condition.kind = input.from(-1, 8); break;
@@ -104,16 +105,17 @@ void break_conditions(Problem& its, Input& input) {
         case 5: condition.partner = input.wild_index(); break;
         case 6:
             if (condition.kind == HM_SLIP)
-                condition.along = condition.along == nullptr ? &its.on_walls.view : nullptr;
+                condition.along = condition.along == nullptr ? &problem.on_walls.view : nullptr;
             else condition.x = input.wild();
             break;
         default:
-            its.conditions.push_back(condition), its.problem.conditions = its.conditions.data(),
-                                                 ++its.problem.n_conditions;
+            problem.conditions.push_back(condition),
+                problem.problem.conditions = problem.conditions.data(),
+                ++problem.problem.n_conditions;
     }
 }
-void break_options(Problem& its, Input& input) {
-    Options& o = its.options;
+void break_options(Problem& problem, Input& input) {
+    Options& o = problem.options;
     std::int32_t* const numbers[] = {&o.operator_kind,
                                      &o.scheme,
                                      &o.engine,
@@ -128,40 +130,40 @@ void break_options(Problem& its, Input& input) {
     *numbers[input.below(11)] = input.one_in(2) ? input.wild_index() : input.from(-2, 6);
     if (input.one_in(4)) o.tolerance = input.wild();
 }
-void break_given(Problem& its, Input& input) {
+void break_given(Problem& problem, Input& input) {
     for (std::int32_t k = input.from(1, 3); k > 0; --k) {
-        its.given_points.push_back(input.one_in(4) ? input.wild_index()
-                                                   : input.from(0, its.mesh.n_points));
-        its.given_curves.push_back(input.one_in(4) ? input.wild_index() : 0);
-        its.given_u.push_back(input.one_in(4) ? input.wild() : input.between(0, 1));
+        problem.given_points.push_back(input.one_in(4) ? input.wild_index()
+                                                       : input.from(0, problem.mesh.n_points));
+        problem.given_curves.push_back(input.one_in(4) ? input.wild_index() : 0);
+        problem.given_u.push_back(input.one_in(4) ? input.wild() : input.between(0, 1));
     }
-    its.problem.n_given = static_cast<std::int32_t>(its.given_u.size());
-    its.problem.given_points = its.given_points.data();
-    its.problem.given_curves = its.given_curves.data();
-    its.problem.given_u = its.given_u.data();
+    problem.problem.n_given = static_cast<std::int32_t>(problem.given_u.size());
+    problem.problem.given_points = problem.given_points.data();
+    problem.problem.given_curves = problem.given_curves.data();
+    problem.problem.given_u = problem.given_u.data();
 }
 
 }  // namespace
 
-void break_something(Problem& its, Input& input) {
+void break_something(Problem& problem, Input& input) {
     switch (input.below(9)) {
-        case 0: return break_points(its, input);
-        case 1: return break_indices(its, input);
-        case 2: return break_counts(its, input);
-        case 3: return break_pointers(its, input);
-        case 4: return break_curves(its, input);
-        case 5: return break_conditions(its, input);
-        case 6: return break_options(its, input);
-        case 7: return break_given(its, input);
+        case 0: return break_points(problem, input);
+        case 1: return break_indices(problem, input);
+        case 2: return break_counts(problem, input);
+        case 3: return break_pointers(problem, input);
+        case 4: return break_curves(problem, input);
+        case 5: return break_conditions(problem, input);
+        case 6: return break_options(problem, input);
+        case 7: return break_given(problem, input);
         default: break;
     }
     switch (input.below(5)) {
-        case 0: return shorten(its.mesh, input);
-        case 1: return shorten(its.on_walls.view, input);
-        case 2: return shorten(its.problem, input);
-        case 3: return shorten(its.options, input);
+        case 0: return shorten(problem.mesh, input);
+        case 1: return shorten(problem.on_walls.view, input);
+        case 2: return shorten(problem.problem, input);
+        case 3: return shorten(problem.options, input);
         default:
-            if (!its.conditions.empty()) shorten(its.conditions[0], input);
+            if (!problem.conditions.empty()) shorten(problem.conditions[0], input);
     }
 }
 

@@ -28,9 +28,9 @@ void SolutionCheck::values() {
             Numbers& found = value_[std::size_t(i)][std::size_t(number)];
             expect(hm_basis_values(its_.basis, i, number, found.data(), &error_) == HM_OK,
                    "no values");
-            for (double const its : found) {
-                expect(std::isfinite(its), "a value is not finite");
-                largest_ = std::max(largest_, std::abs(its));
+            for (double const value : found) {
+                expect(std::isfinite(value), "a value is not finite");
+                largest_ = std::max(largest_, std::abs(value));
             }
         }
     bool const is_laplace =
@@ -39,8 +39,9 @@ void SolutionCheck::values() {
         problem_.options.engine != HM_DIRECT)
         return;
     for (std::vector<Numbers> const& function : value_)
-        for (Numbers const& its : function) {
-            double const residual = laplace_residual(problem_.domain, judged_, its, inside);
+        for (Numbers const& function_values : function) {
+            double const residual =
+                laplace_residual(problem_.domain, judged_, function_values, inside);
             expect(residual < 1e-7,
                    "Laplace's equation has the residual " + std::to_string(residual));
         }

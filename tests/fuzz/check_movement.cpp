@@ -55,10 +55,10 @@ void SolutionCheck::pairs_move_alike(Numbers const& dx, Numbers const& dy, doubl
         double largest = 0;
         for (std::size_t k = 0; k < n_; ++k)
             largest = std::max({largest, std::abs(dx[k]), std::abs(dy[k])});
-        // How well the angle is known from the coordinates.
+        // This is the accuracy of the angle that the coordinates allow.
         double const turning = is_turned ? 1e-13 * largest * problem_.size() / extent() : 0;
         for (Domain::Image const& image : problem_.domain.images) {
-            std::size_t const from = std::size_t(image.of), to = std::size_t(image.at);
+            std::size_t const from = std::size_t(image.source), to = std::size_t(image.at);
             Point const by{dx[from], dy[from]},
                 expected = is_turned ? turned(by, problem_.domain.turn) : by;
             expect(std::abs(dx[to] - expected.x) <= turning + rounding,

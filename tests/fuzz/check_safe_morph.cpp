@@ -61,8 +61,8 @@ void SolutionCheck::slide(Numbers& x, Numbers& y) {
 }
 
 bool SolutionCheck::marker_slides(std::int32_t marker) const {
-    for (hm_condition const& its : problem_.conditions)
-        if (its.marker == marker) return its.kind == HM_SLIP;
+    for (hm_condition const& condition : problem_.conditions)
+        if (condition.marker == marker) return condition.kind == HM_SLIP;
     return false;
 }
 
@@ -93,8 +93,8 @@ void SolutionCheck::safe_morph() {
     if (status < 0) {
         for (std::size_t k = 0; k < n_; ++k)
             expect(x[k] == 7 && y[k] == 7, "a refused call has written");
-        for (double const its : reached)
-            expect(its == 7, "a refused call has written the movement that it reached");
+        for (double const number : reached)
+            expect(number == 7, "a refused call has written the movement that it reached");
         return;
     }
     std::vector<Point> const at = moved(x, y);

@@ -49,7 +49,8 @@ private:
                            error_, size, init);
     }
 
-    // Its points in the order of the mesh's arrays, on which the division of a polygon depends.
+    // The points of a cell stay in the order of the arrays of the mesh, because the division of a
+    // polygon depends on this order.
     Cell given_cell(std::size_t c) const {
         if (!domain_.has_polygons) return domain_.cells[c];
         std::int32_t const base = its_.problem.mesh.index_base;
@@ -107,14 +108,14 @@ private:
             part.mesh.n_faces = static_cast<std::int32_t>(part.markers.size());
             part.mesh.face_points = part.faces.data();
             part.mesh.face_markers = part.markers.data();
-            hm_part_mesh of{};
-            of.struct_size = sizeof of;
-            of.mesh = &part.mesh;
-            of.numbers = part.numbers.data();
+            hm_part_mesh part_mesh{};
+            part_mesh.struct_size = sizeof part_mesh;
+            part_mesh.mesh = &part.mesh;
+            part_mesh.numbers = part.numbers.data();
             hm_status const status =
-                object([&](std::size_t* bytes) { return hm_part_size(&of, bytes, &error_); },
+                object([&](std::size_t* bytes) { return hm_part_size(&part_mesh, bytes, &error_); },
                        [&](void* memory, std::size_t bytes) {
-                           return hm_part_init(&part.part, memory, bytes, &of, &error_);
+                           return hm_part_init(&part.part, memory, bytes, &part_mesh, &error_);
                        });
             expect(status == HM_OK,
                    "a part is refused of a mesh that is taken: " + std::string(error_.text));
@@ -210,15 +211,15 @@ private:
             for (int step = 0; step < 4; ++step) {
                 Numbers b(size_, 0);
                 for (Part& part : parts_) {
-                    Numbers its(at(part.info.unknowns * part.info.numbers) + 1);
+                    Numbers own(at(part.info.unknowns * part.info.numbers) + 1);
                     hm_status const status =
                         step == 0
-                            ? hm_rows_get(part.equations, part.rows, column, its.data(), &error_)
-                            : hm_rows_residual(part.equations, part.rows, column, its.data(),
+                            ? hm_rows_get(part.equations, part.rows, column, own.data(), &error_)
+                            : hm_rows_residual(part.equations, part.rows, column, own.data(),
                                                &error_);
                     expect(status == HM_OK, "no right-hand side");
                     for_each_number(part,
-                                    [&](std::size_t to, std::size_t from) { b[to] += its[from]; });
+                                    [&](std::size_t to, std::size_t from) { b[to] += own[from]; });
                 }
                 for (std::size_t i = 0; i < size_; ++i) {
                     for (std::size_t k = 0; k < i; ++k) b[i] -= a[i][k] * b[k];
@@ -237,10 +238,10 @@ private:
                 if (step == 1) is_accurate_ = is_accurate_ && change <= 1e-6 * largest;
                 if (step == 3) is_accurate_ = is_accurate_ && change <= 1e-10 * largest;
                 for (Part& part : parts_) {
-                    Numbers its(at(part.info.unknowns * part.info.numbers) + 1);
+                    Numbers own(at(part.info.unknowns * part.info.numbers) + 1);
                     for_each_number(part,
-                                    [&](std::size_t from, std::size_t to) { its[to] = x[from]; });
-                    expect(hm_rows_set(part.equations, part.rows, column, its.data(), &error_) ==
+                                    [&](std::size_t from, std::size_t to) { own[to] = x[from]; });
+                    expect(hm_rows_set(part.equations, part.rows, column, own.data(), &error_) ==
                                HM_OK,
                            "not set");
                 }
@@ -262,7 +263,7 @@ private:
                 expect(hm_basis_values(its_.basis, i, number, whole.data(), &error_) == HM_OK,
                        "no values");
                 double largest = 1;
-                for (double const its : whole) largest = std::max(largest, std::abs(its));
+                for (double const value : whole) largest = std::max(largest, std::abs(value));
                 for (Part& part : parts_) {
                     Numbers own(part.x.size());
                     expect(hm_basis_values(part.rows, i, number, own.data(), &error_) == HM_OK,

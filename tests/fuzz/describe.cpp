@@ -19,11 +19,11 @@ std::string describe(Problem const& problem) {
     add("    %d points of size %g, %zu cells in layout %d, %d control points\n",
         problem.mesh.n_points, problem.size(), problem.domain.cells.size(),
         problem.mesh.cell_layout, problem.on_walls.view.n_control);
-    for (hm_condition const& its : problem.conditions)
-        add("    marker %d: condition %d, curves %d + %d\n", its.marker, its.kind, its.first_curve,
-            its.n_curves);
-    for (hm_curve const& its : problem.on_walls.curve)
-        add("    curve of degree %d, %d indices\n", its.degree, its.n_indices);
+    for (hm_condition const& condition : problem.conditions)
+        add("    marker %d: condition %d, curves %d + %d\n", condition.marker, condition.kind,
+            condition.first_curve, condition.n_curves);
+    for (hm_curve const& curve : problem.on_walls.curve)
+        add("    curve of degree %d, %d indices\n", curve.degree, curve.n_indices);
     return out;
 }
 

@@ -71,7 +71,7 @@ void drop_unused(Domain& domain) {
     for (Face& face : domain.faces) renumber(face.from), renumber(face.to);
     for (std::vector<std::int32_t>& wall : domain.walls)
         for (std::int32_t& k : wall) renumber(k);
-    for (Domain::Image& image : domain.images) renumber(image.of), renumber(image.at);
+    for (Domain::Image& image : domain.images) renumber(image.source), renumber(image.at);
     domain.points = points;
 }
 
@@ -108,7 +108,7 @@ void bend(Domain& domain, Grid const& grid, Input& input) {
     domain.is_passage = true;
     domain.turn = {std::cos(angle), -std::sin(angle)};
     for (Domain::Image const& image : domain.images) {
-        Point const from = domain.points[static_cast<std::size_t>(image.of)];
+        Point const from = domain.points[static_cast<std::size_t>(image.source)];
         domain.points[static_cast<std::size_t>(image.at)] = turned(from, domain.turn);
     }
 }

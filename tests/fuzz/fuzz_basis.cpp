@@ -15,8 +15,8 @@
 namespace fuzz {
 namespace {
 
-// What a caller does who restores the problem from a basis: markers and numbers of the conditions
-// may be any.
+// Restores the problem from a basis as a caller does; the markers and the numbers of the conditions
+// may have any values.
 void restore(hm_curves const& curves, const hm_condition* conditions, std::int32_t n,
              Problem const& problem) {
     hm_problem restored{};
@@ -93,7 +93,7 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
     std::vector<hm_curve> curves(static_cast<std::size_t>(info.curves) + 1);
     hm_curves set{};
     set.struct_size = sizeof set;
-    for (hm_curve& its : curves) its.struct_size = sizeof its;
+    for (hm_curve& curve : curves) curve.struct_size = sizeof curve;
     if (hm_basis_curves(basis, &set, curves.data(), info.curves, &error) >= 0 && set.n_curves > 0) {
         double xy[4], u, distance;
         for (std::int32_t c = 0; c < set.n_curves; ++c) {

@@ -223,7 +223,7 @@ struct SolvedSquare {
         expect(hm_plan_solve(plan, basis, nullptr, nullptr) == HM_OK,
                "the square cannot be solved");
         std::ostringstream out;
-        cli::write_basis(out, basis, mesh, {});
+        cli::write_basis(out, basis, mesh);
         basis_text = out.str();
     }
 };

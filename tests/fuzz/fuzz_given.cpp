@@ -22,18 +22,18 @@ struct Field {
     hm_points_out out() { return {x.data(), y.data(), 1}; }
     double largest() const {
         double most = 0;
-        for (double const its : x) most = std::max(most, std::abs(its));
-        for (double const its : y) most = std::max(most, std::abs(its));
+        for (double const value : x) most = std::max(most, std::abs(value));
+        for (double const value : y) most = std::max(most, std::abs(value));
         return most;
     }
     bool operator==(Field const& other) const { return x == other.x && y == other.y; }
 };
 
 // The walls move by given displacements: all of them, or some.
-void give_walls(Problem& its, Input& input) {
+void give_walls(Problem& problem, Input& input) {
     bool const all = !input.one_in(3);
     bool any_curve = false;
-    for (hm_condition& condition : its.conditions) {
+    for (hm_condition& condition : problem.conditions) {
         bool const moves = condition.kind == HM_ON_CURVE || condition.kind == HM_RIGID;
         if (moves && (all || input.one_in(2))) {
             hm_condition given{};
@@ -44,7 +44,7 @@ void give_walls(Problem& its, Input& input) {
         }
         any_curve = any_curve || condition.kind == HM_ON_CURVE;
     }
-    if (!any_curve) its.problem.curves = nullptr;
+    if (!any_curve) problem.problem.curves = nullptr;
 }
 
 class Given {
@@ -123,7 +123,7 @@ private:
                    "a displacement is not finite");
     }
 
-    // The same field three times as far, and one that is zero.
+    // Two further fields are three times the first one, and zero.
     void linear(Field const& wall, Field const& moved) {
         Field farther = wall;
         for (std::size_t k = 0; k < points_.size(); ++k) farther.x[k] *= 3, farther.y[k] *= 3;

@@ -114,9 +114,9 @@ private:
 
 class Model {
 public:
-    Model(Solution& its, Judged const& judged, Input& input)
-        : its_(its), problem_(its.problem), input_(input) {
-        hm_basis_info const info = info_of(its.basis);
+    Model(Solution& solved, Judged const& judged, Input& input)
+        : its_(solved), problem_(solved.problem), input_(input) {
+        hm_basis_info const info = info_of(solved.basis);
         n_points_ = at(info.points);
         Table on_walls(at(info.functions), Numbers(n_points_, 0));
         std::vector<bool> is_on_wall(n_points_, false);
@@ -129,7 +129,7 @@ public:
         }
         DenseSolution const solution(problem_.domain, judged, on_walls, is_on_wall);
         whole_ = solution.values;
-        held_.push_back({its.basis, whole_, 0, true});
+        held_.push_back({solved.basis, whole_, 0, true});
     }
 
     void run() {
@@ -215,8 +215,8 @@ private:
         held_.push_back({basis, Table(whole_.begin() + first, whole_.begin() + first + n), first,
                          false, true, n == functions()});
     }
-    // From the mesh to itself: if it is done, the functions of one basis are those of the other
-    // one.
+    // Transfers functions from the mesh to itself; if this succeeds, the functions of one basis are
+    // those of the other one.
     void transfer() {
         std::size_t const source = input_.below(static_cast<std::uint32_t>(held_.size()));
         std::size_t target = input_.below(static_cast<std::uint32_t>(held_.size()));
@@ -320,7 +320,7 @@ private:
     static double largest_of(Table const& values) {
         double out = 1;
         for (Numbers const& function : values)
-            for (double const its : function) out = std::max(out, std::abs(its));
+            for (double const value : function) out = std::max(out, std::abs(value));
         return out;
     }
     void check(Held const& one) {
@@ -350,17 +350,17 @@ private:
 };
 
 // Walls on curves with Laplace's operator; all else is fixed.
-void simplify(Problem& its) {
+void simplify(Problem& problem) {
     std::vector<hm_condition> kept;
-    for (hm_condition const& condition : its.conditions)
+    for (hm_condition const& condition : problem.conditions)
         if (condition.kind == HM_ON_CURVE) kept.push_back(condition);
-    its.conditions = kept;
-    its.problem.n_conditions = static_cast<std::int32_t>(kept.size());
-    its.problem.conditions = its.conditions.data();
-    const hm_executor* const executor = its.options.executor;
-    its.options = Options();
-    its.options.operator_kind = HM_LAPLACE;
-    its.options.executor = executor;
+    problem.conditions = kept;
+    problem.problem.n_conditions = static_cast<std::int32_t>(kept.size());
+    problem.problem.conditions = problem.conditions.data();
+    const hm_executor* const executor = problem.options.executor;
+    problem.options = Options();
+    problem.options.operator_kind = HM_LAPLACE;
+    problem.options.executor = executor;
 }
 
 }  // namespace

@@ -157,11 +157,11 @@ public:
     void followers() const {
         std::map<std::int32_t, std::int32_t> leader;
         for (std::int32_t k = 0; k < info_.n_space_points; ++k) {
-            std::int32_t const its = info_.follows[k] - mesh_.index_base;
-            expect(its >= 0 && its < info_.n_points, "a point follows none");
+            std::int32_t const followed = info_.follows[k] - mesh_.index_base;
+            expect(followed >= 0 && followed < info_.n_points, "a point follows none");
             auto const found =
-                leader.insert({space_.plane_point[static_cast<std::size_t>(k)], its}).first;
-            expect(found->second == its, "layers follow different points");
+                leader.insert({space_.plane_point[static_cast<std::size_t>(k)], followed}).first;
+            expect(found->second == followed, "layers follow different points");
         }
     }
 
@@ -185,10 +185,10 @@ public:
                "nothing is gathered");
         long double left = 0, right = 0, size = 0;
         for (std::size_t k = 0; k < all; ++k) {
-            long double const its = static_cast<long double>(gx[k]) * sx[k] +
-                                    static_cast<long double>(gy[k]) * sy[k] +
-                                    static_cast<long double>(gz[k]) * sz[k];
-            left += its;
+            long double const term = static_cast<long double>(gx[k]) * sx[k] +
+                                     static_cast<long double>(gy[k]) * sy[k] +
+                                     static_cast<long double>(gz[k]) * sz[k];
+            left += term;
             size += std::abs(gx[k] * sx[k]) + std::abs(gy[k] * sy[k]) + std::abs(gz[k] * sz[k]);
         }
         for (std::size_t k = 0; k < n; ++k)

@@ -54,37 +54,38 @@ std::vector<Point> SolutionCheck::moved(Numbers const& x, Numbers const& y) cons
 
 namespace {
 
-// What a solution gives, to compare bits: its functions, and where it takes the mesh by a movement
-// that needs more than one linear step, as often as not.
-std::vector<double> results_of(Solution& its) {
+// Returns the numbers of a solution, to compare bits: the functions, and the mesh after a movement,
+// which needs more than one linear step in about half of the problems.
+std::vector<double> results_of(Solution& solution) {
     hm_basis_info info{};
     info.struct_size = sizeof info;
-    expect(hm_basis_info_get(its.basis, &info, nullptr) == HM_OK,
+    expect(hm_basis_info_get(solution.basis, &info, nullptr) == HM_OK,
            "no information about a solved basis");
-    std::size_t const n = its.problem.domain.points.size();
-    std::vector<double> all{double(its.status), its.report.residual}, values(n), x(n), y(n);
+    std::size_t const n = solution.problem.domain.points.size();
+    std::vector<double> all{double(solution.status), solution.report.residual}, values(n), x(n),
+        y(n);
     for (std::int32_t i = 0; i < info.functions; ++i)
         for (std::int32_t number = 0; number < info.numbers_per_value; ++number) {
-            hm_basis_values(its.basis, i, number, values.data(), nullptr);
+            hm_basis_values(solution.basis, i, number, values.data(), nullptr);
             all.insert(all.end(), values.begin(), values.end());
         }
     std::size_t bytes = 0;
-    if (hm_morph_safe_size(its.plan, its.basis, &bytes, nullptr) < 0) return all;
+    if (hm_morph_safe_size(solution.plan, solution.basis, &bytes, nullptr) < 0) return all;
     std::vector<double> move(2 * static_cast<std::size_t>(info.functions));
     for (std::size_t k = 0; k < move.size(); ++k)
-        move[k] = 0.05 * its.problem.size() * (k % 3 == 0 ? 1 : -0.5);
-    for (std::size_t k = 2 * static_cast<std::size_t>(its.problem.on_walls.view.n_control) + 2;
+        move[k] = 0.05 * solution.problem.size() * (k % 3 == 0 ? 1 : -0.5);
+    for (std::size_t k = 2 * static_cast<std::size_t>(solution.problem.on_walls.view.n_control) + 2;
          k < move.size(); k += 4)
         move[k] = -0.5, move[k + 1] = 0.7;
     hm_points_out const out{x.data(), y.data(), 1};
-    all.push_back(hm_morph_safe(its.plan, its.basis, move.data(), &out, nullptr,
-                                its.block(bytes).data(), bytes, nullptr, nullptr, nullptr));
+    all.push_back(hm_morph_safe(solution.plan, solution.basis, move.data(), &out, nullptr,
+                                solution.block(bytes).data(), bytes, nullptr, nullptr, nullptr));
     all.insert(all.end(), x.begin(), x.end());
     all.insert(all.end(), y.begin(), y.end());
     return all;
 }
 
-// The same in blocks that held other bytes and begin elsewhere.
+// The problem is solved again in blocks that held other bytes and begin at other addresses.
 void expect_same_bits(Solution& one, Input& input) {
     Solution other(one.problem, input);
     expect(other.status == one.status, "other bytes in the blocks, another status");

@@ -45,7 +45,7 @@ public:
             std::fill(x_.begin(), x_.end(), 7.0);
             std::fill(y_.begin(), y_.end(), 7.0);
         }
-        for (std::optional<Solution>& its : all_) its->expect_intact();
+        for (std::optional<Solution>& solution : all_) solution->expect_intact();
         return any ? Outcome::done : Outcome::refused;
     }
 
@@ -78,56 +78,58 @@ private:
     };
 
     template <class Size, class Init>
-    void add(Solution& its, Kind kind, Size const& size, Init const& init) {
+    void add(Solution& solution, Kind kind, Size const& size, Init const& init) {
         std::size_t bytes = 0;
         hm_basis* made = nullptr;
         if (size(&bytes) < 0) return;
-        if (init(&made, its.block(bytes).data(), bytes) >= 0) objects_.push_back({made, kind});
+        if (init(&made, solution.block(bytes).data(), bytes) >= 0) objects_.push_back({made, kind});
     }
-    void add_objects(Solution& its) {
-        objects_.push_back({its.basis, Kind::whole});
+    void add_objects(Solution& solution) {
+        objects_.push_back({solution.basis, Kind::whole});
         add(
-            its, Kind::whole,
-            [&](std::size_t* bytes) { return hm_basis_size(its.analysis, bytes, nullptr); },
+            solution, Kind::whole,
+            [&](std::size_t* bytes) { return hm_basis_size(solution.analysis, bytes, nullptr); },
             [&](hm_basis** made, void* block, std::size_t bytes) {
-                return hm_basis_init(made, block, bytes, its.analysis, nullptr);
+                return hm_basis_init(made, block, bytes, solution.analysis, nullptr);
             });
-        std::int32_t const n = its.problem.functions();
-        if (its.status < 0 || n < 2 || !input_.one_in(2)) return;
+        std::int32_t const n = solution.problem.functions();
+        if (solution.status < 0 || n < 2 || !input_.one_in(2)) return;
         std::int32_t const first = input_.from(0, n - 1),
                            held = input_.from(0, n - 1 - first + (first > 0));
         add(
-            its, Kind::share,
+            solution, Kind::share,
             [&](std::size_t* bytes) {
-                return hm_share_size(its.analysis, first, held, bytes, nullptr);
+                return hm_share_size(solution.analysis, first, held, bytes, nullptr);
             },
             [&](hm_basis** made, void* block, std::size_t bytes) {
                 hm_status const status =
-                    hm_share_init(made, block, bytes, its.analysis, first, held, nullptr);
+                    hm_share_init(made, block, bytes, solution.analysis, first, held, nullptr);
                 return status < 0 || input_.one_in(4)
                            ? status
-                           : hm_plan_solve(its.plan, *made, nullptr, nullptr);
+                           : hm_plan_solve(solution.plan, *made, nullptr, nullptr);
             });
-        std::int32_t const base = its.problem.mesh.index_base,
+        std::int32_t const base = solution.problem.mesh.index_base,
                            list[] = {base + 2, base, base + 1, base + 2};
         add(
-            its, Kind::rows,
-            [&](std::size_t* bytes) { return hm_extract_size(its.basis, 4, bytes, nullptr); },
+            solution, Kind::rows,
+            [&](std::size_t* bytes) { return hm_extract_size(solution.basis, 4, bytes, nullptr); },
             [&](hm_basis** made, void* block, std::size_t bytes) {
-                return hm_extract_init(made, block, bytes, its.basis, 4, list, nullptr);
+                return hm_extract_init(made, block, bytes, solution.basis, 4, list, nullptr);
             });
         std::vector<double> const ones(static_cast<std::size_t>(n), 1.0);
         add(
-            its, Kind::combined,
-            [&](std::size_t* bytes) { return hm_combine_size(its.basis, 1, 1, bytes, nullptr); },
+            solution, Kind::combined,
+            [&](std::size_t* bytes) {
+                return hm_combine_size(solution.basis, 1, 1, bytes, nullptr);
+            },
             [&](hm_basis** made, void* block, std::size_t bytes) {
-                return hm_combine(made, block, bytes, its.basis, 1, 1, ones.data(), nullptr);
+                return hm_combine(made, block, bytes, solution.basis, 1, 1, ones.data(), nullptr);
             });
         add(
-            its, Kind::single,
-            [&](std::size_t* bytes) { return hm_single_size(its.basis, bytes, nullptr); },
+            solution, Kind::single,
+            [&](std::size_t* bytes) { return hm_single_size(solution.basis, bytes, nullptr); },
             [&](hm_basis** made, void* block, std::size_t bytes) {
-                return hm_single_init(made, block, bytes, its.basis, nullptr);
+                return hm_single_init(made, block, bytes, solution.basis, nullptr);
             });
     }
 
@@ -136,11 +138,11 @@ private:
         return objects_[input_.below(static_cast<std::uint32_t>(objects_.size()))];
     }
     static void expect_sevens(std::vector<std::int32_t> const& numbers) {
-        for (std::int32_t const its : numbers) expect(its == 7, "a refused call has written");
+        for (std::int32_t const number : numbers) expect(number == 7, "a refused call has written");
     }
     void expect_untouched() const {
-        for (double const its : x_) expect(its == 7, "a refused call has written");
-        for (double const its : y_) expect(its == 7, "a refused call has written");
+        for (double const number : x_) expect(number == 7, "a refused call has written");
+        for (double const number : y_) expect(number == 7, "a refused call has written");
     }
 
     // The status of a call that needs all functions, solved.
@@ -231,12 +233,12 @@ private:
                 return hm_parcel_pack(basis, 2, points, doubles, &error_);
             }
             case 9: {
-                Solution& its = some();
-                if (its.analysis == nullptr) return none;
-                std::int32_t const functions = its.problem.functions(),
+                Solution& solution = some();
+                if (solution.analysis == nullptr) return none;
+                std::int32_t const functions = solution.problem.functions(),
                                    first = input_.from(-1, functions);
                 hm_status const status = hm_share_size(
-                    its.analysis, first, input_.from(-1, functions + 1), &bytes, &error_);
+                    solution.analysis, first, input_.from(-1, functions + 1), &bytes, &error_);
                 return status;
             }
             case 10: {  // all points of the boundary, in room for a random number of them

@@ -17,7 +17,8 @@ public:
         : problem_(problem), set_(problem.on_walls.view), input_(input) {
         number_ =
             input.one_in(16) ? input.wild_index() : input.from(0, std::max(0, set_.n_curves - 1));
-        for (double const its : problem.on_walls.control) size_ = std::max(size_, std::abs(its));
+        for (double const value : problem.on_walls.control)
+            size_ = std::max(size_, std::abs(value));
     }
 
     Outcome run() {
@@ -25,7 +26,7 @@ public:
         expect_told(status, error_);
         is_valid_ = status >= 0;
         Outcome const outcome = call();
-        for (Block const& its : blocks_) its.expect_intact();
+        for (Block const& block : blocks_) block.expect_intact();
         return outcome;
     }
 
@@ -47,11 +48,11 @@ private:
         return make_object(block, error_, size, init);
     }
     static void expect_finite(Numbers const& numbers, const char* what) {
-        for (double const its : numbers)
-            expect(std::isfinite(its), std::string(what) + ": not finite");
+        for (double const value : numbers)
+            expect(std::isfinite(value), std::string(what) + ": not finite");
     }
     static void expect_untouched(Numbers const& numbers) {
-        for (double const its : numbers) expect(its == 7, "a refused call has written");
+        for (double const value : numbers) expect(value == 7, "a refused call has written");
     }
 
     Outcome call() {
@@ -88,12 +89,12 @@ private:
         return Outcome::done;
     }
 
-    // With knots inserted, or of a degree more: the same points.
+    // A curve with more knots, or of one degree more, has the same points.
     Outcome finer(bool elevated) {
         Numbers u(input_.below(4) + 1);
         if (is_valid_ && number_ >= 0 && number_ < set_.n_curves) {
-            hm_curve const& its = set_.curve[number_];
-            double const begin = its.knots[its.degree], end = its.knots[its.n_indices];
+            hm_curve const& curve = set_.curve[number_];
+            double const begin = curve.knots[curve.degree], end = curve.knots[curve.n_indices];
             for (double& knot : u)
                 knot = input_.one_in(12) ? input_.wild()
                                          : begin + input_.between(0, 1) * (end - begin);
@@ -115,10 +116,10 @@ private:
         if (judged(status) == Outcome::refused) return Outcome::refused;
         expect(hm_curves_check(made, &error_) == HM_OK,
                std::string("a changed curve is refused: ") + error_.text);
-        hm_curve const& its = set_.curve[number_];
+        hm_curve const& curve = set_.curve[number_];
         for (int k = 0; k < 5; ++k) {
-            double const at = its.knots[its.degree] +
-                              0.25 * k * (its.knots[its.n_indices] - its.knots[its.degree]);
+            double const at = curve.knots[curve.degree] +
+                              0.25 * k * (curve.knots[curve.n_indices] - curve.knots[curve.degree]);
             double before[2], after[2];
             expect(hm_curve_point(&set_, number_, at, 0, before, &error_) == HM_OK,
                    "no point of a curve");
@@ -145,9 +146,14 @@ private:
                               size_ * number(), size_ * number()};
         hm_quantity quantity{};
         quantity.struct_size = sizeof quantity;
-        quantity.kind = input_.from(HM_AREA, HM_CLEARANCE + (input_.one_in(16) ? 1 : 0));
+        quantity.kind = input_.from(HM_AREA, HM_DISTANCE + (input_.one_in(16) ? 1 : 0));
         if (quantity.kind == HM_THICKNESS || quantity.kind == HM_CAMBER)
             quantity.station = number();
+        if (quantity.kind == HM_MIN_THICKNESS) quantity.station = 0.3, quantity.last_station = 0.6;
+        if (quantity.kind >= HM_CLEARANCE && quantity.kind != HM_TWIST && input_.one_in(2))
+            quantity.sharpness = 1 + std::fabs(number());
+        if (quantity.kind == HM_DISTANCE)
+            quantity.other_curve = input_.from(0, 3), quantity.n_other = 1;
         if (quantity.kind == HM_CLEARANCE)
             quantity.polygon = polygon.data(), quantity.n_polygon = input_.from(1, 3);
         Numbers value(1, 7), at(2, 7), gradient(problem_.on_walls.control.size(), 7);
@@ -205,7 +211,7 @@ private:
         control[k] = start - h;
         double const below = (value - measured(quantity, control)) / h;
         double largest = 0;
-        for (double const its : gradient) largest = std::max(largest, std::abs(its));
+        for (double const number : gradient) largest = std::max(largest, std::abs(number));
         double const rounding = 1e-6 + 1e-3 * (largest + std::abs(above) + std::abs(below));
         bool const is_between = gradient[k] >= std::min(above, below) - rounding &&
                                 gradient[k] <= std::max(above, below) + rounding;
@@ -217,36 +223,37 @@ private:
     }
 
     Outcome variables() {
-        hm_variables its{};
-        its.struct_size = sizeof its;
-        its.kind = input_.from(HM_FFD, HM_NACA4);
+        hm_variables variables{};
+        variables.struct_size = sizeof variables;
+        variables.kind = input_.from(HM_FFD, HM_NACA4);
         Numbers peaks(16);
         for (double& peak : peaks) peak = number();
-        if (its.kind == HM_FFD) its.degree_x = input_.from(0, 4), its.degree_y = input_.from(0, 3);
+        if (variables.kind == HM_FFD)
+            variables.degree_x = input_.from(0, 4), variables.degree_y = input_.from(0, 3);
         else
-            its.n_upper = input_.from(0, 6),
-            its.n_lower = its.kind == HM_NACA4 ? 0 : input_.from(0, 6);
-        if (its.kind == HM_FFD && input_.one_in(3))
-            its.x_min = -size_, its.x_max = size_ * number(), its.y_max = size_;
-        if (its.kind == HM_CST && input_.one_in(2))
-            its.leading_exponent = number(), its.trailing_exponent = number();
-        if (its.kind == HM_HICKS_HENNE && input_.one_in(2))
-            its.width = 3 * number(), its.peaks = peaks.data();
+            variables.n_upper = input_.from(0, 6),
+            variables.n_lower = variables.kind == HM_NACA4 ? 0 : input_.from(0, 6);
+        if (variables.kind == HM_FFD && input_.one_in(3))
+            variables.x_min = -size_, variables.x_max = size_ * number(), variables.y_max = size_;
+        if (variables.kind == HM_CST && input_.one_in(2))
+            variables.leading_exponent = number(), variables.trailing_exponent = number();
+        if (variables.kind == HM_HICKS_HENNE && input_.one_in(2))
+            variables.width = 3 * number(), variables.peaks = peaks.data();
         hm_section const outline = section();
         const hm_section* const given = input_.one_in(2) ? &outline : nullptr;
         std::int32_t n = 0;
         std::size_t size = 0;
         Exceptions::clear();
-        hm_status status = hm_variables_size(&set_, given, &its, &n, &size, &error_);
+        hm_status status = hm_variables_size(&set_, given, &variables, &n, &size, &error_);
         if (judged(status) == Outcome::refused) return Outcome::refused;
         Numbers matrix(problem_.on_walls.control.size() * static_cast<std::size_t>(n), 7),
             error(2 * static_cast<std::size_t>(n), 7);
         status = in_block(
             [&](std::size_t* bytes) {
-                return hm_variables_size(&set_, given, &its, &n, bytes, &error_);
+                return hm_variables_size(&set_, given, &variables, &n, bytes, &error_);
             },
             [&](void* memory, std::size_t bytes) {
-                return hm_variables_map(&set_, given, &its, memory, bytes, matrix.data(),
+                return hm_variables_map(&set_, given, &variables, memory, bytes, matrix.data(),
                                         error.data(), &error_);
             });
         if (status < 0) expect_untouched(matrix), expect_untouched(error);

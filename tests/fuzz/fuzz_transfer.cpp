@@ -185,13 +185,14 @@ private:
         for (std::int32_t const k : fine_.faces()) what_[at(k)] = What::on_boundary;
         for (std::int32_t slot = 0; slot < info.curve_points; ++slot)
             what_[at(info.curve_point[slot])] = What::on_curve;
-        // Of the flattest corner and the longest side: what rounding of points does to weights.
+        // Returns how much the rounding of points changes weights, from the flattest corner and the
+        // longest side.
         double area = 1e300, side = 0;
         Judged const judged = judge_by_header(coarse_.problem.domain);
         std::vector<Point> const& points = coarse_.problem.domain.points;
-        for (JudgedCorner const& its : judged.corners) {
-            Point const a = points[at(its.before)], b = points[at(its.here)],
-                        c = points[at(its.after)];
+        for (JudgedCorner const& corner : judged.corners) {
+            Point const a = points[at(corner.before)], b = points[at(corner.here)],
+                        c = points[at(corner.after)];
             area = std::min(area, std::abs((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x)));
             side = std::max(
                 {side, std::hypot(b.x - a.x, b.y - a.y), std::hypot(c.x - b.x, c.y - b.y)});
@@ -203,9 +204,9 @@ private:
     // those of points inside a cell between the least and the largest.
     void between(Numbers const& coarse, Numbers const& fine) const {
         double largest = 0, correction = 0;
-        for (double const its : coarse) largest = std::max(largest, std::abs(its));
-        auto const mean = [&](Cell const& of) {
-            return (coarse[at(of[0])] + coarse[at(of[1])]) / 2;
+        for (double const value : coarse) largest = std::max(largest, std::abs(value));
+        auto const mean = [&](Cell const& polygon) {
+            return (coarse[at(polygon[0])] + coarse[at(polygon[1])]) / 2;
         };
         for (std::size_t k = 0; k < fine.size(); ++k)
             if (what_[k] == What::on_curve)

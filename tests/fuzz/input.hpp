@@ -1,5 +1,5 @@
-// What decides about a case: bytes, from libFuzzer or from a seed. Behind their end all bytes are
-// 0.
+// The bytes that decide about a case come from libFuzzer or from a seed. All bytes after the last
+// one are 0.
 #pragma once
 
 #include <cstddef>

@@ -120,8 +120,8 @@ private:
         return squares > 0 ? ((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x)) / squares : 0;
     }
     Part best(std::size_t i, std::size_t j) {
-        Part& its = known_[i * at_.size() + j];
-        if (its.is_known) return its;
+        Part& known = known_[i * at_.size() + j];
+        if (known.is_known) return known;
         Part found;
         found.is_known = true;
         found.worst = j == i + 1 ? 1 : -1;

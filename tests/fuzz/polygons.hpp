@@ -24,8 +24,8 @@ struct Judged {
     std::int32_t ambiguous = 0;  // cells with two divisions that are equally good: no triangles
 };
 
-// Of cells as they are listed, which run counter-clockwise. Divisions are found by recursion, in
-// more digits than the library has.
+// The corners of cells are taken as they are listed, counter-clockwise. Divisions are found by
+// recursion, in more digits than the library has.
 Judged judge_by_header(Domain const& domain);
 
 }  // namespace fuzz

@@ -40,7 +40,7 @@ struct Domain {
     // Points of the left side (marker 4), and their images on the right one (marker 2): translated,
     // or in a passage of an annulus turned about `centre` by an angle with this cosine and sine.
     struct Image {
-        std::int32_t of, at;
+        std::int32_t source, at;
     };
     std::vector<Image> images;
     bool is_passage = false;

@@ -16,13 +16,13 @@ Wide dot(WidePoint a, WidePoint b) { return a.x * b.x + a.y * b.y; }
 
 // Twice the area of a corner, its first side turned back, less `sine` times the lengths of its
 // sides. Products of differences of doubles need 128 bits.
-__float128 corner(std::vector<Point> const& at, JudgedCorner const& its, double sine = 0) {
+__float128 corner(std::vector<Point> const& at, JudgedCorner const& judged, double sine = 0) {
     auto const p = [&](std::int32_t k) { return at[static_cast<std::size_t>(k)]; };
-    __float128 const ax = __float128(p(its.here).x) - p(its.before).x,
-                     ay = __float128(p(its.here).y) - p(its.before).y;
-    __float128 const bx = __float128(p(its.after).x) - p(its.here).x,
-                     by = __float128(p(its.after).y) - p(its.here).y;
-    __float128 const area = its.cosine * (ax * by - ay * bx) + its.sine * (ax * bx + ay * by);
+    __float128 const ax = __float128(p(judged.here).x) - p(judged.before).x,
+                     ay = __float128(p(judged.here).y) - p(judged.before).y;
+    __float128 const bx = __float128(p(judged.after).x) - p(judged.here).x,
+                     by = __float128(p(judged.after).y) - p(judged.here).y;
+    __float128 const area = judged.cosine * (ax * by - ay * bx) + judged.sine * (ax * bx + ay * by);
     if (sine == 0) return area;
     return area -
            sine * (std::hypot(Wide(ax), Wide(ay)) * __float128(std::hypot(Wide(bx), Wide(by))));
@@ -37,8 +37,8 @@ int sign(__float128 x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
 std::int32_t inverted_cells(Judged const& judged, std::vector<Point> const& at, double sine) {
     std::vector<bool> is_inverted(judged.is_divided.size(), false);
-    for (JudgedCorner const& its : judged.corners)
-        if (!(corner(at, its, sine) > 0)) is_inverted[its.cell] = true;
+    for (JudgedCorner const& one : judged.corners)
+        if (!(corner(at, one, sine) > 0)) is_inverted[one.cell] = true;
     return static_cast<std::int32_t>(std::count(is_inverted.begin(), is_inverted.end(), true));
 }
 
@@ -68,19 +68,23 @@ Crossings find_crossings(Domain const& domain, std::vector<Point> const& at) {
 double smallest_sine(Judged const& judged, std::vector<Point> const& at,
                      std::vector<Point> const& by, double step) {
     Wide least = 1;
-    // From one point to another; differences first: of large numbers nothing would be left.
-    auto const edge = [](std::vector<Point> const& of, std::int32_t from, std::int32_t to) {
-        return wide(of[static_cast<std::size_t>(to)]) - wide(of[static_cast<std::size_t>(from)]);
+    // Returns the vector from one point to another. The differences come first, because products of
+    // large numbers would lose all digits.
+    auto const edge = [](std::vector<Point> const& points, std::int32_t from, std::int32_t to) {
+        return wide(points[static_cast<std::size_t>(to)]) -
+               wide(points[static_cast<std::size_t>(from)]);
     };
     auto const lengths = [](WidePoint a, WidePoint b) {
         return std::sqrt(dot(a, a)) * std::sqrt(dot(b, b));
     };
-    for (JudgedCorner const& its : judged.corners) {
-        WidePoint const a0 = edge(at, its.before, its.here), b0 = edge(at, its.here, its.after);
-        WidePoint const u = edge(by, its.before, its.here), v = edge(by, its.here, its.after);
+    for (JudgedCorner const& corner : judged.corners) {
+        WidePoint const a0 = edge(at, corner.before, corner.here),
+                        b0 = edge(at, corner.here, corner.after);
+        WidePoint const u = edge(by, corner.before, corner.here),
+                        v = edge(by, corner.here, corner.after);
         WidePoint const a{a0.x + step * u.x, a0.y + step * u.y},
             b{b0.x + step * v.x, b0.y + step * v.y};
-        Wide const area = its.cosine * cross(a, b) + its.sine * dot(a, b);
+        Wide const area = corner.cosine * cross(a, b) + corner.sine * dot(a, b);
         least = std::min(least, area / std::max(lengths(a, b), lengths(a0, b0)));
     }
     return static_cast<double>(least);
@@ -116,7 +120,7 @@ std::vector<double> basis_functions(hm_curves const& curves, std::int32_t number
         total += part;
     }
     std::vector<double> out;
-    for (Wide const its : sum) out.push_back(static_cast<double>(its / total));
+    for (Wide const part : sum) out.push_back(static_cast<double>(part / total));
     return out;
 }
 

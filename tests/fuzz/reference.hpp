@@ -1,4 +1,4 @@
-// What results have to satisfy, evaluated independently of the library: by the definitions, slowly,
+// Evaluates the definitions that results have to satisfy independently of the library, slowly and
 // in more digits.
 #pragma once
 

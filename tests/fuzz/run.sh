@@ -6,8 +6,8 @@
 dir=$BUILD/fuzz
 mkdir -p "$dir"
 checks="address,undefined,float-cast-overflow"
-# Which branches are taken guides libFuzzer. Operands of comparisons would, too, but nearly all of them are coordinates
-# and pointers in loops: they took six tenths of the time.
+# The branches that are taken guide libFuzzer. The operands of comparisons could guide it as well, but nearly all of
+# them are coordinates and pointers in loops, and recording them took six tenths of the time.
 followed=-fsanitize-coverage=inline-8bit-counters,pc-table
 # Tables of kernels, unrolled for each set of registers: clang takes many minutes to optimise them with their checks.
 tables="src/dense/dense_table.cpp src/operators/residual_table.cpp"

@@ -64,19 +64,21 @@ private:
         hm_basis* rows = nullptr;
         next_ = 0;
         for (std::int32_t part = 0; part < n_parts; ++part) {
-            hm_basis* const its = share(part, n_parts);
+            hm_basis* const whole_share = share(part, n_parts);
             if (part == 0) {
                 std::size_t bytes = 0;
-                expect(hm_extract_size(its, n, &bytes, &error_) == HM_OK, "no size of rows");
-                expect(hm_extract_init(&rows, its_.block(bytes).data(), bytes, its, n,
+                expect(hm_extract_size(whole_share, n, &bytes, &error_) == HM_OK,
+                       "no size of rows");
+                expect(hm_extract_init(&rows, its_.block(bytes).data(), bytes, whole_share, n,
                                        points.data(), &error_) == HM_OK,
                        "no rows: " + std::string(error_.text));
                 if (n_parts == 1) break;  // all functions: the rows have their values
             }
             std::int64_t doubles = 0;
-            expect(hm_parcel_size(its, n, &doubles, &error_) == HM_OK, "no size of a parcel");
+            expect(hm_parcel_size(whole_share, n, &doubles, &error_) == HM_OK,
+                   "no size of a parcel");
             Numbers parcel(static_cast<std::size_t>(doubles));
-            expect(hm_parcel_pack(its, n, points.data(), parcel.data(), &error_) == HM_OK,
+            expect(hm_parcel_pack(whole_share, n, points.data(), parcel.data(), &error_) == HM_OK,
                    "no parcel");
             expect(hm_parcel_unpack(rows, parcel.data(), doubles - 1, &error_) < 0,
                    "a truncated parcel is taken");
@@ -84,8 +86,9 @@ private:
                 std::vector<std::int32_t> other = points;
                 std::swap(other[other.size() - 1], other[other.size() - 2]);
                 Numbers turned(parcel.size());
-                expect(hm_parcel_pack(its, n, other.data(), turned.data(), &error_) == HM_OK,
-                       "no parcel");
+                expect(
+                    hm_parcel_pack(whole_share, n, other.data(), turned.data(), &error_) == HM_OK,
+                    "no parcel");
                 expect(hm_parcel_unpack(rows, turned.data(), doubles, &error_) == HM_BAD_BASIS,
                        "a parcel of another list is taken");
             }
@@ -126,16 +129,17 @@ private:
                     part_x[p][static_cast<std::size_t>(k)] = x[static_cast<std::size_t>(k)];
                     part_y[p][static_cast<std::size_t>(k)] = y[static_cast<std::size_t>(k)];
                 }
-                hm_points const of{part_x[p].data(), part_y[p].data(), 1};
-                std::int32_t its = 0;
+                hm_points const gradient_points{part_x[p].data(), part_y[p].data(), 1};
+                std::int32_t own_scale = 0;
                 if (pass == 0) {
-                    expect(hm_adjoint_scale(its_.basis, &of, &its, nullptr, &error_) == HM_OK,
+                    expect(hm_adjoint_scale(its_.basis, &gradient_points, &own_scale, nullptr,
+                                            &error_) == HM_OK,
                            "no scale");
-                    scale = p == 0 ? its : std::max(scale, its);
+                    scale = p == 0 ? own_scale : std::max(scale, own_scale);
                     continue;
                 }
-                expect(hm_adjoint_sums(its_.basis, &of, scale, of_part.data(), nullptr, &error_) ==
-                           HM_OK,
+                expect(hm_adjoint_sums(its_.basis, &gradient_points, scale, of_part.data(), nullptr,
+                                       &error_) == HM_OK,
                        "no sums: " + std::string(error_.text));
                 for (std::size_t k = 0; k < n_sums; ++k)
                     sums[k] = static_cast<std::int64_t>(static_cast<std::uint64_t>(sums[k]) +

@@ -17,7 +17,7 @@ Block& Solution::block(std::size_t bytes) {
 }
 
 void Solution::expect_intact() const {
-    for (Block const& its : blocks_) its.expect_intact();
+    for (Block const& block : blocks_) block.expect_intact();
 }
 
 Solution::Solution(Problem const& its_problem, Input& input) : problem(its_problem), input_(input) {

@@ -44,14 +44,14 @@ hm_status make_object(MakeBlock const& block, hm_error& error, Size const& size,
     if (status < 0) return status;
     expect(bytes > 0, "an object without a size");
     if (bytes > std::size_t{1} << 28) return HM_BAD_ARGUMENT;  // of counts that were made wrong
-    Block& its = block(bytes);
-    hm_status const less = init(its.data(), bytes - 1);
+    Block& made = block(bytes);
+    hm_status const less = init(made.data(), bytes - 1);
     expect_told(less, error);
     expect(less < 0, "a block that is one byte too small is taken");
     bool const was_too_small = less == HM_BLOCK_TOO_SMALL;
-    status = init(its.data(), bytes);
+    status = init(made.data(), bytes);
     expect_told(status, error);
-    its.expect_intact();
+    made.expect_intact();
     if (status >= 0) expect(was_too_small, "one byte less: another reason");
     expect(status != HM_BLOCK_TOO_SMALL, "a block of the stated size is too small");
     return status;

@@ -1,5 +1,5 @@
-// What a solved problem has to be: functions, morphs, derived bases and safe morphs against what
-// the header says.
+// Compares the functions, morphs, derived bases and safe morphs of a solved problem with the
+// statements of the header.
 #pragma once
 
 #include "exceptions.hpp"

@@ -1,4 +1,4 @@
-// What can be attacked: one fuzz_*.cpp each.
+// Each target of the fuzzer has a file fuzz_*.cpp.
 #pragma once
 
 #include "input.hpp"

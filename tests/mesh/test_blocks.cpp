@@ -1,9 +1,6 @@
 // Meshes of several structured blocks: O-, C- and H-topologies against the same meshes with one
 // point for each place.
 #include <harmorph_space.h>
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
 
 #include <fixtures/blocks.hpp>
 #include <fixtures/bodies.hpp>
@@ -55,21 +52,19 @@ bool says(hm_error const& error, const char* words) {
 
 }  // namespace
 
-TEST_CASE(
-    "blocks: interfaces close, and the functions are those of the mesh with one point for each "
-    "place") {
-    for (Topology& its : topologies()) {
-        CAPTURE(its.name);
+TEST_CASE("interfaces of blocks close, and functions are those of the mesh with joined points") {
+    for (Topology& topology : topologies()) {
+        CAPTURE(topology.name);
         std::vector<std::int32_t> number;
         Case joined;
-        joined.mesh = its.blocks.joined(number);
-        joined.curves = its.curves;
+        joined.mesh = topology.blocks.joined(number);
+        joined.curves = topology.curves;
         joined.put_on_curves(body);
-        hm_mesh const blocks = its.blocks.view();
+        hm_mesh const blocks = topology.blocks.view();
         hm_mesh_report const in_blocks = report_of(blocks), in_one = report_of(joined.mesh_view());
         CHECK(in_blocks.cells == in_one.cells);
         CHECK(in_blocks.boundary_edges == in_one.boundary_edges);
-        CHECK(in_blocks.boundary_loops == its.loops);
+        CHECK(in_blocks.boundary_loops == topology.loops);
         CHECK(in_blocks.edges == in_one.edges);
         CHECK(in_blocks.inverted == 0);
         for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
@@ -78,51 +73,48 @@ TEST_CASE(
             Solved const one(joined, &options), several(joined.problem(blocks), &options);
             std::int32_t const numbers = several.info().numbers_per_value;
             double worst = 0;
-            std::vector<double> a(its.blocks.x.size()), b(joined.mesh.x.size());
+            std::vector<double> a(topology.blocks.x.size()), b(joined.mesh.x.size());
             for (std::int32_t i = 0; i < several.info().functions; ++i) {
                 for (std::int32_t n = 0; n < numbers; ++n) {
                     REQUIRE(hm_basis_values(several.basis, i, n, a.data(), nullptr) == HM_OK);
                     REQUIRE(hm_basis_values(one.basis, i, n, b.data(), nullptr) == HM_OK);
                     for (std::size_t k = 0; k < a.size(); ++k) {
-                        worst = std::max(worst,
-                                         std::fabs(a[k] - b[static_cast<std::size_t>(number[k])]));
+                        worst = std::max(worst, std::fabs(a[k] - b[std::size_t(number[k])]));
                     }
                 }
             }
             CHECK(worst < 1e-11);
             // Points at one place stay at one place, bit by bit.
             std::vector<double> const move = some_move(several.info().functions, 0.02, 4);
-            std::vector<double> x = its.blocks.x, y = its.blocks.y;
+            std::vector<double> x = topology.blocks.x, y = topology.blocks.y;
             REQUIRE(hm_morph(several.basis, move.data(), &blocks.points, points_out(x, y), nullptr,
                              nullptr) == HM_OK);
             bool together = true;
             std::vector<std::size_t> first(joined.mesh.x.size(), x.size());
             for (std::size_t k = 0; k < x.size(); ++k) {
-                std::size_t& other = first[static_cast<std::size_t>(number[k])];
+                std::size_t& other = first[std::size_t(number[k])];
                 if (other == x.size()) other = k;
                 together = together && x[k] == x[other] && y[k] == y[other];
             }
             CHECK(together);
-            CHECK(x != its.blocks.x);
+            CHECK(x != topology.blocks.x);
         }
     }
 }
 
-TEST_CASE(
-    "blocks: numbers of cells and points in reports; both index bases; a saved basis knows the "
-    "mesh") {
+TEST_CASE("blocks have the right numbers in reports, for both index bases, and when saved") {
     Blocks const blocks = h_blocks(4);
-    Case its;
-    its.curves = polyline({{1, 1}, {2, 1}, {2, 2}, {1, 2}});
-    its.put_on_curves(body);
+    Case setup;
+    setup.curves = polyline({{1, 1}, {2, 1}, {2, 2}, {1, 2}});
+    setup.put_on_curves(body);
     for (std::int32_t const base : {0, 1}) {
         hm_mesh mesh = blocks.view();
         mesh.index_base = base;
         std::vector<double> x = blocks.x, y = blocks.y;
-        Solved const solved(its.problem(mesh));
+        Solved const solved(setup.problem(mesh));
         // The point (1, 1) of the last block goes to where its cell is turned over.
         std::int32_t const first = 7 * 25, point = first + 1 + 5;
-        x[static_cast<std::size_t>(point)] += 10;
+        x[std::size_t(point)] += 10;
         hm_quality_report quality{};
         quality.struct_size = sizeof quality;
         REQUIRE(hm_assess(solved.basis, &mesh, points_in(x, y), nullptr, nullptr, nullptr, nullptr,
@@ -131,7 +123,7 @@ TEST_CASE(
         CHECK(quality.first_inverted == 7 * 16 + base);
         const hm_basis* attached = nullptr;
         hm_basis_info const info = solved.info();
-        std::size_t const bytes = static_cast<std::size_t>(info.bytes);
+        std::size_t const bytes = std::size_t(info.bytes);
         CHECK(hm_basis_attach(&attached, solved.basis, bytes, &mesh, nullptr) == HM_OK);
         std::vector<std::int32_t> sizes = blocks.sizes, markers = blocks.markers;
         markers[0] = 77;
@@ -140,8 +132,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "blocks: a side that is a cut in part has lists; a marker on a side says the same as faces") {
+TEST_CASE("a side that is partly a cut has lists, and a marker on a side means the same as faces") {
     Naca4 const naca;
     CMesh const c = c_mesh(naca4(naca, 12), 6, 4, stretched(1e-2, 4, 9));
     Blocks one;
@@ -150,7 +141,7 @@ TEST_CASE(
     hm_mesh mesh = one.view();
     std::vector<std::int32_t> list;
     for (std::int32_t i = c.n_wake; i < c.ni - c.n_wake; ++i) list.push_back(i);
-    std::int32_t const start[] = {0, static_cast<std::int32_t>(list.size())}, marker = body;
+    std::int32_t const start[] = {0, std::int32_t(list.size())}, marker = body;
     mesh.n_lists = 1;
     mesh.list_start = start;
     mesh.list_points = list.data();
@@ -161,7 +152,7 @@ TEST_CASE(
     CHECK(from_blocks.edges == from_faces.edges);
 }
 
-TEST_CASE("blocks: what is wrong is refused") {
+TEST_CASE("blocks that are wrong are refused") {
     Blocks const good = o_blocks(2, 8, 3, 0.5, 2);
     auto refused = [&](hm_status status, const char* words, auto change) {
         Blocks blocks = good;
@@ -196,7 +187,7 @@ TEST_CASE("blocks: what is wrong is refused") {
             [](Blocks& b, hm_mesh&) { b.x[0] *= 1 + 1e-9; });
     refused(HM_BAD_MESH, "more than two cells", [](Blocks& b, hm_mesh& m) {  // a block twice
         b.sizes.insert(b.sizes.end(), {b.sizes[0], b.sizes[1]});
-        std::size_t const n = static_cast<std::size_t>(b.sizes[0] * b.sizes[1]);
+        std::size_t const n = std::size_t(b.sizes[0] * b.sizes[1]);
         for (std::vector<double>* values : {&b.x, &b.y}) {
             std::vector<double> const first(values->begin(),
                                             values->begin() + static_cast<std::ptrdiff_t>(n));
@@ -207,9 +198,7 @@ TEST_CASE("blocks: what is wrong is refused") {
     });
 }
 
-TEST_CASE(
-    "blocks in arrays of their own, with ghost points or j the faster index: gathered and "
-    "scattered") {
+TEST_CASE("blocks with ghost points or j as the faster index are gathered and scattered") {
     Blocks const blocks = o_blocks(3, 8, 5, 0.5, 3);
     hm_mesh const mesh = blocks.view();
     std::size_t const n = blocks.x.size();
@@ -226,7 +215,7 @@ TEST_CASE(
         Array a;
         if (b % 2 == 0) a = {{}, {}, 1, ni + 2, ni + 3};  // one layer of ghost points
         else a = {{}, {}, nj, 1, 0};
-        a.x.assign(static_cast<std::size_t>((ni + 2) * (nj + 2)), -7);
+        a.x.assign(std::size_t((ni + 2) * (nj + 2)), -7);
         a.y = a.x;
         arrays.push_back(a);
     }
@@ -241,14 +230,13 @@ TEST_CASE(
         std::size_t touched = 0;
         for (std::int64_t j = 0; j < mesh.block_sizes[2 * b + 1]; ++j) {
             for (std::int64_t i = 0; i < mesh.block_sizes[2 * b]; ++i, ++point, ++touched) {
-                hm_block_points const& of = in[static_cast<std::size_t>(b)];
-                wrong += of.x[i * of.stride + j * of.row] != blocks.x[point];
-                wrong += of.y[i * of.stride + j * of.row] != blocks.y[point];
+                hm_block_points const& points = in[std::size_t(b)];
+                wrong += points.x[i * points.stride + j * points.row] != blocks.x[point];
+                wrong += points.y[i * points.stride + j * points.row] != blocks.y[point];
             }
         }
-        std::vector<double> const& all = arrays[static_cast<std::size_t>(b)].x;
-        CHECK(static_cast<std::size_t>(std::count(all.begin(), all.end(), -7)) ==
-              all.size() - touched);
+        std::vector<double> const& all = arrays[std::size_t(b)].x;
+        CHECK(std::size_t(std::count(all.begin(), all.end(), -7)) == all.size() - touched);
     }
     CHECK(point == n);
     CHECK(wrong == 0);
@@ -259,9 +247,8 @@ TEST_CASE(
     // One block alone: the others stay.
     x.assign(n, 0);
     REQUIRE(hm_blocks_gather(&mesh, 1, 1, &in[1], points_out(x, y), nullptr) == HM_OK);
-    std::size_t const first = static_cast<std::size_t>(mesh.block_sizes[0] * mesh.block_sizes[1]);
-    std::size_t const last =
-        first + static_cast<std::size_t>(mesh.block_sizes[2] * mesh.block_sizes[3]);
+    std::size_t const first = std::size_t(mesh.block_sizes[0] * mesh.block_sizes[1]);
+    std::size_t const last = first + std::size_t(mesh.block_sizes[2] * mesh.block_sizes[3]);
     for (std::size_t k = 0; k < n; ++k) {
         if (x[k] != (k >= first && k < last ? blocks.x[k] : 0)) ++wrong;
     }
@@ -285,25 +272,25 @@ TEST_CASE(
     struct Distances {
         std::int64_t stride, row;
     };
-    for (Distances const its : {Distances{-1, 0},
-                                {least, 0},
-                                {least, least},
-                                {most, 0},
-                                {most, most},
-                                {1, most},
-                                {1, least},
-                                {1, -1},
-                                {limit + 1, 1},
-                                {1, limit + 1},
-                                {limit, 0},
-                                {most / 2, 3}}) {
+    for (Distances const distances : {Distances{-1, 0},
+                                      {least, 0},
+                                      {least, least},
+                                      {most, 0},
+                                      {most, most},
+                                      {1, most},
+                                      {1, least},
+                                      {1, -1},
+                                      {limit + 1, 1},
+                                      {1, limit + 1},
+                                      {limit, 0},
+                                      {most / 2, 3}}) {
         bad = in[0];
-        bad.stride = its.stride;
-        bad.row = its.row;
+        bad.stride = distances.stride;
+        bad.row = distances.row;
         hm_block_points_out bad_out = out[0];
-        bad_out.stride = its.stride;
-        bad_out.row = its.row;
-        INFO(its.stride << ", " << its.row);
+        bad_out.stride = distances.stride;
+        bad_out.row = distances.row;
+        INFO(distances.stride << ", " << distances.row);
         CHECK(hm_blocks_gather(&mesh, 0, 1, &bad, points_out(x, y), &error) == HM_BAD_ARGUMENT);
         CHECK(std::string(error.text) ==
               "stride or row of block 0 is negative, beyond 2^40, or puts two points at one place");

@@ -1,6 +1,4 @@
 // The boundary comes out as closed loops with the mesh on the left, however it was given.
-#include <doctest/doctest.h>
-
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/core.hpp>
 
@@ -38,18 +36,18 @@ struct Lists {
                 bool const goes_on =
                     k > boundary.loop_start[loop] && boundary.marker[k] == boundary.marker[k - 1];
                 if (!goes_on) {
-                    if (!points.empty()) start.push_back(static_cast<std::int32_t>(points.size()));
+                    if (!points.empty()) start.push_back(std::int32_t(points.size()));
                     points.push_back(boundary.point[k]);
                     markers.push_back(boundary.marker[k]);
                 }
                 points.push_back(boundary.point[boundary.after(k, loop)]);
             }
-        start.push_back(static_cast<std::int32_t>(points.size()));
+        start.push_back(std::int32_t(points.size()));
     }
     void put_into(hm_mesh& mesh) const {
         mesh.n_faces = 0;
         mesh.face_points = mesh.face_markers = nullptr;
-        mesh.n_lists = static_cast<std::int32_t>(markers.size());
+        mesh.n_lists = std::int32_t(markers.size());
         mesh.list_start = start.data();
         mesh.list_points = points.data();
         mesh.list_markers = markers.data();
@@ -58,9 +56,7 @@ struct Lists {
 
 }  // namespace
 
-TEST_CASE(
-    "loops close, hold every face once, and have the mesh on their left, whatever the cells' "
-    "sense") {
+TEST_CASE("loops close, hold every face once, and have the mesh on their left") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Mesh mesh = two_bodies(8, 5, Ellipse{}, Ellipse{0.25, 0.06, 0.4}, kind);
         Faces given;
@@ -93,7 +89,7 @@ TEST_CASE("markers stay with their faces") {
             CHECK(marker_of.at({b.point[k], b.point[b.after(k, loop)]}) == b.marker[k]);
 }
 
-TEST_CASE("ordered lists of points say the same as faces; both together too") {
+TEST_CASE("ordered lists of points mean the same as faces, and both may be combined") {
     Mesh const mesh = tiny_case().mesh;
     Analysed const with_faces(mesh);
     Lists const lists(with_faces->boundary());
@@ -111,12 +107,12 @@ TEST_CASE("ordered lists of points say the same as faces; both together too") {
     Analysed const with_both(both);  // a face given twice with one marker is one face
     CHECK(faces_of(with_both->boundary()) == faces_of(with_faces->boundary()));
 
-    Case its = tiny_case();
-    Solved const a(its), b(its.problem(view));
+    Case setup = tiny_case();
+    Solved const a(setup), b(setup.problem(view));
     CHECK(largest_difference(a.sum(), b.sum()) < 1e-14);
 }
 
-TEST_CASE("a bow-tie: two parts of the mesh that share one point only") {
+TEST_CASE("the two parts of a bow-tie share one point only") {
     Mesh mesh;
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i) mesh.add_point({1.0 * i, 1.0 * j});
@@ -133,7 +129,7 @@ TEST_CASE("a bow-tie: two parts of the mesh that share one point only") {
     CHECK((seen->boundary().n_loops == 1 || seen->boundary().n_loops == 2));
 }
 
-TEST_CASE("pieces: runs of faces that are on, across the place where a loop is cut open") {
+TEST_CASE("pieces are runs of marked faces, across the place where a loop is cut open") {
     Mesh const mesh = square(6);
     Analysed const seen(mesh);
     for (std::int32_t const first : {bottom, right, top, left}) {
@@ -148,7 +144,7 @@ TEST_CASE("pieces: runs of faces that are on, across the place where a loop is c
         std::int32_t const n = seen->boundary().for_each_chain(
             is_on,
             [&](std::int32_t piece, std::int32_t point) {
-                pieces.resize(static_cast<std::size_t>(piece) + 1);
+                pieces.resize(std::size_t(piece) + 1);
                 pieces.back().push_back(point);
             },
             [&](std::int32_t, bool is_loop) { closed.push_back(is_loop); });
@@ -163,7 +159,7 @@ TEST_CASE("pieces: runs of faces that are on, across the place where a loop is c
     }
 }
 
-TEST_CASE("the cut of a C-mesh is joined: both sides of the wake are one") {
+TEST_CASE("the cut of a C-mesh is joined, so that both sides of the wake are one") {
     CMesh c = c_mesh(naca4({}, 24), 12, 8, stretched(5e-3, 8, 20));
     Analysed const seen(c.structured_view());
     CHECK(seen->boundary().n_loops == 2);
@@ -175,20 +171,19 @@ TEST_CASE("the cut of a C-mesh is joined: both sides of the wake are one") {
     for (std::int32_t k = 0; k <= c.n_wake; ++k)
         CHECK(seen->topology().representative[c.ni - 1 - k] == k);
 
-    Case its = airfoil_case(24, 12);
-    its.mesh = c.mesh;
-    Solved const solved(its.problem(c.structured_view()));
+    Case setup = airfoil_case(24, 12);
+    setup.mesh = c.mesh;
+    Solved const solved(setup.problem(c.structured_view()));
     CHECK(solved.report.curve_points == 48);
     for (std::int32_t i = 0; i < solved.report.functions; ++i) {
         std::vector<double> const f = solved.values(i);
-        for (std::size_t k = 0; k <= static_cast<std::size_t>(c.n_wake); ++k)
-            CHECK(f[k] == f[static_cast<std::size_t>(c.ni) - 1 - k]);
+        for (std::size_t k = 0; k <= std::size_t(c.n_wake); ++k)
+            CHECK(f[k] == f[std::size_t(c.ni) - 1 - k]);
     }
-    CHECK(solved.values(0)[static_cast<std::size_t>(c.n_wake)] ==
-          1);  // the trailing edge, from below
+    CHECK(solved.values(0)[std::size_t(c.n_wake)] == 1);  // the trailing edge, from below
 }
 
-TEST_CASE("the seam of an O-mesh block is joined: the functions are those of the closed mesh") {
+TEST_CASE("the seam of an O-mesh block is joined, and functions are those of the closed mesh") {
     int const n_t = 32, n_r = 9;
     Case closed = ring_case(n_r, n_t, 0.5, 2), open = closed;
     open.mesh = Mesh{};
@@ -212,15 +207,14 @@ TEST_CASE("the seam of an O-mesh block is joined: the functions are those of the
         double worst = 0;
         for (int j = 0; j <= n_r; ++j)
             for (int k = 0; k <= n_t; ++k) {
-                std::size_t const here = static_cast<std::size_t>(j * (n_t + 1) + k);
+                std::size_t const here = std::size_t(j * (n_t + 1) + k);
                 worst = std::fmax(
-                    worst,
-                    std::fabs(found[here] - expected[static_cast<std::size_t>(j * n_t + k % n_t)]));
+                    worst, std::fabs(found[here] - expected[std::size_t(j * n_t + k % n_t)]));
             }
         CHECK(worst < 1e-13);
     }
     // A seam that does not quite coincide is no seam.
-    open.mesh.x[static_cast<std::size_t>(2 * (n_t + 1))] *= 1 + 1e-15;
+    open.mesh.x[std::size_t(2 * (n_t + 1))] *= 1 + 1e-15;
     view = open.mesh.view();
     view.cell_layout = HM_CELLS_STRUCTURED;
     view.n_cells = 0;

@@ -1,6 +1,4 @@
 // Areas of the median dual and shortest edges, where they are known.
-#include <doctest/doctest.h>
-
 #include <fixtures/agglomerated.hpp>
 
 #include "mesh/control_volumes.hpp"
@@ -15,8 +13,8 @@ struct Measured {
     std::vector<Index> place;
     std::vector<double> area, shortest;
 
-    explicit Measured(Case& its) : seen(its) {
-        std::size_t const n = its.mesh.x.size();  // of all points, not of unknowns alone
+    explicit Measured(Case& setup) : seen(setup) {
+        std::size_t const n = setup.mesh.x.size();  // of all points, not of unknowns alone
         place.resize(n);
         std::iota(place.begin(), place.end(), 0);
         area.resize(n);
@@ -31,10 +29,10 @@ struct Measured {
 
 TEST_CASE("control volumes fill the mesh without gaps, whatever the sense of its cells") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
-        Case its = square_on_curve(9, kind, 0.4, 3);
-        Measured const one(its);
-        reverse_some(its.mesh, 5);
-        Measured const other(its);
+        Case setup = square_on_curve(9, kind, 0.4, 3);
+        Measured const one(setup);
+        reverse_some(setup.mesh, 5);
+        Measured const other(setup);
         double sum = 0, worst = 0;
         for (std::size_t k = 0; k < one.area.size(); ++k) {
             CHECK(one.area[k] > 0);
@@ -46,14 +44,14 @@ TEST_CASE("control volumes fill the mesh without gaps, whatever the sense of its
     }
 }
 
-TEST_CASE(
-    "on a grid of rectangles: the rectangle inside, half of it on sides, and the shorter side") {
-    Case its = square_on_curve(8, Cells::quads, 0, 0);
-    for (double& y : its.mesh.y) y *= 0.25;
-    for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] *= 0.25;
-    Measured const found(its);
+TEST_CASE("on a grid of rectangles volumes, sides and shorter sides are known") {
+    Case setup = square_on_curve(8, Cells::quads, 0, 0);
+    for (double& y : setup.mesh.y) y *= 0.25;
+    for (std::size_t k = 1; k < setup.curves.control.size(); k += 2)
+        setup.curves.control[k] *= 0.25;
+    Measured const found(setup);
     for (std::size_t k = 0; k < found.area.size(); ++k) {
-        Point const p = its.mesh.point(static_cast<Index>(k));
+        Point const p = setup.mesh.point(Index(k));
         double expected = 1.0 / 64 * 0.25;
         if (p.x < 1e-9 || p.x > 1 - 1e-9) expected /= 2;
         if (p.y < 1e-9 || p.y > 0.25 - 1e-9) expected /= 2;
@@ -63,10 +61,10 @@ TEST_CASE(
 }
 
 TEST_CASE("a point without an unknown is left out") {
-    Case its = square_on_curve(4, Cells::triangles, 0, 0);
-    Analysed const seen(its);
+    Case setup = square_on_curve(4, Cells::triangles, 0, 0);
+    Analysed const seen(setup);
     FrontMatrix const front(*seen.operator->());
-    std::vector<double> area(static_cast<std::size_t>(front.rows.n)), shortest(area.size());
+    std::vector<double> area(std::size_t(front.rows.n)), shortest(area.size());
     harmorph::ControlVolumes volumes{span(area), span(shortest)};
     harmorph::Mesh const& mesh = seen->problem().mesh;
     volumes.measure(seen->topology(), mesh.points, front.matrix.rows_of_dofs());

@@ -1,6 +1,4 @@
 // Flipped triangulations: of the same points and the same domain, and Delaunay.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/wrong.hpp>
@@ -19,7 +17,7 @@ namespace {
 
 constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 
-// With what an analysis of the mesh alone finds of it.
+// Triangulates with the results of an analysis of the mesh alone.
 struct Flipped {
     Analysed seen;
     harmorph::Triangulation triangulation;
@@ -124,14 +122,13 @@ TEST_CASE("in a convex domain no point is inside the circle of any triangle") {
                 for (Index point = 0; point < mesh.n_points(); ++point) {
                     harmorph::Vec2 const a = found.at(corner[k]), b = found.at(corner[k + 1]),
                                          c = found.at(corner[k + 2]);
-                    inside.add(in_circle_sign(a, b, c, found.at(point)) > 0, point,
-                               static_cast<double>(k / 3));
+                    inside.add(in_circle_sign(a, b, c, found.at(point)) > 0, point, double(k / 3));
                 }
             CHECK(inside == 0);
         }
 }
 
-TEST_CASE("long ways of flips: fans of ellipses, also of points on one circle") {
+TEST_CASE("many flips are right for fans of ellipses, also with points on one circle") {
     for (int const n : {4, 5, 40, 200})
         for (double const thin : {1.0, 0.5, 1e-2, 1e-9}) {
             Index const flips = check_flipped(fan(n, thin));
@@ -139,7 +136,7 @@ TEST_CASE("long ways of flips: fans of ellipses, also of points on one circle") 
         }
 }
 
-TEST_CASE("points on common circles: nothing is left to flip, and nothing is flipped twice") {
+TEST_CASE("with points on common circles nothing is left to flip, and nothing is flipped twice") {
     for (Cells const kind : kinds) {
         Mesh mesh = square(12, kind);
         CHECK(check_flipped(mesh) == 0);
@@ -151,7 +148,7 @@ TEST_CASE("points on common circles: nothing is left to flip, and nothing is fli
     }
 }
 
-TEST_CASE("airfoils with thin layers, two bodies, holes: boundaries that are not convex") {
+TEST_CASE("airfoils with thin layers, two bodies and holes are triangulated") {
     Naca4 const naca;
     for (Cells const kind : kinds) {
         check_flipped(o_mesh(naca4(naca, 30), stretched(1e-6, 5, 40), kind, 3));
@@ -161,7 +158,7 @@ TEST_CASE("airfoils with thin layers, two bodies, holes: boundaries that are not
     CHECK(check_flipped(hybrid_mesh(naca4(naca, 40))) > 0);
 }
 
-TEST_CASE("coordinates of any size that is supported") {
+TEST_CASE("coordinates of any size that is supported are triangulated") {
     for (double const scale : {0x1p-300, 0x1p300, 1e-60, 1e39}) {
         Mesh mesh = square(7, Cells::hybrid);
         perturb(mesh, 0.4, 5);
@@ -175,15 +172,13 @@ TEST_CASE("coordinates of any size that is supported") {
     }
 }
 
-TEST_CASE(
-    "neither the numbering of points, nor order and sense of cells matter where no four points are "
-    "on a circle") {
+TEST_CASE("numbering, order and sense of cells do not matter without points on common circles") {
     auto const edges_of = [](Mesh const& mesh, std::vector<std::int32_t> const& old_of) {
         std::set<Edge> out;
         Flipped const found(mesh);
         found.triangulation.for_each_edge([&](DelaunayEdge const& edge) {
-            std::int32_t const a = old_of[static_cast<std::size_t>(edge.begin)];
-            std::int32_t const b = old_of[static_cast<std::size_t>(edge.end)];
+            std::int32_t const a = old_of[std::size_t(edge.begin)];
+            std::int32_t const b = old_of[std::size_t(edge.end)];
             out.insert({std::min(a, b), std::max(a, b)});
         });
         return out;
@@ -202,12 +197,12 @@ TEST_CASE(
     std::vector<std::int32_t> const new_of = renumber_points(other, 5);
     std::vector<std::int32_t> old_of(new_of.size());
     for (std::int32_t k = 0; k < mesh.n_points(); ++k) {
-        old_of[static_cast<std::size_t>(new_of[static_cast<std::size_t>(k)])] = k;
+        old_of[std::size_t(new_of[std::size_t(k)])] = k;
     }
     CHECK(edges_of(other, old_of) == expected);
 }
 
-TEST_CASE("the cut of a C-mesh is no boundary: its points are one, and its edges may be flipped") {
+TEST_CASE("the cut of a C-mesh is no boundary: its points are joined, its edges may be flipped") {
     CMesh const c = c_mesh(naca4({}, 24), 12, 6, stretched(1e-2, 6, 12));
     Flipped const rows(c.mesh), structured(c.structured_view());
     REQUIRE(rows.status == harmorph::Status::ok);
@@ -222,7 +217,7 @@ TEST_CASE("the cut of a C-mesh is no boundary: its points are one, and its edges
         CHECK(rows.seen->topology().representative[point] == point);
 }
 
-TEST_CASE("a cell without area is refused, and named") {
+TEST_CASE("a cell without area is refused and named") {
     Mesh mesh = square(4, Cells::hybrid);
     mesh.x[12] = mesh.x[7];  // an inner point on another one
     mesh.y[12] = mesh.y[7];
@@ -232,15 +227,15 @@ TEST_CASE("a cell without area is refused, and named") {
 }
 
 TEST_CASE("more cells than can be split are refused before anything is read") {
-    harmorph::Topology of;
-    of.mesh.n_points = 4;
-    of.mesh.layout = harmorph::CellLayout::quads;
-    of.mesh.n_cells = harmorph::Mesh::max_cells;
+    harmorph::Topology topology;
+    topology.mesh.n_points = 4;
+    topology.mesh.layout = harmorph::CellLayout::quads;
+    topology.mesh.n_cells = harmorph::Mesh::max_cells;
     harmorph::Triangulation triangulation;
     harmorph::Fault fault;
-    CHECK(triangulation.build(of, fault) == harmorph::Status::unsupported);
+    CHECK(triangulation.build(topology, fault) == harmorph::Status::unsupported);
     CHECK(
         std::string(fault.sentence) ==
         "the bounded scheme can split at most 2^28 cells into triangles, but the mesh has # cells");
-    CHECK(fault.item.number == of.mesh.n_cells);
+    CHECK(fault.item.number == topology.mesh.n_cells);
 }

@@ -1,6 +1,4 @@
 // Every edge once, with the cells at its two sides.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/wrong.hpp>
 
@@ -20,9 +18,8 @@ struct Edges {
     // join: a pair of points that are one.
     explicit Edges(Mesh const& mesh, bool listed = true, std::pair<Index, Index> join = {0, 0})
         : representative(listed ? mesh.x.size() : 0) {
-        for (std::size_t k = 0; k < representative.size(); ++k)
-            representative[k] = static_cast<Index>(k);
-        if (listed) representative[static_cast<std::size_t>(join.second)] = join.first;
+        for (std::size_t k = 0; k < representative.size(); ++k) representative[k] = Index(k);
+        if (listed) representative[std::size_t(join.second)] = join.first;
         harmorph::Mesh const view = core_mesh(mesh);
         harmorph::Arena counting;
         edges.lay_out(counting, view);
@@ -39,7 +36,7 @@ private:
 
 }  // namespace
 
-TEST_CASE("all edges of all cells, each once, with its cells and their sense") {
+TEST_CASE("all edges of all cells are found once, with their cells and the sense of the cells") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Mesh mesh = two_bodies(6, 4, Ellipse{}, Ellipse{0.2, 0.05, 0.3}, kind);
         renumber_points(mesh, 2);
@@ -56,7 +53,7 @@ TEST_CASE("all edges of all cells, each once, with its cells and their sense") {
         }
         Edges const found(mesh);
         REQUIRE(found.status == harmorph::Status::ok);
-        CHECK(static_cast<std::size_t>(found.edges.count()) == expected.size());
+        CHECK(std::size_t(found.edges.count()) == expected.size());
         Index last = -1;
         Wrong wrong;
         found.edges.for_each([&](Index edge, Index low, Index high) {
@@ -67,7 +64,7 @@ TEST_CASE("all edges of all cells, each once, with its cells and their sense") {
                 if (code >= 0)
                     cells.insert({harmorph::cell_of_side(code), harmorph::runs_backwards(code)});
             wrong.add(cells != expected[{low, high}], edge,
-                      static_cast<double>(cells.size()));  // cells of it
+                      double(cells.size()));  // cells of it
             CHECK(found.edges.is_boundary(edge) == (cells.size() == 1));
             CHECK(found.edges.find(low, high) == edge);
             CHECK(found.edges.find(high, low) == edge);
@@ -89,14 +86,14 @@ TEST_CASE("all edges of all cells, each once, with its cells and their sense") {
     }
 }
 
-TEST_CASE("cells that all run one way agree; one that is turned does not") {
+TEST_CASE("cells that all run one way agree, and one that is turned does not") {
     Mesh mesh = square(5);
     CHECK(Edges(mesh).edges.agree);
     reverse_some(mesh, 3);
     CHECK(!Edges(mesh).edges.agree);
 }
 
-TEST_CASE("a cell of which two corners are one point") {
+TEST_CASE("a cell with two corners in one point is accepted") {
     Mesh const mesh = square(5);
     std::int32_t const one = mesh.cells[0], other = mesh.cells[1];
     Edges const found(mesh, true, {std::min(one, other), std::max(one, other)});
@@ -106,7 +103,7 @@ TEST_CASE("a cell of which two corners are one point") {
           "cell # has two corners that a cut joins into one point");
 }
 
-TEST_CASE("points that stand for themselves need no list") {
+TEST_CASE("points that represent themselves need no list") {
     Mesh mesh = two_bodies(6, 4, Ellipse{}, Ellipse{0.2, 0.05, 0.3}, Cells::hybrid);
     renumber_points(mesh, 2);
     Edges const listed(mesh), alone(mesh, false);
@@ -118,7 +115,7 @@ TEST_CASE("points that stand for themselves need no list") {
     }
 }
 
-TEST_CASE("fans: a point of hundreds of edges") {
+TEST_CASE("a point of hundreds of edges is handled") {
     int const n = 500;
     Mesh mesh;
     mesh.add_point({0, 0});
@@ -133,7 +130,7 @@ TEST_CASE("fans: a point of hundreds of edges") {
     for (Index edge = 0; edge < n; ++edge) CHECK(found.edges.first[edge].end == edge + 1);
 }
 
-TEST_CASE("an edge of three cells is refused, and named") {
+TEST_CASE("an edge of three cells is refused and named") {
     Mesh mesh = square(3);
     mesh.add_point({-1, -1});
     mesh.add_cell({5, 6, 16});

@@ -1,6 +1,4 @@
 // Cells of points, and weights that reproduce linear fields.
-#include <doctest/doctest.h>
-
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/traps.hpp>
@@ -44,7 +42,7 @@ double interpolated(Location const& found, Field field) {
     return sum;
 }
 
-// Of a linear field at the point.
+// Interpolates a linear field at the point.
 double linear_error(Mesh const& mesh, Location const& found, Vec2 p) {
     auto const field = [](double x, double y) { return 3 + 2 * x - 5 * y; };
     return std::fabs(
@@ -80,46 +78,45 @@ std::vector<Mesh> some_meshes() {
 
 }  // namespace
 
-TEST_CASE(
-    "weights: 1 at points of the mesh; middles of cells and of sides are found in their cells") {
+TEST_CASE("weights are 1 at points of the mesh, and middles of cells are found in their cells") {
     for (Mesh const& mesh : some_meshes()) {
         Finder const finder(mesh);
         for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
-            std::vector<std::int32_t> const its(mesh.cells.begin() + mesh.cell_start[cell],
-                                                mesh.cells.begin() + mesh.cell_start[cell + 1]);
+            std::vector<std::int32_t> const corners(mesh.cells.begin() + mesh.cell_start[cell],
+                                                    mesh.cells.begin() + mesh.cell_start[cell + 1]);
             Vec2 middle;
-            for (std::size_t k = 0; k < its.size(); ++k) {
-                Point const a = mesh.point(its[k]), b = mesh.point(its[(k + 1) % its.size()]);
-                middle = middle + (1.0 / static_cast<double>(its.size())) * Vec2{a.x, a.y};
+            for (std::size_t k = 0; k < corners.size(); ++k) {
+                Point const a = mesh.point(corners[k]),
+                            b = mesh.point(corners[(k + 1) % corners.size()]);
+                middle = middle + (1.0 / double(corners.size())) * Vec2{a.x, a.y};
                 Location const corner = finder.locate({a.x, a.y});
                 CHECK(corner.distance == 0);
-                CHECK(interpolated(corner, [&](Index p) { return p == its[k] ? 1.0 : 0.0; }) == 1);
-                CHECK(interpolated(corner, [&](Index p) { return p == its[k] ? 0.0 : 1.0; }) == 0);
+                CHECK(interpolated(corner, [&](Index p) { return p == corners[k] ? 1.0 : 0.0; }) ==
+                      1);
+                CHECK(interpolated(corner, [&](Index p) { return p == corners[k] ? 0.0 : 1.0; }) ==
+                      0);
                 Location const side = finder.locate({0.5 * (a.x + b.x), 0.5 * (a.y + b.y)});
                 CHECK(side.distance == 0);
-                CHECK(is_corner(side, its[k]));
-                CHECK(is_corner(side, its[(k + 1) % its.size()]));
-                CHECK(interpolated(side, [&](Index p) { return p == its[k] ? 1.0 : 0.0; }) ==
+                CHECK(is_corner(side, corners[k]));
+                CHECK(is_corner(side, corners[(k + 1) % corners.size()]));
+                CHECK(interpolated(side, [&](Index p) { return p == corners[k] ? 1.0 : 0.0; }) ==
                       doctest::Approx(0.5));
             }
             Location const inside = finder.locate(middle);
-            CHECK(inside.cell == static_cast<Index>(cell));
+            CHECK(inside.cell == Index(cell));
             CHECK(inside.distance == 0);
         }
     }
 }
 
-TEST_CASE(
-    "weights add up to 1, are not negative inside, and reproduce linear fields inside and "
-    "outside") {
+TEST_CASE("weights sum to 1, are not negative inside, and reproduce linear fields") {
     for (Mesh const& mesh : some_meshes()) {
         Finder const finder(mesh);
         std::mt19937 random(11);
         int outside = 0;
         for (int k = 0; k < 400; ++k) {
             std::size_t const cell = random() % (mesh.cell_start.size() - 1);
-            Point const corner =
-                mesh.point(mesh.cells[static_cast<std::size_t>(mesh.cell_start[cell])]);
+            Point const corner = mesh.point(mesh.cells[std::size_t(mesh.cell_start[cell])]);
             double const size = k % 2 == 0 ? 0.2 : 0.01;
             Vec2 const p{corner.x + size * (uniform(random) - 0.5),
                          corner.y + size * (uniform(random) - 0.5)};
@@ -141,7 +138,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a point without a number is in no cell, and nothing is read of any") {
+TEST_CASE("a point without a number is in no cell, and no data of such a point is read") {
     Finder const finder(hybrid_mesh(naca4({}, 20)));
     Untrapped const untrapped;
     Location const nowhere = finder.locate({std::nan(""), 0});
@@ -149,7 +146,7 @@ TEST_CASE("a point without a number is in no cell, and nothing is read of any") 
     CHECK(nowhere.weights.n == 0);
 }
 
-TEST_CASE("outside, the distance is that from the boundary") {
+TEST_CASE("outside the mesh the distance is that from the boundary") {
     Mesh const mesh =
         square(9, Cells::hybrid, 3, 3);  // unit square; the hole is the square from 1/3 to 2/3
     Finder const finder(mesh);
@@ -165,7 +162,7 @@ TEST_CASE("outside, the distance is that from the boundary") {
     }
 }
 
-TEST_CASE("a continuous field: neither the hint nor the numbering matters") {
+TEST_CASE("a continuous field depends neither on the hint nor on the numbering") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Mesh const mesh = annulus(6, 24, 0.5, 2, kind);
         Mesh other = mesh;
@@ -178,17 +175,16 @@ TEST_CASE("a continuous field: neither the hint nor the numbering matters") {
         std::vector<double> field, its_field(mesh.x.size());
         for (std::size_t k = 0; k < mesh.x.size(); ++k) field.push_back(uniform(random));
         for (std::size_t k = 0; k < mesh.x.size(); ++k)
-            its_field[static_cast<std::size_t>(new_of[k])] = field[k];
+            its_field[std::size_t(new_of[k])] = field[k];
         for (int k = 0; k < 300; ++k) {
             double const r = 0.52 + 1.43 * uniform(random), angle = 7 * uniform(random);
             Vec2 const p{r * std::cos(angle), r * std::sin(angle)};
-            double const value = interpolated(
-                finder.locate(p), [&](Index i) { return field[static_cast<std::size_t>(i)]; });
-            Index const hint = static_cast<Index>(random() % static_cast<unsigned>(mesh.n_cells()));
+            double const value =
+                interpolated(finder.locate(p), [&](Index i) { return field[std::size_t(i)]; });
+            Index const hint = Index(random() % unsigned(mesh.n_cells()));
             auto const same = [&](Location const& found, std::vector<double> const& values) {
-                CHECK(interpolated(found, [&](Index i) {
-                          return values[static_cast<std::size_t>(i)];
-                      }) == doctest::Approx(value).epsilon(1e-12));
+                CHECK(interpolated(found, [&](Index i) { return values[std::size_t(i)]; }) ==
+                      doctest::Approx(value).epsilon(1e-12));
             };
             same(finder.locate(p, hint), field);
             same(its_finder.locate(p, hint), its_field);
@@ -196,14 +192,14 @@ TEST_CASE("a continuous field: neither the hint nor the numbering matters") {
     }
 }
 
-TEST_CASE("on a cut both sides of a point exist: the one that is found stands where the point is") {
-    CMesh const its = c_mesh(naca4({}, 16), 8, 3, stretched(1e-3, 4, 12));
-    Finder const finder(its.mesh);
-    for (std::int32_t k = 0; k + 1 < its.n_wake; ++k) {
-        Point const a = its.mesh.point(k), b = its.mesh.point(k + 1);
+TEST_CASE("on a cut the point on the side of the place is found") {
+    CMesh const mesh = c_mesh(naca4({}, 16), 8, 3, stretched(1e-3, 4, 12));
+    Finder const finder(mesh.mesh);
+    for (std::int32_t k = 0; k + 1 < mesh.n_wake; ++k) {
+        Point const a = mesh.mesh.point(k), b = mesh.mesh.point(k + 1);
         Vec2 const p{0.3 * a.x + 0.7 * b.x, 0.3 * a.y + 0.7 * b.y};
         Location const found = finder.locate(p);
         CHECK(found.distance == 0);
-        CHECK(linear_error(its.mesh, found, p) < 1e-12);
+        CHECK(linear_error(mesh.mesh, found, p) < 1e-12);
     }
 }

@@ -1,6 +1,4 @@
 // Control volumes: they fill the domain, and close.
-#include <doctest/doctest.h>
-
 #include <fixtures/schemes.hpp>
 
 using namespace fixtures;
@@ -14,8 +12,8 @@ constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 double open_by(Scheme const& scheme, Mesh const& mesh) {
     std::vector<Point> sum(mesh.x.size(), Point{0, 0});
     auto const add = [&](Index point, double x, double y) {
-        Point& its = sum[static_cast<std::size_t>(scheme.seen->topology().representative[point])];
-        its = {its.x + x, its.y + y};
+        Point& sum_here = sum[std::size_t(scheme.seen->topology().representative[point])];
+        sum_here = {sum_here.x + x, sum_here.y + y};
     };
     for (harmorph::MedianDual::Face const& face : scheme.operation.dual.faces) {
         add(face.begin, face.normal.x, face.normal.y);
@@ -30,7 +28,7 @@ double open_by(Scheme const& scheme, Mesh const& mesh) {
 
 }  // namespace
 
-TEST_CASE("volumes fill the domain, and close, in whatever sense cells run") {
+TEST_CASE("dual volumes fill the domain and close, in whatever sense cells run") {
     for (Cells const kind : kinds) {
         Mesh const bodies = two_bodies(5, 4, Ellipse{}, Ellipse{}, kind);
         for (Mesh mesh : {square(7, kind, 3, 1), annulus(5, 16, 0.5, 2, kind), bodies}) {
@@ -41,11 +39,10 @@ TEST_CASE("volumes fill the domain, and close, in whatever sense cells run") {
             Scheme const scheme(mesh, false);
             double area = 0;
             for (Index point = 0; point < mesh.n_points(); ++point) {
-                double const its = scheme.area[static_cast<std::size_t>(point)];
-                CHECK(its > 0);
-                CHECK(its ==
-                      doctest::Approx(plain.area[static_cast<std::size_t>(point)]).epsilon(1e-12));
-                area += its;
+                double const volume = scheme.area[std::size_t(point)];
+                CHECK(volume > 0);
+                CHECK(volume == doctest::Approx(plain.area[std::size_t(point)]).epsilon(1e-12));
+                area += volume;
             }
             CHECK(area == doctest::Approx(expected.area).epsilon(1e-13));
             CHECK(open_by(scheme, mesh) < 1e-14);
@@ -53,9 +50,7 @@ TEST_CASE("volumes fill the domain, and close, in whatever sense cells run") {
     }
 }
 
-TEST_CASE(
-    "volumes of a triangle are thirds; on squares faces are as long as cells, and normal to "
-    "edges") {
+TEST_CASE("dual volumes of a triangle are thirds, and faces on squares are as long as cells") {
     Mesh one;
     one.add_point({0, 0});
     one.add_point({3, 0.5});
@@ -65,7 +60,7 @@ TEST_CASE(
     Scheme const triangle(one, false);
     double const third = check(one).area / 3;
     for (Index point = 0; point < 3; ++point)
-        CHECK(triangle.area[static_cast<std::size_t>(point)] == doctest::Approx(third));
+        CHECK(triangle.area[std::size_t(point)] == doctest::Approx(third));
 
     Mesh const mesh = square(6);
     Scheme const squares(mesh, false);
@@ -88,9 +83,9 @@ TEST_CASE("the points of a cut have one volume") {
     int joined = 0;
     for (Index point = 0; point < c.mesh.n_points(); ++point) {
         bool const is_joined = scheme.seen->topology().representative[point] != point;
-        CHECK((scheme.area[static_cast<std::size_t>(point)] == 0) == is_joined);
+        CHECK((scheme.area[std::size_t(point)] == 0) == is_joined);
         joined += is_joined;
-        area += scheme.area[static_cast<std::size_t>(point)];
+        area += scheme.area[std::size_t(point)];
     }
     CHECK(joined == c.n_wake + 1);  // one for each point of the wake, the trailing edge among them
     CHECK(area == doctest::Approx(check(c.mesh).area).epsilon(1e-12));

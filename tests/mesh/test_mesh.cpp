@@ -1,7 +1,4 @@
-// The same cells come out of every layout; what is wrong is refused, and the first offender is
-// named.
-#include <doctest/doctest.h>
-
+// Every layout gives the same cells; wrong input is refused, and the first offender is named.
 #include <fixtures/core.hpp>
 #include <fixtures/mixed.hpp>
 #include <fixtures/wrong.hpp>
@@ -50,13 +47,13 @@ harmorph::Fault refusal(harmorph::Mesh const& mesh) {
 
 }  // namespace
 
-TEST_CASE("rows, triangles, quads and blocks: the same cells") {
+TEST_CASE("rows, triangles, quads and blocks describe the same cells") {
     for (std::int32_t const base : {0, 1}) {
         Case triangles, quads, hybrid;
         triangles.mesh = square(6, Cells::triangles);
         quads.mesh = square(6, Cells::quads);
         hybrid.mesh = square(6, Cells::hybrid, 2, 2);
-        for (Case* its : {&triangles, &quads, &hybrid}) its->index_base = base;
+        for (Case* setup : {&triangles, &quads, &hybrid}) setup->index_base = base;
 
         hm_mesh fixed = triangles.mesh_view();
         fixed.cell_layout = HM_CELLS_TRIANGLES;
@@ -67,20 +64,22 @@ TEST_CASE("rows, triangles, quads and blocks: the same cells") {
         fixed.cell_start = nullptr;
         check_same(fixed, quads.mesh.view());
 
-        for (Case* its : {&triangles, &hybrid}) {  // width 4, the last point of a triangle repeated
-            std::vector<std::int32_t> wide = quads_of(its->mesh);
+        for (Case* setup :
+             {&triangles, &hybrid}) {  // width 4, the last point of a triangle repeated
+            std::vector<std::int32_t> wide = quads_of(setup->mesh);
             for (std::int32_t& point : wide) point += base;
-            hm_mesh view = its->mesh_view();
+            hm_mesh view = setup->mesh_view();
             view.cell_layout = HM_CELLS_QUADS;
             view.cell_start = nullptr;
             view.cell_points = wide.data();
-            check_same(view, its->mesh.view());
+            check_same(view, setup->mesh.view());
             // Rows may hold such triangles, too.
             std::vector<std::int32_t> starts;
-            for (std::int32_t k = 0; k <= its->mesh.n_cells(); ++k) starts.push_back(4 * k + base);
+            for (std::int32_t k = 0; k <= setup->mesh.n_cells(); ++k)
+                starts.push_back(4 * k + base);
             view.cell_layout = HM_CELLS_ROWS;
             view.cell_start = starts.data();
-            check_same(view, its->mesh.view());
+            check_same(view, setup->mesh.view());
         }
 
         hm_mesh block = quads.mesh_view();
@@ -93,32 +92,32 @@ TEST_CASE("rows, triangles, quads and blocks: the same cells") {
     }
 }
 
-TEST_CASE("triangles and quads in two arrays: the same cells, triangles first") {
+TEST_CASE("triangles and quads in two arrays describe the same cells, triangles first") {
     for (std::int32_t const base : {0, 1}) {
-        Case its;
-        its.index_base = base;
+        Case setup;
+        setup.index_base = base;
         for (Cells const kind : {Cells::triangles, Cells::quads, Cells::hybrid}) {
             Mixed const mixed(square(6, kind, 2, 2), base);
-            its.mesh = mixed.rows;
-            hm_mesh view = mixed.put_into(its.mesh_view());
+            setup.mesh = mixed.rows;
+            hm_mesh view = mixed.put_into(setup.mesh_view());
             if (kind == Cells::triangles) view.quad_points = nullptr;
             if (kind == Cells::quads) view.cell_points = nullptr;
-            check_same(view, its.mesh.view());
+            check_same(view, setup.mesh.view());
         }
         // All cells as quads, the last point of a triangle repeated.
-        its.mesh = square(6, Cells::hybrid, 2, 2);
-        std::vector<std::int32_t> wide = quads_of(its.mesh);
+        setup.mesh = square(6, Cells::hybrid, 2, 2);
+        std::vector<std::int32_t> wide = quads_of(setup.mesh);
         for (std::int32_t& point : wide) point += base;
-        hm_mesh view = its.mesh_view();
+        hm_mesh view = setup.mesh_view();
         view.cell_layout = HM_CELLS_MIXED;
         view.cell_start = view.cell_points = nullptr;
-        view.n_quads = its.mesh.n_cells();
+        view.n_quads = setup.mesh.n_cells();
         view.quad_points = wide.data();
-        check_same(view, its.mesh.view());
+        check_same(view, setup.mesh.view());
     }
 }
 
-TEST_CASE("blocks that are not square: i is fastest") {
+TEST_CASE("blocks that are not square have i as the fastest index") {
     hm_mesh view{};
     std::vector<double> const zero(15, 0.0);
     view.struct_size = sizeof view;
@@ -136,7 +135,7 @@ TEST_CASE("blocks that are not square: i is fastest") {
         }
 }
 
-TEST_CASE("coordinates with any stride, and 0 for 1") {
+TEST_CASE("coordinates may have any stride, and a stride of 0 means 1") {
     Mesh const mesh = square(6, Cells::hybrid, 2, 2);
     std::vector<double> structs;
     for (std::size_t k = 0; k < mesh.x.size(); ++k)
@@ -192,7 +191,7 @@ TEST_CASE("the first of several offenders is named") {
     CHECK(fault.value == 0);
 }
 
-TEST_CASE("areas of cells, in both senses") {
+TEST_CASE("areas of cells are right in both senses") {
     double const xy[] = {0, 0, 2, 0, 3, 2, 0, 1};
     harmorph::Points const points{xy, xy + 1, 2};
     harmorph::Cell const quad{4, {0, 1, 2, 3}}, triangle{3, {0, 1, 2}}, backwards{4, {3, 2, 1, 0}};

@@ -1,7 +1,4 @@
 // Cells are turned as their neighbours ask for, and the larger area is right.
-#include <harmorph_study.h>
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/perturb.hpp>
 #include <fixtures/square.hpp>
@@ -17,8 +14,7 @@ std::vector<std::uint8_t> reversed_of(Analysed const& seen) {
     return {seen->topology().reversed.begin(), seen->topology().reversed.end()};
 }
 std::vector<std::uint8_t> all(Mesh const& mesh, int value) {
-    return std::vector<std::uint8_t>(static_cast<std::size_t>(mesh.n_cells()),
-                                     static_cast<std::uint8_t>(value));
+    return std::vector<std::uint8_t>(std::size_t(mesh.n_cells()), static_cast<std::uint8_t>(value));
 }
 
 // A strip of quads between two rings of points, closed with or without a twist. Its place in the
@@ -42,7 +38,7 @@ Mesh strip(int n, bool twisted) {
 
 }  // namespace
 
-TEST_CASE("counter-clockwise, clockwise and mixed meshes") {
+TEST_CASE("counter-clockwise, clockwise and mixed meshes are oriented") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Mesh const right_way = two_bodies(8, 5, Ellipse{}, Ellipse{0.25, 0.06, 0.4}, kind);
         CHECK(reversed_of(Analysed(right_way)) == all(right_way, 0));
@@ -55,18 +51,15 @@ TEST_CASE("counter-clockwise, clockwise and mixed meshes") {
         harmorph::Mesh const view = core_mesh(mesh);
         int turned = 0;
         for (Index i = 0; i < view.n_cells; ++i) {
-            CHECK((cell_area(view.cell(i), view.points) < 0) ==
-                  (found[static_cast<std::size_t>(i)] != 0));
-            turned += found[static_cast<std::size_t>(i)];
+            CHECK((cell_area(view.cell(i), view.points) < 0) == (found[std::size_t(i)] != 0));
+            turned += found[std::size_t(i)];
         }
         CHECK(turned > mesh.n_cells() / 4);
         CHECK(turned < 3 * mesh.n_cells() / 4);
     }
 }
 
-TEST_CASE(
-    "no corner is lower than the least height: the smallest corner area over the longest side of a "
-    "cell") {
+TEST_CASE("the least height is the smallest corner area over the longest side of a cell") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         for (bool const clockwise : {false, true}) {
             Mesh mesh = square(9, kind);
@@ -96,7 +89,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("inverted cells do not turn: they agree with their neighbours, not with their own area") {
+TEST_CASE("inverted cells follow the sense of their neighbours, not that of their own area") {
     for (bool const clockwise : {false, true}) {
         Mesh mesh = square(6, Cells::triangles);
         mesh.x[8] = 10;  // point (1, 1) far out: cells round it fold over
@@ -112,7 +105,7 @@ TEST_CASE("inverted cells do not turn: they agree with their neighbours, not wit
     }
 }
 
-TEST_CASE("parts that are not joined settle their sense each for itself") {
+TEST_CASE("parts that are not joined are oriented separately") {
     Mesh mesh = square(3);
     std::int32_t const n = mesh.n_points();
     Mesh const other = square(4, Cells::triangles);
@@ -125,11 +118,11 @@ TEST_CASE("parts that are not joined settle their sense each for itself") {
     Analysed const seen(mesh);
     std::vector<std::uint8_t> const found = reversed_of(seen);
     for (std::size_t k = 0; k < found.size(); ++k)
-        CHECK(found[k] == (k < static_cast<std::size_t>(n_cells) ? 0 : 1));
+        CHECK(found[k] == (k < std::size_t(n_cells) ? 0 : 1));
     CHECK(seen->boundary().n_loops == 2);
 }
 
-TEST_CASE("a Moebius strip is refused; the same strip without the twist is not") {
+TEST_CASE("a Moebius strip is refused, and the same strip without the twist is not") {
     for (int const n : {5, 8, 40}) {
         Analysed const plain(strip(n, false));
         CHECK(plain->boundary().n_loops == 2);

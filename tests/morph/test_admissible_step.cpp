@@ -42,8 +42,7 @@ struct Displaced {
 
 double mean_quality(Solved const& solved, hm_mesh const& mesh, Mesh const& at,
                     Mesh const& reference) {
-    hm_quality_report report{};
-    report.struct_size = sizeof report;
+    auto report = sized<hm_quality_report>();
     REQUIRE(hm_assess(solved.basis, &mesh, points_in(at.x, at.y), nullptr,
                       points_in(reference.x, reference.y), nullptr, nullptr, &report,
                       nullptr) == HM_OK);
@@ -72,19 +71,19 @@ Displaced random_displacement(Mesh const& mesh, double size, unsigned seed) {
 }  // namespace
 
 TEST_CASE("roots of the quadratic, in all cases of its signs") {
-    // With these displacements twice the area is (1 + p s)(1 + q s) - r s^2 = 1 + (p + q) s + (p q
-    // - r) s^2.
+    // Twice the area after a fraction s of these displacements is (1 + p s)(1 + q s) - r s^2 = 1 +
+    // (p + q) s + (p q - r) s^2.
     double const values[] = {-3,      -1,  -0.5, -0x1p-10, 0,
                              0x1p-10, 0.5, 1,    3};  // exact, and so double roots are
     int unlimited = 0, limited = 0;
     for (double const p : values)
         for (double const q : values)
             for (double const r : {-20.0, -2.0, -0.25, 0.0, 0.25, 2.0, 20.0}) {
-                Displaced its = one_triangle();
-                its.dx[1] = p;
-                its.dy[2] = q;
-                its.dy[1] = 1;
-                its.dx[2] = r;
+                Displaced displaced = one_triangle();
+                displaced.dx[1] = p;
+                displaced.dy[2] = q;
+                displaced.dy[1] = 1;
+                displaced.dx[2] = r;
                 long double const a = static_cast<long double>(p) * q - r,
                                   b = static_cast<long double>(p) + q;
                 long double const discriminant = b * b - 4 * a;
@@ -98,18 +97,18 @@ TEST_CASE("roots of the quadratic, in all cases of its signs") {
                     if (b + root != 0) offer(-2 / (b + root));
                     if (b - root != 0) offer(-2 / (b - root));
                 }
-                AdmissibleStep const found = its.step();
+                AdmissibleStep const found = displaced.step();
                 INFO("p " << p << " q " << q << " r " << r);
                 if (expected == HUGE_VALL) {
                     CHECK(found.step == HUGE_VAL);
                     CHECK(found.cell == -1);
-                    CHECK(its.point(found) == -1);
+                    CHECK(displaced.point(found) == -1);
                     ++unlimited;
                 } else {
                     CHECK(found.step ==
                           doctest::Approx(static_cast<double>(expected)).epsilon(1e-7));
                     CHECK(found.cell == 0);
-                    CHECK(its.point(found) == 0);
+                    CHECK(displaced.point(found) == 0);
                     ++limited;
                 }
             }
@@ -137,11 +136,12 @@ TEST_CASE("the step of a needle has the digits of its short side") {
         Displaced alone(mesh);
         for (std::size_t k = 0; k < 3; ++k) alone.dx[k] = any(), alone.dy[k] = any();
 
-        auto const side = [&](std::vector<double> const& of, int to) {
+        auto const side = [&](std::vector<double> const& coordinates, int to) {
             std::size_t const from =
                 static_cast<std::size_t>(3 - trial % 3) % 3;  // the point at the origin
-            return static_cast<long double>(of[(from + static_cast<std::size_t>(to)) % 3]) -
-                   of[from];
+            return static_cast<long double>(
+                       coordinates[(from + static_cast<std::size_t>(to)) % 3]) -
+                   coordinates[from];
         };
         long double const ax = side(mesh.x, 1), ay = side(mesh.y, 1), bx = side(mesh.x, 2),
                           by = side(mesh.y, 2);
@@ -176,50 +176,52 @@ TEST_CASE("the step of a needle has the digits of its short side") {
 }
 
 TEST_CASE("a double root: the area touches 0 and grows again; that is a limit") {
-    Displaced its = one_triangle();
-    its.dx[1] = -1;
-    its.dy[2] = -1;  // (1 - s)^2
-    CHECK(its.step().step == 1);
+    Displaced displaced = one_triangle();
+    displaced.dx[1] = -1;
+    displaced.dy[2] = -1;  // (1 - s)^2
+    CHECK(displaced.step().step == 1);
 }
 
 TEST_CASE("rigid and growing motions are unlimited; a collapse is not") {
     Mesh const mesh = square(6, Cells::hybrid, 2, 2);
-    Displaced its(mesh);
-    CHECK(its.step().step == HUGE_VAL);  // no motion
-    for (std::size_t k = 0; k < its.dx.size(); ++k) its.dx[k] = 0.3, its.dy[k] = -7;
-    CHECK(its.step().step == HUGE_VAL);
-    for (std::size_t k = 0; k < its.dx.size(); ++k) its.dx[k] = mesh.x[k], its.dy[k] = mesh.y[k];
-    CHECK(its.step().step == HUGE_VAL);
+    Displaced displaced(mesh);
+    CHECK(displaced.step().step == HUGE_VAL);  // no motion
+    for (std::size_t k = 0; k < displaced.dx.size(); ++k)
+        displaced.dx[k] = 0.3, displaced.dy[k] = -7;
+    CHECK(displaced.step().step == HUGE_VAL);
+    for (std::size_t k = 0; k < displaced.dx.size(); ++k)
+        displaced.dx[k] = mesh.x[k], displaced.dy[k] = mesh.y[k];
+    CHECK(displaced.step().step == HUGE_VAL);
     // Turning and growing.
-    for (std::size_t k = 0; k < its.dx.size(); ++k) its.dx[k] = -mesh.y[k], its.dy[k] = mesh.x[k];
-    CHECK(its.step().step == HUGE_VAL);
-    for (std::size_t k = 0; k < its.dx.size(); ++k) its.dx[k] = -mesh.x[k] / 3, its.dy[k] = 0;
-    CHECK(its.step().step == doctest::Approx(3).epsilon(1e-12));
+    for (std::size_t k = 0; k < displaced.dx.size(); ++k)
+        displaced.dx[k] = -mesh.y[k], displaced.dy[k] = mesh.x[k];
+    CHECK(displaced.step().step == HUGE_VAL);
+    for (std::size_t k = 0; k < displaced.dx.size(); ++k)
+        displaced.dx[k] = -mesh.x[k] / 3, displaced.dy[k] = 0;
+    CHECK(displaced.step().step == doctest::Approx(3).epsilon(1e-12));
 }
 
-TEST_CASE(
-    "exact on meshes: valid a millionth before, inverted a millionth behind, all the way valid up "
-    "to it") {
+TEST_CASE("the admissible step on meshes is exact to a millionth") {
     int limited = 0;
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         for (unsigned seed = 0; seed < 20; ++seed) {
             Mesh mesh = annulus(5, 24, 0.5, 2, kind);
             perturb(mesh, 0.3, seed);
-            Displaced const its = random_displacement(mesh, 0.01, seed + 100);
-            AdmissibleStep const found = its.step();
+            Displaced const displaced = random_displacement(mesh, 0.01, seed + 100);
+            AdmissibleStep const found = displaced.step();
             REQUIRE(found.step < HUGE_VAL);
             ++limited;
-            CHECK(its.valid_after(found.step * 0.999999));
-            CHECK(!its.valid_after(found.step * 1.000001));
-            for (int k = 1; k < 50; ++k) CHECK(its.valid_after(found.step * k / 50));
+            CHECK(displaced.valid_after(found.step * 0.999999));
+            CHECK(!displaced.valid_after(found.step * 1.000001));
+            for (int k = 1; k < 50; ++k) CHECK(displaced.valid_after(found.step * k / 50));
             // The limiting corner is the one that is flat there.
-            Mesh const flat = its.after(found.step);
+            Mesh const flat = displaced.after(found.step);
             harmorph::Cell const cell = core_mesh(mesh).cell(found.cell);
             bool seen = false;
             for (int k = 0; k < cell.n; ++k) {
                 Point const a = flat.point(cell.point[k]), b = flat.point(cell.next(k)),
                             c = flat.point(cell.previous(k));
-                if (cell.point[k] == its.point(found))
+                if (cell.point[k] == displaced.point(found))
                     seen = std::fabs(twice_area(a, b, c)) < 1e-12;
             }
             CHECK(seen);
@@ -230,29 +232,29 @@ TEST_CASE(
 TEST_CASE("the same as bisection, where the motion is a bending that grows") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Mesh const mesh = annulus(8, 40, 0.5, 2, kind);
-        Displaced its(mesh);
-        for (std::size_t k = 0; k < its.dx.size(); ++k)
-            its.dy[k] = std::exp(-10 * std::pow(mesh.x[k] - 0.4, 2)) *
-                        (2 - std::hypot(mesh.x[k], mesh.y[k]));
+        Displaced displaced(mesh);
+        for (std::size_t k = 0; k < displaced.dx.size(); ++k)
+            displaced.dy[k] = std::exp(-10 * std::pow(mesh.x[k] - 0.4, 2)) *
+                              (2 - std::hypot(mesh.x[k], mesh.y[k]));
         double low = 0, high = 1;
-        while (its.valid_after(high)) high *= 2;
+        while (displaced.valid_after(high)) high *= 2;
         for (int k = 0; k < 60; ++k)
-            (its.valid_after(0.5 * (low + high)) ? low : high) = 0.5 * (low + high);
-        CHECK(its.step().step == doctest::Approx(high).epsilon(1e-10));
+            (displaced.valid_after(0.5 * (low + high)) ? low : high) = 0.5 * (low + high);
+        CHECK(displaced.step().step == doctest::Approx(high).epsilon(1e-10));
     }
 }
 
 TEST_CASE("clockwise cells have the same steps; an inverted mesh allows none") {
     Mesh const mesh = square(6, Cells::hybrid, 2, 2);
-    Displaced const its = random_displacement(mesh, 0.01, 5);
-    Displaced clockwise = its;
+    Displaced const displaced = random_displacement(mesh, 0.01, 5);
+    Displaced clockwise = displaced;
     reverse_all(clockwise.mesh);
     std::fill(clockwise.reversed.begin(), clockwise.reversed.end(), std::uint8_t{1});
-    CHECK(clockwise.step().step == doctest::Approx(its.step().step).epsilon(1e-14));
-    CHECK(clockwise.step().cell == its.step().cell);
-    CHECK(clockwise.point(clockwise.step()) == its.point(its.step()));
+    CHECK(clockwise.step().step == doctest::Approx(displaced.step().step).epsilon(1e-14));
+    CHECK(clockwise.step().cell == displaced.step().cell);
+    CHECK(clockwise.point(clockwise.step()) == displaced.point(displaced.step()));
 
-    Displaced inverted = its;
+    Displaced inverted = displaced;
     inverted.mesh.x[8] = -1;
     CHECK(inverted.step().step == 0);
     CHECK(inverted.step().cell == 0);
@@ -267,43 +269,40 @@ TEST_CASE("a displacement that is not a number allows no step") {
     Untrapped const untrapped;
     Mesh const mesh = square(6, Cells::hybrid, 2, 2);
     for (std::size_t point = 0; point < mesh.x.size(); ++point) {
-        Displaced its = random_displacement(mesh, 1e-3, 7);
-        its.dy[point] = std::nan("");
-        AdmissibleStep const found = its.step();
+        Displaced displaced = random_displacement(mesh, 1e-3, 7);
+        displaced.dy[point] = std::nan("");
+        AdmissibleStep const found = displaced.step();
         CHECK(found.step == 0);
         harmorph::Cell const cell = core_mesh(mesh).cell(found.cell);
         CHECK(std::count(cell.point, cell.point + cell.n, static_cast<std::int32_t>(point)) == 1);
     }
 }
 
-TEST_CASE(
-    "a smaller displacement allows the larger step, to rounding; scaling by a power of two "
-    "exactly") {
+TEST_CASE("a smaller displacement allows the larger step, exactly so for powers of two") {
     Mesh const mesh = annulus(5, 24, 0.5, 2, Cells::hybrid);
-    Displaced const its = random_displacement(mesh, 0.01, 6);
-    Displaced small = its;
-    for (std::size_t k = 0; k < its.dx.size(); ++k) small.dx[k] /= 1024, small.dy[k] /= 1024;
-    CHECK(small.step().step == 1024 * its.step().step);
-    Displaced tiny = its;
+    Displaced const displaced = random_displacement(mesh, 0.01, 6);
+    Displaced small = displaced;
+    for (std::size_t k = 0; k < displaced.dx.size(); ++k) small.dx[k] /= 1024, small.dy[k] /= 1024;
+    CHECK(small.step().step == 1024 * displaced.step().step);
+    Displaced tiny = displaced;
     double const unit = std::ldexp(1.0, -40);
-    for (std::size_t k = 0; k < its.dx.size(); ++k) {
+    for (std::size_t k = 0; k < displaced.dx.size(); ++k) {
         tiny.dx[k] *= unit, tiny.dy[k] *= unit;
         tiny.mesh.x[k] *= unit, tiny.mesh.y[k] *= unit;
     }
-    CHECK(tiny.step().step == its.step().step);
+    CHECK(tiny.step().step == displaced.step().step);
 }
 
 TEST_CASE("with a basis: half the admissible step of a movement is a valid mesh, twice is not") {
-    Case its = airfoil_case();
-    Solved const solved(its);
-    hm_mesh const mesh = its.mesh.view();
+    Case setup = airfoil_case();
+    Solved const solved(setup);
+    hm_mesh const mesh = setup.mesh.view();
     for (unsigned seed = 0; seed < 5; ++seed) {
-        std::vector<double> const move = some_move(its.curves.n_control(), 0.05, seed);
-        Displaced displaced(its.mesh);
+        std::vector<double> const move = some_move(setup.curves.n_control(), 0.05, seed);
+        Displaced displaced(setup.mesh);
         REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(displaced.dx, displaced.dy),
                          nullptr, nullptr) == HM_OK);
-        hm_step_report report{};
-        report.struct_size = sizeof report;
+        auto report = sized<hm_step_report>();
         REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(displaced.dx, displaced.dy),
                           nullptr, nullptr, &report, nullptr, nullptr) == HM_OK);
         REQUIRE(report.admissible < HUGE_VAL);
@@ -313,13 +312,11 @@ TEST_CASE("with a basis: half the admissible step of a movement is a valid mesh,
     }
 }
 
-TEST_CASE(
-    "from other coordinates than the mesh's own: the limit is that of the start, as bisection "
-    "finds it") {
-    Case its = airfoil_case();
-    Solved const solved(its);
-    Displaced start(its.mesh), now(its.mesh);
-    std::vector<double> const move = some_move(its.curves.n_control(), 0.05, 3);
+TEST_CASE("the step from other coordinates than the mesh's own is that of the start") {
+    Case setup = airfoil_case();
+    Solved const solved(setup);
+    Displaced start(setup.mesh), now(setup.mesh);
+    std::vector<double> const move = some_move(setup.curves.n_control(), 0.05, 3);
     REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(start.dx, start.dy), nullptr,
                      nullptr) == HM_OK);
     double const limit = start.step().step;
@@ -328,16 +325,15 @@ TEST_CASE(
     hm_mesh const mesh = now.mesh.view();
     hm_step_report report{}, assessed{};
     report.struct_size = assessed.struct_size = sizeof report;
-    hm_quality_report quality{};
-    quality.struct_size = sizeof quality;
-    auto const from = points_in(its.mesh.x, its.mesh.y),
+    auto quality = sized<hm_quality_report>();
+    auto const from = points_in(setup.mesh.x, setup.mesh.y),
                displacement = points_in(start.dx, start.dy);
     REQUIRE(hm_assess(solved.basis, &mesh, from, displacement, nullptr, nullptr, &report, nullptr,
                       nullptr) == HM_OK);
     REQUIRE(hm_assess(solved.basis, &mesh, from, displacement, nullptr, nullptr, &assessed,
                       &quality, nullptr) == HM_OK);
     CHECK(assessed.admissible == report.admissible);
-    CHECK(quality.mean_quality == mean_quality(solved, mesh, start.after(1), its.mesh));
+    CHECK(quality.mean_quality == mean_quality(solved, mesh, start.after(1), setup.mesh));
 
     double valid = 0, invalid = 1;
     while (start.valid_after(invalid)) valid = invalid, invalid += 0.125;

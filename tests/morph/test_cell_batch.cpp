@@ -45,15 +45,14 @@ TEST_CASE("turns and waves, in which areas fall and rise again, are limited as s
     }
 }
 
-// As Fortran's xy(2, n) has them.
+// The coordinates alternate as in an array xy(2, n) of Fortran.
 std::vector<double> in_pairs(std::vector<double> const& x, std::vector<double> const& y) {
     std::vector<double> pairs;
     for (std::size_t i = 0; i < x.size(); ++i) pairs.insert(pairs.end(), {x[i], y[i]});
     return pairs;
 }
 
-TEST_CASE(
-    "points or displacements in pairs give the bits of points in two arrays, in all layouts") {
+TEST_CASE("points in pairs give the bits of points in two arrays in all layouts") {
     for (CellLayout const layout : layouts) {
         CAPTURE(static_cast<int>(layout));
         Grid const grid(layout, 0.2, 0.3, 11);
@@ -80,8 +79,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "lists of any number of cells, in steps of eight and not, are looked at to the last one") {
+TEST_CASE("lists of any number of cells are examined to the last cell") {
     for (CellLayout const layout : {CellLayout::rows, CellLayout::triangles, CellLayout::quads}) {
         CAPTURE(static_cast<int>(layout));
         for (Index n = 1; n <= 40; ++n) {

@@ -67,17 +67,15 @@ std::vector<Point> circle(int n, double r, Point centre, double wobble = 0, unsi
     std::vector<Point> out;
     for (int k = 0; k < n; ++k) {
         double const angle = 2 * std::acos(-1.0) * part * k / n,
-                     its = r * (1 + wobble * (2 * uniform(random) - 1));
-        out.push_back({centre.x + its * std::cos(angle), centre.y + its * std::sin(angle)});
+                     radius = r * (1 + wobble * (2 * uniform(random) - 1));
+        out.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
     }
     return out;
 }
 
 }  // namespace
 
-TEST_CASE(
-    "random polygons: found if and only if any pair of faces crosses, and the pair that is named "
-    "does") {
+TEST_CASE("random polygons cross if and only if a pair of faces crosses, which is named") {
     int crossed = 0, clear = 0;
     std::mt19937 random(7);
     for (int trial = 0; trial < 2000; ++trial) {
@@ -87,14 +85,14 @@ TEST_CASE(
             int const n = 3 + static_cast<int>(random() % 40);
             double const wobble = trial % 2 == 0 ? 0.3 : 0, part = random() % 2 == 0 ? 1 : 0.5;
             Point const centre{4 * uniform(random), 4 * uniform(random)};
-            std::vector<Point> its =
+            std::vector<Point> corners =
                 circle(n, 0.5, centre, wobble, static_cast<unsigned>(trial), part);
             if (random() % 8 == 0) {  // one point far out of place, or nearly
-                Point& moved = its[random() % its.size()];
+                Point& moved = corners[random() % corners.size()];
                 moved.x += 0.7 * (2 * uniform(random) - 1);
                 moved.y += 0.7 * (2 * uniform(random) - 1);
             }
-            polygons.add(its);
+            polygons.add(corners);
         }
         Crossing const found = polygons.find();
         bool const expected = polygons.any_crossing();
@@ -148,9 +146,7 @@ TEST_CASE("touching is not crossing") {
     CHECK(!twice.find().found);
 }
 
-TEST_CASE(
-    "faces that lie on each other cross, and are named, however they are turned and where their "
-    "loops begin") {
+TEST_CASE("faces that lie on each other cross in any order and orientation") {
     struct {
         std::vector<Point> first, second;
         bool cross;
@@ -182,7 +178,7 @@ TEST_CASE(
         for (Complex const by : {Complex(1, 0), Complex(0, 1), Complex(3, 4),
                                  Complex(-1, 2)})  // whole numbers stay exact
             for (std::size_t start = 0; start < pair.first.size(); ++start) {
-                Polygons its;
+                Polygons polygons;
                 for (std::vector<Point> const* polygon : {&pair.first, &pair.second}) {
                     std::vector<Point> turned;
                     for (Point const p : *polygon) {
@@ -192,19 +188,18 @@ TEST_CASE(
                     std::ptrdiff_t const by_start =
                         polygon == &pair.first ? static_cast<std::ptrdiff_t>(start) : 0;
                     std::rotate(turned.begin(), turned.begin() + by_start, turned.end());
-                    its.add(turned);
+                    polygons.add(turned);
                 }
-                Crossing const found = its.find();
+                Crossing const found = polygons.find();
                 CHECK(found.found == pair.cross);
                 if (found.found) {
-                    CHECK(its.has_face(found.first));
-                    CHECK(its.has_face(found.second));
+                    CHECK(polygons.has_face(found.first));
+                    CHECK(polygons.has_face(found.second));
                 }
             }
 }
 
-TEST_CASE(
-    "faces with the same ends: walls that came together cross, the two sides of a wall do not") {
+TEST_CASE("walls that came together cross, but the two sides of one wall do not") {
     // The mesh is on the left: bodies run clockwise, what is round the mesh runs counter-clockwise.
     struct {
         const char* name;
@@ -261,7 +256,7 @@ TEST_CASE(
     for (auto const& one : all)
         for (Complex const by : {Complex(1, 0), Complex(0, 1), Complex(3, 4), Complex(-1, 2)})
             for (std::size_t start = 0; start < one.loops[0].size(); ++start) {
-                Polygons its;
+                Polygons polygons;
                 for (std::vector<Point> const& loop : one.loops) {
                     std::vector<Point> turned;
                     for (Point const p : loop) {
@@ -271,26 +266,26 @@ TEST_CASE(
                     std::ptrdiff_t const by_start =
                         static_cast<std::ptrdiff_t>(start % loop.size());
                     std::rotate(turned.begin(), turned.begin() + by_start, turned.end());
-                    its.add(turned);
+                    polygons.add(turned);
                 }
-                Crossing const found = its.find();
+                Crossing const found = polygons.find();
                 INFO(std::string(one.name));
                 CHECK(found.found == one.cross);
                 if (found.found) {
-                    CHECK(its.has_face(found.first));
-                    CHECK(its.has_face(found.second));
+                    CHECK(polygons.has_face(found.first));
+                    CHECK(polygons.has_face(found.second));
                 }
             }
 }
 
 TEST_CASE("a point beside a line by the last bit is beside it") {
     for (double const off : {0.0, 1.0, -1.0}) {
-        Polygons
-            its;  // the line y = x / 3 from 0 to 9, and a face that lies on it, but for one end
-        its.add({{0, 0}, {9, 3}, {9, 9}});
+        Polygons polygons;  // the line y = x / 3 from 0 to 9, and a face that lies on it, but for
+                            // one end
+        polygons.add({{0, 0}, {9, 3}, {9, 9}});
         double const y = std::nextafter(2.0, 2 + off);
-        its.add({{3, 1}, {6, y}, {6, -5}, {3, -5}});
-        CHECK(its.find().found ==
+        polygons.add({{3, 1}, {6, y}, {6, -5}, {3, -5}});
+        CHECK(polygons.find().found ==
               (off == 0 || off > 0));  // on it, through it, or touching it from outside
     }
 }
@@ -313,10 +308,10 @@ TEST_CASE("a boundary that passes exactly through points has crossed, wherever i
                     if (turn > 0) p = {-p.y, p.x};
             for (std::size_t first = 0; first < 4; ++first) {
                 std::rotate(bar.begin(), bar.begin() + 1, bar.end());
-                Polygons its;
-                its.add(square);
-                its.add(bar);
-                CHECK(its.find().found);
+                Polygons polygons;
+                polygons.add(square);
+                polygons.add(bar);
+                CHECK(polygons.find().found);
             }
         }
     }
@@ -344,19 +339,17 @@ TEST_CASE("a figure of eight, and a body that enters another") {
     CHECK(bodies.find().found);
 }
 
-TEST_CASE(
-    "boundaries of valid meshes do not cross; a wall that is pushed through another wall does") {
+TEST_CASE("boundaries of valid meshes do not cross, but a wall pushed through another one does") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
-        Case its = airfoil_case(40, 12, kind);
-        Solved const solved(its);
-        hm_mesh const mesh = its.mesh.view();
-        hm_quality_report report{};
-        report.struct_size = sizeof report;
+        Case setup = airfoil_case(40, 12, kind);
+        Solved const solved(setup);
+        hm_mesh const mesh = setup.mesh.view();
+        auto report = sized<hm_quality_report>();
         REQUIRE(hm_assess(solved.basis, &mesh, &mesh.points, nullptr, nullptr, nullptr, nullptr,
                           &report, nullptr) == HM_OK);
         CHECK(report.self_crossing == 0);
         for (std::int32_t const point : report.crossing_points) CHECK(point == -1);
-        Mesh crossed = its.mesh;
+        Mesh crossed = setup.mesh;
         for (std::size_t k = 10; k < 20; ++k) crossed.y[k] -= 0.2;  // on the upper side
         REQUIRE(hm_assess(solved.basis, &mesh, points_in(crossed.x, crossed.y), nullptr, nullptr,
                           nullptr, nullptr, &report, nullptr) == HM_OK);
@@ -368,8 +361,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "many bodies: the only pair that overlaps is found among them, and none where none does") {
+TEST_CASE("the only pair of bodies that overlaps is found among many bodies") {
     for (bool const overlap : {false, true}) {
         Polygons polygons;
         for (int i = 0; i < 20; ++i)
@@ -380,9 +372,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "points that are all in one place, and a loop that is folded onto a line along an axis, cross "
-    "nothing") {
+TEST_CASE("points in one place and a loop folded onto a line along an axis cross nothing") {
     Polygons collapsed, folded;
     collapsed.add(std::vector<Point>(3000, Point{0.5, -0.25}));
     CHECK(!collapsed.find().found);

@@ -42,14 +42,14 @@ bool iterates(Options const& options) { return options.engine != HM_DIRECT; }
 
 Case cut_airfoil() {
     CMesh const c = c_mesh(naca4({}, 24), 12, 8, stretched(5e-3, 8, 12));
-    Case its = airfoil_case(24, 12);
-    its.mesh = c.mesh;
-    return its;
+    Case setup = airfoil_case(24, 12);
+    setup.mesh = c.mesh;
+    return setup;
 }
 
 struct Problem {
     const char* name;
-    Case its;
+    Case setup;
     bool slips = false;  // or is periodic: not for the bounded scheme's edges beside the pair
 };
 
@@ -72,17 +72,15 @@ bool goes_together(Problem const& problem, Options const& options) {
 
 }  // namespace
 
-TEST_CASE(
-    "the displacements of curves and rigid bodies, given point by point, move the mesh as the "
-    "functions do") {
+TEST_CASE("displacements given point by point move the mesh as functions do") {
     for (Problem& problem : problems())
         for (Setting const& setting : settings) {
             if (!goes_together(problem, setting.options)) continue;
             INFO(std::string(problem.name) << ", " << std::string(setting.name));
-            Solved const solved(problem.its, &setting.options);
+            Solved const solved(problem.setup, &setting.options);
             std::vector<double> const move = some_move(solved.report.functions, 0.1, 7);
             Field const expected = displacement(solved, move);
-            Case given = given_instead(problem.its);
+            Case given = given_instead(problem.setup);
             Displaced displaced(given, &setting.options);
             Field const wall = displaced.on_wall(expected), found = displaced.displace(wall);
             CHECK(largest_difference(found, expected) <
@@ -93,9 +91,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "one marker given beside a curve: the two displacements add up, and each leaves the other's "
-    "wall alone") {
+TEST_CASE("displacements of a given marker and of a curve add up without disturbing each other") {
     for (Setting const& setting : settings) {
         Case curves = two_body_case(Cells::hybrid, 8, 6), both = curves;
         both.conditions.clear();
@@ -118,23 +114,21 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "linear maps of the boundary: translations exact, similarities if conformal, all maps if "
-    "Laplace's") {
+TEST_CASE("translations of the boundary are exact, and similarities or linear maps by operator") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         for (Setting const& setting : settings) {
-            Case its;
-            its.mesh = square(8, kind, 2, 2);
-            perturb(its.mesh, 0.2, 5);
+            Case setup;
+            setup.mesh = square(8, kind, 2, 2);
+            perturb(setup.mesh, 0.2, 5);
             for (int const marker : {int{body}, int{left}, int{right}, int{bottom}, int{top}})
-                its.set_given(marker);
+                setup.set_given(marker);
             std::int32_t const operator_kind = setting.options.operator_kind;
             Complex const similar = operator_kind == HM_WEIGHTED ? 0 : Complex(-0.3, 0.7);
             Complex const conjugate = operator_kind == HM_LAPLACE ? Complex(0.2, 0.1) : 0;
             Field expected;
-            for (Complex const z : positions(its.mesh))
+            for (Complex const z : positions(setup.mesh))
                 expected.push_back(similar * z + conjugate * std::conj(z) + Complex(3, 4));
-            Displaced displaced(its, &setting.options);
+            Displaced displaced(setup, &setting.options);
             INFO(std::string(setting.name));
             CHECK(largest_difference(displaced.displace(displaced.on_wall(expected)), expected) <
                   1e-10);
@@ -146,7 +140,7 @@ TEST_CASE("the adjoint is the transpose") {
         for (Setting const& setting : settings) {
             if (!goes_together(problem, setting.options)) continue;
             INFO(std::string(problem.name) << ", " << std::string(setting.name));
-            Case given = given_instead(problem.its);
+            Case given = given_instead(problem.setup);
             Displaced displaced(given, &setting.options);
             Field const wall = some_field(displaced.points.size(), 3);
             Field const dj = some_field(static_cast<std::size_t>(given.mesh.n_points()), 4);
@@ -159,12 +153,12 @@ TEST_CASE("the adjoint is the transpose") {
 
 TEST_CASE("many fields at once are those of single calls") {
     for (Setting const& setting : settings) {
-        Case its = given_instead(airfoil_case(12, 6));
-        Displaced displaced(its, &setting.options);
+        Case setup = given_instead(airfoil_case(12, 6));
+        Displaced displaced(setup, &setting.options);
         std::vector<Field> walls, gradients;
         for (unsigned k = 0; k < 29; ++k) {
             walls.push_back(some_field(displaced.points.size(), k));
-            gradients.push_back(some_field(static_cast<std::size_t>(its.mesh.n_points()), k));
+            gradients.push_back(some_field(static_cast<std::size_t>(setup.mesh.n_points()), k));
         }
         std::vector<Field> const moved = displaced.displace(walls),
                                  of_wall = displaced.adjoint(gradients);
@@ -181,19 +175,19 @@ TEST_CASE("many fields at once are those of single calls") {
 
 TEST_CASE("the same bits for any number of threads, in one block and in several") {
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
-        Case its = given_instead(airfoil_case(40, 10));
+        Case setup = given_instead(airfoil_case(40, 10));
         Options options = options_of(operator_kind);
-        Displaced serial(its, &options);
+        Displaced serial(setup, &options);
         std::vector<Field> walls, gradients;
         for (unsigned k = 0; k < 15; ++k) {
             walls.push_back(some_field(serial.points.size(), k));
-            gradients.push_back(some_field(static_cast<std::size_t>(its.mesh.n_points()), k));
+            gradients.push_back(some_field(static_cast<std::size_t>(setup.mesh.n_points()), k));
         }
         for (std::int32_t const n_threads : {2, 7}) {
             Backwards threads;
             hm_executor const executor = threads.executor(n_threads);
             options.executor = &executor;
-            Displaced parallel(its, &options);
+            Displaced parallel(setup, &options);
             CHECK(parallel.displace(walls) == serial.displace(walls));
             CHECK(parallel.adjoint(gradients) == serial.adjoint(gradients));
         }
@@ -201,18 +195,16 @@ TEST_CASE("the same bits for any number of threads, in one block and in several"
     }
 }
 
-TEST_CASE(
-    "lists: any order, repeated points, both sides of a cut; the gradient is where a point stands "
-    "first") {
-    Case its = given_instead(cut_airfoil());
-    its.index_base = 1;
-    Displaced displaced(its);
+TEST_CASE("lists of given points may have any order, repetitions and both sides of a cut") {
+    Case setup = given_instead(cut_airfoil());
+    setup.index_base = 1;
+    Displaced displaced(setup);
     Field const wall = some_field(displaced.points.size(), 1);
     Field const expected = displaced.displace(wall);
     Field const dj = some_field(expected.size(), 2), gradient = displaced.adjoint(dj);
 
     // The trailing edge twice: a cut begins there.
-    std::vector<std::int32_t> const body_points = points_on(its.mesh, body);
+    std::vector<std::int32_t> const body_points = points_on(setup.mesh, body);
     CHECK(body_points.size() == displaced.points.size() + 1);
     std::vector<std::int32_t> list;
     for (std::size_t k = body_points.size(); k-- > 0;) list.push_back(body_points[k] + 1);
@@ -228,13 +220,12 @@ TEST_CASE(
     CHECK(std::abs(found[5]) > 0);
 }
 
-TEST_CASE(
-    "from coordinates: moved points, unmoved bits, moved plans, and walls that cross are refused") {
-    Case its = given_instead(tiny_case());
-    Displaced displaced(its);
-    std::size_t const n = its.mesh.x.size(), n_wall = displaced.points.size();
-    std::vector<double> x = its.mesh.x, y = its.mesh.y, to_x(n, 7), to_y(n, 7), wall_x(n_wall, 0),
-                        wall_y(n_wall, 0.25);
+TEST_CASE("displacements start at any coordinates, and walls that cross are refused") {
+    Case setup = given_instead(tiny_case());
+    Displaced displaced(setup);
+    std::size_t const n = setup.mesh.x.size(), n_wall = displaced.points.size();
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y, to_x(n, 7), to_y(n, 7),
+                        wall_x(n_wall, 0), wall_y(n_wall, 0.25);
     Guarded work = displaced.work_for(1);
     auto const displace = [&] {
         return hm_displace(displaced.plan, static_cast<std::int32_t>(n_wall), nullptr, 1,
@@ -269,33 +260,28 @@ TEST_CASE(
 }
 
 TEST_CASE("a basis without functions: for quality, step and assessment") {
-    Case its = given_instead(airfoil_case(24, 10));
-    Displaced displaced(its);
+    Case setup = given_instead(airfoil_case(24, 10));
+    Displaced displaced(setup);
     Field const moved = displaced.displace(Field(displaced.points.size(), Complex(0.01, 0.02)));
     const double* const xy = reinterpret_cast<const double*>(moved.data());
-    hm_step_report step{};
-    hm_quality_report quality{};
-    step.struct_size = sizeof step;
-    quality.struct_size = sizeof quality;
+    auto step = sized<hm_step_report>();
+    auto quality = sized<hm_quality_report>();
     for (int solved = 0; solved < 2; ++solved) {
-        REQUIRE(hm_assess(displaced.basis, &its.mesh_view(), nullptr, points_in(xy, xy + 1, 2),
+        REQUIRE(hm_assess(displaced.basis, &setup.mesh_view(), nullptr, points_in(xy, xy + 1, 2),
                           nullptr, nullptr, &step, &quality, &displaced.error) == HM_OK);
         CHECK(step.admissible > 1);
         CHECK(quality.inverted == 0);
-        hm_solve_report report{};
-        report.struct_size = sizeof report;
+        auto report = sized<hm_solve_report>();
         REQUIRE(hm_plan_solve(displaced.plan, displaced.basis, &report, &displaced.error) == HM_OK);
         CHECK(report.functions == 0);
     }
 }
 
-TEST_CASE(
-    "the residual that is reported is that of the solution: small, but there, as numbers are "
-    "rounded") {
-    Case its = given_instead(airfoil_case());
-    Displaced displaced(its);
+TEST_CASE("the reported residual of a displacement is that of the solution") {
+    Case setup = given_instead(airfoil_case());
+    Displaced displaced(setup);
     Field const wall = some_field(displaced.points.size(), 3, 0.01),
-                j = some_field(its.mesh.x.size(), 4);
+                j = some_field(setup.mesh.x.size(), 4);
     for (bool const transposed : {false, true}) {
         displaced.displace_report.residual = -1;
         if (transposed) displaced.adjoint(j);

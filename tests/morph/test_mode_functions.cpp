@@ -41,19 +41,17 @@ TEST_CASE("B-spline functions given as tables are the functions of the curve") {
     }
 }
 
-TEST_CASE(
-    "modes beside curves and bodies: as displaced, the other functions as they were, exact "
-    "transpose") {
+TEST_CASE("modes move as given displacements beside curves and bodies, with an exact transpose") {
     Case slipping = given_instead(half_ring(8, 16, Cells::hybrid, 0.2, 4));
     Case curve = curve_and_table(), rigid = curve_and_table();
     rigid.conditions.clear();
     rigid.set_rigid(body, 0.5, 0.5);
     rigid.set_given(second_body);
-    for (Case* its : {&curve, &rigid, &slipping})
+    for (Case* setup : {&curve, &rigid, &slipping})
         for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL})
             for (std::int32_t const numbers : {1, 2}) {
                 Options const options = options_of(kind);
-                Attempt solved(its->problem(), &options);
+                Attempt solved(setup->problem(), &options);
                 INFO(solved.error.text);
                 REQUIRE(solved.status == HM_OK);
                 std::vector<std::int32_t> const points = given_points(solved.plan);
@@ -78,9 +76,7 @@ TEST_CASE(
                 for (std::size_t k = 0; k < points.size(); ++k)
                     wall.push_back(a * modes[0][k] + b * modes[1][k]);
                 Moved const found = displaced(tabulated.basis, move);
-                std::size_t bytes = 0;
-                REQUIRE(hm_displace_size(solved.plan, 1, &bytes, nullptr) == HM_OK);
-                Guarded work(bytes);
+                Guarded work = block_of(hm_displace_size, solved.plan, 1);
                 Moved expected = found;
                 Numbers wall_x, wall_y;
                 for (auto const& value : wall)
@@ -88,7 +84,7 @@ TEST_CASE(
                 hm_points const from{wall_x.data(), wall_y.data(), 1};
                 hm_points_out const to{expected.x.data(), expected.y.data(), 1};
                 REQUIRE(hm_displace(solved.plan, static_cast<std::int32_t>(points.size()), nullptr,
-                                    1, &from, nullptr, &to, work.data(), bytes, nullptr,
+                                    1, &from, nullptr, &to, work.data(), work.size(), nullptr,
                                     nullptr) == HM_OK);
                 for (std::size_t k = 0; k < found.x.size(); ++k) {
                     CHECK(std::fabs(found.x[k] - expected.x[k]) < 1e-14);
@@ -121,11 +117,11 @@ TEST_CASE(
                 }
                 CHECK(std::fabs(work_on_wall - work_on_mesh) <= 1e-14 * parts);
 
-                // As a block, and as the rows of some points.
+                // The functions are compared as a block, and as the rows of some points.
                 std::vector<unsigned char> const copy = bytes_of(tabulated.basis);
                 Numbers block(copy.size() / sizeof(double));
                 std::memcpy(block.data(), copy.data(), copy.size());
-                hm_mesh const mesh = its->mesh_view();
+                hm_mesh const mesh = setup->mesh_view();
                 const hm_basis* attached = nullptr;
                 REQUIRE(hm_basis_attach(&attached, block.data(), copy.size(), &mesh, nullptr) ==
                         HM_OK);
@@ -138,18 +134,17 @@ TEST_CASE(
                 // Solved again on a moved mesh: as displaced there, and the wall as before.
                 Numbers part = move;
                 for (double& number : part) number *= 0.1;
-                Moved const elsewhere = morphed(tabulated.basis, its->mesh, part);
+                Moved const elsewhere = morphed(tabulated.basis, setup->mesh, part);
                 REQUIRE(hm_plan_factor(solved.plan, points_in(elsewhere.x, elsewhere.y), nullptr) ==
                         HM_OK);
-                hm_solve_report report{};
-                report.struct_size = sizeof report;
+                auto report = sized<hm_solve_report>();
                 REQUIRE(hm_plan_solve(solved.plan, tabulated.basis, &report, nullptr) == HM_OK);
                 CHECK(report.functions == info.functions);
                 CHECK(report.residual < 1e-12);
                 CHECK(report.boundary_error_point == -1);
                 Moved const again = displaced(tabulated.basis, move);
                 REQUIRE(hm_displace(solved.plan, static_cast<std::int32_t>(points.size()), nullptr,
-                                    1, &from, nullptr, &to, work.data(), bytes, nullptr,
+                                    1, &from, nullptr, &to, work.data(), work.size(), nullptr,
                                     nullptr) == HM_OK);
                 for (std::size_t k = 0; k < again.x.size(); ++k) {
                     CHECK(std::fabs(again.x[k] - expected.x[k]) < 1e-14);
@@ -164,8 +159,8 @@ TEST_CASE(
 }
 
 TEST_CASE("a cancelled solution leaves the table, and the next one uses it") {
-    Case its = curve_and_table();
-    Solved const solved(its);
+    Case setup = curve_and_table();
+    Solved const solved(setup);
     std::size_t const n = given_points(solved.plan).size();
     Tabulated const tabulated(solved.plan, solved.basis,
                               {some_field(n, 5, 0.02), some_field(n, 6, 0.02)}, 2);
@@ -182,7 +177,7 @@ TEST_CASE("a cancelled solution leaves the table, and the next one uses it") {
     options.progress = Stop::at;
     options.progress_user = &stop;
     Attempt second;
-    REQUIRE(second.analyse(its.problem(), &options));
+    REQUIRE(second.analyse(setup.problem(), &options));
     REQUIRE(second.prepare());
     REQUIRE(hm_plan_factor(second.plan, nullptr, nullptr) == HM_OK);
     for (std::int32_t const phase : {HM_PHASE_SOLVE, HM_PHASE_RESIDUAL}) {
@@ -200,8 +195,8 @@ TEST_CASE("a cancelled solution leaves the table, and the next one uses it") {
 }
 
 TEST_CASE("modes on top of combined functions and of other modes; too many are not solved again") {
-    Case its = curve_and_table();
-    Solved const solved(its);
+    Case setup = curve_and_table();
+    Solved const solved(setup);
     std::size_t const n = given_points(solved.plan).size();
     std::int32_t const controls = info_of(solved.basis).control_points;
     Combination const matrix(controls, 2, 1, 2);
@@ -221,13 +216,12 @@ TEST_CASE("modes on top of combined functions and of other modes; too many are n
                                 static_cast<std::size_t>(controls));  // the matrix is still there
     std::vector<hm_curve> curve(2);
     for (hm_curve& one_curve : curve) one_curve.struct_size = sizeof one_curve;
-    hm_curves curves{};
-    curves.struct_size = sizeof curves;
+    auto curves = sized<hm_curves>();
     REQUIRE(hm_moved_curves(two.basis, few.data(), control.data(), &curves, curve.data(), 2,
                             nullptr) == HM_OK);
     Numbers const by = matrix.expanded({few.begin(), few.begin() + 4});
     for (std::size_t i = 0; i < control.size(); ++i)
-        CHECK(control[i] - its.curves.control[i] == doctest::Approx(by[i]).epsilon(1e-12));
+        CHECK(control[i] - setup.curves.control[i] == doctest::Approx(by[i]).epsilon(1e-12));
 
     std::vector<Field> many;
     for (unsigned k = 0; k < 600; ++k) many.push_back(some_field(n, k, 0.02));
@@ -243,18 +237,16 @@ TEST_CASE("modes on top of combined functions and of other modes; too many are n
 }
 
 TEST_CASE("modes stay behind combined functions") {
-    Case its = curve_and_table();
-    Solved const solved(its);
+    Case setup = curve_and_table();
+    Solved const solved(setup);
     std::vector<std::int32_t> const points = given_points(solved.plan);
     Tabulated const tabulated(solved.plan, solved.basis, {some_field(points.size(), 5, 0.02)}, 2);
     REQUIRE(tabulated.status == HM_OK);
     std::int32_t const n = info_of(tabulated.basis).control_points;
     Numbers matrix = some_move(n, 1, 2);
-    std::size_t bytes = 0;
-    REQUIRE(hm_combine_size(tabulated.basis, 2, 1, &bytes, nullptr) == HM_OK);
-    Guarded block(bytes);
+    Guarded block = block_of(hm_combine_size, tabulated.basis, 2, 1);
     hm_basis* combined = nullptr;
-    REQUIRE(hm_combine(&combined, block.data(), bytes, tabulated.basis, 2, 1, matrix.data(),
+    REQUIRE(hm_combine(&combined, block.data(), block.size(), tabulated.basis, 2, 1, matrix.data(),
                        nullptr) == HM_OK);
     CHECK(info_of(combined).functions == 3);
     CHECK(info_of(combined).modes == 1);
@@ -265,8 +257,8 @@ TEST_CASE("modes stay behind combined functions") {
 }
 
 TEST_CASE("tables that cannot be used are refused by name, with nothing written") {
-    Case its = curve_and_table();
-    Solved const solved(its);
+    Case setup = curve_and_table();
+    Solved const solved(setup);
     std::vector<std::int32_t> points = given_points(solved.plan);
     Field const good = some_field(points.size(), 5), zero(points.size());
     auto const refusal = [&](Tabulated const& made, std::string const& word, int item) {

@@ -35,9 +35,9 @@ Moved displaced(Solved const& solved, Numbers const& move) {
 }  // namespace
 
 TEST_CASE("the displacement is the sum of functions times movements") {
-    Case its = airfoil_case();
-    Solved const solved(its);
-    std::int32_t const n = its.curves.n_control();
+    Case setup = airfoil_case();
+    Solved const solved(setup);
+    std::int32_t const n = setup.curves.n_control();
     Numbers const move = some_move(n, 0.01, 1);
     Moved const found = displaced(solved, move);
     Numbers mx, my;
@@ -52,8 +52,8 @@ TEST_CASE("the displacement is the sum of functions times movements") {
 TEST_CASE("a morph is linear in the movement, also for more functions than one block of them") {
     // 150 functions: the product is blocked by 128. 3 functions: less than a vector.
     for (int const n : {150, 3}) {
-        Case its = ring_case(5, 300, 0.5, 2, Cells::hybrid, 2, n);
-        Solved const solved(its);
+        Case setup = ring_case(5, 300, 0.5, 2, Cells::hybrid, 2, n);
+        Solved const solved(setup);
         Numbers const a = some_move(n, 1, 2), b = some_move(n, 1, 3);
         Numbers both;
         for (std::size_t k = 0; k < a.size(); ++k) both.push_back(a[k] - 2.5 * b[k]);
@@ -74,14 +74,15 @@ TEST_CASE("a morph is linear in the movement, also for more functions than one b
 }
 
 TEST_CASE("a translation moves the wall as a whole, and the far field not at all") {
-    Case its = airfoil_case();
-    Solved const solved(its);
+    Case setup = airfoil_case();
+    Solved const solved(setup);
     Numbers move;
-    for (std::int32_t i = 0; i < its.curves.n_control(); ++i) move.insert(move.end(), {0.25, -0.5});
+    for (std::int32_t i = 0; i < setup.curves.n_control(); ++i)
+        move.insert(move.end(), {0.25, -0.5});
     Moved const found = displaced(solved, move);
-    for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face) {
-        std::size_t const point = static_cast<std::size_t>(its.mesh.faces[2 * face]);
-        bool const far = its.mesh.face_markers[face] == far_field;
+    for (std::size_t face = 0; face < setup.mesh.face_markers.size(); ++face) {
+        std::size_t const point = static_cast<std::size_t>(setup.mesh.faces[2 * face]);
+        bool const far = setup.mesh.face_markers[face] == far_field;
         CHECK(std::fabs(found.x[point] - (far ? 0 : 0.25)) < 1e-15);
         CHECK(std::fabs(found.y[point] - (far ? 0 : -0.5)) < 1e-15);
     }
@@ -89,10 +90,10 @@ TEST_CASE("a translation moves the wall as a whole, and the far field not at all
 
 TEST_CASE("the adjoint is the transpose: <g, F m> = <F^T g, m>") {
     for (int const n : {4, 9, 150}) {
-        Case its = ring_case(20, 300, 0.5, 2, Cells::hybrid, 3,
-                             n);  // 6300 points: more than one block of them
-        Solved const solved(its);
-        Numbers const move = some_move(n, 1, 4), g = some_move(its.mesh.n_points(), 1, 5);
+        Case setup = ring_case(20, 300, 0.5, 2, Cells::hybrid, 3,
+                               n);  // 6300 points: more than one block of them
+        Solved const solved(setup);
+        Numbers const move = some_move(n, 1, 4), g = some_move(setup.mesh.n_points(), 1, 5);
         Moved const found = displaced(solved, move);
         Numbers gradient(2 * static_cast<std::size_t>(n), -1.0);
         REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(),
@@ -109,11 +110,11 @@ TEST_CASE("the adjoint is the transpose: <g, F m> = <F^T g, m>") {
 }
 
 TEST_CASE("one component of the adjoint is one function against the gradient") {
-    Case its = airfoil_case();
-    Solved const solved(its);
+    Case setup = airfoil_case();
+    Solved const solved(setup);
     Numbers const f = solved.values(5);
     Numbers gx(f.size(), 0.0), gy(f.size(), 0.0),
-        gradient(2 * static_cast<std::size_t>(its.curves.n_control()));
+        gradient(2 * static_cast<std::size_t>(setup.curves.n_control()));
     gx[77] = 2;
     gy[91] = -1;
     REQUIRE(hm_adjoint(solved.basis, points_in(gx, gy), gradient.data(), nullptr, nullptr) ==
@@ -124,35 +125,35 @@ TEST_CASE("one component of the adjoint is one function against the gradient") {
 }
 
 TEST_CASE("zero movement keeps every bit, of negative zeros too") {
-    Case its = airfoil_case();
-    Solved const solved(its);
-    Mesh mesh = its.mesh;
+    Case setup = airfoil_case();
+    Solved const solved(setup);
+    Mesh mesh = setup.mesh;
     for (std::size_t k = 0; k < mesh.x.size(); k += 3) {
         mesh.x[k] = -0.0;
         mesh.y[(k + 1) % mesh.y.size()] = -0.0;
     }
     for (double const zero : {0.0, -0.0}) {
-        Numbers const move(2 * static_cast<std::size_t>(its.curves.n_control()), zero);
+        Numbers const move(2 * static_cast<std::size_t>(setup.curves.n_control()), zero);
         Moved const found = morphed(solved, mesh, move);
         CHECK(same_bits(found.x, mesh.x));
         CHECK(same_bits(found.y, mesh.y));
     }
     // Points that no function reaches keep theirs under any movement.
-    Moved const found = morphed(solved, mesh, some_move(its.curves.n_control(), 1, 6));
-    for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face) {
-        if (its.mesh.face_markers[face] != far_field) continue;
-        std::size_t const point = static_cast<std::size_t>(its.mesh.faces[2 * face]);
+    Moved const found = morphed(solved, mesh, some_move(setup.curves.n_control(), 1, 6));
+    for (std::size_t face = 0; face < setup.mesh.face_markers.size(); ++face) {
+        if (setup.mesh.face_markers[face] != far_field) continue;
+        std::size_t const point = static_cast<std::size_t>(setup.mesh.faces[2 * face]);
         CHECK(found.x[point] == mesh.x[point]);
         CHECK(std::signbit(found.x[point]) == std::signbit(mesh.x[point]));
     }
 }
 
 TEST_CASE("in place and to another array, in any layout: the same bits") {
-    Case its = airfoil_case();
-    Solved const solved(its);
-    std::size_t const n = its.mesh.x.size();
-    Numbers const move = some_move(its.curves.n_control(), 0.01, 7);
-    Moved const expected = morphed(solved, its.mesh, move);
+    Case setup = airfoil_case();
+    Solved const solved(setup);
+    std::size_t const n = setup.mesh.x.size();
+    Numbers const move = some_move(setup.curves.n_control(), 0.01, 7);
+    Moved const expected = morphed(solved, setup.mesh, move);
     struct Layout {
         std::size_t x, y, stride, size;  // where x and y begin
     };
@@ -161,8 +162,8 @@ TEST_CASE("in place and to another array, in any layout: the same bits") {
     for (Layout const& from : layouts) {
         Numbers old(from.size, -77.0);
         for (std::size_t k = 0; k < n; ++k) {
-            old[from.x + k * from.stride] = its.mesh.x[k];
-            old[from.y + k * from.stride] = its.mesh.y[k];
+            old[from.x + k * from.stride] = setup.mesh.x[k];
+            old[from.y + k * from.stride] = setup.mesh.y[k];
         }
         auto const compare = [&](Numbers const& all, Layout const& layout) {
             Wrong wrong;
@@ -195,32 +196,32 @@ TEST_CASE("in place and to another array, in any layout: the same bits") {
 }
 
 TEST_CASE("displacements added to the mesh are the morphed mesh") {
-    Case its = airfoil_case();
-    Solved const solved(its);
-    Numbers const move = some_move(its.curves.n_control(), 0.01, 8);
-    Moved const by = displaced(solved, move), to = morphed(solved, its.mesh, move);
+    Case setup = airfoil_case();
+    Solved const solved(setup);
+    Numbers const move = some_move(setup.curves.n_control(), 0.01, 8);
+    Moved const by = displaced(solved, move), to = morphed(solved, setup.mesh, move);
     Numbers expected;
     for (std::size_t k = 0; k < by.x.size(); ++k)
-        expected.push_back(by.x[k] == 0 ? its.mesh.x[k] : its.mesh.x[k] + by.x[k]);
+        expected.push_back(by.x[k] == 0 ? setup.mesh.x[k] : setup.mesh.x[k] + by.x[k]);
     CHECK(same_bits(to.x, expected));
 }
 
 TEST_CASE("points on the curve move as the B-spline does, to 1e-12") {
     for (bool const weighted : {false, true}) {
-        Case its = two_body_case();
+        Case setup = two_body_case();
         if (weighted)
-            for (int k = 0; k < 20; ++k) its.curves.weights.push_back(1 + 0.1 * k);
-        Solved const solved(its);
+            for (int k = 0; k < 20; ++k) setup.curves.weights.push_back(1 + 0.1 * k);
+        Solved const solved(setup);
         Numbers const move = some_move(20, 0.3, 9);
         Moved const by = displaced(solved, move);
-        CurveSet moved = its.curves;
+        CurveSet moved = setup.curves;
         for (std::size_t k = 0; k < move.size(); ++k) moved.control[k] += move[k];
         hm_basis_info const info = solved.info();
         CHECK(info.curve_points == 96);
         double largest = 0;
         for (std::int32_t k = 0; k < info.curve_points; ++k) {
             double before[2], after[2];
-            REQUIRE(hm_curve_point(&its.curves.view(), info.point_curve[k], info.point_u[k], 0,
+            REQUIRE(hm_curve_point(&setup.curves.view(), info.point_curve[k], info.point_u[k], 0,
                                    before, nullptr) == HM_OK);
             REQUIRE(hm_curve_point(&moved.view(), info.point_curve[k], info.point_u[k], 0, after,
                                    nullptr) == HM_OK);
@@ -230,10 +231,10 @@ TEST_CASE("points on the curve move as the B-spline does, to 1e-12") {
         }
         CHECK(largest < 1e-12);
 
-        Moved const to = morphed(solved, its.mesh, move);
+        Moved const to = morphed(solved, setup.mesh, move);
         double error = -1;
         std::int32_t worst = -5;
-        REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+        REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
                                   points_in(to.x, to.y), &error, &worst, nullptr) == HM_OK);
         CHECK(error >= 0);
         CHECK(error < 1e-12);
@@ -241,14 +242,14 @@ TEST_CASE("points on the curve move as the B-spline does, to 1e-12") {
         Moved wrong = to;
         std::size_t const shifted = static_cast<std::size_t>(info.curve_point[17]);
         wrong.y[shifted] += 1e-3;
-        REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+        REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
                                   points_in(wrong.x, wrong.y), &error, &worst, nullptr) == HM_OK);
         CHECK(error == doctest::Approx(1e-3).epsilon(1e-9));
         CHECK(worst == info.curve_point[17]);
         Untrapped const untrapped;
         wrong.x[static_cast<std::size_t>(info.curve_point[3])] =
             std::nan("");  // and one that is nowhere
-        REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+        REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
                                   points_in(wrong.x, wrong.y), &error, &worst, nullptr) == HM_OK);
         CHECK(std::isnan(error));
         CHECK(worst == info.curve_point[3]);
@@ -256,27 +257,26 @@ TEST_CASE("points on the curve move as the B-spline does, to 1e-12") {
 }
 
 TEST_CASE("a movement that is not finite is refused, and nothing is written") {
-    Case its = airfoil_case();
-    Solved const solved(its);
-    Numbers move(2 * static_cast<std::size_t>(its.curves.n_control()), 0.1);
+    Case setup = airfoil_case();
+    Solved const solved(setup);
+    Numbers move(2 * static_cast<std::size_t>(setup.curves.n_control()), 0.1);
     for (double const bad : {std::nan(""), HUGE_VAL}) {
         move[9] = bad;
-        Mesh mesh = its.mesh;
+        Mesh mesh = setup.mesh;
         hm_error error{};
         CHECK(hm_morph(solved.basis, move.data(), points_in(mesh.x, mesh.y),
                        points_out(mesh.x, mesh.y), nullptr, &error) == HM_BAD_ARGUMENT);
         CHECK(error.item == 4);
-        CHECK(same_bits(mesh.x, its.mesh.x));
+        CHECK(same_bits(mesh.x, setup.mesh.x));
     }
 }
 
-TEST_CASE(
-    "a point that does not move keeps its bits, also those of -0, in every layout and storage") {
-    Case its = cut_ring(
+TEST_CASE("a point that does not move keeps its bits, also those of -0") {
+    Case setup = cut_ring(
         30, 11);  // the last block of points is filled in part; a cut joins points to the wall
-    Solved const solved(its);
+    Solved const solved(setup);
     Single const single(solved.basis);
-    std::size_t const n = its.mesh.x.size();
+    std::size_t const n = setup.mesh.x.size();
     Numbers move(static_cast<std::size_t>(2 * solved.info().functions), 0.0);
     for (bool const moves_x : {false, true}) {
         for (std::size_t k = 0; k < move.size(); k += 2)

@@ -49,24 +49,25 @@ struct Product {
     // All x, then all y.
     std::vector<double> multiply(Kernel kernel) const { return multiply(kernel, whole()); }
     template <class Number>
-    std::vector<double> multiply(Kernel kernel, harmorph::ValueBlocks<Number> const& of) const {
+    std::vector<double> multiply(Kernel kernel, harmorph::ValueBlocks<Number> const& factor) const {
         std::vector<double> x(n_points(), 0.5), y(n_points(), -0.25);  // is added to
-        harmorph::product_kernels(kernel).of(of).multiply(of, by, {x.data(), y.data()});
+        harmorph::product_kernels(kernel).of(factor).multiply(factor, by, {x.data(), y.data()});
         x.insert(x.end(), y.begin(), y.end());
         return x;
     }
     std::vector<double> transposed(Kernel kernel) const { return transposed(kernel, whole()); }
     template <class Number>
-    std::vector<double> transposed(Kernel kernel, harmorph::ValueBlocks<Number> const& of) const {
+    std::vector<double> transposed(Kernel kernel,
+                                   harmorph::ValueBlocks<Number> const& factor) const {
         std::vector<double> x, y, out;
         for (double const w : weight_x) x.push_back(std::ldexp(w, 63));
         for (double const w : weight_y) y.push_back(std::ldexp(w, 63));
         harmorph::FixedSums total{};
-        harmorph::product_kernels(kernel).of(of).multiply_transposed(of, {x.data(), y.data()},
-                                                                     {0.5, 2}, total);
-        for (Index k = 0; k < of.n_numbers; ++k) out.push_back(total.x[k].value());
-        for (Index k = 0; k < of.n_numbers; ++k) out.push_back(total.y[k].value());
-        for (Index k = of.n_numbers; k < Movements::max_count; ++k) {
+        harmorph::product_kernels(kernel).of(factor).multiply_transposed(
+            factor, {x.data(), y.data()}, {0.5, 2}, total);
+        for (Index k = 0; k < factor.n_numbers; ++k) out.push_back(total.x[k].value());
+        for (Index k = 0; k < factor.n_numbers; ++k) out.push_back(total.y[k].value());
+        for (Index k = factor.n_numbers; k < Movements::max_count; ++k) {
             CHECK(total.x[k].value() == 0);
             CHECK(total.y[k].value() == 0);
         }
@@ -76,9 +77,7 @@ struct Product {
 
 }  // namespace
 
-TEST_CASE(
-    "a point's products are added up in the order of the numbers: the same bits from every "
-    "kernel") {
+TEST_CASE("a point's products are added in the order of the numbers by every kernel") {
     for (Index numbers = 1; numbers <= Movements::max_count; numbers += numbers < 40 ? 1 : 11) {
         Product const product(3, numbers, static_cast<unsigned>(numbers));
         INFO(numbers << " numbers");
@@ -101,8 +100,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "the transpose is right to the rounding of each product, and the same bits from every kernel") {
+TEST_CASE("the transpose is right to rounding and has the same bits from every kernel") {
     for (Index numbers = 1; numbers <= Movements::max_count; numbers += numbers < 40 ? 1 : 11)
         for (Index const blocks : {1, 2, 5, 8, 19}) {
             Product const product(blocks, numbers, static_cast<unsigned>(numbers));
@@ -155,9 +153,7 @@ TEST_CASE("of the numbers of a block some may be used, at any address; no others
         }
 }
 
-TEST_CASE(
-    "numbers that cancel, and as many as a call may add: the sum of the rounded products, from "
-    "every kernel") {
+TEST_CASE("every kernel sums numbers that cancel, and as many as a call may add") {
     // Each product is a multiple of 2^-30 near 1 or -1, so that all sums are exact. Sums of
     // products near 2^63 are far beyond 64 bits, along x and along y each by its own multiple of
     // 2^64.
@@ -191,8 +187,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "points are moved in place or elsewhere, or from 0; where the sum is 0 all bits are kept") {
+TEST_CASE("points are moved in place, elsewhere or from 0, and keep their bits if the sum is 0") {
     for (Index const numbers : {1, 2, 9, 20})
         for (Kernel const kernel : usable_kernels()) {
             Product product(3, numbers, 7);

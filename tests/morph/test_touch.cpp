@@ -100,7 +100,7 @@ TEST_CASE("random bodies in random motion: the first touch of all pairs, and no 
     };
     int touched = 0, apart = 0;
     for (int trial = 0; trial < 400; ++trial) {
-        Moving its;
+        Moving moving;
         for (int body = 0; body < 1 + trial % 4; ++body) {
             int const n = 3 + static_cast<int>(random() % 60);
             std::vector<Point> const corners =
@@ -111,10 +111,10 @@ TEST_CASE("random bodies in random motion: the first touch of all pairs, and no 
             for (int k = 0; k < n; ++k) {
                 moves.push_back({by.x + rough * between(-1, 1), by.y + rough * between(-1, 1)});
             }
-            its.add(corners, moves);
+            moving.add(corners, moves);
         }
-        auto const expected = static_cast<double>(its.brute_force());
-        Touch const found = its.find();
+        auto const expected = static_cast<double>(moving.brute_force());
+        Touch const found = moving.find();
         INFO("trial " << trial);
         if (expected == HUGE_VAL) {
             CHECK(found.step == HUGE_VAL);
@@ -124,14 +124,14 @@ TEST_CASE("random bodies in random motion: the first touch of all pairs, and no 
         }
         ++touched;
         REQUIRE(found.step == doctest::Approx(expected).epsilon(1e-9));
-        auto const named = static_cast<double>(its.touch(
+        auto const named = static_cast<double>(moving.touch(
             std::size_t(found.point), std::size_t(found.face[0]), std::size_t(found.face[1])));
         CHECK(named == doctest::Approx(expected).epsilon(1e-9));
         for (double const part : {0.1, 0.4, 0.7, 0.9, 0.999999}) {
-            CHECK(!its.crosses_at(part * found.step));
+            CHECK(!moving.crosses_at(part * found.step));
         }
-        CHECK(its.find(1.0001 * expected).step == found.step);
-        CHECK(its.find(0.9999 * expected).point == -1);
+        CHECK(moving.find(1.0001 * expected).step == found.step);
+        CHECK(moving.find(0.9999 * expected).point == -1);
     }
     CHECK(touched > 100);
     CHECK(apart > 30);
@@ -139,14 +139,14 @@ TEST_CASE("random bodies in random motion: the first touch of all pairs, and no 
 
 TEST_CASE("the walls of a body that becomes thin meet inside it, at the fraction that is known") {
     for (int const n : {8, 40, 400}) {
-        Moving its;
+        Moving moving;
         std::vector<Point> const corners = ring(n, 1, 0.1, {0, 0});
         std::vector<Point> moves;
         for (Point const p : corners) moves.push_back({0, -1.25 * p.y});  // thickness 1 - 1.25 s
-        its.add(corners, moves);
-        CHECK(its.find().step == doctest::Approx(0.8).epsilon(1e-12));
-        CHECK(!its.crosses_at(0.799));
-        CHECK(its.find(0.5).step == HUGE_VAL);
+        moving.add(corners, moves);
+        CHECK(moving.find().step == doctest::Approx(0.8).epsilon(1e-12));
+        CHECK(!moving.crosses_at(0.799));
+        CHECK(moving.find(0.5).step == HUGE_VAL);
     }
 }
 
@@ -178,11 +178,11 @@ TEST_CASE("a table of two bodies: faces, corners and lines that meet, and what o
         {"touching, and through", {{1, .2}, {1, .8}, {3, .8}, {3, .2}}, {-.5, 0}, 0}};
     for (auto const& one : all) {
         INFO(std::string(one.name));
-        Moving its;
-        its.add(square, Point{0, 0});
-        its.add(one.other, one.move);
-        CHECK(near(its.find().step, one.step));
-        CHECK((its.find().point == -1) == (one.step == HUGE_VAL));
+        Moving moving;
+        moving.add(square, Point{0, 0});
+        moving.add(one.other, one.move);
+        CHECK(near(moving.find().step, one.step));
+        CHECK((moving.find().point == -1) == (one.step == HUGE_VAL));
         Moving both;  // seen from the other body, to rounding
         both.add(square, Point{-one.move.x, -one.move.y});
         both.add(one.other, Point{0, 0});
@@ -200,21 +200,19 @@ TEST_CASE("the two sides of a wall without thickness move together, part, and cl
     CHECK(bent.find().step == HUGE_VAL);
 }
 
-TEST_CASE(
-    "a mesh whose wall crosses itself without an inverted cell: the smaller step is the wall's") {
-    Case its = airfoil_case(60, 16, Cells::quads);
-    Solved const solved(its);
-    hm_mesh const mesh = its.mesh.view();
-    std::vector<double> dx(its.mesh.x.size()), dy(its.mesh.x.size());
+TEST_CASE("the smaller step is that of a wall which crosses itself without an inverted cell") {
+    Case setup = airfoil_case(60, 16, Cells::quads);
+    Solved const solved(setup);
+    hm_mesh const mesh = setup.mesh.view();
+    std::vector<double> dx(setup.mesh.x.size()), dy(setup.mesh.x.size());
     // A control point above the middle of the chord goes down, through the lower wall.
-    std::vector<double> move(2 * static_cast<std::size_t>(its.curves.n_control()));
+    std::vector<double> move(2 * static_cast<std::size_t>(setup.curves.n_control()));
     move[9] = -0.2;
     REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) ==
             HM_OK);
     hm_step_report step{}, assessed{};
-    hm_quality_report quality{};
+    auto quality = sized<hm_quality_report>();
     step.struct_size = assessed.struct_size = sizeof step;
-    quality.struct_size = sizeof quality;
     auto const by = points_in(dx, dy);
     REQUIRE(hm_assess(solved.basis, &mesh, nullptr, by, nullptr, nullptr, &step, nullptr,
                       nullptr) == HM_OK);
@@ -228,7 +226,7 @@ TEST_CASE(
     CHECK(step.boundary < 1);
     for (std::int32_t const point : step.boundary_points) CHECK(point >= 0);
     for (double const factor : {0.9999, 1.0001}) {  // just before, and just after
-        std::vector<double> x = its.mesh.x, y = its.mesh.y;
+        std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
         for (std::size_t k = 0; k < x.size(); ++k) {
             x[k] += factor * step.boundary * dx[k];
             y[k] += factor * step.boundary * dy[k];

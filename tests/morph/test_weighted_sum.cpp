@@ -44,16 +44,16 @@ TEST_CASE("the sum moves points as its parts do by the movements times their wei
     };
     for (Kind const kind : {Kind{HM_LAPLACE, false, true}, Kind{HM_CONFORMAL, false, false},
                             Kind{HM_CONFORMAL, true, false}, Kind{HM_LAPLACE, true, false}}) {
-        Case its = two_body_case(Cells::hybrid, 6, 4);
-        if (kind.slip) its.set_slip(far_field);
+        Case setup = two_body_case(Cells::hybrid, 6, 4);
+        if (kind.slip) setup.set_slip(far_field);
         Options const options = options_of(kind.operator_kind);
-        Solved const first(its, &options);
-        Case elsewhere = its;
+        Solved const first(setup, &options);
+        Case elsewhere = setup;
         perturb(elsewhere.mesh, 0.3, 4);
         Solved const second(elsewhere, &options);
         Sum sum(first);
         std::vector<double> const move = some_move(20, 1, 5), seeds = some_move(40, 1, 6);
-        Field expected(its.mesh.x.size(), 0);
+        Field expected(setup.mesh.x.size(), 0);
         std::size_t number = 0;
         for (Solved const* part : {&first, &second}) {
             std::vector<Vec2> weight;
@@ -75,9 +75,9 @@ TEST_CASE("the sum moves points as its parts do by the movements times their wei
 }
 
 TEST_CASE("weights 1 copy, weights 0 add nothing, and threads change no bit") {
-    Case its = ring_case(30, 300, 0.5, 2, Cells::quads);  // 9300 points: several ranges
+    Case setup = ring_case(30, 300, 0.5, 2, Cells::quads);  // 9300 points: several ranges
     Options const options = options_of(HM_CONFORMAL);
-    Solved const solved(its, &options);
+    Solved const solved(setup, &options);
     std::vector<Vec2> const one(8, Vec2{1, 0}), nothing(8, Vec2{0, 0}), some(8, Vec2{0.3, -0.8});
     Sum copy(solved), serial(solved), threaded(solved);
     add_weighted(copy.view, view_of(solved), {one.data(), 8}, {});

@@ -15,8 +15,8 @@ namespace {
 
 constexpr Merging all_rules[] = {Merging::automatic, Merging::isotropic, Merging::directional};
 
-void check_partition(Agglomerated const& its) {
-    harmorph::Agglomeration const& a = its.levels;
+void check_partition(Agglomerated const& agglomerated) {
+    harmorph::Agglomeration const& a = agglomerated.levels;
     for (Index l = 0; l + 1 < a.count; ++l) {
         Index seen = 0;
         std::vector<int> members(static_cast<std::size_t>(a.level[l + 1].n), 0);
@@ -73,27 +73,27 @@ Point mean_extent(FrontMatrix const& front, Mesh const& mesh, std::vector<Index>
     return mean;
 }
 
-// Of all ways to split a merged cell in two: how much more the smoother must do, at most, than with
-// two equal cells.
+// Returns how much more work the smoother has, at most over all ways to split a merged cell in two,
+// than with two equal cells.
 double worst_split(harmorph::SymmetricRows const& rows, harmorph::Span<const Index> cell_of,
                    Index n) {
     std::vector<std::vector<Index>> members(static_cast<std::size_t>(n));
     std::vector<std::size_t> place(static_cast<std::size_t>(rows.n));
     for (Index i = 0; i < rows.n; ++i) {
-        std::vector<Index>& its = members[static_cast<std::size_t>(cell_of[i])];
-        place[static_cast<std::size_t>(i)] = its.size();
-        its.push_back(i);
+        std::vector<Index>& list = members[static_cast<std::size_t>(cell_of[i])];
+        place[static_cast<std::size_t>(i)] = list.size();
+        list.push_back(i);
     }
     double worst = 0;
     auto const in_series = [](double a, double b) { return a > 0 && b > 0 ? a * b / (a + b) : 0; };
-    for (std::vector<Index> const& its : members)
-        for (unsigned split = 1; split < (1u << (its.size() - 1));
+    for (std::vector<Index> const& list : members)
+        for (unsigned split = 1; split < (1u << (list.size() - 1));
              ++split) {  // the last member is always on one side
             auto const side = [&](Index i) {
                 return (split >> place[static_cast<std::size_t>(i)]) & 1u;
             };
             double diagonal[2] = {0, 0}, row_sum[2] = {0, 0}, cut = 0;
-            for (Index const i : its) {
+            for (Index const i : list) {
                 diagonal[side(i)] += rows.diagonal[i];
                 row_sum[side(i)] += rows.row_sum[i];
                 for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
@@ -108,23 +108,22 @@ double worst_split(harmorph::SymmetricRows const& rows, harmorph::Span<const Ind
 }
 
 Case viscous_case(Cells kind) {
-    Case its = airfoil_case(40, 12, Cells::quads);
-    its.mesh = o_mesh(naca4({}, 40), stretched(1e-5, 8, 50), kind);
-    return its;
+    Case setup = airfoil_case(40, 12, Cells::quads);
+    setup.mesh = o_mesh(naca4({}, 40), stretched(1e-5, 8, 50), kind);
+    return setup;
 }
 
 }  // namespace
 
-TEST_CASE(
-    "a partition into connected cells of bounded size, down to a few, on every kind of mesh") {
+TEST_CASE("cells are merged to connected cells of bounded size, down to a few, on every mesh") {
     for (Merging const merging : all_rules)
         for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
             for (int mesh = 0; mesh < 3; ++mesh) {
-                Case its = mesh == 0   ? two_body_case(kind, 24, 16)
-                           : mesh == 1 ? airfoil_case(40, 12, kind)
-                                       : viscous_case(kind);
-                if (mesh == 0) its.set_free(far_field);
-                Analysed const seen(its);
+                Case setup = mesh == 0   ? two_body_case(kind, 24, 16)
+                             : mesh == 1 ? airfoil_case(40, 12, kind)
+                                         : viscous_case(kind);
+                if (mesh == 0) setup.set_free(far_field);
+                Analysed const seen(setup);
                 FrontMatrix const front(*seen.operator->());
                 Agglomerated const merged(front.rows, {merging, 0});
                 INFO("rule " << static_cast<int>(merging) << ", cells " << static_cast<int>(kind)
@@ -137,11 +136,9 @@ TEST_CASE(
             }
 }
 
-TEST_CASE(
-    "coarse rows are the sums of the fine ones: symmetric, positive definite, and 0 where the fine "
-    "sums are 0") {
-    Case its = two_body_case(Cells::hybrid, 14, 9);
-    Analysed const seen(its);
+TEST_CASE("coarse rows are the sums of the fine rows, symmetric and positive definite") {
+    Case setup = two_body_case(Cells::hybrid, 14, 9);
+    Analysed const seen(setup);
     FrontMatrix const front(*seen.operator->());
     Agglomerated const merged(front.rows);
     REQUIRE(merged.levels.count >= 2);
@@ -182,21 +179,19 @@ TEST_CASE(
     CHECK(n_inside > 10);
 }
 
-TEST_CASE(
-    "on stretched cells the directional and the automatic rule merge along the strong coupling "
-    "alone") {
+TEST_CASE("both rules for stretched cells merge along the strong coupling alone") {
     for (Cells const kind : {Cells::quads, Cells::triangles})
         for (Merging const merging : all_rules) {
-            Case its = square_on_curve(36, kind, 0, 1);
-            for (double& y : its.mesh.y) y *= 1e-2;
-            for (std::size_t k = 1; k < its.curves.control.size(); k += 2)
-                its.curves.control[k] *= 1e-2;
-            Analysed const seen(its);
+            Case setup = square_on_curve(36, kind, 0, 1);
+            for (double& y : setup.mesh.y) y *= 1e-2;
+            for (std::size_t k = 1; k < setup.curves.control.size(); k += 2)
+                setup.curves.control[k] *= 1e-2;
+            Analysed const seen(setup);
             FrontMatrix const front(*seen.operator->());
             Agglomerated const merged(front.rows, {merging, 0});
             REQUIRE(merged.levels.count >= 2);
             Point const extent =
-                mean_extent(front, its.mesh, merged.cells_at(1), 1.0 / 36, 1e-2 / 36);
+                mean_extent(front, setup.mesh, merged.cells_at(1), 1.0 / 36, 1e-2 / 36);
             INFO("cells " << static_cast<int>(kind) << ", rule " << static_cast<int>(merging)
                           << ": " << extent.x << " x " << extent.y);
             if (merging == Merging::isotropic) {
@@ -208,12 +203,11 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "differences inside merged cells are removed by smoothing: bounded in units of the diagonals") {
+TEST_CASE("differences inside merged cells are bounded in units of the diagonals") {
     for (double const first : {1e-3, 1e-5, 1e-7}) {
-        Case its = airfoil_case(40, 12, Cells::quads);
-        its.mesh = c_mesh(naca4({}, 20), 12, 40, stretched(first, 60, 48)).mesh;
-        Analysed const seen(its);
+        Case setup = airfoil_case(40, 12, Cells::quads);
+        setup.mesh = c_mesh(naca4({}, 20), 12, 40, stretched(first, 60, 48)).mesh;
+        Analysed const seen(setup);
         FrontMatrix const front(*seen.operator->());
         for (Merging const merging : {Merging::automatic, Merging::directional}) {
             Agglomerated const merged(front.rows, {merging, 0});
@@ -252,8 +246,8 @@ TEST_CASE(
 TEST_CASE("on cells as long as high merged cells are about as long as high, and four to one") {
     for (Cells const kind : {Cells::quads, Cells::triangles})
         for (Merging const merging : all_rules) {
-            Case its = square_on_curve(48, kind, 0.2, 3);
-            Analysed const seen(its);
+            Case setup = square_on_curve(48, kind, 0.2, 3);
+            Analysed const seen(setup);
             FrontMatrix const front(*seen.operator->());
             Agglomerated const merged(front.rows, {merging, 0});
             harmorph::Agglomeration const& a = merged.levels;
@@ -265,7 +259,7 @@ TEST_CASE("on cells as long as high merged cells are about as long as high, and 
                 CHECK(ratio < 6);
             }
             Point const extent =
-                mean_extent(front, its.mesh, merged.cells_at(1), 1.0 / 48, 1.0 / 48);
+                mean_extent(front, setup.mesh, merged.cells_at(1), 1.0 / 48, 1.0 / 48);
             CHECK(extent.x < 4);
             CHECK(extent.y < 4);
             CHECK(extent.x > 1.4);
@@ -274,14 +268,14 @@ TEST_CASE("on cells as long as high merged cells are about as long as high, and 
 }
 
 TEST_CASE("the unit of length, the sense of cells and where they begin make no difference") {
-    auto const merge = [](Case& its) {
-        Analysed const seen(its);
+    auto const merge = [](Case& setup) {
+        Analysed const seen(setup);
         FrontMatrix const front(*seen.operator->());
         return Agglomerated(front.rows).cells_at(2);
     };
     for (Cells const kind : {Cells::quads, Cells::hybrid}) {
-        Case its = two_body_case(kind, 20, 14);
-        std::vector<Index> const cells = merge(its);
+        Case setup = two_body_case(kind, 20, 14);
+        std::vector<Index> const cells = merge(setup);
         Case changed = two_body_case(kind, 20, 14);
         for (std::vector<double>* numbers :
              {&changed.mesh.x, &changed.mesh.y, &changed.curves.control})
@@ -297,8 +291,8 @@ TEST_CASE("the unit of length, the sense of cells and where they begin make no d
 }
 
 TEST_CASE("the number of levels is a choice") {
-    Case its = two_body_case(Cells::hybrid, 24, 16);
-    Analysed const seen(its);
+    Case setup = two_body_case(Cells::hybrid, 24, 16);
+    Analysed const seen(setup);
     FrontMatrix const front(*seen.operator->());
     Index const all = Agglomerated(front.rows).levels.count;
     REQUIRE(all >= 3);
@@ -335,9 +329,9 @@ TEST_CASE("graphs that cannot be merged end the levels, and nothing is written b
 
 TEST_CASE("no merged cell has two parts that smoothing cannot bring to one value") {
     for (int const n_wake : {18, 40}) {
-        Case its = airfoil_case(20, 12, Cells::quads);
-        its.mesh = c_mesh(naca4({}, 30), n_wake, 40, stretched(1e-8, 60, 80)).mesh;
-        Analysed const seen(its);
+        Case setup = airfoil_case(20, 12, Cells::quads);
+        setup.mesh = c_mesh(naca4({}, 30), n_wake, 40, stretched(1e-8, 60, 80)).mesh;
+        Analysed const seen(setup);
         FrontMatrix const front(*seen.operator->());
         Agglomerated const merged(front.rows);
         harmorph::Agglomeration const& a = merged.levels;
@@ -389,9 +383,7 @@ struct HandMadeRows {
 
 }  // namespace
 
-TEST_CASE(
-    "a cell without a free neighbour joins the cell that it is coupled to most, whichever comes "
-    "first") {
+TEST_CASE("a cell without a free neighbour joins the cell with the strongest coupling") {
     // Pairs a1 a2 and b1 b2, and a cell L that touches both pairs, more strongly the first one. L
     // joins a pair only if the smoother removes what differs: with the diagonals below for the
     // strong coupling (2.3) and not for the weak one (2). A third pair joins a1 a2 in the second
@@ -411,20 +403,21 @@ TEST_CASE(
     };
     Index const module = 15, modules = 8,
                 third[] = {13, 14};  // and two groups of four that go together easily
-    for (Arrangement const& its : all) {
+    for (Arrangement const& arrangement : all) {
         std::vector<double> diagonal(static_cast<std::size_t>(module * modules), 1.0);
         std::vector<HandMadeRows::Coupling> couplings;
         for (Index m = 0; m < modules; ++m) {
             Index const base = module * m;
-            for (Index const cell : {its.a[0], its.a[1], its.b[0], its.b[1], third[0], third[1]})
+            for (Index const cell : {arrangement.a[0], arrangement.a[1], arrangement.b[0],
+                                     arrangement.b[1], third[0], third[1]})
                 diagonal[static_cast<std::size_t>(base + cell)] = 40;
-            diagonal[static_cast<std::size_t>(base + its.lone)] = 10;
-            couplings.push_back({base + its.a[0], base + its.a[1], 20});
-            couplings.push_back({base + its.b[0], base + its.b[1], 20});
+            diagonal[static_cast<std::size_t>(base + arrangement.lone)] = 10;
+            couplings.push_back({base + arrangement.a[0], base + arrangement.a[1], 20});
+            couplings.push_back({base + arrangement.b[0], base + arrangement.b[1], 20});
             couplings.push_back({base + third[0], base + third[1], 20});
-            couplings.push_back({base + its.a[1], base + third[0], 11});
-            couplings.push_back({base + its.lone, base + its.touched_a, 2.3});
-            couplings.push_back({base + its.lone, base + its.touched_b, 2});
+            couplings.push_back({base + arrangement.a[1], base + third[0], 11});
+            couplings.push_back({base + arrangement.lone, base + arrangement.touched_a, 2.3});
+            couplings.push_back({base + arrangement.lone, base + arrangement.touched_b, 2});
             for (Index group = 5; group < third[0]; group += 4)
                 for (Index k = 0; k < 3; ++k)
                     couplings.push_back({base + group + k, base + group + k + 1, 1});
@@ -433,15 +426,15 @@ TEST_CASE(
         harmorph::MergingRules rules;
         rules.merging = Merging::directional;
         Agglomerated const merged(made.rows, rules);
-        INFO(std::string(its.what));
+        INFO(std::string(arrangement.what));
         REQUIRE(merged.levels.count > 1);
         for (Index m = 0; m < modules; ++m) {
             auto const cell = [&](Index k) { return merged.levels.cell_of[0][module * m + k]; };
-            CHECK(cell(its.a[0]) == cell(its.a[1]));
-            CHECK(cell(its.a[0]) == cell(third[0]));
-            CHECK(cell(its.b[0]) == cell(its.b[1]));
-            CHECK(cell(its.lone) == cell(its.a[0]));
-            CHECK(cell(its.lone) != cell(its.b[0]));
+            CHECK(cell(arrangement.a[0]) == cell(arrangement.a[1]));
+            CHECK(cell(arrangement.a[0]) == cell(third[0]));
+            CHECK(cell(arrangement.b[0]) == cell(arrangement.b[1]));
+            CHECK(cell(arrangement.lone) == cell(arrangement.a[0]));
+            CHECK(cell(arrangement.lone) != cell(arrangement.b[0]));
         }
     }
 }

@@ -20,8 +20,8 @@ namespace {
 constexpr Index w = 4;
 
 struct Setting {
-    Case its = two_body_case(Cells::hybrid, 10, 6);
-    Analysed seen{its};
+    Case setup = two_body_case(Cells::hybrid, 10, 6);
+    Analysed seen{setup};
     FrontMatrix front{*seen.operator->()};
     DenseMatrix dense = dense_of(front.rows);
     std::vector<double> x;
@@ -77,8 +77,7 @@ TEST_CASE("the triangular solves are inverses of the triangular products") {
     CHECK(largest_difference(x, s.x) < 1e-12);
 }
 
-TEST_CASE(
-    "after the forward sweep the defect is that of the start 0, less A times the correction") {
+TEST_CASE("the defect after the forward sweep is that of the start 0 less A times the correction") {
     Setting const s;
     std::size_t const n = s.dense.n;
     Agglomerated const merged(s.front.rows);

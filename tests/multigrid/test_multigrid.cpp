@@ -43,9 +43,9 @@ double difference(Solved const& a, Solved const& b) {
     return largest_difference(a.all_values(), b.all_values());
 }
 
-// Its products with random vectors.
-void check_preconditioner(Case its) {
-    Analysed const seen(its);
+// Both are compared by products with random vectors.
+void check_preconditioner(Case setup) {
+    Analysed const seen(setup);
     FrontMatrix const front(*seen.operator->());
     harmorph::Multigrid engine;
     harmorph::Iteration iteration;
@@ -65,7 +65,7 @@ void check_preconditioner(Case its) {
     REQUIRE(engine.set_up(front.rows, fault) == harmorph::Status::ok);
     REQUIRE(engine.levels.count == 2);
     REQUIRE(engine.has_bottom);
-    harmorph::block::Cycle<4> const cycle(engine, engine.vectors.data());
+    harmorph::block::Cycle<4> cycle(engine, engine.vectors.data());
     std::size_t const n = 4 * static_cast<std::size_t>(front.rows.n);
     std::vector<double> x, bx(n);
     std::mt19937 random(2);
@@ -86,22 +86,21 @@ void check_preconditioner(Case its) {
 
 }  // namespace
 
-TEST_CASE(
-    "the direct engine's functions on every kind of mesh, with free boundaries, cuts and weights") {
+TEST_CASE("multigrid finds the functions of the direct engine on every kind of mesh") {
     for (int which = 0; which < 9; ++which) {
-        Case its = which < 3    ? two_body_case(static_cast<Cells>(which), 16, 10)
-                   : which == 3 ? airfoil_case()
-                   : which == 4 ? o_mesh_case(60, 1e-5, 40)
-                   : which == 5 ? o_mesh_case(60, 1e-6, 40, Cells::triangles)
-                   : which == 6 ? ring_case(16, 64, 0.5, 2)
-                                : airfoil_case();
-        if (which == 1) its.set_free(far_field);
-        if (which == 7) its.mesh = c_mesh(naca4({}, 30), 12, 4, stretched(1e-3, 4, 24)).mesh;
+        Case setup = which < 3    ? two_body_case(static_cast<Cells>(which), 16, 10)
+                     : which == 3 ? airfoil_case()
+                     : which == 4 ? o_mesh_case(60, 1e-5, 40)
+                     : which == 5 ? o_mesh_case(60, 1e-6, 40, Cells::triangles)
+                     : which == 6 ? ring_case(16, 64, 0.5, 2)
+                                  : airfoil_case();
+        if (which == 1) setup.set_free(far_field);
+        if (which == 7) setup.mesh = c_mesh(naca4({}, 30), 12, 4, stretched(1e-3, 4, 24)).mesh;
         // Couplings differ by 1e12.
-        if (which == 8) its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-5, 60, 48)).mesh;
+        if (which == 8) setup.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-5, 60, 48)).mesh;
         Options iterative = multigrid(), exact = direct();
         if (which == 2) iterative.operator_kind = exact.operator_kind = HM_WEIGHTED;
-        Solved const found(its, &iterative), expected(its, &exact);
+        Solved const found(setup, &iterative), expected(setup, &exact);
         INFO("case " << which << ": " << found.report.iterations << " iterations to "
                      << found.report.residual);
         CHECK(difference(found, expected) < 2e-9);
@@ -115,18 +114,17 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "points that slide: the direct engine's functions, along axes, inclined lines and circles") {
+TEST_CASE("multigrid finds the functions of the direct engine for points that slide") {
     for (int which = 0; which < 5; ++which) {
-        Case its = which < 3    ? similar(two_body_case(static_cast<Cells>(which), 16, 10),
-                                          std::polar(1.0, 0.8 * which), 0)
-                   : which == 3 ? ring_case(16, 64, 0.5, 2, Cells::hybrid)
-                                : o_mesh_case(60, 1e-5, 40);
-        its.set_slip(far_field);
+        Case setup = which < 3    ? similar(two_body_case(static_cast<Cells>(which), 16, 10),
+                                            std::polar(1.0, 0.8 * which), 0)
+                     : which == 3 ? ring_case(16, 64, 0.5, 2, Cells::hybrid)
+                                  : o_mesh_case(60, 1e-5, 40);
+        setup.set_slip(far_field);
         for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED}) {
             Options iterative = multigrid(), exact = direct();
             iterative.operator_kind = exact.operator_kind = operator_kind;
-            Solved const found(its, &iterative), expected(its, &exact);
+            Solved const found(setup, &iterative), expected(setup, &exact);
             INFO("case " << which << ": " << found.report.iterations << " iterations to "
                          << found.report.residual);
             std::vector<double> const move = some_move(found.report.functions, 1, 3);
@@ -143,12 +141,12 @@ TEST_CASE("it converges on C-meshes of few columns and thin cells, however the f
     for (double const first : {1e-4, 1e-5, 1e-6, 1e-8})
         for (double const far : {60.0, 500.0})
             for (int const n_wake : {10, 18, 40}) {
-                Case its = airfoil_case(20, 12, Cells::quads);
-                its.mesh = c_mesh(naca4({}, 30), n_wake, far * 2 / 3,
-                                  stretched(first, far, n_wake == 40 ? 80 : 60))
-                               .mesh;
+                Case setup = airfoil_case(20, 12, Cells::quads);
+                setup.mesh = c_mesh(naca4({}, 30), n_wake, far * 2 / 3,
+                                    stretched(first, far, n_wake == 40 ? 80 : 60))
+                                 .mesh;
                 Options iterative = multigrid(), exact = direct();
-                Solved const found(its, &iterative), expected(its, &exact);
+                Solved const found(setup, &iterative), expected(setup, &exact);
                 INFO("first cell " << first << ", far field " << far << ", wake " << n_wake << ": "
                                    << found.report.iterations);
                 CHECK(difference(found, expected) < 1e-8);
@@ -157,52 +155,48 @@ TEST_CASE("it converges on C-meshes of few columns and thin cells, however the f
 }
 
 TEST_CASE("a function's bits do not depend on which others are solved with it") {
-    Case its = airfoil_case(20, 12, Cells::quads);
-    its.mesh = c_mesh(naca4({}, 30), 10, 300, stretched(1e-5, 500, 48)).mesh;
+    Case setup = airfoil_case(20, 12, Cells::quads);
+    setup.mesh = c_mesh(naca4({}, 30), 10, 300, stretched(1e-5, 500, 48)).mesh;
     Options options = multigrid();
-    Solved const all(its, &options);
+    Solved const all(setup, &options);
     for (std::int32_t const width : {4, 16}) {
         options.block_width = width;
-        CHECK(same_bits(Solved(its, &options).all_values(), all.all_values()));
+        CHECK(same_bits(Solved(setup, &options).all_values(), all.all_values()));
     }
     for (std::int32_t const width : {1, 5})
         CHECK(same_bits(values_in_shares(all, width), all.all_values()));
 }
 
-TEST_CASE(
-    "the number of iterations hardly grows with the mesh: at most 30 on even cells, 45 on "
-    "stretched ones") {
+TEST_CASE("multigrid needs at most 30 iterations on even cells and 45 on stretched cells") {
     Options options = multigrid();
     std::int32_t smallest = 1000;
     for (int const n_side : {20, 40, 80, 120}) {
-        Case its = even_case(n_side);
-        Solved const solved(its, &options);
-        INFO(its.mesh.n_points() << " points: " << solved.report.iterations);
+        Case setup = even_case(n_side);
+        Solved const solved(setup, &options);
+        INFO(setup.mesh.n_points() << " points: " << solved.report.iterations);
         CHECK(solved.report.iterations <= 30);
         smallest = std::min(smallest, solved.report.iterations);
         CHECK(solved.report.iterations <= smallest + 10);
     }
     for (double const first : {1e-5, 1e-6})
         for (int const n_side : {40, 100}) {
-            Case its = o_mesh_case(n_side, first, 2 * n_side / 3,
-                                   n_side == 40 ? Cells::hybrid : Cells::quads);
-            Solved const solved(its, &options);
-            INFO(its.mesh.n_points() << " points: " << solved.report.iterations);
+            Case setup = o_mesh_case(n_side, first, 2 * n_side / 3,
+                                     n_side == 40 ? Cells::hybrid : Cells::quads);
+            Solved const solved(setup, &options);
+            INFO(setup.mesh.n_points() << " points: " << solved.report.iterations);
             CHECK(solved.report.iterations <= 45);
         }
 }
 
-TEST_CASE(
-    "the functions' sum is 1 where no point has value 0, however thin the cells: constants are in "
-    "the kernel") {
+TEST_CASE("the sum of the functions is 1 for thin cells if no point has the value 0") {
     for (double const first : {1e-5, 1e-9}) {
-        Case its = airfoil_case(40, 12, Cells::quads);
-        its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(first, 60, 60)).mesh;
-        its.set_free(far_field);
+        Case setup = airfoil_case(40, 12, Cells::quads);
+        setup.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(first, 60, 60)).mesh;
+        setup.set_free(far_field);
         Options options = multigrid();
-        Solved const solved(its, &options);
+        Solved const solved(setup, &options);
         std::vector<double> const values = solved.all_values();
-        std::size_t const n = its.mesh.x.size();
+        std::size_t const n = setup.mesh.x.size();
         double worst = 0;
         for (std::size_t point = 0; point < n; ++point) {
             double sum = -1;
@@ -218,10 +212,10 @@ TEST_CASE(
 TEST_CASE("without coarser levels it takes many times as many iterations") {
     Options options = multigrid();
     options.max_iterations = 2000;
-    Case its = even_case(80);
-    Solved const all(its, &options);
+    Case setup = even_case(80);
+    Solved const all(setup, &options);
     options.levels = 1;
-    Solved const one(its, &options);
+    Solved const one(setup, &options);
     CHECK(one.report.levels == 1);
     CHECK(all.report.levels >= 4);
     CHECK(one.report.iterations > 4 * all.report.iterations);
@@ -229,12 +223,12 @@ TEST_CASE("without coarser levels it takes many times as many iterations") {
 }
 
 TEST_CASE("a limit of iterations ends with a status that says so, and with what there is") {
-    Case its = airfoil_case();
+    Case setup = airfoil_case();
     Options options = multigrid();
     double last = 1;
     for (std::int32_t const limit : {1, 3, 6, 10}) {
         options.max_iterations = limit;
-        Attempt const attempt(its.problem(), &options);
+        Attempt const attempt(setup.problem(), &options);
         CHECK(attempt.status == HM_NOT_CONVERGED);
         CHECK(std::string(attempt.error.text).find("has the relative residual") !=
               std::string::npos);
@@ -246,14 +240,14 @@ TEST_CASE("a limit of iterations ends with a status that says so, and with what 
 }
 
 TEST_CASE("the history begins at 1 and ends with the report's residual, at the tolerance") {
-    Case its = two_body_case(Cells::hybrid, 16, 10);
+    Case setup = two_body_case(Cells::hybrid, 16, 10);
     for (double const tolerance : {1e-4, 1e-10}) {
         std::vector<double> history(60, -1.0);
         Options options = multigrid();
         options.tolerance = tolerance;
         options.history = history.data();
         options.history_length = static_cast<std::int32_t>(history.size());
-        Solved const solved(its, &options);
+        Solved const solved(setup, &options);
         std::size_t const n = static_cast<std::size_t>(solved.report.iterations);
         REQUIRE(n + 1 < history.size());
         CHECK(history[0] == doctest::Approx(1).epsilon(1e-12));
@@ -262,20 +256,20 @@ TEST_CASE("the history begins at 1 and ends with the report's residual, at the t
         for (std::size_t k = n + 1; k < history.size(); ++k) CHECK(history[k] == 0);
         options.history_length = 3;  // what does not fit is left out
         history.assign(60, -1.0);
-        Solved const again(its, &options);
+        Solved const again(setup, &options);
         CHECK(history[2] > 0);
         CHECK(history[3] == -1);
     }
 }
 
 TEST_CASE("blocks of any width give the same functions, and threads the same bits") {
-    Case its = two_body_case(Cells::hybrid, 16, 10);  // 20 functions
+    Case setup = two_body_case(Cells::hybrid, 16, 10);  // 20 functions
     Options options = multigrid();
     options.block_width = 4;
-    Solved const four(its, &options);
+    Solved const four(setup, &options);
     for (std::int32_t const width : {8, 16}) {
         options.block_width = width;
-        Solved const wide(its, &options);
+        Solved const wide(setup, &options);
         CHECK(difference(four, wide) < 1e-9);
     }
     options.block_width = 4;
@@ -286,7 +280,7 @@ TEST_CASE("blocks of any width give the same functions, and threads the same bit
         std::vector<double> history(40);
         options.history = history.data();
         options.history_length = 40;
-        Solved const threaded(its, &options);
+        Solved const threaded(setup, &options);
         CHECK(backwards.tasks > 0);
         CHECK(same_bits(threaded.all_values(), four.all_values()));
         CHECK(threaded.report.iterations == four.report.iterations);
@@ -296,31 +290,30 @@ TEST_CASE("blocks of any width give the same functions, and threads the same bit
 
 TEST_CASE("the preconditioner of two levels is symmetric and positive definite") {
     check_preconditioner(two_body_case(Cells::hybrid, 7, 4));
-    Case its = airfoil_case(20, 12, Cells::quads);
-    its.mesh = c_mesh(naca4({}, 6), 3, 40, stretched(1e-5, 60, 11)).mesh;
-    check_preconditioner(its);
+    Case setup = airfoil_case(20, 12, Cells::quads);
+    setup.mesh = c_mesh(naca4({}, 6), 3, 40, stretched(1e-5, 60, 11)).mesh;
+    check_preconditioner(setup);
 }
 
 TEST_CASE("memory: at most 400 bytes for each point with blocks of 4") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
-        Case its = o_mesh_case(100, 1e-5, 60, kind);
+        Case setup = o_mesh_case(100, 1e-5, 60, kind);
         Options options = multigrid();
         options.block_width = 4;
         Attempt attempt;
         std::size_t bytes = 0;
-        REQUIRE(attempt.analyse(its.problem(), &options));
+        REQUIRE(attempt.analyse(setup.problem(), &options));
         REQUIRE(hm_plan_size(attempt.analysis, &bytes, nullptr) == HM_OK);
-        INFO(bytes << " bytes for " << its.mesh.n_points() << " points");
-        CHECK(bytes <= 400 * static_cast<std::size_t>(its.mesh.n_points()));
+        INFO(bytes << " bytes for " << setup.mesh.n_points() << " points");
+        CHECK(bytes <= 400 * static_cast<std::size_t>(setup.mesh.n_points()));
     }
 }
 
-TEST_CASE(
-    "the levels can be seen: merged cells of points, the coarser ones unions of the finer ones") {
-    Case its = two_body_case(Cells::hybrid, 16, 10);
+TEST_CASE("the levels of a plan can be read, and coarser cells are unions of finer cells") {
+    Case setup = two_body_case(Cells::hybrid, 16, 10);
     Options options = multigrid();
-    Solved const solved(its, &options);
-    std::size_t const n = its.mesh.x.size();
+    Solved const solved(setup, &options);
+    std::size_t const n = setup.mesh.x.size();
     std::vector<std::int32_t> finer(n), cells(n);
     std::int32_t n_cells = 0, last = 0;
     for (std::int32_t level = 0; level < solved.report.levels;
@@ -348,17 +341,17 @@ TEST_CASE(
           HM_BAD_ARGUMENT);
     CHECK(hm_plan_level(solved.plan, -1, cells.data(), &n_cells, nullptr) == HM_BAD_ARGUMENT);
     Options exact = direct();
-    Solved const by_factor(its, &exact);
+    Solved const by_factor(setup, &exact);
     CHECK(hm_plan_level(by_factor.plan, 0, cells.data(), &n_cells, nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_plan_level(nullptr, 0, cells.data(), &n_cells, nullptr) == HM_BAD_ARGUMENT);
 }
 
 TEST_CASE("what does not go together, and numbers out of range, are refused") {
-    Case its = tiny_case();
+    Case setup = tiny_case();
     auto const status = [&](auto change) {
         Options options = multigrid();
         change(options);
-        return Attempt(its.problem(), &options).status;
+        return Attempt(setup.problem(), &options).status;
     };
     CHECK(status([](Options&) {}) == HM_OK);
     CHECK(status([](Options& o) { o.operator_kind = HM_CONFORMAL; }) == HM_UNSUPPORTED);
@@ -369,7 +362,7 @@ TEST_CASE("what does not go together, and numbers out of range, are refused") {
     CHECK(status([](Options& o) { o.block_width = 5; }) == HM_BAD_ARGUMENT);
     CHECK(status([](Options& o) { o.max_iterations = -1; }) == HM_BAD_ARGUMENT);
     CHECK(status([](Options& o) { o.history_length = 1; }) == HM_BAD_ARGUMENT);
-    its.set_slip(top);
+    setup.set_slip(top);
     CHECK(status([](Options&) {}) == HM_OK);
     CHECK(status([](Options& o) { o.operator_kind = HM_CONFORMAL; }) == HM_UNSUPPORTED);
     CHECK(status([](Options& o) { o.engine = HM_FAS; }) == HM_UNSUPPORTED);
@@ -384,12 +377,12 @@ TEST_CASE("the callback can stop it; the plan then still solves") {
         }
     } stopper;
     stopper.stop_at = 7;
-    Case its = two_body_case(Cells::hybrid, 16, 10);
+    Case setup = two_body_case(Cells::hybrid, 16, 10);
     Options options = multigrid();
-    Solved const expected(its, &options);
+    Solved const expected(setup, &options);
     options.progress = Stopper::call;
     options.progress_user = &stopper;
-    Attempt attempt(its.problem(), &options);
+    Attempt attempt(setup.problem(), &options);
     CHECK(attempt.status == HM_CANCELLED);
     CHECK(stopper.calls == 7);
     stopper.stop_at = 0;

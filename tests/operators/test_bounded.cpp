@@ -29,9 +29,9 @@ struct Bounded : Attempt {
     std::unique_ptr<AssembledMatrix> sparse;
     std::vector<DelaunayEdge> edges;
 
-    explicit Bounded(Case& its) {
+    explicit Bounded(Case& setup) {
         Options const options = bounded();
-        bool const done = analyse(its.problem(), &options);
+        bool const done = analyse(setup.problem(), &options);
         INFO(error.text);
         REQUIRE(done);
         sparse = std::make_unique<AssembledMatrix>(core());
@@ -57,35 +57,35 @@ struct Bounded : Attempt {
 
 // A function of the angle that is on the first circle of an annulus, as an amount of each control
 // point: one of these is at each point there, and the curve is of degree 1.
-void put_on_polygon(Case& its, int n_points, bool closed) {
+void put_on_polygon(Case& setup, int n_points, bool closed) {
     Spline polygon;
     polygon.degree = 1;
     for (int k = 0; k < n_points; ++k) {
-        polygon.control.push_back(its.mesh.x[static_cast<std::size_t>(k)]);
-        polygon.control.push_back(its.mesh.y[static_cast<std::size_t>(k)]);
+        polygon.control.push_back(setup.mesh.x[static_cast<std::size_t>(k)]);
+        polygon.control.push_back(setup.mesh.y[static_cast<std::size_t>(k)]);
         polygon.indices.push_back(k);
     }
     if (closed) polygon.indices.push_back(0);
     polygon.knots = clamped_knots(1, static_cast<int>(polygon.indices.size()));
-    its.curves = polygon;
-    its.put_on_curves(body);
+    setup.curves = polygon;
+    setup.put_on_curves(body);
     int const spans = static_cast<int>(polygon.indices.size()) - 1;
-    for (int k = 0; k < n_points; ++k) its.give(k, 1.0 * k / spans);
+    for (int k = 0; k < n_points; ++k) setup.give(k, 1.0 * k / spans);
 }
 
 // Cells stretched across the diagonals of triangles: what the compact scheme has trouble with.
 Case stretched_bodies(Cells kind, double thin) {
-    Case its = two_body_case(kind, 8, 6);
-    perturb(its.mesh, 0.4, 4);
-    for (double& y : its.mesh.y) y *= thin;
-    for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] *= thin;
-    return its;
+    Case setup = two_body_case(kind, 8, 6);
+    perturb(setup.mesh, 0.4, 4);
+    for (double& y : setup.mesh.y) y *= thin;
+    for (std::size_t k = 1; k < setup.curves.control.size(); k += 2)
+        setup.curves.control[k] *= thin;
+    return setup;
 }
 
 }  // namespace
 
-TEST_CASE(
-    "no entry beside the diagonal is positive, and none of a coupling, whatever the weights") {
+TEST_CASE("no entry beside the diagonal and no coupling is positive for any weights") {
     auto const positive_entries = [](harmorph::Matrix const& m) {
         int out = 0;
         for (double const entry : m.value) out += entry > 0;
@@ -94,7 +94,7 @@ TEST_CASE(
     };
     for (Cells const kind : kinds)
         for (bool const on_circles : {false, true}) {
-            Case its = on_circles ? square_on_curve(12, kind, 0, 0) : stretched_bodies(kind, 0.1);
+            Case setup = on_circles ? square_on_curve(12, kind, 0, 0) : stretched_bodies(kind, 0.1);
             // Cells at an angle are on circles up to rounding only, which then says on which side
             // of 0 a conductance is.
             auto const turn = [](double& x, double& y) {
@@ -102,14 +102,15 @@ TEST_CASE(
                 x = 0.8 * old - 0.6 * y;
                 y = 0.6 * old + 0.8 * y;
             };
-            for (std::size_t k = 0; k < its.mesh.x.size(); ++k) turn(its.mesh.x[k], its.mesh.y[k]);
-            std::vector<double>& control = its.curves.control;
+            for (std::size_t k = 0; k < setup.mesh.x.size(); ++k)
+                turn(setup.mesh.x[k], setup.mesh.y[k]);
+            std::vector<double>& control = setup.curves.control;
             for (std::size_t k = 0; k < control.size(); k += 2) turn(control[k], control[k + 1]);
-            Analysed const seen(its);
+            Analysed const seen(setup);
             AssembledMatrix compact(*seen.operator->());
             compact.assemble();
             if (!on_circles) CHECK(positive_entries(compact.matrix) > 0);  // the test can fail
-            Bounded const scheme(its);
+            Bounded const scheme(setup);
             std::mt19937 random(3);
             for (bool const weighted : {false, true}) {
                 std::vector<double> conductivity;
@@ -131,8 +132,8 @@ TEST_CASE(
 }
 
 TEST_CASE("every edge is weighted by itself") {
-    Case its = square_on_curve(7, Cells::hybrid, 0.4, 5);
-    Bounded const scheme(its);
+    Case setup = square_on_curve(7, Cells::hybrid, 0.4, 5);
+    Bounded const scheme(setup);
     std::vector<double> conductivity;
     for (std::size_t k = 0; k < scheme.edges.size(); ++k)
         conductivity.push_back(1.0 + static_cast<double>(k));
@@ -158,14 +159,14 @@ TEST_CASE("every edge is weighted by itself") {
 TEST_CASE("linear fields are reproduced, at an aspect ratio of 10^4 as well") {
     for (Cells const kind : kinds)
         for (double const thin : {1.0, 1e-4}) {
-            Case its = square_on_curve(9, kind, 0.4, 3);
-            for (double& y : its.mesh.y) y *= thin;
-            for (std::size_t k = 1; k < its.curves.control.size(); k += 2)
-                its.curves.control[k] *= thin;
-            Bounded const scheme(its);
+            Case setup = square_on_curve(9, kind, 0.4, 3);
+            for (double& y : setup.mesh.y) y *= thin;
+            for (std::size_t k = 1; k < setup.curves.control.size(); k += 2)
+                setup.curves.control[k] *= thin;
+            Bounded const scheme(setup);
             scheme.assemble();
             auto const defect = [&](auto field) {
-                auto const at = [&](Index point) { return field(its.mesh.point(point)); };
+                auto const at = [&](Index point) { return field(setup.mesh.point(point)); };
                 std::vector<double> const found =
                     scheme.solve([&](Index slot) { return at(scheme.core().wall().point[slot]); });
                 double worst = 0;
@@ -183,8 +184,8 @@ TEST_CASE("linear fields are reproduced, at an aspect ratio of 10^4 as well") {
 }
 
 TEST_CASE("the first edge with a triangle of no area is returned") {
-    Case its = ring_case(6, 20, 0.5, 2);
-    Bounded const its_operator(its);
+    Case setup = ring_case(6, 20, 0.5, 2);
+    Bounded const its_operator(setup);
     harmorph::Mesh const& mesh = its_operator.core().problem().mesh;
     std::vector<double> x, y;
     for (Index k = 0; k < mesh.n_points; ++k) {
@@ -219,9 +220,9 @@ TEST_CASE("the first edge with a triangle of no area is returned") {
 }
 
 TEST_CASE("on Delaunay triangles it is the compact scheme") {
-    Case its = two_body_case(Cells::triangles, 8, 6);
-    improve(its.mesh, 30);
-    Bounded const scheme(its);
+    Case setup = two_body_case(Cells::triangles, 8, 6);
+    improve(setup.mesh, 30);
+    Bounded const scheme(setup);
     REQUIRE(scheme.core().triangulation().flips == 0);
     scheme.assemble();
     DenseMatrix const bounded_entries = scheme.sparse->unknowns();
@@ -232,8 +233,8 @@ TEST_CASE("on Delaunay triangles it is the compact scheme") {
 
 TEST_CASE("0 <= F <= 1 to the last bit where the compact scheme is below 0") {
     Options const options = bounded();
-    Case its = stretched_bodies(Cells::hybrid, 0.2);
-    Solved const compact(its), scheme(its, &options);
+    Case setup = stretched_bodies(Cells::hybrid, 0.2);
+    Solved const compact(setup), scheme(setup, &options);
     CHECK(compact.report.min_value < -0.1);
     CHECK(scheme.report.min_value >= 0);
     CHECK(scheme.report.max_value <= 1);
@@ -253,12 +254,12 @@ TEST_CASE("0 <= F <= 1 to the last bit where the compact scheme is below 0") {
 TEST_CASE("the sum of all functions is the wall's harmonic measure, solved for by itself") {
     Options const options = bounded();
     for (Cells const kind : kinds) {
-        Case its = two_body_case(kind, 6, 5);
-        perturb(its.mesh, 0.4, 7);
-        Bounded const scheme(its);
+        Case setup = two_body_case(kind, 6, 5);
+        perturb(setup.mesh, 0.4, 7);
+        Bounded const scheme(setup);
         scheme.assemble();
         std::vector<double> const measure = scheme.solve([](Index) { return 1.0; });
-        std::vector<double> const sum = Solved(its, &options).sum();
+        std::vector<double> const sum = Solved(setup, &options).sum();
         double worst = 0;
         for (std::size_t row = 0; row < measure.size(); ++row) {
             std::size_t const point =
@@ -272,32 +273,32 @@ TEST_CASE("the sum of all functions is the wall's harmonic measure, solved for b
 TEST_CASE("second order on an annulus, whole and half with a free symmetry line, also perturbed") {
     double const pi = std::acos(-1.0), r0 = 0.5, r1 = 2;
     Options const options = bounded();
-    for (bool const half : {false, true})
+    for (bool const is_half : {false, true})
         for (double const amplitude : {0.0, 0.3})
             for (Cells const kind : kinds) {
                 std::vector<double> error;
                 for (int const refine : {1, 2, 4}) {
-                    int const n_r = 8 * refine, n_t = (half ? 20 : 40) * refine;
-                    Case its;
-                    its.mesh = half ? half_annulus(n_r, n_t, r0, r1, kind)
-                                    : annulus(n_r, n_t, r0, r1, kind, true);
-                    perturb(its.mesh, amplitude, 8);
-                    put_on_polygon(its, half ? n_t + 1 : n_t, !half);
-                    if (half) its.set_free(symmetry_line);
+                    int const n_r = 8 * refine, n_t = (is_half ? 20 : 40) * refine;
+                    Case setup;
+                    setup.mesh = is_half ? half_annulus(n_r, n_t, r0, r1, kind)
+                                         : annulus(n_r, n_t, r0, r1, kind, true);
+                    perturb(setup.mesh, amplitude, 8);
+                    put_on_polygon(setup, is_half ? n_t + 1 : n_t, !is_half);
+                    if (is_half) setup.set_free(symmetry_line);
                     std::vector<double> cosines;
-                    double const step = (half ? 2 : 4) * pi / n_t;  // of twice the angle
-                    for (int k = 0; k < (half ? n_t + 1 : n_t); ++k)
+                    double const step = (is_half ? 2 : 4) * pi / n_t;  // of twice the angle
+                    for (int k = 0; k < (is_half ? n_t + 1 : n_t); ++k)
                         cosines.push_back(std::cos(k * step));
-                    std::vector<double> const found = Solved(its, &options).combined(cosines);
+                    std::vector<double> const found = Solved(setup, &options).combined(cosines);
                     error.push_back(0);
                     for (std::size_t k = 0; k < found.size(); ++k) {
-                        Point const p = its.mesh.point(static_cast<std::int32_t>(k));
+                        Point const p = setup.mesh.point(static_cast<std::int32_t>(k));
                         double const squared = p.x * p.x + p.y * p.y, q0 = r0 * r0, q1 = r1 * r1;
                         double const cosine =
                             (p.x * p.x - p.y * p.y) / squared;  // of twice the angle
                         double const exact =
                             cosine * (q1 * q1 / squared - squared) / (q1 * q1 / q0 - q0);
-                        double const share = 1 / std::sqrt(1.0 * its.mesh.n_points());
+                        double const share = 1 / std::sqrt(1.0 * setup.mesh.n_points());
                         error.back() = std::hypot(error.back(), share * (found[k] - exact));
                     }
                 }
@@ -310,9 +311,9 @@ TEST_CASE("second order on an annulus, whole and half with a free symmetry line,
 
 TEST_CASE("numbering, order and sense of cells do not matter") {
     Options const options = bounded();
-    Case its = stretched_bodies(Cells::hybrid, 0.2);
-    Solved const first(its, &options);
-    Case other = its;
+    Case setup = stretched_bodies(Cells::hybrid, 0.2);
+    Solved const first(setup, &options);
+    Case other = setup;
     reverse_some(other.mesh, 2);
     shuffle_cells(other.mesh, 3);
     std::vector<std::int32_t> const new_of = renumber_points(other.mesh, 4);
@@ -328,10 +329,10 @@ TEST_CASE("numbering, order and sense of cells do not matter") {
 
 TEST_CASE("the plan factors on the analysed coordinates alone") {
     Options const options = bounded();
-    Case its = two_body_case(Cells::hybrid, 6, 4);
-    Attempt tried(its.problem(), &options);
+    Case setup = two_body_case(Cells::hybrid, 6, 4);
+    Attempt tried(setup.problem(), &options);
     REQUIRE(tried.status == HM_OK);
-    std::vector<double> x = its.mesh.x, y = its.mesh.y;
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
     CHECK(hm_plan_factor(tried.plan, points_in(x, y), nullptr) == HM_OK);
     x[40] += 1e-9;
     CHECK(hm_plan_factor(tried.plan, points_in(x, y), &tried.error) == HM_UNSUPPORTED);
@@ -342,8 +343,8 @@ TEST_CASE("the plan factors on the analysed coordinates alone") {
 }
 
 TEST_CASE("weights of edges are powers of their midpoints' distances from what moves") {
-    Case its = stretched_bodies(Cells::hybrid, 0.5);
-    Bounded const scheme(its);
+    Case setup = stretched_bodies(Cells::hybrid, 0.5);
+    Bounded const scheme(setup);
     harmorph::Analysis const& a = scheme.core();
     harmorph::FaceDistance faces;
     harmorph::Arena counting;
@@ -356,8 +357,8 @@ TEST_CASE("weights of edges are powers of their midpoints' distances from what m
     std::vector<double> k(scheme.edges.size());
     weigh_edges(faces, span(scheme.edges), a.problem().mesh.points, 6, span(k), {});
     for (std::size_t edge = 0; edge < k.size(); ++edge) {
-        Point const begin = its.mesh.point(scheme.edges[edge].begin),
-                    end = its.mesh.point(scheme.edges[edge].end);
+        Point const begin = setup.mesh.point(scheme.edges[edge].begin),
+                    end = setup.mesh.point(scheme.edges[edge].end);
         double const d =
             faces.distance({0.5 * (begin.x + end.x), 0.5 * (begin.y + end.y)}) / faces.unit;
         if (d < 1e-12) continue;  // a face
@@ -365,25 +366,23 @@ TEST_CASE("weights of edges are powers of their midpoints' distances from what m
     }
 }
 
-TEST_CASE(
-    "weighted functions stay between 0 and 1 as well; slip and the conformal operator are "
-    "refused") {
+TEST_CASE("weighted functions stay between 0 and 1; slip and the conformal operator are refused") {
     for (Cells const kind : kinds) {
-        Case its = stretched_bodies(kind, 0.2);
+        Case setup = stretched_bodies(kind, 0.2);
         Options options = bounded(), compact{};
         options.operator_kind = compact.operator_kind = HM_WEIGHTED;
-        for (std::int32_t const quarters : {1, 6, 16}) {
-            options.exponent_quarters = compact.exponent_quarters = quarters;
-            Solved const solved(its, &options);
+        for (std::int32_t const exponent_quarters : {1, 6, 16}) {
+            options.exponent_quarters = compact.exponent_quarters = exponent_quarters;
+            Solved const solved(setup, &options);
             CHECK(solved.report.min_value >= 0);
             CHECK(solved.report.max_value <= 1);
             CHECK(solved.report.residual < 1e-11);
-            CHECK(Solved(its, &compact).report.min_value < -1e-3);
+            CHECK(Solved(setup, &compact).report.min_value < -1e-3);
         }
         options.operator_kind = HM_CONFORMAL;
-        CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
+        CHECK(Attempt(setup.problem(), &options).status == HM_UNSUPPORTED);
         options.operator_kind = HM_WEIGHTED;
-        its.set_slip(far_field);
-        CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
+        setup.set_slip(far_field);
+        CHECK(Attempt(setup.problem(), &options).status == HM_UNSUPPORTED);
     }
 }

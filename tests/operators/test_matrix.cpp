@@ -8,12 +8,12 @@ using harmorph::Index;
 
 TEST_CASE("conductances between the points of any cell arrive where a dense matrix has them") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
-        Case its = two_body_case(kind, 6, 4);
-        its.set_free(far_field);
-        Analysed const seen(its);
+        Case setup = two_body_case(kind, 6, 4);
+        setup.set_free(far_field);
+        Analysed const seen(setup);
         AssembledMatrix sparse(*seen.operator->());
         harmorph::Analysis const& a = *seen.operator->();
-        std::size_t const n = static_cast<std::size_t>(its.mesh.n_points());
+        std::size_t const n = static_cast<std::size_t>(setup.mesh.n_points());
         DenseMatrix dense(n);  // by points
         std::mt19937 random(5);
         auto const add = [&](Index p, Index q) {
@@ -25,7 +25,7 @@ TEST_CASE("conductances between the points of any cell arrive where a dense matr
             dense.at(i, j) -= conductance;
             dense.at(j, i) -= conductance;
         };
-        harmorph::Mesh const mesh = core_mesh(its.mesh);
+        harmorph::Mesh const mesh = core_mesh(setup.mesh);
         for (Index c = 0; c < mesh.n_cells; ++c) {
             harmorph::Cell const cell = mesh.cell(c);
             for (Index i = 0; i < cell.n; ++i)
@@ -59,10 +59,9 @@ TEST_CASE("conductances between the points of any cell arrive where a dense matr
     }
 }
 
-TEST_CASE(
-    "rows are in order, hold later columns only, and each once; their number is what was counted") {
-    Case its = two_body_case(Cells::hybrid, 6, 4);
-    Analysed const seen(its);
+TEST_CASE("rows hold later columns only, in order and once, and as many as were counted") {
+    Case setup = two_body_case(Cells::hybrid, 6, 4);
+    Analysed const seen(setup);
     AssembledMatrix const sparse(*seen.operator->());
     harmorph::Matrix const& m = sparse.matrix;
     CHECK(m.start[m.n] == seen->matrix_sizes().entries);
@@ -75,12 +74,11 @@ TEST_CASE(
     CHECK(m.coupling_start[seen->wall().count] == seen->matrix_sizes().couplings);
 }
 
-TEST_CASE(
-    "faces are the entries between the ends of an edge, of components of fixed or sliding points") {
+TEST_CASE("faces are the entries between the ends of an edge") {
     for (bool const slides : {false, true}) {
-        Case its = two_body_case(Cells::hybrid, 6, 4);
-        if (slides) its.set_slip(far_field);
-        Analysed const seen(its);
+        Case setup = two_body_case(Cells::hybrid, 6, 4);
+        if (slides) setup.set_slip(far_field);
+        Analysed const seen(setup);
         AssembledMatrix const sparse(*seen.operator->());
         harmorph::Matrix const& m = sparse.matrix;
         Index const components = m.components();
@@ -88,7 +86,7 @@ TEST_CASE(
         std::vector<std::uint8_t> marked(static_cast<std::size_t>(m.start[m.n]), 2),
             expected(marked.size(), 0);
         m.mark_faces(seen->topology().edges, span(marked));
-        harmorph::Mesh const mesh = core_mesh(its.mesh);
+        harmorph::Mesh const mesh = core_mesh(setup.mesh);
         for (Index c = 0; c < mesh.n_cells; ++c) {
             harmorph::Cell const cell = mesh.cell(c);
             for (Index side = 0; side < cell.n; ++side)
@@ -110,12 +108,12 @@ TEST_CASE(
 }
 
 TEST_CASE("rows tell unknowns, wall points, and points whose value is 0") {
-    Case its = two_body_case(Cells::hybrid, 6, 4);
-    its.mesh.add_point({0.5, 0.5});  // used by no cell
-    Analysed const seen(its);
+    Case setup = two_body_case(Cells::hybrid, 6, 4);
+    setup.mesh.add_point({0.5, 0.5});  // used by no cell
+    Analysed const seen(setup);
     AssembledMatrix const sparse(*seen.operator->());
     Index unknowns = 0, on_wall = 0, zero = 0;
-    for (Index point = 0; point < its.mesh.n_points(); ++point) {
+    for (Index point = 0; point < setup.mesh.n_points(); ++point) {
         Index const place = sparse.matrix.row_of(point);
         if (place >= 0) {
             CHECK(sparse.point_at(place) == point);
@@ -133,17 +131,16 @@ TEST_CASE("rows tell unknowns, wall points, and points whose value is 0") {
     CHECK(zero == 24 + 12 + 1);  // 36 points of the rectangle's sides
 }
 
-TEST_CASE(
-    "circulations are stored above the diagonal, and turned below, for any order of the points") {
-    Case its = two_body_case(Cells::hybrid, 6, 4);
-    Analysed const seen(its);
+TEST_CASE("circulations are stored above the diagonal for any order of the points") {
+    Case setup = two_body_case(Cells::hybrid, 6, 4);
+    Analysed const seen(setup);
     harmorph::Analysis const& a = *seen.operator->();
     AssembledMatrix sparse(a, true);
     CHECK(sparse.matrix.is_complex());
     CHECK_FALSE(AssembledMatrix(a).matrix.is_complex());
-    ComplexDenseMatrix by_points(static_cast<std::size_t>(its.mesh.n_points()));
+    ComplexDenseMatrix by_points(static_cast<std::size_t>(setup.mesh.n_points()));
     std::mt19937 random(6);
-    harmorph::Mesh const mesh = core_mesh(its.mesh);
+    harmorph::Mesh const mesh = core_mesh(setup.mesh);
     for (Index c = 0; c < mesh.n_cells; ++c) {
         harmorph::Cell const cell = mesh.cell(c);
         for (Index k = 0; k < cell.n; ++k) {

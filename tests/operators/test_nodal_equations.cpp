@@ -25,9 +25,9 @@ Options nodal(std::int32_t engine, std::int32_t scheme = HM_NODAL_GRADIENT) {
 Options plain() { return nodal(HM_FAS, HM_NODAL_GRADIENT_PLAIN); }
 
 Case viscous_case(Cells kind) {
-    Case its = airfoil_case(40, 12, Cells::quads);
-    its.mesh = o_mesh(naca4({}, 40), stretched(1e-3, 8, 24), kind);
-    return its;
+    Case setup = airfoil_case(40, 12, Cells::quads);
+    setup.mesh = o_mesh(naca4({}, 40), stretched(1e-3, 8, 24), kind);
+    return setup;
 }
 
 // An amount of each control point is a function of the angle on the first circle, as the curve is
@@ -53,16 +53,20 @@ Case polygon_case(Mesh const& mesh, int n_points, bool closed) {
 
 // Root mean square of the error of cos(2 angle) on the inner circle; half of it with a free
 // symmetry line.
-double annulus_error(Cells kind, int refine, bool half, double amplitude, Options const& options) {
+double annulus_error(Cells kind, int refine, bool is_half, double amplitude,
+                     Options const& options) {
     double const r0 = 0.5, r1 = 2, q0 = r0 * r0, q1 = r1 * r1;
-    int const n_r = 6 * refine, n_t = (half ? 16 : 32) * refine, n_points = half ? n_t + 1 : n_t;
-    Mesh mesh = half ? half_annulus(n_r, n_t, r0, r1, kind) : annulus(n_r, n_t, r0, r1, kind, true);
+    int const n_r = 6 * refine, n_t = (is_half ? 16 : 32) * refine,
+              n_points = is_half ? n_t + 1 : n_t;
+    Mesh mesh =
+        is_half ? half_annulus(n_r, n_t, r0, r1, kind) : annulus(n_r, n_t, r0, r1, kind, true);
     perturb(mesh, amplitude, 8);
-    Case its = polygon_case(mesh, n_points, !half);
-    if (half) its.set_free(symmetry_line);
+    Case setup = polygon_case(mesh, n_points, !is_half);
+    if (is_half) setup.set_free(symmetry_line);
     std::vector<double> cosines;
-    for (int k = 0; k < n_points; ++k) cosines.push_back(std::cos((half ? 2 : 4) * pi * k / n_t));
-    std::vector<double> const found = Solved(its, &options).combined(cosines);
+    for (int k = 0; k < n_points; ++k)
+        cosines.push_back(std::cos((is_half ? 2 : 4) * pi * k / n_t));
+    std::vector<double> const found = Solved(setup, &options).combined(cosines);
     double sum = 0;
     for (std::size_t k = 0; k < found.size(); ++k) {
         Point const p = mesh.point(static_cast<std::int32_t>(k));
@@ -77,12 +81,12 @@ double difference(Solved const& a, Solved const& b) {
 }
 
 // Largest balance that the scheme by itself finds in the volumes of the points that are solved for.
-double balance_of(Case const& its, Solved const& solved, bool corrected, std::int32_t free = -1) {
-    Scheme const scheme(its.mesh, corrected);
-    std::vector<char> known(its.mesh.x.size(), 0);
-    for (std::size_t k = 0; k < its.mesh.faces.size(); ++k)
-        if (its.mesh.face_markers[k / 2] != free)
-            known[static_cast<std::size_t>(its.mesh.faces[k])] = 1;
+double balance_of(Case const& setup, Solved const& solved, bool corrected, std::int32_t free = -1) {
+    Scheme const scheme(setup.mesh, corrected);
+    std::vector<char> known(setup.mesh.x.size(), 0);
+    for (std::size_t k = 0; k < setup.mesh.faces.size(); ++k)
+        if (setup.mesh.face_markers[k / 2] != free)
+            known[static_cast<std::size_t>(setup.mesh.faces[k])] = 1;
     double out = 0;
     for (std::int32_t i = 0; i < solved.report.functions; ++i) {
         std::vector<double> const balance = scheme.balance(solved.values(i));
@@ -97,44 +101,41 @@ double balance_of(Case const& its, Solved const& solved, bool corrected, std::in
 TEST_CASE("nothing is left in any volume: the plan's functions solve the scheme's own equations") {
     for (Cells const kind : kinds)
         for (bool const free : {false, true}) {
-            Case its = two_body_case(kind, 8, 6);
-            perturb(its.mesh, 0.3, 3);
-            reverse_some(its.mesh, 4);
-            if (free) its.set_free(far_field);
+            Case setup = two_body_case(kind, 8, 6);
+            perturb(setup.mesh, 0.3, 3);
+            reverse_some(setup.mesh, 4);
+            if (free) setup.set_free(far_field);
             Options const direct = nodal(HM_DIRECT), fas = nodal(HM_FAS);
             std::int32_t const marker = free ? far_field : -1;
-            CHECK(balance_of(its, Solved(its, &direct), true, marker) < 1e-12);
-            CHECK(balance_of(its, Solved(its, &fas), true, marker) < 1e-9);
-            CHECK(balance_of(its, Solved(its), true, marker) > 1e-4);  // the test can fail
+            CHECK(balance_of(setup, Solved(setup, &direct), true, marker) < 1e-12);
+            CHECK(balance_of(setup, Solved(setup, &fas), true, marker) < 1e-9);
+            CHECK(balance_of(setup, Solved(setup), true, marker) > 1e-4);  // the test can fail
         }
 }
 
-TEST_CASE(
-    "second order on an annulus, whole and half with a free symmetry line; perturbed as well") {
+TEST_CASE("nodal equations have second order on a whole and on a half annulus") {
     Options const options = nodal(HM_DIRECT);
-    for (bool const half : {false, true})
+    for (bool const is_half : {false, true})
         for (double const amplitude : {0.0, 0.3})
             for (Cells const kind : kinds) {
-                double const coarse = annulus_error(kind, 1, half, amplitude, options);
-                double const fine = annulus_error(kind, 4, half, amplitude, options);
-                INFO("errors " << coarse << " " << fine << ", half " << half << ", amplitude "
+                double const coarse = annulus_error(kind, 1, is_half, amplitude, options);
+                double const fine = annulus_error(kind, 4, is_half, amplitude, options);
+                INFO("errors " << coarse << " " << fine << ", half " << is_half << ", amplitude "
                                << amplitude);
                 CHECK(std::log2(coarse / fine) / 2 > (amplitude == 0 ? 1.8 : 1.6));
                 CHECK(fine < 1e-3);
             }
 }
 
-TEST_CASE(
-    "without correction: second order on smooth triangles, a free symmetry line included, with "
-    "larger errors") {
+TEST_CASE("nodal equations without correction have second order on smooth triangles") {
     Options options = plain(), corrected = nodal(HM_DIRECT);
     options.tolerance = 1e-6;  // far below the errors of the scheme
-    for (bool const half : {false, true}) {
-        double const coarse = annulus_error(Cells::triangles, 1, half, 0, options);
-        double const fine = annulus_error(Cells::triangles, 2, half, 0, options);
-        INFO("errors " << coarse << " " << fine << ", half " << half);
+    for (bool const is_half : {false, true}) {
+        double const coarse = annulus_error(Cells::triangles, 1, is_half, 0, options);
+        double const fine = annulus_error(Cells::triangles, 2, is_half, 0, options);
+        INFO("errors " << coarse << " " << fine << ", half " << is_half);
         CHECK(std::log2(coarse / fine) > 1.5);
-        CHECK(fine > 2 * annulus_error(Cells::triangles, 2, half, 0, corrected));
+        CHECK(fine > 2 * annulus_error(Cells::triangles, 2, is_half, 0, corrected));
     }
 }
 
@@ -143,8 +144,8 @@ TEST_CASE("the difference from the compact scheme falls as the mesh is refined")
     for (Cells const kind : {Cells::triangles, Cells::hybrid}) {
         double last = 0;
         for (int const refine : {1, 2, 4}) {
-            Case its = ring_case(6 * refine, 24 * refine, 0.5, 2, kind);
-            double const now = difference(Solved(its), Solved(its, &options));
+            Case setup = ring_case(6 * refine, 24 * refine, 0.5, 2, kind);
+            double const now = difference(Solved(setup), Solved(setup, &options));
             if (last > 0) CHECK(last / now > 2.5);
             last = now;
         }
@@ -152,14 +153,13 @@ TEST_CASE("the difference from the compact scheme falls as the mesh is refined")
     }
 }
 
-TEST_CASE(
-    "both engines find the same functions, also on stretched cells and beside a free boundary") {
+TEST_CASE("both engines find the same functions of nodal gradients") {
     for (int which = 0; which < 5; ++which) {
-        Case its = which < 3 ? two_body_case(kinds[which], 10, 7)
-                             : viscous_case(which == 3 ? Cells::quads : Cells::triangles);
-        if (which == 1) its.set_free(far_field);
+        Case setup = which < 3 ? two_body_case(kinds[which], 10, 7)
+                               : viscous_case(which == 3 ? Cells::quads : Cells::triangles);
+        if (which == 1) setup.set_free(far_field);
         Options const direct = nodal(HM_DIRECT), fas = nodal(HM_FAS);
-        Solved const one(its, &direct), other(its, &fas);
+        Solved const one(setup, &direct), other(setup, &fas);
         INFO("case " << which << ": " << one.report.iterations << " steps, "
                      << other.report.iterations << " cycles");
         CHECK(difference(one, other) < 1e-8);
@@ -171,14 +171,13 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "a rigid body, a periodic pair, a factor in single precision: the scheme's equations again") {
-    Case its = two_body_case(Cells::hybrid, 8, 6);
-    its.conditions.erase(its.conditions.begin());
-    its.set_rigid(body, 0, 0);
+TEST_CASE("nodal equations hold for a rigid body, a periodic pair and single precision") {
+    Case setup = two_body_case(Cells::hybrid, 8, 6);
+    setup.conditions.erase(setup.conditions.begin());
+    setup.set_rigid(body, 0, 0);
     Options options = nodal(HM_DIRECT), fas = nodal(HM_FAS), single = options;
     single.precision = HM_SINGLE;
-    Solved const one(its, &options), other(its, &fas), third(its, &single);
+    Solved const one(setup, &options), other(setup, &fas), third(setup, &single);
     CHECK(one.info().numbers_per_value == 2);
     CHECK(difference(one, other) < 1e-8);
     CHECK(difference(one, third) < 1e-11);
@@ -206,98 +205,95 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "the functions sum up to 1 where all boundaries are on curves, and carry linear fields "
-    "exactly") {
+TEST_CASE("functions of nodal gradients sum up to 1 and carry linear fields exactly") {
     for (Cells const kind : kinds) {
-        Case its = square_on_curve(9, kind, 0.3, 6);
+        Case setup = square_on_curve(9, kind, 0.3, 6);
         for (Options const& options : {nodal(HM_DIRECT), nodal(HM_FAS), plain()}) {
-            Solved const solved(its, &options);
+            Solved const solved(setup, &options);
             double const within = options.engine == HM_DIRECT ? 1e-12 : 1e-8;
             std::vector<double> x, y;
-            for (std::int32_t k = 0; k < its.curves.n_control(); ++k) {
-                x.push_back(its.curves.control[2 * static_cast<std::size_t>(k)]);
-                y.push_back(its.curves.control[2 * static_cast<std::size_t>(k) + 1]);
+            for (std::int32_t k = 0; k < setup.curves.n_control(); ++k) {
+                x.push_back(setup.curves.control[2 * static_cast<std::size_t>(k)]);
+                y.push_back(setup.curves.control[2 * static_cast<std::size_t>(k) + 1]);
             }
-            CHECK(largest_difference(solved.sum(), std::vector<double>(its.mesh.x.size(), 1.0)) <
+            CHECK(largest_difference(solved.sum(), std::vector<double>(setup.mesh.x.size(), 1.0)) <
                   within);
-            CHECK(largest_difference(solved.combined(x), its.mesh.x) < within);
-            CHECK(largest_difference(solved.combined(y), its.mesh.y) < within);
+            CHECK(largest_difference(solved.combined(x), setup.mesh.x) < within);
+            CHECK(largest_difference(solved.combined(y), setup.mesh.y) < within);
         }
     }
 }
 
 TEST_CASE("moved coordinates: the plan factors again, as a new one would") {
-    Case its = two_body_case(Cells::hybrid, 8, 6);
-    Case moved = its;
+    Case setup = two_body_case(Cells::hybrid, 8, 6);
+    Case moved = setup;
     perturb(moved.mesh, 0.3, 2);
     for (std::int32_t const engine : {int(HM_DIRECT), int(HM_FAS)}) {
         Options const options = nodal(engine);
         Solved const fresh(moved, &options);
-        Attempt again(its.problem(), &options);
+        Attempt again(setup.problem(), &options);
         REQUIRE(hm_plan_factor(again.plan, points_in(moved.mesh.x, moved.mesh.y), nullptr) ==
                 HM_OK);
         REQUIRE(hm_plan_solve(again.plan, again.basis, nullptr, nullptr) == HM_OK);
-        std::vector<double> values(its.mesh.x.size());
+        std::vector<double> values(setup.mesh.x.size());
         REQUIRE(hm_basis_values(again.basis, 3, 0, values.data(), nullptr) == HM_OK);
         CHECK(largest_difference(values, fresh.values(3)) < 1e-8);
-        CHECK(largest_difference(values, Solved(its, &options).values(3)) > 1e-6);
+        CHECK(largest_difference(values, Solved(setup, &options).values(3)) > 1e-6);
         CHECK(again.guards_intact());
     }
 }
 
 TEST_CASE("threads and blocks change no bit; a basis remembers its scheme") {
-    Case its = two_body_case(Cells::hybrid, 12, 8);
+    Case setup = two_body_case(Cells::hybrid, 12, 8);
     for (Options options : {nodal(HM_DIRECT), nodal(HM_FAS), plain()}) {
         bool const iterates = options.engine != HM_DIRECT;
         options.block_width = iterates ? 4 : 0;
         options.max_iterations = iterates ? 40 : 0;
         auto const values_of = [&](Attempt const& attempt) {
             REQUIRE(attempt.status >= 0);
-            std::vector<double> out(its.mesh.x.size());
+            std::vector<double> out(setup.mesh.x.size());
             REQUIRE(hm_basis_values(attempt.basis, 15, 0, out.data(), nullptr) == HM_OK);
             return out;
         };
-        Attempt const serial(its.problem(), &options);
+        Attempt const serial(setup.problem(), &options);
         Backwards backwards;
         hm_executor const executor = backwards.executor(3);
         options.executor = &executor;
-        CHECK(same_bits(values_of(Attempt(its.problem(), &options)), values_of(serial)));
+        CHECK(same_bits(values_of(Attempt(setup.problem(), &options)), values_of(serial)));
         CHECK(backwards.tasks > 0);
-        hm_basis_info info{};
-        info.struct_size = sizeof info;
+        auto info = sized<hm_basis_info>();
         REQUIRE(hm_basis_info_get(serial.basis, &info, nullptr) == HM_OK);
         CHECK(info.scheme == options.scheme);
 
         const hm_basis* attached = nullptr;
         std::vector<double> copy(info.bytes / sizeof(double) + 1);  // aligned
         std::memcpy(copy.data(), serial.basis, info.bytes);
-        REQUIRE(hm_basis_attach(&attached, copy.data(), info.bytes, &its.mesh_view(), nullptr) ==
+        REQUIRE(hm_basis_attach(&attached, copy.data(), info.bytes, &setup.mesh_view(), nullptr) ==
                 HM_OK);
         info.scheme = -1;
         REQUIRE(hm_basis_info_get(attached, &info, nullptr) == HM_OK);
         CHECK(info.scheme == options.scheme);
 
-        Attempt compact(its.problem());
+        Attempt compact(setup.problem());
         CHECK(hm_plan_solve(compact.plan, serial.basis, nullptr, nullptr) == HM_BAD_BASIS);
     }
 }
 
 TEST_CASE("where short waves grow, the paper's text ends with a status before its limit") {
-    Case its = two_body_case(Cells::hybrid, 8, 6);
-    perturb(its.mesh, 0.3, 3);
-    for (double& y : its.mesh.y) y *= 0.1;
-    for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] *= 0.1;
+    Case setup = two_body_case(Cells::hybrid, 8, 6);
+    perturb(setup.mesh, 0.3, 3);
+    for (double& y : setup.mesh.y) y *= 0.1;
+    for (std::size_t k = 1; k < setup.curves.control.size(); k += 2) setup.curves.control[k] *= 0.1;
     Options const options = plain();
-    Attempt const attempt(its.problem(), &options);
+    Attempt const attempt(setup.problem(), &options);
     CHECK(attempt.status == HM_NOT_CONVERGED);
     CHECK(attempt.report.iterations < 2000);
 }
 
 TEST_CASE("what does not go together is refused") {
-    Case its = two_body_case(Cells::quads, 6, 4);
+    Case setup = two_body_case(Cells::quads, 6, 4);
     auto const refused = [&](Options const& options) {
-        Attempt const attempt(its.problem(), &options);
+        Attempt const attempt(setup.problem(), &options);
         return attempt.status == HM_UNSUPPORTED && attempt.reached == "analysis size";
     };
     CHECK(refused(nodal(HM_MULTIGRID)));
@@ -308,10 +304,10 @@ TEST_CASE("what does not go together is refused") {
         options.operator_kind = other;
         CHECK(refused(options));
     }
-    its.set_slip(far_field);
+    setup.set_slip(far_field);
     CHECK(refused(nodal(HM_DIRECT)));
     CHECK(refused(nodal(HM_FAS)));
     Options const options = nodal(HM_DIRECT);
-    Attempt const attempt(its.problem(), &options);
+    Attempt const attempt(setup.problem(), &options);
     CHECK(std::string(attempt.error.text).find("nodal gradients") != std::string::npos);
 }

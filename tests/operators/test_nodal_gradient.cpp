@@ -80,9 +80,7 @@ double harmonic(Point p) { return std::exp(2 * p.x) * std::cos(2 * p.y); }
 
 }  // namespace
 
-TEST_CASE(
-    "of a linear field every volume keeps nothing: what comes in leaves, over the boundary as "
-    "well") {
+TEST_CASE("a linear field has no net flow out of any volume, also at the boundary") {
     for (Cells const kind : kinds)
         for (bool const corrected : {false, true})
             for (double const thin : {1.0, 1e-3}) {
@@ -182,8 +180,7 @@ TEST_CASE("several functions at once: the same bits as one by one") {
     CHECK(wrong == 0);
 }
 
-TEST_CASE(
-    "with the correction: second order on uniform meshes, and still converging on perturbed ones") {
+TEST_CASE("the corrected gradient has second order on uniform meshes and converges on others") {
     for (Cells const kind : kinds)
         for (double const amplitude : {0.0, 0.3}) {
             std::vector<double> error;

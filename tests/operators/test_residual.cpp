@@ -47,8 +47,8 @@ struct Progressed {
 }  // namespace
 
 TEST_CASE("one wrong value leaves its column of the matrix") {
-    Case its = two_body_case(Cells::hybrid, 6, 4);
-    Solved const solved(its);
+    Case setup = two_body_case(Cells::hybrid, 6, 4);
+    Solved const solved(setup);
     harmorph::Analysis const& analysis = fixtures::inside(solved.analysis);
     AssembledMatrix laplace(analysis);
     laplace.assemble();
@@ -90,8 +90,7 @@ TEST_CASE("one wrong value leaves its column of the matrix") {
     CHECK(block.guards_intact());
 }
 
-TEST_CASE(
-    "points that slip: the residual of any values is b - A F, also where lines meet at an angle") {
+TEST_CASE("the residual of points that slip is b - A F, also where lines meet at an angle") {
     struct Kind {
         std::int32_t kind;
         bool has_source;
@@ -99,12 +98,12 @@ TEST_CASE(
     for (auto const [kind, has_source] :
          {Kind{HM_LAPLACE, false}, Kind{HM_WEIGHTED, false}, Kind{HM_CONFORMAL, false},
           Kind{HM_LAPLACE, true}, Kind{HM_CONFORMAL, true}}) {
-        Case its = similar(two_body_case(Cells::hybrid, 5, 4), std::polar(1.0, 0.7), 0);
-        its.conditions.clear();
-        its.put_on_curves(body, 0);  // the other body is held
-        its.set_slip(far_field);  // four lines: next to corners points of two of them share cells
+        Case setup = similar(two_body_case(Cells::hybrid, 5, 4), std::polar(1.0, 0.7), 0);
+        setup.conditions.clear();
+        setup.put_on_curves(body, 0);  // the other body is held
+        setup.set_slip(far_field);  // four lines: next to corners points of two of them share cells
         Options const options = options_of(kind);
-        Solved const solved(its, &options);
+        Solved const solved(setup, &options);
         harmorph::Plan const& plan = inside(solved.plan);
         harmorph::Matrix const& matrix = plan.equations().matrix();
         harmorph::Basis const basis = in_rows(solved);
@@ -153,18 +152,16 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "a factor that is slightly wrong: refinement brings the residual down, and progress never goes "
-    "back") {
+TEST_CASE("refinement reduces the residual of a wrong factor, and progress never goes back") {
     for (double const error : {0.0, 1e-9, 1e-6, 1e-1}) {
-        Case its = ring_case(12, 48, 0.5, 2, Cells::hybrid, 3, 19);
+        Case setup = ring_case(12, 48, 0.5, 2, Cells::hybrid, 3, 19);
         Progressed progressed;
         Options options = laplace();
         options.progress = Progressed::call;
         options.progress_user = &progressed;
-        Solved const reference(its);
+        Solved const reference(setup);
         Attempt attempt;
-        REQUIRE(attempt.analyse(its.problem(), &options));
+        REQUIRE(attempt.analyse(setup.problem(), &options));
         REQUIRE(attempt.prepare());
         REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
         for (double& entry : inside(attempt.plan).engine().direct.factor.doubles.factor)
@@ -179,7 +176,7 @@ TEST_CASE(
         if (error < 1e-2) {
             CHECK(status == HM_OK);
             CHECK(attempt.report.residual < 1e-12);
-            std::vector<double> values(its.mesh.x.size());
+            std::vector<double> values(setup.mesh.x.size());
             REQUIRE(hm_basis_values(attempt.basis, 7, 0, values.data(), nullptr) == HM_OK);
             CHECK(largest_difference(values, reference.values(7)) < 1e-12);
         } else {
@@ -207,7 +204,7 @@ Options with(std::int32_t operator_kind, std::int32_t engine) {
     return out;
 }
 
-// Of the sum of all functions from 1.
+// Returns how far the sum of all functions is from 1, at most.
 double worst_defect(Solved const& solved, std::size_t n) {
     std::vector<double> const values = solved.all_values();
     double worst = 0;
@@ -221,22 +218,20 @@ double worst_defect(Solved const& solved, std::size_t n) {
 
 }  // namespace
 
-TEST_CASE(
-    "thin cells: the direct engine's functions sum to 1 where the far field is free, and are "
-    "multigrid's") {
+TEST_CASE("functions on thin cells sum to 1 for a free far field, and are those of multigrid") {
     for (double const first : {1e-7, 1e-9, 1e-11}) {
         for (bool const free : {true, false}) {
-            Case its = thin_case(first, free);
+            Case setup = thin_case(first, free);
             Options const exact = with(HM_LAPLACE, HM_DIRECT),
                           iterative = with(HM_LAPLACE, HM_MULTIGRID);
-            Solved const found(its, &exact), other(its, &iterative);
+            Solved const found(setup, &exact), other(setup, &iterative);
             INFO("first cell " << first << ", free " << free << ": "
                                << inside(found.plan).engine().direct.factor.min_pivot_ratio()
                                << " left of a pivot");
             CHECK(inside(found.plan).engine().trusted());  // it has lost nothing
             CHECK(found.report.refinements == 0);
             CHECK(largest_difference(found.all_values(), other.all_values()) < 1e-8);
-            if (free) CHECK(worst_defect(found, its.mesh.x.size()) < 1e-13);
+            if (free) CHECK(worst_defect(found, setup.mesh.x.size()) < 1e-13);
         }
     }
 }
@@ -245,22 +240,21 @@ TEST_CASE("even cells are not refined") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL}) {
         for (bool const free : {false, true}) {
             if (free && kind == HM_CONFORMAL) continue;
-            Case its = two_body_case(Cells::hybrid, 16, 10);
-            if (free) its.set_free(far_field);
+            Case setup = two_body_case(Cells::hybrid, 16, 10);
+            if (free) setup.set_free(far_field);
             Options const options = with(kind, HM_DIRECT);
-            Solved const solved(its, &options);
+            Solved const solved(setup, &options);
             CHECK(solved.report.refinements == 0);
             CHECK(inside(solved.plan).engine().trusted());
         }
     }
 }
 
-TEST_CASE(
-    "constants leave nothing, to the bit, of complex equations too, but beside known values") {
+TEST_CASE("constants leave a residual of 0 to the bit, except beside known values") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
-        Case its = thin_case(1e-9, false);
+        Case setup = thin_case(1e-9, false);
         Options const options = with(kind, HM_DIRECT);
-        Solved const solved(its, &options);
+        Solved const solved(setup, &options);
         harmorph::Plan const& plan = inside(solved.plan);
         harmorph::Matrix const& matrix = plan.equations().matrix();
         harmorph::Basis const basis = in_rows(solved);
@@ -290,13 +284,12 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "rows in single precision are those in double, rounded last; norms are the same without rows") {
+TEST_CASE("rows in single precision are those in double precision, rounded last") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
-        Case its = thin_case(1e-3, false);
+        Case setup = thin_case(1e-3, false);
         Options in_double = with(kind, HM_DIRECT), in_single = in_double;
         in_single.precision = HM_SINGLE;
-        Solved const solved(its, &in_double), other(its, &in_single);
+        Solved const solved(setup, &in_double), other(setup, &in_single);
         harmorph::Plan const& plan = inside(solved.plan);
         harmorph::Residual wide = plan.refinement().residual,
                            narrow = inside(other.plan).refinement().residual;
@@ -332,9 +325,9 @@ TEST_CASE(
 
 TEST_CASE("kernels give the same bits, of whole blocks of columns and of parts of one") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
-        Case its = thin_case(1e-3, false);  // 12 functions
+        Case setup = thin_case(1e-3, false);  // 12 functions
         Options const options = with(kind, HM_DIRECT);
-        Solved const solved(its, &options);
+        Solved const solved(setup, &options);
         harmorph::Plan const& plan = inside(solved.plan);
         harmorph::Basis const basis = in_rows(solved);
         harmorph::Residual residual = plan.refinement().residual;
@@ -354,13 +347,11 @@ TEST_CASE("kernels give the same bits, of whole blocks of columns and of parts o
     }
 }
 
-TEST_CASE(
-    "subtrees of rows: the same residuals as row after row, the same bits for any number of "
-    "threads") {
+TEST_CASE("subtrees of rows have the residuals of rows in turn for any number of threads") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
-        Case its = ring_case(60, 130, 0.5, 2, Cells::hybrid, 3, 8);
+        Case setup = ring_case(60, 130, 0.5, 2, Cells::hybrid, 3, 8);
         Options const options = with(kind, HM_DIRECT);
-        Solved const solved(its, &options);
+        Solved const solved(setup, &options);
         harmorph::Plan const& plan = inside(solved.plan);
         harmorph::Basis const basis = in_rows(solved);
         harmorph::DofValues const dofs(basis, plan.equations().dof_of(), 1);

@@ -33,12 +33,12 @@ DenseMatrix of_finite_elements(harmorph::Mesh const& mesh,
                                std::vector<double> const& conductivity) {
     DenseMatrix out(static_cast<std::size_t>(mesh.n_points));
     for (Index i = 0; i < mesh.n_cells; ++i) {
-        harmorph::Cell const its = mesh.cell(i);
+        harmorph::Cell const cell = mesh.cell(i);
         double const k = conductivity[static_cast<std::size_t>(i)];
-        for (int corner = 0; corner < (its.n == 3 ? 1 : 4);
+        for (int corner = 0; corner < (cell.n == 3 ? 1 : 4);
              ++corner) {  // both splits of a quad, each by half
-            Index const triangle[] = {its.previous(corner), its.point[corner], its.next(corner)};
-            add_triangle(out, mesh.points, triangle, its.n == 3 ? k : 0.5 * k);
+            Index const triangle[] = {cell.previous(corner), cell.point[corner], cell.next(corner)};
+            add_triangle(out, mesh.points, triangle, cell.n == 3 ? k : 0.5 * k);
         }
     }
     return out;
@@ -46,14 +46,13 @@ DenseMatrix of_finite_elements(harmorph::Mesh const& mesh,
 
 }  // namespace
 
-TEST_CASE(
-    "the matrix is the sum of the cotangents of all triangles, and of both splits of each quad") {
+TEST_CASE("the matrix is the sum of the cotangents of all triangles and of both splits of quads") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         for (int const n :
              {5, 6, 9}) {  // groups of cells are full, or odd, or one cell is left over
-            Case its = square_on_curve(n, kind, 0.2, 7);
-            Analysed const seen(its);
-            harmorph::Mesh const mesh = core_mesh(its.mesh);
+            Case setup = square_on_curve(n, kind, 0.2, 7);
+            Analysed const seen(setup);
+            harmorph::Mesh const mesh = core_mesh(setup.mesh);
             std::mt19937 random(3);
             std::vector<double> k(static_cast<std::size_t>(mesh.n_cells));
             for (double& one : k) one = std::exp(uniform(random));
@@ -87,15 +86,15 @@ TEST_CASE(
 
 TEST_CASE("the first cell without positive area is returned, wherever it lies among the others") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
-        Case its = square_on_curve(7, kind, 0.1, 5);
-        Analysed const seen(its);
+        Case setup = square_on_curve(7, kind, 0.1, 5);
+        Analysed const seen(setup);
         AssembledMatrix its_matrix(*seen.operator->());
         std::size_t n_inverted = 0;
-        for (std::size_t point = 0; point < its.mesh.x.size(); ++point) {
-            double const before = its.mesh.x[point];
+        for (std::size_t point = 0; point < setup.mesh.x.size(); ++point) {
+            double const before = setup.mesh.x[point];
             for (double const moved : {before - 3, before + 3}) {
-                its.mesh.x[point] = moved;
-                harmorph::Mesh const mesh = core_mesh(its.mesh);
+                setup.mesh.x[point] = moved;
+                harmorph::Mesh const mesh = core_mesh(setup.mesh);
                 Index const first = mesh.find_cell([&](Index, harmorph::Cell const& cell) {
                     return is_inverted(harmorph::CellShape(cell, mesh.points, false));
                 });
@@ -103,23 +102,23 @@ TEST_CASE("the first cell without positive area is returned, wherever it lies am
                 CHECK(assemble_stiffness(seen->topology(), mesh.points, {}, false,
                                          its_matrix.matrix, {}) == first);
             }
-            its.mesh.x[point] = before;
+            setup.mesh.x[point] = before;
         }
-        CHECK(n_inverted > its.mesh.x.size());  // of twice as many movements
+        CHECK(n_inverted > setup.mesh.x.size());  // of twice as many movements
     }
 }
 
 TEST_CASE("of several inverted cells the first is returned, for any number of threads") {
-    Case its = square_on_curve(131, Cells::hybrid, 0.1, 5);  // four ranges of rows
-    Analysed const seen(its);
+    Case setup = square_on_curve(131, Cells::hybrid, 0.1, 5);  // four ranges of rows
+    Analysed const seen(setup);
     AssembledMatrix its_matrix(*seen.operator->());
-    std::size_t const n = its.mesh.x.size();
+    std::size_t const n = setup.mesh.x.size();
     for (std::size_t const first : {n / 9, n / 2, n - n / 9}) {
         for (std::size_t const second : {n / 7, n - n / 7}) {
-            std::vector<double> const before = its.mesh.x;
-            its.mesh.x[first] += 3;
-            its.mesh.x[second] -= 3;
-            harmorph::Mesh const mesh = core_mesh(its.mesh);
+            std::vector<double> const before = setup.mesh.x;
+            setup.mesh.x[first] += 3;
+            setup.mesh.x[second] -= 3;
+            harmorph::Mesh const mesh = core_mesh(setup.mesh);
             Index const expected = mesh.find_cell([&](Index, harmorph::Cell const& cell) {
                 return is_inverted(harmorph::CellShape(cell, mesh.points, false));
             });
@@ -134,7 +133,7 @@ TEST_CASE("of several inverted cells the first is returned, for any number of th
                 CHECK(found == expected);
                 if (threads > 1) CHECK(order.tasks == threads);
             }
-            its.mesh.x = before;
+            setup.mesh.x = before;
         }
     }
 }

@@ -50,8 +50,7 @@ struct RandomRows {
 
 }  // namespace
 
-TEST_CASE(
-    "P^T A P against the dense product, its pattern without repeats, faces summed up to 255") {
+TEST_CASE("P^T A P is the dense product without repeated entries, and faces sum up to 255") {
     for (Index const n : {1, 2, 7, 40})
         for (double const density : {0.0, 0.2, 1.0}) {
             RandomRows made(n, density, 11 + static_cast<unsigned>(n));
@@ -106,8 +105,8 @@ TEST_CASE(
 }
 
 TEST_CASE("the rows of a matrix are its unknowns' part, and its faces are the mesh's edges") {
-    Case its = two_body_case(Cells::hybrid, 8, 5);
-    Analysed const seen(its);
+    Case setup = two_body_case(Cells::hybrid, 8, 5);
+    Analysed const seen(setup);
     FrontMatrix const front(*seen.operator->());
     harmorph::Edges const& edges = seen->topology().edges;
     int faces = 0, diagonals = 0;

@@ -1,10 +1,6 @@
-// Where parts are cut: in the middle, across the shorter way, behind the cheapest level, with
-// borders in mind.
-#include <doctest/doctest.h>
-
+// Parts are cut in the middle, across the shorter direction, behind the cheapest level, with
+// borders taken into account.
 #include <fixtures/graphs.hpp>
-
-#include <map>
 
 #include "ordering/cut_search.hpp"
 
@@ -25,11 +21,11 @@ struct Searched {
         places.lay_out(placing, graph.n());
         places.lay_out_layers(placing, graph.n());
         find_coordinates(places, graph.view(), graph.points());
-        for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<Index>(k);
+        for (std::size_t k = 0; k < order.size(); ++k) order[k] = Index(k);
         search = std::make_unique<harmorph::CutSearch>(graph.view(), places, span(order));
     }
     ~Searched() { CHECK(block_->guards_intact()); }
-    Index n() const { return static_cast<Index>(order.size()); }
+    Index n() const { return Index(order.size()); }
     Index left_of(Cut const& cut) const {
         Index left = 0;
         for (Index u = 0; u < n(); ++u) left += places.position[u].at[cut.direction] < cut.level;
@@ -54,41 +50,38 @@ double cost_by_halving(double n, double b) {
 
 }  // namespace
 
-TEST_CASE(
-    "grids are cut across the shorter way, near the middle, also where only some unknowns are "
-    "looked at") {
+TEST_CASE("grids are cut across the shorter direction near the middle, also in samples") {
     for (int const times : {1, 9}) {  // a small part and a large one
         int const length = 60 * times, width = 37 * times;
         for (bool const upright : {false, true}) {
             HandMadeGraph grid = upright ? grid_graph(width, length) : grid_graph(length, width);
-            Searched its(grid);
-            CHECK((its.n() >= CutSizes::large) == (times > 1));
-            Cut const cut = its.search->best(0, its.n(), harmorph::straight_directions);
+            Searched search(grid);
+            CHECK((search.n() >= CutSizes::large) == (times > 1));
+            Cut const cut = search.search->best(0, search.n(), harmorph::straight_directions);
             CHECK(cut.direction == (upright ? 1 : 0));
-            CHECK(std::abs(its.left_of(cut) - its.n() / 2) < its.n() / 8);
+            CHECK(std::abs(search.left_of(cut) - search.n() / 2) < search.n() / 8);
         }
     }
 }
 
-TEST_CASE("a square with a border along one side is cut such that both halves share it") {
+TEST_CASE("a square with a border along one side is cut so that both halves share the border") {
     int const side = 300;
     REQUIRE(side * side >= CutSizes::large);
     for (Index const direction : {0, 1}) {
         HandMadeGraph grid = grid_graph(side, side);
-        Searched its(grid);
-        for (Index u = 0; u < its.n(); ++u) {
+        Searched search(grid);
+        for (Index u = 0; u < search.n(); ++u) {
             int const at = direction == 0 ? u / side : u % side;
-            if (at == 0) its.places.position[u].at[harmorph::border_lane] = 1;
+            if (at == 0) search.places.position[u].at[harmorph::border_lane] = 1;
         }
-        CHECK(its.search->border(0, its.n(), its.n()) == side);
-        CHECK(its.search->border(0, its.n(), CutSizes::large - 1) == 0);
-        CHECK(its.search->best(0, its.n(), harmorph::straight_directions).direction == direction);
+        CHECK(search.search->border(0, search.n(), search.n()) == side);
+        CHECK(search.search->border(0, search.n(), CutSizes::large - 1) == 0);
+        CHECK(search.search->best(0, search.n(), harmorph::straight_directions).direction ==
+              direction);
     }
 }
 
-TEST_CASE(
-    "cost: grows with the separator, with borders and with what is left to cut; the same from both "
-    "sides") {
+TEST_CASE("the cost grows with separator, borders and remaining parts, and is symmetric") {
     for (Index const half : {40, 200000}) {
         auto const cost = [&](Index shift, Index separator, Index left_border = 0,
                               Index right_border = 0) {
@@ -104,8 +97,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "cost of large parts: what halving them again and again comes to, but for rounded constants") {
+TEST_CASE("the cost of large parts is that of repeated bisection, but for rounded constants") {
     for (Index const separator : {300, 450, 900})
         for (Index const left_border : {0, 400, 1600})
             for (Index const right_border : {0, 700}) {
@@ -119,31 +111,29 @@ TEST_CASE(
             }
 }
 
-TEST_CASE(
-    "levels: behind the one that costs least in the middle half, if that is less than what is "
-    "known") {
+TEST_CASE("the cut is behind the cheapest level in the middle half, if that beats the known cost") {
     HandMadeGraph grid = grid_graph(41, 9);
-    Searched its(grid);
+    Searched search(grid);
     Cut cut;
-    CHECK(!its.search->find_level_cut(0, 0, its.n(), cut));
+    CHECK(!search.search->find_level_cut(0, 0, search.n(), cut));
     CHECK(cut.direction == harmorph::none);
-    REQUIRE(its.search->find_level_cut(harmorph::infinity, 0, its.n(), cut));
+    REQUIRE(search.search->find_level_cut(harmorph::infinity, 0, search.n(), cut));
     CHECK(cut.direction == harmorph::level_direction);
     std::map<float, Index> size;
-    for (Index u = 0; u < its.n(); ++u)
-        ++size[its.places.position[u].at[harmorph::level_direction]];
+    for (Index u = 0; u < search.n(); ++u)
+        ++size[search.places.position[u].at[harmorph::level_direction]];
     double least = harmorph::infinity;
     float best = 0;
     Index before = 0;
     for (auto const& [level, count] : size) {
-        Index const behind = its.n() - before - count;
+        Index const behind = search.n() - before - count;
         double const cost = CutSizes{before, behind, count}.cost();
-        if (before >= its.n() / 4 && behind >= its.n() / 4 && cost < least) {
+        if (before >= search.n() / 4 && behind >= search.n() / 4 && cost < least) {
             least = cost;
             best = level;
         }
         before += count;
     }
     CHECK(cut.level == best + 0.5f);
-    CHECK(!its.search->find_level_cut(least, 0, its.n(), cut));
+    CHECK(!search.search->find_level_cut(least, 0, search.n(), cut));
 }

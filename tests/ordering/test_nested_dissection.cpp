@@ -1,11 +1,7 @@
 // The order of elimination is a permutation, its tree a postorder, and separators separate.
-#include <doctest/doctest.h>
-
 #include <fixtures/executors.hpp>
 #include <fixtures/graphs.hpp>
 #include <fixtures/wrong.hpp>
-
-#include <cstring>
 
 #include "ordering/bisection.hpp"
 
@@ -26,8 +22,8 @@ void check_dissection(HandMadeGraph& graph) {
     // them.
     CHECK(cut.tree.count <= n / 2 + 1);
     Index next = 0, roots = 0;
-    std::vector<Index> subtree_begin(static_cast<std::size_t>(cut.tree.count));
-    std::vector<int> times_child(static_cast<std::size_t>(cut.tree.count), 0);
+    std::vector<Index> subtree_begin(std::size_t(cut.tree.count));
+    std::vector<int> times_child(std::size_t(cut.tree.count), 0);
     for (Index t = 0; t < cut.tree.count; ++t) {
         auto const& node = cut.tree.nodes[t];
         CHECK(node.begin == next);
@@ -39,26 +35,25 @@ void check_dissection(HandMadeGraph& graph) {
         for (Index child = node.child; child != -1; child = cut.tree.nodes[child].sibling) {
             REQUIRE(child < t);
             CHECK(cut.tree.nodes[child].parent == t);
-            begin = std::min(begin, subtree_begin[static_cast<std::size_t>(child)]);
-            ++times_child[static_cast<std::size_t>(child)];
+            begin = std::min(begin, subtree_begin[std::size_t(child)]);
+            ++times_child[std::size_t(child)];
         }
-        subtree_begin[static_cast<std::size_t>(t)] = begin;
+        subtree_begin[std::size_t(t)] = begin;
     }
     CHECK(next == n);
     CHECK(roots == 1);
     for (Index t = 0; t < cut.tree.count; ++t)
-        CHECK(times_child[static_cast<std::size_t>(t)] == (cut.tree.nodes[t].parent == -1 ? 0 : 1));
+        CHECK(times_child[std::size_t(t)] == (cut.tree.nodes[t].parent == -1 ? 0 : 1));
 
     // Neighbours are in one node, or one's node is an ancestor of the other's: nothing crosses a
     // separator.
     std::vector<Index> const node_of = cut.node_of_position();
     for (std::int32_t a = 0; a < n; ++a)
-        for (std::int32_t const b : graph.near[static_cast<std::size_t>(a)]) {
-            Index const first = std::min(position[static_cast<std::size_t>(a)],
-                                         position[static_cast<std::size_t>(b)]);
-            Index const above = node_of[static_cast<std::size_t>(std::max(
-                position[static_cast<std::size_t>(a)], position[static_cast<std::size_t>(b)]))];
-            Index up = node_of[static_cast<std::size_t>(first)];
+        for (std::int32_t const b : graph.near[std::size_t(a)]) {
+            Index const first = std::min(position[std::size_t(a)], position[std::size_t(b)]);
+            Index const above =
+                node_of[std::size_t(std::max(position[std::size_t(a)], position[std::size_t(b)]))];
+            Index up = node_of[std::size_t(first)];
             while (up != -1 && up < above) up = cut.tree.nodes[up].parent;
             CHECK(up == above);
         }
@@ -70,18 +65,18 @@ double george(double n) { return 31.0 / 4 * std::log2(std::sqrt(n)); }
 
 }  // namespace
 
-TEST_CASE("nasty graphs: lines, stars, cliques, everything in one place, nothing joined") {
+TEST_CASE("lines, stars, cliques, coincident points and graphs without edges are ordered") {
     for (HandMadeGraph& graph : nasty_graphs()) check_dissection(graph);
 }
 
-TEST_CASE("graphs of meshes") {
+TEST_CASE("graphs of meshes are ordered") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
-        Case its = two_body_case(kind, 20, 14);
-        Analysed const seen(its);
+        Case setup = two_body_case(kind, 20, 14);
+        Analysed const seen(setup);
         harmorph::Graph const& graph = seen->graph();
         HandMadeGraph copy;
         for (Index u = 0; u < graph.n; ++u) {
-            Point const p = its.mesh.point(graph.point(u));
+            Point const p = setup.mesh.point(graph.point(u));
             copy.add_point(p.x, p.y);
         }
         for (Index u = 0; u < graph.n; ++u)
@@ -90,7 +85,7 @@ TEST_CASE("graphs of meshes") {
     }
 }
 
-TEST_CASE("on grids the separators are short, so that fill grows as n log n") {
+TEST_CASE("separators of grids are short, so that fill grows as n log n") {
     double per_point[3];
     int const sizes[] = {32, 64, 128};
     for (int s = 0; s < 3; ++s) {
@@ -106,15 +101,15 @@ TEST_CASE("on grids the separators are short, so that fill grows as n log n") {
     CHECK(per_point[2] - per_point[1] < 16);
 }
 
-TEST_CASE("a rolled strip is cut across, however its turns lie beside each other") {
+TEST_CASE("a rolled strip is cut across, wherever its turns lie beside each other") {
     int const along = 90, across = 6;
     HandMadeGraph strip = grid_graph(along, across);
     for (int j = 0; j < across; ++j)
         for (int i = 0; i < along; ++i) {
             double const turn = 0.3 * i,
                          radius = 1 + 0.01 * turn + 0.001 * j;  // straight cuts cross all turns
-            strip.x[static_cast<std::size_t>(i + along * j)] = radius * std::cos(turn);
-            strip.y[static_cast<std::size_t>(i + along * j)] = radius * std::sin(turn);
+            strip.x[std::size_t(i + along * j)] = radius * std::cos(turn);
+            strip.y[std::size_t(i + along * j)] = radius * std::sin(turn);
         }
     for (int i = 0; i < along; ++i) strip.beside_curve.insert(i);  // and layers run along
     Dissected const cut(strip);
@@ -123,7 +118,7 @@ TEST_CASE("a rolled strip is cut across, however its turns lie beside each other
     check_dissection(strip);
 }
 
-TEST_CASE("a wake of thin curved cells: hardly more entries than the same mesh laid out straight") {
+TEST_CASE("a wake of thin curved cells has few more entries than when laid out straight") {
     // Fill is a property of the graph; coordinates only say where to cut. Levels are tried as soon
     // as a separator is 1.12 times as long as one through a square, and entries go with the square
     // of this length.
@@ -138,9 +133,9 @@ TEST_CASE("a wake of thin curved cells: hardly more entries than the same mesh l
              {1e-3, 1e-4}) {  // height of the cells in the middle, about, beside their length
             for (int k = 0; k < grid.n(); ++k) {
                 double const x = 1.0 * (k % nx) / ny, across = 1.0 * (k / nx) / ny - 0.5;
-                grid.x[static_cast<std::size_t>(k)] = x;
+                grid.x[std::size_t(k)] = x;
                 double const shear_layer = thin * std::sinh(-2 * std::log(thin) * across);
-                grid.y[static_cast<std::size_t>(k)] = 0.2 * std::sin(3 * x) + shear_layer;
+                grid.y[std::size_t(k)] = 0.2 * std::sin(3 * x) + shear_layer;
             }
             double const curved = FactorCost(grid, Dissected(grid)).entries;
             INFO(nx << " x " << ny << ", thin " << thin << ": " << curved << " entries instead of "
@@ -150,8 +145,7 @@ TEST_CASE("a wake of thin curved cells: hardly more entries than the same mesh l
     }
 }
 
-TEST_CASE(
-    "large parts know what is next to the separators above them, and nothing else is marked") {
+TEST_CASE("large parts know the unknowns next to the separators above them, and mark no others") {
     for (int const ny : {250, 270}) {  // small and large, as a whole
         HandMadeGraph grid = grid_graph(250, ny);
         bool const is_large = grid.n() >= harmorph::CutSizes::large;
@@ -163,18 +157,16 @@ TEST_CASE(
             find_coordinates(work.coordinates, graph, grid.points());
             fill(work.cover.side.first(graph.n), harmorph::Side::inside);
             for (Index u = 0; u < graph.n; ++u) order[u] = u;
-            harmorph::DividedRange const its =
+            harmorph::DividedRange const range =
                 harmorph::Dissector(graph, work, order).divide(0, graph.n);
-            REQUIRE(its.pivots < graph.n);
+            REQUIRE(range.pivots < graph.n);
             std::vector<char> is_next(grid.x.size(), 0);
-            for (Index k = its.pivots; k < graph.n; ++k)
-                for (Index const v : graph.neighbours(order[k]))
-                    is_next[static_cast<std::size_t>(v)] = 1;
-            for (Index k = 0; k < its.pivots; ++k) {
+            for (Index k = range.pivots; k < graph.n; ++k)
+                for (Index const v : graph.neighbours(order[k])) is_next[std::size_t(v)] = 1;
+            for (Index k = 0; k < range.pivots; ++k) {
                 float const mark = work.coordinates.position[order[k]].at[harmorph::border_lane];
                 marked += mark == 1;
-                wrong.compare(order[k], mark,
-                              is_large ? is_next[static_cast<std::size_t>(order[k])] : 0);
+                wrong.compare(order[k], mark, is_large ? is_next[std::size_t(order[k])] : 0);
             }
         });
         CHECK(wrong == 0);
@@ -183,9 +175,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "large parts share what borders on separators above: fewer multiplications than with the marks "
-    "taken away") {
+TEST_CASE("marks of separators above large parts save multiplications") {
     // Halves of 260 x 270 unknowns, the first separator along their shorter side. The shortest cut
     // of a half is parallel to it: a quarter of the mesh then lies between two separators of 260.
     // One across costs 270, but both quarters share what borders on the first one.
@@ -198,26 +188,26 @@ TEST_CASE(
             fill(work.cover.side.first(graph.n), harmorph::Side::inside);
             harmorph::Dissector const dissector(graph, work, order);
             for (Index u = 0; u < graph.n; ++u) order[u] = u;
-            harmorph::DividedRange const its = dissector.divide(0, graph.n);
-            REQUIRE(its.middle >= harmorph::CutSizes::large);
-            REQUIRE(its.pivots - its.middle >= harmorph::CutSizes::large);
+            harmorph::DividedRange const range = dissector.divide(0, graph.n);
+            REQUIRE(range.middle >= harmorph::CutSizes::large);
+            REQUIRE(range.pivots - range.middle >= harmorph::CutSizes::large);
             for (Index u = 0; u < graph.n && !is_marked; ++u)
                 work.coordinates.position[u].at[harmorph::border_lane] = 0;
             tree.count = 0;
-            Index const first = dissector.dissect(0, its.middle, tree);
-            Index const second = dissector.dissect(its.middle, its.pivots, tree);
-            tree.add(its.pivots, graph.n, first, second);
+            Index const first = dissector.dissect(0, range.middle, tree);
+            Index const second = dissector.dissect(range.middle, range.pivots, tree);
+            tree.add(range.pivots, graph.n, first, second);
         });
-        FactorCost const its(grid, cut);
-        cost[is_marked] = its.multiplications;
-        CHECK(its.entries <
+        FactorCost const factor_cost(grid, cut);
+        cost[is_marked] = factor_cost.multiplications;
+        CHECK(factor_cost.entries <
               george(grid.n()) * grid.n());  // a rectangle of two squares has less than a square
     }
     INFO(cost[true] << " multiplications with marks, " << cost[false] << " without");
     CHECK(cost[true] < cost[false]);
 }
 
-TEST_CASE("any number of threads, in any order of their tasks: the same order and the same tree") {
+TEST_CASE("any number of threads in any order of tasks gives the same order and tree") {
     std::vector<HandMadeGraph> graphs = nasty_graphs();
     graphs.push_back(grid_graph(50, 40));
     graphs.push_back(grid_graph(3, 2));
@@ -228,9 +218,9 @@ TEST_CASE("any number of threads, in any order of their tasks: the same order an
             Dissected const together(graph, {Backwards::run, &order, threads});
             CHECK(together.order == alone.order);
             REQUIRE(together.tree.count == alone.tree.count);
-            CHECK(std::memcmp(together.tree.nodes.data(), alone.tree.nodes.data(),
-                              sizeof(harmorph::AssemblyTree::Node) *
-                                  static_cast<std::size_t>(alone.tree.count)) == 0);
+            CHECK(std::memcmp(
+                      together.tree.nodes.data(), alone.tree.nodes.data(),
+                      sizeof(harmorph::AssemblyTree::Node) * std::size_t(alone.tree.count)) == 0);
             CHECK((order.tasks > 0) == (threads > 1));
         }
     }

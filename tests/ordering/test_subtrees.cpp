@@ -1,7 +1,5 @@
 // Subtrees are whole and apart, listed by work, and the memory laid out for them is what a walk
 // through them needs.
-#include <doctest/doctest.h>
-
 #include <fixtures/graphs.hpp>
 
 #include "ordering/subtrees.hpp"
@@ -18,7 +16,7 @@ struct Chosen {
     harmorph::Subtrees subtrees;
 
     Chosen(Dissected const& cut, Symbolic const& symbolic, Index workers)
-        : memory(static_cast<std::size_t>(harmorph::Subtrees::max_count(workers))) {
+        : memory(std::size_t(harmorph::Subtrees::max_count(workers))) {
         subtrees.workers = workers;
         subtrees.all = span(memory);
         subtrees.choose(cut.tree, span(symbolic.start));
@@ -33,8 +31,7 @@ struct Walk {
     Offset stack[2] = {}, rows[2] = {};  // the most: inside a subtree, above all of them
 
     Index border(Index node) const {
-        return static_cast<Index>(symbolic.start[static_cast<std::size_t>(node) + 1] -
-                                  symbolic.start[static_cast<std::size_t>(node)]);
+        return Index(symbolic.start[std::size_t(node) + 1] - symbolic.start[std::size_t(node)]);
     }
     Offset update(Index node) const { return harmorph::dense::update_entries(border(node)); }
     Offset front(Index node) const { return tree.nodes[node].pivots() + border(node); }
@@ -56,31 +53,31 @@ bool is_below(harmorph::AssemblyTree const& tree, Index node, Index root) {
 
 }  // namespace
 
-TEST_CASE("subtrees are whole, apart, in order, and listed by work") {
+TEST_CASE("subtrees are whole, separate, in order, and listed by work") {
     for (HandMadeGraph& graph : nasty_graphs()) {
         Dissected const cut(graph);
         Symbolic const symbolic(graph, cut);
         for (Index const workers : {1, 2, 3, 8, 256}) {
             Chosen const chosen(cut, symbolic, workers);
-            harmorph::Subtrees const& its = chosen.subtrees;
-            CHECK(its.count <= harmorph::Subtrees::max_count(workers));
-            CHECK((its.count == 0) == (workers == 1));
+            harmorph::Subtrees const& subtrees = chosen.subtrees;
+            CHECK(subtrees.count <= harmorph::Subtrees::max_count(workers));
+            CHECK((subtrees.count == 0) == (workers == 1));
             Offset kept = 0, kept_rows = 0;
             std::set<Index> listed;
-            Walk walk{cut.tree, symbolic, its};
-            for (Index k = 0; k < its.count; ++k) {
-                harmorph::Subtree const& subtree = its.all[k];
+            Walk walk{cut.tree, symbolic, subtrees};
+            for (Index k = 0; k < subtrees.count; ++k) {
+                harmorph::Subtree const& subtree = subtrees.all[k];
                 harmorph::Subtree const& next =
-                    its.all[subtree.by_work];  // by decreasing work, each once
-                if (k > 0) CHECK(next.work <= its.all[its.all[k - 1].by_work].work);
+                    subtrees.all[subtree.by_work];  // by decreasing work, each once
+                if (k > 0) CHECK(next.work <= subtrees.all[subtrees.all[k - 1].by_work].work);
                 CHECK(listed.insert(subtree.by_work).second);
                 CHECK(subtree.first <= subtree.root);
-                if (k > 0) CHECK(subtree.first > its.all[k - 1].root);
-                CHECK(its.find(subtree.root) == k);
+                if (k > 0) CHECK(subtree.first > subtrees.all[k - 1].root);
+                CHECK(subtrees.find(subtree.root) == k);
                 for (Index node = 0; node < cut.tree.count; ++node) {
                     bool const in_range = node >= subtree.first && node <= subtree.root;
                     if (in_range != is_below(cut.tree, node, subtree.root)) CHECK(false);
-                    if (in_range && node != subtree.root) CHECK(its.find(node) == none);
+                    if (in_range && node != subtree.root) CHECK(subtrees.find(node) == none);
                 }
                 CHECK(subtree.kept == kept);
                 CHECK(subtree.kept_rows == kept_rows);
@@ -88,33 +85,33 @@ TEST_CASE("subtrees are whole, apart, in order, and listed by work") {
                 kept_rows += walk.front(subtree.root);
                 walk.go(subtree.root, false, 0, 0);
             }
-            CHECK(its.kept_entries == kept);
-            CHECK(its.kept_rows == kept_rows);
+            CHECK(subtrees.kept_entries == kept);
+            CHECK(subtrees.kept_rows == kept_rows);
 
             Index const root = cut.tree.count - 1;
-            if (its.find(root) == none) walk.go(root, true, 0, walk.front(root));
-            CHECK(its.stack_entries >= walk.stack[0]);
-            CHECK(its.top_stack_entries >= walk.stack[1]);
-            CHECK(its.stack_rows >= std::max(walk.rows[0], walk.rows[1]));
+            if (subtrees.find(root) == none) walk.go(root, true, 0, walk.front(root));
+            CHECK(subtrees.stack_entries >= walk.stack[0]);
+            CHECK(subtrees.top_stack_entries >= walk.stack[1]);
+            CHECK(subtrees.stack_rows >= std::max(walk.rows[0], walk.rows[1]));
             for (Index node = 0; node < cut.tree.count; ++node)
-                CHECK(its.stack_rows >= walk.front(node));  // going back down
+                CHECK(subtrees.stack_rows >= walk.front(node));  // going back down
             if (workers == 1)
-                CHECK(its.top_stack_entries == walk.stack[1]);  // and no more than that
-            CHECK(its.stack_entries == walk.stack[0]);
+                CHECK(subtrees.top_stack_entries == walk.stack[1]);  // and no more than that
+            CHECK(subtrees.stack_entries == walk.stack[0]);
         }
     }
 }
 
-TEST_CASE("on a large mesh every worker has something to do, and none much more than another") {
+TEST_CASE("on a large mesh the work of all workers is similar") {
     HandMadeGraph graph = grid_graph(120, 110);
     Dissected const cut(graph);
     Symbolic const symbolic(graph, cut);
     for (Index const workers : {2, 4, 8, 16}) {
         Chosen const chosen(cut, symbolic, workers);
-        std::vector<double> load(static_cast<std::size_t>(workers), 0.0);
+        std::vector<double> load(std::size_t(workers), 0.0);
         for (Index k = 0; k < chosen.subtrees.count; ++k) {  // to the one that is free next
-            harmorph::Subtree const& its = chosen.subtrees.all[chosen.subtrees.all[k].by_work];
-            *std::min_element(load.begin(), load.end()) += static_cast<double>(its.work);
+            harmorph::Subtree const& subtree = chosen.subtrees.all[chosen.subtrees.all[k].by_work];
+            *std::min_element(load.begin(), load.end()) += double(subtree.work);
         }
         auto const least = std::min_element(load.begin(), load.end()),
                    most = std::max_element(load.begin(), load.end());

@@ -1,7 +1,5 @@
 // Covers of cut edges: they cover, they are as small as the largest matching, and nothing else
 // changes sides.
-#include <doctest/doctest.h>
-
 #include <fixtures/graphs.hpp>
 #include <fixtures/wrong.hpp>
 
@@ -23,7 +21,7 @@ struct Covered {
     // is_left(unknown) for all; what is far from the cut stays inside, as in a dissection.
     template <class IsLeft>
     Covered(HandMadeGraph& graph, IsLeft is_left) {
-        std::size_t const n = static_cast<std::size_t>(graph.n());
+        std::size_t const n = std::size_t(graph.n());
         harmorph::BorderCover cover;
         harmorph::Arena counting;
         cover.lay_out(counting, graph.n());
@@ -32,7 +30,7 @@ struct Covered {
         cover.lay_out(placing, graph.n());
         for (Index u = 0; u < graph.n(); ++u) {
             bool is_near = false;
-            for (Index const v : graph.near[static_cast<std::size_t>(u)])
+            for (Index const v : graph.near[std::size_t(u)])
                 is_near = is_near || is_left(u) != is_left(v);
             cover.side[u] = !is_near ? Side::inside : is_left(u) ? Side::left : Side::right;
             if (is_near) near.push_back(u);
@@ -43,8 +41,8 @@ struct Covered {
         after.assign(cover.side.begin(), cover.side.end());
         CHECK(block.guards_intact());
     }
-    int count(Side side, std::vector<Side> const& of) const {
-        return static_cast<int>(std::count(of.begin(), of.end(), side));
+    int count(Side side, std::vector<Side> const& sides) const {
+        return int(std::count(sides.begin(), sides.end(), side));
     }
 };
 
@@ -57,19 +55,18 @@ public:
         int pairs = 0;
         for (Index const u : cut_.near) {
             seen_.clear();
-            pairs += cut_.before[static_cast<std::size_t>(u)] == Side::left && augment(u);
+            pairs += cut_.before[std::size_t(u)] == Side::left && augment(u);
         }
         return pairs;
     }
 
 private:
     bool augment(Index u) {
-        for (Index const v : graph_.near[static_cast<std::size_t>(u)]) {
-            if (cut_.before[static_cast<std::size_t>(v)] != Side::right || !seen_.insert(v).second)
-                continue;
-            Index& its = mate_[static_cast<std::size_t>(v)];
-            if (its != -1 && !augment(its)) continue;
-            its = u;
+        for (Index const v : graph_.near[std::size_t(u)]) {
+            if (cut_.before[std::size_t(v)] != Side::right || !seen_.insert(v).second) continue;
+            Index& mate = mate_[std::size_t(v)];
+            if (mate != -1 && !augment(mate)) continue;
+            mate = u;
             return true;
         }
         return false;
@@ -85,12 +82,11 @@ void check_cover(HandMadeGraph& graph, IsLeft is_left) {
     Covered const cut(graph, is_left);
     Wrong crossing, changed;
     for (Index u = 0; u < graph.n(); ++u) {
-        std::size_t const k = static_cast<std::size_t>(u);
+        std::size_t const k = std::size_t(u);
         Side const side = cut.after[k];
-        changed.add(side != Side::separator && side != cut.before[k], u, static_cast<double>(side));
+        changed.add(side != Side::separator && side != cut.before[k], u, double(side));
         for (Index const v : graph.near[k])
-            crossing.add(
-                side == Side::left && cut.after[static_cast<std::size_t>(v)] == Side::right, u, v);
+            crossing.add(side == Side::left && cut.after[std::size_t(v)] == Side::right, u, v);
     }
     CHECK(crossing == 0);
     CHECK(changed == 0);
@@ -99,7 +95,7 @@ void check_cover(HandMadeGraph& graph, IsLeft is_left) {
 
 }  // namespace
 
-TEST_CASE("straight, slanting and ragged cuts through grids, and nasty graphs: a smallest cover") {
+TEST_CASE("the cover is smallest for straight, slanting and ragged cuts and other graphs") {
     for (bool const diagonals : {true, false}) {
         HandMadeGraph grid = grid_graph(13, 11, diagonals);
         check_cover(grid, [](Index u) { return u % 13 < 6; });

@@ -9,14 +9,14 @@
 using namespace fixtures;
 
 TEST_CASE("functions of parts are those of the whole mesh, for each operator and any partition") {
-    Case its = two_airfoils();
+    Case setup = two_airfoils();
     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL, HM_WEIGHTED}) {
         Options const options = options_of(operator_kind);
         CAPTURE(operator_kind);
-        check_agreement(its, options, stripes(its.mesh, 1), false);
-        check_agreement(its, options, stripes(its.mesh, 3), false);
-        check_agreement(its, options, at_random(its.mesh, 4), false);
-        check_agreement(its, options, stripes(its.mesh, 2), true);
+        check_agreement(setup, options, stripes(setup.mesh, 1), false);
+        check_agreement(setup, options, stripes(setup.mesh, 3), false);
+        check_agreement(setup, options, at_random(setup.mesh, 4), false);
+        check_agreement(setup, options, stripes(setup.mesh, 2), true);
     }
 }
 
@@ -35,8 +35,8 @@ TEST_CASE("rigid bodies, sliding and free boundaries, offset correction in parts
         check_agreement(slip, options, stripes(slip.mesh, 2), true);
         if (operator_kind == HM_CONFORMAL) {
             options.offset_correction = 1;
-            Case its = two_airfoils();
-            check_agreement(its, options, stripes(its.mesh, 2), false);
+            Case setup = two_airfoils();
+            check_agreement(setup, options, stripes(setup.mesh, 2), false);
         } else {
             Case free = two_airfoils();
             free.set_free(far_field);
@@ -48,20 +48,20 @@ TEST_CASE("rigid bodies, sliding and free boundaries, offset correction in parts
 TEST_CASE("periodic pairs whose sides lie in different parts") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) {
-            Case its = cascade(kind);
-            check_agreement(its, options_of(operator_kind), at_random(its.mesh, 3), false);
-            check_agreement(its, options_of(operator_kind), stripes(its.mesh, 4), true);
+            Case setup = cascade(kind);
+            check_agreement(setup, options_of(operator_kind), at_random(setup.mesh, 3), false);
+            check_agreement(setup, options_of(operator_kind), stripes(setup.mesh, 4), true);
         }
     }
 }
 
 TEST_CASE("cuts between and inside parts") {
-    Case its = ring_case(6, 24, 1, 3);
-    its.given_points.clear();
-    its.given_curves.clear();
-    its.given_u.clear();
+    Case setup = ring_case(6, 24, 1, 3);
+    setup.given_points.clear();
+    setup.given_curves.clear();
+    setup.given_u.clear();
     // The points at angle 0 a second time, for the cells behind them: a seam.
-    Mesh& mesh = its.mesh;
+    Mesh& mesh = setup.mesh;
     std::vector<std::int32_t> twin(mesh.x.size(), -1);
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
         double y = 0;
@@ -88,27 +88,27 @@ TEST_CASE("cuts between and inside parts") {
     }
     REQUIRE(mesh.n_points() == ring_case(6, 24, 1, 3).mesh.n_points() + 7);
     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) {
-        check_agreement(its, options_of(operator_kind), stripes(mesh, 1), false);
-        check_agreement(its, options_of(operator_kind), stripes(mesh, 3), true);
-        check_agreement(its, options_of(operator_kind), at_random(mesh, 4), false);
+        check_agreement(setup, options_of(operator_kind), stripes(mesh, 1), false);
+        check_agreement(setup, options_of(operator_kind), stripes(mesh, 3), true);
+        check_agreement(setup, options_of(operator_kind), at_random(mesh, 4), false);
     }
 }
 
 TEST_CASE("given displacements in parts") {
     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) {
         for (bool const slides : {false, true}) {
-            Case its = given_instead(two_airfoils());
-            if (slides) its.set_slip(far_field);
+            Case setup = given_instead(two_airfoils());
+            if (slides) setup.set_slip(far_field);
             Options const options = options_of(operator_kind);
-            Displaced whole(its, &options);
-            Field wanted(its.mesh.x.size());
+            Displaced whole(setup, &options);
+            Field wanted(setup.mesh.x.size());
             for (std::int32_t const point : whole.points)
                 wanted[static_cast<std::size_t>(point)] = {0.01 * std::sin(3.0 * point),
                                                            0.02 * std::cos(5.0 * point)};
             Field const expected = whole.displace(whole.on_wall(wanted));
-            Parted parted(cut(its.mesh, at_random(its.mesh, 3), true));
+            Parted parted(cut(setup.mesh, at_random(setup.mesh, 3), true));
             REQUIRE(parted.match());
-            REQUIRE(parted.equate(its.problem(), options));
+            REQUIRE(parted.equate(setup.problem(), options));
             std::vector<Field> const found = parted.displace(wanted);
             double worst = 0;
             for (std::size_t p = 0; p < found.size(); ++p)
@@ -124,12 +124,12 @@ TEST_CASE("given displacements in parts") {
 }
 
 TEST_CASE("rows of a part are combined like any basis") {
-    Case its = two_airfoils();
+    Case setup = two_airfoils();
     Options const options = options_of(HM_CONFORMAL);
-    Solved const whole(its, &options);
-    Parted parted(cut(its.mesh, stripes(its.mesh, 2), false));
+    Solved const whole(setup, &options);
+    Parted parted(cut(setup.mesh, stripes(setup.mesh, 2), false));
     REQUIRE(parted.match());
-    REQUIRE(parted.equate(its.problem(), options));
+    REQUIRE(parted.equate(setup.problem(), options));
     parted.solve();
     std::vector<double> matrix;
     for (std::int32_t k = 0; k < 2 * whole.info().control_points; ++k)
@@ -145,7 +145,7 @@ TEST_CASE("rows of a part are combined like any basis") {
     };
     std::unique_ptr<Guarded> whole_block, part_block;
     const hm_basis* const all = combined(whole.basis, whole_block);
-    std::vector<double> all_values(its.mesh.x.size());
+    std::vector<double> all_values(setup.mesh.x.size());
     for (PartOfMesh& part : parted.parts) {
         const hm_basis* const own = combined(part.rows, part_block);
         std::vector<double> values(part.mesh.x.size());

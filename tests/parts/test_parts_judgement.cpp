@@ -6,9 +6,9 @@
 using namespace fixtures;
 
 TEST_CASE("morph, adjoint, step and quality of parts are those of the whole mesh") {
-    Case its = two_airfoils();
-    check_judgement(its, options_of(HM_CONFORMAL), 0.02);
-    check_judgement(its, options_of(HM_CONFORMAL), 2);  // inverts cells
+    Case setup = two_airfoils();
+    check_judgement(setup, options_of(HM_CONFORMAL), 0.02);
+    check_judgement(setup, options_of(HM_CONFORMAL), 2);  // inverts cells
 }
 
 TEST_CASE("polygons in parts are divided and judged as in the whole mesh") {
@@ -22,15 +22,15 @@ TEST_CASE("polygons in parts are divided and judged as in the whole mesh") {
     hanging.curves =
         polyline({{1.0 / 3, 1.0 / 3}, {2.0 / 3, 1.0 / 3}, {2.0 / 3, 2.0 / 3}, {1.0 / 3, 2.0 / 3}});
     hanging.put_on_curves(body);
-    for (Case* const its : {&honeycombs, &hanging}) {
-        its->mesh.cell_layout = HM_CELLS_POLYGONS;
+    for (Case* const setup : {&honeycombs, &hanging}) {
+        setup->mesh.cell_layout = HM_CELLS_POLYGONS;
         for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL, HM_WEIGHTED}) {
             CAPTURE(operator_kind);
-            check_agreement(*its, options_of(operator_kind), stripes(its->mesh, 1), false);
-            check_agreement(*its, options_of(operator_kind), at_random(its->mesh, 3), false);
-            check_agreement(*its, options_of(operator_kind), stripes(its->mesh, 3), true);
+            check_agreement(*setup, options_of(operator_kind), stripes(setup->mesh, 1), false);
+            check_agreement(*setup, options_of(operator_kind), at_random(setup->mesh, 3), false);
+            check_agreement(*setup, options_of(operator_kind), stripes(setup->mesh, 3), true);
         }
-        check_judgement(*its, options_of(HM_CONFORMAL), 0.02);
-        check_judgement(*its, options_of(HM_CONFORMAL), 0.4);  // inverts cells
+        check_judgement(*setup, options_of(HM_CONFORMAL), 0.02);
+        check_judgement(*setup, options_of(HM_CONFORMAL), 0.4);  // inverts cells
     }
 }

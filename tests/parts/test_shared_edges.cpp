@@ -43,7 +43,8 @@ Matched match(Edges edges) {
 }
 bool same(hm_edge const& a, hm_edge const& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-// Of two triangles left and right of the edge 1-2, and others: whatever order the edges come in.
+// Checks that edges of two triangles left and right of the edge 1-2, and others, are refused in any
+// order.
 void check_refused(Edges edges, const char* text, std::int32_t item) {
     std::mt19937 random(1);
     for (int shuffle = 0; shuffle < 5; ++shuffle) {
@@ -57,9 +58,7 @@ void check_refused(Edges edges, const char* text, std::int32_t item) {
 
 }  // namespace
 
-TEST_CASE(
-    "pairs of opposite edges vanish, the others are left in the order of their numbers, however "
-    "they come") {
+TEST_CASE("pairs of opposite edges vanish, and other edges stay in the order of their numbers") {
     Edges all = {edge(1, 2),      edge(2, 1), edge(7, 3),     edge(3, 7),
                  marked(2, 3, 5), edge(9, 2), marked(4, 2, 1)};
     std::mt19937 random(2);

@@ -26,19 +26,19 @@ void use_solver(int solver) {
     set_option("-hm_pc_factor_mat_solver_type", solver == FACTORED ? "mumps" : NULL);
 }
 
-static void compare_functions(const reference* of, const hm_basis* rows, const own_part* mine,
+static void compare_functions(const reference* serial, const hm_basis* rows, const own_part* mine,
                               double* largest, int32_t* wrong_on_wall) {
     hm_basis_info info = {sizeof info};
     hm_error error;
-    double *all = room(sizeof *all * (size_t)of->mesh.n_points),
+    double *all = room(sizeof *all * (size_t)serial->mesh.n_points),
            *own = room(sizeof *own * (size_t)mine->n_points);
     int32_t i, number, k;
     *largest = 0;
     *wrong_on_wall = 0;
     need(hm_basis_info_get(rows, &info, &error), &error);
-    for (i = 0; i < of->functions; ++i) {
-        for (number = 0; number < of->numbers; ++number) {
-            whole_values(of, of->basis, i, number, all);
+    for (i = 0; i < serial->functions; ++i) {
+        for (number = 0; number < serial->numbers; ++number) {
+            whole_values(serial, serial->basis, i, number, all);
             need(hm_basis_values(rows, i, number, own, &error), &error);
             for (k = 0; k < mine->n_points; ++k) {
                 const double off = fabs(own[k] - all[mine->global[k]]);
@@ -56,7 +56,7 @@ static void compare_functions(const reference* of, const hm_basis* rows, const o
 }
 
 /* Values at points of the curve against B-spline functions evaluated again: equal numbers. */
-static void check_wall(const reference* of, const hm_basis* rows, int32_t n_points) {
+static void check_wall(const reference* serial, const hm_basis* rows, int32_t n_points) {
     hm_basis_info info = {sizeof info};
     hm_error error;
     double* own = room(sizeof *own * (size_t)n_points);
@@ -68,16 +68,16 @@ static void check_wall(const reference* of, const hm_basis* rows, int32_t n_poin
             int32_t control[6];
             double values[12], expected = 0;
             if (info.point_curve[k] >= info.curves) continue;
-            need(hm_curve_basis(of->problem.curves, info.point_curve[k], info.point_u[k], 0,
+            need(hm_curve_basis(serial->problem.curves, info.point_curve[k], info.point_u[k], 0,
                                 control, values, &error),
                  &error);
-            for (c = 0; c <= of->problem.curves->curve[info.point_curve[k]].degree; ++c) {
+            for (c = 0; c <= serial->problem.curves->curve[info.point_curve[k]].degree; ++c) {
                 if (control[c] == i) expected += values[c];
             }
             wrong += own[info.curve_point[k]] != expected;
         }
     }
-    check(wrong == 0, "values on the wall are those of the B-spline", of->name);
+    check(wrong == 0, "values on the wall are those of the B-spline", serial->name);
     free(own);
 }
 
@@ -88,8 +88,8 @@ typedef struct expectation {
     hm_quality_report quality;
 } expectation;
 
-static void expect(const reference* of, const double* move, expectation* made) {
-    const size_t n = (size_t)of->mesh.n_points, m = 2 * (size_t)of->functions;
+static void expect(const reference* serial, const double* move, expectation* made) {
+    const size_t n = (size_t)serial->mesh.n_points, m = 2 * (size_t)serial->functions;
     hm_error error;
     size_t k;
     made->displacement = room(2 * n * sizeof *made->displacement);
@@ -100,11 +100,12 @@ static void expect(const reference* of, const double* move, expectation* made) {
     for (k = 0; k < 2 * n; ++k) made->dj[k] = sin(1.7 * (double)k);
     if (rank == 0) {
         double *const x = made->displacement, *const dj = made->dj;
-        need(hm_morph(of->basis, move, NULL, &(hm_points_out){x, x + n, 1}, NULL, &error), &error);
-        need(hm_assess(of->basis, &of->view, NULL, &(hm_points){x, x + n, 1}, NULL, NULL,
+        need(hm_morph(serial->basis, move, NULL, &(hm_points_out){x, x + n, 1}, NULL, &error),
+             &error);
+        need(hm_assess(serial->basis, &serial->view, NULL, &(hm_points){x, x + n, 1}, NULL, NULL,
                        &made->step, &made->quality, &error),
              &error);
-        need(hm_adjoint(of->basis, &(hm_points){dj, dj + n, 1}, made->gradient, NULL, &error),
+        need(hm_adjoint(serial->basis, &(hm_points){dj, dj + n, 1}, made->gradient, NULL, &error),
              &error);
     }
     MPI_Bcast(made->displacement, (int)(2 * n), MPI_DOUBLE, 0, MPI_COMM_WORLD);
@@ -113,38 +114,39 @@ static void expect(const reference* of, const double* move, expectation* made) {
     MPI_Bcast(&made->quality, (int)sizeof made->quality, MPI_BYTE, 0, MPI_COMM_WORLD);
 }
 
-static void check_use(const reference* of, const hm_petsc* system, const hm_basis* rows,
+static void check_use(const reference* serial, const hm_petsc* system, const hm_basis* rows,
                       const own_part* mine) {
     hm_step_report step = {sizeof step};
     hm_quality_report quality = {sizeof quality};
     hm_error error;
     expectation expected;
-    const size_t n = (size_t)of->mesh.n_points, n_own = (size_t)mine->n_points,
-                 m = 2 * (size_t)of->functions;
+    const size_t n = (size_t)serial->mesh.n_points, n_own = (size_t)mine->n_points,
+                 m = 2 * (size_t)serial->functions;
     double *own = room(2 * n_own * sizeof *own), *move = room(m * sizeof *move),
            *gradient = room(m * sizeof *gradient);
     double worst = 0;
     uint8_t* owned = room(n_own);
     size_t k;
     for (k = 0; k < m; ++k) move[k] = 0.01 * cos(3.0 * (double)k);
-    expect(of, move, &expected);
+    expect(serial, move, &expected);
     need(hm_morph(rows, move, NULL, &(hm_points_out){own, own + n_own, 1}, NULL, &error), &error);
     for (k = 0; k < n_own; ++k) {
         const size_t at = (size_t)mine->global[k];
         worst = fmax(worst, fabs(own[k] - expected.displacement[at]));
         worst = fmax(worst, fabs(own[n_own + k] - expected.displacement[n + at]));
     }
-    check(worst < 1e-8, "points move as on one process", of->name);
+    check(worst < 1e-8, "points move as on one process", serial->name);
     need(hm_petsc_assess(system, rows, NULL, &(hm_points){own, own + n_own, 1}, &step, &quality,
                          NULL, MPI_COMM_WORLD, &error),
          &error);
     check(fabs(step.admissible / expected.step.admissible - 1) < 1e-6,
-          "the admissible step is that of one process", of->name);
+          "the admissible step is that of one process", serial->name);
     check(fabs(quality.min_quality - expected.quality.min_quality) < 1e-6,
-          "the least quality is that of one process", of->name);
+          "the least quality is that of one process", serial->name);
     check(fabs(quality.mean_quality - expected.quality.mean_quality) < 1e-8,
-          "the mean quality is that of one process", of->name);
-    check(quality.inverted == expected.quality.inverted, "as many cells are inverted", of->name);
+          "the mean quality is that of one process", serial->name);
+    check(quality.inverted == expected.quality.inverted, "as many cells are inverted",
+          serial->name);
     need(hm_petsc_owned(system, owned, &error), &error);
     for (k = 0; k < n_own; ++k) {
         own[k] = owned[k] ? expected.dj[mine->global[k]] : 0;
@@ -155,7 +157,7 @@ static void check_use(const reference* of, const hm_petsc* system, const hm_basi
          &error);
     for (worst = 0, k = 0; k < m; ++k)
         worst = fmax(worst, fabs(gradient[k] - expected.gradient[k]));
-    check(worst < 1e-8 * (double)n, "the gradient is that of one process", of->name);
+    check(worst < 1e-8 * (double)n, "the gradient is that of one process", serial->name);
     free(expected.displacement);
     free(expected.dj);
     free(expected.gradient);
@@ -165,9 +167,9 @@ static void check_use(const reference* of, const hm_petsc* system, const hm_basi
     free(gradient);
 }
 
-void check_agreement(const reference* of, int kind, int solver) {
+void check_agreement(const reference* serial, int kind, int solver) {
     own_part mine;
-    int* const part_of = partition(&of->mesh, kind, size);
+    int* const part_of = partition(&serial->mesh, kind, size);
     hm_petsc* system = NULL;
     hm_petsc_report report = {sizeof report};
     hm_basis* rows = NULL;
@@ -178,29 +180,30 @@ void check_agreement(const reference* of, int kind, int solver) {
     double off;
     int32_t wrong_on_wall;
     char what[240];
-    take_part(&mine, &of->mesh, part_of, rank, kind == GHOSTS);
+    take_part(&mine, &serial->mesh, part_of, rank, kind == GHOSTS);
     free(part_of);
     use_solver(solver);
-    need(hm_petsc_create(&system, &mine.part, &of->problem, &of->options, MPI_COMM_WORLD, &error),
+    need(hm_petsc_create(&system, &mine.part, &serial->problem, &serial->options, MPI_COMM_WORLD,
+                         &error),
          &error);
     need(hm_petsc_rows_size(system, &bytes, &error), &error);
     block = room(bytes);
     status = hm_petsc_solve(system, &rows, block, bytes, &report, MPI_COMM_WORLD, &error);
     need(status, &error);
-    compare_functions(of, rows, &mine, &off, &wrong_on_wall);
+    compare_functions(serial, rows, &mine, &off, &wrong_on_wall);
     snprintf(what, sizeof what,
              "%s, %s: off by %.1e, status %d, error %.1e, %d iterations, %d solutions",
              partition_names[kind], solver == FACTORED ? "MUMPS" : "iterative", off, (int)status,
              report.error, (int)report.iterations, (int)report.solutions);
-    check(off < (solver == FACTORED ? 1e-11 : 1e-8), what, of->name);
-    check(status == HM_OK, what, of->name);
-    if (verbose && rank == 0) printf("    %s, %d processes: %s\n", of->name, size, what);
+    check(off < (solver == FACTORED ? 1e-11 : 1e-8), what, serial->name);
+    check(status == HM_OK, what, serial->name);
+    if (verbose && rank == 0) printf("    %s, %d processes: %s\n", serial->name, size, what);
     check(wrong_on_wall == 0, "values on the wall are those of the direct engine, bit for bit",
-          of->name);
-    if (of->options.offset_correction == 0) check_wall(of, rows, mine.n_points);
-    check_use(of, system, rows, &mine);
+          serial->name);
+    if (serial->options.offset_correction == 0) check_wall(serial, rows, mine.n_points);
+    check_use(serial, system, rows, &mine);
     hm_petsc_free(&system);
-    check(system == NULL, "free leaves NULL", of->name);
+    check(system == NULL, "free leaves NULL", serial->name);
     use_solver(ITERATIVE);
     free(block);
     free_part(&mine);

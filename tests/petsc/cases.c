@@ -40,34 +40,34 @@ static void add_face(whole_mesh* mesh, int32_t a, int32_t b, int32_t marker) {
     mesh->markers[mesh->n_faces++] = marker;
 }
 
-static void look_at(reference* of) {
+static void look_at(reference* serial) {
     hm_mesh view = {sizeof view};
-    view.n_points = of->mesh.n_points;
-    view.points.x = of->mesh.x;
-    view.points.y = of->mesh.y;
+    view.n_points = serial->mesh.n_points;
+    view.points.x = serial->mesh.x;
+    view.points.y = serial->mesh.y;
     view.cell_layout = HM_CELLS_QUADS;
-    view.n_cells = of->mesh.n_cells;
-    view.cell_points = of->mesh.cells;
-    view.n_faces = of->mesh.n_faces;
-    view.face_points = of->mesh.faces;
-    view.face_markers = of->mesh.markers;
-    of->view = view;
-    of->problem.mesh = &of->view;
+    view.n_cells = serial->mesh.n_cells;
+    view.cell_points = serial->mesh.cells;
+    view.n_faces = serial->mesh.n_faces;
+    view.face_points = serial->mesh.faces;
+    view.face_markers = serial->mesh.markers;
+    serial->view = view;
+    serial->problem.mesh = &serial->view;
 }
 
-static void begin_case(reference* of, int32_t operator_kind) {
+static void begin_case(reference* serial, int32_t operator_kind) {
     hm_problem problem = {sizeof problem};
     hm_options options = {sizeof options};
-    of->problem = problem;
-    of->options = options;
-    of->options.operator_kind = operator_kind;
-    of->problem.conditions = of->conditions;
-    look_at(of);
+    serial->problem = problem;
+    serial->options = options;
+    serial->options.operator_kind = operator_kind;
+    serial->problem.conditions = serial->conditions;
+    look_at(serial);
 }
 
-hm_condition* add_condition(reference* of, int32_t marker, int32_t kind) {
+hm_condition* add_condition(reference* serial, int32_t marker, int32_t kind) {
     hm_condition any = {sizeof any};
-    hm_condition* const made = &of->conditions[of->problem.n_conditions++];
+    hm_condition* const made = &serial->conditions[serial->problem.n_conditions++];
     *made = any;
     made->marker = marker;
     made->kind = kind;
@@ -75,7 +75,7 @@ hm_condition* add_condition(reference* of, int32_t marker, int32_t kind) {
 }
 
 /* A curve for the wall, whose points are x, y [n] in order. */
-static void fit_wall(reference* of, int32_t marker, const double* x, const double* y, int32_t n,
+static void fit_wall(reference* serial, int32_t marker, const double* x, const double* y, int32_t n,
                      int is_loop, int32_t n_control, int32_t closed) {
     hm_fit_options fit = {sizeof fit};
     hm_error error;
@@ -84,18 +84,18 @@ static void fit_wall(reference* of, int32_t marker, const double* x, const doubl
     fit.n_control = n_control;
     fit.closed = closed;
     need(hm_fit_size(n, &fit, &bytes, &error), &error);
-    of->curves_block = room(bytes);
-    need(hm_fit(&curves, of->curves_block, bytes, &(hm_points){x, y, 1}, n, is_loop, &fit, NULL,
+    serial->curves_block = room(bytes);
+    need(hm_fit(&curves, serial->curves_block, bytes, &(hm_points){x, y, 1}, n, is_loop, &fit, NULL,
                 &error),
          &error);
-    of->problem.curves = curves;
-    add_condition(of, marker, HM_ON_CURVE)->n_curves = curves->n_curves;
+    serial->problem.curves = curves;
+    add_condition(serial, marker, HM_ON_CURVE)->n_curves = curves->n_curves;
 }
 
-void make_o_mesh(reference* of, int32_t ni, int32_t nj, double first, int32_t operator_kind) {
-    whole_mesh* const mesh = &of->mesh;
+void make_o_mesh(reference* serial, int32_t ni, int32_t nj, double first, int32_t operator_kind) {
+    whole_mesh* const mesh = &serial->mesh;
     int32_t i, j;
-    memset(of, 0, sizeof *of);
+    memset(serial, 0, sizeof *serial);
     make_structured(mesh, ni, nj);
     for (j = 0; j < nj; ++j) {
         const double t = (double)j / (nj - 1),
@@ -110,17 +110,18 @@ void make_o_mesh(reference* of, int32_t ni, int32_t nj, double first, int32_t op
         add_face(mesh, i + 1, i, WALL);
         add_face(mesh, i + ni * (nj - 1), i + 1 + ni * (nj - 1), FAR_FIELD);
     }
-    begin_case(of, operator_kind);
-    fit_wall(of, WALL, mesh->x, mesh->y, ni - 1, 1, 4, HM_PERIODIC);
-    snprintf(of->name, sizeof of->name, "O-mesh of %d x %d points, first layer %g, operator %d",
-             (int)ni, (int)nj, first, (int)operator_kind);
+    begin_case(serial, operator_kind);
+    fit_wall(serial, WALL, mesh->x, mesh->y, ni - 1, 1, 4, HM_PERIODIC);
+    snprintf(serial->name, sizeof serial->name,
+             "O-mesh of %d x %d points, first layer %g, operator %d", (int)ni, (int)nj, first,
+             (int)operator_kind);
 }
 
-void make_channel(reference* of, double arch, int32_t operator_kind) {
+void make_channel(reference* serial, double arch, int32_t operator_kind) {
     enum { ni = 17, nj = 9 };
-    whole_mesh* const mesh = &of->mesh;
+    whole_mesh* const mesh = &serial->mesh;
     int32_t i, j;
-    memset(of, 0, sizeof *of);
+    memset(serial, 0, sizeof *serial);
     make_structured(mesh, ni, nj);
     for (j = 0; j < nj; ++j) {
         for (i = 0; i < ni; ++i) {
@@ -138,17 +139,17 @@ void make_channel(reference* of, double arch, int32_t operator_kind) {
         add_face(mesh, ni - 1 + ni * j, ni - 1 + ni * (j + 1), RIGHT);
         add_face(mesh, ni * (j + 1), ni * j, LEFT);
     }
-    begin_case(of, operator_kind);
-    fit_wall(of, WALL, mesh->x, mesh->y, ni, 0, 4, HM_OPEN);
-    snprintf(of->name, sizeof of->name, "channel, operator %d", (int)operator_kind);
+    begin_case(serial, operator_kind);
+    fit_wall(serial, WALL, mesh->x, mesh->y, ni, 0, 4, HM_OPEN);
+    snprintf(serial->name, sizeof serial->name, "channel, operator %d", (int)operator_kind);
 }
 
-void make_passage(reference* of, int32_t operator_kind) {
+void make_passage(reference* serial, int32_t operator_kind) {
     enum { NI = 13, NJ = 9, WEST = 4, EAST = 8, SOUTH = 3, NORTH = 5 }; /* the hole */
-    whole_mesh* const mesh = &of->mesh;
+    whole_mesh* const mesh = &serial->mesh;
     double x[2 * (EAST - WEST + NORTH - SOUTH)], y[2 * (EAST - WEST + NORTH - SOUTH)];
     int32_t i, j, k, n = 0, n_wall = 0;
-    memset(of, 0, sizeof *of);
+    memset(serial, 0, sizeof *serial);
     make_structured(mesh, NI, NJ);
     for (k = 0; k < NI * NJ; ++k) {
         mesh->x[k] = 2.0 * (k % NI) / (NI - 1);
@@ -186,10 +187,11 @@ void make_passage(reference* of, int32_t operator_kind) {
         }
         add_face(mesh, from, i + NI * j, WALL);
     } while (i != WEST || j != SOUTH);
-    begin_case(of, operator_kind);
-    fit_wall(of, WALL, x, y, n_wall, 1, 8, HM_PERIODIC);
-    add_condition(of, BOTTOM, HM_PERIODIC_PAIR)->partner = TOP;
-    snprintf(of->name, sizeof of->name, "periodic passage, operator %d", (int)operator_kind);
+    begin_case(serial, operator_kind);
+    fit_wall(serial, WALL, x, y, n_wall, 1, 8, HM_PERIODIC);
+    add_condition(serial, BOTTOM, HM_PERIODIC_PAIR)->partner = TOP;
+    snprintf(serial->name, sizeof serial->name, "periodic passage, operator %d",
+             (int)operator_kind);
 }
 
 static void take_file(whole_mesh* mesh, const su2_mesh* from) {
@@ -209,7 +211,7 @@ static void take_file(whole_mesh* mesh, const su2_mesh* from) {
     }
 }
 
-void make_from_file(reference* of, const char* file, int32_t operator_kind) {
+void make_from_file(reference* serial, const char* file, int32_t operator_kind) {
     su2_mesh from;
     hm_analysis* analysis;
     hm_error error;
@@ -218,22 +220,22 @@ void make_from_file(reference* of, const char* file, int32_t operator_kind) {
     void* block;
     int32_t k, n = 0, is_loop = 0, *points, wall = 0;
     double *x, *y;
-    memset(of, 0, sizeof *of);
+    memset(serial, 0, sizeof *serial);
     if (read_su2(file, &from, message) != 0) {
         fprintf(stderr, "%s: %s\n", file, message);
         MPI_Abort(MPI_COMM_WORLD, 1);
     }
-    take_file(&of->mesh, &from);
+    take_file(&serial->mesh, &from);
     for (k = 0; k < from.n_markers; ++k) {
         if (strncmp(from.names[k], "far", 3) != 0 && strncmp(from.names[k], "FAR", 3) != 0 &&
             strncmp(from.names[k], "Far", 3) != 0)
             wall = k;
     }
-    begin_case(of, operator_kind);
+    begin_case(serial, operator_kind);
     /* The points of the airfoil in order, by an analysis of the mesh alone. */
-    need(hm_analysis_size(&of->problem, NULL, &bytes, &error), &error);
+    need(hm_analysis_size(&serial->problem, NULL, &bytes, &error), &error);
     block = room(bytes);
-    need(hm_analysis_init(&analysis, block, bytes, &of->problem, NULL, &error), &error);
+    need(hm_analysis_init(&analysis, block, bytes, &serial->problem, NULL, &error), &error);
     points = room(sizeof *points * (size_t)from.n_faces);
     need(hm_analysis_boundary(analysis, 1, &wall, 0, points, from.n_faces, &n, &is_loop, &error),
          &error);
@@ -244,8 +246,8 @@ void make_from_file(reference* of, const char* file, int32_t operator_kind) {
         x[k] = from.x[points[k]];
         y[k] = from.y[points[k]];
     }
-    fit_wall(of, wall, x, y, n, is_loop, 12, HM_CLOSED_AUTO);
-    snprintf(of->name, sizeof of->name, "%s, operator %d",
+    fit_wall(serial, wall, x, y, n, is_loop, 12, HM_CLOSED_AUTO);
+    snprintf(serial->name, sizeof serial->name, "%s, operator %d",
              strrchr(file, '/') != NULL ? strrchr(file, '/') + 1 : file, (int)operator_kind);
     free(x);
     free(y);
@@ -255,23 +257,24 @@ void make_from_file(reference* of, const char* file, int32_t operator_kind) {
     free(from.names);
 }
 
-void free_case(reference* of) {
-    free(of->basis_block);
-    free(of->curves_block);
-    free(of->mesh.x);
-    free(of->mesh.y);
-    free(of->mesh.cells);
-    free(of->mesh.faces);
-    free(of->mesh.markers);
+void free_case(reference* serial) {
+    free(serial->basis_block);
+    free(serial->curves_block);
+    free(serial->mesh.x);
+    free(serial->mesh.y);
+    free(serial->mesh.cells);
+    free(serial->mesh.faces);
+    free(serial->mesh.markers);
 }
 
-hm_plan* make_plan(reference* of, void** blocks, hm_analysis** analysis) {
+hm_plan* make_plan(reference* serial, void** blocks, hm_analysis** analysis) {
     hm_error error;
     hm_plan* plan;
     size_t bytes;
-    need(hm_analysis_size(&of->problem, &of->options, &bytes, &error), &error);
+    need(hm_analysis_size(&serial->problem, &serial->options, &bytes, &error), &error);
     blocks[0] = room(bytes);
-    need(hm_analysis_init(analysis, blocks[0], bytes, &of->problem, &of->options, &error), &error);
+    need(hm_analysis_init(analysis, blocks[0], bytes, &serial->problem, &serial->options, &error),
+         &error);
     need(hm_plan_size(*analysis, &bytes, &error), &error);
     blocks[1] = room(bytes);
     need(hm_plan_init(&plan, blocks[1], bytes, *analysis, &error), &error);
@@ -279,7 +282,7 @@ hm_plan* make_plan(reference* of, void** blocks, hm_analysis** analysis) {
     return plan;
 }
 
-void solve_whole(reference* of) {
+void solve_whole(reference* serial) {
     hm_error error;
     int32_t counts[3] = {0, 0, 0};
     if (process() == 0) {
@@ -287,27 +290,27 @@ void solve_whole(reference* of) {
         hm_analysis* analysis;
         void* blocks[2];
         size_t bytes;
-        hm_plan* const plan = make_plan(of, blocks, &analysis);
+        hm_plan* const plan = make_plan(serial, blocks, &analysis);
         need(hm_basis_size(analysis, &bytes, &error), &error);
-        of->basis_block = room(bytes);
-        need(hm_basis_init(&of->basis, of->basis_block, bytes, analysis, &error), &error);
-        need(hm_plan_solve(plan, of->basis, NULL, &error), &error);
+        serial->basis_block = room(bytes);
+        need(hm_basis_init(&serial->basis, serial->basis_block, bytes, analysis, &error), &error);
+        need(hm_plan_solve(plan, serial->basis, NULL, &error), &error);
         free(blocks[0]);
         free(blocks[1]);
-        need(hm_basis_info_get(of->basis, &info, &error), &error);
+        need(hm_basis_info_get(serial->basis, &info, &error), &error);
         counts[0] = info.functions;
         counts[1] = info.control_points;
         counts[2] = info.numbers_per_value;
     }
     MPI_Bcast(counts, 3, MPI_INT32_T, 0, MPI_COMM_WORLD);
-    of->functions = counts[0];
-    of->controls = counts[1];
-    of->numbers = counts[2];
+    serial->functions = counts[0];
+    serial->controls = counts[1];
+    serial->numbers = counts[2];
 }
 
-void whole_values(const reference* of, const hm_basis* basis, int32_t function, int32_t number,
+void whole_values(const reference* serial, const hm_basis* basis, int32_t function, int32_t number,
                   double* values) {
     hm_error error;
     if (process() == 0) need(hm_basis_values(basis, function, number, values, &error), &error);
-    MPI_Bcast(values, of->mesh.n_points, MPI_DOUBLE, 0, MPI_COMM_WORLD);
+    MPI_Bcast(values, serial->mesh.n_points, MPI_DOUBLE, 0, MPI_COMM_WORLD);
 }

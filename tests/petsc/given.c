@@ -19,8 +19,8 @@ typedef struct expectation { /* at all points of the mesh: displacement, and fun
     double *field, *mode;    /* [2 * n_points] */
 } expectation;
 
-static void displace_whole(reference* of, expectation* made) {
-    const size_t n = (size_t)of->mesh.n_points;
+static void displace_whole(reference* serial, expectation* made) {
+    const size_t n = (size_t)serial->mesh.n_points;
     double *all = room(2 * sizeof *all * n), *wall, *modes;
     hm_error error;
     hm_analysis* analysis;
@@ -28,14 +28,14 @@ static void displace_whole(reference* of, expectation* made) {
     void *blocks[2], *work, *block;
     size_t bytes, work_bytes, k, n_wall;
     int32_t listed = 0, *list, number;
-    hm_plan* const plan = make_plan(of, blocks, &analysis);
+    hm_plan* const plan = make_plan(serial, blocks, &analysis);
     hm_given_points(plan, NULL, 0, &listed, &error);
     n_wall = (size_t)listed;
     list = room(sizeof *list * n_wall);
     wall = room(2 * sizeof *wall * n_wall);
     modes = room(2 * sizeof *modes * n_wall);
     need(hm_given_points(plan, list, listed, &listed, &error), &error);
-    set_wall(of->mesh.x, of->mesh.y, n, all);
+    set_wall(serial->mesh.x, serial->mesh.y, n, all);
     for (k = 0; k < n_wall; ++k) {
         modes[2 * k] = wall[k] = all[list[k]];
         modes[2 * k + 1] = wall[n_wall + k] = all[n + (size_t)list[k]];
@@ -47,8 +47,8 @@ static void displace_whole(reference* of, expectation* made) {
          &error);
     free(work);
     need(hm_basis_size(analysis, &bytes, &error), &error);
-    of->basis_block = room(bytes);
-    need(hm_basis_init(&basis, of->basis_block, bytes, analysis, &error), &error);
+    serial->basis_block = room(bytes);
+    need(hm_basis_init(&basis, serial->basis_block, bytes, analysis, &error), &error);
     need(hm_plan_solve(plan, basis, NULL, &error), &error);
     need(hm_tabulate_size(plan, basis, 1, 2, &bytes, &work_bytes, &error), &error);
     block = room(bytes);
@@ -74,8 +74,8 @@ static void displace_whole(reference* of, expectation* made) {
     free(all);
 }
 
-void check_given(reference* of, int kind, int solver) {
-    const size_t n = (size_t)of->mesh.n_points;
+void check_given(reference* serial, int kind, int solver) {
+    const size_t n = (size_t)serial->mesh.n_points;
     own_part mine;
     hm_petsc* system = NULL;
     hm_petsc_report report = {sizeof report};
@@ -84,21 +84,22 @@ void check_given(reference* of, int kind, int solver) {
     size_t k, n_own;
     double *own, worst = 0, off_mode = 0;
     int* part_of;
-    of->conditions[0].kind = HM_GIVEN;
-    of->conditions[0].n_curves = 0;
-    of->problem.curves = NULL;
-    part_of = partition(&of->mesh, kind, size);
-    take_part(&mine, &of->mesh, part_of, rank, kind == GHOSTS);
+    serial->conditions[0].kind = HM_GIVEN;
+    serial->conditions[0].n_curves = 0;
+    serial->problem.curves = NULL;
+    part_of = partition(&serial->mesh, kind, size);
+    take_part(&mine, &serial->mesh, part_of, rank, kind == GHOSTS);
     expected.field = room(2 * sizeof(double) * n);
     expected.mode = room(2 * sizeof(double) * n);
-    if (rank == 0) displace_whole(of, &expected);
+    if (rank == 0) displace_whole(serial, &expected);
     MPI_Bcast(expected.field, (int)(2 * n), MPI_DOUBLE, 0, MPI_COMM_WORLD);
     MPI_Bcast(expected.mode, (int)(2 * n), MPI_DOUBLE, 0, MPI_COMM_WORLD);
     n_own = (size_t)mine.n_points;
     own = room(2 * sizeof *own * n_own);
     set_wall(mine.x, mine.y, n_own, own);
     use_solver(solver);
-    need(hm_petsc_create(&system, &mine.part, &of->problem, &of->options, MPI_COMM_WORLD, &error),
+    need(hm_petsc_create(&system, &mine.part, &serial->problem, &serial->options, MPI_COMM_WORLD,
+                         &error),
          &error);
     need(hm_petsc_displace(system, &(hm_points_out){own, own + n_own, 1}, &report, MPI_COMM_WORLD,
                            &error),
@@ -108,9 +109,9 @@ void check_given(reference* of, int kind, int solver) {
         worst = fmax(worst, fabs(own[k] - expected.field[at]));
         off_mode = fmax(off_mode, fabs(own[k] - expected.mode[at]));
     }
-    check(worst < 1e-10, "given displacements are those of one process", of->name);
+    check(worst < 1e-10, "given displacements are those of one process", serial->name);
     check(off_mode < 1e-10, "a displacement is the function of the mode with the same values",
-          of->name);
+          serial->name);
     hm_petsc_free(&system);
     use_solver(ITERATIVE);
     free(expected.field);
@@ -135,37 +136,38 @@ static hm_basis* combine(const hm_basis* from, int32_t controls, void** block) {
     return made;
 }
 
-void check_combined(const reference* of, int kind, int solver) {
+void check_combined(const reference* serial, int kind, int solver) {
     own_part mine;
-    int* const part_of = partition(&of->mesh, kind, size);
+    int* const part_of = partition(&serial->mesh, kind, size);
     hm_petsc* system = NULL;
     hm_basis *rows = NULL, *all = NULL, *own;
     hm_error error;
     void *block, *all_block = NULL, *own_block;
     size_t bytes;
-    double *expected = room(sizeof *expected * (size_t)of->mesh.n_points), *values, worst = 0;
+    double *expected = room(sizeof *expected * (size_t)serial->mesh.n_points), *values, worst = 0;
     int32_t i, number, k;
-    take_part(&mine, &of->mesh, part_of, rank, kind == GHOSTS);
+    take_part(&mine, &serial->mesh, part_of, rank, kind == GHOSTS);
     values = room(sizeof *values * (size_t)mine.n_points);
     use_solver(solver);
-    need(hm_petsc_create(&system, &mine.part, &of->problem, &of->options, MPI_COMM_WORLD, &error),
+    need(hm_petsc_create(&system, &mine.part, &serial->problem, &serial->options, MPI_COMM_WORLD,
+                         &error),
          &error);
     need(hm_petsc_rows_size(system, &bytes, &error), &error);
     block = room(bytes);
     need(hm_petsc_solve(system, &rows, block, bytes, NULL, MPI_COMM_WORLD, &error), &error);
     hm_petsc_free(&system); /* the rows stay */
     use_solver(ITERATIVE);
-    own = combine(rows, of->controls, &own_block);
-    if (rank == 0) all = combine(of->basis, of->controls, &all_block);
+    own = combine(rows, serial->controls, &own_block);
+    if (rank == 0) all = combine(serial->basis, serial->controls, &all_block);
     for (i = 0; i < 2; ++i) {
         for (number = 0; number < 2; ++number) {
-            whole_values(of, all, i, number, expected);
+            whole_values(serial, all, i, number, expected);
             need(hm_basis_values(own, i, number, values, &error), &error);
             for (k = 0; k < mine.n_points; ++k)
                 worst = fmax(worst, fabs(values[k] - expected[mine.global[k]]));
         }
     }
-    check(worst < 1e-8, "functions of design variables are those of one process", of->name);
+    check(worst < 1e-8, "functions of design variables are those of one process", serial->name);
     free(all_block);
     free(own_block);
     free(block);

@@ -28,95 +28,96 @@ static int is_wanted(const char* variable, const char* otherwise, int digit) {
 }
 
 static void check_large(const char* what, int operator_kind) {
-    reference of;
+    reference serial;
     int ni, nj, kind, solver;
     double first;
     if (sscanf(what, "%d:%d:%lf", &ni, &nj, &first) == 3) {
-        make_o_mesh(&of, ni, nj, first, operator_kind);
+        make_o_mesh(&serial, ni, nj, first, operator_kind);
     } else {
-        make_from_file(&of, what, operator_kind);
+        make_from_file(&serial, what, operator_kind);
     }
-    solve_whole(&of);
+    solve_whole(&serial);
     for (kind = 0; kind < N_PARTITIONS; ++kind) {
         if (!is_wanted("PARTITIONS", size == 1 ? "0" : "012345", kind)) continue;
         for (solver = 0; solver < N_SOLVERS; ++solver) {
-            if (is_wanted("SOLVERS", "01", solver)) check_agreement(&of, kind, solver);
+            if (is_wanted("SOLVERS", "01", solver)) check_agreement(&serial, kind, solver);
         }
     }
-    free_case(&of);
+    free_case(&serial);
 }
 
 /* Of a small mesh one partition, another one for each case and number of processes, so that all
  * have their turn. On more than two processes, which may share processors and then wait for each
  * other, CG solves the first case alone, and MUMPS, which has fewer messages, the others. All
  * combinations: PARTITIONS=012345 SOLVERS=01 OPERATORS=012. */
-static void check_small(reference* of, int* turn) {
+static void check_small(reference* serial, int* turn) {
     const char partition[2] = {(char)('0' + *turn % N_PARTITIONS), 0};
     const char* const solvers = size <= 2 ? "01" : *turn == size ? "0" : "1";
     int kind, solver;
     ++*turn;
-    solve_whole(of);
+    solve_whole(serial);
     for (kind = 0; kind < N_PARTITIONS; ++kind) {
         if (!is_wanted("PARTITIONS", partition, kind)) continue;
         for (solver = 0; solver < N_SOLVERS; ++solver) {
-            if (is_wanted("SOLVERS", solvers, solver)) check_agreement(of, kind, solver);
+            if (is_wanted("SOLVERS", solvers, solver)) check_agreement(serial, kind, solver);
         }
     }
 }
 
 static void check_conditions(int operator_kind, int* turn) {
-    reference of;
+    reference serial;
     hm_condition* rigid;
-    make_o_mesh(&of, 25, 9, 1e-5, operator_kind);
-    check_small(&of, turn);
-    check_combined(&of, *turn % N_PARTITIONS, FACTORED);
-    free_case(&of);
+    make_o_mesh(&serial, 25, 9, 1e-5, operator_kind);
+    check_small(&serial, turn);
+    check_combined(&serial, *turn % N_PARTITIONS, FACTORED);
+    free_case(&serial);
     if (operator_kind == HM_CONFORMAL) {
-        make_o_mesh(&of, 25, 9, 0, operator_kind);
-        of.options.offset_correction = 1;
-        snprintf(of.name, sizeof of.name, "offset correction, operator %d", operator_kind);
+        make_o_mesh(&serial, 25, 9, 0, operator_kind);
+        serial.options.offset_correction = 1;
+        snprintf(serial.name, sizeof serial.name, "offset correction, operator %d", operator_kind);
     } else {
-        make_o_mesh(&of, 25, 9, 0, operator_kind);
-        add_condition(&of, FAR_FIELD, HM_FREE);
-        snprintf(of.name, sizeof of.name, "free far field, operator %d", operator_kind);
+        make_o_mesh(&serial, 25, 9, 0, operator_kind);
+        add_condition(&serial, FAR_FIELD, HM_FREE);
+        snprintf(serial.name, sizeof serial.name, "free far field, operator %d", operator_kind);
     }
-    check_small(&of, turn);
-    free_case(&of);
-    make_o_mesh(&of, 25, 9, 0, operator_kind);
-    rigid = add_condition(&of, FAR_FIELD, HM_RIGID);
+    check_small(&serial, turn);
+    free_case(&serial);
+    make_o_mesh(&serial, 25, 9, 0, operator_kind);
+    rigid = add_condition(&serial, FAR_FIELD, HM_RIGID);
     rigid->x = 0.1;
-    snprintf(of.name, sizeof of.name, "rigid body, operator %d", operator_kind);
-    check_small(&of, turn);
-    free_case(&of);
-    make_channel(&of, 0, operator_kind);
-    add_condition(&of, RIGHT, HM_SLIP);
-    add_condition(&of, LEFT, HM_SLIP);
-    snprintf(of.name, sizeof of.name, "sliding sides, operator %d", operator_kind);
-    check_small(&of, turn);
-    free_case(&of);
-    make_channel(&of, 0.2, operator_kind);
-    add_condition(&of, TOP, HM_SLIP);
-    snprintf(of.name, sizeof of.name, "sliding along a smooth curve, operator %d", operator_kind);
-    check_small(&of, turn);
-    free_case(&of);
-    make_passage(&of, operator_kind);
-    check_small(&of, turn);
-    free_case(&of);
+    snprintf(serial.name, sizeof serial.name, "rigid body, operator %d", operator_kind);
+    check_small(&serial, turn);
+    free_case(&serial);
+    make_channel(&serial, 0, operator_kind);
+    add_condition(&serial, RIGHT, HM_SLIP);
+    add_condition(&serial, LEFT, HM_SLIP);
+    snprintf(serial.name, sizeof serial.name, "sliding sides, operator %d", operator_kind);
+    check_small(&serial, turn);
+    free_case(&serial);
+    make_channel(&serial, 0.2, operator_kind);
+    add_condition(&serial, TOP, HM_SLIP);
+    snprintf(serial.name, sizeof serial.name, "sliding along a smooth curve, operator %d",
+             operator_kind);
+    check_small(&serial, turn);
+    free_case(&serial);
+    make_passage(&serial, operator_kind);
+    check_small(&serial, turn);
+    free_case(&serial);
 }
 
 static void check_given_conditions(int operator_kind, int* turn) {
-    reference of;
-    make_o_mesh(&of, 25, 9, 1e-4, operator_kind);
-    check_given(&of, (*turn)++ % N_PARTITIONS, FACTORED);
-    free_case(&of);
-    make_channel(&of, 0, operator_kind);
-    add_condition(&of, RIGHT, HM_SLIP);
-    add_condition(&of, LEFT, HM_SLIP);
-    check_given(&of, (*turn)++ % N_PARTITIONS, FACTORED);
-    free_case(&of);
-    make_passage(&of, operator_kind);
-    check_given(&of, (*turn)++ % N_PARTITIONS, FACTORED);
-    free_case(&of);
+    reference serial;
+    make_o_mesh(&serial, 25, 9, 1e-4, operator_kind);
+    check_given(&serial, (*turn)++ % N_PARTITIONS, FACTORED);
+    free_case(&serial);
+    make_channel(&serial, 0, operator_kind);
+    add_condition(&serial, RIGHT, HM_SLIP);
+    add_condition(&serial, LEFT, HM_SLIP);
+    check_given(&serial, (*turn)++ % N_PARTITIONS, FACTORED);
+    free_case(&serial);
+    make_passage(&serial, operator_kind);
+    check_given(&serial, (*turn)++ % N_PARTITIONS, FACTORED);
+    free_case(&serial);
 }
 
 int main(int argc, char** argv) {

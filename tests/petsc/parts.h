@@ -27,10 +27,11 @@ extern const char* const partition_names[N_PARTITIONS];
 
 /* part_of [n_cells], to be freed: the same on all processes. Collective: PETSc's partitioner
  * (SCOTCH or ParMETIS; where PETSc has neither, bisection) works in parallel. */
-int* partition(const whole_mesh* of, int kind, int size);
+int* partition(const whole_mesh* whole, int kind, int size);
 /* Global numbers: neither consecutive nor in the order of the mesh. */
 int64_t number_of(int32_t point);
-void take_part(own_part* part, const whole_mesh* of, const int* part_of, int rank, int with_ghosts);
+void take_part(own_part* part, const whole_mesh* whole, const int* part_of, int rank,
+               int with_ghosts);
 /* The views of the arrays, after these have changed. */
 void refer(own_part* part);
 void free_part(own_part* part);

@@ -54,13 +54,13 @@ static int32_t ghost_point(const own_part* mine) {
 }
 
 /* A point that another process has too. */
-static int32_t shared_point(const own_part* mine, const whole_mesh* of, const int* part_of) {
+static int32_t shared_point(const own_part* mine, const whole_mesh* whole, const int* part_of) {
     int32_t k, c, at = 0;
-    for (k = 0; k < of->n_cells; ++k) {
+    for (k = 0; k < whole->n_cells; ++k) {
         if (part_of[k] == rank) continue;
         for (c = 0; c < 4; ++c) {
             for (at = 0; at < mine->n_points; ++at) {
-                if (mine->global[at] == of->cells[4 * k + c]) return at;
+                if (mine->global[at] == whole->cells[4 * k + c]) return at;
             }
         }
     }
@@ -68,12 +68,12 @@ static int32_t shared_point(const own_part* mine, const whole_mesh* of, const in
 }
 
 /* What the last process has wrong. 0: a fault that needs two processes. */
-static int spoil(own_part* mine, const whole_mesh* of, const int* part_of, int fault) {
+static int spoil(own_part* mine, const whole_mesh* whole, const int* part_of, int fault) {
     int32_t at, k;
     int64_t number;
     if (size == 1 && fault != GAP && fault != NO_MARKER && fault != NO_CELLS) return 0;
     if (rank != size - 1) return 1;
-    at = fault == POSITION || fault == NUMBERS ? shared_point(mine, of, part_of) : 0;
+    at = fault == POSITION || fault == NUMBERS ? shared_point(mine, whole, part_of) : 0;
     switch (fault) {
         case POSITION: mine->x[at] += 1e-9; break;
         case NUMBERS:
@@ -96,19 +96,19 @@ static int spoil(own_part* mine, const whole_mesh* of, const int* part_of, int f
 }
 
 void check_parts_that_do_not_fit(void) {
-    reference of;
+    reference serial;
     int fault;
-    make_o_mesh(&of, 25, 9, 0, HM_LAPLACE);
+    make_o_mesh(&serial, 25, 9, 0, HM_LAPLACE);
     for (fault = 0; fault < N_FAULTS; ++fault) {
-        int *const part_of = partition(&of.mesh, STRIPES_X, size), is_possible;
+        int *const part_of = partition(&serial.mesh, STRIPES_X, size), is_possible;
         own_part mine;
         hm_petsc* system = NULL;
         hm_error error = {0};
         hm_status status;
-        take_part(&mine, &of.mesh, part_of, rank, fault == NO_OWNER);
-        is_possible = spoil(&mine, &of.mesh, part_of, fault);
-        status =
-            hm_petsc_create(&system, &mine.part, &of.problem, &of.options, MPI_COMM_WORLD, &error);
+        take_part(&mine, &serial.mesh, part_of, rank, fault == NO_OWNER);
+        is_possible = spoil(&mine, &serial.mesh, part_of, fault);
+        status = hm_petsc_create(&system, &mine.part, &serial.problem, &serial.options,
+                                 MPI_COMM_WORLD, &error);
         check_refused(status, &error, is_possible, fault_names[fault]);
         if (is_possible) check(system == NULL, "no system is left", fault_names[fault]);
         if (fault == NO_CELLS && rank == size - 1) {
@@ -118,12 +118,12 @@ void check_parts_that_do_not_fit(void) {
         free(part_of);
         free_part(&mine);
     }
-    free_case(&of);
+    free_case(&serial);
 }
 
 /* ---- Arguments: wrong on the last process, right on the others ---- */
 
-static void check_creation(const reference* of, const own_part* mine) {
+static void check_creation(const reference* serial, const own_part* mine) {
     enum {
         NO_SYSTEM,
         NO_PART,
@@ -151,11 +151,11 @@ static void check_creation(const reference* of, const own_part* mine) {
         const int is_possible = size > 1 || kind < TOLERANCE;
         hm_petsc* system = NULL;
         hm_error error = {0};
-        hm_condition condition = of->conditions[0];
-        hm_problem problem = of->problem;
-        hm_options options = of->options;
+        hm_condition condition = serial->conditions[0];
+        hm_problem problem = serial->problem;
+        hm_options options = serial->options;
         hm_part_mesh part = mine->part;
-        hm_curves curves = *of->problem.curves;
+        hm_curves curves = *serial->problem.curves;
         double control[64];
         hm_status status;
         problem.conditions = &condition;
@@ -242,17 +242,18 @@ static void check_displacement_and_assessment(hm_petsc* system, const own_part* 
 }
 
 void check_arguments(void) {
-    reference of;
+    reference serial;
     own_part mine;
     int* part_of;
     hm_petsc* system = NULL;
     hm_error error;
     MPI_Comm of_one;
-    make_o_mesh(&of, 25, 9, 0, HM_LAPLACE);
-    part_of = partition(&of.mesh, STRIPES_X, size);
-    take_part(&mine, &of.mesh, part_of, rank, 0);
-    check_creation(&of, &mine);
-    need(hm_petsc_create(&system, &mine.part, &of.problem, &of.options, MPI_COMM_WORLD, &error),
+    make_o_mesh(&serial, 25, 9, 0, HM_LAPLACE);
+    part_of = partition(&serial.mesh, STRIPES_X, size);
+    take_part(&mine, &serial.mesh, part_of, rank, 0);
+    check_creation(&serial, &mine);
+    need(hm_petsc_create(&system, &mine.part, &serial.problem, &serial.options, MPI_COMM_WORLD,
+                         &error),
          &error);
     MPI_Comm_split(MPI_COMM_WORLD, rank, 0, &of_one);
     check_solution(system, of_one);
@@ -263,5 +264,5 @@ void check_arguments(void) {
     hm_petsc_free(&system);
     free(part_of);
     free_part(&mine);
-    free_case(&of);
+    free_case(&serial);
 }

@@ -17,15 +17,15 @@ constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 
 TEST_CASE("without a weight the functions are those of Laplace's equation, and real") {
     for (Cells const kind : kinds) {
-        Case its = two_body_case(kind, 8, 6);
+        Case setup = two_body_case(kind, 8, 6);
         Options const conformal = options_of(HM_CONFORMAL, HM_NO_WEIGHT),
                       paper = options_of(HM_LAPLACE);
-        Solved const a(its, &conformal), b(its, &paper);
+        Solved const a(setup, &conformal), b(setup, &paper);
         CHECK(a.info().exponent_quarters == 0);
         for (std::int32_t i = 0; i < 20; ++i)
             CHECK(largest_difference(complex_values(a, i), complex_values(b, i)) < 1e-13);
         Options const weighted = options_of(HM_CONFORMAL);  // and with one they are not
-        Solved const c(its, &weighted);
+        Solved const c(setup, &weighted);
         CHECK(c.info().exponent_quarters == 6);
         double imaginary = 0;
         for (Complex const f : complex_values(c, 3))
@@ -36,9 +36,9 @@ TEST_CASE("without a weight the functions are those of Laplace's equation, and r
 
 TEST_CASE("the functions are N_i(u) on the curves, without imaginary part, and 0 on fixed points") {
     for (Cells const kind : kinds) {
-        Case its = two_body_case(kind, 8, 6);
+        Case setup = two_body_case(kind, 8, 6);
         Options const options = options_of(HM_CONFORMAL);
-        Solved const solved(its, &options);
+        Solved const solved(setup, &options);
         CHECK(solved.report.boundary_error == 0);
         CHECK(solved.report.partition_defect < 1e-15);
         hm_basis_info const info = solved.info();
@@ -48,25 +48,24 @@ TEST_CASE("the functions are N_i(u) on the curves, without imaginary part, and 0
             std::size_t const point = static_cast<std::size_t>(info.curve_point[k]);
             std::int32_t control[6];
             double value[6];
-            REQUIRE(hm_curve_basis(&its.curves.view(), info.point_curve[k], info.point_u[k], 0,
+            REQUIRE(hm_curve_basis(&setup.curves.view(), info.point_curve[k], info.point_u[k], 0,
                                    control, value, nullptr) == HM_OK);
             Field expected(20, 0);
             int const degree =
-                its.curves.shapes[static_cast<std::size_t>(info.point_curve[k])].degree;
+                setup.curves.shapes[static_cast<std::size_t>(info.point_curve[k])].degree;
             for (int j = 0; j <= degree; ++j)
                 expected[static_cast<std::size_t>(control[j])] += value[j];
             for (std::size_t i = 0; i < 20; ++i) CHECK(functions[i][point] == expected[i]);
         }
-        for (std::int32_t const point : points_on(its.mesh, far_field))
+        for (std::int32_t const point : points_on(setup.mesh, far_field))
             for (Field const& f : functions) CHECK(f[static_cast<std::size_t>(point)] == 0.0);
     }
 }
 
-TEST_CASE(
-    "a morph is linear over the complex numbers: turning all movements turns all displacements") {
-    Case its = airfoil_case();
+TEST_CASE("turning all movements turns all displacements of a conformal morph") {
+    Case setup = airfoil_case();
     Options const options = options_of(HM_CONFORMAL);
-    Solved const solved(its, &options);
+    Solved const solved(setup, &options);
     std::vector<double> const move = some_move(12, 1, 13), other = some_move(12, 1, 14);
     Field const moved = displacement(solved, move), also = displacement(solved, other);
     for (Complex const by : {Complex(0, 1), Complex(-1, 0), Complex(0.6, 1.7)}) {
@@ -82,18 +81,18 @@ TEST_CASE(
 }
 
 TEST_CASE("control points that are moved by a similarity move the wall by the same similarity") {
-    Case its = ring_case(8, 32, 0.5, 2, Cells::hybrid);
+    Case setup = ring_case(8, 32, 0.5, 2, Cells::hybrid);
     Options const options = options_of(HM_CONFORMAL);
-    Solved const solved(its, &options);
+    Solved const solved(setup, &options);
     // Points on the fitted curve: the mesh's own are beside it and keep their offset, unturned.
     for (Complex const centre : {Complex(0, 0), Complex(0.7, -3)})
         for (Complex const s : {std::polar(1.0, 1.0), Complex(-2, 0.5)}) {
             Field const found =
-                displacement(solved, similarity_move(its.curves, s, centre, {0.1, 0.2}));
+                displacement(solved, similarity_move(setup.curves, s, centre, {0.1, 0.2}));
             hm_basis_info const info = solved.info();
             for (std::int32_t k = 0; k < info.curve_points; ++k) {
                 double xy[2];
-                REQUIRE(hm_curve_point(&its.curves.view(), 0, info.point_u[k], 0, xy, nullptr) ==
+                REQUIRE(hm_curve_point(&setup.curves.view(), 0, info.point_u[k], 0, xy, nullptr) ==
                         HM_OK);
                 Complex const expected =
                     (s - 1.0) * (Complex(xy[0], xy[1]) - centre) + Complex(0.1, 0.2);
@@ -103,12 +102,11 @@ TEST_CASE("control points that are moved by a similarity move the wall by the sa
         }
 }
 
-TEST_CASE(
-    "numbering, orientation, markers, place and size of the mesh do not change the functions") {
+TEST_CASE("numbering, orientation, markers, place and size of the mesh do not matter") {
     Case const origin = airfoil_case(30, 10);
     Options const options = options_of(HM_CONFORMAL);
-    Case its = origin;
-    Solved const reference(its, &options);
+    Case setup = origin;
+    Solved const reference(setup, &options);
     auto const compare = [&](Case& changed, std::vector<std::int32_t> const& new_of,
                              bool mirrored) {
         Solved const solved(changed, &options);
@@ -150,8 +148,8 @@ TEST_CASE(
 TEST_CASE("the functions do not depend on the unit of length, from 1e-30 to 1e30") {
     Case const origin = airfoil_case(20, 8);
     Options const options = options_of(HM_CONFORMAL);
-    Case its = origin;
-    Solved const reference(its, &options);
+    Case setup = origin;
+    Solved const reference(setup, &options);
     for (double const unit : {1e-3, 1024.0, 1e30, 1e-30}) {
         Case scaled = similar(origin, unit, 0);
         Solved const solved(scaled, &options);
@@ -161,35 +159,33 @@ TEST_CASE("the functions do not depend on the unit of length, from 1e-30 to 1e30
     }
 }
 
-TEST_CASE(
-    "a free boundary is refused, and the error names slip as what is possible; unknown exponents "
-    "are refused") {
-    Case its = ring_case(6, 24, 0.5, 2);
-    its.set_free(far_field);
-    for (std::int32_t const quarters : {0, 6, +HM_NO_WEIGHT}) {
-        Options const options = options_of(HM_CONFORMAL, quarters);
-        Attempt const attempt(its.problem(), &options);
+TEST_CASE("a free boundary is refused with a hint at slip, and so are unknown exponents") {
+    Case setup = ring_case(6, 24, 0.5, 2);
+    setup.set_free(far_field);
+    for (std::int32_t const exponent_quarters : {0, 6, +HM_NO_WEIGHT}) {
+        Options const options = options_of(HM_CONFORMAL, exponent_quarters);
+        Attempt const attempt(setup.problem(), &options);
         CHECK(attempt.status == HM_UNSUPPORTED);
         CHECK(attempt.reached == "analysis size");
         CHECK(std::string(attempt.error.text).find("slip") != std::string::npos);
     }
-    Attempt const by_default(its.problem(), nullptr);
+    Attempt const by_default(setup.problem(), nullptr);
     CHECK(by_default.status == HM_OK);  // the fixture's default is Laplace's operator
-    its.conditions.pop_back();
-    for (std::int32_t const quarters : {-2, 17, 2147483647}) {
-        Options const options = options_of(HM_CONFORMAL, quarters);
-        CHECK(Attempt(its.problem(), &options).status == HM_BAD_ARGUMENT);
+    setup.conditions.pop_back();
+    for (std::int32_t const exponent_quarters : {-2, 17, 2147483647}) {
+        Options const options = options_of(HM_CONFORMAL, exponent_quarters);
+        CHECK(Attempt(setup.problem(), &options).status == HM_BAD_ARGUMENT);
     }
     Options options = options_of(HM_LAPLACE, 4);
-    CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
+    CHECK(Attempt(setup.problem(), &options).status == HM_UNSUPPORTED);
     options = options_of(1000);
-    CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
+    CHECK(Attempt(setup.problem(), &options).status == HM_UNSUPPORTED);
 }
 
 TEST_CASE("any number of threads gives the same bits, and kernels agree to rounding") {
-    Case its = airfoil_case();
+    Case setup = airfoil_case();
     Options const plain = options_of(HM_CONFORMAL);
-    Solved const reference(its, &plain);
+    Solved const reference(setup, &plain);
     std::vector<double> const move = some_move(12, 1, 15);
     Field const expected = displacement(reference, move);
     for (std::int32_t const threads : {2, 3}) {
@@ -197,7 +193,7 @@ TEST_CASE("any number of threads gives the same bits, and kernels agree to round
         hm_executor const executor = backwards.executor(threads);
         Options options = plain;
         options.executor = &executor;
-        Solved const solved(its, &options);
+        Solved const solved(setup, &options);
         CHECK(backwards.tasks > 0);
         CHECK(displacement(solved, move) == expected);
     }
@@ -205,7 +201,7 @@ TEST_CASE("any number of threads gives the same bits, and kernels agree to round
          {HM_KERNEL_BASELINE, HM_KERNEL_AVX2, HM_KERNEL_AVX512, HM_KERNEL_NEON}) {
         Options options = plain;
         options.kernel = kernel;
-        Attempt const attempt(its.problem(), &options);
+        Attempt const attempt(setup.problem(), &options);
         if (attempt.status == HM_UNSUPPORTED) continue;
         REQUIRE(attempt.status == HM_OK);
         CHECK(largest_difference(displacement(attempt.basis, move), expected) < 1e-10);

@@ -25,9 +25,9 @@ public:
         for (int k = 0; k < samples; ++k) {
             double const u = ring_parameter(degree, n_functions, 2 * pi * k / samples);
             harmorph::CurveBasis const basis = curve_basis(spline.curve(), u, 0);
-            double& its = value[static_cast<std::size_t>(k)];
+            double& sum = value[static_cast<std::size_t>(k)];
             for (int j = 0; j <= degree; ++j)
-                its += basis.control[j] == function ? basis.value[0][j] : 0;
+                sum += basis.control[j] == function ? basis.value[0][j] : 0;
         }
         for (int n = -modes; n <= modes; ++n) {
             Complex sum = 0;
@@ -48,8 +48,8 @@ public:
         for (int k = 0; k < n_t; ++k) {
             Complex sum = 0;
             for (int n = -modes; n <= modes; ++n) {
-                std::size_t const its = static_cast<std::size_t>(n + modes);
-                sum += coefficient_[its] * g[its] * std::polar(1.0, 2 * pi * n * k / n_t);
+                std::size_t const mode = static_cast<std::size_t>(n + modes);
+                sum += coefficient_[mode] * g[mode] * std::polar(1.0, 2 * pi * n * k / n_t);
             }
             out.push_back(sum);
         }
@@ -76,14 +76,14 @@ private:
     Field coefficient_;
 };
 
-double rms_error(int refine, Cells kind, std::int32_t quarters) {
+double rms_error(int refine, Cells kind, std::int32_t exponent_quarters) {
     int const n_r = 6 * refine, n_t = 32 * refine;
     double const r0 = 0.5, r1 = 2;
-    Case its = ring_case(n_r, n_t, r0, r1, kind);
-    Options const options = options_of(HM_CONFORMAL, quarters);
-    Solved const solved(its, &options);
+    Case setup = ring_case(n_r, n_t, r0, r1, kind);
+    Options const options = options_of(HM_CONFORMAL, exponent_quarters);
+    Solved const solved(setup, &options);
     Field const found = complex_values(solved, 2);
-    ExactRing const exact(r0, r1, 0.25 * std::max(quarters, 0), 3, 8, 2);
+    ExactRing const exact(r0, r1, 0.25 * std::max(exponent_quarters, 0), 3, 8, 2);
     double sum = 0;
     for (int i = 0; i <= n_r; ++i) {
         Field const ring = exact.at(r0 * std::pow(r1 / r0, 1.0 * i / n_r), n_t);
@@ -96,16 +96,16 @@ double rms_error(int refine, Cells kind, std::int32_t quarters) {
 
 }  // namespace
 
-TEST_CASE(
-    "annulus: the exact solution with k = d^-q, to second order where quads are at the wall") {
-    auto const order = [](Cells kind, std::int32_t quarters) {
-        double const coarse = rms_error(2, kind, quarters), fine = rms_error(4, kind, quarters);
+TEST_CASE("functions on an annulus have second order for k = d^-q and quads at the wall") {
+    auto const order = [](Cells kind, std::int32_t exponent_quarters) {
+        double const coarse = rms_error(2, kind, exponent_quarters),
+                     fine = rms_error(4, kind, exponent_quarters);
         CHECK(fine < 1.5e-3);
         return std::log2(coarse / fine);
     };
     for (Cells const kind : {Cells::quads, Cells::hybrid})
-        for (std::int32_t const quarters : {+HM_NO_WEIGHT, 6, 8})
-            CHECK(order(kind, quarters) > 1.85);
+        for (std::int32_t const exponent_quarters : {+HM_NO_WEIGHT, 6, 8})
+            CHECK(order(kind, exponent_quarters) > 1.85);
     CHECK(order(Cells::quads, 3) >
           1.65);  // its second derivatives are unbounded: f = d^(1 + q) beside smooth terms
     // In triangles barycentres lie at one or two thirds of a layer, as the chance of equal

@@ -16,11 +16,11 @@ constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 // The assembled matrix as a dense one over the mesh's points, whatever its unknowns are stored as.
 class Hermitian {
 public:
-    Hermitian(Case& its, std::vector<double> const& conductivity)
-        : n(static_cast<std::size_t>(its.mesh.n_points())) {
+    Hermitian(Case& setup, std::vector<double> const& conductivity)
+        : n(static_cast<std::size_t>(setup.mesh.n_points())) {
         Options const options = options_of(HM_CONFORMAL);
         Attempt seen;
-        REQUIRE(seen.analyse(its.problem(), &options));
+        REQUIRE(seen.analyse(setup.problem(), &options));
         harmorph::Analysis const& a = inside(seen.analysis);
         AssembledMatrix assembled(a);
         harmorph::Matrix const& m = assembled.matrix;
@@ -57,8 +57,8 @@ public:
         return out;
     }
 
-    // Where a point has two real lines, an entry is [a -b; b a]: does the second line say what the
-    // first does?
+    // If a point has two real lines, an entry is [a -b; b a]. This checks that the second line
+    // agrees with the first.
     bool rows_agree() const {
         for (Entry const& e : second_) {
             Complex const first =
@@ -117,13 +117,11 @@ double energy(Mesh const& mesh, Field const& f, const std::int32_t (&corner)[3])
 
 }  // namespace
 
-TEST_CASE(
-    "the matrix is that of the integral of k |f_x + i f_y|^2, cell by cell, for quads the mean of "
-    "both splits") {
+TEST_CASE("the conformal matrix is that of the integral of k |f_x + i f_y|^2, cell by cell") {
     for (Cells const kind : kinds) {
-        Case its = square_on_curve(7, kind, 0.4, 5);
-        std::vector<double> const k = some_conductivity(its.mesh, 6);
-        Hermitian const a(its, k);
+        Case setup = square_on_curve(7, kind, 0.4, 5);
+        std::vector<double> const k = some_conductivity(setup.mesh, 6);
+        Hermitian const a(setup, k);
         CHECK(a.rows_agree());
         std::mt19937 random(7);
         Field f(a.n, 0);
@@ -133,18 +131,18 @@ TEST_CASE(
         Complex form = 0;
         for (std::size_t i = 0; i < a.n; ++i) form += std::conj(f[i]) * af[i];
         double expected = 0;
-        harmorph::Mesh const mesh = core_mesh(its.mesh);
+        harmorph::Mesh const mesh = core_mesh(setup.mesh);
         for (Index c = 0; c < mesh.n_cells; ++c) {
             harmorph::Cell const cell = mesh.cell(c);
             const Index* const q = cell.point;
             double const its_k = k[static_cast<std::size_t>(c)];
             if (cell.n == 3) {
-                expected += its_k * energy(its.mesh, f, {q[0], q[1], q[2]});
+                expected += its_k * energy(setup.mesh, f, {q[0], q[1], q[2]});
                 continue;
             }
             for (int i = 0; i < 4; ++i)
                 expected +=
-                    0.5 * its_k * energy(its.mesh, f, {q[i], q[(i + 1) % 4], q[(i + 2) % 4]});
+                    0.5 * its_k * energy(setup.mesh, f, {q[i], q[(i + 1) % 4], q[(i + 2) % 4]});
         }
         CHECK(std::fabs(form.imag()) < 1e-13 * expected);
         CHECK(form.real() == doctest::Approx(expected).epsilon(1e-13));
@@ -153,14 +151,12 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "the matrix is Hermitian; maps z -> a z + b are in the kernel for any k, mirrored maps are "
-    "not") {
+TEST_CASE("the matrix is Hermitian, and maps z -> a z + b are in the kernel for any k") {
     for (Cells const kind : kinds)
         for (bool const mixed : {false, true}) {
-            Case its = square_on_curve(7, kind, 0.4, 8);
-            if (mixed) reverse_some(its.mesh, 9);
-            Hermitian const a(its, some_conductivity(its.mesh, 10));
+            Case setup = square_on_curve(7, kind, 0.4, 8);
+            if (mixed) reverse_some(setup.mesh, 9);
+            Hermitian const a(setup, some_conductivity(setup.mesh, 10));
             CHECK(a.rows_agree());
             double size = 0;
             for (std::size_t i = 0; i < a.n; ++i)
@@ -170,7 +166,7 @@ TEST_CASE(
                         CHECK(std::abs(a.at(i, j) - std::conj(a.at(j, i))) < 1e-13);
                 }
             Field conformal, mirrored;
-            for (Complex const z : positions(its.mesh)) {
+            for (Complex const z : positions(setup.mesh)) {
                 conformal.push_back(Complex(0.3, -2) * z + Complex(5, 1));
                 mirrored.push_back(std::conj(z));
             }
@@ -183,18 +179,16 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "the matrix is positive definite on distorted and on thin cells, with conductivities that "
-    "differ by 10^6") {
+TEST_CASE("the matrix is positive definite on distorted and thin cells with varying weights") {
     for (Cells const kind : kinds)
         for (double const thin : {1.0, 1e-3}) {
-            Case its = square_on_curve(7, kind, 0.4, 11);
-            for (double& y : its.mesh.y) y *= thin;
-            for (std::size_t k = 1; k < its.curves.control.size(); k += 2)
-                its.curves.control[k] *= thin;
-            std::vector<double> k = some_conductivity(its.mesh, 12);
+            Case setup = square_on_curve(7, kind, 0.4, 11);
+            for (double& y : setup.mesh.y) y *= thin;
+            for (std::size_t k = 1; k < setup.curves.control.size(); k += 2)
+                setup.curves.control[k] *= thin;
+            std::vector<double> k = some_conductivity(setup.mesh, 12);
             for (double& value : k) value = std::pow(value, 3);
-            Hermitian const a(its, k);
+            Hermitian const a(setup, k);
             std::vector<std::size_t> unknown;
             for (std::size_t i = 0; i < a.n; ++i)
                 if (a.is_unknown[i]) unknown.push_back(i);

@@ -12,8 +12,7 @@ using namespace fixtures;
 namespace {
 
 std::vector<unsigned char> bytes_of(const hm_basis* basis) {
-    hm_basis_info info{};
-    info.struct_size = sizeof info;
+    auto info = sized<hm_basis_info>();
     REQUIRE(hm_basis_info_get(basis, &info, nullptr) == HM_OK);
     const unsigned char* const begin = reinterpret_cast<const unsigned char*>(basis);
     return {begin, begin + info.bytes};
@@ -23,8 +22,8 @@ std::vector<unsigned char> bytes_of(const hm_basis* basis) {
 
 TEST_CASE("a basis solved twice is the same block, byte by byte, even between its arrays") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
-        Case its = airfoil_case(40, 12, kind);
-        Solved const a(its), b(its);
+        Case setup = airfoil_case(40, 12, kind);
+        Solved const a(setup), b(setup);
         CHECK(bytes_of(a.basis) == bytes_of(b.basis));
         CHECK(a.report.residual == b.report.residual);
         CHECK(a.report.boundary_error == b.report.boundary_error);
@@ -32,10 +31,10 @@ TEST_CASE("a basis solved twice is the same block, byte by byte, even between it
 }
 
 TEST_CASE("what lay in the blocks before does not matter") {
-    Case its = two_body_case();
+    Case setup = two_body_case();
     Options usual{};
-    Solved const reference(its, &usual);
-    hm_problem const problem = its.problem();
+    Solved const reference(setup, &usual);
+    hm_problem const problem = setup.problem();
     for (int const garbage : {0x00, 0xFF, 0x7F, 0x3F}) {
         std::vector<unsigned char> blocks[3];
         std::size_t bytes = 0;
@@ -77,12 +76,12 @@ TEST_CASE("two plans step by step in turn do not disturb each other") {
 }
 
 TEST_CASE("factoring and solving again, also after other coordinates, gives the same bits") {
-    Case its = airfoil_case();
-    Solved const solved(its);
+    Case setup = airfoil_case();
+    Solved const solved(setup);
     std::vector<unsigned char> const expected = bytes_of(solved.basis);
     REQUIRE(hm_plan_solve(solved.plan, solved.basis, nullptr, nullptr) == HM_OK);
     CHECK(bytes_of(solved.basis) == expected);
-    Mesh moved = its.mesh;
+    Mesh moved = setup.mesh;
     perturb(moved, 0.1, 3);
     REQUIRE(hm_plan_factor(solved.plan, points_in(moved.x, moved.y), nullptr) == HM_OK);
     REQUIRE(hm_plan_solve(solved.plan, solved.basis, nullptr, nullptr) == HM_OK);
@@ -93,33 +92,31 @@ TEST_CASE("factoring and solving again, also after other coordinates, gives the 
 }
 
 TEST_CASE("kernels agree to rounding, each with itself to the bit") {
-    Case its = airfoil_case();
-    Solved const reference(its);
+    Case setup = airfoil_case();
+    Solved const reference(setup);
     std::vector<double> const expected = reference.all_values();
     int tried = 0;
     for (std::int32_t const kernel :
          {HM_KERNEL_BASELINE, HM_KERNEL_AVX2, HM_KERNEL_AVX512, HM_KERNEL_NEON}) {
         Options options = laplace();
         options.kernel = kernel;
-        Attempt const first(its.problem(), &options);
+        Attempt const first(setup.problem(), &options);
         if (first.status == HM_UNSUPPORTED) continue;
         ++tried;
-        Solved const a(its.problem(), &options), b(its.problem(), &options);
+        Solved const a(setup.problem(), &options), b(setup.problem(), &options);
         CHECK(bytes_of(a.basis) == bytes_of(b.basis));
         CHECK(largest_difference(a.all_values(), expected) < 1e-11);
     }
     CHECK(tried >= 1);
 }
 
-TEST_CASE(
-    "any number of threads, in any order of their tasks: the same bits, in all that takes an "
-    "executor") {
-    Case its = ring_case(70, 300, 0.5, 2, Cells::hybrid, 3, 20);  // large enough to be shared out
-    perturb(its.mesh, 0.2, 5);
-    hm_mesh const mesh = its.mesh.view();
+TEST_CASE("any number of threads in any order of tasks gives the same bits in all calls") {
+    Case setup = ring_case(70, 300, 0.5, 2, Cells::hybrid, 3, 20);  // large enough to be shared out
+    perturb(setup.mesh, 0.2, 5);
+    hm_mesh const mesh = setup.mesh.view();
     std::vector<double> const move = some_move(20, 0.02, 6),
-                              g = some_move(its.mesh.n_points(), 1, 7);
-    std::size_t const n = its.mesh.x.size();
+                              g = some_move(setup.mesh.n_points(), 1, 7);
+    std::size_t const n = setup.mesh.x.size();
     std::vector<unsigned char> expected;
     std::vector<double> products;
     for (std::int32_t const threads : {1, 2, 3, 8, 256}) {
@@ -127,16 +124,14 @@ TEST_CASE(
         hm_executor const executor = order.executor(threads);
         Options options = laplace();
         options.executor = &executor;
-        Solved const solved(its.problem(mesh), &options);
+        Solved const solved(setup.problem(mesh), &options);
         CHECK((threads > 1) == (order.calls > 0));
         if (expected.empty()) expected = bytes_of(solved.basis);
         CHECK(bytes_of(solved.basis) == expected);
 
         std::vector<double> found(2 * n), gradient(40);
-        hm_step_report step{};
-        step.struct_size = sizeof step;
-        hm_quality_report quality{};
-        quality.struct_size = sizeof quality;
+        auto step = sized<hm_step_report>();
+        auto quality = sized<hm_quality_report>();
         REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(&found[0], &found[n]),
                          &executor, nullptr) == HM_OK);
         REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(),
@@ -156,19 +151,19 @@ TEST_CASE(
 
 TEST_CASE("real threads, which share out their work anew each time: the same bits") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
-        Case its = ring_case(70, 300, 0.5, 2, Cells::hybrid, 3, 20);
-        perturb(its.mesh, 0.2, 5);
-        hm_mesh const mesh = its.mesh.view();
+        Case setup = ring_case(70, 300, 0.5, 2, Cells::hybrid, 3, 20);
+        perturb(setup.mesh, 0.2, 5);
+        hm_mesh const mesh = setup.mesh.view();
         Options options = laplace();
         options.operator_kind = kind;
         std::vector<unsigned char> const expected =
-            bytes_of(Solved(its.problem(mesh), &options).basis);
+            bytes_of(Solved(setup.problem(mesh), &options).basis);
         for (std::int32_t const threads : {2, 3, 8}) {
             hm_pthreads pool;
             hm_executor const executor = hm_pthreads_start(&pool, threads);
             options.executor = &executor;
             for (int again = 0; again < 3; ++again) {
-                Solved const solved(its.problem(mesh), &options);
+                Solved const solved(setup.problem(mesh), &options);
                 CHECK(bytes_of(solved.basis) == expected);
             }
             options.executor = nullptr;

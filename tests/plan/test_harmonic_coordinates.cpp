@@ -36,18 +36,18 @@ Case l_shape(int n, Cells kind) {
             new_of[k] = out.mesh.add_point(whole.point(static_cast<std::int32_t>(k)));
     }
     for (std::size_t cell = 0; cell + 1 < whole.cell_start.size(); ++cell) {
-        std::vector<std::int32_t> its;
+        std::vector<std::int32_t> corners;
         double x = 0, y = 0;
         for (std::int32_t k = whole.cell_start[cell]; k < whole.cell_start[cell + 1]; ++k) {
             std::size_t const point =
                 static_cast<std::size_t>(whole.cells[static_cast<std::size_t>(k)]);
-            its.push_back(new_of[point]);
+            corners.push_back(new_of[point]);
             x += whole.x[point];
             y += whole.y[point];
         }
-        double const size = static_cast<double>(its.size());
+        double const size = static_cast<double>(corners.size());
         if (x > 0.5 * size && y > 0.5 * size) continue;
-        out.mesh.cells.insert(out.mesh.cells.end(), its.begin(), its.end());
+        out.mesh.cells.insert(out.mesh.cells.end(), corners.begin(), corners.end());
         out.mesh.cell_start.push_back(static_cast<std::int32_t>(out.mesh.cells.size()));
     }
     auto const id = [&](int i, int j) {
@@ -77,7 +77,7 @@ struct Positions {
 
 struct Affine {
     double a, b, c, d, x, y;
-    std::vector<double> of(std::vector<double> const& control) const {
+    std::vector<double> mapped(std::vector<double> const& control) const {
         std::vector<double> out;
         for (std::size_t k = 0; k < control.size(); k += 2) {
             out.push_back(a * control[k] + b * control[k + 1] + x);
@@ -89,11 +89,11 @@ struct Affine {
 
 // Largest distance of the mesh's points, moved affinely, from the sum over the cage that was moved
 // affinely.
-double affine_error(Solved const& solved, Case const& its, Affine const& map) {
-    Positions const found(solved, map.of(its.curves.control));
+double affine_error(Solved const& solved, Case const& setup, Affine const& map) {
+    Positions const found(solved, map.mapped(setup.curves.control));
     double worst = 0;
-    for (std::size_t k = 0; k < its.mesh.x.size(); ++k) {
-        std::vector<double> const to = map.of({its.mesh.x[k], its.mesh.y[k]});
+    for (std::size_t k = 0; k < setup.mesh.x.size(); ++k) {
+        std::vector<double> const to = map.mapped({setup.mesh.x[k], setup.mesh.y[k]});
         worst = std::fmax(worst, distance({found.x[k], found.y[k]}, {to[0], to[1]}));
     }
     return worst;
@@ -107,33 +107,29 @@ constexpr Affine maps[] = {{1, 0, 0, 1, 0, 0},
 
 }  // namespace
 
-TEST_CASE(
-    "affine maps of the cage are exactly affine maps of the inside, also with holes and concave "
-    "cages") {
+TEST_CASE("affine maps of a cage are affine maps of the inside, also with holes") {
     for (Cells const kind : kinds) {
-        for (Case its : {cages(12, kind, 0), cages(15, kind, 0.25), l_shape(6, kind)}) {
-            Solved const solved(its);
-            for (Affine const& map : maps) CHECK(affine_error(solved, its, map) < 1e-13);
+        for (Case setup : {cages(12, kind, 0), cages(15, kind, 0.25), l_shape(6, kind)}) {
+            Solved const solved(setup);
+            for (Affine const& map : maps) CHECK(affine_error(solved, setup, map) < 1e-13);
         }
     }
 }
 
-TEST_CASE(
-    "coordinates are 1 or 0 at the cage's corners, linear along its edges, and together 1 "
-    "everywhere") {
-    for (Case its : {cages(12, Cells::quads, 0), l_shape(6, Cells::triangles)}) {
-        Solved const solved(its);
-        std::vector<double> const& control = its.curves.control;
-        CHECK(largest_difference(solved.sum(), std::vector<double>(its.mesh.x.size(), 1.0)) <
+TEST_CASE("coordinates are 1 or 0 at corners of the cage, linear on edges, and sum up to 1") {
+    for (Case setup : {cages(12, Cells::quads, 0), l_shape(6, Cells::triangles)}) {
+        Solved const solved(setup);
+        std::vector<double> const& control = setup.curves.control;
+        CHECK(largest_difference(solved.sum(), std::vector<double>(setup.mesh.x.size(), 1.0)) <
               1e-14);
-        for (std::int32_t i = 0; i < its.curves.n_control(); ++i) {
+        for (std::int32_t i = 0; i < setup.curves.n_control(); ++i) {
             std::vector<double> const f = solved.values(i);
-            for (std::size_t k = 0; k < its.mesh.x.size(); ++k) {
+            for (std::size_t k = 0; k < setup.mesh.x.size(); ++k) {
                 CHECK(f[k] >= 0);
                 CHECK(f[k] <= 1);
-                for (std::int32_t j = 0; j < its.curves.n_control(); ++j) {
+                for (std::int32_t j = 0; j < setup.curves.n_control(); ++j) {
                     std::size_t const at = 2 * static_cast<std::size_t>(j);
-                    if (distance(its.mesh.point(static_cast<std::int32_t>(k)),
+                    if (distance(setup.mesh.point(static_cast<std::int32_t>(k)),
                                  {control[at], control[at + 1]}) > 1e-12)
                         continue;
                     CHECK(f[k] == doctest::Approx(i == j ? 1.0 : 0.0).epsilon(1e-13));
@@ -141,28 +137,26 @@ TEST_CASE(
             }
         }
     }
-    Case its =
+    Case setup =
         l_shape(6, Cells::hybrid);  // the lower side, from control point 0 at (0, 0) to 1 at (1, 0)
-    Solved const solved(its);
+    Solved const solved(setup);
     std::vector<double> const first = solved.values(0), second = solved.values(1),
                               other = solved.values(4);
     int on_side = 0;
-    for (std::size_t k = 0; k < its.mesh.x.size(); ++k) {
-        if (its.mesh.y[k] != 0) continue;
-        CHECK(first[k] == doctest::Approx(1 - its.mesh.x[k]).epsilon(1e-13));
-        CHECK(second[k] == doctest::Approx(its.mesh.x[k]).epsilon(1e-13));
+    for (std::size_t k = 0; k < setup.mesh.x.size(); ++k) {
+        if (setup.mesh.y[k] != 0) continue;
+        CHECK(first[k] == doctest::Approx(1 - setup.mesh.x[k]).epsilon(1e-13));
+        CHECK(second[k] == doctest::Approx(setup.mesh.x[k]).epsilon(1e-13));
         CHECK(other[k] == 0);
         ++on_side;
     }
     CHECK(on_side == 13);
 }
 
-TEST_CASE(
-    "a corner more in the middle of an edge: its neighbours' coordinates give it half of "
-    "themselves") {
-    Case its = l_shape(6, Cells::triangles), finer = its;
+TEST_CASE("a further corner in the middle of an edge takes half of its neighbours' coordinates") {
+    Case setup = l_shape(6, Cells::triangles), finer = setup;
     finer.curves = polyline({{0, 0}, {0.5, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}});
-    Solved const solved(its), finer_solved(finer);
+    Solved const solved(setup), finer_solved(finer);
     std::vector<double> const middle = finer_solved.values(1);
     for (std::int32_t i = 0; i < 6; ++i) {
         std::vector<double> sum = finer_solved.values(i == 0 ? 0 : i + 1);
@@ -172,13 +166,13 @@ TEST_CASE(
 }
 
 TEST_CASE("positions and displacements are the same thing where the cage is the boundary") {
-    Case its = cages(12, Cells::hybrid, 0.2);
-    Solved const solved(its);
-    std::vector<double> const move = some_move(its.curves.n_control(), 0.05, 3);
-    std::vector<double> control = its.curves.control;
+    Case setup = cages(12, Cells::hybrid, 0.2);
+    Solved const solved(setup);
+    std::vector<double> const move = some_move(setup.curves.n_control(), 0.05, 3);
+    std::vector<double> control = setup.curves.control;
     for (std::size_t k = 0; k < control.size(); ++k) control[k] += move[k];
     Positions const positions(solved, control);
-    std::vector<double> x = its.mesh.x, y = its.mesh.y;
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
     REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
                      nullptr) == HM_OK);
     CHECK(largest_difference(positions.x, x) < 1e-14);

@@ -1,17 +1,15 @@
-// How a mesh is written down does not change its functions: numbering, orientation, markers, place,
-// units.
+// The functions do not depend on the way in which a mesh is written down: numbering, orientation,
+// markers, place, units.
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
 
 using namespace fixtures;
 
-TEST_CASE(
-    "neither renumbering, nor the cells' starts, nor orientation, nor rotation changes a "
-    "function") {
+TEST_CASE("neither renumbering nor cell starts nor orientation nor rotation changes a function") {
     Case const origin = airfoil_case();
-    Case its = origin;
-    Solved const reference(its);
+    Case setup = origin;
+    Solved const reference(setup);
     std::vector<double> const expected = reference.all_values();
     std::int32_t const n = origin.mesh.n_points();
     auto const compare = [&](Case& changed, std::vector<std::int32_t> const& new_of) {
@@ -73,23 +71,22 @@ TEST_CASE(
 
 TEST_CASE("units that differ by a power of two: the same bits") {
     for (double const unit : {std::ldexp(1.0, -30), std::ldexp(1.0, 20)}) {
-        Case its = airfoil_case(), scaled = its;
+        Case setup = airfoil_case(), scaled = setup;
         for (double& x : scaled.mesh.x) x *= unit;
         for (double& y : scaled.mesh.y) y *= unit;
         for (double& c : scaled.curves.control) c *= unit;
-        Solved const a(its), b(scaled);
+        Solved const a(setup), b(scaled);
         CHECK(same_bits(a.all_values(), b.all_values()));
         CHECK(b.report.max_distance == unit * a.report.max_distance);
     }
 }
 
-TEST_CASE(
-    "units as far as doubles go: single precision orders the unknowns, and must not overflow") {
-    Case its = airfoil_case();
-    Solved const reference(its);
+TEST_CASE("units near the limits of doubles do not overflow the order of the unknowns") {
+    Case setup = airfoil_case();
+    Solved const reference(setup);
     std::vector<double> const expected = reference.all_values();
     for (int const power : {-200, 130, 300}) {
-        Case scaled = its;
+        Case scaled = setup;
         for (double& x : scaled.mesh.x) x = std::ldexp(x, power);
         for (double& y : scaled.mesh.y) y = std::ldexp(y, power);
         for (double& c : scaled.curves.control) c = std::ldexp(c, power);
@@ -103,10 +100,10 @@ TEST_CASE(
 }
 
 TEST_CASE("a plan does not solve the basis of another problem on the same mesh") {
-    Case its = airfoil_case(), other = its;
-    std::vector<std::int32_t> point{its.mesh.faces[0]},
+    Case setup = airfoil_case(), other = setup;
+    std::vector<std::int32_t> point{setup.mesh.faces[0]},
         curve{0};  // the same counts, one parameter changed
-    Solved mine(its);
+    Solved mine(setup);
     hm_basis_info const info = mine.info();
     std::vector<double> u{info.point_u[0] + 1e-3};
     point[0] = info.curve_point[0];

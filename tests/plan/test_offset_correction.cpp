@@ -33,13 +33,13 @@ Case beside_its_curve(double off) {
     return out;
 }
 
-double worst_on_wall(Solved const& solved, Case const& its, Field const& moved, Complex s,
+double worst_on_wall(Solved const& solved, Case const& setup, Field const& moved, Complex s,
                      Complex centre, Complex shift) {
     hm_basis_info const info = solved.info();
     double worst = 0;
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
         std::int32_t const point = info.curve_point[k];
-        Complex const expected = (s - 1.0) * (to_complex(its.mesh.point(point)) - centre) + shift;
+        Complex const expected = (s - 1.0) * (to_complex(setup.mesh.point(point)) - centre) + shift;
         worst = std::fmax(worst, std::abs(moved[static_cast<std::size_t>(point)] - expected));
     }
     return worst;
@@ -47,11 +47,10 @@ double worst_on_wall(Solved const& solved, Case const& its, Field const& moved, 
 
 }  // namespace
 
-TEST_CASE(
-    "rigid motions and scalings of all control points move every wall point rigidly, to rounding") {
-    Case its = beside_its_curve(0.02);
+TEST_CASE("rigid motions and scalings of all control points move the wall rigidly") {
+    Case setup = beside_its_curve(0.02);
     Options const with = corrected(), without = corrected(0);
-    Solved const a(its, &with), b(its, &without);
+    Solved const a(setup, &with), b(setup, &without);
     CHECK(a.info().offset_correction == 1);
     CHECK(a.report.max_distance > 0.015);
     CHECK(a.report.boundary_error < 1e-16);  // against the boundary data in use
@@ -59,35 +58,33 @@ TEST_CASE(
     for (Complex const s :
          {std::polar(1.0, 0.5), std::polar(1.0, 3.1), Complex(0.5, 0), Complex(1, 0)})
         for (Complex const centre : {Complex(0, 0), Complex(3, -2)}) {
-            std::vector<double> const move = similarity_move(its.curves, s, centre, {0.1, 0.7});
-            CHECK(worst_on_wall(a, its, displacement(a, move), s, centre, {0.1, 0.7}) < 1e-14);
+            std::vector<double> const move = similarity_move(setup.curves, s, centre, {0.1, 0.7});
+            CHECK(worst_on_wall(a, setup, displacement(a, move), s, centre, {0.1, 0.7}) < 1e-14);
             double const error =
-                worst_on_wall(b, its, displacement(b, move), s, centre, {0.1, 0.7});
+                worst_on_wall(b, setup, displacement(b, move), s, centre, {0.1, 0.7});
             CHECK(error ==
                   doctest::Approx(std::abs(s - 1.0) * b.report.max_distance).epsilon(1e-6));
         }
 }
 
-TEST_CASE(
-    "general motions add e dC' / C' to what the B-spline moves, and are linear over the complex "
-    "numbers") {
-    Case its = beside_its_curve(0.01);
+TEST_CASE("general motions add e dC' / C' to the movement of the B-spline") {
+    Case setup = beside_its_curve(0.01);
     Options const options = corrected();
-    Solved const solved(its, &options);
+    Solved const solved(setup, &options);
     std::vector<double> const move = some_move(8, 0.1, 4);
     Field const moved = displacement(solved, move),
                 by_i = displacement(solved, turned(move, {0, 1}));
     for (std::size_t k = 0; k < moved.size(); ++k)
         CHECK(std::abs(by_i[k] - Complex(0, 1) * moved[k]) < 1e-14);
-    CurveSet movement = its.curves;
+    CurveSet movement = setup.curves;
     movement.control = move;
     hm_basis_info const info = solved.info();
     double most = 0;
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
         double at[4], by[4];
-        REQUIRE(hm_curve_point(&its.curves.view(), 0, info.point_u[k], 1, at, nullptr) == HM_OK);
+        REQUIRE(hm_curve_point(&setup.curves.view(), 0, info.point_u[k], 1, at, nullptr) == HM_OK);
         REQUIRE(hm_curve_point(&movement.view(), 0, info.point_u[k], 1, by, nullptr) == HM_OK);
-        Complex const e = to_complex(its.mesh.point(info.curve_point[k])) - Complex(at[0], at[1]);
+        Complex const e = to_complex(setup.mesh.point(info.curve_point[k])) - Complex(at[0], at[1]);
         Complex const added = e * Complex(by[2], by[3]) / Complex(at[2], at[3]);
         most = std::fmax(most, std::abs(added));
         CHECK(std::abs(moved[static_cast<std::size_t>(info.curve_point[k])] -
@@ -96,26 +93,24 @@ TEST_CASE(
     CHECK(most > 1e-3);
 }
 
-TEST_CASE(
-    "zero movement keeps every bit; the boundary's error and the adjoint are those of the data in "
-    "use") {
-    Case its = beside_its_curve(0.01);
+TEST_CASE("a zero movement keeps every bit with offset correction, and the adjoint is exact") {
+    Case setup = beside_its_curve(0.01);
     Options const options = corrected();
-    Solved const solved(its, &options);
-    std::vector<double> x = its.mesh.x, y = its.mesh.y, move(16, 0.0);
+    Solved const solved(setup, &options);
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y, move(16, 0.0);
     REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
                      nullptr) == HM_OK);
-    CHECK(same_bits(x, its.mesh.x));
-    CHECK(same_bits(y, its.mesh.y));
+    CHECK(same_bits(x, setup.mesh.x));
+    CHECK(same_bits(y, setup.mesh.y));
     move = some_move(8, 0.2, 5);
     REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
                      nullptr) == HM_OK);
     double error = -1;
-    REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+    REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
                               points_in(x, y), &error, nullptr, nullptr) == HM_OK);
     CHECK(error >= 0);
     CHECK(error < 1e-15);
-    std::vector<double> const g = some_move(its.mesh.n_points(), 1, 6);
+    std::vector<double> const g = some_move(setup.mesh.n_points(), 1, 6);
     std::vector<double> gradient(16);
     REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(), nullptr,
                        nullptr) == HM_OK);
@@ -128,21 +123,21 @@ TEST_CASE(
 }
 
 TEST_CASE("at corners nothing is known to turn: their points keep their offset") {
-    Case its =
+    Case setup =
         airfoil_case(30, 12, Cells::quads);  // a clamped curve whose two ends are one control point
     double const off = 1e-5;
     std::size_t const edge =
-        static_cast<std::size_t>(points_on(its.mesh, body)[0]);  // the trailing edge comes first
-    its.mesh.x[edge] += off;
+        static_cast<std::size_t>(points_on(setup.mesh, body)[0]);  // the trailing edge comes first
+    setup.mesh.x[edge] += off;
     Options const options = corrected();
-    Solved const solved(its, &options);
+    Solved const solved(setup, &options);
     Complex const s = std::polar(1.0, 0.5), centre(0.25, 0);
-    Field const moved = displacement(solved, similarity_move(its.curves, s, centre));
+    Field const moved = displacement(solved, similarity_move(setup.curves, s, centre));
     hm_basis_info const info = solved.info();
     std::int32_t corners = 0;
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
         std::int32_t const point = info.curve_point[k];
-        Complex const z = to_complex(its.mesh.point(point)), rigid = (s - 1.0) * (z - centre);
+        Complex const z = to_complex(setup.mesh.point(point)), rigid = (s - 1.0) * (z - centre);
         double const difference = std::abs(moved[static_cast<std::size_t>(point)] - rigid);
         if (info.point_u[k] > 0 && info.point_u[k] < 1) {
             CHECK(difference < 1e-13);
@@ -164,38 +159,37 @@ TEST_CASE("at corners nothing is known to turn: their points keep their offset")
     CHECK(std::abs(turned_field[17] - at_side) < 1e-14);
 }
 
-TEST_CASE(
-    "where the curve stands still, nothing is known to turn either: no infinite or huge values") {
-    Case its = ring_case(6, 24, 0.5, 2);
+TEST_CASE("offset correction gives no huge values where the derivative of the curve is 0") {
+    Case setup = ring_case(6, 24, 0.5, 2);
     // Degree 3, and four neighbouring control points all but coincide: so C' all but vanishes
     // there.
     for (std::size_t k = 0; k < 4; ++k) {
-        its.curves.control[2 * k] = 0.5;
-        its.curves.control[2 * k + 1] = 0.001 * static_cast<double>(k);
+        setup.curves.control[2 * k] = 0.5;
+        setup.curves.control[2 * k + 1] = 0.001 * static_cast<double>(k);
     }
     Options const options = corrected();
-    Attempt const attempt(its.problem(), &options);
+    Attempt const attempt(setup.problem(), &options);
     REQUIRE(attempt.status == HM_OK);
     for (double const value : {attempt.report.min_value, attempt.report.max_value})
         CHECK(std::fabs(value) < 2);  // what is added is smaller than 1
 }
 
 TEST_CASE("the correction is on or off: other numbers are refused") {
-    Case its = tiny_case();
+    Case setup = tiny_case();
     for (std::int32_t const correction : {-1, 2, 1 << 30}) {
         Options const options = corrected(correction);
-        Attempt const attempt(its.problem(), &options);
+        Attempt const attempt(setup.problem(), &options);
         CHECK(attempt.status == HM_BAD_ARGUMENT);
         CHECK(std::string(attempt.error.text).find("offset_correction") != std::string::npos);
     }
 }
 
 TEST_CASE("only the conformal operator can turn anything: others refuse the correction") {
-    Case its = tiny_case();
+    Case setup = tiny_case();
     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED}) {
         Options options = options_of(operator_kind);
         options.offset_correction = 1;
-        CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
+        CHECK(Attempt(setup.problem(), &options).status == HM_UNSUPPORTED);
     }
 }
 

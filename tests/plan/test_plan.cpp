@@ -85,11 +85,11 @@ TEST_CASE("annulus: the exact Fourier solution, to second order, on quads, trian
     for (Cells const kind : kinds) {
         std::vector<Errors> found;
         for (int const refine : {1, 2, 4}) {
-            Case its = ring_case(6 * refine, 32 * refine, 0.5, 2, kind, degree, n);
-            Solved const solved(its);
+            Case setup = ring_case(6 * refine, 32 * refine, 0.5, 2, kind, degree, n);
+            Solved const solved(setup);
             CHECK(solved.report.residual < 1e-12);
             CHECK(solved.report.boundary_error <= 1e-15);
-            found.push_back(errors_of(solved.values(2), its.mesh,
+            found.push_back(errors_of(solved.values(2), setup.mesh,
                                       [&](Complex z) { return exact.annulus(z, 0.5, 2); }));
         }
         INFO("largest errors " << found[0].max << " " << found[1].max << " " << found[2].max
@@ -108,10 +108,10 @@ TEST_CASE("a perturbed annulus: still second order in the mean") {
     for (Cells const kind : kinds) {
         std::vector<Errors> found;
         for (int const refine : {2, 4, 8}) {
-            Case its = ring_case(6 * refine, 32 * refine, 0.5, 2, kind);
-            perturb(its.mesh, 0.25, 3);
-            Solved const solved(its);
-            found.push_back(errors_of(solved.values(2), its.mesh,
+            Case setup = ring_case(6 * refine, 32 * refine, 0.5, 2, kind);
+            perturb(setup.mesh, 0.25, 3);
+            Solved const solved(setup);
+            found.push_back(errors_of(solved.values(2), setup.mesh,
                                       [&](Complex z) { return exact.annulus(z, 0.5, 2); }));
         }
         INFO("orders " << order(found[0].rms, found[1].rms) << " "
@@ -127,14 +127,14 @@ TEST_CASE("a conformal image of the annulus has the same functions: an ellipse w
     for (Cells const kind : kinds) {
         double error[2];
         for (int const refine : {1, 2}) {
-            Case its = ring_case(12 * refine, 64 * refine, 0.5, 2, kind);
-            Mesh const circles = its.mesh;
-            for (std::size_t k = 0; k < its.mesh.x.size(); ++k) {
+            Case setup = ring_case(12 * refine, 64 * refine, 0.5, 2, kind);
+            Mesh const circles = setup.mesh;
+            for (std::size_t k = 0; k < setup.mesh.x.size(); ++k) {
                 Complex const z(circles.x[k], circles.y[k]), image = z + c / z;
-                its.mesh.x[k] = image.real();
-                its.mesh.y[k] = image.imag();
+                setup.mesh.x[k] = image.real();
+                setup.mesh.y[k] = image.imag();
             }
-            Solved const solved(its);
+            Solved const solved(setup);
             error[refine - 1] = errors_of(solved.values(1), circles, [&](Complex z) {
                                     return exact.annulus(z, 0.5, 2);
                                 }).max;
@@ -164,16 +164,16 @@ TEST_CASE("a free symmetry line: half the annulus has half of the symmetric solu
         double error[2];
         for (int const refine : {1, 2}) {
             int const n_r = 10 * refine, n_t = 30 * refine;
-            Case its;
-            its.mesh = half_annulus(n_r, n_t, r0, r1, kind);
-            for (int i = 0; i <= n_t; ++i) its.give(i, 1.0 * i / n_t);
-            its.curves = arc;
-            its.put_on_curves(body);
-            its.set_free(symmetry_line);
-            Solved const solved(its);
+            Case setup;
+            setup.mesh = half_annulus(n_r, n_t, r0, r1, kind);
+            for (int i = 0; i <= n_t; ++i) setup.give(i, 1.0 * i / n_t);
+            setup.curves = arc;
+            setup.put_on_curves(body);
+            setup.set_free(symmetry_line);
+            Solved const solved(setup);
             CHECK(solved.report.curve_points ==
                   n_t + 1);  // the ends belong to both: the curve comes first
-            error[refine - 1] = errors_of(solved.values(4), its.mesh, [&](Complex z) {
+            error[refine - 1] = errors_of(solved.values(4), setup.mesh, [&](Complex z) {
                                     return exact.annulus(z, r0, r1);
                                 }).max;
         }
@@ -182,15 +182,14 @@ TEST_CASE("a free symmetry line: half the annulus has half of the symmetric solu
     }
 }
 
-TEST_CASE(
-    "the sum of all functions does not depend on the curve: it is the wall's harmonic measure") {
+TEST_CASE("the sum of all functions is the harmonic measure of the wall for any curve") {
     for (Cells const kind : kinds) {
         std::vector<std::vector<double>> sums;
         for (int const degree : {1, 2, 3, 5})
             for (int const n : {6, 13}) {
-                Case its = ring_case(10, 40, 0.5, 2, kind, degree, n);
-                perturb(its.mesh, 0.2, 9);
-                Solved const solved(its);
+                Case setup = ring_case(10, 40, 0.5, 2, kind, degree, n);
+                perturb(setup.mesh, 0.2, 9);
+                Solved const solved(setup);
                 sums.push_back(solved.sum());
                 for (std::size_t k = 0; k < 40; ++k)
                     CHECK(sums.back()[k] == doctest::Approx(1).epsilon(1e-15));
@@ -201,20 +200,19 @@ TEST_CASE(
 }
 
 TEST_CASE("rational functions sum up to 1 on the curve as well") {
-    Case its = ring_case(8, 36, 0.5, 2, Cells::hybrid);
-    Case weighted = its;
+    Case setup = ring_case(8, 36, 0.5, 2, Cells::hybrid);
+    Case weighted = setup;
     for (int k = 0; k < 8; ++k) weighted.curves.weights.push_back(0.5 + 0.3 * k);
-    Solved const plain(its), rational(weighted);
+    Solved const plain(setup), rational(weighted);
     CHECK(rational.report.partition_defect < 1e-15);
     CHECK(largest_difference(plain.sum(), rational.sum()) < 1e-13);
     CHECK(largest_difference(plain.values(3), rational.values(3)) > 1e-2);
 }
 
-TEST_CASE(
-    "two bodies: the functions of one vanish on the other, and all share the measure of both") {
+TEST_CASE("the functions of one of two bodies vanish on the other body") {
     for (Cells const kind : kinds) {
-        Case its = two_body_case(kind);
-        Solved const solved(its);
+        Case setup = two_body_case(kind);
+        Solved const solved(setup);
         CHECK(solved.report.functions == 20);
         CHECK(solved.report.boundary_error <= 1e-14);
         CHECK(solved.report.residual <= 1e-12);
@@ -225,10 +223,10 @@ TEST_CASE(
                 bool const own = info.point_curve[k] == (i < 11 ? 0 : 1);
                 if (!own) CHECK(values[static_cast<std::size_t>(info.curve_point[k])] == 0);
             }
-            for (std::int32_t face = 0; face < its.mesh.n_faces(); ++face)
-                if (its.mesh.face_markers[static_cast<std::size_t>(face)] == far_field)
+            for (std::int32_t face = 0; face < setup.mesh.n_faces(); ++face)
+                if (setup.mesh.face_markers[static_cast<std::size_t>(face)] == far_field)
                     CHECK(values[static_cast<std::size_t>(
-                              its.mesh.faces[2 * static_cast<std::size_t>(face)])] == 0);
+                              setup.mesh.faces[2 * static_cast<std::size_t>(face)])] == 0);
         }
         for (double const sum : solved.sum()) {
             CHECK(sum >= -1e-12);
@@ -238,10 +236,10 @@ TEST_CASE(
 }
 
 TEST_CASE("maximum principle: on Delaunay triangles the functions stay between 0 and 1") {
-    Case its = ring_case(14, 60, 0.5, 2, Cells::triangles, 3, 11);
-    perturb(its.mesh, 0.3, 5);
-    improve(its.mesh, 3);  // flips until it is Delaunay
-    Solved const solved(its);
+    Case setup = ring_case(14, 60, 0.5, 2, Cells::triangles, 3, 11);
+    perturb(setup.mesh, 0.3, 5);
+    improve(setup.mesh, 3);  // flips until it is Delaunay
+    Solved const solved(setup);
     CHECK(solved.report.min_value >= -1e-15);
     CHECK(solved.report.max_value <= 1);
     CHECK(solved.report.max_value > 0.6);  // a uniform cubic reaches 2/3
@@ -249,8 +247,8 @@ TEST_CASE("maximum principle: on Delaunay triangles the functions stay between 0
 
 TEST_CASE("an airfoil with a sharp trailing edge: all that the report promises") {
     for (Cells const kind : kinds) {
-        Case its = airfoil_case(60, 20, kind);
-        Solved const solved(its);
+        Case setup = airfoil_case(60, 20, kind);
+        Solved const solved(setup);
         CHECK(solved.report.residual <= 1e-12);
         CHECK(solved.report.boundary_error <= 1e-12);
         CHECK(solved.report.partition_defect <= 1e-14);

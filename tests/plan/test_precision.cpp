@@ -38,10 +38,10 @@ Difference difference_of_all(Solved const& a, Attempt const& b) {
 }
 
 // The functions are those of double precision.
-void check_same(Case& its, std::int32_t operator_kind, double tolerance) {
+void check_same(Case& setup, std::int32_t operator_kind, double tolerance) {
     Options const in_double = with(operator_kind, HM_DOUBLE),
                   in_single = with(operator_kind, HM_SINGLE);
-    Solved const exact(its, &in_double), refined(its, &in_single);
+    Solved const exact(setup, &in_double), refined(setup, &in_single);
     INFO("operator " << operator_kind << ": " << refined.report.refinements << " steps to "
                      << refined.report.residual);
     CHECK(refined.report.residual < 1e-12);
@@ -56,47 +56,47 @@ void check_same(Case& its, std::int32_t operator_kind, double tolerance) {
 TEST_CASE("real, complex and weighted functions, more of them than are refined at a time") {
     for (int const n_control : {5, 31})
         for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL, HM_WEIGHTED}) {
-            Case its = ring_case(14, 62, 0.5, 2, Cells::hybrid, 3, n_control);
-            check_same(its, operator_kind, 1e-11);
+            Case setup = ring_case(14, 62, 0.5, 2, Cells::hybrid, 3, n_control);
+            check_same(setup, operator_kind, 1e-11);
         }
 }
 
 TEST_CASE("viscous meshes: entries of the matrix that differ by eight orders") {
-    Case its = airfoil_case();
+    Case setup = airfoil_case();
     HybridOptions options;
     options.first = 1e-5;
     options.layers = 25;
-    its.mesh = hybrid_mesh(naca4(Naca4{}, 60), options);
+    setup.mesh = hybrid_mesh(naca4(Naca4{}, 60), options);
     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL})
-        check_same(its, operator_kind, 1e-9);
+        check_same(setup, operator_kind, 1e-9);
 }
 
 TEST_CASE("the thinner cells are, the more steps; where they are too thin the factor is refused") {
     int done = 0, refused = 0;
     for (double const first : {1e-2, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9})
         for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL})
-            for (std::int32_t const quarters : {0, 16}) {
-                if (operator_kind == HM_LAPLACE && quarters > 0) continue;
-                Case its = airfoil_case(40, 12, Cells::quads);
-                its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(first, 60, 40)).mesh;
+            for (std::int32_t const exponent_quarters : {0, 16}) {
+                if (operator_kind == HM_LAPLACE && exponent_quarters > 0) continue;
+                Case setup = airfoil_case(40, 12, Cells::quads);
+                setup.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(first, 60, 40)).mesh;
                 Options in_double = with(operator_kind, HM_DOUBLE),
                         in_single = with(operator_kind, HM_SINGLE);
-                in_double.exponent_quarters = in_single.exponent_quarters = quarters;
-                Solved const exact(its, &in_double);
-                Attempt const attempt(its.problem(), &in_single);
-                INFO("first cell " << first << ", operator " << operator_kind << ", " << quarters
-                                   << " quarters: " << attempt.error.text << ", "
-                                   << attempt.report.refinements << " steps");
+                in_double.exponent_quarters = in_single.exponent_quarters = exponent_quarters;
+                Solved const exact(setup, &in_double);
+                Attempt const attempt(setup.problem(), &in_single);
+                INFO("first cell " << first << ", operator " << operator_kind << ", "
+                                   << exponent_quarters << " quarters: " << attempt.error.text
+                                   << ", " << attempt.report.refinements << " steps");
                 if (first > 5e-6) CHECK(attempt.status == HM_OK);
                 if (attempt.status == HM_OK) {
                     Difference const found = difference_of_all(exact, attempt);
                     CHECK(found.worst < 1e-9 * found.largest);
                     ++done;
                 } else {
-                    // Its entries are no numbers of single precision.
+                    // The entries of this matrix are beyond the numbers of single precision.
                     bool const beyond = attempt.status == HM_UNSUPPORTED;
                     if (!beyond) CHECK(attempt.status == HM_NOT_POSITIVE);
-                    if (beyond) CHECK(quarters == 16);
+                    if (beyond) CHECK(exponent_quarters == 16);
                     ++refused;
                 }
             }
@@ -105,19 +105,19 @@ TEST_CASE("the thinner cells are, the more steps; where they are too thin the fa
 }
 
 TEST_CASE("a second correction as large as the first: rough right-hand sides, no stagnation") {
-    Case its = airfoil_case(40, 12, Cells::quads);
-    its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-5, 60, 40)).mesh;
+    Case setup = airfoil_case(40, 12, Cells::quads);
+    setup.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-5, 60, 40)).mesh;
     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL})
-        check_same(its, operator_kind, 1e-10);
+        check_same(setup, operator_kind, 1e-10);
 }
 
 TEST_CASE("the plan takes less than two thirds of the memory") {
-    Case its = ring_case(60, 300, 0.5, 2, Cells::quads, 3, 20);
+    Case setup = ring_case(60, 300, 0.5, 2, Cells::quads, 3, 20);
     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) {
         std::size_t bytes[2] = {};
         for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE}) {
             Options const options = with(operator_kind, precision);
-            Solved const solved(its, &options);
+            Solved const solved(setup, &options);
             bytes[precision] = solved.plan_block->size();
         }
         INFO(bytes[HM_DOUBLE] << " and " << bytes[HM_SINGLE] << " bytes");
@@ -126,9 +126,7 @@ TEST_CASE("the plan takes less than two thirds of the memory") {
 }
 
 // Weights are (unit / d)^4 at the most, and functions of bodies as large as the bodies.
-TEST_CASE(
-    "entries and right-hand sides beyond single precision are refused by name, without an "
-    "exception") {
+TEST_CASE("entries and right-hand sides beyond single precision are refused by name") {
     Options options = with(HM_CONFORMAL, HM_SINGLE);
     options.exponent_quarters = 16;
     Case thin = airfoil_case(40, 12, Cells::quads);
@@ -153,16 +151,16 @@ TEST_CASE(
 }
 
 TEST_CASE("an unknown precision is refused, and a single one where there is no factor") {
-    Case its = tiny_case();
+    Case setup = tiny_case();
     for (std::int32_t const engine : {int(HM_MULTIGRID), int(HM_FAS)}) {
         Options options = with(HM_LAPLACE, HM_SINGLE);
         options.engine = engine;
-        CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
+        CHECK(Attempt(setup.problem(), &options).status == HM_UNSUPPORTED);
         options.precision = HM_DOUBLE;
-        CHECK(Attempt(its.problem(), &options).status == HM_OK);
+        CHECK(Attempt(setup.problem(), &options).status == HM_OK);
     }
     for (std::int32_t const precision : {-1, 2}) {
         Options const options = with(HM_LAPLACE, precision);
-        CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
+        CHECK(Attempt(setup.problem(), &options).status == HM_UNSUPPORTED);
     }
 }

@@ -15,25 +15,25 @@ using namespace fixtures;
 TEST_CASE("transfers between other domains, curves, operators or meshes are refused") {
     Case coarse = ring_case(4, 32, 0.5, 2), fine = ring_case(9, 70, 0.5, 2);
     Solved const solved(coarse);
-    auto const refused = [&](Case& its, hm_mesh const& coarse_mesh,
+    auto const refused = [&](Case& setup, hm_mesh const& coarse_mesh,
                              Options const* options = nullptr) {
         TransferAttempt attempt;
-        REQUIRE(attempt.open(its.problem(), options));
+        REQUIRE(attempt.open(setup.problem(), options));
         REQUIRE(!attempt.fill_from(solved.basis, coarse_mesh));
         CHECK(attempt.guards_intact());
         CHECK(attempt.block->guards_intact());
-        std::vector<double> values(its.mesh.x.size());
+        std::vector<double> values(setup.mesh.x.size());
         CHECK(hm_basis_values(attempt.basis, 0, 0, values.data(), nullptr) ==
               HM_BAD_BASIS);  // not solved
         INFO(attempt.error.text);
         return attempt.error;
     };
     SUBCASE("a larger domain: the point and its distance") {
-        Case larger = ring_case(9, 70, 0.5, 3);
-        larger.index_base = 1;
-        hm_error const error = refused(larger, coarse.mesh_view());
+        Case large_ring = ring_case(9, 70, 0.5, 3);
+        large_ring.index_base = 1;
+        hm_error const error = refused(large_ring, coarse.mesh_view());
         CHECK(error.code == HM_BAD_MESH);
-        Point const p = larger.mesh.point(error.item - 1);
+        Point const p = large_ring.mesh.point(error.item - 1);
         CHECK(error.value > 0.1);
         CHECK(error.value == doctest::Approx(std::sqrt(p.x * p.x + p.y * p.y) - 2).epsilon(0.02));
     }
@@ -94,8 +94,7 @@ TEST_CASE("transfers between other domains, curves, operators or meshes are refu
     }
 }
 
-TEST_CASE(
-    "a coarse basis with some of the functions is refused, however it came to have only some") {
+TEST_CASE("a coarse basis that holds only some of the functions is refused") {
     Case coarse = ring_case(4, 32, 0.5, 2), fine = ring_case(9, 70, 0.5, 2);
     Solved const solved(coarse);
     std::int32_t const n = solved.info().functions;
@@ -103,12 +102,10 @@ TEST_CASE(
         std::int32_t first, n;
     };
     for (Range const range : {Range{0, 1}, Range{0, n - 1}, Range{1, n - 1}, Range{n, 0}}) {
-        std::size_t bytes = 0;
         hm_basis* share = nullptr;
-        REQUIRE(hm_share_size(solved.analysis, range.first, range.n, &bytes, nullptr) == HM_OK);
-        Guarded block(bytes);
-        REQUIRE(hm_share_init(&share, block.data(), bytes, solved.analysis, range.first, range.n,
-                              nullptr) == HM_OK);
+        Guarded block = block_of(hm_share_size, solved.analysis, range.first, range.n);
+        REQUIRE(hm_share_init(&share, block.data(), block.size(), solved.analysis, range.first,
+                              range.n, nullptr) == HM_OK);
         REQUIRE(hm_plan_solve(solved.plan, share, nullptr, nullptr) == HM_OK);
         TransferAttempt attempt;
         REQUIRE(attempt.open(fine.problem()));
@@ -122,14 +119,13 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "a basis is not transferred to itself: the functions would be cleared before they are read") {
-    Case its = ring_case(4, 32, 0.5, 2);
+TEST_CASE("a basis is not transferred to itself") {
+    Case setup = ring_case(4, 32, 0.5, 2);
     TransferAttempt attempt;
-    REQUIRE(attempt.open(its.problem()));
+    REQUIRE(attempt.open(setup.problem()));
     REQUIRE(attempt.solve());
     std::vector<unsigned char> const before = bytes_of(attempt.basis);
-    attempt.fill_from(attempt.basis, its.mesh_view());
+    attempt.fill_from(attempt.basis, setup.mesh_view());
     CHECK(attempt.status == HM_BAD_ARGUMENT);
     CHECK(std::string(attempt.error.text) == "basis and coarse must be two different bases");
     CHECK(bytes_of(attempt.basis) == before);

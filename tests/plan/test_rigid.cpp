@@ -28,26 +28,26 @@ Case flap(bool both = false, Cells kind = Cells::hybrid) {
     return out;
 }
 
-hm_problem without_curves(Case& its) {
-    hm_problem out = its.problem();
+hm_problem without_curves(Case& setup) {
+    hm_problem out = setup.problem();
     out.curves = nullptr;
     out.n_given = 0;
     return out;
 }
 
-double worst_on(Case const& its, std::int32_t marker, Field const& moved, Complex centre, Complex s,
-                Complex shift) {
+double worst_on(Case const& setup, std::int32_t marker, Field const& moved, Complex centre,
+                Complex s, Complex shift) {
     double worst = 0;
-    for (std::int32_t const point : points_on(its.mesh, marker)) {
-        Complex const expected = (s - 1.0) * (to_complex(its.mesh.point(point)) - centre) + shift;
+    for (std::int32_t const point : points_on(setup.mesh, marker)) {
+        Complex const expected = (s - 1.0) * (to_complex(setup.mesh.point(point)) - centre) + shift;
         worst = std::fmax(worst, std::abs(moved[static_cast<std::size_t>(point)] - expected));
     }
     return worst;
 }
 
-hm_status refused(Case& its, const char* words) {
+hm_status refused(Case& setup, const char* words) {
     Options const options = options_of(HM_CONFORMAL);
-    Attempt const attempt(its.problem(), &options);
+    Attempt const attempt(setup.problem(), &options);
     INFO(attempt.error.text);
     CHECK(std::string(attempt.error.text).find(words) != std::string::npos);
     return attempt.status;
@@ -55,14 +55,12 @@ hm_status refused(Case& its, const char* words) {
 
 }  // namespace
 
-TEST_CASE(
-    "translated, turned and scaled about its centre: every point is where it should be, to "
-    "rounding") {
+TEST_CASE("points of a body that is translated, turned and scaled are exact to rounding") {
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : {Cells::quads, Cells::triangles}) {
-            Case its = flap(false, kind);
+            Case setup = flap(false, kind);
             Options const options = options_of(operator_kind);
-            Solved const solved(its, &options);
+            Solved const solved(setup, &options);
             hm_basis_info const info = solved.info();
             CHECK(info.bodies == 1);
             CHECK(info.functions == 11 + 2);
@@ -76,16 +74,16 @@ TEST_CASE(
                 move[24] = s.real() - 1;
                 move[25] = s.imag();
                 Field const moved = displacement(solved, move);
-                CHECK(worst_on(its, second_body, moved, {1.5, 0.5}, s, {0.3, -0.1}) < 1e-15);
-                CHECK(worst_on(its, body, moved, 0, 1, 0) == 0);  // the other one rests
-                CHECK(worst_on(its, far_field, moved, 0, 1, 0) == 0);
+                CHECK(worst_on(setup, second_body, moved, {1.5, 0.5}, s, {0.3, -0.1}) < 1e-15);
+                CHECK(worst_on(setup, body, moved, 0, 1, 0) == 0);  // the other one rests
+                CHECK(worst_on(setup, far_field, moved, 0, 1, 0) == 0);
                 double error = -1;
                 std::vector<double> xy;
                 for (std::size_t k = 0; k < moved.size(); ++k)
-                    xy.insert(xy.end(),
-                              {its.mesh.x[k] + moved[k].real(), its.mesh.y[k] + moved[k].imag()});
+                    xy.insert(xy.end(), {setup.mesh.x[k] + moved[k].real(),
+                                         setup.mesh.y[k] + moved[k].imag()});
                 REQUIRE(hm_boundary_error(
-                            solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+                            solved.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
                             points_in(&xy[0], &xy[1], 2), &error, nullptr, nullptr) == HM_OK);
                 CHECK(error < 1e-14);
             }
@@ -93,43 +91,40 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "two rigid bodies and no curve: bodies are numbered by the caller, centres are their own") {
+TEST_CASE("two rigid bodies without a curve have their own numbers and centres") {
     for (std::int32_t const operator_kind : operators) {
-        Case its = flap(true);
+        Case setup = flap(true);
         Options const options = options_of(operator_kind);
-        Solved const solved(without_curves(its), &options);
+        Solved const solved(without_curves(setup), &options);
         CHECK(solved.info().functions == 4);
         CHECK(solved.info().curves == 0);
         CHECK(solved.info().bodies == 2);
         Complex const first = std::polar(1.1, 0.2), second = std::polar(0.9, -0.7);
         Field const moved = displacement(solved, {0.01, 0.02, first.real() - 1, first.imag(), -0.03,
                                                   0.01, second.real() - 1, second.imag()});
-        CHECK(worst_on(its, second_body, moved, {1.5, 0.5}, first, {0.01, 0.02}) < 1e-15);
-        CHECK(worst_on(its, body, moved, {0.25, 0.5}, second, {-0.03, 0.01}) < 1e-15);
+        CHECK(worst_on(setup, second_body, moved, {1.5, 0.5}, first, {0.01, 0.02}) < 1e-15);
+        CHECK(worst_on(setup, body, moved, {0.25, 0.5}, second, {-0.03, 0.01}) < 1e-15);
     }
 }
 
 TEST_CASE("a body over several markers is one body; its parts alone would be two") {
-    Case its = flap(), split = its;
+    Case setup = flap(), split = setup;
     split_marker(split.mesh, second_body, 3, 31);
     split.conditions.pop_back();
     for (std::int32_t const marker : {31, 32, 33}) split.set_rigid(marker, 1.5, 0.5, 0);
     Options const options = options_of(HM_CONFORMAL);
-    Solved const a(its, &options), b(split, &options);
+    Solved const a(setup, &options), b(split, &options);
     std::vector<double> const move = some_move(13, 0.2, 3);
     CHECK(b.info().bodies == 1);
     CHECK(largest_difference(displacement(a, move), displacement(b, move)) < 1e-14);
 }
 
-TEST_CASE(
-    "the centre is where it turns, and nothing else: another one, with the translation that makes "
-    "up for it") {
-    Case its = flap(), other = its;
+TEST_CASE("another centre of a body needs another translation for the same movement") {
+    Case setup = flap(), other = setup;
     other.conditions.back().x = -3;
     other.conditions.back().y = 10;
     Options const options = options_of(HM_CONFORMAL);
-    Solved const a(its, &options), b(other, &options);
+    Solved const a(setup, &options), b(other, &options);
     Complex const s = std::polar(1.2, 0.4),
                   shift = (s - 1.0) * (Complex(-3, 10) - Complex(1.5, 0.5));
     std::vector<double> move(26, 0.0), same(26, 0.0);
@@ -142,8 +137,7 @@ TEST_CASE(
     CHECK(largest_difference(displacement(a, move), displacement(b, same)) < 1e-13);
 }
 
-TEST_CASE(
-    "a body on a curve whose control points turn with it moves the mesh as the rigid one does") {
+TEST_CASE("a rigid body moves the mesh as a curve does whose control points turn alike") {
     for (std::int32_t const operator_kind : operators) {
         Case rigid = ring_case(8, 32, 0.5, 2), curved = rigid;
         rigid.conditions.clear();
@@ -165,54 +159,54 @@ TEST_CASE(
 }
 
 TEST_CASE("points shared with a curve's marker belong to the curve, whichever is named first") {
-    Case its = tiny_case();
-    for (std::size_t k = 0; k < its.mesh.face_markers.size(); ++k) {
-        bool const low = its.mesh.y[static_cast<std::size_t>(its.mesh.faces[2 * k])] == 2 &&
-                         its.mesh.y[static_cast<std::size_t>(its.mesh.faces[2 * k + 1])] == 2;
-        if (its.mesh.face_markers[k] == body && low) its.mesh.face_markers[k] = 40;
+    Case setup = tiny_case();
+    for (std::size_t k = 0; k < setup.mesh.face_markers.size(); ++k) {
+        bool const low = setup.mesh.y[static_cast<std::size_t>(setup.mesh.faces[2 * k])] == 2 &&
+                         setup.mesh.y[static_cast<std::size_t>(setup.mesh.faces[2 * k + 1])] == 2;
+        if (setup.mesh.face_markers[k] == body && low) setup.mesh.face_markers[k] = 40;
     }
-    its.conditions.clear();
-    its.set_rigid(40, 3, 3);
-    its.put_on_curves(body);
+    setup.conditions.clear();
+    setup.set_rigid(40, 3, 3);
+    setup.put_on_curves(body);
     for (int order = 0; order < 2; ++order) {
         Options const options = options_of(HM_LAPLACE);
-        Solved const solved(its, &options);
+        Solved const solved(setup, &options);
         // The body alone, to the right.
         Field const moved = displacement(solved, {0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0});
         CHECK(moved[16] == 0.0);
         CHECK(moved[17] == 1.0);
         CHECK(moved[18] == 0.0);
-        std::reverse(its.conditions.begin(), its.conditions.end());
+        std::reverse(setup.conditions.begin(), setup.conditions.end());
     }
 }
 
 TEST_CASE("bodies are checked: gaps, centres, numbers out of range, parameters on them") {
     Case const good = flap();
-    Case its = good;
-    its.conditions.back().body = 1;
-    CHECK(refused(its, "must be numbered without gaps") == HM_BAD_CONDITION);
+    Case setup = good;
+    setup.conditions.back().body = 1;
+    CHECK(refused(setup, "must be numbered without gaps") == HM_BAD_CONDITION);
     for (std::int32_t const wrong : {-1, 1 << 20, 2147483647, -2147483647 - 1}) {
-        its.conditions.back().body = wrong;
-        CHECK(refused(its, "rigid body") == HM_BAD_CONDITION);
+        setup.conditions.back().body = wrong;
+        CHECK(refused(setup, "rigid body") == HM_BAD_CONDITION);
     }
     for (double const wrong : {std::nan(""), HUGE_VAL}) {
-        its = good;
-        its.conditions.back().y = wrong;
-        CHECK(refused(its, "not finite") == HM_BAD_CONDITION);
+        setup = good;
+        setup.conditions.back().y = wrong;
+        CHECK(refused(setup, "not finite") == HM_BAD_CONDITION);
     }
-    its = good;
-    split_marker(its.mesh, second_body, 2, 31);
-    its.conditions.pop_back();
-    its.set_rigid(31, 1.5, 0.5);
-    its.set_rigid(32, 1.5, 0.6);
-    CHECK(refused(its, "different centres") == HM_BAD_CONDITION);
-    its.conditions.back().body = 1;  // two bodies may
+    setup = good;
+    split_marker(setup.mesh, second_body, 2, 31);
+    setup.conditions.pop_back();
+    setup.set_rigid(31, 1.5, 0.5);
+    setup.set_rigid(32, 1.5, 0.6);
+    CHECK(refused(setup, "different centres") == HM_BAD_CONDITION);
+    setup.conditions.back().body = 1;  // two bodies may
     Options const options = options_of(HM_CONFORMAL);
-    CHECK(Attempt(its.problem(), &options).status == HM_OK);
-    its = good;
-    its.set_rigid(second_body, 1.5, 0.5);
-    CHECK(refused(its, "two conditions") == HM_BAD_CONDITION);
-    its = good;
-    its.give(points_on(its.mesh, second_body)[3], 0.5);
-    CHECK(refused(its, "which is not on a curve") == HM_BAD_CONDITION);
+    CHECK(Attempt(setup.problem(), &options).status == HM_OK);
+    setup = good;
+    setup.set_rigid(second_body, 1.5, 0.5);
+    CHECK(refused(setup, "two conditions") == HM_BAD_CONDITION);
+    setup = good;
+    setup.give(points_on(setup.mesh, second_body)[3], 0.5);
+    CHECK(refused(setup, "which is not on a curve") == HM_BAD_CONDITION);
 }

@@ -147,9 +147,7 @@ struct Damage {
 
 }  // namespace
 
-TEST_CASE(
-    "functions reported as solved are accurate though cancellation hides errors; others have a "
-    "warning") {
+TEST_CASE("functions that are reported as solved are accurate, and others have a warning") {
     int trusted = 0, refined = 0, missed = 0;
     for (double const h : {1e-3, 1e-7, 1e-9, 1e-11})
         for (std::vector<double> const& steps :
@@ -157,10 +155,10 @@ TEST_CASE(
             for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
                 for (double const lean : {0.0, 0.1, 0.3})
                     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED}) {
-                        Case its = plate(steps, kind, lean);
-                        its.set_free(far_field);
+                        Case setup = plate(steps, kind, lean);
+                        setup.set_free(far_field);
                         Options const options = options_of(operator_kind);
-                        Attempt const solved(its.problem(), &options);
+                        Attempt const solved(setup.problem(), &options);
                         double const error = largest_error(solved);
                         INFO("cells " << h << " thin, lean " << lean << ", operator "
                                       << operator_kind << ": off by " << error << ", "
@@ -180,50 +178,46 @@ TEST_CASE(
     CHECK(missed > 0);
 }
 
-TEST_CASE(
-    "thin cells that are upright, or leaning and held by the wall, lose no accuracy and are not "
-    "refined") {
+TEST_CASE("thin cells that are upright or held by the wall lose no accuracy") {
     for (double const h : {1e-6, 1e-8})
         for (double const lean : {0.0, 0.3}) {
-            Case its = plate(lean > 0 ? std::vector<double>{h, h, h, .1, .1, .2}
-                                      : std::vector<double>{.1, .1, h, h, .1, .2},
-                             Cells::quads, lean);
+            Case setup = plate(lean > 0 ? std::vector<double>{h, h, h, .1, .1, .2}
+                                        : std::vector<double>{.1, .1, h, h, .1, .2},
+                               Cells::quads, lean);
             Options const options = options_of(HM_LAPLACE);
-            Attempt const solved(its.problem(), &options);
+            Attempt const solved(setup.problem(), &options);
             CHECK(inside(solved.plan).engine().trusted());
             CHECK(largest_error(solved) < 1e-11);
         }
 }
 
-TEST_CASE(
-    "residuals that are rounding of flows through thin cells are no errors: right functions are "
-    "called done") {
+TEST_CASE("residuals that are rounding of flows through thin cells are no errors") {
     for (double const h : {1e-3, 1e-7, 1e-9, 1e-11, 1e-13})
         for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
             for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED}) {
-                Case its = plate(far_and_thin(h), kind, 0);
+                Case setup = plate(far_and_thin(h), kind, 0);
                 Options options = options_of(operator_kind);
-                Solved const solved(its, &options);
+                Solved const solved(setup, &options);
                 CHECK(largest_error(solved) < 1e-12);
                 CHECK((h > 1e-8 || solved.report.residual > options.tolerance));
                 if (h < 1e-8) CHECK(solved.report.residual > 1e-10);
                 options.operator_kind = HM_CONFORMAL;  // the same functions, with complex numbers
                 options.exponent_quarters = HM_NO_WEIGHT;
                 if (operator_kind == HM_LAPLACE)
-                    CHECK(largest_difference(Solved(its, &options).all_values(),
+                    CHECK(largest_difference(Solved(setup, &options).all_values(),
                                              solved.all_values()) < 1e-11);
                 options = options_of(operator_kind);
                 options.tolerance = 1e-300;  // what nothing reaches is told
-                CHECK(Attempt(its.problem(), &options).status == HM_NOT_CONVERGED);
+                CHECK(Attempt(setup.problem(), &options).status == HM_NOT_CONVERGED);
             }
 }
 
 TEST_CASE("a factor that is damaged is healed by refinement, or the functions are called wrong") {
     for (double const h : {1e-1, 1e-6, 1e-9, 1e-12}) {
         Damage damage;
-        Case its = plate(far_and_thin(h), Cells::hybrid, 0);
+        Case setup = plate(far_and_thin(h), Cells::hybrid, 0);
         Options const options = options_of(HM_LAPLACE);
-        Solved solved(its, &options);
+        Solved solved(setup, &options);
         harmorph::Span<double> const factor =
             inside(solved.plan).engine().direct.factor.doubles.factor;
         std::mt19937 random(3);
@@ -246,21 +240,21 @@ TEST_CASE("solutions that are spoilt before they are judged are refined, those i
         double* value = nullptr;
         std::size_t first = 0, n = 0, stride = 1;
         static std::int32_t call(void* user, std::int32_t phase, double fraction) {
-            Spoiler& its = *static_cast<Spoiler*>(user);
-            if (phase != HM_PHASE_SOLVE || fraction < 1 || its.value == nullptr) return 0;
-            for (std::size_t k = 0; k < its.n * its.stride; ++k)
-                its.value[its.first * its.stride + k] += 1e-3;
+            Spoiler& spoiler = *static_cast<Spoiler*>(user);
+            if (phase != HM_PHASE_SOLVE || fraction < 1 || spoiler.value == nullptr) return 0;
+            for (std::size_t k = 0; k < spoiler.n * spoiler.stride; ++k)
+                spoiler.value[spoiler.first * spoiler.stride + k] += 1e-3;
             return 0;
         }
     };
     for (double const h : {1e-1, 1e-6, 1e-9, 1e-12})
         for (std::size_t const n_rows : {1u, 2u, 3u, 4u}) {
             Spoiler spoiler;
-            Case its = plate(far_and_thin(h), Cells::quads, 0);
+            Case setup = plate(far_and_thin(h), Cells::quads, 0);
             Options options = options_of(HM_LAPLACE);
             options.progress = Spoiler::call;
             options.progress_user = &spoiler;
-            Solved solved(its, &options);
+            Solved solved(setup, &options);
             harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
             spoiler = {basis.value.data(), 2 * 17, 17 * n_rows,
                        static_cast<std::size_t>(basis.row_length())};

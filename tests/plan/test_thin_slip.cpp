@@ -66,12 +66,12 @@ TEST_CASE("a shift along the line, the far field free: everything goes along, to
             for (Case const& straight :
                  {thin_half_ring(first), thin_plate(first), thin_plate(first, Cells::triangles)}) {
                 for (std::int32_t const kind : {HM_LAPLACE, HM_WEIGHTED}) {
-                    Case its = similar(straight, turn, 0);
-                    its.set_free(far_field);
+                    Case setup = similar(straight, turn, 0);
+                    setup.set_free(far_field);
                     Options const options = options_of(kind);
-                    Solved const solved(its, &options);
+                    Solved const solved(setup, &options);
                     Field const moved =
-                        displacement(solved, similarity_move(its.curves, 1, 0, turn));
+                        displacement(solved, similarity_move(setup.curves, 1, 0, turn));
                     INFO("first cell " << first << ", angle " << angle << ", "
                                        << solved.report.refinements << " steps");
                     CHECK(largest_difference(moved, Field(moved.size(), turn)) < 1e-9);
@@ -83,30 +83,29 @@ TEST_CASE("a shift along the line, the far field free: everything goes along, to
 TEST_CASE("the half with slip moves as the half of the whole does") {
     for (double const first : {1e-5, 1e-7, 1e-9})
         for (std::int32_t const kind : operators) {
-            Case half = thin_half_ring(first), whole = mirrored(half);
+            Case half_ring = thin_half_ring(first), whole = mirrored(half_ring);
             Options const options = options_of(kind);
-            Solved const a(half, &options), b(whole, &options);
+            Solved const a(half_ring, &options), b(whole, &options);
             std::vector<double> const move = symmetric_move(4);
             Field of_whole = displacement(b, move);
-            of_whole.resize(half.mesh.x.size());
+            of_whole.resize(half_ring.mesh.x.size());
             CHECK(largest_difference(displacement(a, move), of_whole) < 1e-9);
         }
 }
 
-TEST_CASE(
-    "x moves as if the line were free, y as if it were fixed, and all of it turns with the mesh") {
+TEST_CASE("x moves as beside a free line and y as beside a fixed line, in any orientation") {
     for (double const first : {1e-5, 1e-7, 1e-9}) {
         std::vector<double> const move = some_move(6, 0.3, 8);
-        Case its = thin_plate(first), free = its, fixed = its;
+        Case setup = thin_plate(first), free = setup, fixed = setup;
         free.conditions.back().kind = HM_FREE;
         fixed.conditions.back().kind = HM_FIXED;
         for (std::int32_t const kind : operators) {
             Options const options = options_of(kind);
-            Solved const solved(its, &options);
+            Solved const solved(setup, &options);
             CHECK(solved.report.refinements >= 1);
             Field const moved = displacement(solved, move);
             Complex const turn = std::polar(1.0, 0.4);
-            Case beside = similar(its, turn, 0);
+            Case beside = similar(setup, turn, 0);
             Field of_turned = displacement(Solved(beside, &options), turned(move, turn));
             for (Complex& d : of_turned) d /= turn;
             CHECK(largest_difference(of_turned, moved) <

@@ -58,11 +58,11 @@ TEST_CASE("a transfer from a mesh to the same mesh keeps every number, for each 
     Options const options = options_of(HM_CONFORMAL);
     for (Options const* its_options : {static_cast<Options const*>(nullptr), &options}) {
         for (int which = 0; which < 4; ++which) {
-            Case its = which == 0   ? two_body_case()
-                       : which == 1 ? airfoil_case(20)
-                                    : slip_channel(12, which == 3);
-            Solved const solved(its, its_options);
-            Transferred const same(its, solved, its.mesh_view(), its_options);
+            Case setup = which == 0   ? two_body_case()
+                         : which == 1 ? airfoil_case(20)
+                                      : slip_channel(12, which == 3);
+            Solved const solved(setup, its_options);
+            Transferred const same(setup, solved, setup.mesh_view(), its_options);
             CHECK(largest_difference(all_numbers(same.basis), all_numbers(solved.basis)) <= 1e-15);
             CHECK(same.transfer.outside == 0);
             CHECK(same.transfer.max_distance_point == -1);
@@ -87,8 +87,7 @@ TEST_CASE("linear fields are exact, between meshes that share no points") {
     }
 }
 
-TEST_CASE(
-    "curved walls: second order against the functions solved on the fine mesh, real and complex") {
+TEST_CASE("transfer between curved walls has second order for real and complex functions") {
     Options const other = options_of(HM_CONFORMAL);
     for (Options const* options : {static_cast<Options const*>(nullptr), &other}) {
         for (Cells const kind : kinds) {
@@ -130,12 +129,12 @@ TEST_CASE("transferred functions depend neither on the numbering nor on threads"
     CHECK(same_bits(all_numbers(threaded.basis), expected));
 
     Case other_coarse = coarse, other_fine = fine;
-    for (Case* its : {&other_coarse, &other_fine}) {
-        shuffle_cells(its->mesh, 3);
-        reverse_some(its->mesh, 4);
-        rotate_starts(its->mesh, 5);
-        reverse_some_faces(its->mesh, 6);
-        its->index_base = 1;
+    for (Case* setup : {&other_coarse, &other_fine}) {
+        shuffle_cells(setup->mesh, 3);
+        reverse_some(setup->mesh, 4);
+        rotate_starts(setup->mesh, 5);
+        reverse_some_faces(setup->mesh, 6);
+        setup->index_base = 1;
     }
     renumber_points(other_coarse.mesh, 7);
     std::vector<std::int32_t> const new_of = renumber_points(other_fine.mesh, 8);
@@ -153,8 +152,7 @@ TEST_CASE("transferred functions depend neither on the numbering nor on threads"
 TEST_CASE("a transferred basis is a basis: attached again, it morphs the same") {
     Case coarse = ring_case(4, 32, 0.5, 2), fine = ring_case(9, 70, 0.5, 2);
     Transferred const transferred(fine, coarse);
-    hm_basis_info info{};
-    info.struct_size = sizeof info;
+    auto info = sized<hm_basis_info>();
     REQUIRE(hm_basis_info_get(transferred.basis, &info, nullptr) == HM_OK);
     std::vector<double> copy(info.bytes / 8 + 1);
     std::memcpy(copy.data(), transferred.basis, info.bytes);
@@ -186,9 +184,7 @@ bool interpolated(Mesh const& mesh, std::vector<double> const& values, Point p, 
 
 }  // namespace
 
-TEST_CASE(
-    "meshes that have nothing in common: values are those of the coarse triangle, found among all "
-    "triangles") {
+TEST_CASE("values on an unrelated mesh are those of the coarse triangle that contains the point") {
     Case coarse = ring_case(5, 34, 0.5, 2, Cells::triangles),
          fine = ring_case(8, 61, 0.5, 2, Cells::hybrid);
     perturb(coarse.mesh, 0.15, 3);

@@ -15,16 +15,16 @@ using namespace fixtures;
 namespace {
 
 // Turns mesh and curves about the origin: slip lines along no axis.
-void turn(Case& its, double angle) {
+void turn(Case& setup, double angle) {
     double const c = std::cos(angle), s = std::sin(angle);
     auto const turned = [&](double& x, double& y) {
         double const old = x;
         x = c * old - s * y;
         y = s * old + c * y;
     };
-    for (std::size_t k = 0; k < its.mesh.x.size(); ++k) turned(its.mesh.x[k], its.mesh.y[k]);
-    for (std::size_t k = 0; k < its.curves.control.size(); k += 2)
-        turned(its.curves.control[k], its.curves.control[k + 1]);
+    for (std::size_t k = 0; k < setup.mesh.x.size(); ++k) turned(setup.mesh.x[k], setup.mesh.y[k]);
+    for (std::size_t k = 0; k < setup.curves.control.size(); k += 2)
+        turned(setup.curves.control[k], setup.curves.control[k + 1]);
 }
 
 std::vector<double> moved(hm_basis const* basis, std::vector<double> const& move, std::size_t n) {
@@ -34,12 +34,11 @@ std::vector<double> moved(hm_basis const* basis, std::vector<double> const& move
     return out;
 }
 
-double admissible(hm_basis const* basis, Case& its, std::vector<double> const& move) {
-    std::size_t const n = its.mesh.x.size();
+double admissible(hm_basis const* basis, Case& setup, std::vector<double> const& move) {
+    std::size_t const n = setup.mesh.x.size();
     std::vector<double> const by = moved(basis, move, n);
-    hm_step_report step{};
-    step.struct_size = sizeof step;
-    REQUIRE(hm_assess(basis, &its.mesh_view(), nullptr, points_in(by.data(), by.data() + n),
+    auto step = sized<hm_step_report>();
+    REQUIRE(hm_assess(basis, &setup.mesh_view(), nullptr, points_in(by.data(), by.data() + n),
                       nullptr, nullptr, &step, nullptr, nullptr) == HM_OK);
     return step.admissible;
 }
@@ -130,9 +129,7 @@ TEST_CASE("slipping points stay on their lines, periodic pairs move alike, bit b
     }
 }
 
-TEST_CASE(
-    "what is restored on a wall that meets a slip line at an angle does not push points off the "
-    "line") {
+TEST_CASE("the correction at a wall that meets a slip line does not push points off the line") {
     auto const slanting = [](int n) {
         Case out;
         out.mesh = square(n);
@@ -189,8 +186,7 @@ TEST_CASE("rigid bodies: points on them move rigidly") {
     CHECK(refused.status == HM_BAD_BASIS);
 }
 
-TEST_CASE(
-    "thin layers stay valid: the points near the wall move along with what is restored there") {
+TEST_CASE("thin layers stay valid because points near the wall move along with the correction") {
     auto const viscous = [](int n_side, double first, int layers) {
         Case out = airfoil_case(n_side);
         Naca4 naca;
@@ -204,9 +200,9 @@ TEST_CASE(
     };
     Case coarse = viscous(30, 2e-5, 22), fine = viscous(70, 1e-5, 26);
     Options const options = options_of(HM_CONFORMAL);
-    for (Options const* its : {static_cast<Options const*>(nullptr), &options}) {
-        Solved const solved(fine, its);
-        Transferred const transferred(fine, coarse, its);
+    for (Options const* chosen : {static_cast<Options const*>(nullptr), &options}) {
+        Solved const solved(fine, chosen);
+        Transferred const transferred(fine, coarse, chosen);
         CHECK(transferred.transfer.wall_correction >
               100 * 1e-5);  // many times the height of a first cell
         for (unsigned const seed : {1u, 2u, 3u}) {

@@ -10,8 +10,8 @@ using namespace fixtures;
 namespace {
 
 // The unknowns' matrix with given conductivities.
-DenseMatrix assembled(Case& its, std::vector<double> const& k) {
-    Analysed const seen(its);
+DenseMatrix assembled(Case& setup, std::vector<double> const& k) {
+    Analysed const seen(setup);
     AssembledMatrix matrix(*seen.operator->());
     REQUIRE(assemble_stiffness(seen->topology(), seen->problem().mesh.points, span(k), false,
                                matrix.matrix, {}) == harmorph::none);
@@ -34,15 +34,16 @@ double radial(double r, double r0, double r1, double q) {
     return r >= r1 ? 0 : integral(r) / integral(r0);
 }
 
-double rms_error(int refine, Cells kind, std::int32_t quarters) {
+double rms_error(int refine, Cells kind, std::int32_t exponent_quarters) {
     int const n_r = 8 * refine, n_t = 32 * refine;
-    Case its = ring_case(n_r, n_t, 0.5, 2, kind);
-    Options const options = options_of(HM_WEIGHTED, quarters);
-    Solved const solved(its, &options);
+    Case setup = ring_case(n_r, n_t, 0.5, 2, kind);
+    Options const options = options_of(HM_WEIGHTED, exponent_quarters);
+    Solved const solved(setup, &options);
     std::vector<double> const sum = solved.sum();
     double sum_of_squares = 0;
     for (int i = 0; i <= n_r; ++i) {
-        double const exact = radial(0.5 * std::pow(4, 1.0 * i / n_r), 0.5, 2, 0.25 * quarters);
+        double const exact =
+            radial(0.5 * std::pow(4, 1.0 * i / n_r), 0.5, 2, 0.25 * exponent_quarters);
         for (int k = 0; k < n_t; ++k)
             sum_of_squares += std::pow(sum[static_cast<std::size_t>(i * n_t + k)] - exact, 2);
     }
@@ -53,41 +54,43 @@ double rms_error(int refine, Cells kind, std::int32_t quarters) {
 
 TEST_CASE("annulus: the exact radial solution, to second order, with exponents in quarters") {
     for (Cells const kind : {Cells::quads, Cells::hybrid, Cells::triangles})
-        for (std::int32_t const quarters : {1, 2, 4, 7, 8}) {
-            double const coarse = rms_error(2, kind, quarters), fine = rms_error(4, kind, quarters);
-            INFO("q = " << 0.25 * quarters << ": " << coarse << " " << fine);
+        for (std::int32_t const exponent_quarters : {1, 2, 4, 7, 8}) {
+            double const coarse = rms_error(2, kind, exponent_quarters),
+                         fine = rms_error(4, kind, exponent_quarters);
+            INFO("q = " << 0.25 * exponent_quarters << ": " << coarse << " " << fine);
             CHECK(fine < 1e-3);
             // A ring's quads have equal diagonals: which one splits them is chance, and part of the
             // error is, too.
             double const at_best = kind == Cells::quads ? 1.85 : 1.5;
             // F = d^(1 + q): less smooth.
-            CHECK(std::log2(coarse / fine) > (quarters < 4 ? 1 + 0.2 * quarters : at_best));
+            CHECK(std::log2(coarse / fine) >
+                  (exponent_quarters < 4 ? 1 + 0.2 * exponent_quarters : at_best));
         }
 }
 
 TEST_CASE("a constant factor of k is a factor of the matrix: it changes no function") {
-    Case its = square_on_curve(7, Cells::hybrid, 0.4, 3);
+    Case setup = square_on_curve(7, Cells::hybrid, 0.4, 3);
     std::mt19937 random(4);
     std::vector<double> k, eightfold;
-    for (std::int32_t i = 0; i < its.mesh.n_cells(); ++i) {
+    for (std::int32_t i = 0; i < setup.mesh.n_cells(); ++i) {
         k.push_back(0.1 + uniform(random));
         eightfold.push_back(8 * k.back());
     }
-    DenseMatrix const a = assembled(its, k), b = assembled(its, eightfold);
+    DenseMatrix const a = assembled(setup, k), b = assembled(setup, eightfold);
     std::vector<double> expected;
     for (double const entry : a.entries) expected.push_back(8 * entry);
     CHECK(same_bits(b.entries, expected));
-    CHECK(same_bits(assembled(its, {}).entries,
-                    assembled(its, std::vector<double>(k.size(), 1.0)).entries));
-    CHECK(!same_bits(a.entries, assembled(its, {}).entries));
+    CHECK(same_bits(assembled(setup, {}).entries,
+                    assembled(setup, std::vector<double>(k.size(), 1.0)).entries));
+    CHECK(!same_bits(a.entries, assembled(setup, {}).entries));
 }
 
 TEST_CASE("nor does the unit of length, though k has one") {
     Case const origin = airfoil_case(30, 10);
-    for (std::int32_t const quarters : {1, 4, 6, 16}) {
-        Options const options = options_of(HM_WEIGHTED, quarters);
-        Case its = origin;
-        Solved const reference(its, &options);
+    for (std::int32_t const exponent_quarters : {1, 4, 6, 16}) {
+        Options const options = options_of(HM_WEIGHTED, exponent_quarters);
+        Case setup = origin;
+        Solved const reference(setup, &options);
         for (double const unit : {1 / 1024.0, 3.7, 1e20}) {
             Case scaled = similar(origin, unit, 0);
             CHECK(largest_difference(Solved(scaled, &options).all_values(),
@@ -97,18 +100,18 @@ TEST_CASE("nor does the unit of length, though k has one") {
 }
 
 TEST_CASE("without a weight: Laplace's functions, bit by bit; the larger q, the more moves along") {
-    Case its = airfoil_case();
+    Case setup = airfoil_case();
     Options const none_at_all = options_of(HM_WEIGHTED, HM_NO_WEIGHT),
                   usual = options_of(HM_WEIGHTED);
-    Solved const plain(its), unweighted(its, &none_at_all), by_default(its, &usual);
+    Solved const plain(setup), unweighted(setup, &none_at_all), by_default(setup, &usual);
     CHECK(same_bits(unweighted.all_values(), plain.all_values()));
     CHECK(by_default.info().exponent_quarters == 4);
     std::vector<double> last = plain.sum();
-    for (std::int32_t const quarters : {2, 4, 6, 8}) {
-        Options const options = options_of(HM_WEIGHTED, quarters);
-        Solved const solved(its, &options);
-        CHECK(solved.info().exponent_quarters == quarters);
-        if (quarters == 4) CHECK(same_bits(solved.all_values(), by_default.all_values()));
+    for (std::int32_t const exponent_quarters : {2, 4, 6, 8}) {
+        Options const options = options_of(HM_WEIGHTED, exponent_quarters);
+        Solved const solved(setup, &options);
+        CHECK(solved.info().exponent_quarters == exponent_quarters);
+        if (exponent_quarters == 4) CHECK(same_bits(solved.all_values(), by_default.all_values()));
         std::vector<double> const sum = solved.sum();
         double mean = 0;
         for (std::size_t k = 0; k < sum.size(); ++k)
@@ -118,16 +121,15 @@ TEST_CASE("without a weight: Laplace's functions, bit by bit; the larger q, the 
     }
 }
 
-TEST_CASE(
-    "a plan without a weight stores no conductivities: it is smaller by one number for each cell") {
+TEST_CASE("a plan without a weight is smaller by one number for each cell") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
-        Case its = ring_case(8, 32, 0.5, 2, kind);
+        Case setup = ring_case(8, 32, 0.5, 2, kind);
         Options const weighted = options_of(HM_WEIGHTED, 4),
                       none_at_all = options_of(HM_WEIGHTED, HM_NO_WEIGHT);
-        Solved const with(its, &weighted), without(its, &none_at_all), laplace(its);
+        Solved const with(setup, &weighted), without(setup, &none_at_all), laplace(setup);
         std::size_t const more = with.plan_block->size() - without.plan_block->size();
         CHECK(more == 8 * static_cast<std::size_t>(
-                              its.mesh.n_cells()));  // a multiple of the alignment of arrays
+                              setup.mesh.n_cells()));  // a multiple of the alignment of arrays
         CHECK(without.plan_block->size() == laplace.plan_block->size());
     }
 }
@@ -148,7 +150,7 @@ TEST_CASE("rigid bodies count for the distance as curves do, fixed boundaries do
     // the same.
     Field const by_curve = displacement(a, similarity_move(curve.curves, 1, 0, {1, -2}));
     CHECK(largest_difference(by_curve, displacement(b, {1, -2, 0, 0})) < 1e-13);
-    // With the far field on a curve too, distances and functions are others.
+    // If the far field is on a curve, too, distances and functions differ.
     shifted.curves.add(ring(3, 8, 2, 2));
     shifted.put_on_curves(far_field, 1);
     Solved const c(shifted, &options);

@@ -1,8 +1,5 @@
-// Which other bases a safe morph takes: those whose functions are the same at the wall, modes of a
-// table included.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
+// A safe morph accepts other bases whose functions are the same at the wall, modes of a table
+// included.
 #include <fixtures/derived.hpp>
 #include <fixtures/displaced.hpp>
 #include <fixtures/parts.hpp>
@@ -22,26 +19,24 @@ hm_status safe_morph(hm_plan* plan, const hm_basis* basis, const hm_basis* other
     options.others = &other;
     hm_basis_info const info = info_of(basis);
     std::vector<double> x(n_points), y(n_points);
-    std::vector<double> const move(static_cast<std::size_t>(2 * info.functions), 1e-3);
+    std::vector<double> const move(std::size_t(2 * info.functions), 1e-3);
     return hm_morph_safe(plan, basis, move.data(), points_out(x, y), nullptr, work.data(), bytes,
                          &options, nullptr, &error);
 }
 
 }  // namespace
 
-TEST_CASE(
-    "another operator with the same table is taken; with one number of the table changed, it is "
-    "refused") {
+TEST_CASE("another operator with the same table is accepted, and one number changed is refused") {
     for (bool const complex : {false, true}) {
-        Case its = curve_and_table();
+        Case setup = curve_and_table();
         Options const options = options_of(complex ? HM_CONFORMAL : HM_LAPLACE);
         Options others = options_of(complex ? HM_CONFORMAL : HM_WEIGHTED);
         others.exponent_quarters = 6;
-        Attempt const own(its.problem(), &options);
+        Attempt const own(setup.problem(), &options);
         REQUIRE(own.status == HM_OK);
-        Attempt const other(its.problem(), &others);
+        Attempt const other(setup.problem(), &others);
         REQUIRE(other.status == HM_OK);
-        std::size_t const n_wall = given_points(own.plan).size(), n_points = its.mesh.x.size();
+        std::size_t const n_wall = given_points(own.plan).size(), n_points = setup.mesh.x.size();
         std::vector<Field> modes = {some_field(n_wall, 5, 0.02), some_field(n_wall, 6, 0.02)};
         if (!complex)
             for (Field& mode : modes)
@@ -69,23 +64,22 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("the derivative is cleared at the beginning, so it is none of the bases that are read") {
-    Case its = curve_and_table();
+TEST_CASE("the derivative is cleared at the beginning and cannot be a basis that is read") {
+    Case setup = curve_and_table();
     Options const options = options_of(HM_CONFORMAL);
-    Attempt own(its.problem(), &options), other(its.problem(), &options),
-        apart(its.problem(), &options);
+    Attempt own(setup.problem(), &options), other(setup.problem(), &options),
+        apart(setup.problem(), &options);
     REQUIRE(own.status == HM_OK);
     std::size_t bytes = 0;
     REQUIRE(hm_morph_safe_size(own.plan, own.basis, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
-    std::vector<double> x(its.mesh.x.size(), 7), y = x;
-    std::vector<double> const move(static_cast<std::size_t>(2 * info_of(own.basis).functions),
-                                   1e-3);
+    std::vector<double> x(setup.mesh.x.size(), 7), y = x;
+    std::vector<double> const move(std::size_t(2 * info_of(own.basis).functions), 1e-3);
     auto const morph = [&](std::vector<const hm_basis*> const& others, hm_basis* derivative,
                            hm_error& error) {
         hm_safe_options safe{};
         safe.struct_size = sizeof safe;
-        safe.n_others = static_cast<std::int32_t>(others.size());
+        safe.n_others = std::int32_t(others.size());
         safe.others = others.data();
         return hm_morph_safe(own.plan, own.basis, move.data(), points_out(x, y), derivative,
                              work.data(), bytes, &safe, nullptr, &error);

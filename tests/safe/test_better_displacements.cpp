@@ -1,8 +1,4 @@
 // Given displacements end with good cells, not just with valid ones.
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/block_in_square.hpp>
 #include <fixtures/channels.hpp>
 #include <fixtures/safe_displaced.hpp>
@@ -11,16 +7,17 @@ using namespace fixtures;
 
 namespace {
 
-// The wall of a nozzle whose axis slides comes to `part` of its height.
+// Returns displacements by which the wall of a nozzle with a sliding axis comes to `part` of its
+// height.
 Field squeezed(SafeDisplaced const& safe, double part) {
     Field out;
     for (Complex const z : safe.start()) out.push_back({0, (part - 1) * z.imag()});
     return out;
 }
 
-// What one step by Laplace functions makes of a displacement.
-double laplace_quality(Case& its, double part) {
-    SafeDisplaced one(its, options_of(HM_LAPLACE));
+// Returns the quality after one step of a displacement by Laplace functions.
+double laplace_quality(Case& setup, double part) {
+    SafeDisplaced one(setup, options_of(HM_LAPLACE));
     one.safe_options.skipped_strategies = 0xff & ~(1 << HM_STRATEGY_LINEAR);
     one.safe_options.skipped_strategies &= (2 << HM_STRATEGY_IMPROVED) - 1;
     REQUIRE(one.run(squeezed(one, part)) >= HM_OK);
@@ -29,16 +26,16 @@ double laplace_quality(Case& its, double part) {
 
 }  // namespace
 
-TEST_CASE("a nozzle that its wall squeezes: where one step is poor, other functions are tried") {
+TEST_CASE("in a nozzle that its wall narrows, other functions are tried where one step is poor") {
     int poor = 0;
     for (double const part : {0.8, 0.6, 0.4}) {
-        Case its = given_instead(nozzle(24, 12, 0.01, 8));
-        its.set_slip(right);
-        its.set_slip(left);
-        SafeDisplaced safe(its);
+        Case setup = given_instead(nozzle(24, 12, 0.01, 8));
+        setup.set_slip(right);
+        setup.set_slip(left);
+        SafeDisplaced safe(setup);
         safe.safe_options.min_quality = 0;  // the default
         Field const wall = squeezed(safe, part);
-        double const laplace = laplace_quality(its, part);
+        double const laplace = laplace_quality(setup, part);
         REQUIRE(safe.run(wall) == HM_OK);
         INFO("to " << part << ": " << safe.safe_report.min_quality << ", laplace " << laplace);
         CHECK(safe.is_at(wall));
@@ -51,9 +48,9 @@ TEST_CASE("a nozzle that its wall squeezes: where one step is poor, other functi
     CHECK(poor > 0);  // else the test has not seen what it is about
 }
 
-TEST_CASE("improve: better cells in the same call, with heights or without") {
-    Case its = given_block();
-    SafeDisplaced safe(its);
+TEST_CASE("the option to improve gives better cells in the same call, with heights or without") {
+    Case setup = given_block();
+    SafeDisplaced safe(setup);
     Field const wall = safe.similarity(std::polar(1.0, 1.0), {0.5, 0.5});
     REQUIRE(safe.run(wall) >= HM_OK);
     double const before = safe.safe_report.min_quality, mean = safe.safe_report.mean_quality;
@@ -69,14 +66,14 @@ TEST_CASE("improve: better cells in the same call, with heights or without") {
     CHECK(safe.safe_report.min_quality >= alone * (1 - 1e-12));
 }
 
-TEST_CASE("a limit of height changes is kept, or missed aloud, after the improvement") {
+TEST_CASE("a limit of height changes is kept after the improvement, or a warning is given") {
     int kept = 0, missed = 0;
     for (double const angle : {0.3, 0.6, 0.9, 1.2}) {
-        Case its = block_in_square();
-        Safe safe(its);
+        Case setup = block_in_square();
+        Safe safe(setup);
         safe.safe_options.improve = 1;
         safe.safe_options.max_height_change = 1.05;
-        hm_status const status = safe.run(turn_of(its, angle * 180 / std::acos(-1.0)));
+        hm_status const status = safe.run(turn_of(setup, angle * 180 / std::acos(-1.0)));
         REQUIRE(status >= HM_OK);
         double const change =
             std::fmax(safe.report.max_height_ratio, 1 / safe.report.min_height_ratio);

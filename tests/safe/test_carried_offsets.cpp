@@ -1,7 +1,4 @@
 // Wall points beside their curve: a body that turns takes them along, and the mesh near them.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
 
@@ -18,21 +15,21 @@ Complex number(Vec2 z) { return {z.x, z.y}; }
 
 // A ring whose wall points are up to .01 beside the curve.
 Case rough_ring() {
-    Case its = ring_case(8, 32, 0.5, 2);
+    Case setup = ring_case(8, 32, 0.5, 2);
     // The curve is a circle through the points, nearly.
-    for (double& coordinate : its.curves.control) coordinate *= 0.5 / 0.445;
+    for (double& coordinate : setup.curves.control) coordinate *= 0.5 / 0.445;
     for (std::size_t k = 0; k < 32; ++k) {
-        double const factor = 1 + 0.02 * std::sin(7.0 * static_cast<double>(k));
-        its.mesh.x[k] *= factor;
-        its.mesh.y[k] *= factor;
+        double const factor = 1 + 0.02 * std::sin(7.0 * double(k));
+        setup.mesh.x[k] *= factor;
+        setup.mesh.y[k] *= factor;
     }
-    return its;
+    return setup;
 }
 
 struct Carried {
-    Carried(Case& its, std::vector<double> const& move, std::int32_t operator_kind = HM_CONFORMAL)
+    Carried(Case& setup, std::vector<double> const& move, std::int32_t operator_kind = HM_CONFORMAL)
         : options(options_of(operator_kind)),
-          solved(its, &options),
+          solved(setup, &options),
           plan(*reinterpret_cast<harmorph::Plan*>(solved.plan)),
           basis(harmorph::Basis::view(static_cast<void*>(solved.basis))) {
         auto const lay_out = [&](harmorph::Arena& arena) {
@@ -65,62 +62,61 @@ struct Carried {
 }  // namespace
 
 TEST_CASE("offsets are those of the points from their curve, and turn with the body") {
-    Case its = rough_ring();
+    Case setup = rough_ring();
     Complex const turn = std::polar(1.2, 0.7);
-    Carried of(its, similarity_move(its.curves, turn, 0, {0.1, 0.2}));
+    Carried carried(setup, similarity_move(setup.curves, turn, 0, {0.1, 0.2}));
     double largest = 0;
-    for (Index slot = 0; slot < of.carried.wall.count(); ++slot) {
-        Complex const e = of.start(slot) - of.on_curve(slot);
-        CHECK(std::abs(number(of.carried.wall[slot]) - e) < 1e-15);
+    for (Index slot = 0; slot < carried.carried.wall.count(); ++slot) {
+        Complex const e = carried.start(slot) - carried.on_curve(slot);
+        CHECK(std::abs(number(carried.carried.wall[slot]) - e) < 1e-15);
         for (double const t : {0.0, 0.3, 1.0}) {
-            harmorph::TurnAt turned(of.path, t);
-            Complex const by = number(of.carried.of_wall(of.basis, of.path, slot, turned));
+            harmorph::TurnAt turned(carried.path, t);
+            Complex const by =
+                number(carried.carried.of_wall(carried.basis, carried.path, slot, turned));
             CHECK(std::abs(by - (std::pow(turn, t) - 1.0) * e) < 1e-14);
         }
         largest = std::fmax(largest, std::abs((turn - 1.0) * e));
     }
     CHECK(largest > 1e-3);
-    CHECK(of.carried.largest(of.basis, of.path, 1) == doctest::Approx(largest).epsilon(1e-12));
-    CHECK(of.carried.reach > 0);
+    CHECK(carried.carried.largest(carried.basis, carried.path, 1) ==
+          doctest::Approx(largest).epsilon(1e-12));
+    CHECK(carried.carried.reach > 0);
 }
 
-TEST_CASE(
-    "nothing is carried by what turns nothing, by real functions, and where points are on their "
-    "curve") {
-    Case its = rough_ring();
-    std::vector<double> const turn = similarity_move(its.curves, std::polar(1.0, 0.7), 0, 0);
-    std::vector<double> const shift = similarity_move(its.curves, 1, 0, {0.1, 0.2});
-    Carried const shifted(its, shift), real(its, turn, HM_LAPLACE);
+TEST_CASE("offsets are zero without rotation, with real functions, and on the curve") {
+    Case setup = rough_ring();
+    std::vector<double> const turn = similarity_move(setup.curves, std::polar(1.0, 0.7), 0, 0);
+    std::vector<double> const shift = similarity_move(setup.curves, 1, 0, {0.1, 0.2});
+    Carried const shifted(setup, shift), real(setup, turn, HM_LAPLACE);
     CHECK(shifted.carried.largest(shifted.basis, shifted.path, 1) < 1e-15);
     CHECK(real.carried.reach == 0);
     CHECK(real.carried.largest(real.basis, real.path, 1) == 0);
     for (Index slot = 0; slot < 32; ++slot) {  // on the curve
-        auto const k = static_cast<std::size_t>(real.basis.wall_point[slot]);
-        its.mesh.x[k] = real.on_curve(slot).real();
-        its.mesh.y[k] = real.on_curve(slot).imag();
+        auto const k = std::size_t(real.basis.wall_point[slot]);
+        setup.mesh.x[k] = real.on_curve(slot).real();
+        setup.mesh.y[k] = real.on_curve(slot).imag();
     }
-    Carried const smooth(its, turn);
+    Carried const smooth(setup, turn);
     CHECK(smooth.carried.reach == 0);
 }
 
-TEST_CASE("inside, the similarity is carried near the wall and fades with the distance") {
-    Case its = rough_ring();
+TEST_CASE("the similarity is carried near the wall and fades inside with the distance") {
+    Case setup = rough_ring();
     Complex const turn = std::polar(1.0, 0.5);
-    Carried of(its, similarity_move(its.curves, turn, 0, 0));
-    std::size_t const n = its.mesh.x.size();
+    Carried move(setup, similarity_move(setup.curves, turn, 0, 0));
+    std::size_t const n = setup.mesh.x.size();
     std::vector<double> reached(2 * 8, 0.0), dx(n, 0.0), dy(n, 0.0);
     std::vector<Index> representative(n);
     std::vector<std::uint8_t> held(n, 0);
-    for (std::size_t k = 0; k < n; ++k) representative[k] = static_cast<Index>(k);
+    for (std::size_t k = 0; k < n; ++k) representative[k] = Index(k);
     for (std::int32_t const marker : {std::int32_t{body}, std::int32_t{far_field}})
-        for (std::int32_t const k : points_on(its.mesh, marker))
-            held[static_cast<std::size_t>(k)] = 1;
-    harmorph::Points const start = of.plan.mesh().points;
-    of.carried.find_groups(of.basis, of.path, start, of.plan.walls(), span(representative),
-                           span(held), {});
-    of.carried.find(of.basis, span(reached), start, span(representative), {});
-    of.carried.add(of.path, 0, 1, {dx.data(), dy.data(), 1}, {});
-    Field const of_control = displacement(of.solved, its.curves.control);  // sum of F_i P_i
+        for (std::int32_t const k : points_on(setup.mesh, marker)) held[std::size_t(k)] = 1;
+    harmorph::Points const start = move.plan.mesh().points;
+    move.carried.find_groups(move.basis, move.path, start, move.plan.walls(), span(representative),
+                             span(held), {});
+    move.carried.find(move.basis, span(reached), start, span(representative), {});
+    move.carried.add(move.path, 0, 1, {dx.data(), dy.data(), 1}, {});
+    Field const of_control = displacement(move.solved, setup.curves.control);  // sum of F_i P_i
     int carried = 0;
     for (std::size_t k = 0; k < n; ++k) {
         Complex const by(dx[k], dy[k]);
@@ -128,17 +124,17 @@ TEST_CASE("inside, the similarity is carried near the wall and fades with the di
             CHECK(by == 0.0);
             continue;
         }
-        Complex const z(its.mesh.x[k], its.mesh.y[k]);
+        Complex const z(setup.mesh.x[k], setup.mesh.y[k]);
         double distance = 1e9;
         for (std::size_t face = 0; face < 32; ++face) {
             std::size_t const next = (face + 1) % 32;
-            Complex const a(its.mesh.x[face], its.mesh.y[face]),
-                b(its.mesh.x[next], its.mesh.y[next]);
+            Complex const a(setup.mesh.x[face], setup.mesh.y[face]),
+                b(setup.mesh.x[next], setup.mesh.y[next]);
             double const s = std::fmin(
                 std::fmax(((z - a) * std::conj(b - a)).real() / std::norm(b - a), 0.0), 1.0);
             distance = std::fmin(distance, std::abs(z - a - s * (b - a)));
         }
-        double const r = distance / of.carried.reach,
+        double const r = distance / move.carried.reach,
                      fade = r < 1 ? (1 - r) * (1 - r) * (1 + 2 * r) : 0;
         CHECK(std::abs(by - (turn - 1.0) * fade * (z - of_control[k])) < 1e-12);
         carried += fade > 0 ? 1 : 0;

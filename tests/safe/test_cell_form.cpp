@@ -16,12 +16,10 @@ using harmorph::Vec2;
 
 namespace {
 
-double random_number(std::mt19937& random) {
-    return static_cast<double>(random()) / 2147483648.0 - 1;
-}
+double random_number(std::mt19937& random) { return double(random()) / 2147483648.0 - 1; }
 Vec2 random_vector(std::mt19937& random) { return {random_number(random), random_number(random)}; }
 
-// Derivatives do not see that all points move together: their sum over the points is 0.
+// Derivatives do not change when all points move together: their sum over the points is 0.
 void make_derivative(std::mt19937& random, Vec2 (&at)[3]) {
     at[0] = random_vector(random);
     at[2] = random_vector(random);
@@ -34,9 +32,9 @@ struct Term {
 
     explicit Term(std::mt19937& random) {
         make_derivative(random, gradient);
-        for (CornerMode& its : mode) {
-            make_derivative(random, its.at);
-            its.curvature = 1 + random_number(random);
+        for (CornerMode& one : mode) {
+            make_derivative(random, one.at);
+            one.curvature = 1 + random_number(random);
         }
     }
 };
@@ -60,9 +58,9 @@ void check(Vec2 turn, bool is_passage, unsigned seed) {
     Vec2 by[n];
     Block hessian[n][n];
     Vec2 turn_of_point[n];
-    for (Vec2& its : turn_of_point) {
+    for (Vec2& point_turn : turn_of_point) {
         double const angle = random_number(random);
-        its = {std::cos(angle), std::sin(angle)};
+        point_turn = {std::cos(angle), std::sin(angle)};
     }
     harmorph::Cell cell{n, {}};
     for (Index k = 0; k < n; ++k) cell.point[k] = n - 1 - k;
@@ -71,22 +69,22 @@ void check(Vec2 turn, bool is_passage, unsigned seed) {
         Index const point[3] = {(own + n - 1) % n, own, (own + 1) % n};
         CornerForm corner;
         auto const add = [&](double curvature, const Vec2(&at)[3], bool is_gradient) {
-            Vec2 its[3] = {at[0], at[1], at[2]};
-            turn_back(turn, its);
+            Vec2 turned[3] = {at[0], at[1], at[2]};
+            turn_back(turn, turned);
             for (int k = 0; k < 3 && is_passage; ++k) {
-                its[k] = product(conjugate(turn_of_point[cell.point[point[k]]]), its[k]);
+                turned[k] = product(conjugate(turn_of_point[cell.point[point[k]]]), turned[k]);
             }
             for (int k = 0; k < 3; ++k) {
-                if (is_gradient) by[point[k]] = by[point[k]] + its[k];
+                if (is_gradient) by[point[k]] = by[point[k]] + turned[k];
                 for (int other = 0; other < 3 && !is_gradient; ++other) {
-                    hessian[point[k]][point[other]].add(curvature, its[k], its[other]);
+                    hessian[point[k]][point[other]].add(curvature, turned[k], turned[other]);
                 }
             }
         };
         for (int terms = 0; terms < 2; ++terms) {
             Term const term(random);
             add(0, term.gradient, true);
-            for (CornerMode const& its : term.mode) add(its.curvature, its.at, false);
+            for (CornerMode const& one : term.mode) add(one.curvature, one.at, false);
             corner.add(term.gradient, term.mode);
         }
         corner.turn_back_side(turn);
@@ -104,7 +102,7 @@ void check(Vec2 turn, bool is_passage, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("cell form: the sum over all corners, with turned sides and turned points") {
+TEST_CASE("the cell form is the sum over all corners, with turned sides and turned points") {
     double const half = std::sqrt(0.5);
     for (unsigned seed = 1; seed < 20; ++seed)
         for (bool const is_passage : {false, true})

@@ -1,7 +1,5 @@
 // Movements that are possible, on meshes with traits that have made them look impossible; and
 // impossible ones.
-#include <doctest/doctest.h>
-
 #include "measure/deform/seeds.hpp"
 
 #include <fixtures/channels.hpp>
@@ -17,13 +15,12 @@ double const pi = std::acos(-1.0);
 // Smooth and random; 0 at both ends of an open curve, or periodic.
 std::vector<double> smooth_move(std::int32_t n, double size, unsigned seed) {
     std::mt19937 random(seed);
-    std::vector<double> move(2 * static_cast<std::size_t>(n), 0.0);
+    std::vector<double> move(2 * std::size_t(n), 0.0);
     for (int wave = 1; wave <= 4; ++wave)
         for (std::size_t side = 0; side < 2; ++side) {
             double const amount = size * (2 * uniform(random) - 1) / wave * (side == 0 ? 0.2 : 1);
-            for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
-                move[2 * k + side] +=
-                    amount * std::sin(pi * wave * static_cast<double>(k) / (n - 1));
+            for (std::size_t k = 0; k < std::size_t(n); ++k)
+                move[2 * k + side] += amount * std::sin(pi * wave * double(k) / (n - 1));
         }
     move[move.size() - 2] = move[move.size() - 1] = 0;  // and not the rounding of a sine
     return move;
@@ -40,13 +37,13 @@ double start_quality(Safe const& safe) {
 
 }  // namespace
 
-TEST_CASE("a piece of a channel's floor, its ends held: the ends stay where they are on the way") {
+TEST_CASE("the ends of a piece of a channel's floor stay where they are on the way") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
-        Case its = channel(20, 24, 1e-5, 40, kind);
-        Safe safe(its);
+        Case setup = channel(20, 24, 1e-5, 40, kind);
+        Safe safe(setup);
         safe.safe_options.min_quality = 0;
-        std::int32_t const corners[] = {points_on(its.mesh, body).front(),
-                                        points_on(its.mesh, body).back()};
+        std::int32_t const corners[] = {points_on(setup.mesh, body).front(),
+                                        points_on(setup.mesh, body).back()};
         for (unsigned const seed : {1u, 2u, 3u, 4u}) {
             INFO("seed " << seed << ": " << safe.report.step_fraction << ", " << safe.error.text);
             std::vector<double> const move = smooth_move(40, 0.6, seed);
@@ -55,17 +52,16 @@ TEST_CASE("a piece of a channel's floor, its ends held: the ends stay where they
             CHECK(safe.report.step_fraction == 1);
             CHECK(safe.is_valid());
             CHECK(safe.boundary_error(move) < 1e-14);
-            // As far as one solution more leads: both ends are where they were, to the bit.
+            // Without further solutions the morph makes one step, and both ends are where they
+            // were, to the bit.
             safe.safe_options.max_resolves = -1;
             safe.safe_options.skipped_strategies =
                 without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});
             REQUIRE(safe.run(move) == HM_SHORT);
             CHECK(safe.report.steps == 1);
             for (std::int32_t const k : corners) {
-                CHECK(safe.x[static_cast<std::size_t>(k)] ==
-                      its.mesh.x[static_cast<std::size_t>(k)]);
-                CHECK(safe.y[static_cast<std::size_t>(k)] ==
-                      its.mesh.y[static_cast<std::size_t>(k)]);
+                CHECK(safe.x[std::size_t(k)] == setup.mesh.x[std::size_t(k)]);
+                CHECK(safe.y[std::size_t(k)] == setup.mesh.y[std::size_t(k)]);
             }
             safe.safe_options.max_resolves = 0;
             safe.safe_options.skipped_strategies = 0;
@@ -73,13 +69,13 @@ TEST_CASE("a piece of a channel's floor, its ends held: the ends stay where they
     }
 }
 
-TEST_CASE("the wall of a nozzle from corner to corner, its axis sliding") {
-    Case its = nozzle(40, 20, 1e-4, 16);
-    Safe safe(its);
+TEST_CASE("the wall of a nozzle moves from corner to corner while its axis slides") {
+    Case setup = nozzle(40, 20, 1e-4, 16);
+    Safe safe(setup);
     safe.safe_options.min_quality = 0;
     std::vector<double> move(32, 0.0);
     for (std::size_t k = 0; k < 16; ++k) {
-        double const x = its.curves.control[2 * k] / 2;
+        double const x = setup.curves.control[2 * k] / 2;
         move[2 * k + 1] = -0.3 * std::pow(std::sin(pi * x), 2) + 0.08 * std::sin(2 * pi * x);
     }
     CHECK(safe.admissible(move) < 1);
@@ -87,18 +83,17 @@ TEST_CASE("the wall of a nozzle from corner to corner, its axis sliding") {
     CHECK(safe.is_valid());
     CHECK(safe.report.min_quality > 0.2);
     CHECK(safe.report.resolves <= 6);
-    for (std::int32_t const k : points_on(its.mesh, bottom))
-        CHECK(safe.y[static_cast<std::size_t>(k)] == 0);
+    for (std::int32_t const k : points_on(setup.mesh, bottom)) CHECK(safe.y[std::size_t(k)] == 0);
     for (std::size_t k = 1; k < 32; k += 2) move[k] *= 2;  // the throat below the axis
     CHECK(safe.run(move) == HM_CROSSING);
     CHECK(safe.untouched());
 }
 
-TEST_CASE("slat, main and flap turned by 20, -20 and 10 degrees") {
-    Case its = three_elements();
-    std::vector<double> const move = turn_each(its.curves, {20, -20, 10});
+TEST_CASE("slat, main element and flap turn by 20, -20 and 10 degrees") {
+    Case setup = three_elements();
+    std::vector<double> const move = turn_each(setup.curves, {20, -20, 10});
     for (std::int32_t const kind : {HM_CONFORMAL, HM_LAPLACE}) {
-        Safe safe(its, options_of(kind));
+        Safe safe(setup, options_of(kind));
         CHECK(safe.admissible(move) < 0.5);
         REQUIRE(safe.run(move) == HM_OK);
         CHECK(safe.is_valid());
@@ -106,13 +101,13 @@ TEST_CASE("slat, main and flap turned by 20, -20 and 10 degrees") {
     }
 }
 
-TEST_CASE("a periodic cascade translated by half a chord and by half a pitch: its sides follow") {
+TEST_CASE("the sides of a periodic cascade follow translations by half a chord and half a pitch") {
     for (Cells const kind : {Cells::quads, Cells::triangles})
         for (Complex const shift : {Complex(0.15, 0), Complex(0, 0.5), Complex(-0.15, -0.5)}) {
-            Case its = plate_cascade(8, kind);
-            Safe safe(its);
+            Case setup = plate_cascade(8, kind);
+            Safe safe(setup);
             safe.safe_options.min_quality = 0;
-            std::vector<double> const move = similarity_move(its.curves, 1, 0, shift);
+            std::vector<double> const move = similarity_move(setup.curves, 1, 0, shift);
             REQUIRE(safe.run(move) == HM_OK);
             CHECK(safe.is_valid());
             CHECK(safe.report.resolves <= 6);
@@ -122,9 +117,7 @@ TEST_CASE("a periodic cascade translated by half a chord and by half a pitch: it
 
 // Every movement that crosses no wall ends at the target, with the quality asked for and six
 // solutions at most.
-TEST_CASE(
-    "seeded movements of a channel's floor by up to half the channel, and of a cascade by up to "
-    "half a pitch") {
+TEST_CASE("random movements of half a channel's floor and of a cascade by half a pitch are safe") {
     Case floor = channel(14, 16, 0.004, 20), row;
     // Markers in the order of the file: blade, inlet, lower, outlet, upper.
     row.mesh = read_su2("tests/meshes/cascade.su2");
@@ -153,29 +146,28 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "a coarse fit under a thin first layer: a body that turns takes its points along, and heights "
-    "are kept") {
-    Case its;
+TEST_CASE("a body turns with its points and heights, also where a fit is coarse") {
+    Case setup;
     Outline const outline = naca4({}, 40);
-    its.mesh = o_mesh(outline, stretched(1e-6, 8, 40));
-    its.curves = fitted_loop(outline.points, 12);
-    its.put_on_curves(body);
-    Safe safe(its);
+    setup.mesh = o_mesh(outline, stretched(1e-6, 8, 40));
+    setup.curves = fitted_loop(outline.points, 12);
+    setup.put_on_curves(body);
+    Safe safe(setup);
     safe.safe_options.min_quality = 0;
     REQUIRE(safe.solved().report.max_distance > 1e-4);  // a hundred first layers
     for (double const degrees : {45.0, 170.0}) {
         Complex const turn = std::polar(1.0, degrees * pi / 180), centre(0.25, 0);
-        std::vector<double> const move = similarity_move(its.curves, turn, centre);
+        std::vector<double> const move = similarity_move(setup.curves, turn, centre);
         REQUIRE(safe.run(move) == HM_OK);
         CHECK(safe.is_valid());
         CHECK(safe.report.min_height_ratio > 0.9999);
         CHECK(safe.report.max_height_ratio < 1.0001);
         CHECK(safe.report.max_angle_change < 0.01);
         CHECK(safe.report.min_quality > 0.9 * start_quality(safe));
-        for (std::int32_t const k : points_on(its.mesh, body)) {  // the wall is the start's, turned
-            std::size_t const point = static_cast<std::size_t>(k);
-            Complex const start(its.mesh.x[point], its.mesh.y[point]);
+        for (std::int32_t const k :
+             points_on(setup.mesh, body)) {  // the wall is the start's, turned
+            std::size_t const point = std::size_t(k);
+            Complex const start(setup.mesh.x[point], setup.mesh.y[point]);
             CHECK(std::abs(Complex(safe.x[point], safe.y[point]) -
                            (centre + turn * (start - centre))) < 1e-13);
         }
@@ -183,16 +175,14 @@ TEST_CASE(
               doctest::Approx(std::abs(turn - 1.0) * safe.solved().report.max_distance)
                   .epsilon(1e-3));
     }
-    // What turns nothing is the B-spline's movement alone.
-    std::vector<double> const shift = similarity_move(its.curves, 1, 0, {0.1, 0.2});
+    // A movement without rotation is the B-spline's movement alone.
+    std::vector<double> const shift = similarity_move(setup.curves, 1, 0, {0.1, 0.2});
     REQUIRE(safe.run(shift) == HM_OK);
     CHECK(safe.report.turned_offset < 1e-15);
     CHECK(safe.boundary_error(shift) < 1e-15);
 }
 
-TEST_CASE(
-    "heights are restored as far as the smallest quality permits, and the report says how far that "
-    "is") {
+TEST_CASE("heights are restored as far as quality permits, and the report says how far") {
     Case floor = channel(14, 16, 0.004, 20), airfoil;
     airfoil.mesh = o_mesh(naca4({}, 40), stretched(1e-4, 8, 40));
     airfoil.curves = fitted_loop(naca4({}, 40).points, 20);
@@ -219,7 +209,7 @@ TEST_CASE(
                  << ", seed " << seed << ", restored " << safe.report.heights);
             CHECK(safe.is_valid());
             CHECK(safe.report.min_quality >= 0.5 * without);
-            // What was asked for, and had without the heights, is not given up for them.
+            // A quality that is reached without the heights is not given up for them.
             safe.safe_options.min_quality =
                 std::min(1.0, 0.95 * without / safe.report.start_quality);
             CHECK(safe.run(move) == HM_OK);
@@ -233,22 +223,21 @@ TEST_CASE(
     CHECK(restored > 0);
 }
 
-TEST_CASE(
-    "a wall whose end leaves the line beside it: where the mesh stops there, the end is named") {
+TEST_CASE("a wall that ends beside a fixed line is stopped there, and the end is named") {
     int named = 0;
     for (bool const slips : {false, true}) {
-        Case its = channel(14, 16, 0.004, 12);
-        if (slips) its.set_slip(bottom);
-        std::vector<std::int32_t> const wall = points_on(its.mesh, body);
-        Safe safe(its);
+        Case setup = channel(14, 16, 0.004, 12);
+        if (slips) setup.set_slip(bottom);
+        std::vector<std::int32_t> const wall = points_on(setup.mesh, body);
+        Safe safe(setup);
         safe.safe_options.max_resolves = -1;
         safe.safe_options.skipped_strategies =
             1 << HM_STRATEGY_UNTANGLED | 1 << HM_STRATEGY_IMPROVED;
         for (Complex const by :
              {Complex(0, 0.3), Complex(0, -0.3), Complex(0.2, 0.5), Complex(-0.2, 0.1)}) {
-            std::vector<double> move(its.curves.control.size());
+            std::vector<double> move(setup.curves.control.size());
             for (std::size_t k = 0; k < 12; ++k) {  // the left end moves most
-                double const part = 1 - static_cast<double>(k) / 11;
+                double const part = 1 - double(k) / 11;
                 move[2 * k] = part * by.real();
                 move[2 * k + 1] = part * by.imag();
             }
@@ -260,37 +249,37 @@ TEST_CASE(
             CHECK(safe.report.end_point == safe.error.item);
             CHECK(safe.report.end_leaves == doctest::Approx(std::fabs(by.imag())));
             CHECK(std::find(wall.begin(), wall.end(), safe.error.item) != wall.end());
-            auto const end = static_cast<std::size_t>(safe.error.item);
-            CHECK(its.mesh.x[end] == 1);
-            CHECK(its.mesh.y[end] == 0);
+            auto const end = std::size_t(safe.error.item);
+            CHECK(setup.mesh.x[end] == 1);
+            CHECK(setup.mesh.y[end] == 0);
         }
     }
     CHECK(named > 0);
 }
 
 // A wedge behind a line of symmetry: a grid whose lower side rises from x = 1 on.
-TEST_CASE("the end of a wall leaves the line that points slide along: they make room") {
+TEST_CASE("points on a slip line make room for the end of a wall that leaves the line") {
     constexpr int n_y = 15, n_line = 12, n_control = 6;
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
-        Case its = channel(10, n_y, 0.03, n_control, kind);
-        Mesh& mesh = its.mesh;
+        Case setup = channel(10, n_y, 0.03, n_control, kind);
+        Mesh& mesh = setup.mesh;
         for (std::size_t k = 0; k < mesh.x.size(); ++k) {
             double const floor = std::fmax(0, 0.25 * (mesh.x[k] * 2.5 / 3 - 1));
             mesh.x[k] *= 2.5 / 3;
             mesh.y[k] = floor + mesh.y[k] * (1.5 - floor);
         }
         for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
-            auto const at = static_cast<std::size_t>(mesh.faces[2 * face]);
+            auto const at = std::size_t(mesh.faces[2 * face]);
             if (mesh.face_markers[face] == body || mesh.face_markers[face] == bottom)
                 mesh.face_markers[face] = at < n_line ? std::int32_t{bottom} : std::int32_t{body};
         }
-        its.curves = straight_wall(1, 2.5, 0, n_control);
+        setup.curves = straight_wall(1, 2.5, 0, n_control);
         for (std::size_t k = 0; k < n_control; ++k)
-            its.curves.control[2 * k + 1] = 0.25 * (its.curves.control[2 * k] - 1);
-        its.set_slip(bottom);
-        its.set_slip(top);
-        its.set_slip(right);
-        Safe safe(its);
+            setup.curves.control[2 * k + 1] = 0.25 * (setup.curves.control[2 * k] - 1);
+        setup.set_slip(bottom);
+        setup.set_slip(top);
+        setup.set_slip(right);
+        Safe safe(setup);
         struct {
             double dx, dy;
             std::size_t moved;  // control points, from the wall's first end on
@@ -299,7 +288,7 @@ TEST_CASE("the end of a wall leaves the line that points slide along: they make 
                          {0, -0.4, 1, 0.4},   {0, -0.4, 5, 0.4},   {-0.3, 0, 6, 0.3},
                          {-0.3, 0.2, 6, 0.3}, {-0.3, 0, 1, 0},     {0.3, 0, 1, 0}};
         for (auto const& one : all) {
-            INFO("cells " << static_cast<int>(kind) << ", by " << one.dx << " " << one.dy << " of "
+            INFO("cells " << int(kind) << ", by " << one.dx << " " << one.dy << " of "
                           << one.moved);
             std::vector<double> move(2 * n_control, 0.0);
             for (std::size_t k = 0; k < one.moved; ++k) {
@@ -315,7 +304,7 @@ TEST_CASE("the end of a wall leaves the line that points slide along: they make 
     }
 }
 
-TEST_CASE("impossible targets are refused at once, with the place, and nothing is written") {
+TEST_CASE("impossible targets are refused at once with the place, and nothing is written") {
     auto const refused = [](Safe& safe, std::vector<double> const& move, const char* why) {
         CHECK(safe.run(move) == HM_CROSSING);
         CHECK(safe.untouched());

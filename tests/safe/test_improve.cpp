@@ -1,6 +1,4 @@
 // Improving valid meshes: better cells, walls as they were, and never an inverted one.
-#include <doctest/doctest.h>
-
 #include <fixtures/annulus.hpp>
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/airfoil.hpp>
@@ -30,7 +28,7 @@ struct Task {
     std::vector<Vec2> line;
 
     explicit Task(Mesh const& mesh) : reference(mesh), now(mesh), held(mesh.x.size(), 0) {
-        for (std::int32_t const point : mesh.faces) held[static_cast<std::size_t>(point)] = 1;
+        for (std::int32_t const point : mesh.faces) held[std::size_t(point)] = 1;
     }
     // Inner points are thrown about by up to `part` of what keeps every corner positive, with the
     // given seed.
@@ -48,12 +46,12 @@ struct Improved {
     Improvement improvement;
     harmorph::FaceDistance walls;
 
-    explicit Improved(Task const& its, harmorph::Executor const& executor = {}, bool runs = true,
+    explicit Improved(Task const& task, harmorph::Executor const& executor = {}, bool runs = true,
                       ImproveOptions const& options = {})
-        : mesh(its.now), analysed(its.reference), view(core_mesh(its.reference)) {
+        : mesh(task.now), analysed(task.reference), view(core_mesh(task.reference)) {
         auto const counts = harmorph::RegionCounts::of(analysed->topology());
         auto const lay_out = [&](harmorph::Arena& arena) {
-            walls.lay_out(arena, its.reference.face_markers.size());
+            walls.lay_out(arena, task.reference.face_markers.size());
             improvement.lay_out(arena, counts);
         };
         harmorph::Arena query;
@@ -69,8 +67,8 @@ struct Improved {
                               view.points,
                               analysed->topology().reversed,
                               analysed->topology().representative,
-                              span(its.held),
-                              span(its.line)};
+                              span(task.held),
+                              span(task.line)};
         improvement.executor = executor;
         improvement.targets.find(analysed->topology(), walls, view.points, at(), executor);
         before = quality();
@@ -79,10 +77,10 @@ struct Improved {
         after = quality();
         CHECK(block->guards_intact());
         CHECK(after.inverted == 0);
-        for (std::size_t k = 0; k < its.held.size(); ++k) {
-            if (its.held[k] == 0) continue;
-            CHECK(mesh.x[k] == its.now.x[k]);
-            CHECK(mesh.y[k] == its.now.y[k]);
+        for (std::size_t k = 0; k < task.held.size(); ++k) {
+            if (task.held[k] == 0) continue;
+            CHECK(mesh.x[k] == task.now.x[k]);
+            CHECK(mesh.y[k] == task.now.y[k]);
         }
     }
     harmorph::Points at() const { return {mesh.x.data(), mesh.y.data(), 1}; }
@@ -94,16 +92,16 @@ struct Improved {
 
 // The inner circle turns and what is between shears: valid, but poor.
 Task sheared_annulus(Cells kind, double angle) {
-    Task its(annulus(12, 36, 0.5, 2, kind, true));
-    for (std::size_t k = 0; k < its.held.size(); ++k) {
-        double const radius = std::hypot(its.now.x[k], its.now.y[k]),
+    Task task(annulus(12, 36, 0.5, 2, kind, true));
+    for (std::size_t k = 0; k < task.held.size(); ++k) {
+        double const radius = std::hypot(task.now.x[k], task.now.y[k]),
                      turn = angle * (2 - radius) / 1.5;
-        double const c = std::cos(turn), s = std::sin(turn), x = its.reference.x[k],
-                     y = its.reference.y[k];
-        its.now.x[k] = c * x - s * y;
-        its.now.y[k] = s * x + c * y;
+        double const c = std::cos(turn), s = std::sin(turn), x = task.reference.x[k],
+                     y = task.reference.y[k];
+        task.now.x[k] = c * x - s * y;
+        task.now.y[k] = s * x + c * y;
     }
-    return its;
+    return task;
 }
 
 double farthest(Mesh const& a, Mesh const& b) {
@@ -115,7 +113,7 @@ double farthest(Mesh const& a, Mesh const& b) {
 
 }  // namespace
 
-TEST_CASE("a mesh that is its own target does not move, not a bit, however bad it is") {
+TEST_CASE("a mesh that is its own target does not change in any bit, however bad the mesh is") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Mesh mesh = square(12, kind);
         perturb(mesh, 0.6, 3);
@@ -125,22 +123,22 @@ TEST_CASE("a mesh that is its own target does not move, not a bit, however bad i
     }
 }
 
-TEST_CASE("points that were thrown about find back to the mesh that was their target") {
+TEST_CASE("displaced points return to the mesh that was their target") {
     for (Cells const kind : {Cells::triangles, Cells::hybrid}) {
-        Task its(square(12, kind));
-        its.scatter(0.5, 4);
+        Task task(square(12, kind));
+        task.scatter(0.5, 4);
         ImproveOptions options;
         options.least_gain = 1e-12;
         options.most_products = 500;
-        Improved const out(its, {}, true, options);
+        Improved const out(task, {}, true, options);
         INFO(out.before.min_quality << " " << out.after.min_quality << " "
                                     << out.report.iterations);
-        CHECK(farthest(its.now, its.reference) > 0.02);
-        CHECK(farthest(out.mesh, its.reference) < 1e-5);
+        CHECK(farthest(task.now, task.reference) > 0.02);
+        CHECK(farthest(out.mesh, task.reference) < 1e-5);
     }
 }
 
-TEST_CASE("sheared rings: the smallest quality rises") {
+TEST_CASE("the smallest quality of sheared rings rises") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Improved const out(sheared_annulus(kind, 1.2));
         INFO(out.before.min_quality << " " << out.before.mean_quality() << " "
@@ -149,27 +147,27 @@ TEST_CASE("sheared rings: the smallest quality rises") {
     }
 }
 
-TEST_CASE("where a cell is not good enough at the end, only points near it move, until it is") {
+TEST_CASE("only points near a cell that is not good enough move, until it is") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
-        Task its(square(40, kind));
+        Task task(square(40, kind));
         std::size_t const middle = 20 * 41 + 20;  // its cells are still valid
-        its.now.x[middle] += 0.95 / 40;
+        task.now.x[middle] += 0.95 / 40;
         ImproveOptions options;
         options.most_iterations = 0;
-        Improved const still(its, {}, true, options);
-        CHECK(still.same_bits(its.now));
+        Improved const still(task, {}, true, options);
+        CHECK(still.same_bits(task.now));
         CHECK(still.before.min_quality < 0.75);
         options.enough = 0.75;
-        Improved const out(its, {}, true, options);
+        Improved const out(task, {}, true, options);
         INFO(out.before.min_quality << " " << out.after.min_quality << " "
                                     << out.report.iterations);
         CHECK(out.after.min_quality >= 0.75);
         int n_moved = 0, n_far = 0;
         for (std::size_t k = 0; k < out.mesh.x.size(); ++k) {
-            if (out.mesh.x[k] == its.now.x[k] && out.mesh.y[k] == its.now.y[k]) continue;
+            if (out.mesh.x[k] == task.now.x[k] && out.mesh.y[k] == task.now.y[k]) continue;
             ++n_moved;
-            double const dx = its.reference.x[k] - its.reference.x[middle],
-                         dy = its.reference.y[k] - its.reference.y[middle];
+            double const dx = task.reference.x[k] - task.reference.x[middle],
+                         dy = task.reference.y[k] - task.reference.y[middle];
             n_far += std::fmax(std::fabs(dx), std::fabs(dy)) > 8.5 / 40 ? 1 : 0;
         }
         CHECK(n_moved > 1);
@@ -178,8 +176,8 @@ TEST_CASE("where a cell is not good enough at the end, only points near it move,
 }
 
 TEST_CASE("every step lowers the energy of its power and leaves no cell inverted") {
-    Task its = sheared_annulus(Cells::hybrid, 1.5);
-    Improved out(its, {}, false);
+    Task task = sheared_annulus(Cells::hybrid, 1.5);
+    Improved out(task, {}, false);
     out.improvement.begin(out.at());
     int steps = 0;
     for (Index const power : Improvement::powers) {
@@ -197,11 +195,11 @@ TEST_CASE("every step lowers the energy of its power and leaves no cell inverted
     CHECK(steps > 12);
 }
 
-TEST_CASE("the gradient is that of the energy, where targets depend on the mesh too") {
-    Task its(annulus(10, 30, 1, 1.8, Cells::hybrid));
-    its.scatter(0.2, 6);
-    for (std::size_t k = 0; k < 30; ++k) its.now.x[k] *= 0.98;
-    Improved out(its, {}, false);
+TEST_CASE("the gradient is that of the energy, also where targets depend on the mesh") {
+    Task task(annulus(10, 30, 1, 1.8, Cells::hybrid));
+    task.scatter(0.2, 6);
+    for (std::size_t k = 0; k < 30; ++k) task.now.x[k] *= 0.98;
+    Improved out(task, {}, false);
     for (Index const power : Improvement::powers) {
         out.improvement.begin(out.at());
         double const energy = out.improvement.energy(power);
@@ -211,7 +209,7 @@ TEST_CASE("the gradient is that of the energy, where targets depend on the mesh 
         double largest = 0;
         for (Vec2 const by : gradient) largest = std::fmax(largest, length(by));
         for (Index u = 0; u < out.improvement.region.n; u += 17) {
-            auto const point = static_cast<std::size_t>(out.improvement.region.point[u]);
+            auto const point = std::size_t(out.improvement.region.point[u]);
             auto const slope = [&](double& number) {
                 double const old = number, h = 1e-7;
                 number = old + h;
@@ -223,18 +221,16 @@ TEST_CASE("the gradient is that of the energy, where targets depend on the mesh 
                 number = old;
                 return (ahead - behind) / (2 * h);
             };
-            Vec2 const by = gradient[static_cast<std::size_t>(u)];
+            Vec2 const by = gradient[std::size_t(u)];
             CHECK(std::fabs(by.x - slope(out.mesh.x[point])) < 1e-5 * largest);
             CHECK(std::fabs(by.y - slope(out.mesh.y[point])) < 1e-5 * largest);
         }
     }
 }
 
-TEST_CASE(
-    "turned, moved and scaled meshes are improved in the same way, and a power of two changes no "
-    "bit") {
-    Task const its = sheared_annulus(Cells::hybrid, 1.2);
-    Improved const expected(its);
+TEST_CASE("turned, moved and scaled meshes are improved alike, and a power of two changes no bit") {
+    Task const task = sheared_annulus(Cells::hybrid, 1.2);
+    Improved const expected(task);
     struct Similarity {
         double scale, angle, x, y;
     };
@@ -250,9 +246,9 @@ TEST_CASE(
             }
             return out;
         };
-        Task moved = its;
-        moved.reference = image(its.reference);
-        moved.now = image(its.now);
+        Task moved = task;
+        moved.reference = image(task.reference);
+        moved.now = image(task.now);
         Improved const found(moved);
         CHECK(found.report.iterations == expected.report.iterations);
         CHECK(farthest(found.mesh, image(expected.mesh)) < 1e-8 * by.scale);
@@ -260,9 +256,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "other numberings, cells that start elsewhere and mixed orientation give the same mesh but for "
-    "rounding") {
+TEST_CASE("numbering, first corners and orientation change an improved mesh by rounding only") {
     Task const plain = sheared_annulus(Cells::hybrid, 1.2);
     Improved const expected(plain);
     for (unsigned seed = 1; seed <= 3; ++seed) {
@@ -273,74 +267,72 @@ TEST_CASE(
             rotate_starts(*mesh, seed);
             reverse_some(*mesh, seed);
         }
-        Task its(reference);
-        its.now = now;
-        Improved const out(its);
+        Task task(reference);
+        task.now = now;
+        Improved const out(task);
         CHECK(farthest(out.mesh, wanted) < 1e-6);
     }
 }
 
-TEST_CASE("improving: the number of threads changes no bit") {
-    Task const its = sheared_annulus(Cells::hybrid, 1.2);
-    Improved const expected(its);
+TEST_CASE("the number of threads changes no bit of an improved mesh") {
+    Task const task = sheared_annulus(Cells::hybrid, 1.2);
+    Improved const expected(task);
     for (std::int32_t const threads : {2, 3, 8}) {
         Backwards order;
-        CHECK(Improved(its, {Backwards::run, &order, threads}).same_bits(expected.mesh));
+        CHECK(Improved(task, {Backwards::run, &order, threads}).same_bits(expected.mesh));
         CHECK(order.tasks > 100);
     }
 }
 
-TEST_CASE("improving: the points of a cut move as one") {
+TEST_CASE("the points of a cut are improved as one") {
     CMesh const c = c_mesh(naca4({}, 24), 12, 3, stretched(1e-2, 4, 16));
-    Task its(c.mesh);
-    std::size_t const ni = static_cast<std::size_t>(c.ni);
+    Task task(c.mesh);
+    std::size_t const ni = std::size_t(c.ni);
     for (std::size_t k = 4; k < 8; ++k) {  // both copies of four points in the wake
-        for (std::size_t const point : {k, ni - 1 - k}) its.now.y[point] += 0.004;
+        for (std::size_t const point : {k, ni - 1 - k}) task.now.y[point] += 0.004;
     }
-    Improved const out(its);
+    Improved const out(task);
     bool moved = false;
     for (std::size_t k = 0; k < 12; ++k) {
         CHECK(out.mesh.x[k] == out.mesh.x[ni - 1 - k]);
         CHECK(out.mesh.y[k] == out.mesh.y[ni - 1 - k]);
-        moved = moved || out.mesh.y[k] != its.now.y[k];
+        moved = moved || out.mesh.y[k] != task.now.y[k];
     }
     CHECK(moved);
 }
 
-TEST_CASE(
-    "points that slide along an inclined line stay on it, and slide to better places than points "
-    "that are held") {
+TEST_CASE("points that slide along an inclined line stay on the line and find better places") {
     double const c = std::cos(0.4), s = std::sin(0.4);
-    Task its(square(10, Cells::hybrid));
-    its.line.assign(its.held.size(), Vec2{});
+    Task task(square(10, Cells::hybrid));
+    task.line.assign(task.held.size(), Vec2{});
     std::vector<std::size_t> sliding;
-    for (std::size_t k = 0; k < its.held.size(); ++k) {
-        double const x = its.reference.x[k], y = its.reference.y[k];
-        its.now.x[k] =
+    for (std::size_t k = 0; k < task.held.size(); ++k) {
+        double const x = task.reference.x[k], y = task.reference.y[k];
+        task.now.x[k] =
             x + (y < 1 ? 0 : 0.25 * x * (1 - x));  // the top is squeezed to the right, and slides
         if (y == 1 && x > 0 && x < 1) {
-            its.held[k] = 0;
-            its.line[k] = {c, s};
+            task.held[k] = 0;
+            task.line[k] = {c, s};
             sliding.push_back(k);
         }
     }
-    for (Mesh* const mesh : {&its.reference, &its.now}) {
-        for (std::size_t k = 0; k < its.held.size(); ++k) {
+    for (Mesh* const mesh : {&task.reference, &task.now}) {
+        for (std::size_t k = 0; k < task.held.size(); ++k) {
             double const x = mesh->x[k], y = mesh->y[k];
             mesh->x[k] = c * x - s * y;
             mesh->y[k] = s * x + c * y;
         }
     }
-    Task held = its;
+    Task held = task;
     for (std::size_t const k : sliding) held.held[k] = 1;
     held.line.clear();
-    Improved const out(its), stiff(held);
+    Improved const out(task), stiff(held);
     double moved = 0;
     for (std::size_t const k : sliding) {
         double const height = -s * out.mesh.x[k] + c * out.mesh.y[k];
         CHECK(height == doctest::Approx(1).epsilon(1e-14));
         moved = std::fmax(moved,
-                          std::hypot(out.mesh.x[k] - its.now.x[k], out.mesh.y[k] - its.now.y[k]));
+                          std::hypot(out.mesh.x[k] - task.now.x[k], out.mesh.y[k] - task.now.y[k]));
     }
     CHECK(moved > 0.04);
     CHECK(out.after.min_quality > stiff.after.min_quality);

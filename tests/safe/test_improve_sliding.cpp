@@ -1,8 +1,5 @@
 // Better cells in meshes whose outer boundary slides along a curve: the points there go along the
 // curve, too.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/circle.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/mangle.hpp>
@@ -17,7 +14,7 @@ namespace {
 enum class Outer { circle, points, fixed };
 
 struct Ring {
-    Case its = ring_case(8, 32, 0.5, 2, Cells::hybrid);
+    Case setup = ring_case(8, 32, 0.5, 2, Cells::hybrid);
     CurveSet along;
     std::vector<double> x, y;  // before, and then after the improvement
     hm_improve_report report{};
@@ -25,17 +22,17 @@ struct Ring {
 
     explicit Ring(Outer outer) {
         along.add(circle(2, 11));
-        if (outer != Outer::fixed) its.set_slip(far_field);
+        if (outer != Outer::fixed) setup.set_slip(far_field);
         if (outer == Outer::circle) {
-            its.conditions.back().along = &along.view();
-            its.conditions.back().n_curves = along.view().n_curves;
+            setup.conditions.back().along = &along.view();
+            setup.conditions.back().n_curves = along.view().n_curves;
         }
-        for (double& number : its.curves.control) number *= 0.5 / 0.445;
+        for (double& number : setup.curves.control) number *= 0.5 / 0.445;
         // Outer points go along the circle by up to a third of a face, inner points anywhere.
-        Mesh scattered = its.mesh;
+        Mesh scattered = setup.mesh;
         std::mt19937 random(7);
-        for (std::int32_t const point : points_on(its.mesh, far_field)) {
-            auto const k = static_cast<std::size_t>(point);
+        for (std::int32_t const point : points_on(setup.mesh, far_field)) {
+            auto const k = std::size_t(point);
             Complex const at = Complex(scattered.x[k], scattered.y[k]) *
                                std::polar(1.0, (2 * uniform(random) - 1) * 0.065);
             scattered.x[k] = at.real() * (2 / std::abs(at));
@@ -49,7 +46,7 @@ struct Ring {
                       std::int32_t operator_kind = HM_CONFORMAL) {
         Options options = options_of(operator_kind);
         if (executor != nullptr) options.executor = executor;
-        Solved const solved(its, &options);
+        Solved const solved(setup, &options);
         std::size_t bytes = 0;
         REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
         Guarded work(bytes);
@@ -61,22 +58,22 @@ struct Ring {
     }
     double off_circle() const {
         double off = 0;
-        for (std::int32_t const point : points_on(its.mesh, far_field)) {
-            auto const k = static_cast<std::size_t>(point);
+        for (std::int32_t const point : points_on(setup.mesh, far_field)) {
+            auto const k = std::size_t(point);
             off = std::fmax(off, std::fabs(std::hypot(x[k], y[k]) - 2));
         }
         return off;
     }
     double smallest_corner() const {
-        Mesh moved = its.mesh;
+        Mesh moved = setup.mesh;
         moved.x = x;
         moved.y = y;
         return check(moved).min_corner;
     }
     int changed(std::vector<double> const& old_x) const {
         int n = 0;
-        for (std::int32_t const point : points_on(its.mesh, far_field)) {
-            auto const k = static_cast<std::size_t>(point);
+        for (std::int32_t const point : points_on(setup.mesh, far_field)) {
+            auto const k = std::size_t(point);
             n += x[k] != old_x[k] ? 1 : 0;
         }
         return n;
@@ -85,12 +82,12 @@ struct Ring {
 
 }  // namespace
 
-TEST_CASE("outer points go along their curve, and the cells are better than where they are held") {
+TEST_CASE("outer points follow their curve, and the cells are better than with fixed points") {
     Ring held(Outer::fixed), start(Outer::fixed);
     std::vector<double> const before = held.x;
     REQUIRE(held.improve() == HM_OK);
-    start.x = start.its.mesh.x;
-    start.y = start.its.mesh.y;
+    start.x = start.setup.mesh.x;
+    start.y = start.setup.mesh.y;
     REQUIRE(start.improve() == HM_OK);
     CHECK(held.changed(before) == 0);
     for (Outer const outer : {Outer::circle, Outer::points}) {
@@ -123,9 +120,9 @@ TEST_CASE("any number of threads improves a sliding mesh to the same bits") {
     }
 }
 
-TEST_CASE("a point that is not on its curve is held, the others slide") {
+TEST_CASE("a point that is not on its curve is held, and the others slide") {
     Ring ring(Outer::circle);
-    auto const off = static_cast<std::size_t>(points_on(ring.its.mesh, far_field)[5]);
+    auto const off = std::size_t(points_on(ring.setup.mesh, far_field)[5]);
     ring.x[off] *= 1.00001;
     ring.y[off] *= 1.00001;
     std::vector<double> const x = ring.x, y = ring.y;
@@ -137,11 +134,11 @@ TEST_CASE("a point that is not on its curve is held, the others slide") {
     CHECK(ring.report.min_quality >= ring.report.min_quality_before);
 }
 
-TEST_CASE("the reference itself does not change, though its outer points could slide") {
+TEST_CASE("a reference that is improved does not change, though outer points could slide") {
     Ring ring(Outer::circle);
-    ring.x = ring.its.mesh.x;
-    ring.y = ring.its.mesh.y;
+    ring.x = ring.setup.mesh.x;
+    ring.y = ring.setup.mesh.y;
     REQUIRE(ring.improve() == HM_OK);
-    CHECK(same_bits(ring.x, ring.its.mesh.x));
-    CHECK(same_bits(ring.y, ring.its.mesh.y));
+    CHECK(same_bits(ring.x, ring.setup.mesh.x));
+    CHECK(same_bits(ring.y, ring.setup.mesh.y));
 }

@@ -1,8 +1,5 @@
 // The way of the control points in several steps: similarities on the way, exact at its end, and
 // its derivative.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/channels.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
@@ -24,7 +21,7 @@ Vec2 vec(Complex z) { return {z.real(), z.imag()}; }
 class Path {
 public:
     Path(Solved const& solved, std::vector<double> const& move) : n_(solved.info().functions) {
-        REQUIRE(move.size() == 2 * static_cast<std::size_t>(n_));
+        REQUIRE(move.size() == 2 * std::size_t(n_));
         harmorph::Basis const basis = harmorph::Basis::view(static_cast<const void*>(solved.basis));
         harmorph::Arena counting;
         path.lay_out(counting, basis.header->counts);
@@ -36,7 +33,7 @@ public:
     }
     // Movements at t, as complex numbers.
     Field at(double t) const {
-        std::vector<double> movement(2 * static_cast<std::size_t>(n_), -9.0);
+        std::vector<double> movement(2 * std::size_t(n_), -9.0);
         path.at(t, span(movement));
         Field out;
         for (std::size_t k = 0; k < movement.size(); k += 2)
@@ -59,7 +56,7 @@ Options const conformal = options_of(HM_CONFORMAL);
 
 }  // namespace
 
-TEST_CASE("r^t by square roots is r^t, along the shorter way round 0") {
+TEST_CASE("powers r^t by square roots go along the shorter way round 0") {
     for (double const size : {0.05, 1.0, 1e-8, 1e8, 3.7})
         for (double const angle : {0.0, 0.1, 1.5, 3.1, -3.1, -0.7, pi / 2})
             for (double const t : {0.0, 1e-3, 0.1, 0.25, 1 / 3.0, 0.5, 0.75, 0.99, 1.0}) {
@@ -74,9 +71,9 @@ TEST_CASE("r^t by square roots is r^t, along the shorter way round 0") {
           1e-14);
 }
 
-TEST_CASE("it begins with nothing, ends with the target to the bit, and is continuous") {
-    Case its = two_body_case(Cells::quads, 4, 3);
-    Solved const solved(its, &conformal);
+TEST_CASE("the path begins with zero, ends with the bits of the target, and is continuous") {
+    Case setup = two_body_case(Cells::quads, 4, 3);
+    Solved const solved(setup, &conformal);
     std::vector<double> const move = some_move(20, 0.5, 3);
     Path const path(solved, move);
     CHECK(same_bits(path.numbers_at(1), move));
@@ -87,33 +84,30 @@ TEST_CASE("it begins with nothing, ends with the target to the bit, and is conti
         CHECK(largest_difference(path.at(t), path.at(t + 1e-7)) < 1e-6);
 }
 
-TEST_CASE(
-    "a similarity is gone through at an even rate: half a turn is a quarter turn in the middle") {
-    Case its = ring_case(4, 16, 0.5, 2);
-    Solved const solved(its, &conformal);
+TEST_CASE("a similarity proceeds at an even rate: half of the way is half of the angle") {
+    Case setup = ring_case(4, 16, 0.5, 2);
+    Solved const solved(setup, &conformal);
     for (double const angle : {0.5, 3.1, -2.0})
         for (double const scale : {1.0, 2.0, 0.3}) {
             Complex const s = std::polar(scale, angle), shift(0.4, -0.9);
-            Path const path(solved, similarity_move(its.curves, s, {0, 0},
+            Path const path(solved, similarity_move(setup.curves, s, {0, 0},
                                                     shift));  // about the middle of the points
             for (double const t : {0.25, 0.5, 0.9}) {
                 std::vector<double> const expected = similarity_move(
-                    its.curves, std::polar(std::pow(scale, t), t * angle), {0, 0}, t * shift);
+                    setup.curves, std::polar(std::pow(scale, t), t * angle), {0, 0}, t * shift);
                 std::vector<double> const found = path.numbers_at(t);
                 CHECK(largest_difference(found, expected) < 1e-11);
             }
         }
-    Path const half(solved, similarity_move(its.curves, std::polar(1.0, pi * (1 - 1e-12))));
-    CHECK(largest_difference(half.numbers_at(0.5), similarity_move(its.curves, {0, 1})) < 1e-11);
+    Path const half(solved, similarity_move(setup.curves, std::polar(1.0, pi * (1 - 1e-12))));
+    CHECK(largest_difference(half.numbers_at(0.5), similarity_move(setup.curves, {0, 1})) < 1e-11);
 }
 
-TEST_CASE(
-    "a translation is a straight line; a body that collapses or turns inside out goes straight, "
-    "too") {
-    Case its = ring_case(4, 16, 0.5, 2);
-    Solved const solved(its, &conformal);
+TEST_CASE("a translation and a body that collapses or inverts go straight") {
+    Case setup = ring_case(4, 16, 0.5, 2);
+    Solved const solved(setup, &conformal);
     for (Complex const s : {Complex(1, 0), Complex(0, 0), Complex(0.01, 0.02)}) {
-        std::vector<double> const move = similarity_move(its.curves, s, 0, {2, 3});
+        std::vector<double> const move = similarity_move(setup.curves, s, 0, {2, 3});
         Path const path(solved, move);
         for (double const t : {0.1, 0.5, 0.8}) {
             std::vector<double> expected;
@@ -126,10 +120,10 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("functions with real values cannot turn: the way is straight, whatever the movement is") {
-    Case its = ring_case(4, 16, 0.5, 2);
-    Solved const solved(its);
-    std::vector<double> const move = similarity_move(its.curves, std::polar(1.3, 2.0));
+TEST_CASE("functions with real values cannot turn, so that the path is straight") {
+    Case setup = ring_case(4, 16, 0.5, 2);
+    Solved const solved(setup);
+    std::vector<double> const move = similarity_move(setup.curves, std::polar(1.3, 2.0));
     Path const path(solved, move);
     for (double const t : {0.2, 0.7}) {
         std::vector<double> expected;
@@ -139,14 +133,14 @@ TEST_CASE("functions with real values cannot turn: the way is straight, whatever
 }
 
 TEST_CASE("each body has its own similarity, and curves that share control points are one body") {
-    Case its = two_body_case(Cells::quads, 4, 3);
-    Solved const solved(its, &conformal);
+    Case setup = two_body_case(Cells::quads, 4, 3);
+    Solved const solved(setup, &conformal);
     Complex const a = std::polar(1.0, 2.0), b = std::polar(0.7, -1.0), middle_a(0.5, 0.5),
                   middle_b(1.5, 0.5);
     auto const move_of = [&](Complex by_a, Complex by_b) {
         std::vector<double> out;
-        for (std::size_t k = 0; k < its.curves.control.size(); k += 2) {
-            Complex const z(its.curves.control[k], its.curves.control[k + 1]);
+        for (std::size_t k = 0; k < setup.curves.control.size(); k += 2) {
+            Complex const z(setup.curves.control[k], setup.curves.control[k + 1]);
             Complex const d =
                 k < 22 ? (by_a - 1.0) * (z - middle_a) : (by_b - 1.0) * (z - middle_b);
             out.insert(out.end(), {d.real(), d.imag()});
@@ -194,9 +188,9 @@ TEST_CASE("each body has its own similarity, and curves that share control point
     CHECK(number(vanishing.path.weight(21, 0.5)) == 0.5);
 }
 
-TEST_CASE("a wall that ends on another boundary goes straight, and what is held stays to the bit") {
-    Case its = channel(6, 4, 0.1, 6);
-    Solved const solved(its, &conformal);
+TEST_CASE("a wall that ends on another boundary goes straight, and held points stay to the bit") {
+    Case setup = channel(6, 4, 0.1, 6);
+    Solved const solved(setup, &conformal);
     std::vector<double> move = some_move(6, 0.2, 8);
     move[0] = move[1] = move[10] = move[11] = 0;
     Path const path(solved, move);
@@ -209,20 +203,20 @@ TEST_CASE("a wall that ends on another boundary goes straight, and what is held 
 }
 
 TEST_CASE("curves round one body turn as one, though they share no control point") {
-    Case its = tiny_case();
-    its.curves = CurveSet{};
-    its.curves.control = {2, 2, 4, 2, 4, 2, 4, 4, 2, 4, 2, 2};
-    its.curves.add_over(1, {0, 1}, {0, 0, 1, 1});
-    its.curves.add_over(1, {2, 3, 4, 5}, {0, 0, 1, 2, 3, 3});
-    its.conditions.clear();
-    its.put_on_curves(body, 0, 2);
-    Solved const solved(its, &conformal);
-    std::vector<double> move = similarity_move(its.curves, std::polar(1.0, 1.0), {3, 3});
+    Case setup = tiny_case();
+    setup.curves = CurveSet{};
+    setup.curves.control = {2, 2, 4, 2, 4, 2, 4, 4, 2, 4, 2, 2};
+    setup.curves.add_over(1, {0, 1}, {0, 0, 1, 1});
+    setup.curves.add_over(1, {2, 3, 4, 5}, {0, 0, 1, 2, 3, 3});
+    setup.conditions.clear();
+    setup.put_on_curves(body, 0, 2);
+    Solved const solved(setup, &conformal);
+    std::vector<double> move = similarity_move(setup.curves, std::polar(1.0, 1.0), {3, 3});
     Path path(solved, move);
     CHECK(path.path.is_bent());
     Field const half = path.at(0.5);
     auto const at = [&](std::size_t k) {
-        return Complex(its.curves.control[2 * k], its.curves.control[2 * k + 1]);
+        return Complex(setup.curves.control[2 * k], setup.curves.control[2 * k + 1]);
     };
     for (std::size_t k = 1; k < 6; ++k) {  // turned by half as much, wherever its middle is then
         Complex const before = at(k) - at(0), now = before + half[k] - half[0];
@@ -234,12 +228,11 @@ TEST_CASE("curves round one body turn as one, though they share no control point
     CHECK(largest_difference(path.numbers_at(0.5), move) < 1e-15);
 }
 
-TEST_CASE(
-    "weights are the derivative by the target with the similarities held, and complex numbers") {
-    Case its = two_body_case(Cells::quads, 4, 3);
-    Solved const solved(its, &conformal);
+TEST_CASE("weights are the derivative by the target with the similarities held") {
+    Case setup = two_body_case(Cells::quads, 4, 3);
+    Solved const solved(setup, &conformal);
     std::vector<double> move =
-        similarity_move(its.curves, std::polar(1.2, 1.3), {0.7, 0.1}, {0.2, 0});
+        similarity_move(setup.curves, std::polar(1.2, 1.3), {0.7, 0.1}, {0.2, 0});
     std::vector<double> const extra = some_move(20, 0.05, 5);
     for (std::size_t k = 0; k < move.size(); ++k) move[k] += extra[k];
     Path const path(solved, move);
@@ -250,14 +243,13 @@ TEST_CASE(
             // The same similarities with a changed target: only D_i changes, by dP_i / r.
             MovementPath changed = path.path;
             std::vector<Vec2> drift(20);
-            for (Index k = 0; k < 20; ++k) drift[static_cast<std::size_t>(k)] = path.path.drift[k];
+            for (Index k = 0; k < 20; ++k) drift[std::size_t(k)] = path.path.drift[k];
             Vec2 const ratio = path.path.groups[path.path.group_of[i]].ratio;
-            drift[static_cast<std::size_t>(i)] =
-                vec(number(drift[static_cast<std::size_t>(i)]) + by / number(ratio));
+            drift[std::size_t(i)] = vec(number(drift[std::size_t(i)]) + by / number(ratio));
             changed.drift = span(drift);
             std::vector<double> moved(40);
             changed.at(t, span(moved));
-            std::size_t const its_place = static_cast<std::size_t>(i);
+            std::size_t const its_place = std::size_t(i);
             Complex const found =
                 (Complex(moved[2 * its_place], moved[2 * its_place + 1]) - before[its_place]) / by;
             CHECK(std::abs(found - number(path.path.weight(i, t))) < 1e-13);

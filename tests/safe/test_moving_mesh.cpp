@@ -1,7 +1,4 @@
 // A mesh on the way of a large movement: one step ahead, and back to the start.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
 
@@ -14,9 +11,9 @@ using harmorph::KnownEnd;
 namespace {
 
 struct Moving {
-    Moving(Case& its, std::vector<double> const& move, std::int32_t operator_kind = HM_LAPLACE)
+    Moving(Case& setup, std::vector<double> const& move, std::int32_t operator_kind = HM_LAPLACE)
         : options(options_of(operator_kind)),
-          solved(its, &options),
+          solved(setup, &options),
           plan(*reinterpret_cast<harmorph::Plan*>(solved.plan)),
           basis(harmorph::Basis::view(static_cast<void*>(solved.basis))) {
         harmorph::Arena counting;
@@ -40,18 +37,17 @@ struct Moving {
 
 }  // namespace
 
-TEST_CASE(
-    "one step to the target is the morph, and the admissible step is that of its displacement") {
-    Case its = airfoil_case();
+TEST_CASE("one step to the target is the morph, with the admissible step of the displacement") {
+    Case setup = airfoil_case();
     std::vector<double> const move = some_move(12, 0.02, 3);
-    Moving moving(its, move);
+    Moving moving(setup, move);
     double const admissible = moving.look(1).step;
-    std::vector<double> x(its.mesh.x.size()), y(x.size());
-    REQUIRE(hm_morph(moving.solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+    std::vector<double> x(setup.mesh.x.size()), y(x.size());
+    REQUIRE(hm_morph(moving.solved.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
                      points_out(x, y), nullptr, nullptr) == HM_OK);
     double off = 0;
     for (std::size_t k = 0; k < x.size(); ++k) {
-        harmorph::Vec2 const at = moving.mesh.ahead()[static_cast<Index>(k)];
+        harmorph::Vec2 const at = moving.mesh.ahead()[Index(k)];
         off = std::fmax(off, std::hypot(at.x - x[k], at.y - y[k]));
     }
     CHECK(off < 1e-15);
@@ -63,19 +59,19 @@ TEST_CASE(
     }
     hm_step_report step{};
     step.struct_size = sizeof step;
-    hm_mesh const view = its.mesh.view();
+    hm_mesh const view = setup.mesh.view();
     REQUIRE(hm_assess(moving.solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr,
                       &step, nullptr, nullptr) >= HM_OK);
     CHECK(admissible == doctest::Approx(step.admissible).epsilon(1e-12));
 }
 
-TEST_CASE("looking moves nothing; steps do; begin() is the start, bit by bit") {
-    Case its = airfoil_case();
-    Moving moving(its, some_move(12, 0.02, 4));
+TEST_CASE("a trial moves nothing, a step does, and begin() restores the start bit by bit") {
+    Case setup = airfoil_case();
+    Moving moving(setup, some_move(12, 0.02, 4));
     auto const is_start = [&] {
-        for (std::size_t k = 0; k < its.mesh.x.size(); ++k) {
-            harmorph::Vec2 const at = moving.mesh.now()[static_cast<Index>(k)];
-            if (at.x != its.mesh.x[k] || at.y != its.mesh.y[k]) return false;
+        for (std::size_t k = 0; k < setup.mesh.x.size(); ++k) {
+            harmorph::Vec2 const at = moving.mesh.now()[Index(k)];
+            if (at.x != setup.mesh.x[k] || at.y != setup.mesh.y[k]) return false;
         }
         return true;
     };
@@ -91,10 +87,10 @@ TEST_CASE("looking moves nothing; steps do; begin() is the start, bit by bit") {
     CHECK(moving.mesh.time == 0);
 }
 
-TEST_CASE("after a hundred steps the wall is where the B-spline is: rounding does not add up") {
-    Case its = airfoil_case();
+TEST_CASE("after a hundred steps the wall is on the B-spline without accumulated rounding") {
+    Case setup = airfoil_case();
     std::vector<double> const move = some_move(12, 0.02, 5);
-    Moving moving(its, move);
+    Moving moving(setup, move);
     for (int step = 1; step <= 100; ++step) {
         moving.look(step / 100.0);
         moving.mesh.advance();
@@ -104,17 +100,17 @@ TEST_CASE("after a hundred steps the wall is where the B-spline is: rounding doe
         Index const point = moving.basis.wall_point[slot];
         harmorph::Vec2 const by = moving.basis.wall_move(slot, move.data()),
                              at = moving.mesh.now()[point];
-        auto const k = static_cast<std::size_t>(point);
-        off = std::fmax(off, std::fabs(at.x - (its.mesh.x[k] + by.x)));
-        off = std::fmax(off, std::fabs(at.y - (its.mesh.y[k] + by.y)));
+        auto const k = std::size_t(point);
+        off = std::fmax(off, std::fabs(at.x - (setup.mesh.x[k] + by.x)));
+        off = std::fmax(off, std::fabs(at.y - (setup.mesh.y[k] + by.y)));
     }
     CHECK(off == 0);
 }
 
-TEST_CASE("what is known of the ends: walls and fixed points, lines, nothing inside") {
-    Case its = tiny_case();
-    its.set_slip(bottom);
-    Moving moving(its, some_move(4, 0.1, 6));
+TEST_CASE("the known displacements are those of walls, fixed points and lines") {
+    Case setup = tiny_case();
+    setup.set_slip(bottom);
+    Moving moving(setup, some_move(4, 0.1, 6));
     CHECK(moving.mesh.ends[0] == KnownEnd::prescribed);  // a corner with a fixed side
     CHECK(moving.mesh.ends[3] == KnownEnd::on_line);
     CHECK(moving.mesh.ends[8] == KnownEnd::unknown);

@@ -1,7 +1,5 @@
 // The Newton system: gradient against differences of the sum of energies, symmetry, and the
 // conjugate gradients' step.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/mangle.hpp>
 #include <fixtures/square.hpp>
@@ -35,7 +33,7 @@ struct System {
           at(mesh.x.size()),
           analysed(mesh) {
         std::mt19937 random(9);
-        for (std::int32_t const point : mesh.faces) held[static_cast<std::size_t>(point)] = 1;
+        for (std::int32_t const point : mesh.faces) held[std::size_t(point)] = 1;
         for (std::size_t k = 0; k < at.size(); ++k) {
             double const dx = 2 * uniform(random) - 1, dy = 2 * uniform(random) - 1,
                          amount = held[k] != 0 ? 0 : reach;
@@ -89,11 +87,10 @@ struct System {
         return {};
     }
     std::vector<Vec2> times(harmorph::Span<Vec2> v) const {
-        std::vector<Vec2> out(static_cast<std::size_t>(region.n));
+        std::vector<Vec2> out(std::size_t(region.n));
         for (Index u = 0; u < region.n; ++u)
             for (Index other = 0; other < region.n; ++other)
-                out[static_cast<std::size_t>(u)] =
-                    out[static_cast<std::size_t>(u)] + entry(u, other) * v[other];
+                out[std::size_t(u)] = out[std::size_t(u)] + entry(u, other) * v[other];
         return out;
     }
 };
@@ -108,90 +105,90 @@ Mesh some_mesh() {
 }  // namespace
 
 TEST_CASE("the gradient is that of the sum over all corners, on tangled meshes too") {
-    System its(some_mesh(), 0.2);
+    System system(some_mesh(), 0.2);
     double const softness = 0.5, h = 1e-6;
-    its.assemble(softness);
+    system.assemble(softness);
     double largest = 0;
-    for (Index u = 0; u < its.region.n; ++u)
-        largest = std::fmax(largest, length(its.newton.gradient[u]));
-    for (Index u = 0; u < its.region.n; u += 5) {
-        Vec2& point = its.at[static_cast<std::size_t>(its.region.point[u])];
+    for (Index u = 0; u < system.region.n; ++u)
+        largest = std::fmax(largest, length(system.newton.gradient[u]));
+    for (Index u = 0; u < system.region.n; u += 5) {
+        Vec2& point = system.at[std::size_t(system.region.point[u])];
         Vec2 const old = point;
         auto const slope = [&](Vec2 by) {
             point = old + h * by;
-            double const ahead = its.energy(softness);
+            double const ahead = system.energy(softness);
             point = old - h * by;
-            double const behind = its.energy(softness);
+            double const behind = system.energy(softness);
             point = old;
             return (ahead - behind) / (2 * h);
         };
-        CHECK(std::fabs(its.newton.gradient[u].x - slope({1, 0})) < 1e-6 * largest);
-        CHECK(std::fabs(its.newton.gradient[u].y - slope({0, 1})) < 1e-6 * largest);
+        CHECK(std::fabs(system.newton.gradient[u].x - slope({1, 0})) < 1e-6 * largest);
+        CHECK(std::fabs(system.newton.gradient[u].y - slope({0, 1})) < 1e-6 * largest);
     }
 }
 
 TEST_CASE("a valid mesh that is its own reference is at rest") {
-    System its(some_mesh(), 0);
-    its.assemble(0);
-    for (Index u = 0; u < its.region.n; ++u) CHECK(length(its.newton.gradient[u]) < 1e-10);
+    System system(some_mesh(), 0);
+    system.assemble(0);
+    for (Index u = 0; u < system.region.n; ++u) CHECK(length(system.newton.gradient[u]) < 1e-10);
 }
 
-TEST_CASE("the Hessian is symmetric and positive definite; its diagonal blocks are inverted") {
-    System its(some_mesh(), 0.2);
-    its.assemble(0.1);
-    for (Index u = 0; u < its.region.n; ++u) {
-        Block const own = its.entry(u, u), inverse = its.newton.inverse[u];
+TEST_CASE("the Hessian is symmetric and positive definite, and its diagonal blocks are inverted") {
+    System system(some_mesh(), 0.2);
+    system.assemble(0.1);
+    for (Index u = 0; u < system.region.n; ++u) {
+        Block const own = system.entry(u, u), inverse = system.newton.inverse[u];
         CHECK(own.a * inverse.a + own.b * inverse.c == doctest::Approx(1).epsilon(1e-10));
         CHECK(own.c * inverse.b + own.d * inverse.d == doctest::Approx(1).epsilon(1e-10));
         double const scale = own.a + own.d;
-        for (Index const v : its.region.of(u)) {
-            Block const there = its.entry(u, v), back = its.entry(v, u);
+        for (Index const v : system.region.of(u)) {
+            Block const there = system.entry(u, v), back = system.entry(v, u);
             CHECK(std::fabs(there.a - back.a) + std::fabs(there.d - back.d) < 1e-12 * scale);
             CHECK(std::fabs(there.b - back.c) + std::fabs(there.c - back.b) < 1e-12 * scale);
         }
     }
     std::mt19937 random(4);
     for (int trial = 0; trial < 20; ++trial) {
-        for (Index u = 0; u < its.region.n; ++u)
-            its.newton.search[u] = {uniform(random) - 0.5, uniform(random) - 0.5};
-        std::vector<Vec2> const image = its.times(its.newton.search);
+        for (Index u = 0; u < system.region.n; ++u)
+            system.newton.search[u] = {uniform(random) - 0.5, uniform(random) - 0.5};
+        std::vector<Vec2> const image = system.times(system.newton.search);
         double curvature = 0;
-        for (Index u = 0; u < its.region.n; ++u)
-            curvature += dot(its.newton.search[u], image[static_cast<std::size_t>(u)]);
+        for (Index u = 0; u < system.region.n; ++u)
+            curvature += dot(system.newton.search[u], image[std::size_t(u)]);
         CHECK(curvature > 0);
         double product = 0, largest = 0, error = 0;
         for (Index range = 0; range < harmorph::reduced_ranges; ++range) {
-            product += its.newton.multiply(its.region, harmorph::range_start(its.region.n, range),
-                                           harmorph::range_start(its.region.n, range + 1),
-                                           its.newton.search, its.newton.image);
+            product +=
+                system.newton.multiply(system.region, harmorph::range_start(system.region.n, range),
+                                       harmorph::range_start(system.region.n, range + 1),
+                                       system.newton.search, system.newton.image);
         }
-        for (Index u = 0; u < its.region.n; ++u) {
-            Vec2 const expected = image[static_cast<std::size_t>(u)];
+        for (Index u = 0; u < system.region.n; ++u) {
+            Vec2 const expected = image[std::size_t(u)];
             largest = std::fmax(largest, length(expected));
-            error = std::fmax(error, length(its.newton.image[u] - expected));
+            error = std::fmax(error, length(system.newton.image[u] - expected));
         }
         CHECK(product == doctest::Approx(curvature).epsilon(1e-12));
         CHECK(error < 1e-13 * largest);
     }
 }
 
-TEST_CASE("the step descends, and the longer it is sought the nearer it is to Newton's") {
-    System its(some_mesh(), 0.2);
-    its.assemble(0.3);
-    CHECK(its.newton.solve(its.region, 1, {}) == 1);
-    CHECK(its.newton.slope(its.region, {}) < 0);
-    Index const products = its.newton.solve(its.region, 1000, {});
+TEST_CASE("the step descends, and more iterations bring the step nearer to Newton's") {
+    System system(some_mesh(), 0.2);
+    system.assemble(0.3);
+    CHECK(system.newton.solve(system.region, 1, {}) == 1);
+    CHECK(system.newton.slope(system.region, {}) < 0);
+    Index const products = system.newton.solve(system.region, 1000, {});
     CHECK(products > 1);
     CHECK(products < 1000);
-    CHECK(its.newton.slope(its.region, {}) < 0);
+    CHECK(system.newton.slope(system.region, {}) < 0);
     // The residual in the norm in which it is measured: of the block diagonal's inverse.
-    std::vector<Vec2> const image = its.times(its.newton.step);
+    std::vector<Vec2> const image = system.times(system.newton.step);
     double rest = 0, whole = 0;
-    for (Index u = 0; u < its.region.n; ++u) {
-        Vec2 const gradient = its.newton.gradient[u],
-                   left = gradient + image[static_cast<std::size_t>(u)];
-        rest += dot(left, its.newton.inverse[u] * left);
-        whole += dot(gradient, its.newton.inverse[u] * gradient);
+    for (Index u = 0; u < system.region.n; ++u) {
+        Vec2 const gradient = system.newton.gradient[u], left = gradient + image[std::size_t(u)];
+        rest += dot(left, system.newton.inverse[u] * left);
+        whole += dot(gradient, system.newton.inverse[u] * gradient);
     }
     double const enough = harmorph::NewtonSystem::enough;
     CHECK(rest <= enough * enough * whole * (1 + 1e-6));

@@ -1,8 +1,5 @@
 // Large movements and better cells in one passage of an annulus: what all passages do, and sides
 // that stay images.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/displaced.hpp>
 #include <fixtures/passage.hpp>
 #include <fixtures/safe.hpp>
@@ -20,18 +17,17 @@ Field places(std::vector<double> const& x, std::vector<double> const& y) {
 double difference_in(Field const& one, Field const& all, std::vector<std::int32_t> const& number) {
     double out = 0;
     for (std::size_t k = 0; k < one.size(); ++k)
-        out = std::max(out, std::abs(one[k] - all[static_cast<std::size_t>(number[k])]));
+        out = std::max(out, std::abs(one[k] - all[std::size_t(number[k])]));
     return out;
 }
 
 // The body turned about its middle, and moved.
-std::vector<double> turned_and_moved(Case const& its, double degrees, Complex shift) {
+std::vector<double> turned_and_moved(Case const& setup, double degrees, Complex shift) {
     Complex middle = 0;
-    std::size_t const n = its.curves.control.size() / 2;
+    std::size_t const n = setup.curves.control.size() / 2;
     for (std::size_t k = 0; k < n; ++k)
-        middle += Complex(its.curves.control[2 * k], its.curves.control[2 * k + 1]) /
-                  static_cast<double>(n);
-    return similarity_move(its.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), middle,
+        middle += Complex(setup.curves.control[2 * k], setup.curves.control[2 * k + 1]) / double(n);
+    return similarity_move(setup.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), middle,
                            shift);
 }
 
@@ -53,8 +49,7 @@ hm_improve_report improved(Solved const& solved, Mesh const& mesh, Field const& 
 
 }  // namespace
 
-TEST_CASE(
-    "a safe morph of a passage reaches the target, its sides stay images, and all passages agree") {
+TEST_CASE("a safe morph of a passage reaches the target, and the sides and all passages agree") {
     int const n = 6;
     Complex const turn = turn_of_passage(n);
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE, HM_WEIGHTED})
@@ -88,42 +83,42 @@ TEST_CASE(
         }
 }
 
-TEST_CASE("given displacements of a passage, safely") {
+TEST_CASE("given displacements of a passage are safe") {
     int const n = 4;
     Case curved = passage(Cells::hybrid, n);
-    Case its = given_instead(curved);
+    Case setup = given_instead(curved);
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
         Options const options = options_of(operator_kind);
-        Displaced displaced(its, &options);
+        Displaced displaced(setup, &options);
         Complex const middle = 1.5 * std::polar(1.0, std::acos(-1.0) / n + 0.2);
         Field wall;
         for (std::int32_t const point : displaced.points) {
-            Complex const z = to_complex(its.mesh.point(point));
+            Complex const z = to_complex(setup.mesh.point(point));
             wall.push_back((std::polar(1.0, 1.0) - 1.0) * (z - middle) + 0.03);
         }
         std::size_t bytes = 0;
         REQUIRE(hm_displace_safe_size(displaced.plan, displaced.basis, &bytes, nullptr) == HM_OK);
         Guarded work(bytes);
-        Field to(its.mesh.x.size());
+        Field to(setup.mesh.x.size());
         double* const xy = reinterpret_cast<double*>(to.data());
         const double* const w = reinterpret_cast<const double*>(wall.data());
         hm_safe_options safe{};
         safe.struct_size = sizeof safe;
         safe.min_quality = -1;
         hm_error error;
-        std::int32_t const n_wall = static_cast<std::int32_t>(wall.size());
+        std::int32_t const n_wall = std::int32_t(wall.size());
         hm_status const status = hm_displace_safe(
             displaced.plan, displaced.basis, nullptr, n_wall, nullptr, points_in(w, w + 1, 2),
             points_out(xy, xy + 1, 2), work.data(), bytes, &safe, nullptr, &error);
         INFO(error.text);
         CHECK(status == HM_OK);
-        CHECK(misfit_of_sides(its.mesh, to, turn_of_passage(n)) < 1e-15);
+        CHECK(misfit_of_sides(setup.mesh, to, turn_of_passage(n)) < 1e-15);
         for (std::size_t k = 0; k < wall.size(); ++k) {
-            std::size_t const point = static_cast<std::size_t>(displaced.points[k]);
-            CHECK(std::abs(to[point] - to_complex(its.mesh.point(displaced.points[k])) - wall[k]) <
-                  1e-15);
+            std::size_t const point = std::size_t(displaced.points[k]);
+            CHECK(std::abs(to[point] - to_complex(setup.mesh.point(displaced.points[k])) -
+                           wall[k]) < 1e-15);
         }
-        Mesh moved = its.mesh;
+        Mesh moved = setup.mesh;
         for (std::size_t k = 0; k < to.size(); ++k) {
             moved.x[k] = to[k].real();
             moved.y[k] = to[k].imag();
@@ -132,9 +127,7 @@ TEST_CASE("given displacements of a passage, safely") {
     }
 }
 
-TEST_CASE(
-    "better cells in a passage: as in the annulus of all passages, with sides that move as "
-    "images") {
+TEST_CASE("cells of a passage improve as in the annulus of all passages") {
     int const n = 6;
     Complex const turn = turn_of_passage(n);
     for (bool const swapped : {false, true}) {
@@ -159,7 +152,7 @@ TEST_CASE(
         CHECK(report.min_quality > report.min_quality_before);
         CHECK(report.iterations > 2);
         CHECK(misfit_of_sides(one.mesh, better, turn) < 1e-14);
-        std::size_t const side = static_cast<std::size_t>(points_on(one.mesh, left)[4]);
+        std::size_t const side = std::size_t(points_on(one.mesh, left)[4]);
         CHECK(std::abs(better[side] - from[side]) > 1e-4);
         CHECK(difference_in(better, better_all, number[0]) < 1e-8);
     }

@@ -1,8 +1,4 @@
 // Walls that would cross their own periodic image are refused before anything is solved.
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/channels.hpp>
 #include <fixtures/passage.hpp>
 #include <fixtures/safe.hpp>
@@ -12,8 +8,8 @@ using namespace fixtures;
 namespace {
 
 // Control points to middle + (stretch_x, stretch_y) times their distance from there.
-std::vector<double> stretched_by(Case const& its, Point middle, double by_x, double by_y) {
-    std::vector<double> move = its.curves.control;
+std::vector<double> stretched_by(Case const& setup, Point middle, double by_x, double by_y) {
+    std::vector<double> move = setup.curves.control;
     for (std::size_t k = 0; k < move.size(); k += 2) {
         move[k] = (by_x - 1) * (move[k] - middle.x);
         move[k + 1] = (by_y - 1) * (move[k + 1] - middle.y);
@@ -34,13 +30,13 @@ void refused(Safe& safe, std::vector<double> const& move) {
 
 }  // namespace
 
-TEST_CASE("a plate of a cascade that becomes thicker than the pitch") {
+TEST_CASE("a plate of a cascade becomes thicker than the pitch and is refused") {
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
-        Case its = plate_cascade(8, Cells::quads);
-        Safe safe(its, options_of(operator_kind));
+        Case setup = plate_cascade(8, Cells::quads);
+        Safe safe(setup, options_of(operator_kind));
         // The plate is 1 / 12 thick in a pitch of 1. It shears, so that sides cross in points.
         auto const thicker = [&](double thickness) {
-            std::vector<double> move = stretched_by(its, {0.5, 0.5}, 1, 12 * thickness);
+            std::vector<double> move = stretched_by(setup, {0.5, 0.5}, 1, 12 * thickness);
             for (std::size_t k = 0; k < move.size(); k += 2) move[k] += 0.1 * move[k + 1];
             return move;
         };
@@ -51,14 +47,14 @@ TEST_CASE("a plate of a cascade that becomes thicker than the pitch") {
     }
 }
 
-TEST_CASE("a plate that turns against its neighbour, and one that passes between them") {
-    Case its = plate_cascade(8, Cells::triangles);
-    Safe safe(its);
+TEST_CASE("a plate turns against its neighbour, and one passes between its neighbours") {
+    Case setup = plate_cascade(8, Cells::triangles);
+    Safe safe(setup);
     // Long plates, of length 1.3, upright: each would reach into the next one, 1 above.
-    std::vector<double> const longer = stretched_by(its, {0.5, 0.5}, 4, 1);
+    std::vector<double> const longer = stretched_by(setup, {0.5, 0.5}, 4, 1);
     std::vector<double> move(longer.size());
     for (std::size_t k = 0; k < move.size(); k += 2) {
-        Complex const start{its.curves.control[k] - 0.5, its.curves.control[k + 1] - 0.5},
+        Complex const start{setup.curves.control[k] - 0.5, setup.curves.control[k + 1] - 0.5},
             target = std::polar(1.0, 1.5) * Complex{start.real() * 4, start.imag()};
         move[k] = (target - start).real();
         move[k + 1] = (target - start).imag();
@@ -66,19 +62,19 @@ TEST_CASE("a plate that turns against its neighbour, and one that passes between
     refused(safe, move);
 }
 
-TEST_CASE("a body of a passage that becomes wider than the passage") {
-    Case its = bent(plate_cascade(8, Cells::quads), 6, 0);
-    its.conditions.clear();
-    its.put_on_curves(body);
-    its.set_rotation(left, right);
-    Safe safe(its);
+TEST_CASE("a body of a passage that becomes wider than the passage is refused") {
+    Case setup = bent(plate_cascade(8, Cells::quads), 6, 0);
+    setup.conditions.clear();
+    setup.put_on_curves(body);
+    setup.set_rotation(left, right);
+    Safe safe(setup);
     Complex middle = 0;
-    std::vector<Point> const outline = outline_of_body(its.mesh);
+    std::vector<Point> const outline = outline_of_body(setup.mesh);
     for (Point const p : outline) middle += to_complex(p) / double(outline.size());
     // Along the circle through the middle, far beyond both sides.
-    std::vector<double> move(its.curves.control.size());
+    std::vector<double> move(setup.curves.control.size());
     for (std::size_t k = 0; k < move.size(); k += 2) {
-        Complex const z{its.curves.control[k], its.curves.control[k + 1]};
+        Complex const z{setup.curves.control[k], setup.curves.control[k + 1]};
         double const angle = std::arg(z / middle);
         Complex const by = z * (std::polar(1.0, 4 * angle) - 1.0);
         move[k] = by.real() + 0.01 * by.imag();

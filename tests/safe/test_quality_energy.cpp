@@ -15,9 +15,7 @@ using harmorph::Vec2;
 
 namespace {
 
-double random_number(std::mt19937& random) {
-    return static_cast<double>(random()) / 2147483648.0 - 1;
-}
+double random_number(std::mt19937& random) { return double(random()) / 2147483648.0 - 1; }
 
 Triangle random_triangle(std::mt19937& random) {
     Triangle out;
@@ -30,7 +28,9 @@ Triangle random_triangle(std::mt19937& random) {
 double& coordinate(Triangle& triangle, int k) {
     return k % 2 == 0 ? triangle.at[k / 2].x : triangle.at[k / 2].y;
 }
-double component(const Vec2* of, int k) { return k % 2 == 0 ? of[k / 2].x : of[k / 2].y; }
+double component(const Vec2* vectors, int k) {
+    return k % 2 == 0 ? vectors[k / 2].x : vectors[k / 2].y;
+}
 
 struct Derivatives {
     Vec2 gradient[3];
@@ -42,8 +42,8 @@ struct Derivatives {
     }
     double hessian(int i, int j) const {
         double sum = 0;
-        for (harmorph::CornerMode const& its : mode)
-            sum += its.curvature * component(its.at, i) * component(its.at, j);
+        for (harmorph::CornerMode const& one : mode)
+            sum += one.curvature * component(one.at, i) * component(one.at, j);
         return sum;
     }
 };
@@ -53,8 +53,7 @@ constexpr double exact =
 
 }  // namespace
 
-TEST_CASE(
-    "quality energy: the gradient is that of the energy, the exact Hessian that of the gradient") {
+TEST_CASE("the gradient is that of the quality energy; the exact Hessian that of the gradient") {
     std::mt19937 random(1);
     for (int trial = 0; trial < 200; ++trial) {
         Triangle const target = random_triangle(random), now = random_triangle(random);
@@ -85,7 +84,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("quality energy: curvatures are raised to a part of 4 power energy, never lowered") {
+TEST_CASE("curvatures of the quality energy are raised to 4 power energy and never lowered") {
     std::mt19937 random(2);
     int raised = 0;
     for (int trial = 0; trial < 100; ++trial) {
@@ -102,9 +101,7 @@ TEST_CASE("quality energy: curvatures are raised to a part of 4 power energy, ne
     CHECK(raised > 20);
 }
 
-TEST_CASE(
-    "quality energy: 1 at the target turned and moved at will, more elsewhere, infinite when "
-    "inverted") {
+TEST_CASE("the quality energy is 1 at the turned target and infinite when inverted") {
     std::mt19937 random(3);
     for (int trial = 0; trial < 50; ++trial) {
         Triangle const target = random_triangle(random);
@@ -134,9 +131,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "quality energy: of a triangle with the area of an equilateral target the quality to the power "
-    "of -2") {
+TEST_CASE("the quality energy with an equilateral target is the quality to the power of -2") {
     std::mt19937 random(4);
     for (int trial = 0; trial < 50; ++trial) {
         Triangle const now = random_triangle(random);
@@ -150,9 +145,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "quality energy: of corners of any size and however flat, derivatives are finite where the "
-    "energy is") {
+TEST_CASE("derivatives of the quality energy are finite where the energy is") {
     int finite = 0, infinite = 0;
     for (double const size : {1e-95, 1e-40, 1.0, 1e40, 1e95})
         for (int flat = 0; flat < 80; flat += 3)
@@ -162,8 +155,8 @@ TEST_CASE(
                     Triangle const target{{{0, 0}, {size, 0}, {size, size}}};
                     Triangle const now{
                         {{0, 0}, {grown * size, 0}, {grown * size, grown * height * size}}};
-                    QualityEnergy const its(target, power);
-                    if (its.energy(now) == HUGE_VAL) {
+                    QualityEnergy const energy(target, power);
+                    if (energy.energy(now) == HUGE_VAL) {
                         ++infinite;
                     } else {
                         ++finite;

@@ -1,6 +1,4 @@
 // The region round chosen cells, against distances counted the slow way.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/mangle.hpp>
 #include <fixtures/square.hpp>
@@ -27,7 +25,7 @@ struct Grown {
 
     explicit Grown(Mesh const& its_mesh)
         : mesh(its_mesh), view(core_mesh(mesh)), held(mesh.x.size(), 0), analysed(mesh) {
-        for (std::int32_t const point : mesh.faces) held[static_cast<std::size_t>(point)] = 1;
+        for (std::int32_t const point : mesh.faces) held[std::size_t(point)] = 1;
         auto const counts = harmorph::RegionCounts::of(analysed->topology());
         harmorph::Arena query;
         region.lay_out(query, counts);
@@ -39,8 +37,8 @@ struct Grown {
         region.link(tangle);
     }
     std::set<Index> corners(Index cell) const {
-        harmorph::Cell const its = view.cell(cell);
-        return {its.point, its.point + its.n};
+        harmorph::Cell const one = view.cell(cell);
+        return {one.point, one.point + one.n};
     }
     // Points within `layers` cells of a cell.
     std::set<Index> near(Index cell, int layers) const {
@@ -48,10 +46,10 @@ struct Grown {
         for (int layer = 0; layer < layers; ++layer) {
             std::set<Index> const before = out;
             for (Index i = 0; i < view.n_cells; ++i) {
-                std::set<Index> const its = corners(i);
+                std::set<Index> const around = corners(i);
                 bool touches = false;
-                for (Index const point : its) touches = touches || before.count(point) != 0;
-                if (touches) out.insert(its.begin(), its.end());
+                for (Index const point : around) touches = touches || before.count(point) != 0;
+                if (touches) out.insert(around.begin(), around.end());
             }
         }
         return out;
@@ -74,37 +72,35 @@ Index range_of(Index n, Index u) {
 
 }  // namespace
 
-TEST_CASE(
-    "unknowns are the points within so many cells that are not held; cells and neighbours are "
-    "theirs") {
-    Grown its(numbered_anyhow(12));
+TEST_CASE("the unknowns are the free points within the given number of cells") {
+    Grown grown(numbered_anyhow(12));
     for (Index const seed : {3, 60, 140})
         for (int const layers : {1, 2, 4, 300}) {
-            its.region.choose([&](Index cell) { return cell == seed; });
-            its.region.grow(its.tangle, layers);
+            grown.region.choose([&](Index cell) { return cell == seed; });
+            grown.region.grow(grown.tangle, layers);
             std::set<Index> wanted;
-            for (Index const point : its.near(seed, layers < 300 ? layers : 40))
-                if (its.held[static_cast<std::size_t>(point)] == 0) wanted.insert(point);
-            Region const& region = its.region;
+            for (Index const point : grown.near(seed, layers < 300 ? layers : 40))
+                if (grown.held[std::size_t(point)] == 0) wanted.insert(point);
+            Region const& region = grown.region;
             CHECK(std::set<Index>(region.point.begin(), region.point.begin() + region.n) == wanted);
             for (Index u = 0; u < region.n; ++u) CHECK(region.unknown[region.point[u]] == u);
 
             std::set<Index> cells;
-            std::vector<std::set<Index>> neighbours(static_cast<std::size_t>(region.n));
-            for (Index i = 0; i < its.view.n_cells; ++i)
-                for (Index const a : its.corners(i)) {
+            std::vector<std::set<Index>> neighbours(std::size_t(region.n));
+            for (Index i = 0; i < grown.view.n_cells; ++i)
+                for (Index const a : grown.corners(i)) {
                     if (region.unknown[a] == harmorph::none) continue;
                     cells.insert(i);
-                    for (Index const b : its.corners(i)) {
+                    for (Index const b : grown.corners(i)) {
                         Index const v = region.unknown[b];
                         if (v != harmorph::none)
-                            neighbours[static_cast<std::size_t>(region.unknown[a])].insert(v);
+                            neighbours[std::size_t(region.unknown[a])].insert(v);
                     }
                 }
-            CHECK(region.n_cells == static_cast<Index>(cells.size()));
+            CHECK(region.n_cells == Index(cells.size()));
             CHECK(std::set<Index>(region.cell.begin(), region.cell.begin() + region.n_cells) ==
                   cells);
-            std::vector<std::set<Index>> listed(static_cast<std::size_t>(region.n));
+            std::vector<std::set<Index>> listed(std::size_t(region.n));
             for (Index u = 0; u < region.n; ++u) {
                 auto const row = region.of(u);
                 CHECK(row[0] == u);
@@ -113,34 +109,34 @@ TEST_CASE(
                     bool const is_inner = region.start[u] + k < region.outer_start[u];
                     CHECK((range_of(region.n, row[k]) == range_of(region.n, u)) == is_inner);
                     CHECK((!is_inner || row[k] >= u));
-                    listed[static_cast<std::size_t>(u)].insert(row[k]);
-                    if (is_inner) listed[static_cast<std::size_t>(row[k])].insert(u);
+                    listed[std::size_t(u)].insert(row[k]);
+                    if (is_inner) listed[std::size_t(row[k])].insert(u);
                 }
             }
             CHECK(listed == neighbours);
         }
 }
 
-TEST_CASE("the whole mesh fills the room of the pairs to the last one when nothing is held") {
-    Grown its(numbered_anyhow(8));
-    std::fill(its.held.begin(), its.held.end(), std::uint8_t{0});
-    its.region.choose([](Index) { return false; });
-    its.region.grow(its.tangle, Region::whole);
-    CHECK(its.region.n == its.mesh.n_points() - 3);
-    CHECK(its.region.n_cells == its.view.n_cells);
+TEST_CASE("the whole mesh fills the memory of the pairs exactly when no point is held") {
+    Grown grown(numbered_anyhow(8));
+    std::fill(grown.held.begin(), grown.held.end(), std::uint8_t{0});
+    grown.region.choose([](Index) { return false; });
+    grown.region.grow(grown.tangle, Region::whole);
+    CHECK(grown.region.n == grown.mesh.n_points() - 3);
+    CHECK(grown.region.n_cells == grown.view.n_cells);
     Index n_inner = 0;  // pairs that are listed once
-    for (Index u = 0; u < its.region.n; ++u) {
-        n_inner += static_cast<Index>(its.region.outer_start[u] - its.region.start[u]) - 1;
+    for (Index u = 0; u < grown.region.n; ++u) {
+        n_inner += Index(grown.region.outer_start[u] - grown.region.start[u]) - 1;
     }
-    CHECK(its.region.start[its.region.n] + n_inner ==
-          its.region.neighbour.count() - 3);  // less unused points
+    CHECK(grown.region.start[grown.region.n] + n_inner ==
+          grown.region.neighbour.count() - 3);  // less unused points
 }
 
 TEST_CASE("cells are kept in order") {
-    Grown its(numbered_anyhow(6));
-    its.region.choose([](Index cell) { return cell % 2 == 0; });
-    CHECK(its.region.n_cells == (its.view.n_cells + 1) / 2);
-    its.region.keep([](Index cell) { return cell % 3 == 0; });
-    for (Index k = 0; k < its.region.n_cells; ++k) CHECK(its.region.cell[k] == 6 * k);
-    CHECK(its.region.n_cells == (its.view.n_cells + 5) / 6);
+    Grown grown(numbered_anyhow(6));
+    grown.region.choose([](Index cell) { return cell % 2 == 0; });
+    CHECK(grown.region.n_cells == (grown.view.n_cells + 1) / 2);
+    grown.region.keep([](Index cell) { return cell % 3 == 0; });
+    for (Index k = 0; k < grown.region.n_cells; ++k) CHECK(grown.region.cell[k] == 6 * k);
+    CHECK(grown.region.n_cells == (grown.view.n_cells + 5) / 6);
 }

@@ -1,13 +1,10 @@
 // Calls of the safe morph: cancelled, with exact working space, on threads, refused.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/block_in_square.hpp>
 #include <fixtures/executors.hpp>
 
 using namespace fixtures;
 
-TEST_CASE("cancelled by the progress callback: nothing is written, and afterwards it works again") {
+TEST_CASE("a safe morph that the callback cancels writes nothing, and works when called again") {
     struct Listener {
         int calls = 0, stop_at = 1 << 30;
         static std::int32_t call(void* user, std::int32_t, double) {
@@ -15,13 +12,13 @@ TEST_CASE("cancelled by the progress callback: nothing is written, and afterward
             return self.calls++ >= self.stop_at ? 1 : 0;
         }
     };
-    Case its = block_in_square(Cells::quads, 15);
+    Case setup = block_in_square(Cells::quads, 15);
     Listener listener;
     Options options = options_of(HM_CONFORMAL);
     options.progress = Listener::call;
     options.progress_user = &listener;
-    Safe safe(its, options);
-    std::vector<double> const move = turn_of(its, 120);
+    Safe safe(setup, options);
+    std::vector<double> const move = turn_of(setup, 120);
     listener.calls = 0;
     REQUIRE(safe.run(move) == HM_OK);
     REQUIRE(safe.report.resolves > 0);
@@ -39,12 +36,12 @@ TEST_CASE("cancelled by the progress callback: nothing is written, and afterward
     CHECK(same_bits(safe.x, expected));
 }
 
-TEST_CASE("working space: exactly the stated size, and refused at every size below") {
-    Case its = tiny_case();
-    Safe safe(its);
-    std::vector<double> const move = turn_of(its, 20);
+TEST_CASE("working space of exactly the stated size suffices, and every smaller size is refused") {
+    Case setup = tiny_case();
+    Safe safe(setup);
+    std::vector<double> const move = turn_of(setup, 20);
     std::size_t const bytes = safe.work().size();
-    std::vector<double> x = its.mesh.x, y = its.mesh.y;
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
     for (std::size_t give = 0; give < bytes; give += give + 300 < bytes ? 251 : 1) {
         Guarded less(give);
         hm_error error{};
@@ -55,7 +52,7 @@ TEST_CASE("working space: exactly the stated size, and refused at every size bel
         else {
             REQUIRE(status == HM_BLOCK_TOO_SMALL);
             CHECK(error.value > 0);
-            CHECK(error.value <= static_cast<double>(bytes - give));
+            CHECK(error.value <= double(bytes - give));
         }
         CHECK(less.guards_intact());
         if (status == HM_OK) break;
@@ -68,11 +65,11 @@ TEST_CASE("working space: exactly the stated size, and refused at every size bel
     }
 }
 
-TEST_CASE("the same bits for any number of threads, in place, and on another array") {
-    Case its = block_in_square();
-    std::vector<double> const move = turn_of(its, 110, {0.03, 0});
+TEST_CASE("threads, input in place and other arrays do not change the bits") {
+    Case setup = block_in_square();
+    std::vector<double> const move = turn_of(setup, 110, {0.03, 0});
     for (std::int32_t const skipped : {0, without({HM_STRATEGY_SUBSTEPS})}) {
-        Safe serial(its);
+        Safe serial(setup);
         serial.safe_options.skipped_strategies = skipped;
         REQUIRE(serial.run(move) == HM_OK);
         for (std::int32_t const threads : {2, 5}) {
@@ -80,7 +77,7 @@ TEST_CASE("the same bits for any number of threads, in place, and on another arr
             hm_executor const executor = backwards.executor(threads);
             Options options = options_of(HM_CONFORMAL);
             options.executor = &executor;
-            Safe safe(its, options);
+            Safe safe(setup, options);
             safe.safe_options.skipped_strategies = skipped;
             REQUIRE(safe.run(move) == HM_OK);
             CHECK(same_bits(safe.x, serial.x));
@@ -88,13 +85,12 @@ TEST_CASE("the same bits for any number of threads, in place, and on another arr
             CHECK(safe.report.min_quality == serial.report.min_quality);
         }
     }
-    Options const options = options_of(HM_CONFORMAL);
-    Safe reference(its);
+    Safe reference(setup);
     REQUIRE(reference.run(move) == HM_OK);
-    Case own = its;
+    Case own = setup;
     hm_mesh view = own.mesh.view();
     hm_problem const problem = own.problem(view);
-    Solved const solved(problem, &options);
+    Solved const solved(problem, options_of(HM_CONFORMAL));
     std::size_t bytes = 0;
     REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
@@ -105,27 +101,27 @@ TEST_CASE("the same bits for any number of threads, in place, and on another arr
     CHECK(same_bits(own.mesh.y, reference.y));
 }
 
-TEST_CASE("what does not belong together is refused, and nothing is written") {
-    Case its = tiny_case();
-    Safe safe(its);
-    std::vector<double> const move = turn_of(its, 10);
+TEST_CASE("arguments that do not belong together are refused, and nothing is written") {
+    Case setup = tiny_case();
+    Safe safe(setup);
+    std::vector<double> const move = turn_of(setup, 10);
     auto const refused = [&](hm_plan* plan, const hm_basis* basis, std::vector<double> const& by,
                              hm_basis* derivative = nullptr) {
         std::size_t bytes = 0;
         REQUIRE(hm_morph_safe_size(plan, nullptr, &bytes, nullptr) == HM_OK);
         Guarded work(bytes);
-        std::vector<double> x = its.mesh.x, y = its.mesh.y;
+        std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
         hm_status const status =
             hm_morph_safe(plan, basis, by.data(), points_out(x, y), derivative, work.data(), bytes,
                           &safe.safe_options, nullptr, nullptr);
-        CHECK(same_bits(x, its.mesh.x));
-        CHECK(same_bits(y, its.mesh.y));
+        CHECK(same_bits(x, setup.mesh.x));
+        CHECK(same_bits(y, setup.mesh.y));
         return status;
     };
     Options const conformal = options_of(HM_CONFORMAL), sharper = options_of(HM_CONFORMAL, 8);
     Options const paper = options_of(HM_LAPLACE);
-    Solved const other_exponent(its, &sharper), other_operator(its, &paper);
-    Case elsewhere = its;
+    Solved const other_exponent(setup, &sharper), other_operator(setup, &paper);
+    Case elsewhere = setup;
     elsewhere.give(17, 0.4);
     Solved const other_parameters(elsewhere, &conformal);
     hm_plan* const plan = safe.solved().plan;
@@ -133,9 +129,7 @@ TEST_CASE("what does not belong together is refused, and nothing is written") {
     CHECK(refused(plan, other_operator.basis, move) == HM_BAD_BASIS);
     CHECK(refused(plan, other_parameters.basis, move) == HM_BAD_BASIS);
     CHECK(refused(plan, safe.solved().basis, move, other_operator.basis) == HM_BAD_BASIS);
-    Attempt unsolved;
-    REQUIRE(unsolved.analyse(its.problem(), &conformal));
-    REQUIRE(unsolved.prepare());
+    Attempt unsolved = prepared(setup.problem(), conformal);
     CHECK(refused(unsolved.plan, unsolved.basis, move) == HM_BAD_BASIS);
     std::vector<double> wrong = move;
     wrong[3] = std::nan("");
@@ -152,10 +146,10 @@ TEST_CASE("what does not belong together is refused, and nothing is written") {
     CHECK(refused(plan, safe.solved().basis, move) == HM_BAD_BASIS);
     others[2] = unsolved.basis;
     CHECK(refused(plan, safe.solved().basis, move) == HM_BAD_BASIS);
-    Case knots = its;  // the same points and parameters on a curve of another shape
+    Case knots = setup;  // the same points and parameters on a curve of another shape
     knots.curves.shapes[0].knots[2] += 0.01;
     knots.give(17, 0.5);
-    Case knots_before = its;
+    Case knots_before = setup;
     knots_before.give(17, 0.5);
     Solved const other_knots(knots, &conformal);
     others[2] = other_knots.basis;
@@ -166,15 +160,14 @@ TEST_CASE("what does not belong together is refused, and nothing is written") {
     }
 }
 
-TEST_CASE(
-    "a plan needs no analysis: the same bits after the block of the analysis is overwritten") {
+TEST_CASE("a plan gives the same bits after the block of the analysis is overwritten") {
     for (std::int32_t const engine :
          {std::int32_t{HM_DIRECT}, std::int32_t{HM_MULTIGRID}, std::int32_t{HM_FAS}}) {
-        Case its = block_in_square(Cells::quads, 15);
+        Case setup = block_in_square(Cells::quads, 15);
         Options options = options_of(engine == HM_DIRECT ? HM_CONFORMAL : HM_LAPLACE);
         options.engine = engine;
-        Safe safe(its, options);
-        std::vector<double> const move = turn_of(its, engine == HM_DIRECT ? 120 : 60);
+        Safe safe(setup, options);
+        std::vector<double> const move = turn_of(setup, engine == HM_DIRECT ? 120 : 60);
         REQUIRE(safe.run(move) >= HM_OK);
         CHECK(safe.report.resolves > 0);
         std::vector<double> const expected = safe.x;

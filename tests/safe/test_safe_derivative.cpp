@@ -1,7 +1,4 @@
 // The derivative of a safe morph: a basis that takes small movements from where the mesh is now.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/block_in_square.hpp>
 
 using namespace fixtures;
@@ -12,137 +9,117 @@ double const pi = std::acos(-1.0);
 
 }  // namespace
 
-TEST_CASE(
-    "the derivative is exact at wall points, elsewhere the steps' sum; hm_adjoint is the "
-    "transpose") {
+TEST_CASE("the derivative is exact at the wall, the sum of the steps elsewhere") {
     for (bool const slip : {false, true})
         for (bool const untangled : {false, true}) {
-            Case its = block_in_square(Cells::quads, 15);
+            Case setup = block_in_square(Cells::quads, 15);
             if (slip)
-                for (std::int32_t const side : {bottom, right, top, left}) its.set_slip(side);
+                for (std::int32_t const side : {bottom, right, top, left}) setup.set_slip(side);
             Options const options = options_of(HM_CONFORMAL);
-            Safe safe(its, options);
-            Attempt of;
-            REQUIRE(of.analyse(its.problem(), &options));
-            REQUIRE(of.prepare());
-            std::vector<double> const move = turn_of(its, 120, {slip ? 0.1 : 0.05, 0.02});
+            Safe safe(setup, options);
+            Attempt real = prepared(setup.problem(), options);
+            std::vector<double> const move = turn_of(setup, 120, {slip ? 0.1 : 0.05, 0.02});
             if (untangled) safe.safe_options.skipped_strategies = without({HM_STRATEGY_SUBSTEPS});
-            REQUIRE(safe.run(move, of.basis) == HM_OK);
-            CHECK(of.guards_intact());
+            REQUIRE(safe.run(move, real.basis) == HM_OK);
+            CHECK(real.guards_intact());
             CHECK(safe.report.strategy ==
                   (untangled ? HM_STRATEGY_UNTANGLED : HM_STRATEGY_SUBSTEPS));
             std::vector<double> const further = some_move(4, 1, 3);
-            Field const by = displacement(of.basis, further),
+            Field const by = displacement(real.basis, further),
                         of_wall = displacement(safe.solved(), further);
-            for (std::int32_t const point : points_on(its.mesh, body))
-                CHECK(std::abs(by[static_cast<std::size_t>(point)] -
-                               of_wall[static_cast<std::size_t>(point)]) < 1e-13);
-            for (std::int32_t const point : points_on(its.mesh, bottom)) {
-                Complex const d = by[static_cast<std::size_t>(point)];
+            for (std::int32_t const point : points_on(setup.mesh, body))
+                CHECK(std::abs(by[std::size_t(point)] - of_wall[std::size_t(point)]) < 1e-13);
+            for (std::int32_t const point : points_on(setup.mesh, bottom)) {
+                Complex const d = by[std::size_t(point)];
                 CHECK((slip ? d.imag() == 0 : d == 0.0));
             }
-            std::vector<double> const g = some_move(its.mesh.n_points(), 1, 4);
+            std::vector<double> const g = some_move(setup.mesh.n_points(), 1, 4);
             std::vector<double> gradient(8);
-            REQUIRE(hm_adjoint(of.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(),
+            REQUIRE(hm_adjoint(real.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(),
                                nullptr, nullptr) == HM_OK);
             double here = 0, there = 0;
             for (std::size_t k = 0; k < by.size(); ++k)
                 here += g[2 * k] * by[k].real() + g[2 * k + 1] * by[k].imag();
             for (std::size_t k = 0; k < 8; ++k) there += gradient[k] * further[k];
             CHECK(here == doctest::Approx(there).epsilon(1e-11));
-            // It is a basis as any other: whole, solved, of this mesh.
-            hm_mesh const mesh = its.mesh.view();
-            hm_basis_info info{};
-            info.struct_size = sizeof info;
-            REQUIRE(hm_basis_info_get(of.basis, &info, nullptr) == HM_OK);
+            // The derivative is a basis like any other: complete, solved, and of this mesh.
+            hm_mesh const mesh = setup.mesh.view();
+            hm_basis_info const info = info_of(real.basis);
             const hm_basis* attached = nullptr;
-            CHECK(hm_basis_attach(&attached, of.basis, static_cast<std::size_t>(info.bytes), &mesh,
-                                  nullptr) == HM_OK);
+            CHECK(hm_basis_attach(&attached, real.basis, std::size_t(info.bytes), &mesh, nullptr) ==
+                  HM_OK);
         }
 }
 
-TEST_CASE("where untangling ends the way in a poor mesh, the derivative is that of the whole way") {
-    Case its = block_in_square(Cells::quads, 15);
+TEST_CASE("where untangling ends in a poor mesh, the derivative is that of the whole path") {
+    Case setup = block_in_square(Cells::quads, 15);
     Options const options = options_of(HM_CONFORMAL);
-    Safe safe(its, options);
+    Safe safe(setup, options);
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_SUBSTEPS, HM_STRATEGY_IMPROVED});
     safe.safe_options.min_quality = 0.99;  // no mesh is as good as that
-    Attempt of;
-    REQUIRE(of.analyse(its.problem(), &options));
-    REQUIRE(of.prepare());
-    REQUIRE(safe.run(turn_of(its, 120), of.basis) == HM_POOR);
+    Attempt derivative = prepared(setup.problem(), options);
+    REQUIRE(safe.run(turn_of(setup, 120), derivative.basis) == HM_POOR);
     REQUIRE(safe.report.strategy == HM_STRATEGY_UNTANGLED);
     std::vector<double> const further = some_move(4, 1, 3);
-    Field const by = displacement(of.basis, further),
+    Field const by = displacement(derivative.basis, further),
                 of_wall = displacement(safe.solved(), further);
-    for (std::int32_t const point : points_on(its.mesh, body))
-        CHECK(std::abs(by[static_cast<std::size_t>(point)] -
-                       of_wall[static_cast<std::size_t>(point)]) < 1e-13);
+    for (std::int32_t const point : points_on(setup.mesh, body))
+        CHECK(std::abs(by[std::size_t(point)] - of_wall[std::size_t(point)]) < 1e-13);
 }
 
-TEST_CASE(
-    "in one step the derivative is the basis; with real functions and straight ways, the mean of "
-    "the steps'") {
-    Case its = block_in_square(Cells::quads, 15);
+TEST_CASE("the derivative is the basis after one step; the mean of the steps on straight paths") {
+    Case setup = block_in_square(Cells::quads, 15);
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
         Options const options = options_of(operator_kind);
-        Safe safe(its, options);
-        Attempt of;
-        REQUIRE(of.analyse(its.problem(), &options));
-        REQUIRE(of.prepare());
-        REQUIRE(safe.run(turn_of(its, 1), of.basis) == HM_OK);
+        Safe safe(setup, options);
+        Attempt derivative = prepared(setup.problem(), options);
+        REQUIRE(safe.run(turn_of(setup, 1), derivative.basis) == HM_OK);
         REQUIRE(safe.report.strategy == HM_STRATEGY_LINEAR);
         std::vector<double> const further = some_move(4, 1, 5);
-        CHECK(largest_difference(displacement(of.basis, further),
+        CHECK(largest_difference(displacement(derivative.basis, further),
                                  displacement(safe.solved(), further)) < 1e-15);
     }
     // Straight ways and frozen functions: x_new = x + sum over the steps of (t_k - t_(k-1)) F_k dP
     // is linear in dP, so that the derivative by dP, applied to dP itself, is all that the mesh has
     // moved.
-    Safe safe(its, options_of(HM_LAPLACE));
+    Safe safe(setup, options_of(HM_LAPLACE));
     Options const options = options_of(HM_LAPLACE);
-    Attempt of;
-    REQUIRE(of.analyse(its.problem(), &options));
-    REQUIRE(of.prepare());
-    std::vector<double> const move = turn_of(its, 35, {0.1, 0.05});
+    Attempt derivative = prepared(setup.problem(), options);
+    std::vector<double> const move = turn_of(setup, 35, {0.1, 0.05});
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_UNTANGLED});
-    REQUIRE(safe.run(move, of.basis) >= 0);
+    REQUIRE(safe.run(move, derivative.basis) >= 0);
     REQUIRE(safe.report.steps > 2);
     if (safe.status == HM_OK)
-        CHECK(largest_difference(displacement(of.basis, move), safe.moved()) < 1e-12);
+        CHECK(largest_difference(displacement(derivative.basis, move), safe.moved()) < 1e-12);
 }
 
-TEST_CASE(
-    "the derivative is the sum of the steps' functions, each times what its movement changes by "
-    "with the whole") {
-    Case its = block_in_square(Cells::quads, 15);
+TEST_CASE("the derivative is the sum of the steps' functions times the change of each step") {
+    Case setup = block_in_square(Cells::quads, 15);
     Options const options = options_of(HM_CONFORMAL);
-    Safe safe(its, options);
-    Attempt of;
-    REQUIRE(of.analyse(its.problem(), &options));
-    REQUIRE(of.prepare());
+    Safe safe(setup, options);
+    Attempt derivative = prepared(setup.problem(), options);
     double const degrees = 120;
-    std::vector<double> const move = turn_of(its, degrees), further = some_move(4, 1, 6);
+    std::vector<double> const move = turn_of(setup, degrees), further = some_move(4, 1, 6);
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});
-    REQUIRE(safe.run(move, of.basis) == HM_OK);
+    REQUIRE(safe.run(move, derivative.basis) == HM_OK);
     std::int32_t const steps = safe.report.steps;
     REQUIRE(steps > 2);
     // The way of a turn by the angle a is P(t) = c + r^t (P + t D), r = e^(i a), D = (P + dP - c) /
     // r - P + c, and so dP(t) / d(dP) = t r^(t - 1) while r is held.
     auto const weight = [&](double t) { return t * std::polar(1.0, (t - 1) * degrees * pi / 180); };
-    Field const found = displacement(of.basis, further);
+    Field const found = displacement(derivative.basis, further);
     Field expected(found.size(), 0);
     double from = 0;
-    std::vector<double> x = its.mesh.x, y = its.mesh.y;
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
     for (std::int32_t step = 1; step <= steps; ++step) {
         Attempt here;  // the functions of this step, on the mesh it began with
-        REQUIRE(here.analyse(its.problem(), &options));
+        REQUIRE(here.analyse(setup.problem(), &options));
         REQUIRE(here.prepare());
         REQUIRE(hm_plan_factor(here.plan, points_in(x, y), nullptr) == HM_OK);
         REQUIRE(hm_plan_solve(here.plan, here.basis, nullptr, nullptr) == HM_OK);
         safe.safe_options.max_resolves = step == 1 ? -1 : step - 1;  // the way as far as that
         Attempt unused;  // with a derivative as before: without one, other paths are tried, too
-        REQUIRE(unused.analyse(its.problem(), &options));
+        REQUIRE(unused.analyse(setup.problem(), &options));
         REQUIRE(unused.prepare());
         REQUIRE(safe.run(move, unused.basis) == (step < steps ? HM_SHORT : HM_OK));
         REQUIRE(safe.report.steps == step);
@@ -157,24 +134,21 @@ TEST_CASE(
     CHECK(largest_difference(found, expected) < 1e-10);
 }
 
-TEST_CASE(
-    "differences of two safe morphs: all points after one step, the wall after several steps") {
+TEST_CASE("differences of two safe morphs agree with the derivative where they should") {
     // Points of the square are on their polygon, so that no offset turns.
     for (bool const several : {false, true}) {
-        Case its = block_in_square(Cells::quads, 15);
+        Case setup = block_in_square(Cells::quads, 15);
         Options const options = options_of(HM_CONFORMAL);
-        Safe safe(its, options);
-        Attempt of;
-        REQUIRE(of.analyse(its.problem(), &options));
-        REQUIRE(of.prepare());
-        std::vector<double> const move = turn_of(its, several ? 100 : 10, {0.03, 0.02}),
+        Safe safe(setup, options);
+        Attempt attempt = prepared(setup.problem(), options);
+        std::vector<double> const move = turn_of(setup, several ? 100 : 10, {0.03, 0.02}),
                                   along = some_move(4, 1, 7);
         safe.safe_options.skipped_strategies =
             several ? without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED})
                     : without({HM_STRATEGY_SUBSTEPS});
-        REQUIRE(safe.run(move, of.basis) == HM_OK);
+        REQUIRE(safe.run(move, attempt.basis) == HM_OK);
         CHECK((safe.report.steps > 1) == several);
-        Field const derivative = displacement(of.basis, along);
+        Field const derivative = displacement(attempt.basis, along);
         double const h = 1e-5;
         auto const moved_by = [&](double step) {
             std::vector<double> further = move;
@@ -183,14 +157,14 @@ TEST_CASE(
             return safe.moved();
         };
         Field const ahead = moved_by(h), back = moved_by(-h);
-        std::vector<std::int32_t> points = points_on(its.mesh, body);
+        std::vector<std::int32_t> points = points_on(setup.mesh, body);
         if (!several) {
             points.clear();
-            for (std::int32_t k = 0; k < its.mesh.n_points(); ++k) points.push_back(k);
+            for (std::int32_t k = 0; k < setup.mesh.n_points(); ++k) points.push_back(k);
         }
         double worst = 0;
         for (std::int32_t const point : points) {
-            std::size_t const k = static_cast<std::size_t>(point);
+            std::size_t const k = std::size_t(point);
             worst = std::max(worst, std::abs((ahead[k] - back[k]) / (2 * h) - derivative[k]));
         }
         INFO("several steps: " << several);

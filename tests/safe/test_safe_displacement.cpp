@@ -1,8 +1,5 @@
 // Given displacements by the strategies of a safe morph: the whole displacement with the given
 // bits, or how far and why.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/executors.hpp>
 #include <fixtures/naca0012.hpp>
 #include <fixtures/safe_displaced.hpp>
@@ -17,8 +14,8 @@ double const pi = std::acos(-1.0);
 
 TEST_CASE("a displacement that is possible in one step is that of hm_displace") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL}) {
-        Case its = given_block(Cells::hybrid);
-        SafeDisplaced safe(its, options_of(kind));
+        Case setup = given_block(Cells::hybrid);
+        SafeDisplaced safe(setup, options_of(kind));
         Field wall = some_field(safe.points.size(), 3, 2e-3);
         for (Complex& w : wall) w += Complex(0.03, -0.01);
         Field const expected = safe.displace(wall);
@@ -28,24 +25,22 @@ TEST_CASE("a displacement that is possible in one step is that of hm_displace") 
         CHECK(safe.safe_report.step_fraction == 1);
         CHECK(safe.is_at(wall));
         for (std::size_t k = 0; k < expected.size(); ++k) {
-            CHECK(std::fabs(safe.x[k] - its.mesh.x[k] - expected[k].real()) < 1e-14);
-            CHECK(std::fabs(safe.y[k] - its.mesh.y[k] - expected[k].imag()) < 1e-14);
+            CHECK(std::fabs(safe.x[k] - setup.mesh.x[k] - expected[k].real()) < 1e-14);
+            CHECK(std::fabs(safe.y[k] - setup.mesh.y[k] - expected[k].imag()) < 1e-14);
         }
         REQUIRE(safe.run(Field(wall.size())) == HM_OK);
         CHECK(safe.untouched());
     }
 }
 
-TEST_CASE(
-    "a rotation of 150 degrees with a change of shape: with the given bits, by every operator and "
-    "engine") {
+TEST_CASE("a rotation of 150 degrees with a change of shape has the given bits for all operators") {
     for (int const variant : {0, 1, 2, 3}) {
-        Case its = given_block(variant == 1 ? Cells::triangles : Cells::quads);
+        Case setup = given_block(variant == 1 ? Cells::triangles : Cells::quads);
         Options options = options_of(variant == 1   ? HM_LAPLACE
                                      : variant == 2 ? HM_WEIGHTED
                                                     : HM_CONFORMAL);
         if (variant == 3) options = options_of(HM_LAPLACE), options.engine = HM_MULTIGRID;
-        SafeDisplaced safe(its, options);
+        SafeDisplaced safe(setup, options);
         Field wall = safe.similarity(std::polar(1.1, 150 * pi / 180), {0.5, 0.5}, {0.02, 0.05});
         Field const start = safe.start();
         for (std::size_t k = 0; k < wall.size(); ++k)
@@ -62,11 +57,9 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "rotated in steps, a body keeps its shape on the way: fewer cells suffer than on straight "
-    "lines") {
-    Case its = given_block();
-    SafeDisplaced safe(its);
+TEST_CASE("a body that turns in steps keeps its shape, and fewer cells suffer") {
+    Case setup = given_block();
+    SafeDisplaced safe(setup);
     Field const half = safe.similarity(std::polar(1.0, 178 * pi / 180), {0.5, 0.5});
     safe.safe_options.skipped_strategies =
         without({HM_STRATEGY_UNTANGLED, HM_STRATEGY_OTHER, HM_STRATEGY_IMPROVED});
@@ -76,10 +69,9 @@ TEST_CASE(
     CHECK(safe.is_at(half));
 }
 
-TEST_CASE(
-    "the functions of another operator are solved where one step of the first one is not enough") {
-    Case its = given_block();
-    SafeDisplaced safe(its, options_of(HM_CONFORMAL, 16));
+TEST_CASE("functions of another operator are solved where one step of the first is not enough") {
+    Case setup = given_block();
+    SafeDisplaced safe(setup, options_of(HM_CONFORMAL, 16));
     safe.safe_options.skipped_strategies =
         without({HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
     bool helped = false;
@@ -101,15 +93,15 @@ TEST_CASE(
 }
 
 TEST_CASE("threads and the order of the list do not change a bit") {
-    Case its = given_block();
-    SafeDisplaced one(its);
+    Case setup = given_block();
+    SafeDisplaced one(setup);
     Field const wall = one.similarity(std::polar(1.0, 100 * pi / 180), {0.5, 0.5});
     REQUIRE(one.run(wall) == HM_OK);
     Backwards backwards;
     hm_executor const executor = backwards.executor(3);
     Options options = options_of(HM_CONFORMAL);
     options.executor = &executor;
-    SafeDisplaced three(its, options);
+    SafeDisplaced three(setup, options);
     REQUIRE(three.run(wall) == HM_OK);
     CHECK(same_bits(one.x, three.x));
     CHECK(same_bits(one.y, three.y));
@@ -123,19 +115,17 @@ TEST_CASE("threads and the order of the list do not change a bit") {
     Guarded work(bytes);
     const double* const values = reinterpret_cast<const double*>(reversed.data());
     hm_points const given{values, values + 1, 2};
-    std::vector<double> x = its.mesh.x, y = its.mesh.y;
-    REQUIRE(hm_displace_safe(one.plan, one.basis, nullptr, static_cast<std::int32_t>(list.size()),
-                             list.data(), &given, points_out(x, y), work.data(), bytes,
-                             &one.safe_options, nullptr, nullptr) == HM_OK);
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
+    REQUIRE(hm_displace_safe(one.plan, one.basis, nullptr, std::int32_t(list.size()), list.data(),
+                             &given, points_out(x, y), work.data(), bytes, &one.safe_options,
+                             nullptr, nullptr) == HM_OK);
     CHECK(same_bits(one.x, x));
     CHECK(same_bits(one.y, y));
 }
 
-TEST_CASE(
-    "a displacement that is only partly possible: the fraction and the limiting cell; poor cells "
-    "are named") {
-    Case its = given_block();
-    SafeDisplaced safe(its);
+TEST_CASE("a displacement that is partly possible reports the fraction and the limiting cell") {
+    Case setup = given_block();
+    SafeDisplaced safe(setup);
     Field const wall(safe.points.size(), Complex(0.35, 0));  // into the corner cells of the side
     safe.safe_options.max_resolves = -1;
     safe.safe_options.skipped_strategies =
@@ -147,7 +137,7 @@ TEST_CASE(
     CHECK(safe.error.value == doctest::Approx(part));
     CHECK(safe.safe_report.cell >= 0);
     for (std::size_t k = 0; k < safe.points.size(); ++k) {
-        auto const at = static_cast<std::size_t>(safe.points[k]);
+        auto const at = std::size_t(safe.points[k]);
         CHECK(safe.x[at] - safe.mesh.x[at] ==
               doctest::Approx(part * wall[k].real()).epsilon(1e-12));
     }
@@ -160,13 +150,11 @@ TEST_CASE(
     CHECK(safe.error.item == safe.safe_report.worst[0].cell);
 }
 
-TEST_CASE(
-    "given displacements: heights of the first layer are limited where that is asked for, and the "
-    "place said") {
-    Case its;
-    its.mesh = o_mesh(naca4({}, 40), stretched(1e-3, 8, 24));
-    its.set_given(body);
-    SafeDisplaced safe(its);
+TEST_CASE("given displacements limit heights of the first layer where asked for") {
+    Case setup;
+    setup.mesh = o_mesh(naca4({}, 40), stretched(1e-3, 8, 24));
+    setup.set_given(body);
+    SafeDisplaced safe(setup);
     Field wall;
     for (Complex const z : safe.start())
         wall.push_back({0, 0.4 * z.real() * (1 - z.real())});  // a camber of .1

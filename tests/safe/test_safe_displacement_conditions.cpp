@@ -1,9 +1,5 @@
 // Safe given displacements beside other conditions: curves, design variables, and lines along which
 // points slide.
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/derived.hpp>
 #include <fixtures/half_ring.hpp>
 #include <fixtures/safe_displaced.hpp>
@@ -16,23 +12,19 @@ double const pi = std::acos(-1.0);
 
 }  // namespace
 
-TEST_CASE(
-    "given points beside a curve: both bodies turn, and each wall is where its own description has "
-    "it") {
-    Case its = two_body_case(Cells::hybrid, 12, 8);
-    its.conditions.pop_back();
-    its.set_given(second_body);
-    Options const options = options_of(HM_CONFORMAL);
-    SafeDisplaced safe(its, options);
+TEST_CASE("both bodies turn with points beside a curve, and each wall is where it is described") {
+    Case setup = two_body_case(Cells::hybrid, 12, 8);
+    setup.conditions.pop_back();
+    setup.set_given(second_body);
+    SafeDisplaced safe(setup, options_of(HM_CONFORMAL));
     REQUIRE(hm_plan_solve(safe.plan, safe.basis, nullptr, nullptr) == HM_OK);
     hm_basis_info const info = info_of(safe.basis);
     Field const start = safe.start();
     Complex centre = 0;
-    for (Complex const z : start) centre += z / static_cast<double>(start.size());
+    for (Complex const z : start) centre += z / double(start.size());
     Field const wall = safe.similarity(std::polar(1.0, -50 * pi / 180), centre);
-    std::vector<double> move(2 * static_cast<std::size_t>(info.functions));  // the first curve up
-    for (std::int32_t const i : its.curves.shapes[0].indices)
-        move[2 * static_cast<std::size_t>(i) + 1] = 0.03;
+    std::vector<double> move(2 * std::size_t(info.functions));  // the first curve up
+    for (std::int32_t const i : setup.curves.shapes[0].indices) move[2 * std::size_t(i) + 1] = 0.03;
     std::vector<double> reached(move.size());
     safe.safe_options.reached = reached.data();
     REQUIRE_MESSAGE(safe.run(wall, &move) == HM_OK, safe.error.text);
@@ -59,16 +51,16 @@ TEST_CASE(
     CHECK(safe.run(wall, nullptr, tabulated.basis) == HM_UNSUPPORTED);
 }
 
-TEST_CASE("a wall that ends on a line along which points slide goes straight, and slides with it") {
-    Case its = given_instead(half_ring(8, 16, Cells::quads, 0, 4));
+TEST_CASE("a wall that ends on a slip line goes straight and slides along the line") {
+    Case setup = given_instead(half_ring(8, 16, Cells::quads, 0, 4));
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
-        SafeDisplaced safe(its, options_of(kind));
+        SafeDisplaced safe(setup, options_of(kind));
         Field const start = safe.start();
         Field wall;
         for (Complex const z : start) wall.push_back(Complex(0.75 * z.real(), -0.4 * z.imag()));
         REQUIRE_MESSAGE(safe.run(wall) == HM_OK, safe.error.text);
         CHECK(safe.is_at(wall));
         for (std::size_t k = 0; k < safe.x.size(); ++k)
-            if (its.mesh.y[k] == 0) CHECK(safe.y[k] == 0);
+            if (setup.mesh.y[k] == 0) CHECK(safe.y[k] == 0);
     }
 }

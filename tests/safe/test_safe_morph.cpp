@@ -1,16 +1,12 @@
-// Safe morphs: no inverted cell and no crossing whatever happens, and the truth about the way.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
+// Safe morphs: no cell is inverted and no boundary crosses whatever happens, and the report is
+// true.
 #include <fixtures/block_in_square.hpp>
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/fitted.hpp>
 
 using namespace fixtures;
 
-TEST_CASE(
-    "slipping points stay on their lines and periodic sides move alike, in substeps and in "
-    "untangling") {
+TEST_CASE("slip points stay on lines and periodic sides move alike, also in untangling") {
     Case slip = block_in_square(Cells::hybrid, 15), pair = block_in_square(Cells::hybrid, 15);
     for (std::int32_t const side : {bottom, right, top, left}) slip.set_slip(side);
     pair.set_periodic(left, right);
@@ -22,9 +18,8 @@ TEST_CASE(
         REQUIRE(sliding.report.strategy != HM_STRATEGY_LINEAR);
         double slid = 0;
         for (std::int32_t const point : points_on(slip.mesh, bottom)) {
-            CHECK(sliding.y[static_cast<std::size_t>(point)] == 0);
-            slid =
-                std::fmax(slid, std::fabs(sliding.moved()[static_cast<std::size_t>(point)].real()));
+            CHECK(sliding.y[std::size_t(point)] == 0);
+            slid = std::fmax(slid, std::fabs(sliding.moved()[std::size_t(point)].real()));
         }
         CHECK(slid > 1e-3);
         REQUIRE(alike.run(turn_of(pair, 110, {0.1, 0.05})) == HM_OK);
@@ -33,38 +28,33 @@ TEST_CASE(
                                         r = points_on(pair.mesh, right);
         Field const moved = alike.moved();
         for (std::size_t j = 0; j < l.size(); ++j)
-            CHECK(std::abs(moved[static_cast<std::size_t>(l[j])] -
-                           moved[static_cast<std::size_t>(r[j])]) < 1e-15);
+            CHECK(std::abs(moved[std::size_t(l[j])] - moved[std::size_t(r[j])]) < 1e-15);
     }
 }
 
-TEST_CASE(
-    "sliding points that would pass each other in one step are no crossing: in several they do "
-    "not") {
-    Case its;
-    its.mesh = square(25, Cells::quads, 5, 1);
-    its.curves = polyline({{0.4, 0.48}, {0.6, 0.48}, {0.6, 0.52}, {0.4, 0.52}});
-    its.put_on_curves(body);
-    for (std::int32_t const side : {bottom, right, top, left}) its.set_slip(side);
-    Safe safe(its);  // conformal, 1 / d^1.5
+TEST_CASE("sliding points that would pass each other in one step do not in several steps") {
+    Case setup;
+    setup.mesh = square(25, Cells::quads, 5, 1);
+    setup.curves = polyline({{0.4, 0.48}, {0.6, 0.48}, {0.6, 0.52}, {0.4, 0.52}});
+    setup.put_on_curves(body);
+    for (std::int32_t const side : {bottom, right, top, left}) setup.set_slip(side);
+    Safe safe(setup);  // conformal, 1 / d^1.5
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_UNTANGLED});
-    REQUIRE(safe.run(turn_of(its, 60, {-0.2, -0.3})) == HM_OK);
+    REQUIRE(safe.run(turn_of(setup, 60, {-0.2, -0.3})) == HM_OK);
     CHECK(safe.report.step_fraction == 1);
     CHECK(safe.report.strategy == HM_STRATEGY_SUBSTEPS);
     CHECK(safe.is_valid());
 }
 
-TEST_CASE(
-    "heights of the first layer are limited where asked for; a warning names the place where they "
-    "are not") {
-    Case its;
-    its.mesh = o_mesh(naca4({}, 40), stretched(1e-3, 8, 24));
-    its.curves.add(fitted_loop(points_along(its.mesh, body), 16));
-    its.put_on_curves(body);
-    Safe safe(its);
-    std::vector<double> move(its.curves.control.size());
+TEST_CASE("heights of the first layer are limited where asked for, or a warning names the place") {
+    Case setup;
+    setup.mesh = o_mesh(naca4({}, 40), stretched(1e-3, 8, 24));
+    setup.curves.add(fitted_loop(points_along(setup.mesh, body), 16));
+    setup.put_on_curves(body);
+    Safe safe(setup);
+    std::vector<double> move(setup.curves.control.size());
     for (std::size_t k = 0; k < move.size(); k += 2) {
-        double const x = its.curves.control[k];
+        double const x = setup.curves.control[k];
         move[k + 1] = 0.4 * x * (1 - x);  // a camber of .1
     }
     REQUIRE(safe.run(move) == HM_OK);
@@ -72,19 +62,19 @@ TEST_CASE(
     double const change = std::max(high, 1 / low);
     CHECK(safe.report.heights == 0);
     REQUIRE(change > 1.1);  // conformal functions stretch heights with the wall
-    // What is met anyway changes nothing.
+    // A limit that is kept anyway changes nothing.
     std::vector<double> const x = safe.x, y = safe.y;
     safe.safe_options.max_height_change = 1.01 * change;
     REQUIRE(safe.run(move) == HM_OK);
     CHECK(same_bits(safe.x, x));
     CHECK(same_bits(safe.y, y));
-    // Half of the change: heights are brought back.
+    // With a limit of half of the change, heights are restored.
     safe.safe_options.max_height_change = 1 + 0.5 * (change - 1);
     REQUIRE(safe.run(move) == HM_OK);
     CHECK(safe.is_valid());
     CHECK(safe.report.max_height_ratio <= safe.safe_options.max_height_change);
     CHECK(safe.report.min_height_ratio >= 1 / safe.safe_options.max_height_change);
-    // Heights come back but for rounding; less is too much to ask for, and said.
+    // Heights are restored but for rounding; a smaller limit cannot be kept, and a warning says so.
     safe.safe_options.max_height_change = 1 + 1e-9;
     CHECK(safe.run(move) == HM_OK);
     safe.safe_options.max_height_change = std::nextafter(1.0, 2.0);
@@ -93,14 +83,14 @@ TEST_CASE(
     CHECK(std::string(safe.error.text).find("the height of the first layer at point") !=
           std::string::npos);
     CHECK(safe.report.max_height_ratio < high);
-    std::vector<std::int32_t> const wall = points_on(its.mesh, body);
+    std::vector<std::int32_t> const wall = points_on(setup.mesh, body);
     CHECK(std::find(wall.begin(), wall.end(), safe.error.item) != wall.end());
 }
 
-TEST_CASE("short of the target: the last valid mesh is that fraction of the way along") {
-    Case its = block_in_square();
-    Safe safe(its);
-    std::vector<double> const move = turn_of(its, 150);
+TEST_CASE("a mesh short of the target is the last valid one, at the reported fraction of the way") {
+    Case setup = block_in_square();
+    Safe safe(setup);
+    std::vector<double> const move = turn_of(setup, 150);
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});
     safe.safe_options.max_resolves = 1;
     std::vector<double> reached(move.size(), -1);
@@ -113,10 +103,10 @@ TEST_CASE("short of the target: the last valid mesh is that fraction of the way 
     CHECK(safe.report.resolves == 1);
     CHECK(safe.error.value == t);
     CHECK(safe.report.cell >= 0);
-    CHECK(safe.report.cell < its.mesh.n_cells());
+    CHECK(safe.report.cell < setup.mesh.n_cells());
     CHECK(safe.error.item == safe.report.cell);
     CHECK(safe.is_valid());
-    CHECK(safe.boundary_error(turn_of(its, 150 * t)) < 1e-11);  // a turn is a turn all the way
+    CHECK(safe.boundary_error(turn_of(setup, 150 * t)) < 1e-11);  // a turn is a turn all the way
     CHECK(safe.boundary_error(reached) < 1e-15);
     for (int const resolves : {-1, 2, 4}) {  // the more is allowed, the farther
         double const before = resolves < 0 ? 0 : t;
@@ -129,42 +119,37 @@ TEST_CASE("short of the target: the last valid mesh is that fraction of the way 
     }
 }
 
-TEST_CASE(
-    "a boundary that crosses itself is refused at once, with the place, and nothing is written") {
-    Case its = block_in_square();
-    Safe safe(its);
+TEST_CASE("a boundary that crosses itself is refused at once, and nothing is written") {
+    Case setup = block_in_square();
+    Safe safe(setup);
     std::vector<double> move(8, 0.0);
     move[0] = 0.3;  // the lower left corner behind the lower right one, and up
     move[1] = 0.06;
     Attempt derivative;
     Options const options = options_of(HM_CONFORMAL);
-    REQUIRE(derivative.run(its.problem(), &options));
+    REQUIRE(derivative.run(setup.problem(), &options));
     CHECK(safe.run(move, derivative.basis) == HM_CROSSING);
     CHECK(safe.untouched());
     CHECK(safe.report.crossing_points[0] >= 0);
     CHECK(safe.report.crossing_points[2] >= 0);
     CHECK(safe.report.steps == 0);
-    std::vector<std::int32_t> const on_body = points_on(its.mesh, body);
+    std::vector<std::int32_t> const on_body = points_on(setup.mesh, body);
     for (std::int32_t const point : safe.report.crossing_points)
         CHECK(std::find(on_body.begin(), on_body.end(), point) != on_body.end());
     CHECK(safe.error.item == safe.report.crossing_points[0]);
-    CHECK(safe.run(turn_of(its, 0, {0.45, 0.013})) ==
+    CHECK(safe.run(turn_of(setup, 0, {0.45, 0.013})) ==
           HM_CROSSING);                         // through the side of the square
     CHECK(safe.report.mean_height_ratio == 1);  // nothing moved
     CHECK(safe.report.min_height_ratio == 1);
     CHECK(safe.report.max_height_ratio == 1);
     CHECK(safe.untouched());
-    hm_basis_info info{};
-    info.struct_size = sizeof info;
-    REQUIRE(hm_basis_info_get(derivative.basis, &info, nullptr) == HM_OK);
+    hm_basis_info const info = info_of(derivative.basis);
     CHECK(info.solved == 1);  // refused: as it was
 }
 
-TEST_CASE(
-    "a thousand random movements of growing size: valid, or refused with a reason; never an "
-    "inverted cell") {
+TEST_CASE("a thousand random movements of growing size are valid or refused with a reason") {
     struct Start {
-        Case its;
+        Case setup;
         std::int32_t operator_kind;
     };
     Case tiny = tiny_case(), bodies = two_body_case(Cells::hybrid, 4, 3), channel = tiny_case();
@@ -179,9 +164,9 @@ TEST_CASE(
                       {channel, HM_CONFORMAL},
                       {cascade, HM_CONFORMAL}};
     for (Start& start : starts) {
-        Safe safe(start.its, options_of(start.operator_kind));
+        Safe safe(start.setup, options_of(start.operator_kind));
         std::int32_t const n = safe.solved().info().functions;
-        double const size = start.its.curves.n_control() == 4 ? 4 : 0.5;
+        double const size = start.setup.curves.n_control() == 4 ? 4 : 0.5;
         int reached = 0, refused = 0, by_strategy[4] = {};
         for (unsigned trial = 0; trial < 200; ++trial) {
             std::vector<double> const move = some_move(n, size * trial / 200.0, 100 + trial);
@@ -212,16 +197,14 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "an airfoil in a C-mesh, moved, turned and bent at random: the two sides of the wake stay "
-    "one") {
+TEST_CASE("the two sides of the wake stay one when an airfoil in a C-mesh moves at random") {
     CMesh const c = c_mesh(naca4({}, 24), 12, 8, stretched(5e-3, 8, 12));
-    Case its = airfoil_case(24, 12);
-    its.mesh = c.mesh;
-    Safe safe(its);
+    Case setup = airfoil_case(24, 12);
+    setup.mesh = c.mesh;
+    Safe safe(setup);
     int by_strategy[4] = {};
     for (unsigned trial = 0; trial < 60; ++trial) {
-        std::vector<double> move = similarity_move(its.curves, std::polar(1.0, 0.05 * trial),
+        std::vector<double> move = similarity_move(setup.curves, std::polar(1.0, 0.05 * trial),
                                                    {0.25, 0}, {0.01 * trial, 0});
         std::vector<double> const more = some_move(12, 0.0005 * trial, 200 + trial);
         for (std::size_t k = 0; k < move.size(); ++k) move[k] += more[k];
@@ -246,15 +229,15 @@ TEST_CASE(
 }
 
 TEST_CASE("numbering from 1, cells of either sense, and units change nothing but numbers") {
-    Case its = block_in_square(Cells::hybrid, 15);
-    std::vector<double> const move = turn_of(its, 150);
-    Safe reference(its);
+    Case setup = block_in_square(Cells::hybrid, 15);
+    std::vector<double> const move = turn_of(setup, 150);
+    Safe reference(setup);
     for (std::int32_t const skipped : {without({HM_STRATEGY_UNTANGLED}), 0}) {
         reference.safe_options.skipped_strategies = skipped;
         reference.safe_options.max_resolves = 2;
         hm_status const expected = reference.run(move);
         CHECK(expected == (skipped != 0 ? HM_SHORT : HM_OK));
-        Case from_one = its;
+        Case from_one = setup;
         from_one.index_base = 1;
         reverse_some(from_one.mesh, 3);
         Safe other(from_one);
@@ -271,7 +254,7 @@ TEST_CASE("numbering from 1, cells of either sense, and units change nothing but
         }
         CHECK(other.report.min_quality_cell == reference.report.min_quality_cell + 1);
         for (double const unit : {1e-9, 1e20}) {
-            Case scaled = similar(its, unit, 0);
+            Case scaled = similar(setup, unit, 0);
             std::vector<double> scaled_move = move;
             for (double& m : scaled_move) m *= unit;
             Safe far(scaled);
@@ -288,28 +271,27 @@ TEST_CASE("numbering from 1, cells of either sense, and units change nothing but
     }
 }
 
-TEST_CASE(
-    "functions on the way that miss the tolerance are a warning: the mesh is there, and valid") {
-    Case its = block_in_square(Cells::quads, 15);
+TEST_CASE("functions on the way that miss the tolerance give a warning and a valid mesh") {
+    Case setup = block_in_square(Cells::quads, 15);
     Options options = options_of(HM_CONFORMAL);
     options.tolerance = 1e-18;
-    Attempt const attempt(its.problem(), &options);
+    Attempt const attempt(setup.problem(), &options);
     REQUIRE(attempt.status == HM_NOT_CONVERGED);
     std::size_t bytes = 0;
     REQUIRE(hm_morph_safe_size(attempt.plan, attempt.basis, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
     hm_safe_report report{};
     report.struct_size = sizeof report;
-    std::vector<double> x(its.mesh.x.size()), y(x.size());
+    std::vector<double> x(setup.mesh.x.size()), y(x.size());
     hm_error error{};
-    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(its, 120).data(), points_out(x, y),
+    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(setup, 120).data(), points_out(x, y),
                         nullptr, work.data(), bytes, nullptr, &report, &error) == HM_NOT_CONVERGED);
     CHECK(report.step_fraction == 1);
     CHECK(report.resolves > 0);
     CHECK(report.inverted == 0);
-    CHECK(x[0] == its.mesh.x[0]);
+    CHECK(x[0] == setup.mesh.x[0]);
     CHECK(error.value > 1e-18);
-    // One step needs no other functions than those that are there.
-    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(its, 10).data(), points_out(x, y),
+    // One step needs no functions other than the present ones.
+    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(setup, 10).data(), points_out(x, y),
                         nullptr, work.data(), bytes, nullptr, &report, &error) == HM_OK);
 }

@@ -1,15 +1,12 @@
-// The strategies of the safe morph: each where it helps, and what each of them promises.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
+// The strategies of the safe morph: cases in which each of them helps, and the properties of each.
 #include <fixtures/block_in_square.hpp>
 
 using namespace fixtures;
 
-TEST_CASE("the linear strategy: hm_morph's mesh in one step, where that is valid") {
-    Case its = block_in_square();
-    Safe safe(its);
-    std::vector<double> const move = turn_of(its, 20);
+TEST_CASE("the linear strategy gives the mesh of hm_morph in one step where that is valid") {
+    Case setup = block_in_square();
+    Safe safe(setup);
+    std::vector<double> const move = turn_of(setup, 20);
     REQUIRE(safe.run(move) == HM_OK);
     CHECK(safe.report.strategy == HM_STRATEGY_LINEAR);
     CHECK(safe.report.steps == 1);
@@ -27,13 +24,13 @@ TEST_CASE("the linear strategy: hm_morph's mesh in one step, where that is valid
     CHECK(safe.is_valid());
 }
 
-TEST_CASE("another basis is the one that helps") {
-    Case its = block_in_square();
-    Safe safe(its, options_of(HM_LAPLACE));
-    std::vector<double> const move = turn_of(its, 60);
+TEST_CASE("another basis can be the strategy that helps") {
+    Case setup = block_in_square();
+    Safe safe(setup, options_of(HM_LAPLACE));
+    std::vector<double> const move = turn_of(setup, 60);
     CHECK(safe.admissible(move) < 1);
-    Options const weighted = options_of(HM_WEIGHTED, 1), conformal = options_of(HM_CONFORMAL);
-    Solved const useless(its, &weighted), useful(its, &conformal);
+    Solved const useless(setup, options_of(HM_WEIGHTED, 1)),
+        useful(setup, options_of(HM_CONFORMAL));
     const hm_basis* const others[] = {useless.basis, useful.basis};
     safe.safe_options.n_others = 2;
     safe.safe_options.others = others;
@@ -45,9 +42,9 @@ TEST_CASE("another basis is the one that helps") {
     CHECK(largest_difference(safe.moved(), displacement(useful, move)) < 1e-15);
     CHECK(safe.is_valid());
     CHECK(safe.boundary_error(move) < 1e-15);
-    Attempt real, of;  // a derivative with real values cannot take its complex ones
+    Attempt real, derivative;  // a derivative with real values cannot take its complex ones
     Options const paper = options_of(HM_LAPLACE), sharper = options_of(HM_CONFORMAL, 8);
-    REQUIRE(real.run(its.problem(), &paper));
+    REQUIRE(real.run(setup.problem(), &paper));
     CHECK(safe.run(move, real.basis) == HM_SHORT);
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});
     hm_status const beside_others = safe.run(move, real.basis);  // nor can its substeps
@@ -71,32 +68,30 @@ TEST_CASE("another basis is the one that helps") {
     safe.safe_options.n_others = 2;
     CHECK(safe.run(move) == HM_SHORT);
 
-    Safe weaker(its, sharper);  // of the same kind: its functions are the derivative
+    Safe weaker(setup, sharper);  // of the same kind: its functions are the derivative
     weaker.safe_options.n_others = 2;
     weaker.safe_options.others = others;
     weaker.safe_options.skipped_strategies =
         without({HM_STRATEGY_LINEAR, HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED});
-    REQUIRE(of.run(its.problem(), &sharper));
-    REQUIRE(weaker.run(move, of.basis) == HM_OK);
+    REQUIRE(derivative.run(setup.problem(), &sharper));
+    REQUIRE(weaker.run(move, derivative.basis) == HM_OK);
     CHECK(weaker.report.strategy == HM_STRATEGY_OTHER);
     CHECK(weaker.report.other == 1);
     std::vector<double> const further = some_move(4, 1, 7);
-    CHECK(largest_difference(displacement(of.basis, further), displacement(useful, further)) <
-          1e-15);
+    CHECK(largest_difference(displacement(derivative.basis, further),
+                             displacement(useful, further)) < 1e-15);
 }
 
-TEST_CASE("the longest linear step is straight: no derivative of a path that turns is made of it") {
-    Case its = block_in_square(Cells::quads, 15);
+TEST_CASE("the longest linear step is straight, without a derivative of a path that turns") {
+    Case setup = block_in_square(Cells::quads, 15);
     Options const options = options_of(HM_CONFORMAL);
-    Safe safe(its, options);
-    Attempt of;
-    REQUIRE(of.analyse(its.problem(), &options));
-    REQUIRE(of.prepare());
-    std::vector<double> const move = turn_of(its, 150, {0.05, 0.02});
+    Safe safe(setup, options);
+    Attempt derivative = prepared(setup.problem(), options);
+    std::vector<double> const move = turn_of(setup, 150, {0.05, 0.02});
     REQUIRE(safe.admissible(move) < 1);
     safe.safe_options.skipped_strategies = without(
         {HM_STRATEGY_OTHER, HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
-    CHECK(safe.run(move, of.basis) == HM_SHORT);
+    CHECK(safe.run(move, derivative.basis) == HM_SHORT);
     CHECK(safe.report.step_fraction == 0);
     CHECK(safe.untouched());
     CHECK(safe.run(move) == HM_SHORT);
@@ -105,11 +100,11 @@ TEST_CASE("the longest linear step is straight: no derivative of a path that tur
     CHECK(safe.is_valid());
 }
 
-TEST_CASE("substeps are what helps: valid, and the wall exactly where its B-spline is") {
+TEST_CASE("substeps can be the strategy that helps, with the wall exactly on its B-spline") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
-        Case its = block_in_square(kind);
-        Safe safe(its);
-        std::vector<double> const move = turn_of(its, 120, {0.02, 0.05});
+        Case setup = block_in_square(kind);
+        Safe safe(setup);
+        std::vector<double> const move = turn_of(setup, 120, {0.02, 0.05});
         CHECK(safe.admissible(move) < 1);
         safe.safe_options.skipped_strategies = without({HM_STRATEGY_OTHER, HM_STRATEGY_UNTANGLED});
         REQUIRE(safe.run(move) == HM_OK);
@@ -122,23 +117,21 @@ TEST_CASE("substeps are what helps: valid, and the wall exactly where its B-spli
         CHECK(safe.boundary_error(move) < 1e-15);
         Field const moved = safe.moved();
         for (std::int32_t const side : {bottom, right, top, left})
-            for (std::int32_t const point : points_on(its.mesh, side))
-                CHECK(moved[static_cast<std::size_t>(point)] == 0.0);
+            for (std::int32_t const point : points_on(setup.mesh, side))
+                CHECK(moved[std::size_t(point)] == 0.0);
     }
 }
 
-TEST_CASE(
-    "a substep takes half of what is admissible, on the mesh and with the functions that it begins "
-    "from") {
+TEST_CASE("a substep takes half of the admissible step, with the functions at its start") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
-        Case its = block_in_square(kind);
-        Safe safe(its);
+        Case setup = block_in_square(kind);
+        Safe safe(setup);
         safe.safe_options.skipped_strategies =
             without({HM_STRATEGY_LINEAR, HM_STRATEGY_OTHER, HM_STRATEGY_UNTANGLED});
-        std::vector<double> const shift = similarity_move(its.curves, 1, {0.5, 0.5}, {0.3, 0.2});
-        for (std::vector<double> const& move : {shift, turn_of(its, 150)}) {
+        std::vector<double> const shift = similarity_move(setup.curves, 1, {0.5, 0.5}, {0.3, 0.2});
+        for (std::vector<double> const& move : {shift, turn_of(setup, 150)}) {
             REQUIRE(safe.admissible(move) < 1);
-            std::vector<double> x = its.mesh.x, y = its.mesh.y;  // where the substep begins
+            std::vector<double> x = setup.mesh.x, y = setup.mesh.y;  // where the substep begins
             for (std::int32_t const resolves :
                  {-1, 1, 2}) {  // -1: none, so that one substep is all there is
                 safe.safe_options.max_resolves = resolves;
@@ -149,7 +142,7 @@ TEST_CASE(
                     dx[k] = safe.x[k] - x[k];
                     dy[k] = safe.y[k] - y[k];
                 }
-                Mesh from = its.mesh;
+                Mesh from = setup.mesh;
                 from.x = x;
                 from.y = y;
                 double const steps =
@@ -164,8 +157,8 @@ TEST_CASE(
                 y = safe.y;
             }
         }
-        // Straight ahead the displacements are proportional to the way, so that the search ends at
-        // half, or just below.
+        // Straight ahead, the displacements are proportional to the time, so that the search ends
+        // at half, or just below.
         safe.safe_options.max_resolves = -1;
         REQUIRE(safe.run(shift) == HM_SHORT);
         CHECK(safe.report.step_fraction <= safe.admissible(shift) / 2);
@@ -173,11 +166,11 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("untangling is what helps") {
+TEST_CASE("untangling can be the strategy that helps") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
-        Case its = block_in_square(kind);
-        Safe safe(its);
-        std::vector<double> const move = turn_of(its, 100, {0.05, 0.05});
+        Case setup = block_in_square(kind);
+        Safe safe(setup);
+        std::vector<double> const move = turn_of(setup, 100, {0.05, 0.05});
         CHECK(safe.admissible(move) < 1);
         safe.safe_options.skipped_strategies = without({HM_STRATEGY_OTHER, HM_STRATEGY_SUBSTEPS});
         REQUIRE(safe.run(move) == HM_OK);
@@ -201,20 +194,18 @@ TEST_CASE("untangling is what helps") {
     }
 }
 
-TEST_CASE(
-    "whatever strategy it was: the wall's points have the same bits, rounding does not add up") {
-    Case its = block_in_square(Cells::quads, 15);
-    Safe safe(its);
-    std::vector<double> const move = turn_of(its, 115, {0.0123, 0.0321});
+TEST_CASE("the wall has the same bits for every strategy, without accumulated rounding") {
+    Case setup = block_in_square(Cells::quads, 15);
+    Safe safe(setup);
+    std::vector<double> const move = turn_of(setup, 115, {0.0123, 0.0321});
     std::vector<double> wall;
     for (std::int32_t const skipped :
          {without({HM_STRATEGY_UNTANGLED}), without({HM_STRATEGY_SUBSTEPS})}) {
         safe.safe_options.skipped_strategies = skipped;
         REQUIRE(safe.run(move) == HM_OK);
         std::vector<double> found;
-        for (std::int32_t const point : points_on(its.mesh, body))
-            found.insert(found.end(), {safe.x[static_cast<std::size_t>(point)],
-                                       safe.y[static_cast<std::size_t>(point)]});
+        for (std::int32_t const point : points_on(setup.mesh, body))
+            found.insert(found.end(), {safe.x[std::size_t(point)], safe.y[std::size_t(point)]});
         if (!wall.empty()) CHECK(same_bits(found, wall));
         wall = found;
     }

@@ -1,6 +1,4 @@
 // Large movements in meshes whose outer boundary slides along a curve.
-#include <doctest/doctest.h>
-
 #include <fixtures/safe.hpp>
 
 using namespace fixtures;
@@ -10,17 +8,17 @@ namespace {
 double const pi = std::acos(-1.0);
 
 Case sliding_ring(Cells kind = Cells::hybrid) {
-    Case its = ring_case(8, 32, 0.5, 2, kind);
-    its.set_slip(far_field);
-    for (double& number : its.curves.control)
+    Case setup = ring_case(8, 32, 0.5, 2, kind);
+    setup.set_slip(far_field);
+    for (double& number : setup.curves.control)
         number *= 0.5 / 0.445;  // so that the curve is where the points are
-    return its;
+    return setup;
 }
 
 double farthest_from_circle(Safe const& safe) {
     double off = 0;
     for (std::int32_t const point : points_on(safe.mesh, far_field)) {
-        auto const k = static_cast<std::size_t>(point);
+        auto const k = std::size_t(point);
         off = std::fmax(off, std::fabs(std::hypot(safe.x[k], safe.y[k]) - 2));
     }
     return off;
@@ -28,15 +26,15 @@ double farthest_from_circle(Safe const& safe) {
 
 }  // namespace
 
-TEST_CASE("the body turns, and the whole mesh turns with it, the outer points along their circle") {
+TEST_CASE("the body turns, and the mesh turns with it, the outer points along their circle") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
-        Case its = sliding_ring(kind);
-        Safe safe(its);
+        Case setup = sliding_ring(kind);
+        Safe safe(setup);
         safe.safe_options.skipped_strategies =
             without({HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
         safe.safe_options.min_quality = 0.95;  // one step leads there, too, but worse
         std::vector<double> const move =
-            similarity_move(its.curves, std::polar(1.0, 100 * pi / 180), 0, 0);
+            similarity_move(setup.curves, std::polar(1.0, 100 * pi / 180), 0, 0);
         REQUIRE(safe.run(move) >= HM_OK);
         CHECK(safe.report.strategy == HM_STRATEGY_SUBSTEPS);
         CHECK(safe.is_valid());
@@ -44,22 +42,20 @@ TEST_CASE("the body turns, and the whole mesh turns with it, the outer points al
         CHECK(farthest_from_circle(safe) < 2e-8);
         CHECK(safe.report.min_quality > 0.75 * safe.report.start_quality);
         double turned = 0;  // the mean angle by which outer points have gone round
-        for (std::int32_t const point : points_on(its.mesh, far_field)) {
-            auto const k = static_cast<std::size_t>(point);
+        for (std::int32_t const point : points_on(setup.mesh, far_field)) {
+            auto const k = std::size_t(point);
             turned +=
-                std::arg(Complex(safe.x[k], safe.y[k]) / to_complex(its.mesh.point(point))) / 32;
+                std::arg(Complex(safe.x[k], safe.y[k]) / to_complex(setup.mesh.point(point))) / 32;
         }
         CHECK(turned > 80 * pi / 180);
         CHECK(turned < 101 * pi / 180);
     }
 }
 
-TEST_CASE(
-    "one step, several steps, untangling, improvement: outer points are on the circle and the mesh "
-    "is valid") {
+TEST_CASE("in one step, in several, untangled or improved, outer points are on the circle") {
     for (unsigned const seed : {1u, 2u, 3u}) {
-        Case its = sliding_ring();
-        Safe safe(its);
+        Case setup = sliding_ring();
+        Safe safe(setup);
         for (double const size : {0.05, 0.3, 0.5}) {
             for (std::int32_t const skipped :
                  {0, without({HM_STRATEGY_LINEAR}),
@@ -75,12 +71,10 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "the derivative at sliding points agrees with differences; points stay on the circle to first "
-    "order") {
+TEST_CASE("the derivative at sliding points agrees with differences to first order") {
     for (std::int32_t const skipped : {0, without({HM_STRATEGY_LINEAR})}) {
-        Case its = sliding_ring();
-        Safe safe(its);
+        Case setup = sliding_ring();
+        Safe safe(setup);
         safe.safe_options.skipped_strategies = skipped;
         safe.safe_options.max_resolves = -1;  // one step: the functions are those of the start
         std::size_t bytes = 0;
@@ -103,8 +97,8 @@ TEST_CASE(
         };
         double const h = 1e-6;
         Field const more = moved_by(h), less = moved_by(-h);
-        for (std::int32_t const point : points_on(its.mesh, far_field)) {
-            auto const k = static_cast<std::size_t>(point);
+        for (std::int32_t const point : points_on(setup.mesh, far_field)) {
+            auto const k = std::size_t(point);
             Complex const difference = (more[k] - less[k]) / (2 * h);
             CHECK(std::abs(difference - change[k]) < 1e-8);
             CHECK(std::abs(change[k]) > 1e-3);

@@ -1,6 +1,4 @@
-// Can there be a mesh at the target? Decided from the boundary alone.
-#include <doctest/doctest.h>
-
+// Decides from the boundary alone whether there can be a mesh at the target.
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
 
@@ -15,29 +13,29 @@ using harmorph::Status;
 
 namespace {
 
-// Where the boundary of a case is to go; inner points stay, and nothing is known of them.
+// The target positions of the boundary of a case; inner points stay, and their target is not known.
 struct Aim {
     explicit Aim(Case its_case)
-        : its(its_case), attempt(its.problem()), x(its.mesh.x), y(its.mesh.y) {
+        : setup(its_case), attempt(setup.problem()), x(setup.mesh.x), y(setup.mesh.y) {
         REQUIRE(attempt.status == HM_OK);
         harmorph::Analysis const& analysis = inside(attempt.analysis);
-        for (Index k = 0; k < static_cast<Index>(x.size()); ++k) {
+        for (Index k = 0; k < Index(x.size()); ++k) {
             bool const is_inner = analysis.kinds()[k] == harmorph::PointKind::inside;
             ends.push_back(is_inner ? KnownEnd::unknown : KnownEnd::prescribed);
         }
     }
     template <class Map>
     void map(std::int32_t marker, Map const& map_point) {
-        for (std::int32_t const point : points_on(its.mesh, marker)) {
-            Complex const z = map_point(to_complex(its.mesh.point(point)));
-            x[static_cast<std::size_t>(point)] = z.real();
-            y[static_cast<std::size_t>(point)] = z.imag();
+        for (std::int32_t const point : points_on(setup.mesh, marker)) {
+            Complex const z = map_point(to_complex(setup.mesh.point(point)));
+            x[std::size_t(point)] = z.real();
+            y[std::size_t(point)] = z.imag();
         }
     }
     Status check() {
         harmorph::Analysis const& analysis = inside(attempt.analysis);
         harmorph::Boundary const& boundary = analysis.boundary();
-        harmorph::Points const start{its.mesh.x.data(), its.mesh.y.data(), 1},
+        harmorph::Points const start{setup.mesh.x.data(), setup.mesh.y.data(), 1},
             at_target{x.data(), y.data(), 1};
         fault = {};
         crossing = {};
@@ -53,7 +51,7 @@ struct Aim {
         return std::string(fault.sentence).find(words) != std::string::npos;
     }
 
-    Case its;
+    Case setup;
     Attempt attempt;
     std::vector<double> x, y;
     std::vector<KnownEnd> ends;
@@ -63,9 +61,7 @@ struct Aim {
 
 }  // namespace
 
-TEST_CASE(
-    "the start is possible, and so is a hole that turns, grows and moves without touching "
-    "anything") {
+TEST_CASE("the start is possible, and so are holes that turn, grow and move without contact") {
     Aim aim(tiny_case());  // a hole [2, 4] x [2, 4] in [0, 6] x [0, 6]
     CHECK(aim.check() == Status::ok);
     aim.map(body, [](Complex z) {
@@ -75,7 +71,7 @@ TEST_CASE(
     CHECK(!aim.crossing.found);
 }
 
-TEST_CASE("faces that cross are named, with the place") {
+TEST_CASE("faces that cross are named with the place") {
     Aim aim(tiny_case());
     aim.map(body, [](Complex z) { return z + 3.0; });  // half of it beyond the right side
     CHECK(aim.check() == Status::crossing);
@@ -83,13 +79,11 @@ TEST_CASE("faces that cross are named, with the place") {
     CHECK(aim.crossing.found);
     CHECK(aim.fault.item.number == aim.crossing.first[0]);
     CHECK(aim.fault.other.number == aim.crossing.second[0]);
-    CHECK(aim.fault.place[0] == aim.x[static_cast<std::size_t>(aim.fault.item.number)]);
-    CHECK(aim.fault.place[1] == aim.y[static_cast<std::size_t>(aim.fault.item.number)]);
+    CHECK(aim.fault.place[0] == aim.x[std::size_t(aim.fault.item.number)]);
+    CHECK(aim.fault.place[1] == aim.y[std::size_t(aim.fault.item.number)]);
 }
 
-TEST_CASE(
-    "what crosses nothing and is impossible all the same: outside, inside out, inside another "
-    "one") {
+TEST_CASE("a target outside, inside out or within another body is impossible without crossing") {
     Aim outside(tiny_case());
     outside.map(body, [](Complex z) { return z + 10.0; });
     CHECK(outside.check() == Status::crossing);
@@ -104,18 +98,18 @@ TEST_CASE(
 
     Aim two(two_body_case(Cells::quads, 16, 10));
     Complex centre = 0, other = 0;
-    std::vector<std::int32_t> const first = points_on(two.its.mesh, body),
-                                    second = points_on(two.its.mesh, second_body);
+    std::vector<std::int32_t> const first = points_on(two.setup.mesh, body),
+                                    second = points_on(two.setup.mesh, second_body);
     for (std::int32_t const k : first)
-        centre += to_complex(two.its.mesh.point(k)) / static_cast<double>(first.size());
+        centre += to_complex(two.setup.mesh.point(k)) / double(first.size());
     for (std::int32_t const k : second)
-        other += to_complex(two.its.mesh.point(k)) / static_cast<double>(second.size());
+        other += to_complex(two.setup.mesh.point(k)) / double(second.size());
     two.map(second_body, [&](Complex z) { return centre + 0.1 * (z - other); });
     CHECK(two.check() == Status::crossing);
     CHECK(two.says("is inside the one"));
 }
 
-TEST_CASE("a corner whose three points are prescribed is inverted, and no face crosses") {
+TEST_CASE("a corner with three prescribed points may be inverted though no face crosses") {
     Aim aim(tiny_case());
     REQUIRE(aim.check() == Status::ok);
     aim.x[0] = aim.y[0] =
@@ -126,11 +120,11 @@ TEST_CASE("a corner whose three points are prescribed is inverted, and no face c
     CHECK(!aim.crossing.found);
 }
 
-TEST_CASE("of what is not known nothing is said") {
+TEST_CASE("nothing is reported about points whose target is not known") {
     Aim aim(tiny_case());
     aim.map(body, [](Complex z) { return z + 3.0; });
-    for (std::int32_t const k : points_on(aim.its.mesh, body))
-        aim.ends[static_cast<std::size_t>(k)] = KnownEnd::unknown;
+    for (std::int32_t const k : points_on(aim.setup.mesh, body))
+        aim.ends[std::size_t(k)] = KnownEnd::unknown;
     CHECK(aim.check() == Status::ok);
     aim.map(body, [](Complex z) { return z + 10.0; });
     CHECK(aim.check() == Status::ok);

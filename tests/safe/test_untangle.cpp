@@ -1,7 +1,5 @@
-// Untangling: meshes with inverted cells come out valid, with their boundary as it was; what cannot
-// be is refused.
-#include <doctest/doctest.h>
-
+// Untangling makes meshes with inverted cells valid and keeps their boundary; impossible cases are
+// refused.
 #include <fixtures/airfoil.hpp>
 #include <fixtures/annulus.hpp>
 #include <fixtures/c_mesh.hpp>
@@ -22,13 +20,13 @@ using harmorph::Untangling;
 
 namespace {
 
-// Where the points of a mesh are to be, and where they are.
+// The target positions of the points of a mesh, and their present positions.
 struct Tangled {
     Mesh reference, now;
     std::vector<std::uint8_t> held;
 
     explicit Tangled(Mesh const& mesh) : reference(mesh), now(mesh), held(mesh.x.size(), 0) {
-        for (std::int32_t const point : mesh.faces) held[static_cast<std::size_t>(point)] = 1;
+        for (std::int32_t const point : mesh.faces) held[std::size_t(point)] = 1;
     }
     bool is_held(std::size_t k) const { return held[k] != 0; }
     // Inner points go anywhere within `reach`.
@@ -46,11 +44,10 @@ struct Tangled {
         double const c = std::cos(angle), s = std::sin(angle);
         std::vector<char> turned(held.size(), 0);
         for (std::size_t k = 0; k < now.faces.size(); ++k)
-            if (now.face_markers[k / 2] == marker)
-                turned[static_cast<std::size_t>(now.faces[k])] = 1;
+            if (now.face_markers[k / 2] == marker) turned[std::size_t(now.faces[k])] = 1;
         for (std::size_t k = 0; k < turned.size(); ++k) {
             if (turned[k] == 0) continue;
-            Point const p = reference.point(static_cast<std::int32_t>(k));
+            Point const p = reference.point(std::int32_t(k));
             now.x[k] = c * p.x - s * p.y;
             now.y[k] = s * p.x + c * p.y;
         }
@@ -64,10 +61,10 @@ struct Outcome {
     Mesh mesh;  // afterwards
     Analysed analysed;
 
-    explicit Outcome(Tangled const& its, UntangleOptions const& options = {},
+    explicit Outcome(Tangled const& tangled, UntangleOptions const& options = {},
                      harmorph::Executor const& executor = {})
-        : mesh(its.now), analysed(its.reference) {
-        harmorph::Mesh const view = core_mesh(its.reference);
+        : mesh(tangled.now), analysed(tangled.reference) {
+        harmorph::Mesh const view = core_mesh(tangled.reference);
         auto const counts = harmorph::RegionCounts::of(analysed->topology());
         Untangling untangling;
         harmorph::Arena query;
@@ -78,28 +75,27 @@ struct Outcome {
         CHECK(!arena.overflown());
         CHECK(arena.bytes() == query.bytes());
         untangling.tangle = {view, view.points, analysed->topology().reversed,
-                             analysed->topology().representative, span(its.held)};
+                             analysed->topology().representative, span(tangled.held)};
         untangling.executor = executor;
         status = untangling.run(options, {mesh.x.data(), mesh.y.data(), 1}, report, fault);
         CHECK(block.guards_intact());
     }
 
-    // Corner areas relative to the reference's; of corners that can move.
-    double smallest(Tangled const& its) const {
+    // Returns the smallest ratio of a corner area to that of the reference, among corners that can
+    // move.
+    double smallest(Tangled const& tangled) const {
         double least = HUGE_VAL;
-        harmorph::Mesh const view = core_mesh(its.reference);
+        harmorph::Mesh const view = core_mesh(tangled.reference);
         for (std::int32_t i = 0; i < view.n_cells; ++i) {
             harmorph::Cell const cell = view.cell(i);
             for (std::int32_t k = 0; k < cell.n; ++k) {
                 std::int32_t const a = cell.point[k], b = cell.next(k), c = cell.previous(k);
-                auto const fixed = [&](std::int32_t p) {
-                    return its.is_held(static_cast<std::size_t>(p));
-                };
+                auto const fixed = [&](std::int32_t p) { return tangled.is_held(std::size_t(p)); };
                 if (fixed(a) && fixed(b) && fixed(c)) continue;
-                auto const area = [&](Mesh const& of) {
-                    return twice_area(of.point(a), of.point(b), of.point(c));
+                auto const area = [&](Mesh const& one) {
+                    return twice_area(one.point(a), one.point(b), one.point(c));
                 };
-                least = std::fmin(least, area(mesh) / area(its.reference));
+                least = std::fmin(least, area(mesh) / area(tangled.reference));
             }
         }
         return least;
@@ -107,77 +103,77 @@ struct Outcome {
     bool same_bits(Mesh const& other) const { return mesh.x == other.x && mesh.y == other.y; }
 };
 
-void check_repaired(Tangled const& its, Outcome const& out, int at_least_inverted) {
+void check_repaired(Tangled const& tangled, Outcome const& out, int at_least_inverted) {
     INFO("inverted " << out.report.inverted_before << ", iterations " << out.report.iterations
                      << ", smallest " << out.report.smallest);
     CHECK(out.report.inverted_before >= at_least_inverted);
     CHECK(out.status == Status::ok);
     CHECK(out.report.left == 0);
-    CHECK(out.smallest(its) >= UntangleOptions{}.margin);
+    CHECK(out.smallest(tangled) >= UntangleOptions{}.margin);
     bool boundary_stays = true;
-    for (std::size_t k = 0; k < its.held.size(); ++k) {
-        bool const stays = out.mesh.x[k] == its.now.x[k] && out.mesh.y[k] == its.now.y[k];
-        boundary_stays = boundary_stays && (stays || !its.is_held(k));
+    for (std::size_t k = 0; k < tangled.held.size(); ++k) {
+        bool const stays = out.mesh.x[k] == tangled.now.x[k] && out.mesh.y[k] == tangled.now.y[k];
+        boundary_stays = boundary_stays && (stays || !tangled.is_held(k));
     }
     CHECK(boundary_stays);
 }
 
 Tangled twisted_annulus(Cells kind, double angle) {
-    Tangled its(annulus(16, 64, 0.4, 2, kind, true));
-    its.turn(body, angle);
-    return its;
+    Tangled tangled(annulus(16, 64, 0.4, 2, kind, true));
+    tangled.turn(body, angle);
+    return tangled;
 }
 
 }  // namespace
 
-TEST_CASE("squares whose inner points were thrown about come out valid") {
+TEST_CASE("squares whose inner points were displaced at random become valid") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
-        Tangled its(square(40, kind));
-        its.scatter(2.0 / 40, 5);
-        check_repaired(its, Outcome(its), 1000);
+        Tangled tangled(square(40, kind));
+        tangled.scatter(2.0 / 40, 5);
+        check_repaired(tangled, Outcome(tangled), 1000);
     }
 }
 
-TEST_CASE("rings whose inner circle turns come out valid") {
+TEST_CASE("rings whose inner circle turns become valid") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         for (double const angle : {0.5, 1.0, -2.0}) {
-            Tangled const its = twisted_annulus(kind, angle);
-            check_repaired(its, Outcome(its), 64);
+            Tangled const tangled = twisted_annulus(kind, angle);
+            check_repaired(tangled, Outcome(tangled), 64);
         }
 }
 
-TEST_CASE("viscous layers whose airfoil turns under them come out valid") {
-    Tangled its(o_mesh(naca4({}, 40), stretched(1e-4, 10, 30), Cells::hybrid));
+TEST_CASE("viscous layers under which the airfoil turns become valid") {
+    Tangled tangled(o_mesh(naca4({}, 40), stretched(1e-4, 10, 30), Cells::hybrid));
     for (double const angle : {0.05, 0.3}) {
-        its.turn(body, angle);
-        check_repaired(its, Outcome(its), 40);
+        tangled.turn(body, angle);
+        check_repaired(tangled, Outcome(tangled), 40);
     }
 }
 
-TEST_CASE("a valid mesh is left alone, bit by bit, however bad it is") {
-    Tangled its(square(12, Cells::hybrid));
-    perturb(its.now, 0.6, 3);
-    Outcome const out(its);
+TEST_CASE("a valid mesh stays unchanged bit by bit, however bad the mesh is") {
+    Tangled tangled(square(12, Cells::hybrid));
+    perturb(tangled.now, 0.6, 3);
+    Outcome const out(tangled);
     CHECK(out.status == Status::ok);
     CHECK(out.report.inverted_before == 0);
     CHECK(out.report.iterations == 0);
-    CHECK(out.same_bits(its.now));
+    CHECK(out.same_bits(tangled.now));
 }
 
-TEST_CASE("few inverted cells: what is far from them does not move") {
-    Tangled its(square(60, Cells::hybrid));
+TEST_CASE("points that are far from a few inverted cells do not move") {
+    Tangled tangled(square(60, Cells::hybrid));
     std::size_t const inner = 61 * 20 + 20;
-    its.now.x[inner] += 2.5 / 60;
+    tangled.now.x[inner] += 2.5 / 60;
     UntangleOptions options;
     options.layers = 3;
-    Outcome const out(its, options);
-    check_repaired(its, out, 2);
+    Outcome const out(tangled, options);
+    check_repaired(tangled, out, 2);
     CHECK(out.report.regions == 1);
     CHECK(out.report.unknowns < 100);
     double farthest = 0;  // in cells
-    for (std::size_t k = 0; k < its.held.size(); ++k) {
-        if (out.mesh.x[k] == its.now.x[k] && out.mesh.y[k] == its.now.y[k]) continue;
-        Point const p = its.reference.point(static_cast<std::int32_t>(k));
+    for (std::size_t k = 0; k < tangled.held.size(); ++k) {
+        if (out.mesh.x[k] == tangled.now.x[k] && out.mesh.y[k] == tangled.now.y[k]) continue;
+        Point const p = tangled.reference.point(std::int32_t(k));
         farthest = std::fmax(
             farthest, 60 * std::fmax(std::fabs(p.x - 20 / 60.0), std::fabs(p.y - 20 / 60.0)));
     }
@@ -185,20 +181,20 @@ TEST_CASE("few inverted cells: what is far from them does not move") {
     CHECK(farthest < 7.5);
 }
 
-TEST_CASE("a region that is too small is given up for a larger one") {
-    Tangled const its = twisted_annulus(Cells::triangles, 1.0);
+TEST_CASE("a region that is too small is replaced by a larger one") {
+    Tangled const tangled = twisted_annulus(Cells::triangles, 1.0);
     UntangleOptions options;
     options.layers = 1;
     options.iterations_in_part = 5;
-    Outcome const out(its, options);
-    check_repaired(its, out, 64);
+    Outcome const out(tangled, options);
+    check_repaired(tangled, out, 64);
     CHECK(out.report.regions > 1);
     CHECK(out.report.iterations > 5);
 }
 
 TEST_CASE("turned, moved and scaled meshes are repaired in the same way") {
-    Tangled const its = twisted_annulus(Cells::hybrid, 0.6);
-    Outcome const expected(its);
+    Tangled const tangled = twisted_annulus(Cells::hybrid, 0.6);
+    Outcome const expected(tangled);
     struct Similarity {
         double scale, angle, x, y;
     };
@@ -213,33 +209,33 @@ TEST_CASE("turned, moved and scaled meshes are repaired in the same way") {
             }
             return out;
         };
-        Tangled moved = its;
-        moved.reference = image(its.reference);
-        moved.now = image(its.now);
+        Tangled moved = tangled;
+        moved.reference = image(tangled.reference);
+        moved.now = image(tangled.now);
         Outcome const found(moved);
         CHECK(found.report.iterations == expected.report.iterations);
         Mesh const wanted = image(expected.mesh);
         double worst = 0;
         for (std::size_t k = 0; k < wanted.x.size(); ++k)
-            worst = std::fmax(worst, distance(wanted.point(static_cast<std::int32_t>(k)),
-                                              found.mesh.point(static_cast<std::int32_t>(k))));
+            worst = std::fmax(
+                worst, distance(wanted.point(std::int32_t(k)), found.mesh.point(std::int32_t(k))));
         CHECK(worst < 1e-9 * by.scale);
     }
 }
 
 TEST_CASE("a power of two changes no bit") {
-    Tangled its = twisted_annulus(Cells::hybrid, 0.6);
-    Outcome const expected(its);
+    Tangled tangled = twisted_annulus(Cells::hybrid, 0.6);
+    Outcome const expected(tangled);
     for (std::vector<double>* const list :
-         {&its.reference.x, &its.reference.y, &its.now.x, &its.now.y})
+         {&tangled.reference.x, &tangled.reference.y, &tangled.now.x, &tangled.now.y})
         for (double& value : *list) value *= 0x1p20;
     Mesh wanted = expected.mesh;
     for (double& x : wanted.x) x *= 0x1p20;
     for (double& y : wanted.y) y *= 0x1p20;
-    CHECK(Outcome(its).same_bits(wanted));
+    CHECK(Outcome(tangled).same_bits(wanted));
 }
 
-TEST_CASE("other numberings, cells that start elsewhere, and mixed orientation are repaired too") {
+TEST_CASE("other numberings, first corners and mixed orientation are repaired too") {
     for (unsigned seed = 1; seed <= 3; ++seed) {
         Tangled const plain = twisted_annulus(Cells::hybrid, 0.7);
         Mesh both = plain.reference, target = plain.now;
@@ -265,70 +261,69 @@ TEST_CASE("other numberings, cells that start elsewhere, and mixed orientation a
 
 TEST_CASE("the points of a cut move as one") {
     CMesh const c = c_mesh(naca4({}, 24), 12, 3, stretched(1e-3, 4, 16));
-    Tangled its(c.mesh);
-    std::size_t const ni = static_cast<std::size_t>(c.ni);
+    Tangled tangled(c.mesh);
+    std::size_t const ni = std::size_t(c.ni);
     for (std::size_t k = 4; k < 8;
          ++k) {  // both copies of four points in the wake go up by some layers
-        for (std::size_t const point : {k, ni - 1 - k}) its.now.y[point] += 0.1;
+        for (std::size_t const point : {k, ni - 1 - k}) tangled.now.y[point] += 0.1;
     }
-    REQUIRE(its.now.y[5] == its.now.y[ni - 6]);
-    Outcome const out(its);
-    check_repaired(its, out, 4);
+    REQUIRE(tangled.now.y[5] == tangled.now.y[ni - 6]);
+    Outcome const out(tangled);
+    check_repaired(tangled, out, 4);
     bool moved = false;
     for (std::size_t k = 0; k < 12; ++k) {
         CHECK(out.mesh.x[k] == out.mesh.x[ni - 1 - k]);
         CHECK(out.mesh.y[k] == out.mesh.y[ni - 1 - k]);
-        moved = moved || out.mesh.y[k] != its.now.y[k];
+        moved = moved || out.mesh.y[k] != tangled.now.y[k];
     }
     CHECK(moved);
 }
 
 TEST_CASE("the number of threads changes no bit") {
-    Tangled const its = twisted_annulus(Cells::hybrid, 0.8);
-    Outcome const expected(its);
+    Tangled const tangled = twisted_annulus(Cells::hybrid, 0.8);
+    Outcome const expected(tangled);
     for (std::int32_t const threads : {2, 3, 8}) {
         Backwards order;
         harmorph::Executor const executor{Backwards::run, &order, threads};
-        CHECK(Outcome(its, {}, executor).same_bits(expected.mesh));
+        CHECK(Outcome(tangled, {}, executor).same_bits(expected.mesh));
         CHECK(order.tasks > 100);
     }
 }
 
-TEST_CASE(
-    "a body that lies across the outer boundary is refused after so many iterations, and nothing "
-    "has moved") {
-    Tangled its(annulus(8, 32, 0.5, 2, Cells::hybrid, true));
-    for (std::size_t k = 0; k < 32; ++k) its.now.x[k] += 2;
+TEST_CASE("a body across the outer boundary is refused after the given iterations") {
+    Tangled tangled(annulus(8, 32, 0.5, 2, Cells::hybrid, true));
+    for (std::size_t k = 0; k < 32; ++k) tangled.now.x[k] += 2;
     UntangleOptions options;
     options.iterations_in_part = 4;
     options.iterations_in_whole = 12;
-    Outcome const out(its, options);
+    Outcome const out(tangled, options);
     CHECK(out.status == Status::not_converged);
     CHECK(out.report.inverted_before > 0);
     CHECK(out.report.left > 0);
     CHECK(out.report.iterations <= 4 * (out.report.regions - 1) + 12);
     CHECK(out.report.iterations > 12);
-    CHECK(out.same_bits(its.now));
+    CHECK(out.same_bits(tangled.now));
 }
 
-TEST_CASE("a corner that nothing can move is seen at once") {
-    Tangled its(square(6, Cells::quads));
-    its.now.x[0] = its.now.y[0] = 0.4;  // the square's own corner, folded over its cell's diagonal
-    Outcome const out(its);
+TEST_CASE("a corner that no movement can change is found at once") {
+    Tangled tangled(square(6, Cells::quads));
+    tangled.now.x[0] = tangled.now.y[0] =
+        0.4;  // the square's own corner, folded over its cell's diagonal
+    Outcome const out(tangled);
     CHECK(out.status == Status::not_converged);
     CHECK(out.report.stuck_cell == 0);
     CHECK(out.report.iterations == 0);
-    CHECK(out.same_bits(its.now));
+    CHECK(out.same_bits(tangled.now));
 }
 
-TEST_CASE("an inverted reference is refused, numbers that are none are not repaired") {
-    Tangled its(square(6, Cells::hybrid));
-    std::swap(its.reference.x[24], its.reference.x[25]);
-    its.scatter(0.3, 1);
-    Outcome const out(its);
+TEST_CASE("an inverted reference is refused; coordinates that are not finite are not repaired") {
+    Tangled tangled(square(6, Cells::hybrid));
+    std::swap(tangled.reference.x[24], tangled.reference.x[25]);
+    tangled.scatter(0.3, 1);
+    Outcome const out(tangled);
     CHECK(out.status == Status::bad_mesh);
     CHECK(out.fault.item.number >= 0);
-    CHECK(out.same_bits(its.now));
+    CHECK(out.same_bits(tangled.now));
 
     Tangled undefined(square(6, Cells::hybrid));
     Untrapped const untrapped;

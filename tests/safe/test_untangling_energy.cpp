@@ -13,9 +13,7 @@ using harmorph::Vec2;
 
 namespace {
 
-double random_number(std::mt19937& random) {
-    return static_cast<double>(random()) / 2147483648.0 - 1;
-}
+double random_number(std::mt19937& random) { return double(random()) / 2147483648.0 - 1; }
 Vec2 random_point(std::mt19937& random) { return {random_number(random), random_number(random)}; }
 
 // A reference with positive area, and another triangle, inverted or not.
@@ -33,19 +31,21 @@ struct Pair {
 double& coordinate(Triangle& triangle, int k) {
     return k % 2 == 0 ? triangle.at[k / 2].x : triangle.at[k / 2].y;
 }
-double component(const Vec2* of, int k) { return k % 2 == 0 ? of[k / 2].x : of[k / 2].y; }
+double component(const Vec2* vectors, int k) {
+    return k % 2 == 0 ? vectors[k / 2].x : vectors[k / 2].y;
+}
 
 struct Derivatives {
     Vec2 gradient[3];
     harmorph::CornerMode mode[4];
 
-    Derivatives(Pair const& its, double softness, double least) {
-        Distortion(its.reference).differentiate(its.now, softness, least, gradient, mode);
+    Derivatives(Pair const& pair, double softness, double least) {
+        Distortion(pair.reference).differentiate(pair.now, softness, least, gradient, mode);
     }
     double hessian(int i, int j) const {
         double sum = 0;
-        for (harmorph::CornerMode const& its : mode)
-            sum += its.curvature * component(its.at, i) * component(its.at, j);
+        for (harmorph::CornerMode const& one : mode)
+            sum += one.curvature * component(one.at, i) * component(one.at, j);
         return sum;
     }
 };
@@ -54,15 +54,15 @@ constexpr double exact = -1e300;  // no curvature is raised
 
 }  // namespace
 
-TEST_CASE("the gradient is that of the energy, the exact Hessian that of the gradient") {
+TEST_CASE("the gradient is that of the untangling energy, and the Hessian that of the gradient") {
     std::mt19937 random(1);
     int inverted = 0;
     for (int trial = 0; trial < 200; ++trial) {
-        Pair const its(random);
+        Pair const pair(random);
         double const softness = 0.3 + 0.3 * (trial % 4);
-        Distortion const distortion(its.reference);
-        inverted += distortion.determinant(its.now) < 0;
-        Derivatives const here(its, softness, exact);
+        Distortion const distortion(pair.reference);
+        inverted += distortion.determinant(pair.now) < 0;
+        Derivatives const here(pair, softness, exact);
         double scale = 0, scale_of_hessian = 0;
         for (int i = 0; i < 6; ++i) {
             scale = std::fmax(scale, std::fabs(component(here.gradient, i)));
@@ -71,7 +71,7 @@ TEST_CASE("the gradient is that of the energy, the exact Hessian that of the gra
         }
         double const h = 1e-5;
         for (int i = 0; i < 6; ++i) {
-            Pair ahead = its, behind = its;
+            Pair ahead = pair, behind = pair;
             coordinate(ahead.now, i) += h;
             coordinate(behind.now, i) -= h;
             double const rise =
@@ -90,14 +90,14 @@ TEST_CASE("the gradient is that of the energy, the exact Hessian that of the gra
     CHECK(inverted < 150);
 }
 
-TEST_CASE("curvatures are raised to a multiple of the energy's own, never lowered") {
+TEST_CASE("curvatures are raised to a multiple of the energy's own and never lowered") {
     std::mt19937 random(2);
     int raised = 0;
     for (int trial = 0; trial < 200; ++trial) {
-        Pair const its(random);
-        Derivatives const free(its, 0.1, exact), convex(its, 0.1, 0.25);
+        Pair const pair(random);
+        Derivatives const free(pair, 0.1, exact), convex(pair, 0.1, 0.25);
         double const floor =
-            0.25 * 4 / harmorph::regularised(Distortion(its.reference).determinant(its.now), 0.1);
+            0.25 * 4 / harmorph::regularised(Distortion(pair.reference).determinant(pair.now), 0.1);
         for (int k = 0; k < 4; ++k) {
             raised += free.mode[k].curvature < floor;
             CHECK(convex.mode[k].curvature ==
@@ -108,24 +108,24 @@ TEST_CASE("curvatures are raised to a multiple of the energy's own, never lowere
     CHECK(raised > 20);
 }
 
-TEST_CASE("smallest where the triangle is its reference, turned and moved at will") {
+TEST_CASE("the energy is smallest where the triangle is its reference, turned and moved at will") {
     std::mt19937 random(3);
     for (int trial = 0; trial < 50; ++trial) {
-        Pair its(random);
-        Distortion const distortion(its.reference);
+        Pair pair(random);
+        Distortion const distortion(pair.reference);
         double const c = std::cos(1.0 * trial), s = std::sin(1.0 * trial);
         for (int k = 0; k < 3; ++k) {
-            Vec2 const p = its.reference.at[k];
-            its.now.at[k] = {c * p.x - s * p.y + 5, s * p.x + c * p.y - 3};
+            Vec2 const p = pair.reference.at[k];
+            pair.now.at[k] = {c * p.x - s * p.y + 5, s * p.x + c * p.y - 3};
         }
         double const least = 2 + 2 * Distortion::size_weight;  // (|I|^2 + 2 size_weight) / 1
-        CHECK(distortion.determinant(its.now) == doctest::Approx(1));
-        CHECK(distortion.energy(its.now, 0) == doctest::Approx(least).epsilon(1e-12));
-        Derivatives const here(its, 0, exact);
+        CHECK(distortion.determinant(pair.now) == doctest::Approx(1));
+        CHECK(distortion.energy(pair.now, 0) == doctest::Approx(least).epsilon(1e-12));
+        Derivatives const here(pair, 0, exact);
         for (int k = 0; k < 6; ++k) CHECK(std::fabs(component(here.gradient, k)) < 1e-12);
         for (harmorph::CornerMode const& mode : here.mode) CHECK(mode.curvature > -1e-11);
         for (int k = 0; k < 20; ++k) {
-            Triangle other = its.now;
+            Triangle other = pair.now;
             for (Vec2& point : other.at) point = point + 0.3 * random_point(random);
             if (distortion.determinant(other) <= 0) continue;
             CHECK(distortion.energy(other, 0) >= least * (1 - 1e-12));
@@ -133,9 +133,7 @@ TEST_CASE("smallest where the triangle is its reference, turned and moved at wil
     }
 }
 
-TEST_CASE(
-    "the regularised determinant: between 0 and the softness above the positive part, without "
-    "cancellation") {
+TEST_CASE("the regularised determinant lies above the positive part by the softness at most") {
     for (double const softness : {1.0, 1e-3, 1e-9}) {
         CHECK(harmorph::regularised(0, softness) == doctest::Approx(softness / 2));
         double const folded = 0.5 * softness * softness / (std::sqrt(1 + softness * softness) + 1);

@@ -25,7 +25,7 @@ double quality_of(const std::vector<double>& x, const std::vector<double>& y) {
 
 }  // namespace
 
-TEST_CASE("no cell with this angle is better, and one is as good") {
+TEST_CASE("no cell with a given angle is better than the bound, and one is as good") {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> uniform(0, 1);
     for (double const angle : {0.01, 0.2, 0.7, 1.0}) {
@@ -55,7 +55,7 @@ TEST_CASE("no cell with this angle is better, and one is as good") {
     CHECK(best_quality(0.06, 1, 1) < best_quality(0.06, 1, 0));
 }
 
-TEST_CASE("no triangle on a side of this length is better, and one is as good") {
+TEST_CASE("no triangle on a side of given length is better than the bound, and one is as good") {
     for (double const length : {0.05, 0.7, 1.0, 3.0, 50.0}) {
         double const area = 0.4, bound = best_on_side(length, area);
         double best = 0;
@@ -73,9 +73,7 @@ TEST_CASE("no triangle on a side of this length is better, and one is as good") 
     CHECK(best_on_side(1, std::sqrt(3.0) / 4) == 1);
 }
 
-TEST_CASE(
-    "no triangle on a side that contains none of the given points is better, and one nearly as "
-    "good") {
+TEST_CASE("no triangle on a side without the given points is better; one is close") {
     double const length = 2, area = 0.4;
     // The cotangents of (x, y) above the side from (0, 0) to (length, 0).
     auto const cotangents = [&](double x, double y) { return std::pair(x / y, (length - x) / y); };
@@ -112,9 +110,7 @@ TEST_CASE(
     CHECK(last < 0.5 * best_on_side(length, area));
 }
 
-TEST_CASE(
-    "no cell with an angle near 180 degrees is better, of quadrilaterals with a long side there "
-    "neither") {
+TEST_CASE("no cell with an angle near 180 degrees is better; no such quadrilateral is, either") {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> uniform(0, 1);
     double const length = 1, area = 1e-3;
@@ -130,9 +126,9 @@ TEST_CASE(
                                                     {0, 0, length * std::sin(angle)}));
             double const end_x = length + s * std::cos(direction), end_y = s * std::sin(direction);
             double const skew = quality_of({0, length, end_x, x}, {0, 0, end_y, y});
-            double const its = 0.5 * (end_x * y - end_y * x + length * end_y);
+            double const cell_area = 0.5 * (end_x * y - end_y * x + length * end_y);
             best[1] = std::fmax(best[1], skew);
-            if (skew > 0) sized = std::fmax(sized, skew * size_quality(its, area));
+            if (skew > 0) sized = std::fmax(sized, skew * size_quality(cell_area, area));
         }
         INFO(e << ": " << sized << " of " << bound);
         CHECK(best[0] <= best_with_wide_angle(3, angle) * (1 + 1e-12));
@@ -147,7 +143,7 @@ TEST_CASE(
     CHECK(best_with_wide_angle(4, pi) == 0);
 }
 
-TEST_CASE("where a wall folds: the sharpest corner of the mesh's side, on whichever side that is") {
+TEST_CASE("at a folded wall the sharpest corner of the mesh's side counts, on either side") {
     // Four triangles above a wall of three points, and the mirror image.
     for (double const side : {1.0, -1.0}) {
         std::vector<double> const x = {-1, 0, 1, 1, -1, 0}, y = {0, 0, 0, side, side, side};

@@ -1,4 +1,4 @@
-// What the processor says of itself.
+// The instruction sets that the processor reports.
 #include <doctest/doctest.h>
 
 #include "simd/cpu.hpp"
@@ -12,9 +12,7 @@ TEST_CASE("there is always a best kernel, and it can be used") {
     CHECK(harmorph::has_kernel(Kernel::baseline));
 }
 
-TEST_CASE(
-    "no processor has the instructions of two architectures, and the best one means that there are "
-    "others") {
+TEST_CASE("no processor has instructions of two architectures; the best ones imply the others") {
     bool const x86 = harmorph::has_kernel(Kernel::avx2), arm = harmorph::has_kernel(Kernel::neon);
     if (x86) CHECK_FALSE(arm);
     if (harmorph::has_kernel(Kernel::avx512)) CHECK(x86);

@@ -1,6 +1,4 @@
 // The registers of every instruction set that this processor has, against plain numbers.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/kernels.hpp>
 #include <fixtures/traps.hpp>
@@ -8,7 +6,6 @@
 #include "base/scalar.hpp"
 #include "simd/kernel_table.hpp"
 
-#include <cmath>
 #include <limits>
 
 using harmorph::Index;
@@ -38,8 +35,8 @@ struct Operations {
     unsigned (*less)(const double* a, const double* b);
     void (*round)(const double* a, std::uint64_t* out, Index n);  // null: no such instruction
 
-    OperationsOf<double> const& of(double) const { return in_double; }
-    OperationsOf<float> const& of(float) const { return in_single; }
+    OperationsOf<double> const& with(double) const { return in_double; }
+    OperationsOf<float> const& with(float) const { return in_single; }
 };
 
 }  // namespace fixtures
@@ -63,8 +60,8 @@ std::vector<Number> some(std::size_t n, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("c + a b and c - a b: contracted or rounded twice, in all lanes alike", Number,
-                   double, float) {
+TEST_CASE_TEMPLATE("sums c + a b and c - a b are contracted or rounded twice in all lanes alike",
+                   Number, double, float) {
     constexpr Index n = 64;
     std::vector<Number> a = some<Number>(n, 1), b = some<Number>(n, 2), c = some<Number>(n, 3);
     // A little more than half the digits: products are rounded, and whole numbers are exact.
@@ -72,21 +69,21 @@ TEST_CASE_TEMPLATE("c + a b and c - a b: contracted or rounded twice, in all lan
     Number const units = static_cast<Number>(1 << (std::numeric_limits<Number>::digits / 2 + 2));
     for (std::vector<Number>* const numbers : {&a, &b, &c})
         for (Number& number : *numbers) number = std::round(number * units) / units;
-    auto const whole = [&](Number number) { return static_cast<std::int64_t>(number * units); };
+    auto const whole = [&](Number number) { return std::int64_t(number * units); };
     auto const rounded_once = [&](std::int64_t sum) {
         return static_cast<Number>(sum) / (units * units);
     };
     for (Kernel const kernel : usable_kernels()) {
-        INFO("kernel " << static_cast<int>(kernel));
+        INFO("kernel " << int(kernel));
         std::vector<Number> sum(n), rest(n);
-        auto const& its = operations(kernel).of(Number{});
-        its.multiply_add(a.data(), b.data(), c.data(), sum.data(), n);
-        its.multiply_subtract(a.data(), b.data(), c.data(), rest.data(), n);
+        auto const& by = operations(kernel).with(Number{});
+        by.multiply_add(a.data(), b.data(), c.data(), sum.data(), n);
+        by.multiply_subtract(a.data(), b.data(), c.data(), rest.data(), n);
         bool const contracted = kernel != Kernel::baseline;
         for (std::size_t k = 0; k < n; ++k) {
             Number const product = a[k] * b[k];
             std::int64_t const exact = whole(a[k]) * whole(b[k]),
-                               added = whole(c[k]) * static_cast<std::int64_t>(units);
+                               added = whole(c[k]) * std::int64_t(units);
             CHECK(sum[k] == (contracted ? rounded_once(added + exact) : c[k] + product));
             CHECK(rest[k] == (contracted ? rounded_once(added - exact) : c[k] - product));
         }
@@ -95,12 +92,12 @@ TEST_CASE_TEMPLATE("c + a b and c - a b: contracted or rounded twice, in all lan
 
 TEST_CASE_TEMPLATE("one number in all lanes keeps its bits", Number, double, float) {
     for (Kernel const kernel : usable_kernels()) {
-        auto const& its = operations(kernel).of(Number{});
+        auto const& by = operations(kernel).with(Number{});
         for (Number const x :
              {Number{0}, -Number{0}, Number{1.5}, -std::numeric_limits<Number>::infinity()}) {
             Number out[most_lanes];
-            its.all(x, out);
-            for (Index lane = 0; lane < its.lanes; ++lane) {
+            by.all(x, out);
+            for (Index lane = 0; lane < by.lanes; ++lane) {
                 CHECK(out[lane] == x);
                 CHECK(std::signbit(out[lane]) == std::signbit(x));
             }
@@ -108,89 +105,84 @@ TEST_CASE_TEMPLATE("one number in all lanes keeps its bits", Number, double, flo
     }
 }
 
-TEST_CASE_TEMPLATE("parts of a register are loaded, zeros behind them; nothing else is read",
+TEST_CASE_TEMPLATE("parts of a register are loaded with zeros behind, and nothing else is read",
                    Number, double, float) {
     for (Kernel const kernel : usable_kernels()) {
         Index const lanes = operations(kernel).in_double.lanes;
         for (Index n = 0; n < lanes; ++n) {
             // On the heap, so that a memory checker sees a number too many.
-            std::vector<Number> const from = some<Number>(static_cast<std::size_t>(n), 4);
+            std::vector<Number> const from = some<Number>(std::size_t(n), 4);
             double out[most_lanes];
-            operations(kernel).of(Number{}).load_part(from.data(), n, out);
+            operations(kernel).with(Number{}).load_part(from.data(), n, out);
             for (Index lane = 0; lane < lanes; ++lane)
-                CHECK(out[lane] ==
-                      (lane < n ? static_cast<double>(from[static_cast<std::size_t>(lane)]) : 0));
+                CHECK(out[lane] == (lane < n ? double(from[std::size_t(lane)]) : 0));
         }
     }
 }
 
-TEST_CASE("single precision becomes double, exactly") {
+TEST_CASE("single precision becomes double precision exactly") {
     std::vector<float> const from = some<float>(most_lanes, 5);
     for (Kernel const kernel : usable_kernels()) {
         double out[most_lanes];
         operations(kernel).load_single(from.data(), out);
         for (Index lane = 0; lane < operations(kernel).in_double.lanes; ++lane)
-            CHECK(out[lane] == static_cast<double>(from[static_cast<std::size_t>(lane)]));
+            CHECK(out[lane] == double(from[std::size_t(lane)]));
     }
 }
 
-TEST_CASE_TEMPLATE("lanes are picked from two registers, or none", Number, double, float) {
+TEST_CASE_TEMPLATE("lanes are picked from two registers or from none", Number, double, float) {
     std::mt19937 random(6);
     for (Kernel const kernel : usable_kernels()) {
-        auto const& its = operations(kernel).of(Number{});
+        auto const& by = operations(kernel).with(Number{});
         for (int attempt = 0; attempt < 200; ++attempt) {
-            std::vector<Number> const both =
-                some<Number>(static_cast<std::size_t>(2 * its.lanes), 7);
+            std::vector<Number> const both = some<Number>(std::size_t(2 * by.lanes), 7);
             Index picked[most_lanes];
-            for (Index& from : picked)
-                from = static_cast<Index>(random() % static_cast<unsigned>(2 * its.lanes + 1)) - 1;
+            for (Index& from : picked) from = Index(random() % unsigned(2 * by.lanes + 1)) - 1;
             Number out[most_lanes];
-            its.pick(both.data(), both.data() + its.lanes, picked, out);
-            for (Index lane = 0; lane < its.lanes; ++lane)
-                CHECK(out[lane] ==
-                      (picked[lane] < 0 ? 0 : both[static_cast<std::size_t>(picked[lane])]));
+            by.pick(both.data(), both.data() + by.lanes, picked, out);
+            for (Index lane = 0; lane < by.lanes; ++lane)
+                CHECK(out[lane] == (picked[lane] < 0 ? 0 : both[std::size_t(picked[lane])]));
         }
     }
 }
 
-TEST_CASE("max, min and less: the second number where one is NaN, and NaN is not less") {
+TEST_CASE("the functions max and min take the second number where one is NaN; NaN is not less") {
     Untrapped const untrapped;
     double const nan = std::numeric_limits<double>::quiet_NaN(),
                  infinity = std::numeric_limits<double>::infinity();
     std::vector<double> const a{1, 2, nan, 3, -infinity, infinity, -1, nan},
         b{2, 1, 3, nan, infinity, -infinity, -1, nan};
     for (Kernel const kernel : usable_kernels()) {
-        Operations const& its = operations(kernel);
+        Operations const& by = operations(kernel);
         double high[8], low[8];
-        its.max(a.data(), b.data(), high, 8);
-        its.min(a.data(), b.data(), low, 8);
+        by.max(a.data(), b.data(), high, 8);
+        by.min(a.data(), b.data(), low, 8);
         for (std::size_t k = 0; k < 8; ++k) {
             CHECK(harmorph::bits_of(high[k]) == harmorph::bits_of(a[k] > b[k] ? a[k] : b[k]));
             CHECK(harmorph::bits_of(low[k]) == harmorph::bits_of(a[k] < b[k] ? a[k] : b[k]));
         }
-        for (Index first = 0; first < 8; first += its.in_double.lanes) {
-            unsigned const mask = its.less(a.data() + first, b.data() + first);
-            for (Index lane = 0; lane < its.in_double.lanes; ++lane) {
-                std::size_t const k = static_cast<std::size_t>(first + lane);
+        for (Index first = 0; first < 8; first += by.in_double.lanes) {
+            unsigned const mask = by.less(a.data() + first, b.data() + first);
+            for (Index lane = 0; lane < by.in_double.lanes; ++lane) {
+                std::size_t const k = std::size_t(first + lane);
                 CHECK((mask >> lane & 1u) == (a[k] < b[k] ? 1u : 0u));
             }
-            CHECK((mask >> its.in_double.lanes) == 0);
+            CHECK((mask >> by.in_double.lanes) == 0);
         }
     }
 }
 
-TEST_CASE("square roots are rounded correctly; integers are the nearest, ties to even") {
+TEST_CASE("square roots are rounded correctly, and integers are the nearest with ties to even") {
     std::vector<double> const a{0, 2, 1e-300, 1e300, 0.25, 3, 1 / 3.0, 7};
     std::vector<double> const b{0.5, 1.5, -2.5, -0.75, 0x1p62, -0x1p62 - 1024, 2.4999, -3.5};
     for (Kernel const kernel : usable_kernels()) {
-        Operations const& its = operations(kernel);
+        Operations const& by = operations(kernel);
         double roots[8];
-        its.sqrt(a.data(), roots, 8);
+        by.sqrt(a.data(), roots, 8);
         for (std::size_t k = 0; k < 8; ++k) CHECK(roots[k] == std::sqrt(a[k]));
-        if (its.round == nullptr) continue;
+        if (by.round == nullptr) continue;
         std::uint64_t words[8];
-        its.round(b.data(), words, 8);
-        for (std::size_t k = 0; k < 8; ++k)
-            CHECK(static_cast<std::int64_t>(words[k]) == std::llrint(b[k]));
+        by.round(b.data(), words, 8);
+        for (std::size_t k = 0; k < 8; ++k) CHECK(std::int64_t(words[k]) == std::llrint(b[k]));
     }
 }

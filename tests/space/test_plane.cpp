@@ -1,17 +1,15 @@
 // The plane of meshes of three dimensions that are one cell thick: which point follows which, kinds
 // and axes.
 #include <harmorph_space.h>
-#include <doctest/doctest.h>
 
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/plane.hpp>
 
 using namespace fixtures;
 
-TEST_CASE(
-    "a wedge of many layers needs its axis; a wedge whose axis is given finds the same plane") {
-    Case its = raised_case(2);
-    Extruded const many(its.mesh, wedge(3), 4, 2), two(its.mesh, wedge(3), 2, 2);
+TEST_CASE("a wedge of many layers needs its axis, and a given axis finds the same plane") {
+    Case setup = raised_case(2);
+    Extruded const many(setup.mesh, wedge(3), 4, 2), two(setup.mesh, wedge(3), 2, 2);
     hm_space_mesh space = many.view();
     space.kind = HM_WEDGE;
     CHECK(Plane(space).status == HM_BAD_ARGUMENT);
@@ -39,10 +37,10 @@ TEST_CASE(
     CHECK(says(Plane(space).error, "axis of the wedge crosses the mesh"));
 }
 
-TEST_CASE("numbers of six digits, as text files have them, are accurate enough") {
+TEST_CASE("numbers of six digits, as in text files, are accurate enough") {
     for (Placement const& place : {along_axis(2), wedge(5)}) {
-        Case its = raised_case(1);
-        Extruded space(its.mesh, place, 2, 4);
+        Case setup = raised_case(1);
+        Extruded space(setup.mesh, place, 2, 4);
         for (std::vector<double>* values : {&space.x, &space.y, &space.z}) {
             for (double& value : *values) {
                 char text[32];
@@ -72,18 +70,17 @@ TEST_CASE("both sides of a cut are followed by their own points, layer by layer"
     std::int32_t const lower = 0, upper = c.ni - 1, n = c.mesh.n_points();
     space.x.pop_back();  // the last point of the second layer is the far corner; the cut's end is
                          // joined instead
-    space.x.push_back(space.x[static_cast<std::size_t>(n + lower)]);
-    space.y.back() = space.y[static_cast<std::size_t>(n + lower)];
-    CHECK(space.x[static_cast<std::size_t>(lower)] == space.x[static_cast<std::size_t>(upper)]);
+    space.x.push_back(space.x[std::size_t(n + lower)]);
+    space.y.back() = space.y[std::size_t(n + lower)];
+    CHECK(space.x[std::size_t(lower)] == space.x[std::size_t(upper)]);
     hm_space_mesh view = space.view();
     view.n_sides = 0;
     CHECK(Plane(view).status == HM_BAD_MESH);  // the far corner has lost its partner
 }
 
-TEST_CASE(
-    "threads, strides, both index bases, and four entries for each face give the same plane") {
-    Case its = tiny_case();
-    Extruded const space(its.mesh, along_axis(1), 2, 8);
+TEST_CASE("threads, strides, index bases and four entries for each face give the same plane") {
+    Case setup = tiny_case();
+    Extruded const space(setup.mesh, along_axis(1), 2, 8);
     Plane const plane(space.view());
     REQUIRE(plane.status == HM_OK);
     std::vector<double> all(3 * space.x.size());
@@ -100,7 +97,7 @@ TEST_CASE(
         for (std::int32_t k = 0; k < 4; ++k) {
             std::int32_t const at =
                 std::min(space.face_start[face] + k, space.face_start[face + 1] - 1);
-            four.push_back(space.faces[static_cast<std::size_t>(at)] + 1);
+            four.push_back(space.faces[std::size_t(at)] + 1);
         }
     }
     for (std::int32_t& point : sides) ++point;
@@ -127,9 +124,9 @@ TEST_CASE(
     CHECK(same);
 }
 
-TEST_CASE("a single plane of points is a mesh of one layer: each point follows itself") {
-    Case its = tiny_case();
-    Extruded const space(its.mesh, inclined(), 1, 2);
+TEST_CASE("a single plane of points is a mesh of one layer, in which each point follows itself") {
+    Case setup = tiny_case();
+    Extruded const space(setup.mesh, inclined(), 1, 2);
     Plane const plane(space.view());
     INFO(plane.error.text);
     REQUIRE(plane.status == HM_OK);
@@ -139,9 +136,9 @@ TEST_CASE("a single plane of points is a mesh of one layer: each point follows i
 }
 
 TEST_CASE("numbers behind the points of a space mesh are not read") {
-    Case const its = tiny_case();
+    Case const setup = tiny_case();
     for (Placement const& place : {inclined(), along_axis(1), wedge(5)}) {
-        Extruded space(its.mesh, place);
+        Extruded space(setup.mesh, place);
         Plane const plain(space.view());
         REQUIRE(plain.status == HM_OK);
         std::int32_t const n = space.n_points();

@@ -1,7 +1,6 @@
 // Movements of the plane in space, and the adjoint: in coordinate planes, inclined planes and
 // wedges.
 #include <harmorph_space.h>
-#include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
 #include <fixtures/plane.hpp>
@@ -11,11 +10,11 @@ using namespace fixtures;
 namespace {
 
 // The problem of the case on the mesh of the plane.
-hm_problem on_plane(Case& its, Plane const& plane) {
-    its.given_points.clear();
-    its.given_curves.clear();
-    its.given_u.clear();
-    return its.problem(plane.mesh);
+hm_problem on_plane(Case& setup, Plane const& plane) {
+    setup.given_points.clear();
+    setup.given_curves.clear();
+    setup.given_u.clear();
+    return setup.problem(plane.mesh);
 }
 
 double dot(hm_plane_info const&, const double* direction, Vec3 const& v) {
@@ -24,13 +23,11 @@ double dot(hm_plane_info const&, const double* direction, Vec3 const& v) {
 
 }  // namespace
 
-TEST_CASE(
-    "coordinate planes: the plane's mesh has the coordinates' bits, and a morph is that of the "
-    "plane") {
+TEST_CASE("the mesh of a coordinate plane has the coordinates' bits, and so has its morph") {
     for (int const normal : {0, 1, 2}) {
         for (unsigned const seed : {0u, 7u}) {
-            Case its = airfoil_case(20, 8);
-            Extruded const space(its.mesh, along_axis(normal), 2, seed);
+            Case setup = airfoil_case(20, 8);
+            Extruded const space(setup.mesh, along_axis(normal), 2, seed);
             Plane const plane(space.view());
             INFO(plane.error.text);
             REQUIRE(plane.status == HM_OK);
@@ -39,21 +36,21 @@ TEST_CASE(
             CHECK(plane.info.max_distance == 0);
             CHECK(plane.info.max_distance_point == -1);
             CHECK(plane.mesh.cell_layout == HM_CELLS_ROWS);
-            CHECK(plane.info.n_points == its.mesh.n_points());
+            CHECK(plane.info.n_points == setup.mesh.n_points());
             CHECK(all_follow(plane, space));
             bool same = true;
             for (std::int32_t p = 0; p < plane.info.n_points; ++p) {
-                std::size_t const from = static_cast<std::size_t>(
-                    space.plane_point[static_cast<std::size_t>(plane.info.space_point[p])]);
-                same = same && plane.mesh.points.x[p] == its.mesh.x[from] &&
-                       plane.mesh.points.y[p] == its.mesh.y[from];
+                std::size_t const from =
+                    std::size_t(space.plane_point[std::size_t(plane.info.space_point[p])]);
+                same = same && plane.mesh.points.x[p] == setup.mesh.x[from] &&
+                       plane.mesh.points.y[p] == setup.mesh.y[from];
             }
             CHECK(same);
-            Attempt const solved(on_plane(its, plane));
+            Attempt const solved(on_plane(setup, plane));
             INFO(solved.error.text);
             REQUIRE(solved.status == HM_OK);
             std::vector<double> const move = some_move(solved.report.functions, 0.01, 1);
-            std::size_t const n = static_cast<std::size_t>(plane.info.n_points);
+            std::size_t const n = std::size_t(plane.info.n_points);
             std::vector<double> x(n), y(n), sx = space.x, sy = space.y, sz = space.z;
             REQUIRE(hm_morph(solved.basis, move.data(), &plane.mesh.points, points_out(x, y),
                              nullptr, nullptr) == HM_OK);
@@ -67,7 +64,7 @@ TEST_CASE(
             CHECK(same_bits(across, normal == 0 ? space.x : normal == 1 ? space.y : space.z));
             bool alike = true;
             for (std::size_t k = 0; k < first.size(); ++k) {
-                std::size_t const p = static_cast<std::size_t>(plane.info.follows[k]);
+                std::size_t const p = std::size_t(plane.info.follows[k]);
                 alike = alike && first[k] == x[p] && second[k] == y[p];
             }
             CHECK(alike);
@@ -75,7 +72,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("inclined planes, wedges and many layers: the movement in space is that of the plane") {
+TEST_CASE("the movement of inclined planes, wedges and many layers is that of the plane") {
     struct Kind {
         const char* name;
         Placement place;
@@ -96,8 +93,8 @@ TEST_CASE("inclined planes, wedges and many layers: the movement in space is tha
                           {"inclined wedge", turned_wedge, 2, HM_WEDGE, 1}};
     for (Kind const& kind : kinds) {
         CAPTURE(kind.name);
-        Case its = raised_case(kind.raised);
-        Extruded const space(its.mesh, kind.place, kind.layers, 3);
+        Case setup = raised_case(kind.raised);
+        Extruded const space(setup.mesh, kind.place, kind.layers, 3);
         Plane const plane(space.view());
         INFO(plane.error.text);
         REQUIRE(plane.status == HM_OK);
@@ -108,7 +105,7 @@ TEST_CASE("inclined planes, wedges and many layers: the movement in space is tha
         hm_plane_info const& info = plane.info;
         bool in_place = true;
         for (std::int32_t p = 0; p < info.n_points; ++p) {
-            std::size_t const k = static_cast<std::size_t>(info.space_point[p]);
+            std::size_t const k = std::size_t(info.space_point[p]);
             Vec3 const at{space.x[k], space.y[k], space.z[k]};
             for (std::size_t d = 0; d < 3; ++d) {
                 double const back = info.origin[d] + plane.mesh.points.x[p] * info.x_direction[d] +
@@ -119,7 +116,7 @@ TEST_CASE("inclined planes, wedges and many layers: the movement in space is tha
         CHECK(in_place);
         // The plane's coordinates may be turned against those of the fixture, so the curve is a
         // movement of the mesh.
-        std::size_t const n = static_cast<std::size_t>(info.n_points);
+        std::size_t const n = std::size_t(info.n_points);
         std::vector<double> dx(n), dy(n);
         for (std::size_t p = 0; p < n; ++p) {
             dx[p] = 0.01 * std::sin(plane.mesh.points.x[p]);
@@ -141,23 +138,22 @@ TEST_CASE("inclined planes, wedges and many layers: the movement in space is tha
         double worst = 0;
         for (std::size_t k = 0; k < sx.size(); ++k) {
             std::int32_t const p = info.follows[k], q = info.space_point[p];
-            if (static_cast<std::size_t>(q) != k) continue;
+            if (std::size_t(q) != k) continue;
             Vec3 const step{sx[k] - space.x[k], sy[k] - space.y[k], sz[k] - space.z[k]};
-            worst = std::max(worst, std::fabs(dot(info, info.x_direction, step) -
-                                              dx[static_cast<std::size_t>(p)]));
-            worst = std::max(worst, std::fabs(dot(info, info.y_direction, step) -
-                                              dy[static_cast<std::size_t>(p)]));
+            worst =
+                std::max(worst, std::fabs(dot(info, info.x_direction, step) - dx[std::size_t(p)]));
+            worst =
+                std::max(worst, std::fabs(dot(info, info.y_direction, step) - dy[std::size_t(p)]));
             worst = std::max(worst, std::fabs(dot(info, info.normal, step)));
         }
         CHECK(worst < 1e-13);
     }
 }
 
-TEST_CASE(
-    "the adjoint is the transpose of the morph, in planes and wedges, for any number of threads") {
+TEST_CASE("the adjoint is the transpose of the morph in planes and wedges") {
     for (Placement const& place : {along_axis(1), inclined(), wedge(4)}) {
-        Case its = raised_case(1);
-        Extruded const space(its.mesh, place, 2, 5);
+        Case setup = raised_case(1);
+        Extruded const space(setup.mesh, place, 2, 5);
         Plane plane(space.view());
         REQUIRE(plane.status == HM_OK);
         // A curve of degree 1 through the points of the body, wherever the plane's coordinates have
@@ -165,13 +161,12 @@ TEST_CASE(
         std::vector<Point> corners;
         for (std::int32_t const p : {2 + 7 * 2, 4 + 7 * 2, 4 + 7 * 4 - 1, 2 + 7 * 4 - 1}) {
             for (std::int32_t q = 0; q < plane.info.n_points; ++q) {
-                if (space.plane_point[static_cast<std::size_t>(plane.info.space_point[q])] != p)
-                    continue;
+                if (space.plane_point[std::size_t(plane.info.space_point[q])] != p) continue;
                 corners.push_back({plane.mesh.points.x[q], plane.mesh.points.y[q]});
             }
         }
-        its.curves = polyline(corners);
-        Attempt const solved(on_plane(its, plane));
+        setup.curves = polyline(corners);
+        Attempt const solved(on_plane(setup, plane));
         INFO(solved.error.text);
         REQUIRE(solved.status >= HM_OK);
         std::vector<double> const move = some_move(solved.report.functions, 0.1, 2);
@@ -199,7 +194,7 @@ TEST_CASE(
         REQUIRE(hm_plane_adjoint(plane.plane, solved.basis, &by, again.data(), &executor,
                                  nullptr) == HM_OK);
         CHECK(same_bits(gradient, again));
-        std::vector<double> px(static_cast<std::size_t>(plane.info.n_points)), py = px;
+        std::vector<double> px(std::size_t(plane.info.n_points)), py = px;
         REQUIRE(hm_plane_gather(plane.plane, &by, points_out(px, py), nullptr, nullptr) == HM_OK);
         REQUIRE(hm_adjoint(solved.basis, points_in(px, py), again.data(), nullptr, nullptr) ==
                 HM_OK);

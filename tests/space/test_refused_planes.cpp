@@ -1,6 +1,5 @@
 // Meshes of three dimensions and arguments that are refused, each with a sentence and the place.
 #include <harmorph_space.h>
-#include <doctest/doctest.h>
 
 #include <fixtures/found.hpp>
 #include <fixtures/plane.hpp>
@@ -9,12 +8,11 @@
 
 using namespace fixtures;
 
-TEST_CASE(
-    "a mesh that is no plane mesh in layers is refused, and the point, face or side is named") {
+TEST_CASE("a mesh that is no plane mesh in layers is refused; the point, face or side is named") {
     Untrapped const untrapped;
-    Case its = tiny_case();
-    Extruded const good(its.mesh, along_axis(2));
-    std::int32_t const n = its.mesh.n_points();
+    Case setup = tiny_case();
+    Extruded const good(setup.mesh, along_axis(2));
+    std::int32_t const n = setup.mesh.n_points();
     auto refused = [](Extruded const& space, const char* words, std::int32_t item) {
         Plane const plane(space.view());
         INFO(plane.error.text);
@@ -25,11 +23,10 @@ TEST_CASE(
     };
     REQUIRE(Plane(good.view()).status == HM_OK);
     Extruded bad = good;
-    bad.x[static_cast<std::size_t>(n + 9)] += 0.1;
+    bad.x[std::size_t(n + 9)] += 0.1;
     refused(bad, "the projection of point 57 is 1.00000e-1 away", n + 9);
     bad = good;
-    for (std::size_t k = static_cast<std::size_t>(n); k < bad.x.size(); ++k)
-        bad.x[k] *= 1.01;  // a tapered wing
+    for (std::size_t k = std::size_t(n); k < bad.x.size(); ++k) bad.x[k] *= 1.01;  // a tapered wing
     refused(bad, "away from the nearest point", n + 1);
     bad = good;
     bad.z[5] += 0.2;
@@ -56,8 +53,8 @@ TEST_CASE(
     bad.sides[1] = 20;
     refused(bad, "the points of side 0 belong to 3 points", 0);
     bad = good;
-    bad.x[static_cast<std::size_t>(n + 9)] = bad.x[static_cast<std::size_t>(n + 10)];
-    bad.y[static_cast<std::size_t>(n + 9)] = bad.y[static_cast<std::size_t>(n + 10)];
+    bad.x[std::size_t(n + 9)] = bad.x[std::size_t(n + 10)];
+    bad.y[std::size_t(n + 9)] = bad.y[std::size_t(n + 10)];
     refused(bad, "point 9 of the faces has no opposite point", 9);
     bad = good;
     bad.face_start[0] = 1;
@@ -70,10 +67,10 @@ TEST_CASE(
     refused(bad, "on one line", -1);
 }
 
-TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
+TEST_CASE("arguments of the plane that are NULL, out of range or of another mesh are refused") {
     Untrapped const untrapped;
-    Case its = tiny_case();
-    Extruded const good(its.mesh, along_axis(2));
+    Case setup = tiny_case();
+    Extruded const good(setup.mesh, along_axis(2));
     Plane plane(good.view());
     std::size_t bytes = 0;
     hm_plane* made = nullptr;
@@ -156,7 +153,7 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
             "by space.face_start the faces have 0 corners, but there must be 3 to 2^31 - 2",
             [](hm_space_mesh& s) { s.face_start = no_corners; });
     REQUIRE(plane.status == HM_OK);
-    Solved const solved(its);
+    Solved const solved(setup);
     Case smaller = ring_case(4, 12, 0.5, 2);
     Solved const foreign(smaller);
     std::vector<double> const move(8, 0.0);
@@ -203,10 +200,7 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
     CHECK(hm_plane_mesh(plane.plane, nullptr, nullptr) == HM_BAD_ARGUMENT);
 }
 
-TEST_CASE(
-    "coordinates larger than the limit of 1e100, and no larger; cells of three and four corners "
-    "are no "
-    "polygons") {
+TEST_CASE("coordinates up to 1e100 are accepted, and no polygons of three or four corners") {
     Extruded space(tiny_case().mesh, along_axis(2));
     CHECK(Plane(space.view()).mesh.cell_layout != HM_CELLS_POLYGONS);
     space.x[0] = 1e100;  // no plane mesh, but not for that

@@ -54,7 +54,7 @@ std::size_t Arguments::take_option(const std::vector<std::string>& words, std::s
     const std::size_t equals = word.compare(0, 2, "--") == 0 ? word.find('=') : std::string::npos;
     const std::string name = word.substr(0, equals);
     const Option* const known = find(name);
-    if (known == nullptr) refuse("unknown option " + in_quotes(name));
+    if (known == nullptr) refuse("the option " + in_quotes(name) + " is unknown");
     std::string value;
     if (equals != std::string::npos) {
         if (!known->value) refuse(name + " takes no value");
@@ -128,7 +128,7 @@ std::int32_t Arguments::whole(std::string_view option, std::int32_t fallback, st
     std::int32_t value = 0;
     if (!parse(text(option), value) || value < low || value > high) {
         refuse(std::string(option) + " expects a whole number between " + std::to_string(low) +
-               " and " + std::to_string(high) + ", found " + in_quotes(text(option)));
+               " and " + std::to_string(high) + ", not " + in_quotes(text(option)));
     }
     return value;
 }
@@ -143,7 +143,7 @@ std::vector<std::int32_t> Arguments::whole_list(std::string_view option, std::in
         if (!parse(std::string_view(list).substr(begin, end - begin), value) || value < low ||
             value > high) {
             refuse(std::string(option) + " expects whole numbers between " + std::to_string(low) +
-                   " and " + std::to_string(high) + " with commas between, found " +
+                   " and " + std::to_string(high) + " with commas between them, not " +
                    in_quotes(list));
         }
         values.push_back(value);
@@ -156,7 +156,7 @@ double Arguments::positive(std::string_view option, double fallback) const {
     if (!has(option)) return fallback;
     double value = 0;
     if (!parse(text(option), value) || value <= 0) {
-        refuse(std::string(option) + " expects a number above 0, found " + in_quotes(text(option)));
+        refuse(std::string(option) + " expects a number above 0, not " + in_quotes(text(option)));
     }
     return value;
 }
@@ -166,7 +166,7 @@ double Arguments::real(std::string_view option, double fallback, double low, dou
     double value = 0;
     if (!parse(text(option), value) || value < low || value > high) {
         refuse(std::string(option) + " expects a number between " + brief(low) + " and " +
-               brief(high) + ", found " + in_quotes(text(option)));
+               brief(high) + ", not " + in_quotes(text(option)));
     }
     return value;
 }
@@ -180,7 +180,7 @@ std::int32_t Arguments::choice(std::string_view option, const std::vector<Choice
         names += names.empty() ? "" : ", ";
         names += choice.name;
     }
-    refuse(std::string(option) + " is one of " + names + ", found " + in_quotes(given));
+    refuse(std::string(option) + " must be one of " + names + ", not " + in_quotes(given));
 }
 
 void Arguments::refuse(std::string_view message) const {

@@ -18,7 +18,7 @@ inline std::vector<double> number_list(const Arguments& arguments, std::string_v
         double number = 0;
         if (!parse(std::string_view(text).substr(from, to - from), number)) {
             arguments.refuse(std::string(option) +
-                             " expects numbers with commas between them, found '" + text + "'");
+                             " expects numbers with commas between them, not '" + text + "'");
         }
         numbers.push_back(number);
         from = to + 1;

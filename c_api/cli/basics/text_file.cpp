@@ -129,8 +129,8 @@ void LineReader::fail(std::string_view message) const { file_.fail(offset(), mes
 void LineReader::expected(std::string_view what) const { expected(what, line_); }
 
 void LineReader::expected(std::string_view what, std::string_view found) const {
-    fail("expected " + std::string(what) + ", found " +
-         (found.empty() ? "the end of the file" : in_quotes(found)));
+    fail("the file needs " + std::string(what) + " here, but " +
+         (found.empty() ? "the end of the file" : in_quotes(found)) + " follows");
 }
 
 std::string_view trimmed(std::string_view text) {

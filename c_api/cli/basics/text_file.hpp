@@ -56,7 +56,8 @@ public:
     std::size_t next_offset() const { return next_; }         // of the next line
     void jump(std::size_t offset) { next_ = offset; }         // next() goes on there
     [[noreturn]] void fail(std::string_view message) const;   // about this line
-    [[noreturn]] void expected(std::string_view what) const;  // "expected WHAT, found LINE"
+    [[noreturn]] void expected(std::string_view what) const;  // "the file needs WHAT here, but LINE
+                                                              // follows"
     [[noreturn]] void expected(std::string_view what, std::string_view found) const;
 
 private:

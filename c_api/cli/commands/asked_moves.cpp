@@ -19,9 +19,10 @@ std::vector<double> moves_of_file(const Arguments& arguments, const Basis& basis
     const std::string map_path = arguments.text("--variables");
     const VariableMap map = read_variables(map_path);
     if (map.points != basis.n_control()) {
-        throw Failure(exit_file,
-                      map_path + ": its variables are of " + plural(map.points, "control point") +
-                          ", the curves of the basis have " + std::to_string(basis.n_control()));
+        throw Failure(exit_file, map_path + ": the variables move " +
+                                     plural(map.points, "control point") +
+                                     ", but the curves of the basis have " +
+                                     std::to_string(basis.n_control()));
     }
     std::vector<double> moves = map.control_moves(basis.curves(), read_values(path, map), map_path);
     moves.resize(2 * static_cast<std::size_t>(basis.functions()));
@@ -35,17 +36,18 @@ std::vector<double> asked_moves(const Arguments& arguments, const Mesh& mesh, co
     if (!arguments.has("--to-airfoil")) {
         for (const char* option : {"--on-chord", "--airfoil-curve", "--moves-out"}) {
             if (arguments.has(option))
-                arguments.refuse(std::string(option) + " goes with --to-airfoil");
+                arguments.refuse(std::string(option) + " needs --to-airfoil");
         }
         return moves_of_file(arguments, basis, mesh);
     }
     for (const char* option : {"--move", "--by"}) {
         if (arguments.has(option))
             arguments.refuse(std::string(option) +
-                             " and --to-airfoil both say where to: name one of them");
+                             " and --to-airfoil both state a movement; name one of them");
     }
     const std::string path = arguments.text("--to-airfoil");
-    if (basis.info().curves == 0) arguments.refuse("--to-airfoil: the basis has no curve");
+    if (basis.info().curves == 0)
+        arguments.refuse("--to-airfoil needs a curve, but the basis has no curve");
     const std::int32_t curve = arguments.whole("--airfoil-curve", 1, 1, basis.info().curves) - 1;
     airfoil = moves_to_airfoil(basis, curve, read_section(path), path, arguments.has("--on-chord"));
     return airfoil->moves;

@@ -32,8 +32,7 @@ SensitivityColumns columns_of(const Arguments& arguments) {
     if (arguments.has("--y")) columns.y = arguments.text("--y");
     if (!arguments.has("--normal")) {
         for (const char* option : {"--into", "--per-length"})
-            if (arguments.has(option))
-                arguments.refuse(std::string(option) + " goes with --normal");
+            if (arguments.has(option)) arguments.refuse(std::string(option) + " needs --normal");
         return columns;
     }
     for (const char* option : {"--x", "--y"})
@@ -80,15 +79,16 @@ struct VariablesAt {
 
 std::optional<VariablesAt> variables_at(const Arguments& arguments, const Basis& basis) {
     if (!arguments.has("--variables")) {
-        if (arguments.has("--at")) arguments.refuse("--at goes with --variables");
+        if (arguments.has("--at")) arguments.refuse("--at needs --variables");
         return {};
     }
     const std::string path = arguments.text("--variables");
     VariablesAt at = {path, read_variables(path), {}};
     if (at.map.points != basis.n_control()) {
-        throw Failure(exit_file,
-                      path + ": its variables are of " + plural(at.map.points, "control point") +
-                          ", the curves of the basis have " + std::to_string(basis.n_control()));
+        throw Failure(exit_file, path + ": the variables move " +
+                                     plural(at.map.points, "control point") +
+                                     ", but the curves of the basis have " +
+                                     std::to_string(basis.n_control()));
     }
     at.values.resize(2 * static_cast<std::size_t>(at.map.variables));
     if (arguments.has("--at")) at.values = read_values(arguments.text("--at"), at.map);

@@ -78,6 +78,7 @@ std::vector<Wanted> wanted_of(const Arguments& arguments, const std::vector<doub
         {"moment_yy", "second moment yy", quantity_of(HM_MOMENT_YY)},
         {"moment_xy", "second moment xy", quantity_of(HM_MOMENT_XY)},
         {"chord", "chord", quantity_of(HM_CHORD)},
+        {"chord_angle", "angle of the chord", quantity_of(HM_TWIST)},
         {"max_thickness", "largest thickness", quantity_of(HM_MAX_THICKNESS)},
         {"max_camber", "largest camber", quantity_of(HM_MAX_CAMBER)},
         {"nose_radius", "leading-edge radius", quantity_of(HM_LEADING_EDGE_RADIUS)},

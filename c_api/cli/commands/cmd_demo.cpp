@@ -127,10 +127,9 @@ void run_demo(const Arguments& arguments) {
         arguments.has("--mesh") ? arguments.text("--mesh") : "tests/meshes/naca0012.su2";
     std::error_code error;
     if (!std::filesystem::exists(shipped, error)) {
-        throw Failure(
-            exit_file,
-            shipped +
-                " is not here: run the demo in harmorph's folder, or name the mesh with --mesh");
+        throw Failure(exit_file, shipped +
+                                     " does not exist; run the demo in the folder of harmorph, or "
+                                     "name the mesh with --mesh");
     }
     std::filesystem::create_directories(folder, error);
     if (error) throw Failure(exit_file, folder.string() + ": cannot be made: " + error.message());

@@ -248,7 +248,7 @@ Movement movement_of(const Arguments& arguments, const Mesh& mesh, const Task& t
     }
     for (const char* const option : {"--move", "--by"}) {
         if (arguments.has(option) && movable.functions() == 0)
-            arguments.refuse(std::string(option) + " goes with --curve or --rigid");
+            arguments.refuse(std::string(option) + " needs --curve or --rigid");
     }
     movement.moves = read_moves(texts_of_moves(arguments), movable, mesh);
     return movement;
@@ -284,11 +284,12 @@ void run_displace(const Arguments& arguments) {
     for (const char* const option :
          {"--min-quality", "--max-height-change", "--strict", "--heights"}) {
         if (!arguments.has("--safe") && arguments.has(option))
-            arguments.refuse(std::string(option) + " goes with --safe");
+            arguments.refuse(std::string(option) + " needs --safe");
     }
     const Mesh mesh = read_mesh(arguments, 0);
     if (compares_operators(arguments) && arguments.has("--exponent"))
-        arguments.refuse("--exponent does not go with --operator auto");
+        arguments.refuse(
+            "--exponent cannot be used with --operator auto, which compares operators");
     const Task task = task_of(arguments, mesh);
     const Movement movement = movement_of(arguments, mesh, task);
     const Threads threads(threads_of(arguments));

@@ -46,7 +46,9 @@ PointData point_data(const std::vector<Column>& columns) {
 std::vector<Level> levels_of(const Arguments& arguments, const Mesh& mesh, const Basis& basis) {
     Task task = task_of(basis);
     if (task.options.engine == HM_DIRECT)
-        arguments.refuse("--level: the basis was solved by the direct engine, without levels");
+        arguments.refuse(
+            "--level needs a basis with levels, but the direct engine solved this basis without "
+            "levels");
     set_agglomeration(arguments, task.options);
     task.options.levels = 20;
     const Threads threads(1);
@@ -101,7 +103,7 @@ void write_pictures(const Arguments& arguments, const Mesh& mesh, const Basis& b
     }
     if (panels.empty())
         arguments.refuse("--number " + arguments.text("--number") +
-                         ": no value has so many numbers");
+                         " does not exist: no value has so many numbers");
     const std::optional<Box> window = window_of(arguments);
     if (arguments.has("--contour-csv")) {
         const Box box = window ? *window : function_window(mesh, basis);
@@ -121,7 +123,7 @@ void run_export(const Arguments& arguments) {
     if (!arguments.has("--csv") && !arguments.has("--vtu") && !arguments.has("--svg") &&
         !arguments.has("--contour-csv")) {
         arguments.refuse(
-            "nothing to write: name a file after --csv, --vtu, --svg or --contour-csv");
+            "there is nothing to write; name a file after --csv, --vtu, --svg or --contour-csv");
     }
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
@@ -133,10 +135,12 @@ void run_export(const Arguments& arguments) {
         const std::int32_t numbers = basis.info().numbers_per_value;
         if (arguments.whole_list("--number", 1, 4)[0] > numbers) {
             arguments.refuse("--number " + arguments.text("--number") +
-                             ": a value of these functions has " + plural(numbers, "number"));
+                             " does not exist: a value of these functions has " +
+                             plural(numbers, "number"));
         }
     }
-    if (has_table && functions.size() > 1) arguments.refuse("--csv and --vtu take one --function");
+    if (has_table && functions.size() > 1)
+        arguments.refuse("--csv and --vtu take exactly one function of --function");
     OutputFiles files;
     if (has_table) {
         const std::vector<Column> columns = columns_of(basis, mesh, functions[0] - 1);

@@ -54,7 +54,7 @@ std::int32_t closed_option(const Arguments& arguments) {
     if (closed == "auto") return HM_CLOSED_AUTO;
     if (closed == "periodic") return HM_PERIODIC;
     if (closed == "tied") return HM_TIED;
-    arguments.refuse("--closed expects auto, periodic or tied, found " + in_quotes(closed));
+    arguments.refuse("--closed expects auto, periodic or tied, not " + in_quotes(closed));
 }
 
 hm_fit_options fit_options(const Arguments& arguments) {
@@ -203,7 +203,7 @@ Outline outline_of(const Arguments& arguments, const std::string& path) {
         return Outline(mesh, MeshAnalysis(mesh).boundary(markers, &near));
     }
     if (arguments.has("--marker"))
-        arguments.refuse("--marker goes with a mesh, and " + path + " is none");
+        arguments.refuse("--marker needs a mesh, but " + path + " is not a mesh");
     return Outline(is_section ? read_section(path) : sampled(read_curves(path)));
 }
 

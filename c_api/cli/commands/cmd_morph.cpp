@@ -85,7 +85,9 @@ Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     options.others = views.data();
     const std::int32_t own = basis.info().operator_kind;
     if (arguments.has("--operator") && !compares_operators(arguments))
-        arguments.refuse("--operator expects auto: the basis has the operator");
+        arguments.refuse(
+            "--operator of this command must be auto, because the basis has an operator of its "
+            "own");
     std::vector<OperatorTrial> trials;
     const auto run = [&](std::int32_t kind, OperatorTrial& trial) {
         Morph morph(basis, mesh, moves, options, kind, threads);
@@ -108,7 +110,7 @@ void tell_of_earlier_movement(const Arguments& arguments, const Basis& basis) {
                               arguments.has("--variables");
     if (needs_curves) basis.curves();
     if (basis.info().curves > 0 && !basis.why_on_no_curve().empty())
-        return warn(basis.why_on_no_curve() + ": the morphed mesh is written without a curve");
+        return warn(basis.why_on_no_curve() + "; the morphed mesh is written without a curve");
     warn("the mesh is not where it was when the basis was solved: its wall is " +
          brief(basis.distance_from_curves()) + " at most from where a movement of the basis leads");
 }
@@ -124,8 +126,7 @@ void run_morph(const Arguments& arguments) {
     const bool safe = arguments.has("--safe");
     for (const char* const option :
          {"--reached", "--min-quality", "--max-height-change", "--strict", "--operator"}) {
-        if (!safe && arguments.has(option))
-            arguments.refuse(std::string(option) + " goes with --safe");
+        if (!safe && arguments.has(option)) arguments.refuse(std::string(option) + " needs --safe");
     }
     Morph morph = safe ? safe_morph(arguments, mesh, basis, moves, threads)
                        : Morph(basis, mesh, moves, repeats, threads);

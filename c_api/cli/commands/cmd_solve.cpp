@@ -48,7 +48,7 @@ void print_json(const Solver& solver, const Stored& stored, const Mesh& mesh,
         .add("max_value", report.max_value)
         .add("residual", report.residual);
     object.add("iterations", report.iterations)
-        .add("sweeps", report.fine_sweeps)
+        .add("work", report.work)
         .add("levels", report.levels);
     object.add("setup_seconds", times.setup)
         .add("factor_seconds", times.factor)
@@ -70,8 +70,9 @@ void print_for_people(const Solver& solver, const Stored& stored, const Mesh& me
     print("residual         %s (function %d)\n", brief(report.residual).c_str(),
           report.residual_function + 1);
     if (report.iterations > 0) {
-        print("iterations       %s on %s, %s over the finest\n", brief(report.iterations).c_str(),
-              plural(report.levels, "level").c_str(), plural(report.fine_sweeps, "sweep").c_str());
+        print("iterations       %s on %s, the work of %s sweeps over the finest\n",
+              brief(report.iterations).c_str(), plural(report.levels, "level").c_str(),
+              brief(report.work).c_str());
     }
     if (report.curve_points > 0) {
         print("boundary error   %s", brief(report.boundary_error).c_str());
@@ -100,7 +101,8 @@ public:
     Modes(const Arguments& arguments, const Mesh& mesh) : paths_(arguments.all("--mode")) {
         if (paths_.empty()) return;
         if (!arguments.has("--given"))
-            arguments.refuse("--mode is of the markers of --given, which is missing");
+            arguments.refuse(
+                "--mode states displacements of the markers of --given, but --given is missing");
         for (const std::string& path : paths_) add(path, read_wall_field(path, mesh));
     }
     const hm_basis* append_to(Solver& solver) {
@@ -129,7 +131,8 @@ private:
             for (std::size_t k = 0; k < points_.size(); ++k) {
                 const auto found = std::find(field.points.begin(), field.points.end(), points_[k]);
                 if (found == field.points.end() || field.points.size() != points_.size()) {
-                    throw Failure(exit_file, path + ": has not the points of " + paths_[0]);
+                    throw Failure(exit_file,
+                                  path + ": the table does not have the points of " + paths_[0]);
                 }
                 place[k] = static_cast<std::size_t>(found - field.points.begin());
             }
@@ -152,7 +155,7 @@ std::string what_is_missed(const Solver& solver, const hm_options& options) {
         return "the residual " + brief(residual) + " is above " + brief(options.tolerance);
     if (solver.found() == 0) return "values are still off by more than " + brief(options.tolerance);
     return "values may still be off by " + brief(solver.found()) + ", as cells are very thin" +
-           (options.precision == HM_SINGLE ? ": --precision double brings them nearer" : "");
+           (options.precision == HM_SINGLE ? "; --precision double makes them more accurate" : "");
 }
 
 void run_solve(const Arguments& arguments) {
@@ -162,7 +165,7 @@ void run_solve(const Arguments& arguments) {
         arguments.refuse("--curve, --rigid or --mode is missing");
     }
     if (compares_operators(arguments))
-        arguments.refuse("--operator auto goes with displace and with morph --safe");
+        arguments.refuse("--operator auto is only for displace and for morph --safe");
     const Mesh mesh = read_mesh(arguments, 0);
     Modes modes(arguments, mesh);
     Task task = task_of(arguments, mesh);
@@ -179,7 +182,7 @@ void run_solve(const Arguments& arguments) {
         write_history(files.add(arguments.text("--history")), history, solver.report().iterations);
     }
     if (converged || arguments.has("--force"))
-        write_basis(files.add(path), stored.basis(), mesh, task.conditions);
+        write_basis(files.add(path), stored.basis(), mesh);
     files.commit();
     if (arguments.has("--json")) {
         print_json(solver, stored, mesh, times);
@@ -187,7 +190,8 @@ void run_solve(const Arguments& arguments) {
         print_for_people(solver, stored, mesh, task, times);
     }
     if (!converged)
-        throw Failure(exit_unusable, "not converged: " + what_is_missed(solver, task.options));
+        throw Failure(exit_unusable,
+                      "the solution has not converged: " + what_is_missed(solver, task.options));
 }
 
 }  // namespace
@@ -239,7 +243,7 @@ const Command solve_command = {
             {"--json", nullptr,
              "print one JSON object: points, cells, functions, boundary_error, partition_defect, "
              "min_value,\n"
-             "max_value, residual, iterations, sweeps (over the finest level), levels, "
+             "max_value, residual, iterations, work (in sweeps over the finest level), levels, "
              "setup_seconds,\n"
              "factor_seconds (engines that iterate: of agglomeration), solve_seconds, plan_bytes, "
              "basis_bytes,\n"

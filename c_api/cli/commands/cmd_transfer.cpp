@@ -131,9 +131,10 @@ void run_transfer(const Arguments& arguments) {
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
     if (basis.mesh_has_moved()) {
-        throw Failure(exit_unusable,
-                      mesh.file.path() + ": the mesh is not where it was when " + basis.path() +
-                          " was solved: transfer from the mesh of then, and morph FINE_MESH");
+        throw Failure(
+            exit_unusable,
+            mesh.file.path() + ": the mesh is not where it was when " + basis.path() +
+                " was solved; transfer from the mesh before it moved, and morph FINE_MESH");
     }
     const Mesh fine = read_mesh(arguments, 2);
     const Threads threads(threads_of(arguments));
@@ -142,7 +143,7 @@ void run_transfer(const Arguments& arguments) {
     transfer.run(mesh);
     const Stored stored(arguments, fine, transfer.transferred());
     OutputFiles files;
-    write_basis(files.add(path), stored.basis(), fine, task.conditions);
+    write_basis(files.add(path), stored.basis(), fine);
     files.commit();
     if (arguments.has("--json")) {
         print_json(transfer, fine, basis);

@@ -55,7 +55,8 @@ const Command& find_command(const std::string& name) {
     for (const Command* command : commands) {
         if (name == command->name) return *command;
     }
-    throw Failure(exit_usage, "unknown command " + in_quotes(name) + "\nTry: harmorph --help");
+    throw Failure(exit_usage,
+                  "the command " + in_quotes(name) + " is unknown\nTry: harmorph --help");
 }
 
 }  // namespace

@@ -57,10 +57,10 @@ hm_variables variables_of(const Arguments& arguments, std::vector<double>& peaks
     }
     if (kinds != 1)
         arguments.refuse(
-            "one of --ffd, --cst, --hicks-henne and --naca, a movement such as --turn, or "
+            "exactly one of --ffd, --cst, --hicks-henne and --naca, a movement such as --turn, or "
             "--family is needed");
     if (arguments.has("--peaks")) {
-        if (variables.kind != HM_HICKS_HENNE) arguments.refuse("--peaks goes with --hicks-henne");
+        if (variables.kind != HM_HICKS_HENNE) arguments.refuse("--peaks needs --hicks-henne");
         peaks = number_list(arguments, "--peaks");
         if (peaks.size() !=
             static_cast<std::size_t>(std::max(variables.n_upper + variables.n_lower, 0))) {
@@ -71,7 +71,7 @@ hm_variables variables_of(const Arguments& arguments, std::vector<double>& peaks
     if (arguments.has("--box")) {
         const std::vector<double> box = number_list(arguments, "--box");
         if (variables.kind != HM_FFD || box.size() != 4)
-            arguments.refuse("--box goes with --ffd and expects X,Y,X,Y");
+            arguments.refuse("--box needs --ffd and expects X,Y,X,Y");
         variables.x_min = box[0];
         variables.y_min = box[1];
         variables.x_max = box[2];
@@ -243,7 +243,7 @@ MadeVariables make_variables(const Arguments& arguments) {
             "shapes (--ffd, --cst, --hicks-henne, --naca), movements (--turn, --parsec, ...) and "
             "--family exclude each other");
     }
-    if (arguments.has("--modes") && !is_family) arguments.refuse("--modes goes with --family");
+    if (arguments.has("--modes") && !is_family) arguments.refuse("--modes needs --family");
     if (is_family) return make_family(arguments, path, view);
     if (!movements.empty()) return make_movements(path, view, section_of(arguments), movements);
     return make_linear(arguments, path, view);

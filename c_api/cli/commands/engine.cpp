@@ -17,7 +17,7 @@ std::vector<Option> engine_options() {
         {"--engine", "ENGINE",
          "direct (default): the fastest; multigrid: conjugate gradients, less memory on large "
          "meshes;\n"
-         "fas: the paper's iteration, slow (the last two with laplace and weighted)"},
+         "fas: the iteration of the paper, slow (the last two with laplace and weighted)"},
         {"--precision", "P",
          "of the direct engine's factor: double (default), or single: half the memory, refined in "
          "double"},
@@ -26,6 +26,10 @@ std::vector<Option> engine_options() {
          "points)"},
         agglomeration_option,
         {"--start", "START", "of fas: fmg (default), level by level from the coarsest, or zero"},
+        {"--cycle", "CYCLE",
+         "of fas: paper (default), V-cycles with plain corrections; improved, W-cycles with "
+         "smoothed\n"
+         "corrections of optimal length"},
         {"--history", "F.csv",
          "multigrid and fas: the largest residual of all functions, cycle by cycle",
          FileUse::output}};
@@ -44,16 +48,20 @@ void set_engine(const Arguments& arguments, SolveOptions& options) {
     options.precision =
         arguments.choice("--precision", {{"double", HM_DOUBLE}, {"single", HM_SINGLE}});
     if (options.engine != HM_DIRECT && arguments.has("--precision"))
-        arguments.refuse("--precision goes with --engine direct");
+        arguments.refuse("--precision needs --engine direct");
     set_agglomeration(arguments, options);
     options.start =
         arguments.choice("--start", {{"fmg", HM_START_COARSEST}, {"zero", HM_START_ZERO}});
-    if (options.engine != HM_FAS && arguments.has("--start"))
-        arguments.refuse("--start goes with --engine fas");
+    options.cycle =
+        arguments.choice("--cycle", {{"paper", HM_CYCLE_PAPER}, {"improved", HM_CYCLE_IMPROVED}});
+    for (const char* option : {"--start", "--cycle"}) {
+        if (options.engine != HM_FAS && arguments.has(option))
+            arguments.refuse(std::string(option) + " needs --engine fas");
+    }
     if (arguments.has("--levels")) options.levels = arguments.whole("--levels", 0, 1, 20);
     for (const char* option : {"--levels", "--agglomeration", "--history"}) {
         if (options.engine == HM_DIRECT && arguments.has(option)) {
-            arguments.refuse(std::string(option) + " goes with --engine multigrid or fas");
+            arguments.refuse(std::string(option) + " needs --engine multigrid or fas");
         }
     }
 }

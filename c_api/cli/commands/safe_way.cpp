@@ -128,8 +128,9 @@ std::vector<Option> safe_options() {
 void warn_of_heights(const Arguments& arguments, const hm_safe_report& safe, bool is_valid) {
     if (!arguments.has("--heights") || safe.heights >= 1 || !is_valid) return;
     warn(brief(100 * safe.heights) +
-         " % of the distances from the wall came back by --heights: the rest would have cost too "
-         "much of the smallest quality");
+         " % of the change of the distances from the wall was undone by --heights, because more "
+         "would "
+         "reduce the smallest quality too much");
 }
 
 hm_safe_options safe_options_of(const Arguments& arguments) {

@@ -37,7 +37,7 @@ void add_condition(const Arguments& arguments, const Mesh& mesh, Task& task,
             other.kind != HM_INTERFACE) {
             arguments.refuse("marker " +
                              in_quotes(mesh.markers[static_cast<std::size_t>(condition.marker)]) +
-                             " has two conditions: name it once");
+                             " has two conditions; name the marker once");
         }
     }
     task.conditions.push_back(condition);
@@ -48,7 +48,7 @@ void put_on_curves(const Arguments& arguments, const Mesh& mesh, Task& task,
                    const std::string& binding) {
     const std::size_t equals = binding.find('=');
     if (equals == std::string::npos)
-        arguments.refuse("--curve expects MARKER=FILE, found " + in_quotes(binding));
+        arguments.refuse("--curve expects MARKER=FILE, not " + in_quotes(binding));
     const auto first_curve = static_cast<std::int32_t>(task.curves.curves.size());
     task.curves.append(read_curves(binding.substr(equals + 1)));
     for (const MarkerPiece& piece : mesh.find_pieces(binding.substr(0, equals))) {
@@ -122,7 +122,7 @@ void make_rigid(const Arguments& arguments, const Mesh& mesh, Task& task,
         const std::size_t comma = centre.find(',');
         if (comma == std::string::npos || !parse(centre.substr(0, comma), x) ||
             !parse(centre.substr(comma + 1), y)) {
-            arguments.refuse("--rigid expects MARKER or MARKER=X,Y, found " + in_quotes(binding));
+            arguments.refuse("--rigid expects MARKER or MARKER=X,Y, not " + in_quotes(binding));
         }
     }
     for (const MarkerPiece& piece : pieces) {
@@ -156,7 +156,7 @@ std::pair<std::int32_t, std::int32_t> marker_pair(const Arguments& arguments, co
     }
     arguments.refuse(option +
                      " expects two names of the mesh as A:B, each of which stands for one marker, "
-                     "found " +
+                     "not " +
                      in_quotes(binding));
 }
 
@@ -205,7 +205,7 @@ std::int32_t exponent_in_quarters(const Arguments& arguments) {
     const auto in_quarters =
         is_number && exponent >= 0 && exponent <= 4 ? static_cast<std::int32_t>(4 * exponent) : -1;
     if (in_quarters < 0 || in_quarters != 4 * exponent) {
-        arguments.refuse("--exponent expects a number from 0 to 4 in steps of 1/4, found " +
+        arguments.refuse("--exponent expects a number from 0 to 4 in steps of 1/4, not " +
                          in_quotes(arguments.text("--exponent")));
     }
     return in_quarters == 0 ? HM_NO_WEIGHT : in_quarters;

@@ -35,8 +35,8 @@ void refuse_same(const Arguments& arguments, const NamedFile& output, const Name
     if (!is_same_file(path, other.path)) return;
     const std::string both = output.name + " " + output.path + " and " + other.name + " " +
                              other.path + " are the same file";
-    arguments.refuse(both + (is_output(other) ? ": two outputs need two files"
-                                              : ": an output must not replace an input"));
+    arguments.refuse(both + (is_output(other) ? "; two outputs need two files"
+                                              : "; an output must not replace an input"));
 }
 
 void refuse_inputs(const Arguments& arguments, const NamedFile& output,

@@ -24,7 +24,7 @@ std::optional<Box> window_of(const Arguments& arguments) {
     }
     const Box window = {{number[0], number[1]}, {number[2], number[3]}};
     if (n == 4 && window.width() > 0 && window.height() > 0) return window;
-    arguments.refuse("--window expects X,Y,X,Y, the lower left and the upper right corner, found " +
+    arguments.refuse("--window expects X,Y,X,Y, the lower left and the upper right corner, not " +
                      in_quotes(text));
 }
 

@@ -112,8 +112,8 @@ void CurveReader::read_indices() {
     for (std::int32_t& index : curve_.indices) {
         if (index < 1 || index > curves_.points()) {
             const std::string last = std::to_string(curves_.points());
-            file_.fail(indices_offset_, "expected indices between 1 and " + last + ", found " +
-                                            std::to_string(index));
+            file_.fail(indices_offset_, "the file needs indices between 1 and " + last +
+                                            " here, but " + std::to_string(index) + " follows");
         }
         --index;
     }
@@ -128,7 +128,9 @@ void CurveReader::read_weights() {
     const std::size_t offset = lines_.offset();
     curves_.weights = numbers<double>(n, "weight");
     for (const double weight : curves_.weights) {
-        if (weight <= 0) file_.fail(offset, "expected weights above 0, found " + brief(weight));
+        if (weight <= 0)
+            file_.fail(offset,
+                       "the file needs weights above 0 here, but " + brief(weight) + " follows");
     }
 }
 
@@ -147,10 +149,10 @@ void CurveReader::finish_curve() {
     const std::size_t n_knots = curve_.indices.size() + static_cast<std::size_t>(curve_.degree) + 1;
     if (curve_.knots.size() != n_knots) {
         file_.fail(knots_offset_,
-                   "expected knots " + std::to_string(n_knots) + " (" +
+                   "the curve needs " + std::to_string(n_knots) + " knots (" +
                        plural(static_cast<std::int64_t>(curve_.indices.size()), "control point") +
-                       " with repeats, degree " + std::to_string(curve_.degree) +
-                       "), found knots " + std::to_string(curve_.knots.size()));
+                       " with repeats, degree " + std::to_string(curve_.degree) + "), but has " +
+                       std::to_string(curve_.knots.size()));
     }
     curves_.curves.push_back(std::exchange(curve_, Curve()));
     has_closed_ = false;

@@ -66,7 +66,7 @@ std::vector<CgnsZone> read_zones(const Cgns& cgns, std::size_t file_size, int& c
     if (n_bases < 1) cgns.fail("the file has no base");
     cgns(cg_base_read(cgns.file, cgns_base, name, &cell_dimension, &dimension));
     if (cell_dimension != 2 && cell_dimension != 3) {
-        cgns.fail("expected a base with cells of 2 or 3 dimensions, found " +
+        cgns.fail("the cells of the base must have 2 or 3 dimensions, not " +
                   std::to_string(cell_dimension));
     }
     cgns(cg_nzones(cgns.file, cgns_base, &n_zones));

@@ -120,8 +120,9 @@ std::int64_t FluentReader::hexadecimal(const char* what) {
 std::int64_t FluentReader::hexadecimal(const char* what, std::int64_t low, std::int64_t high) {
     const std::int64_t value = hexadecimal(what);
     if (value >= low && value <= high) return value;
-    numbers_.fail(std::string("expected ") + what + " between " + std::to_string(low) + " and " +
-                  std::to_string(high) + ", found " + std::to_string(value));
+    numbers_.fail(std::string("the file needs ") + what + " between " + std::to_string(low) +
+                  " and " + std::to_string(high) + " here, but " + std::to_string(value) +
+                  " follows");
 }
 
 // The head has the zone, the first node, the last node, the type, and mostly the dimension. Zone 0
@@ -209,7 +210,8 @@ void FluentReader::read_name() {
 }
 
 void FluentReader::lacks(const std::string& what) const {
-    mesh_.file.fail(mesh_.file.text().size(), "expected " + what + ", found the end of the file");
+    mesh_.file.fail(mesh_.file.text().size(),
+                    "the file needs " + what + " here, but the end of the file follows");
 }
 
 // Sections of nodes may stand in any order.
@@ -224,8 +226,9 @@ void FluentReader::check() {
     std::int64_t expected = 0;
     for (const FluentNode& node : nodes) {
         if (node.number == ++expected) continue;
-        mesh_.file.fail(node.offset[0], "expected node " + std::to_string(expected) +
-                                            ", found node " + std::to_string(node.number));
+        mesh_.file.fail(node.offset[0], "the file needs node " + std::to_string(expected) +
+                                            " here, but node " + std::to_string(node.number) +
+                                            " follows");
     }
     const std::vector<FluentFace>& faces = content_.faces;
     if (faces.empty()) lacks("a section (13 ...) with faces");

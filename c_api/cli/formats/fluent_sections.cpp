@@ -40,14 +40,14 @@ bool FluentSections::next() {
     section_ = {};
     section_.begin = at_;
     if (text_[at_] != '(') {
-        file_.fail(
-            at_, "expected a section such as (10 ...), found " + in_quotes(text_.substr(at_, 16)));
+        file_.fail(at_, "the file needs a section such as (10 ...) here, but " +
+                            in_quotes(text_.substr(at_, 16)) + " follows");
     }
     const std::size_t begin = at_++;
     over_blanks();
     const char* const from = text_.data() + at_;
     const auto [after, error] = std::from_chars(from, text_.data() + text_.size(), section_.number);
-    if (error != std::errc()) file_.fail(at_, "expected the number of a section");
+    if (error != std::errc()) file_.fail(at_, "the file needs the number of a section here");
     at_ += static_cast<std::size_t>(after - from);
     over_blanks();
     const bool is_binary = section_.number >= first_binary_section;

@@ -51,7 +51,7 @@ bool read_foam_header(const TextFile& file, FoamHeader& header) {
 
 FoamReader::FoamReader(const TextFile& file) : file_(file) {
     if (!read_foam_header(file, header_))
-        file.fail(0, "expected a file of OpenFOAM, which begins with FoamFile { ... }");
+        file.fail(0, "the file is no file of OpenFOAM, which begins with FoamFile { ... }");
     at_ = header_.end;
 }
 
@@ -84,8 +84,8 @@ std::string_view FoamReader::word() {
 
 void FoamReader::expected(std::string_view what) const {
     const std::string_view found = std::string_view(file_.text()).substr(word_, at_ - word_);
-    fail("expected " + std::string(what) + ", found " +
-         (found.empty() ? "the end of the file" : in_quotes(found)));
+    fail("the file needs " + std::string(what) + " here, but " +
+         (found.empty() ? "the end of the file" : in_quotes(found)) + " follows");
 }
 
 std::int64_t FoamReader::count(const char* what) {
@@ -111,9 +111,10 @@ const char* FoamReader::binary(std::int64_t n, int bytes, const char* what) {
     const std::size_t size = static_cast<std::size_t>(n) * static_cast<std::size_t>(bytes),
                       begin = at_;
     if (size > text.size() - begin || text.size() - begin - size < 1 || text[begin + size] != ')') {
-        file_.fail(begin, "expected " + plural(n, what) + " of " + plural(bytes, "byte") +
-                              " and a closing bracket: the file is cut off, or its header says "
-                              "another size of numbers");
+        file_.fail(begin,
+                   "the file needs " + plural(n, what) + " of " + plural(bytes, "byte") +
+                       " and a closing bracket here; either the file is cut off, or its header "
+                       "states another size of numbers");
     }
     at_ = begin + size + 1;
     return text.data() + begin;

@@ -4,6 +4,7 @@
 #include "basics/failure.hpp"
 #include "formats/deflate.hpp"
 #include "formats/tidy.hpp"
+#include "formats/vtk_parallel.hpp"
 #include "basics/output_file.hpp"
 
 #include <algorithm>
@@ -33,8 +34,8 @@ const Format* find_format(const std::string& name) {
     for (const Format* format : formats) {
         if (name == format->name) return format;
     }
-    throw Failure(exit_usage,
-                  "unknown format " + in_quotes(name) + ": known are " + format_names());
+    throw Failure(exit_usage, "the format " + in_quotes(name) +
+                                  " is unknown; the known formats are " + format_names());
 }
 
 const Format& format_of(const TextFile& file) {
@@ -43,10 +44,10 @@ const Format& format_of(const TextFile& file) {
     }
     const std::string_view first =
         std::string_view(file.text()).substr(0, file.text().find_first_of("\r\n"));
-    file.fail(0,
-              (file.text().empty() ? "the file is empty"
-                                   : "no mesh file that is known begins with " + in_quotes(first)) +
-                  "; read are " + format_names() + " (--format chooses)");
+    file.fail(0, (file.text().empty() ? "the file is empty"
+                                      : "no known mesh file begins with " + in_quotes(first)) +
+                     "; the formats that are read are " + format_names() +
+                     " (--format chooses one)");
 }
 
 // Returns the function that compresses what `store` writes. If no number changed, it writes the
@@ -108,6 +109,9 @@ std::vector<std::string> files_beside_mesh(const std::string& path) {
             candidates.push_back(folder / name);
             candidates.push_back(folder / (std::string(name) + ".gz"));
         }
+    }
+    if (mesh.extension() == ".pvtu") {
+        for (const std::string& piece : piece_files(mesh.string())) candidates.push_back(piece);
     }
     std::vector<std::string> files;
     std::error_code ignored;

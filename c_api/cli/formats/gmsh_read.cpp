@@ -97,7 +97,7 @@ void GmshReader::read_format() {
         const std::int64_t one = numbers_.whole("the number 1 in the file's byte order");
         numbers_.swapped = mesh_.in_file.swapped = one != 1;
         if (one != 1 && one != 1 << 24)
-            numbers_.fail("expected the number 1 in one byte order or the other");
+            numbers_.fail("the file needs the number 1 in one byte order or the other here");
     }
 }
 
@@ -105,7 +105,7 @@ void GmshReader::read_section(std::string_view name) {
     const bool was_binary = numbers_.is_binary;
     const bool is_mesh = name == "Nodes" || name == "Elements" || name == "Entities";
     if (version_ == 0 && is_mesh) numbers_.expected("a section $MeshFormat before the mesh");
-    if (nodes_read_ && name == "Nodes") numbers_.fail("a second section $Nodes");
+    if (nodes_read_ && name == "Nodes") numbers_.fail("the file has a second section $Nodes");
     if (name == "MeshFormat" && version_ == 0) {
         read_format();
     } else if (name == "PhysicalNames") {
@@ -121,10 +121,10 @@ void GmshReader::read_section(std::string_view name) {
         version_ == 2 ? read_elements_2() : read_elements_4();
         elements_read_ = true;
     } else if (name == "PartitionedEntities") {
-        numbers_.fail("the mesh is partitioned: save it as one part (in Gmsh: Mesh > Unpartition)");
+        numbers_.fail("the mesh is partitioned; save it as one part (in Gmsh: Mesh > Unpartition)");
     } else if (name == "NOD" || name == "NOE" || name == "ELM") {
         numbers_.fail(
-            "this is version 1 of the format, which is not read: save the mesh in version 2.2 or "
+            "this is version 1 of the format, which is not read; save the mesh in version 2.2 or "
             "4.1 (in Gmsh: "
             "-format msh41, or Mesh.MshFileVersion = 4.1)");
     } else {

@@ -43,7 +43,8 @@ const char* NumberReader::found_end() const {
 
 const char* NumberReader::take(std::size_t bytes, const char* what) {
     if (at_ > end_ || bytes > end_ - at_)
-        file_.fail(end_, std::string("expected ") + what + ", found " + found_end());
+        file_.fail(
+            end_, std::string("the file needs ") + what + " here, but " + found_end() + " follows");
     file_.passed(at_);
     number_ = at_;
     at_ += bytes;
@@ -76,8 +77,8 @@ std::int64_t NumberReader::whole(const char* what, int bytes) {
 std::int64_t NumberReader::count(const char* what, int bytes) {
     const std::int64_t value = whole(what, bytes);
     if (value < 0 || value > INT32_MAX) {
-        fail(std::string("expected ") + what + " between 0 and 2147483647, found " +
-             std::to_string(value));
+        fail(std::string("the file needs ") + what + " between 0 and 2147483647 here, but " +
+             std::to_string(value) + " follows");
     }
     return value;
 }
@@ -89,7 +90,8 @@ double NumberReader::real(const char* what, int bytes) {
         value = bytes == 8 ? load<double>(from, swapped)
                            : static_cast<double>(load<float>(from, swapped));
         if (!std::isfinite(value))
-            fail(std::string("expected ") + what + ", found a number that is not finite");
+            fail(std::string("the file needs ") + what +
+                 " here, but a number that is not finite follows");
     } else if (!parse(word(), value)) {
         expected(what);
     }
@@ -97,8 +99,8 @@ double NumberReader::real(const char* what, int bytes) {
 }
 
 void NumberReader::expected(std::string_view what) const {
-    file_.fail(number_, "expected " + std::string(what) + ", found " +
-                            (word_.empty() ? found_end() : in_quotes(word_)));
+    file_.fail(number_, "the file needs " + std::string(what) + " here, but " +
+                            (word_.empty() ? found_end() : in_quotes(word_)) + " follows");
 }
 
 }  // namespace cli

@@ -148,7 +148,7 @@ private:
             const std::string faces_there = plural(n_faces(), "face"),
                               found = std::to_string(owner_.size());
             owners.fail(owners.text().size(),
-                        "expected owners of " + faces_there + ", found " + found);
+                        "the file must have the owners of " + faces_there + ", but has " + found);
         }
         for (const std::int64_t cell : owner_) {
             if (cell < 0 || cell >= n_faces())

@@ -126,13 +126,12 @@ void Su2Reader::choose_zone(const Heading& heading) {
     zones_line_ = lines_.offset();
     if (options_.zone.empty() && zones_ > 1) {
         lines_.fail("the file has " + std::to_string(zones_) +
-                    " zones: choose one with --zone; the others stay as they are");
+                    " zones; choose one with --zone (the others stay as they are)");
     }
     if (options_.zone.empty()) return;
     if (!parse(options_.zone, chosen_zone_) || chosen_zone_ < 1 || chosen_zone_ > zones_) {
         throw Failure(exit_usage, "--zone expects a number between 1 and " +
-                                      std::to_string(zones_) + ", found " +
-                                      in_quotes(options_.zone));
+                                      std::to_string(zones_) + ", not " + in_quotes(options_.zone));
     }
 }
 
@@ -175,7 +174,8 @@ void Su2Reader::read_cells(const Heading& heading) {
 
 void Su2Reader::read_marker(const Heading& heading) {
     ++markers_found_;
-    if (heading.value.empty()) lines_.fail("expected the name of the marker after MARKER_TAG=");
+    if (heading.value.empty())
+        lines_.fail("the file needs the name of the marker after MARKER_TAG=");
     const std::string_view tag = heading.value;
     if (!lines_.next() || this->heading().key != "MARKER_ELEMS") lines_.expected("MARKER_ELEMS=");
     const std::int32_t n = count(this->heading());
@@ -232,8 +232,7 @@ Heading Su2Reader::heading() const {
 
 void Su2Reader::only_once(const Heading& heading) {
     if (!seen_.insert(heading.key).second) {
-        lines_.fail(heading.key +
-                    "= stands here a second time: files of several zones are not read");
+        lines_.fail(heading.key + "= appears here for the second time in one mesh or zone");
     }
 }
 

@@ -98,7 +98,8 @@ void check_points(const Mesh& mesh) {
         if (point >= 0 && point < mesh.points()) return;
         const std::size_t offset = item < offsets.size() ? offsets[item] : 0;
         const std::string last = std::to_string(mesh.points() - 1), found = std::to_string(point);
-        mesh.file.fail(offset, "expected points between 0 and " + last + ", found " + found);
+        mesh.file.fail(offset, "the file needs points between 0 and " + last + " here, but " +
+                                   found + " follows");
     };
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
         for (std::int32_t i = mesh.cell_start[cell]; i < mesh.cell_start[cell + 1]; ++i) {

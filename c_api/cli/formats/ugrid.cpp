@@ -78,7 +78,7 @@ Layout layout_of(const TextFile& file) {
     Counts n = {};
     const std::string kind = little ? "little-endian" : "big-endian";
     if (!binary_counts(file, layout.swapped, n))
-        file.fail(0, "expected 7 counts in " + kind + " byte order, as the name says");
+        file.fail(0, "the file needs 7 counts in " + kind + " byte order, as the name says");
     const std::int64_t wanted = binary_size(n, layout.real_bytes);
     if (wanted > static_cast<std::int64_t>(file.text().size())) {
         const std::string announced =
@@ -163,8 +163,9 @@ private:
             const std::int64_t point = numbers_.whole("a point");
             if (k == 0) offset = numbers_.number_offset();
             if (point < 1 || point > counts_[nodes]) {
-                numbers_.fail("expected points between 1 and " + std::to_string(counts_[nodes]) +
-                              ", found " + std::to_string(point));
+                numbers_.fail("the file needs points between 1 and " +
+                              std::to_string(counts_[nodes]) + " here, but " +
+                              std::to_string(point) + " follows");
             }
             points[k] = static_cast<std::int32_t>(point) - 1;
         }

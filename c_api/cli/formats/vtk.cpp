@@ -28,7 +28,6 @@ private:
     void read_old_cells(std::int64_t n, std::int64_t size);
     void read_array(const char* name, std::int64_t n, std::vector<std::int64_t>& values);
     void read_types();
-    void add_structured_cells();
     void pass_over();
     void begin_numbers();  // goes to the next line
     std::int64_t text_count(const char* what);
@@ -59,7 +58,14 @@ void VtkReader::read() {
         }
     }
     if (is_structured_) {
-        add_structured_cells();
+        const std::int64_t points = elements_.points.points();
+        if (!has_vtk_size(size_, points)) {
+            numbers_.fail("DIMENSIONS " + std::to_string(size_[0]) + " " +
+                          std::to_string(size_[1]) + " " + std::to_string(size_[2]) +
+                          " are not those of " + plural(points, "point"));
+        }
+        if (!add_vtk_blocks(size_, 0, elements_))
+            numbers_.fail("the grid has no cells: two of its DIMENSIONS are 1");
         return build_mesh(mesh_, elements_);
     }
     while (!(points_read_ && cells_read_ && types_read_)) {
@@ -206,39 +212,6 @@ void VtkReader::read_types() {
     begin_numbers();
     for (std::int64_t i = 0; i < n; ++i) cells_.types.push_back(numbers_.whole("a cell's type"));
     types_read_ = true;
-}
-
-// Adds quadrilaterals, or hexahedra if every direction has several points.
-void VtkReader::add_structured_cells() {
-    const std::int64_t points = elements_.points.points(), plane = size_[0] * size_[1];
-    if (size_[0] < 1 || size_[1] < 1 || size_[2] < 1 || size_[2] > points ||
-        plane > points / size_[2] || plane * size_[2] != points) {
-        numbers_.fail("DIMENSIONS " + std::to_string(size_[0]) + " " + std::to_string(size_[1]) +
-                      " " + std::to_string(size_[2]) + " are not those of " +
-                      plural(points, "point"));
-    }
-    const std::int64_t step[3] = {1, size_[0], plane};
-    std::size_t along[3], n = 0;  // the directions with several points
-    for (std::size_t d = 0; d < 3; ++d) {
-        if (size_[d] > 1) along[n++] = d;
-    }
-    if (n < 2) numbers_.fail("the grid has no cells: two of its DIMENSIONS are 1");
-    std::int64_t at[3] = {0, 0, 0};
-    const std::int64_t a = step[along[0]], b = step[along[1]], c = n == 3 ? step[along[2]] : 0;
-    for (at[2] = 0; at[2] < std::max<std::int64_t>(size_[2] - 1, 1); ++at[2]) {
-        for (at[1] = 0; at[1] < std::max<std::int64_t>(size_[1] - 1, 1); ++at[1]) {
-            for (at[0] = 0; at[0] < std::max<std::int64_t>(size_[0] - 1, 1); ++at[0]) {
-                const std::int64_t first = at[0] + at[1] * step[1] + at[2] * step[2];
-                elements_.add(n == 3 ? ElementShape{3, 8, 8} : ElementShape{2, 4, 4}, -1,
-                              elements_.points.offset[0][static_cast<std::size_t>(first)]);
-                for (std::int64_t layer = 0; layer <= (n == 3 ? c : 0);
-                     layer += std::max<std::int64_t>(c, 1)) {
-                    for (const std::int64_t corner : {first, first + a, first + a + b, first + b})
-                        elements_.nodes.push_back(static_cast<std::int32_t>(corner + layer));
-                }
-            }
-        }
-    }
 }
 
 bool probe_vtk(const TextFile& file) {

@@ -3,6 +3,7 @@
 #include "basics/numbers.hpp"
 #include "basics/place.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace cli {
@@ -80,11 +81,46 @@ void add_vtk_cells(const TextFile& file, const VtkCells& cells, std::int32_t fir
             if (point < 0 || point >= n_points) {
                 const std::string last = std::to_string(n_points - 1),
                                   found = std::to_string(point);
-                file.fail(offset, "expected points between 0 and " + last + ", found " + found);
+                file.fail(offset, "the file needs points between 0 and " + last + " here, but " +
+                                      found + " follows");
             }
             elements.nodes.push_back(first_point + static_cast<std::int32_t>(point));
         }
     }
+}
+
+bool has_vtk_size(const std::int64_t (&size)[3], std::int64_t n_points) {
+    for (const std::int64_t n : size) {
+        if (n < 1 || n > n_points) return false;
+    }
+    const std::int64_t plane = size[0] * size[1];
+    return plane <= n_points / size[2] && plane * size[2] == n_points;
+}
+
+bool add_vtk_blocks(const std::int64_t (&size)[3], std::int32_t first_point, Elements& elements) {
+    const std::int64_t step[3] = {1, size[0], size[0] * size[1]};
+    std::int64_t along[3] = {0, 0, 0};  // the steps of the directions with several points
+    std::size_t n = 0;
+    for (std::size_t d = 0; d < 3; ++d) {
+        if (size[d] > 1) along[n++] = step[d];
+    }
+    if (n < 2) return false;
+    const std::int64_t face[4] = {0, along[0], along[0] + along[1], along[1]};
+    const auto cells = [&](std::size_t d) { return std::max<std::int64_t>(size[d] - 1, 1); };
+    for (std::int64_t k = 0; k < cells(2); ++k) {
+        for (std::int64_t j = 0; j < cells(1); ++j) {
+            for (std::int64_t i = 0; i < cells(0); ++i) {
+                const std::int64_t first = first_point + i + j * step[1] + k * step[2];
+                elements.add(n == 3 ? ElementShape{3, 8, 8} : ElementShape{2, 4, 4}, -1,
+                             elements.points.offset[0][static_cast<std::size_t>(first)]);
+                for (std::size_t corner = 0; corner < (n == 3 ? 8 : 4); ++corner) {
+                    elements.nodes.push_back(static_cast<std::int32_t>(
+                        first + face[corner % 4] + (corner < 4 ? 0 : along[2])));
+                }
+            }
+        }
+    }
+    return true;
 }
 
 }  // namespace cli

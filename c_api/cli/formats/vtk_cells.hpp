@@ -41,4 +41,12 @@ struct VtkCells {
 void add_vtk_cells(const TextFile& file, const VtkCells& cells, std::int32_t first_point,
                    Elements& elements);
 
+// Tells whether a structured grid with so many points along i, j and k has n_points points.
+bool has_vtk_size(const std::int64_t (&size)[3], std::int64_t n_points);
+
+// Adds the cells of a structured grid of points first_point, first_point + 1, ... of `elements`:
+// quadrilaterals, or hexahedra if every direction has several points. Returns false if the grid has
+// no cells, as two directions have one point.
+bool add_vtk_blocks(const std::int64_t (&size)[3], std::int32_t first_point, Elements& elements);
+
 }  // namespace cli

@@ -14,6 +14,10 @@ namespace {
 
 constexpr std::string_view parallel_type = "PUnstructuredGrid";
 
+std::filesystem::path piece_path(const TextFile& parallel, const std::string& source) {
+    return std::filesystem::path(parallel.path()).parent_path() / source;
+}
+
 class JoinedPieces {
 public:
     explicit JoinedPieces(const TextFile& parallel) : parallel_(parallel) {}
@@ -53,7 +57,8 @@ TextFile JoinedPieces::join() {
         if (tag.name == "Piece") add_file(tag);
     }
     if (names_.empty())
-        parallel_.fail(parallel_.text().size(), "expected <Piece, found the end of the file");
+        parallel_.fail(parallel_.text().size(),
+                       "the file needs <Piece here, but the end of the file follows");
     text_ += "</UnstructuredGrid>\n";
     if (!appended_kind_.empty()) {
         text_ += "<AppendedData encoding=\"" + appended_kind_ + "\">\n_";
@@ -76,8 +81,7 @@ TextFile JoinedPieces::join() {
 void JoinedPieces::add_file(const XmlTag& tag) {
     const std::string source(tag.attribute("Source"));
     if (source.empty()) parallel_.fail(tag.begin, "the piece has no attribute Source");
-    const std::filesystem::path path =
-        std::filesystem::path(parallel_.path()).parent_path() / source;
+    const std::filesystem::path path = piece_path(parallel_, source);
     if (!names_.insert(path.lexically_normal()).second)
         parallel_.fail(tag.begin, "the file " + in_quotes(source) + " is named a second time");
     std::error_code ignored;
@@ -95,7 +99,8 @@ void JoinedPieces::copy(const TextFile& file, std::size_t begin, std::size_t end
 void JoinedPieces::read_head(const TextFile& file, const XmlTag& tag) {
     const std::string_view type = tag.attribute("type");
     if (type != "UnstructuredGrid") {
-        file.fail(tag.begin, "expected a piece of type UnstructuredGrid, found " + in_quotes(type));
+        file.fail(tag.begin,
+                  "the type of a piece must be UnstructuredGrid, not " + in_quotes(type));
     }
     const VtkEncoding encoding = vtk_encoding(file, tag);
     if (text_.empty()) {
@@ -127,7 +132,7 @@ void JoinedPieces::add_pieces(const TextFile& file) {
             read_head(file, tag);
             has_head = true;
         } else if (!has_head) {
-            file.fail(tag.begin, "expected <VTKFile");
+            file.fail(tag.begin, "the file needs <VTKFile here");
         } else if (tag.name == "Piece" && copied == 0) {
             copied = tag.begin;
         }
@@ -142,7 +147,9 @@ void JoinedPieces::add_pieces(const TextFile& file) {
         text_ += std::to_string(before + appended_offset(file, tag));
         copied += offset.size();
     }
-    if (!has_head) file.fail(file.text().size(), "expected <VTKFile, found the end of the file");
+    if (!has_head)
+        file.fail(file.text().size(),
+                  "the file needs <VTKFile here, but the end of the file follows");
     if (copied > 0) file.fail(copied, "the piece has no end </Piece>");
     if (tags.tag().name == "AppendedData") add_appended(file, tags.tag());
 }
@@ -169,5 +176,20 @@ bool is_parallel_vtk(const TextFile& file) {
 }
 
 TextFile joined_pieces(const TextFile& parallel) { return JoinedPieces(parallel).join(); }
+
+std::vector<std::string> piece_files(const std::string& parallel) {
+    std::vector<std::string> paths;
+    try {
+        const TextFile file(parallel);
+        XmlReader tags(file);
+        while (tags.next()) {
+            const std::string source(tags.tag().attribute("Source"));
+            if (!source.empty()) paths.push_back(piece_path(file, source).string());
+        }
+    } catch (const Failure&) {
+        paths.clear();  // The reader of the mesh says what is wrong with the file.
+    }
+    return paths;
+}
 
 }  // namespace cli

@@ -3,6 +3,9 @@
 
 #include "basics/text_file.hpp"
 
+#include <string>
+#include <vector>
+
 namespace cli {
 
 // Tells whether the file begins as a parallel file does.
@@ -13,5 +16,8 @@ bool is_parallel_vtk(const TextFile& file);
 // after the files of the pieces. Refuses pieces that store numbers in different ways, pieces with
 // ghost cells, and a file that is named twice.
 TextFile joined_pieces(const TextFile& parallel);
+
+// Returns the paths of the files of the pieces, or nothing if the file cannot be read.
+std::vector<std::string> piece_files(const std::string& parallel);
 
 }  // namespace cli

@@ -1,4 +1,4 @@
-// VTK's XML files of unstructured grids (.vtu, .pvtu,
+// VTK's XML files of unstructured grids (.vtu, .pvtu) and of structured grids (.vts,
 // https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html), of one piece or
 // several, in two dimensions or one cell thick. Arrays are in text, in base64, or behind each other
 // in the section AppendedData, also compressed by zlib. Pieces meet where their points have equal
@@ -59,7 +59,14 @@ void VtkXmlReader::read() {
     for (const VtkPiece& piece : content_.pieces) {
         first_point_ = elements_.points.points();
         if (piece.n_points > 0) read_points(piece);
-        if (piece.n_cells > 0) read_cells(piece);
+        if (content_.is_structured) {
+            if (!add_vtk_blocks(piece.size, first_point_, elements_)) {
+                mesh_.file.fail(piece.tag,
+                                "the grid has no cells, as two directions have one point");
+            }
+        } else if (piece.n_cells > 0) {
+            read_cells(piece);
+        }
         check_total(piece);
     }
     build_mesh(mesh_, elements_);
@@ -122,8 +129,8 @@ VtkXmlReader::Source VtkXmlReader::source_of(const VtkArray& array, const char* 
         const std::size_t there = store_.file_size - as.appended;
         if (array.begin > there ||
             there - array.begin < static_cast<std::size_t>(as.header_bytes)) {
-            mesh_.file.fail(array.tag, "expected an offset between 0 and " + std::to_string(there) +
-                                           ", found '" + std::to_string(array.begin) + "'");
+            mesh_.file.fail(array.tag, "the offset must be between 0 and " + std::to_string(there) +
+                                           ", not '" + std::to_string(array.begin) + "'");
         }
         const char* const head = mesh_.file.text().data() + as.appended + array.begin;
         const std::int64_t length = as.header_bytes == 8 ? load<std::int64_t>(head, as.swapped)
@@ -157,11 +164,11 @@ void VtkXmlReader::read_points(const VtkPiece& piece) {
     const int bytes = array.type == "Float32" ? 4 : 8;
     begin_numbers(array, "Points", bytes);
     if (array.type != "Float32" && array.type != "Float64") {
-        mesh_.file.fail(array.tag, "expected points of type Float32 or Float64, found " +
+        mesh_.file.fail(array.tag, "the type of points must be Float32 or Float64, not " +
                                        in_quotes(array.type));
     }
     if (array.components != "3")
-        mesh_.file.fail(array.tag, "expected points with NumberOfComponents=\"3\"");
+        mesh_.file.fail(array.tag, "points must have NumberOfComponents=\"3\"");
     const NumberKind kind = !numbers_.is_binary ? NumberKind::text
                             : bytes == 4        ? NumberKind::real32
                                                 : NumberKind::real64;
@@ -206,8 +213,8 @@ void VtkXmlReader::read_wholes(const VtkArray& array, const char* name,
                                                             : 0;
     begin_numbers(array, name, bytes > 0 ? bytes : 1);
     if (bytes == 0) {
-        mesh_.file.fail(array.tag,
-                        "expected whole numbers of 8, 32 or 64 bits, found " + in_quotes(type));
+        mesh_.file.fail(array.tag, "whole numbers must have 8, 32 or 64 bits, but the type is " +
+                                       in_quotes(type));
     }
     while (!numbers_.at_end()) {
         values.push_back(numbers_.whole("a whole number", bytes));
@@ -250,7 +257,7 @@ void create_vtu(std::ostream& out, const Mesh& mesh) { write_vtu(out, mesh); }
 }  // namespace
 
 const Format vtk_xml_format = {
-    "vtu",     ".vtu",   "VTK XML unstructured grids: text, base64, appended, zlib",
+    "vtu",     ".vtu",   "VTK XML unstructured and structured grids: text, base64, appended, zlib",
     probe_vtu, read_vtu, create_vtu,
     false};
 

@@ -3,6 +3,8 @@
 #include "formats/bytes.hpp"
 #include "basics/numbers.hpp"
 
+#include <sstream>
+
 namespace cli {
 
 namespace {
@@ -17,6 +19,7 @@ private:
     void read_head();
     void read_array();
     void begin_piece();
+    void read_extent();
     VtkArray* place_of(std::string_view name);
     std::int64_t count(std::string_view key) const;
     const XmlTag& tag() const { return tags_.tag(); }
@@ -35,8 +38,8 @@ VtkXmlFile TagReader::read() {
             has_head = true;
             read_head();
         } else if (!has_head) {
-            file_.fail(tag().begin,
-                       "expected <VTKFile, found " + in_quotes("<" + std::string(name)));
+            file_.fail(tag().begin, "the file needs <VTKFile here, but " +
+                                        in_quotes("<" + std::string(name)) + " follows");
         } else if (name == "Points" || name == "Cells" || name == "PointData" ||
                    name == "/Points" || name == "/Cells" || name == "/PointData") {
             section_ = tag().is_empty ? "" : name;
@@ -45,7 +48,8 @@ VtkXmlFile TagReader::read() {
         }
     }
     if (found_.pieces.empty())
-        file_.fail(file_.text().size(), "expected <Piece, found the end of the file");
+        file_.fail(file_.text().size(),
+                   "the file needs <Piece here, but the end of the file follows");
     return std::move(found_);
 }
 
@@ -57,10 +61,11 @@ void TagReader::read_tag() {
 
 void TagReader::read_head() {
     const std::string_view type = tag().attribute("type");
-    if (type != "UnstructuredGrid") {
+    found_.is_structured = type == "StructuredGrid";
+    if (!found_.is_structured && type != "UnstructuredGrid") {
         file_.fail(tag().begin,
-                   "expected a file of type UnstructuredGrid (ParaView's filter "
-                   "Append Datasets makes such a grid), found " +
+                   "the type of the file must be UnstructuredGrid or StructuredGrid (ParaView's "
+                   "filter Append Datasets makes the first of other kinds), not " +
                        in_quotes(type));
     }
     found_.encoding = vtk_encoding(file_, tag());
@@ -69,8 +74,30 @@ void TagReader::read_head() {
 void TagReader::begin_piece() {
     found_.pieces.emplace_back();
     found_.pieces.back().tag = tag().begin;
+    if (found_.is_structured) return read_extent();
     found_.pieces.back().n_points = count("NumberOfPoints");
     found_.pieces.back().n_cells = count("NumberOfCells");
+}
+
+// An extent has the first and the last point along i, j and k.
+void TagReader::read_extent() {
+    VtkPiece& piece = found_.pieces.back();
+    const std::string_view extent = tag().attribute("Extent");
+    std::istringstream numbers{std::string(extent)};
+    piece.n_points = 1;
+    for (std::int64_t& n : piece.size) {
+        std::int64_t first = 0, last = -1;
+        numbers >> first >> last;
+        if (!numbers || first < 0 || last < first || last > INT32_MAX - 1 ||
+            piece.n_points > INT32_MAX / (last - first + 1)) {
+            file_.fail(tag().begin,
+                       "the tag needs an Extent of six whole numbers, the first and the last point "
+                       "along i, j and k, not " +
+                           in_quotes(extent));
+        }
+        n = last - first + 1;
+        piece.n_points *= n;
+    }
 }
 
 // Returns the member of the present piece that the array belongs to, or NULL for other arrays.
@@ -121,8 +148,9 @@ std::int64_t TagReader::count(std::string_view key) const {
     std::int64_t value = 0;
     const std::string_view text = trimmed(tag().attribute(key));
     if (!parse(text, value) || value < 0 || value > INT32_MAX) {
-        file_.fail(tag().begin, "expected " + std::string(key) +
-                                    " between 0 and 2147483647, found " + in_quotes(text));
+        file_.fail(tag().begin, "the file needs " + std::string(key) +
+                                    " between 0 and 2147483647 here, but " + in_quotes(text) +
+                                    " follows");
     }
     return value;
 }
@@ -135,12 +163,12 @@ VtkEncoding vtk_encoding(const TextFile& file, const XmlTag& tag) {
     const std::string_view order = tag.attribute("byte_order");
     const std::string_view header = tag.attribute("header_type");
     const auto refuse = [&](const char* expected, std::string_view found) {
-        file.fail(tag.begin, "expected " + std::string(expected) + ", found " + in_quotes(found));
+        file.fail(tag.begin, std::string(expected) + ", not " + in_quotes(found));
     };
     if (!order.empty() && order != "LittleEndian" && order != "BigEndian")
-        refuse("LittleEndian or BigEndian", order);
+        refuse("byte_order must be LittleEndian or BigEndian", order);
     if (!header.empty() && header != "UInt32" && header != "UInt64")
-        refuse("header_type UInt32 or UInt64", header);
+        refuse("header_type must be UInt32 or UInt64", header);
     VtkEncoding encoding;
     encoding.swapped = (order != "BigEndian") != little_endian_machine();
     encoding.header_bytes = header == "UInt64" ? 8 : 4;
@@ -153,11 +181,11 @@ void find_appended(const TextFile& file, const XmlTag& tag, VtkEncoding& encodin
     const std::string_view kind = tag.attribute("encoding"), text = file.text();
     if (kind != "raw" && kind != "base64") {
         file.fail(tag.begin,
-                  "expected appended data with encoding raw or base64, found " + in_quotes(kind));
+                  "the encoding of appended data must be raw or base64, not " + in_quotes(kind));
     }
     const std::size_t mark = text.find_first_not_of(" \t\r\n", tag.end);
     if (mark == text.npos || text[mark] != '_')
-        file.fail(tag.end, "expected _ before the appended data");
+        file.fail(tag.end, "the file needs the character _ before the appended data");
     encoding.is_raw = kind == "raw";
     encoding.appended = mark + 1;
 }
@@ -167,8 +195,8 @@ std::size_t appended_offset(const TextFile& file, const XmlTag& tag) {
     const std::size_t size = file.text().size();
     std::int64_t offset = 0;
     if (!parse(trimmed(value), offset) || offset < 0 || static_cast<std::size_t>(offset) > size) {
-        file.fail(tag.begin, "expected an offset between 0 and " + std::to_string(size) +
-                                 ", found " + in_quotes(value));
+        file.fail(tag.begin, "the offset must be between 0 and " + std::to_string(size) + ", not " +
+                                 in_quotes(value));
     }
     return static_cast<std::size_t>(offset);
 }

@@ -1,5 +1,5 @@
-// The tags of a VTK XML file of an unstructured grid: its pieces, their arrays, and how the file
-// stores numbers.
+// The tags of a VTK XML file of an unstructured or structured grid: the pieces, the arrays of the
+// pieces, and how the file stores numbers.
 #pragma once
 
 #include "formats/vtk_data.hpp"
@@ -12,14 +12,16 @@
 namespace cli {
 
 struct VtkPiece {
-    std::size_t tag = 0;  // place of the tag in the file
-    std::int64_t n_points = 0, n_cells = 0;
+    std::size_t tag = 0;                     // place of the tag in the file
+    std::int64_t n_points = 0, n_cells = 0;  // of unstructured grids
+    std::int64_t size[3] = {0, 0, 0};        // of structured grids: points along i, j, k
     VtkArray points, connectivity, offsets, types;
     std::vector<std::pair<std::string, VtkArray>> point_data;  // by names
 };
 
 struct VtkXmlFile {
     VtkEncoding encoding;
+    bool is_structured = false;
     std::vector<VtkPiece> pieces;
     std::vector<VtkArray> appended;  // all appended arrays, also those that are not read
 };

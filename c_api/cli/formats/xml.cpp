@@ -63,13 +63,14 @@ void XmlReader::read_attributes(std::size_t at) {
         const std::size_t equals = text.find_first_of("=<>", at);
         if (equals == text.npos) no_end();
         if (text[equals] != '=')
-            file_.fail(at, "expected an attribute KEY=\"VALUE\" in <" + std::string(tag_.name));
+            file_.fail(at, "the tag <" + std::string(tag_.name) +
+                               " needs an attribute KEY=\"VALUE\" here");
         const std::string_view key = trimmed(text.substr(at, equals - at));
         at = equals + 1;
         over_blanks();
         if (at == text.size()) no_end();
         if (text[at] != '"' && text[at] != '\'')
-            file_.fail(at, "expected quotation marks after " + in_quotes(key) + "=");
+            file_.fail(at, "the file needs quotation marks after " + in_quotes(key) + "=");
         const std::size_t end = text.find(text[at], at + 1);
         if (end == text.npos) file_.fail(at, "the value of " + in_quotes(key) + " has no end");
         tag_.attributes.emplace_back(key, text.substr(at + 1, end - at - 1));

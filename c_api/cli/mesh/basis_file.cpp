@@ -39,7 +39,7 @@ bool attach(const hm_basis** basis, const Block& block, const hm_mesh* mesh,
         const std::string expected =
             std::to_string(block.size() + static_cast<std::size_t>(error.value));
         const std::string text =
-            "it has " + found + " bytes, at least " + expected + " are expected";
+            "it has " + found + " bytes, but at least " + expected + " are needed";
         throw Failure(exit_file, path + ": the file is cut off: " + text);
     }
     if (status < 0) refuse(error, path);
@@ -52,8 +52,7 @@ hm_basis_info info_of(const hm_basis* basis, const std::string& path) {
     return info;
 }
 
-constexpr const char *title_of_names = "harmorph markers ", *title_of_slip = "harmorph slip ",
-                     *title_of_conditions = "conditions ", *end_of_curves = "end";
+constexpr const char* title_of_names = "harmorph markers ";
 
 // Reads the text behind the first `bytes` of the file.
 class BehindBlock {
@@ -77,31 +76,7 @@ public:
         if (names.size() == static_cast<std::size_t>(n)) return names;
         throw Failure(exit_file, path_ + ": the file is cut off: it has " +
                                      std::to_string(names.size()) +
-                                     " names of markers, expected are " + std::to_string(n));
-    }
-
-    // Returns the curves along which points of these conditions slide.
-    std::vector<std::shared_ptr<const CurveSet>> slip_curves(
-        std::vector<hm_condition>& conditions) {
-        std::vector<std::shared_ptr<const CurveSet>> sets;
-        std::int32_t n = 0;
-        if (!next_line()) return sets;
-        if (!begins_with(title_of_slip) || !parse(rest_behind(title_of_slip), n))
-            refuse_slip_curves();
-        for (std::int32_t set = 0; set < n; ++set) {
-            if (!next_line() || !begins_with(title_of_conditions)) refuse_slip_curves();
-            std::istringstream numbers{std::string(rest_behind(title_of_conditions))};
-            sets.push_back(std::make_shared<const CurveSet>(read_curves(path_, lines_of_curves())));
-            const hm_curves* const along = sets.back()->view.get();
-            for (std::size_t number = 0; numbers >> number;) {
-                const bool is_theirs = number < conditions.size() &&
-                                       conditions[number].kind == HM_SLIP &&
-                                       conditions[number].n_curves == along->n_curves;
-                if (!is_theirs) refuse_slip_curves();
-                conditions[number].along = along;
-            }
-        }
-        return sets;
+                                     " names of markers, but must have " + std::to_string(n));
     }
 
 private:
@@ -112,17 +87,9 @@ private:
     std::string_view rest_behind(std::string_view word) const {
         return std::string_view(line_).substr(word.size());
     }
-    std::string lines_of_curves() {
-        std::string lines;
-        while (next_line() && line_ != end_of_curves) lines += line_ + '\n';
-        if (line_ != end_of_curves) refuse_slip_curves();
-        return lines;
-    }
-    [[noreturn]] void refuse_slip_curves() const {
-        refuse("the curves along which points slide are cut off or damaged");
-    }
     [[noreturn]] void refuse(const char* text) const {
-        throw Failure(exit_file, path_ + ": " + text + ": solve it again with harmorph solve");
+        throw Failure(exit_file,
+                      path_ + ": " + text + "; solve the basis again with harmorph solve");
     }
 
     std::string path_;
@@ -162,9 +129,9 @@ void refuse_unknown_markers(const std::vector<hm_condition>& conditions, const s
 // these need.
 void refuse_other_functions(const hm_basis_info& info, const std::string& path) {
     if (info.combined > 0) {
-        throw Failure(
-            exit_file,
-            path + ": its functions are those of design variables, which only the library takes");
+        throw Failure(exit_file, path +
+                                     ": the functions of this basis are those of design variables, "
+                                     "which only the library takes");
     }
     // The functions take more bytes than this, so no array becomes much larger than the file.
     if (static_cast<std::uint64_t>(info.functions) <= info.bytes / sizeof(float)) return;
@@ -198,9 +165,30 @@ Basis::Basis(const std::string& path, const Mesh& mesh)
     call(path_, hm_basis_conditions, basis_, conditions_.data(), n + 1, &n);
     conditions_.resize(static_cast<std::size_t>(n));
     refuse_unknown_markers(conditions_, path_, mesh);
-    slip_curves_ = text.slip_curves(conditions_);
+    find_slip_curves();
     moved_curves_ = curves_;
     if (mesh_has_moved_) find_curves(mesh);
+}
+
+// Finds the curves along which points slide. Conditions whose curves have the same arrays in the
+// basis share one set, so that points can slip from one marker to the next.
+void Basis::find_slip_curves() {
+    std::vector<const double*> knots;  // of the first curve of each set
+    for (std::size_t number = 0; number < conditions_.size(); ++number) {
+        hm_condition& condition = conditions_[number];
+        if (condition.kind != HM_SLIP || condition.n_curves == 0) continue;
+        hm_curves found = sized<hm_curves>();
+        std::vector<hm_curve> curve(static_cast<std::size_t>(condition.n_curves));
+        call(path_, hm_basis_along, basis_, static_cast<std::int32_t>(number), &found, curve.data(),
+             condition.n_curves);
+        const std::size_t set = static_cast<std::size_t>(
+            std::find(knots.begin(), knots.end(), curve[0].knots) - knots.begin());
+        if (set == knots.size()) {
+            knots.push_back(curve[0].knots);
+            slip_curves_.push_back(std::make_shared<const CurveSet>(copied(found)));
+        }
+        condition.along = slip_curves_[set]->view.get();
+    }
 }
 
 // Finds the curves from the movement that the mesh has made since the basis was solved.
@@ -235,27 +223,11 @@ std::vector<double> Basis::values(std::int32_t function, std::int32_t number,
     return values;
 }
 
-void write_basis(std::ostream& out, const hm_basis* basis, const Mesh& mesh,
-                 const std::vector<hm_condition>& conditions) {
+void write_basis(std::ostream& out, const hm_basis* basis, const Mesh& mesh) {
     const hm_basis_info info = info_of(basis, "basis");
     out.write(reinterpret_cast<const char*>(basis), static_cast<std::streamsize>(info.bytes));
     out << '\n' << title_of_names << mesh.markers.size() << '\n';
     for (const std::string& name : mesh.markers) out << name << '\n';
-    std::vector<const hm_curves*> sets;
-    for (const hm_condition& condition : conditions) {
-        const bool is_known = std::find(sets.begin(), sets.end(), condition.along) != sets.end();
-        if (condition.along != nullptr && !is_known) sets.push_back(condition.along);
-    }
-    if (!sets.empty()) out << title_of_slip << sets.size() << '\n';
-    for (const hm_curves* const set : sets) {
-        out << title_of_conditions;
-        for (std::size_t i = 0; i < conditions.size(); ++i) {
-            if (conditions[i].along == set) out << i << ' ';
-        }
-        out << '\n';
-        write_curves(out, copied(*set));
-        out << end_of_curves << '\n';
-    }
 }
 
 }  // namespace cli

@@ -1,16 +1,9 @@
 // Basis files have the block of the library, which hm_basis_attach takes, and behind the block the
-// names of the markers, which the block has by number only, and the curves along which points
-// slide, which the block does not have:
+// names of the markers, which the block has by number only:
 //
 //     harmorph markers 2        (behind a line feed)
 //     far field                 marker 0
 //     airfoil                   marker 1
-//     harmorph slip 1           number of sets of curves
-//     conditions 0 3            the conditions of the block, counted from 0, whose points slide
-//                               along the curves that follow
-//     degree 3
-//     ...                       the lines of a curve file
-//     end
 #pragma once
 
 #include "curves/curves.hpp"
@@ -60,6 +53,7 @@ public:
 
 private:
     void find_curves(const Mesh& mesh);
+    void find_slip_curves();
 
     std::string path_;
     Block block_;
@@ -75,8 +69,6 @@ private:
     std::vector<std::shared_ptr<const CurveSet>> slip_curves_;
 };
 
-// Writes the file. `conditions` are those that the basis was solved with.
-void write_basis(std::ostream& out, const hm_basis* basis, const Mesh& mesh,
-                 const std::vector<hm_condition>& conditions);
+void write_basis(std::ostream& out, const hm_basis* basis, const Mesh& mesh);
 
 }  // namespace cli

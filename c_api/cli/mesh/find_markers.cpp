@@ -84,7 +84,8 @@ private:
         const BoundaryLoops loops(mesh_.face_points, mesh_.points());
         if (number < 1 || number > loops.count) {
             throw Failure(exit_usage, mesh_.file.path() + " has no loop:" + std::to_string(number) +
-                                          ": its boundary has " + plural(loops.count, "loop"));
+                                          ", because the boundary has " +
+                                          plural(loops.count, "loop"));
         }
         std::vector<char> is_elsewhere(faces_.size(), 0);
         for (std::size_t face = 0; face < mesh_.face_markers.size(); ++face) {
@@ -126,7 +127,8 @@ private:
                      "boundary";
         }
         throw Failure(exit_usage, mesh_.file.path() + " has no marker " + in_quotes(name) +
-                                      ", but " + (known.empty() ? "none at all" : known));
+                                      (known.empty() ? "; the mesh has no markers"
+                                                     : "; the markers of the mesh are " + known));
     }
 
     const Mesh& mesh_;

@@ -44,10 +44,10 @@ BoundaryPiece MeshAnalysis::boundary(const std::vector<std::int32_t>& markers,
         }
     }
     if (near == nullptr && piece(1, nullptr) == HM_OK) {
-        throw Failure(
-            exit_usage,
-            "these markers are several separate pieces of boundary, and a curve is fitted to one: "
-            "name the markers of one body, or a piece as MARKER@X:Y");
+        throw Failure(exit_usage,
+                      "these markers are several separate pieces of the boundary, but a curve is "
+                      "fitted to one piece: "
+                      "name the markers of one body, or a piece as MARKER@X:Y");
     }
     call(mesh_, piece, chosen);
     points.resize(static_cast<std::size_t>(n));

@@ -60,7 +60,7 @@ void Mesh::refuse_polygons(const std::string& who) const {
         if (cell_start[cell + 1] - cell_start[cell] <= 4) continue;
         throw Failure(exit_usage, file.path() +
                                       " has cells of more than four corners (the first is cell " +
-                                      std::to_string(cell) + "): " + who +
+                                      std::to_string(cell) + "), but " + who +
                                       " takes triangles and quadrilaterals only");
     }
 }

@@ -42,6 +42,7 @@ struct Mesh {
     FileCoordinates in_file;
 
     explicit Mesh(const std::string& path) : file(path) {}
+    Mesh() : file("", "") {}  // a mesh that comes from no file
 
     std::int32_t points() const { return static_cast<std::int32_t>(x.size()); }
     std::int32_t cells() const { return static_cast<std::int32_t>(cell_start.size()) - 1; }

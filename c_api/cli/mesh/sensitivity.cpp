@@ -13,7 +13,7 @@ namespace {
 double finite(const PointTable& table, std::size_t row, std::size_t column) {
     const double value = table.at(row, column);
     if (!std::isfinite(value)) {
-        throw Failure(exit_file, table.place(row) + ": a finite number is expected for " +
+        throw Failure(exit_file, table.place(row) + ": the file needs a finite number for " +
                                      in_quotes(table.names[column]));
     }
     return value;

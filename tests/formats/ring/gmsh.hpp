@@ -179,7 +179,7 @@ inline std::string gmsh_quadratic() {
            std::to_string(n_elements) + "\n" + elements.str() + "$EndElements\n";
 }
 
-// As Pointwise writes version 2: comments first, and names behind the elements.
+// Writes version 2 as Pointwise does, with comments first and names behind the elements.
 inline std::string gmsh_with_comments() {
     std::string text = gmsh_2(false, false);
     text.erase(text.find(gmsh_names), std::string(gmsh_names).size());

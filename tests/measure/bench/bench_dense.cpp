@@ -13,7 +13,8 @@ namespace {
 // A front as BLAS stores it. Read by columns, our rows are the lower triangle it wants.
 class BlasFront {
 public:
-    BlasFront(Blas const& its, int pivots, int front) : its_(its), pivots_(pivots), front_(front) {
+    BlasFront(Blas const& blas, int pivots, int front)
+        : its_(blas), pivots_(pivots), front_(front) {
         std::size_t const p = static_cast<std::size_t>(pivots), n = static_cast<std::size_t>(front);
         original_.assign(p * n, 0);
         for (int i = 0; i < pivots; ++i)
@@ -109,8 +110,8 @@ void add_front(int front, int pivots, int kernel, Limits const& limits, Table& t
     DenseFront our_front(kernel, pivots, front);
     FrontTimes const ours = time_front(our_front, has_border);
     FrontTimes theirs;
-    if (Blas const* const its = blas()) {
-        BlasFront their_front(*its, pivots, front);
+    if (Blas const* const library = blas()) {
+        BlasFront their_front(*library, pivots, front);
         theirs = time_front(their_front, has_border);
         if (!(their_front.difference(our_front) < 1e-10))
             throw std::runtime_error("our factor is not OpenBLAS's");

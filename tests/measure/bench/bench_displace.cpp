@@ -108,7 +108,7 @@ public:
                          nullptr, to_.data(), block, bytes, nullptr, &error_),
              "hm_displace");
     }
-    // Of what displace() has left in the fields.
+    // Computes the adjoint of the fields that displace() has computed.
     void adjoint(Index fields) {
         std::size_t bytes = 0;
         done(hm_displace_size(plan_, fields, &bytes, &error_), "hm_displace_size");
@@ -160,36 +160,36 @@ void bench_displace(Settings const& settings, Report& report) {
         for (Index const size : settings.sizes) {
             Case const its_case = make_case(kind, size);
             double const nodes = its_case.mesh.n_points();
-            for (Operator const& its : operators) {
-                say(its_case.name() + ": " + its.name);
+            for (Operator const& chosen : operators) {
+                say(its_case.name() + ": " + chosen.name);
                 Workspace workspace;
                 Fit const fit(its_case, functions);
                 double factor = 0, solve = 0;
                 {
-                    Plan curves(its_case, workspace, settings, its.number, &fit.curves());
+                    Plan curves(its_case, workspace, settings, chosen.number, &fit.curves());
                     factor = time_of([&] { curves.factor(); });
                     solve = time_of([&] { curves.solve(); });
                 }
-                Plan plan(its_case, workspace, settings, its.number, nullptr);
+                Plan plan(its_case, workspace, settings, chosen.number, nullptr);
                 plan.factor();
                 Movement movement(its_case, plan);
                 double const one = time_of([&] { movement.displace(1); });
                 double const adjoint = time_of([&] { movement.adjoint(1); });
                 double const many = time_of([&] { movement.displace(several); });
-                double& per_node = first[kind + its.name];
+                double& per_node = first[kind + chosen.name];
                 if (per_node == 0) per_node = one / nodes;
                 ours.add({its_case.name(),
-                          its.name,
+                          chosen.name,
                           seconds(factor),
                           seconds(solve),
                           seconds(one),
                           percent(one / (factor + solve)),
-                          percent(its.largest_share),
+                          percent(chosen.largest_share),
                           seconds(adjoint),
                           seconds(many),
                           {1e6 * one / nodes, "%.3f"},
                           ratio(one / nodes / per_node)});
-                if (its.number != HM_LAPLACE || size > settings.elasticity) continue;
+                if (chosen.number != HM_LAPLACE || size > settings.elasticity) continue;
                 ElasticTimes const elastic =
                     solve_elasticity(its_case, movement.points(), movement.wall());
                 against.add({its_case.name(), seconds(elastic.set_up), count(elastic.iterations),

@@ -1,5 +1,5 @@
-// What this machine can do at best: bytes read per second by the threads asked for, and
-// multiply-adds of one.
+// Measures the limits of this machine: bytes read per second by the wanted number of threads, and
+// multiply-adds of one thread.
 #include "clock.hpp"
 #include "peers.hpp"
 #include "settings.hpp"
@@ -136,11 +136,11 @@ std::size_t bytes_in_no_cache() {
     return static_cast<std::size_t>(std::min(4 * cache, memory / 4));
 }
 
-double measure_dgemm(Blas const& its) {
+double measure_dgemm(Blas const& blas) {
     int const n = 2000;
     std::vector<double> a(static_cast<std::size_t>(n) * n, 1.5), b = a, c = a;
-    double const seconds =
-        time_of([&] { its.dgemm('N', 'N', n, n, n, 1, a.data(), n, b.data(), n, 0, c.data(), n); });
+    double const seconds = time_of(
+        [&] { blas.dgemm('N', 'N', n, n, n, 1, a.data(), n, b.data(), n, 0, c.data(), n); });
     return 2.0 * n * n * n / seconds;
 }
 

@@ -25,9 +25,10 @@ class Product {
 public:
     // All arrays are in the same kind of pages.
     Product(Case const& its_case, hm_basis const* basis, Index functions,
-            hm_executor const* executor, Pages pages = Pages::huge, Operator const& its = laplace)
+            hm_executor const* executor, Pages pages = Pages::huge,
+            Operator const& chosen = laplace)
         : case_(its_case),
-          operator_(its),
+          operator_(chosen),
           basis_(basis),
           executor_(executor),
           m_(at(functions)),
@@ -61,7 +62,7 @@ public:
     };
     // Against the fastest of the ways to store F and the coordinates that suit dgemm; the least of
     // calls in turn.
-    Pairs against(Blas const& its) {
+    Pairs against(Blas const& blas) {
         Block memory_by_node(pages_), memory_by_function(pages_);
         double *const by_node = memory_by_node.numbers(m_ * n_), *const by_function =
                                                                      memory_by_function.numbers(m_ *
@@ -76,18 +77,18 @@ public:
             columns[k] = move_[2 * k];
             columns[m_ + k] = move_[2 * k + 1];
         }
-        check(its, by_node, columns);
+        check(blas, by_node, columns);
         int const m = static_cast<int>(m_), n = static_cast<int>(n_);
         double *const x = x_, *const g = gradient_.data(), *const f = by_node,
                       *const t = by_function;
         std::vector<std::function<void()>> const morphs = {
-            [&] { its.dgemm('T', 'N', n, 2, m, 1, f, m, columns.data(), m, 1, x, n); },
-            [&] { its.dgemm('N', 'N', 2, n, m, 1, pairs.data(), 2, f, m, 1, x, 2); },
-            [&] { its.dgemm('N', 'N', n, 2, m, 1, t, n, columns.data(), m, 1, x, n); }};
+            [&] { blas.dgemm('T', 'N', n, 2, m, 1, f, m, columns.data(), m, 1, x, n); },
+            [&] { blas.dgemm('N', 'N', 2, n, m, 1, pairs.data(), 2, f, m, 1, x, 2); },
+            [&] { blas.dgemm('N', 'N', n, 2, m, 1, t, n, columns.data(), m, 1, x, n); }};
         std::vector<std::function<void()>> const adjoints = {
-            [&] { its.dgemm('N', 'N', m, 2, n, 1, f, m, x, n, 0, g, m); },
-            [&] { its.dgemm('N', 'T', m, 2, n, 1, f, m, x, 2, 0, g, m); },
-            [&] { its.dgemm('T', 'N', m, 2, n, 1, t, n, x, n, 0, g, m); }};
+            [&] { blas.dgemm('N', 'N', m, 2, n, 1, f, m, x, n, 0, g, m); },
+            [&] { blas.dgemm('N', 'T', m, 2, n, 1, f, m, x, 2, 0, g, m); },
+            [&] { blas.dgemm('T', 'N', m, 2, n, 1, t, n, x, n, 0, g, m); }};
         auto const pair = [](auto const& one, auto const& other) {
             auto const seconds = in_turn(one, other);
             return Pair{least(seconds.first), least(seconds.second)};
@@ -148,35 +149,35 @@ private:
     void done(hm_status status, char const* call) const { require(status, error_, call); }
     static std::function<void()> fastest(std::vector<std::function<void()>> const& ways) {
         double best = not_measured;
-        std::function<void()> its;
+        std::function<void()> chosen;
         for (auto const& way : ways) {
             double const seconds = time_of(way);
             if (best <= seconds) continue;
             best = seconds;
-            its = way;
+            chosen = way;
         }
-        return its;
+        return chosen;
     }
     // Both sides move the points alike.
-    void check(Blas const& its, double const* by_node, std::vector<double> const& columns) {
+    void check(Blas const& blas, double const* by_node, std::vector<double> const& columns) {
         std::vector<double> ours(2 * n_), theirs(2 * n_);
         int const m = static_cast<int>(m_), n = static_cast<int>(n_);
         hm_points_out const displacement{ours.data(), ours.data() + n_, 1};
         done(hm_morph(basis_, move_.data(), nullptr, &displacement, executor_, &error_),
              "hm_morph");
-        its.dgemm('T', 'N', n, 2, m, 1, by_node, m, columns.data(), m, 0, theirs.data(), n);
+        blas.dgemm('T', 'N', n, 2, m, 1, by_node, m, columns.data(), m, 0, theirs.data(), n);
         for (std::size_t i = 0; i < 2 * n_; ++i)
             if (!(std::fabs(ours[i] - theirs[i]) < 1e-20))
                 throw std::runtime_error("our morph is not OpenBLAS's");
     }
 };
 
-void add_products(Case const& its_case, Operator const& its, Settings const& settings,
+void add_products(Case const& its_case, Operator const& chosen, Settings const& settings,
                   Limits const& limits, Table& table) {
     for (Index const functions : settings.functions) {
         Workspace workspace;
         Ours ours(its_case, workspace, functions, settings.executor, settings.kernel, HM_DIRECT,
-                  HM_DOUBLE, its.kind);
+                  HM_DOUBLE, chosen.kind);
         ours.run();
         for (Pages const pages : {Pages::plain, Pages::huge}) {
             hm_error error{};
@@ -188,9 +189,9 @@ void add_products(Case const& its_case, Operator const& its, Settings const& set
             hm_basis const* basis = nullptr;
             require(hm_basis_attach(&basis, block.give(0), info.bytes, nullptr, &error), error,
                     "hm_basis_attach");
-            Product product(its_case, basis, functions, settings.executor, pages, its);
+            Product product(its_case, basis, functions, settings.executor, pages, chosen);
             Product::Pairs pairs{{not_measured, not_measured}, {not_measured, not_measured}};
-            if (blas() != nullptr && its.numbers == 1) pairs = product.against(*blas());
+            if (blas() != nullptr && chosen.numbers == 1) pairs = product.against(*blas());
             product.add_row(
                 "morph", product.morph_bytes(), [&] { product.morph(); }, pairs.morph, limits,
                 table);
@@ -201,7 +202,7 @@ void add_products(Case const& its_case, Operator const& its, Settings const& set
     }
 }
 
-// The same functions in single precision against double, call by call in turn.
+// Compares functions in single and in double precision, call by call in turn.
 void add_storage(Case const& its_case, Settings const& settings, Limits const& limits,
                  Table& table) {
     for (Index const functions : settings.functions) {
@@ -317,10 +318,10 @@ void bench_morph(Settings const& settings, Limits const& limits, Report& report)
         Case const its_case = make_case(kind, largest);
         if (kind == settings.kinds[0]) {
             Case const small = make_case(kind, 5000);
-            for (Operator const& its : {laplace, conformal})
-                add_products(small, its, settings, limits, products);
-            for (Operator const& its : {laplace, conformal})
-                add_products(its_case, its, settings, limits, products);
+            for (Operator const& chosen : {laplace, conformal})
+                add_products(small, chosen, settings, limits, products);
+            for (Operator const& chosen : {laplace, conformal})
+                add_products(its_case, chosen, settings, limits, products);
             add_storage(its_case, settings, limits, storage);
         }
         add_step(its_case, settings, steps);

@@ -25,7 +25,7 @@ public:
         report_.struct_size = sizeof report_;
     }
 
-    // From the mesh to the functions, in the same blocks each time.
+    // Computes the functions from the mesh, in the same blocks each time.
     void solve() {
         Problem const problem(case_, fit_);
         std::size_t bytes = 0;
@@ -41,7 +41,7 @@ public:
         done(hm_basis_init(&basis_, block, bytes, analysis_, &error_), "hm_basis_init");
         solve_again();
     }
-    // What a step on the way repeats: the numbers, not the structure.
+    // Repeats what each step of a safe morph repeats: the numbers, not the structure.
     void solve_again() {
         done(hm_plan_factor(plan_, nullptr, &error_), "hm_plan_factor");
         done(hm_plan_solve(plan_, basis_, nullptr, &error_), "hm_plan_solve");
@@ -97,24 +97,25 @@ void bench_safe(Settings const& settings, Report& report) {
         for (Index const size : settings.sizes) {
             Case const its_case = make_case(kind, size);
             say(its_case.name() + ": safe");
-            SafeCase its(its_case, settings);
-            its.solve();
+            SafeCase safe_case(its_case, settings);
+            safe_case.solve();
             double height = 0.2;
             for (; height < 2; height += 0.1) {
-                its.bend(height);
-                its.morph();
-                if (its.has_wanted_resolves()) break;
+                safe_case.bend(height);
+                safe_case.morph();
+                if (safe_case.has_wanted_resolves()) break;
             }
-            if (!its.has_wanted_resolves())
+            if (!safe_case.has_wanted_resolves())
                 throw std::runtime_error(its_case.name() + ": no movement takes four solutions");
-            auto const whole = in_turn([&] { its.solve(); }, [&] { its.morph(); });
-            auto const again = in_turn([&] { its.solve(); }, [&] { its.solve_again(); });
+            auto const whole = in_turn([&] { safe_case.solve(); }, [&] { safe_case.morph(); });
+            auto const again =
+                in_turn([&] { safe_case.solve(); }, [&] { safe_case.solve_again(); });
             double const solution = least(whole.first), safe = least(whole.second),
                          part = least(again.second);
             table.add({its_case.name(),
                        {height, "%.2f"},
-                       count(its.report().steps),
-                       {its.report().min_quality, "%.3f"},
+                       count(safe_case.report().steps),
+                       {safe_case.report().min_quality, "%.3f"},
                        seconds(solution),
                        seconds(part),
                        seconds(safe),

@@ -1,5 +1,5 @@
-// From the matrix to the functions: ours against other direct solvers, on the same matrix and
-// right-hand sides.
+// Compares this library with other direct solvers, from the matrix to the functions, on the same
+// matrix and right-hand sides.
 #include "clock.hpp"
 #include "comparison.hpp"
 

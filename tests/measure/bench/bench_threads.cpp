@@ -4,7 +4,7 @@
 #include "ours.hpp"
 #include "settings.hpp"
 
-#include <cli/threads.hpp>
+#include <cli/basics/threads.hpp>
 
 #include <stdexcept>
 
@@ -17,14 +17,14 @@ struct Least {
     double whole = 0;
     int runs = 0;
 
-    void include(Phases const& its, double seconds) {
+    void include(Phases const& run, double seconds) {
         auto take = [&](double& least, double found) {
             least = runs == 0 ? found : std::min(least, found);
         };
         for (double Phases::*phase :
              {&Phases::structure, &Phases::ordering, &Phases::symbolic, &Phases::assembly,
               &Phases::factor, &Phases::solve, &Phases::residual})
-            take(phases.*phase, its.*phase);
+            take(phases.*phase, run.*phase);
         take(whole, seconds);
         ++runs;
     }

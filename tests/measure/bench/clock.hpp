@@ -30,7 +30,8 @@ private:
     Clock::time_point start_ = Clock::now();
 };
 
-// How much of one processor this program had since: less than 1 where others were given it.
+// Returns the share of one processor that this program had since the start: less than 1 if other
+// programs ran.
 class ProcessorShare {
 public:
     double value() const {
@@ -43,7 +44,8 @@ private:
     Stopwatch watch_;
 };
 
-// How much of the machine other programs had since: what is measured next to them is worth less.
+// Returns the share of the machine that other programs had since the start; measurements beside
+// them are less reliable.
 class Others {
 public:
     std::string text() const {
@@ -57,7 +59,8 @@ public:
     }
 
 private:
-    // Of all processors since the machine's start, in 1/100 s, from Linux; negative: not known.
+    // The time of all processors since the start of the machine, in 1/100 s, from Linux; negative
+    // if unknown.
     static double busy_seconds() {
         std::ifstream file("/proc/stat");
         std::string name;
@@ -105,14 +108,14 @@ template <class One, class Other>
 std::pair<std::vector<double>, std::vector<double>> in_turn(One one, Other other,
                                                             double budget = 1) {
     std::pair<std::vector<double>, std::vector<double>> seconds;
-    auto const turn = [](auto& work, std::vector<double>& its) {
+    auto const turn = [](auto& work, std::vector<double>& laps) {
         Stopwatch whole, watch;
         work();
         bool const is_long = watch.lap() > 1e-3;
         do {
             watch.lap();
             work();
-            its.push_back(watch.lap());
+            laps.push_back(watch.lap());
         } while (!is_long && whole.seconds() < 1e-3);
     };
     Stopwatch whole;
@@ -123,8 +126,8 @@ std::pair<std::vector<double>, std::vector<double>> in_turn(One one, Other other
     return seconds;
 }
 
-// What run() returns. While others have the processor too, one thread's run is repeated, twice at
-// most; the least disturbed counts. disturbed: how many were so even then.
+// Returns the results of run(). While others have the processor too, one thread's run is repeated,
+// twice at most; the least disturbed counts. disturbed: how many were so even then.
 template <class Run>
 auto undisturbed(Run run, int threads, int& disturbed) {
     double const enough = 0.97;

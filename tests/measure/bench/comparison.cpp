@@ -66,15 +66,15 @@ void Comparison::choose(SolverPackage const& package) {
     bool is_warm = false;
     std::vector<Candidate> found;
     for (std::unique_ptr<SolverPeer>& peer : package.make(settings_.threads)) {
-        std::unique_ptr<SolverPeer> its = std::move(peer);
-        if (its->largest() < matrix_.n || is_hopeless(package, *its, best)) continue;
-        if (!is_warm) try_out(package, *its);
+        std::unique_ptr<SolverPeer> solver = std::move(peer);
+        if (solver->largest() < matrix_.n || is_hopeless(package, *solver, best)) continue;
+        if (!is_warm) try_out(package, *solver);
         is_warm = true;
-        Trial const trial = try_out(package, *its);
+        Trial const trial = try_out(package, *solver);
         trials_.push_back(trial);
         if (!trial.error.empty() || (best > 0 && trial.whole > near_best * best)) continue;
         if (best == 0 || trial.whole < best) best = trial.whole;
-        found.push_back({package.name, std::move(its), trial.whole, {}, {}});
+        found.push_back({package.name, std::move(solver), trial.whole, {}, {}});
     }
     for (Candidate& candidate : found)
         if (candidate.trial <= near_best * best) candidates_.push_back(std::move(candidate));
@@ -98,7 +98,7 @@ Comparison::Trial Comparison::try_out(SolverPackage const& package, SolverPeer& 
     return trial;
 }
 
-// Its ordering alone took longer than another's whole.
+// The ordering of this package alone took longer than all of another package.
 bool Comparison::is_hopeless(SolverPackage const& package, SolverPeer const& peer,
                              double best) const {
     for (Trial const& trial : trials_) {

@@ -44,9 +44,9 @@ DenseFront::DenseFront(int kernel, int pivots, int front) : inside_(new Inside) 
     dense::Panel<double> const panel{in.original.data(), pivots, front - pivots};
     for (int i = 0; i < pivots; ++i)
         for (int j = 0; j < front; ++j) {  // in the diagonal's place, the row's sum
-            double const its = j < i ? entry(front, j, i) : entry(front, i, j);
-            *panel.at(i, i) += its;
-            if (j > i) *panel.at(i, j) = its;
+            double const value = j < i ? entry(front, j, i) : entry(front, i, j);
+            *panel.at(i, i) += value;
+            if (j > i) *panel.at(i, j) = value;
         }
     in.panel_data = in.original;
     in.panel = {in.panel_data.data(), pivots, front - pivots};

@@ -11,7 +11,7 @@ namespace bench {
 
 class DenseFront {
 public:
-    // What entry (i, j) of the front is, j >= i: positive definite.
+    // Returns entry (i, j) of the front, j >= i; the front is positive definite.
     static double entry(int front, int i, int j) {
         return i == j ? 2.0 * front : 1.0 / (1 + i + 2 * j);
     }

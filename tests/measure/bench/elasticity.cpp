@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #ifdef HAVE_EIGEN
-// Its warnings are not ours.
+// Warnings of this package are not ours.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wshadow"

@@ -3,7 +3,7 @@
 #include "peers.hpp"
 #include "settings.hpp"
 
-#include <cli/threads.hpp>
+#include <cli/basics/threads.hpp>
 
 #include <unistd.h>
 

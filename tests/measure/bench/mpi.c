@@ -25,7 +25,7 @@ static double since(double start) { return slowest(((double)clock() - start) / C
 
 int main(int argc, char** argv) {
     int rank, size, repeat;
-    problem_case its;
+    problem_case setup;
     solver with;
     hm_error error;
     hm_basis_info info = {sizeof info};
@@ -39,10 +39,10 @@ int main(int argc, char** argv) {
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     MPI_Comm_size(MPI_COMM_WORLD, &size);
     if (argc != 5) MPI_Abort(MPI_COMM_WORLD, 2);
-    make_case(&its, atoi(argv[1]), atoi(argv[2]), atoi(argv[3]), atoi(argv[4]));
+    make_case(&setup, atoi(argv[1]), atoi(argv[2]), atoi(argv[3]), atoi(argv[4]));
 
     start = begin();
-    make_solver(&with, &its);
+    make_solver(&with, &setup);
     factor = since(start);
     need(hm_share_of(with.analysis, rank, size, &first, &n_share, &error), &error);
     start = begin();
@@ -52,8 +52,8 @@ int main(int argc, char** argv) {
     bytes = (double)(with.bytes + info.bytes);
     free_solver(&with);
 
-    begin_point = (int32_t)((int64_t)its.n_points * rank / size);
-    n = (int32_t)((int64_t)its.n_points * (rank + 1) / size) - begin_point;
+    begin_point = (int32_t)((int64_t)setup.n_points * rank / size);
+    n = (int32_t)((int64_t)setup.n_points * (rank + 1) / size) - begin_point;
     points = room(sizeof *points * (size_t)n);
     for (k = 0; k < n; ++k) points[k] = begin_point + k;
     start = begin();
@@ -63,10 +63,10 @@ int main(int argc, char** argv) {
     free(share_block);
 
     xy = room(2 * sizeof *xy * (size_t)n);
-    numbers = room(2 * sizeof *numbers * (size_t)its.n_functions);
-    for (k = 0; k < 2 * its.n_functions; ++k) numbers[k] = 1e-9 * (k % 7);
-    memcpy(xy, its.x + begin_point, sizeof *xy * (size_t)n);
-    memcpy(xy + n, its.y + begin_point, sizeof *xy * (size_t)n);
+    numbers = room(2 * sizeof *numbers * (size_t)setup.n_functions);
+    for (k = 0; k < 2 * setup.n_functions; ++k) numbers[k] = 1e-9 * (k % 7);
+    memcpy(xy, setup.x + begin_point, sizeof *xy * (size_t)n);
+    memcpy(xy + n, setup.y + begin_point, sizeof *xy * (size_t)n);
     from.x = to.x = xy;
     from.y = to.y = xy + n;
     for (repeat = 0; repeat < REPEATS; ++repeat) {
@@ -79,13 +79,13 @@ int main(int argc, char** argv) {
         need(hm_mpi_adjoint(rows, &from, numbers, NULL, MPI_COMM_WORLD, &error), &error);
         seconds = since(start);
         adjoint = seconds < adjoint ? seconds : adjoint;
-        for (k = 0; k < 2 * its.n_functions; ++k) numbers[k] = 1e-9 * (k % 7);
+        for (k = 0; k < 2 * setup.n_functions; ++k) numbers[k] = 1e-9 * (k % 7);
     }
     bytes = slowest(bytes);
     if (rank == 0) {
-        printf("%d %d %d %.4f %.4f %.4f %.3f %.3f %.0f\n", size, (int)its.n_points,
-               (int)its.n_functions, factor, solve, exchange, 1e3 * morph, 1e3 * adjoint,
-               bytes / its.n_points);
+        printf("%d %d %d %.4f %.4f %.4f %.3f %.3f %.0f\n", size, (int)setup.n_points,
+               (int)setup.n_functions, factor, solve, exchange, 1e3 * morph, 1e3 * adjoint,
+               bytes / setup.n_points);
     }
     MPI_Finalize();
     return 0;

@@ -11,7 +11,7 @@ struct Ours::Clock {
     double begin = 0;
     Phases phases;
 
-    double* of(Index phase) {
+    double* seconds_of(Index phase) {
         switch (phase) {
             case HM_PHASE_STRUCTURE: return &phases.structure;
             case HM_PHASE_ORDERING: return &phases.ordering;
@@ -25,7 +25,7 @@ struct Ours::Clock {
     }
     static Index told(void* user, Index phase, double fraction) {
         Clock& self = *static_cast<Clock*>(user);
-        double* const seconds = self.of(phase);
+        double* const seconds = self.seconds_of(phase);
         if (seconds == nullptr) return 0;
         if (fraction <= 0) self.begin = self.watch.seconds();
         if (fraction >= 1) *seconds += self.watch.seconds() - self.begin;
@@ -55,6 +55,7 @@ Phases Ours::run() {
     options.engine = engine_;
     options.precision = precision_;
     if (engine_ != HM_DIRECT) options.block_width = 4;
+    if (engine_ == HM_FAS) options.cycle = HM_CYCLE_IMPROVED;
     options.progress = Clock::told;
     options.progress_user = &clock;
 
@@ -90,7 +91,7 @@ Phases Ours::run() {
 }
 
 Phases medians(std::vector<Phases> const& runs) {
-    auto of = [&](double Phases::*phase) {
+    auto median_of = [&](double Phases::*phase) {
         std::vector<double> seconds;
         for (Phases const& run : runs) seconds.push_back(run.*phase);
         return median(seconds);
@@ -99,7 +100,7 @@ Phases medians(std::vector<Phases> const& runs) {
     for (double Phases::*phase :
          {&Phases::structure, &Phases::ordering, &Phases::symbolic, &Phases::assembly,
           &Phases::factor, &Phases::solve, &Phases::residual})
-        out.*phase = of(phase);
+        out.*phase = median_of(phase);
     return out;
 }
 

@@ -17,9 +17,9 @@ struct Phases {
     double assembly = 0, factor = 0;  // hm_plan_factor
     double solve = 0, residual = 0;   // hm_plan_solve
 
-    // What a solver does that is given the matrix and the right-hand sides.
+    // The work of a solver that is given the matrix and the right-hand sides.
     double engine() const { return ordering + symbolic + factor + solve; }
-    // What it is spared.
+    // The work that such a solver does not have.
     double around() const { return structure + assembly; }
 };
 
@@ -53,7 +53,7 @@ struct Block {
     double* numbers(std::size_t n) { return static_cast<double*>(give(n * sizeof(double))); }
 };
 
-// What only a run needs: several problems may take turns with it.
+// Memory that only a run needs; several problems may take turns with this memory.
 struct Workspace {
     Block analysis, plan;
 };
@@ -67,7 +67,7 @@ public:
          Index operator_kind = HM_LAPLACE);
     Ours(Ours const&) = delete;
 
-    // From the beginning, in the same blocks each time: the first run is the warm-up.
+    // Runs from the beginning, in the same blocks each time; the first run is the warm-up.
     Phases run();
     hm_basis const* basis() const { return basis_; }
     Fit const& fit() const { return fit_; }

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <stdexcept>
 
-// Of OpenBLAS and of the OpenMP that CHOLMOD is linked with, where they are.
+// Set the threads of OpenBLAS and of the OpenMP that CHOLMOD is linked with, if these are present.
 extern "C" {
 __attribute__((weak)) void openblas_set_num_threads(int);
 __attribute__((weak)) void omp_set_max_active_levels(int);

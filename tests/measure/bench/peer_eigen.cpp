@@ -2,7 +2,7 @@
 #include "clock.hpp"
 #include "solver_peer.hpp"
 
-// Its warnings are not ours.
+// Warnings of Eigen are not ours.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wshadow"

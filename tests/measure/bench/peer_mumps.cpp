@@ -7,7 +7,7 @@
 
 #include <stdexcept>
 
-// Of OpenBLAS, where it is there.
+// Sets the threads of OpenBLAS, if OpenBLAS is present.
 extern "C" __attribute__((weak)) void openblas_set_num_threads(int);
 
 namespace bench {

@@ -7,7 +7,7 @@
 
 #include <stdexcept>
 
-// Of OpenBLAS, where it is there.
+// Sets the threads of OpenBLAS, if OpenBLAS is present.
 extern "C" __attribute__((weak)) void openblas_set_num_threads(int);
 
 namespace bench {
@@ -33,10 +33,10 @@ struct Whole {
         row.resize(at(start.back()));
         value.resize(row.size());
         std::vector<int> next = start;
-        for_each([&](Index i, Index column, double its) {
+        for_each([&](Index i, Index column, double entry_value) {
             int const k = next[at(column)]++;
             row[at(k)] = i;
-            value[at(k)] = its;
+            value[at(k)] = entry_value;
         });
     }
 };
@@ -52,7 +52,7 @@ public:
 
     PeerTimes run(Laplacian const& matrix, std::vector<Columns> const& b,
                   std::vector<Columns>& x) override {
-        Whole its(matrix);
+        Whole whole(matrix);
         if (openblas_set_num_threads != nullptr) openblas_set_num_threads(threads_);
         int const n = matrix.n;
         superlu_options_t options;
@@ -62,8 +62,8 @@ public:
         options.DiagPivotThresh = 0;
         std::vector<int> by_column(at(n)), by_row(at(n)), tree(at(n));
         SuperMatrix a, permuted, lower, upper;
-        dCreate_CompCol_Matrix(&a, n, n, static_cast<int>(its.row.size()), its.value.data(),
-                               its.row.data(), its.start.data(), SLU_NC, SLU_D, SLU_GE);
+        dCreate_CompCol_Matrix(&a, n, n, static_cast<int>(whole.row.size()), whole.value.data(),
+                               whole.row.data(), whole.start.data(), SLU_NC, SLU_D, SLU_GE);
         SuperLUStat_t statistics;
         StatInit(&statistics);
         GlobalLU_t memory;

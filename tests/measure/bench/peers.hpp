@@ -1,4 +1,5 @@
-// Which peers this program was built with. run.sh finds out and defines HAVE_CHOLMOD and so on.
+// Lists the peers that this program was built with. run.sh finds them and defines HAVE_CHOLMOD and
+// so on.
 #pragma once
 
 #include "blas.hpp"

@@ -38,7 +38,7 @@ void print_row(std::vector<Value> const& row, std::vector<std::size_t> const& wi
     std::printf("\n");
 }
 
-// To the right above numbers.
+// Titles of columns of numbers are aligned to the right.
 void print_columns(Table const& table, std::vector<std::size_t> const& width,
                    std::vector<Value> const* row) {
     std::printf("\n%s\n", table.title.c_str());

@@ -33,8 +33,8 @@ struct Table {
     std::vector<std::size_t> width{};  // of the columns, where rows are printed as they come
 
     void add(std::vector<Value> row);
-    // From now on each row is printed as it is added, the columns above the first: for runs that
-    // are long.
+    // From now on each row is printed when it is added, after the titles of the columns, because
+    // runs are long.
     void begin();
     void print() const;  // what has not been printed yet
 };
@@ -53,7 +53,7 @@ private:
     std::vector<Table> tables_;
 };
 
-// What is being measured, on the standard error: runs are long.
+// Prints what is being measured on the standard error, because runs are long.
 void say(std::string const& text);
 
 }  // namespace bench

@@ -1,4 +1,4 @@
-// What the command line asks for, and the parts of the benchmark.
+// The settings of the command line, and the parts of the benchmark.
 #pragma once
 
 #include "report.hpp"

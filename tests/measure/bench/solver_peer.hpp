@@ -20,7 +20,8 @@ public:
     virtual std::string ordering() const = 0;
     // Larger systems are not asked for: they would take minutes.
     virtual Index largest() const = 0;
-    // From the beginning, all sets with one factor. An error: std::runtime_error.
+    // Solves from the beginning, all sets with one factor. Throws a std::runtime_error if this
+    // fails.
     virtual PeerTimes run(Laplacian const& matrix, std::vector<Columns> const& b,
                           std::vector<Columns>& x) = 0;
     // At most at once in the last run, factor and its work; right-hand sides not counted. NaN: not

@@ -48,11 +48,11 @@ inline double size_quality(double area, double other) {
     return std::sqrt(std::min(area / other, other / area));
 }
 
-// The same for a quadrilateral with a side of this length at the angle, and for the size-skew
+// Does the same for a quadrilateral with a side of this length at the angle, and for the size-skew
 // quality relative to a cell of this area. With the angle pi - e, the other angles a at the side
 // and b at the other neighbour of the corner, the quadrilateral contains the triangle on the side
-// with the angles a and b - e there: area l^2 / 2 / (cot a + cot (b
-// - e)). The maximum over a and b, of bounds in cells of a grid.
+// with the angles a and b - e there: area l^2 / 2 / (cot a + cot (b - e)). The maximum over a and
+// b, of bounds in cells of a grid.
 inline double best_quad_with_wide_angle(double angle, double length, double area) {
     double const e = pi - angle;
     if (e >= .5 * pi) return 1;

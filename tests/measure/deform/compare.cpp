@@ -99,15 +99,16 @@ void print(const std::vector<Row>& rows) {
     }
     // Within 2 % of the best: of quality, of a radian, and of the height.
     for (const Row& row : rows) {
-        const Measures& its = row.measures;
+        const Measures& measures = row.measures;
         const auto mark = [&](bool good) { return row.valid && good ? '*' : ' '; };
         std::printf("  %-17s  %5d  %8s  %8.3f%c  %8.3f%c", row.name.c_str(), row.steps,
-                    row.valid ? "valid" : "inverted", its.min_quality,
-                    mark(its.min_quality >= .98 * min_quality), its.mean_quality,
-                    mark(its.mean_quality >= .98 * mean_quality));
-        std::printf("  %7.2f%c  %6.3f  %6.3f  %7.4f%c  %7.2f\n", its.angle,
-                    mark(its.angle <= angle + 1.15), its.min_height, its.max_height,
-                    its.height_error, mark(its.height_error <= height + .02), row.seconds);
+                    row.valid ? "valid" : "inverted", measures.min_quality,
+                    mark(measures.min_quality >= .98 * min_quality), measures.mean_quality,
+                    mark(measures.mean_quality >= .98 * mean_quality));
+        std::printf("  %7.2f%c  %6.3f  %6.3f  %7.4f%c  %7.2f\n", measures.angle,
+                    mark(measures.angle <= angle + 1.15), measures.min_height, measures.max_height,
+                    measures.height_error, mark(measures.height_error <= height + .02),
+                    row.seconds);
     }
 }
 
@@ -122,7 +123,7 @@ public:
         solver.run();
         seconds_ = seconds() - begin;
         cli::OutputFiles files;
-        cli::write_basis(files.add(path), solver.basis(), mesh, task.conditions);
+        cli::write_basis(files.add(path), solver.basis(), mesh);
         files.commit();
         basis_ = std::make_unique<cli::Basis>(path, mesh);
     }
@@ -144,7 +145,7 @@ public:
         const double begin = seconds();
         auto options = cli::sized<hm_safe_options>();
         options.heights = 1;
-        cli::Morph morph(*basis_, mesh_, moves(1), options, threads_);
+        cli::Morph morph(*basis_, mesh_, moves(1), options, basis_->info().operator_kind, threads_);
         if (morph.valid()) morph.improve(*basis_, mesh_, threads_);
         own.seconds = seconds() - begin + seconds_;
         own.steps = morph.safe.steps;
@@ -183,12 +184,12 @@ private:
         const Measures& own = rows.back().measures;
         bool within[4] = {true, true, true, true};
         for (const Row& row : rows) {
-            const Measures& its = row.measures;
+            const Measures& measures = row.measures;
             if (!row.valid) continue;
-            within[0] = within[0] && own.min_quality >= .98 * its.min_quality;
-            within[1] = within[1] && own.mean_quality >= .98 * its.mean_quality;
-            within[2] = within[2] && own.angle <= its.angle + 1.15;
-            within[3] = within[3] && own.height_error <= its.height_error + .02;
+            within[0] = within[0] && own.min_quality >= .98 * measures.min_quality;
+            within[1] = within[1] && own.mean_quality >= .98 * measures.mean_quality;
+            within[2] = within[2] && own.angle <= measures.angle + 1.15;
+            within[3] = within[3] && own.height_error <= measures.height_error + .02;
         }
         for (const bool good : within) {
             best += good && rows.back().valid ? 1 : 0;
@@ -233,17 +234,18 @@ void airfoil(const std::string& folder, const std::string& path, const std::stri
     const cli::Curves curves = cli::read_curves(curve_path);
     const Movements movements{curves.control};
     const std::int32_t wall = mesh.find_markers(marker)[0];
-    Comparison its(mesh, task_on(mesh, marker, curves), wall, threads, folder + "/compared.basis");
+    Comparison comparison(mesh, task_on(mesh, marker, curves), wall, threads,
+                          folder + "/compared.basis");
     for (const double height : {.1, .3, .6})
-        its.compare("camber " + cli::brief(height),
-                    [&](double t) { return movements.camber(t * height); });
+        comparison.compare("camber " + cli::brief(height),
+                           [&](double t) { return movements.camber(t * height); });
     for (const double degrees : {20., 60., 120.})
-        its.compare("rotation " + cli::brief(degrees),
-                    [&](double t) { return movements.rotation(t * degrees); });
-    its.compare("bump .3", [&](double t) { return movements.bump(.3 * t); });
-    its.compare("flap 30", [&](double t) { return movements.flap(30 * t); });
+        comparison.compare("rotation " + cli::brief(degrees),
+                           [&](double t) { return movements.rotation(t * degrees); });
+    comparison.compare("bump .3", [&](double t) { return movements.bump(.3 * t); });
+    comparison.compare("flap 30", [&](double t) { return movements.flap(30 * t); });
     const std::string name = std::filesystem::path(path).stem().string();
-    its.draw(folder + "/compared-" + name + ".svg", name);
+    comparison.draw(folder + "/compared-" + name + ".svg", name);
 }
 
 void block(const std::string& folder, const cli::Threads& threads) {
@@ -259,10 +261,12 @@ void block(const std::string& folder, const cli::Threads& threads) {
     condition.marker = mesh.find_markers("outer")[0];
     condition.kind = HM_SLIP;
     task.conditions.push_back(condition);
-    Comparison its(mesh, task, mesh.find_markers("block")[0], threads, folder + "/compared.basis");
-    its.compare("60 degrees and (-.2, -.3)",
-                [&](double t) { return movements.rotation(60 * t, .5, .5, -.2 * t, -.3 * t); });
-    its.draw(folder + "/compared-block.svg", "the block");
+    Comparison comparison(mesh, task, mesh.find_markers("block")[0], threads,
+                          folder + "/compared.basis");
+    comparison.compare("60 degrees and (-.2, -.3)", [&](double t) {
+        return movements.rotation(60 * t, .5, .5, -.2 * t, -.3 * t);
+    });
+    comparison.draw(folder + "/compared-block.svg", "the block");
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ using Moves = std::vector<double>;
 
 struct Operator {
     const char* name;
-    std::int32_t kind, quarters;
+    std::int32_t kind, exponent_quarters;
 };
 constexpr Operator operators[] = {{"laplace", HM_LAPLACE, 0},
                                   {"weighted 1", HM_WEIGHTED, 4},
@@ -47,7 +47,7 @@ public:
         solver_.run();  // the first one warms up
         seconds_ = solver_.times().setup + solver_.times().factor + solver_.times().solve;
         cli::OutputFiles files;
-        cli::write_basis(files.add(path), solver_.basis(), mesh, task_.conditions);
+        cli::write_basis(files.add(path), solver_.basis(), mesh);
         files.commit();
         basis_ = std::make_unique<cli::Basis>(path, mesh);
     }
@@ -117,22 +117,22 @@ private:
     std::unique_ptr<cli::Basis> basis_;
 };
 
-void print_limits(const char* name, const Case& its, const Movements& movements,
+void print_limits(const char* name, const Case& setup, const Movements& movements,
                   double laplace_seconds) {
     const auto limit = [&](Moves (Movements::*kind)(double) const, double most) {
-        return its.limit([&](double amount) { return (movements.*kind)(amount); }, most);
+        return setup.limit([&](double amount) { return (movements.*kind)(amount); }, most);
     };
     const double rotation =
-        its.limit([&](double degrees) { return movements.rotation(degrees); }, 180);
+        setup.limit([&](double degrees) { return movements.rotation(degrees); }, 180);
     std::printf("  %-14s  %8.3f  %8.1f  %8.3f  %9.2f  %8.2f  %20.2f\n", name,
                 limit(&Movements::camber, 4), rotation, limit(&Movements::bump, 8),
                 limit(&Movements::thickening, 99), limit(&Movements::translation, 99),
-                its.seconds() / laplace_seconds);
+                setup.seconds() / laplace_seconds);
 }
 
-bool print_safe(const std::string& name, const std::string& what, const Case& its,
+bool print_safe(const std::string& name, const std::string& what, const Case& setup,
                 const Moves& moves, const std::string& picture) {
-    const cli::Morph morph = its.safe(moves);
+    const cli::Morph morph = setup.safe(moves);
     static const char* const strategies[] = {"linear", "other", "substeps", "untangled",
                                              "improved"};
     const hm_safe_report& report = morph.safe;
@@ -140,9 +140,9 @@ bool print_safe(const std::string& name, const std::string& what, const Case& it
     std::printf("  %-14s  %6.1f %%  %6d  %8d  %-9s  %8d  %6.3f  %6.3f  %8.2g  %10.1f\n",
                 name.c_str(), 100 * report.step_fraction, report.steps, report.resolves,
                 strategies[report.strategy], morph.quality.inverted, morph.quality.min_quality,
-                morph.quality.mean_quality, morph.boundary_error, morph.seconds / its.seconds());
+                morph.quality.mean_quality, morph.boundary_error, morph.seconds / setup.seconds());
     if (!morph.refusal.empty()) std::printf("    %s\n", morph.refusal.c_str());
-    its.draw(picture, what, morph);
+    setup.draw(picture, what, morph);
     return good;
 }
 
@@ -155,25 +155,25 @@ constexpr const char* safe_heading =
 
 // Safe morphs to targets beyond every limit, and what becomes of the first layer. Returns how many
 // targets were missed.
-int safe_targets(const Case& its, const Movements& movements, const std::string& stem) {
+int safe_targets(const Case& setup, const Movements& movements, const std::string& stem) {
     std::printf("%s", safe_heading);
     int missed = 0;
     const auto target = [&](const char* name, const char* what, const Moves& moves,
                             const char* picture) {
-        missed += print_safe(name, what, its, moves, stem + picture) ? 0 : 1;
+        missed += print_safe(name, what, setup, moves, stem + picture) ? 0 : 1;
     };
     target("camber 1.2", "a camber of 1.2 chords", movements.camber(1.2), "-camber");
     target("rotation 170", "a rotation by 170 degrees", movements.rotation(170), "-rotation");
     target("bump 1.5", "a bump of 1.5 chords", movements.bump(1.5), "-bump");
     target("rotation 30", "a rotation by 30 degrees", movements.rotation(30), "-rotation30");
     std::printf("\n");
-    const hm_safe_report turned = its.safe(movements.rotation(30)).safe;
+    const hm_safe_report turned = setup.safe(movements.rotation(30)).safe;
     std::printf(
         "  wall angles at 30 degrees of rotation: changed by %.3g degrees on average, %.3g at "
         "most\n",
         turned.mean_angle_change, turned.max_angle_change);
     for (const double heights : {0., 1.}) {
-        const hm_safe_report bent = its.safe(movements.camber(.08), heights).safe;
+        const hm_safe_report bent = setup.safe(movements.camber(.08), heights).safe;
         std::printf(
             "  first-layer heights at camber .08, %s: %.3f .. %.3f of what they were, %.3f on "
             "average\n",
@@ -206,11 +206,12 @@ int airfoil(const std::string& folder, const std::string& path, const std::strin
         condition.n_curves = static_cast<std::int32_t>(task.curves.curves.size());
         task.conditions = {condition};
         task.options.operator_kind = its_operator.kind;
-        task.options.exponent_quarters = its_operator.quarters;
-        auto its = std::make_unique<Case>(mesh, task, threads, stem + ".basis");
-        if (laplace_seconds == 0) laplace_seconds = its->seconds();
-        print_limits(its_operator.name, *its, movements, laplace_seconds);
-        if (its_operator.kind == HM_CONFORMAL && its_operator.quarters == 6) usual = std::move(its);
+        task.options.exponent_quarters = its_operator.exponent_quarters;
+        auto setup = std::make_unique<Case>(mesh, task, threads, stem + ".basis");
+        if (laplace_seconds == 0) laplace_seconds = setup->seconds();
+        print_limits(its_operator.name, *setup, movements, laplace_seconds);
+        if (its_operator.kind == HM_CONFORMAL && its_operator.exponent_quarters == 6)
+            usual = std::move(setup);
     }
     return safe_targets(*usual, movements, stem);
 }
@@ -224,7 +225,7 @@ int block(const std::string& folder, const cli::Threads& threads) {
         "\n== tests/meshes/block.su2: 60 degrees and (-0.2, -0.3), sliding outer boundary\n%s",
         safe_heading);
     int missed = 0;
-    for (const std::int32_t quarters : {2, 3, 4, 5, 6}) {
+    for (const std::int32_t exponent_quarters : {2, 3, 4, 5, 6}) {
         cli::Task task;
         task.curves.control = movements.control;
         task.curves.curves.push_back({1, HM_TIED, {0, 1, 2, 3, 0}, {0, 0, 1, 2, 3, 4, 4}});
@@ -236,14 +237,15 @@ int block(const std::string& folder, const cli::Threads& threads) {
         condition.kind = HM_SLIP;
         condition.n_curves = 0;
         task.conditions.push_back(condition);
-        task.options.exponent_quarters = quarters;
-        const Case its(mesh, task, threads, folder + "/block.basis");
-        const std::string name = "conformal " + cli::brief(quarters / 4.);
+        task.options.exponent_quarters = exponent_quarters;
+        const Case setup(mesh, task, threads, folder + "/block.basis");
+        const std::string name = "conformal " + cli::brief(exponent_quarters / 4.);
         const std::string what = "the block by 60 degrees and (-0.2, -0.3) with the exponent " +
-                                 cli::brief(quarters / 4.);
-        const std::string picture = folder + "/block-" + cli::brief(quarters / 4.);
-        missed +=
-            print_safe(name, what, its, movements.rotation(60, .5, .5, -.2, -.3), picture) ? 0 : 1;
+                                 cli::brief(exponent_quarters / 4.);
+        const std::string picture = folder + "/block-" + cli::brief(exponent_quarters / 4.);
+        missed += print_safe(name, what, setup, movements.rotation(60, .5, .5, -.2, -.3), picture)
+                      ? 0
+                      : 1;
     }
     std::printf("\n");
     return missed;

@@ -58,11 +58,11 @@ public:
             if (is_boundary[k] != 0) continue;
             Point sum = 0;
             double weights = 0;
-            for (const Source& its : sources) {
-                const double ratio = size / std::abs(at[k] - its.at), near = alpha * ratio;
+            for (const Source& source : sources) {
+                const double ratio = size / std::abs(at[k] - source.at), near = alpha * ratio;
                 const double weight =
-                    its.length * (ratio * ratio * ratio + near * near * near * near * near);
-                sum += weight * (its.turn * at[k] + its.shift);
+                    source.length * (ratio * ratio * ratio + near * near * near * near * near);
+                sum += weight * (source.turn * at[k] + source.shift);
                 weights += weight;
             }
             now[k] = sum / weights;

@@ -1,4 +1,4 @@
-// What a deformation did to a mesh, measured without the library: quality of cells, angles and
+// Measures the effect of a deformation on a mesh without the library: quality of cells, angles and
 // heights at the wall.
 #pragma once
 
@@ -49,7 +49,7 @@ inline Measures measure(const Motion& motion, const std::vector<Point>& now) {
         out.min_quality = std::min(out.min_quality, quality);
         out.mean_quality += quality / cells.count();
     }
-    // Of each wall point the edge into the mesh that is most normal to the wall.
+    // For each wall point, the edge into the mesh that is most normal to the wall.
     const std::vector<Point>& before = motion.start;
     std::vector<std::int32_t> previous(before.size(), -1), above(before.size(), -1);
     std::vector<char> on_wall(before.size(), 0);
@@ -84,9 +84,9 @@ inline Measures measure(const Motion& motion, const std::vector<Point>& now) {
     double count = 0;
     for (const std::int32_t foot : motion.wall) {
         if (above[foot] < 0) continue;
-        const Point was = rise(foot, above[foot], before), is = rise(foot, above[foot], now);
-        const double ratio = is.imag() / was.imag();
-        out.angle += std::fabs(std::arg(is / was)) * 180 / 3.14159265358979323846;
+        const Point was = rise(foot, above[foot], before), is_now = rise(foot, above[foot], now);
+        const double ratio = is_now.imag() / was.imag();
+        out.angle += std::fabs(std::arg(is_now / was)) * 180 / 3.14159265358979323846;
         out.height_error += std::fabs(ratio - 1);
         out.min_height = std::min(out.min_height, ratio);
         out.max_height = std::max(out.max_height, ratio);

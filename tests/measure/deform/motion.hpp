@@ -23,7 +23,7 @@ using Point = std::complex<double>;
 // Twice the signed area.
 inline double twice_area(Point a, Point b, Point c) { return (std::conj(b - a) * (c - a)).imag(); }
 
-// Where boundary points are on the way from t = 0 to 1: outer points stay.
+// Returns the boundary points at a fraction t of the movement, from 0 to 1; outer points stay.
 struct Motion {
     Cells cells;                            // counter-clockwise
     std::vector<Point> start;               // all points

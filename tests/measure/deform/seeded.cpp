@@ -31,7 +31,7 @@ namespace {
 constexpr double good_quality = .05;  // of the smallest quality of the start
 constexpr int few_solutions = 6;
 
-// What was counted on all meshes.
+// The counts on all meshes.
 struct Counts {
     int counted = 0, impossible = 0, folded = 0, reached = 0, good = 0, quick = 0;
     void add(const Counts& more) {
@@ -84,7 +84,7 @@ Counts count(const std::string& name, const cli::Mesh& mesh, cli::Task task,
         cli::Solver solver(mesh, task, threads);
         solver.run();
         cli::OutputFiles files;
-        cli::write_basis(files.add(path), solver.basis(), mesh, task.conditions);
+        cli::write_basis(files.add(path), solver.basis(), mesh);
         files.commit();
     }
     const cli::Basis basis(path, mesh);

@@ -1,7 +1,7 @@
-// What no mesh can do better: where a wall folds, the cells at the fold share its angle, and a cell
-// with a small angle is poor, as one with an angle near 180 degrees is at a spike; where a face of
-// the wall becomes longer, a cell on the face is large or flat; and in a gap no triangle can be
-// higher than the gap is wide. So the wall at the target alone bounds the smallest size-skew
+// Bounds that no mesh can exceed. Where a wall folds, the cells at the fold share its angle, and a
+// cell with a small angle is poor, as one with an angle near 180 degrees is at a spike; where a
+// face of the wall becomes longer, a cell on the face is large or flat; and in a gap no triangle
+// can be higher than the gap is wide. So the wall at the target alone bounds the smallest size-skew
 // quality that a mesh with these cells can have.
 #pragma once
 
@@ -99,7 +99,8 @@ private:
         return std::hypot(at_x[b] - at_x[a], at_y[b] - at_y[a]);
     }
 
-    // Of the triangle on a face, which contains no other point of the wall.
+    // Returns a bound of the quality of the triangle on a face, which contains no other point of
+    // the wall.
     double bound_on_face(int begin, int end) const {
         auto const found = cells.find({begin, end});
         if (found == cells.end() || found->second.n != 3) return 1;
@@ -115,7 +116,7 @@ private:
         return best_on_side(l, found->second.area, others);
     }
 
-    // Of the mesh at a point of the wall.
+    // Returns the bound of the mesh at a point of the wall.
     double open_angle(std::size_t k) const {
         std::size_t const a = at(corners[k].next), b = at(corners[k].previous);
         double const ux = at_x[a] - at_x[k], uy = at_y[a] - at_y[k], vx = at_x[b] - at_x[k],
@@ -126,19 +127,20 @@ private:
 
     // One of the cells at a point has the mean of their angles, or more.
     double bound_of_widest(std::size_t k, double open) const {
-        Corner const& its = corners[k];
-        double const mean = open / (its.triangles + its.quads);
+        Corner const& corner = corners[k];
+        double const mean = open / (corner.triangles + corner.quads);
         double best = 0;
-        if (its.triangles > 0) best = best_with_wide_angle(3, mean);
-        if (its.quads > 0) best = std::max(best, best_with_wide_angle(4, mean));
-        if (its.triangles > 0 || its.quads != 2) return best;
-        auto const next = cells.find({static_cast<int>(k), its.next}),
-                   previous = cells.find({its.previous, static_cast<int>(k)});
+        if (corner.triangles > 0) best = best_with_wide_angle(3, mean);
+        if (corner.quads > 0) best = std::max(best, best_with_wide_angle(4, mean));
+        if (corner.triangles > 0 || corner.quads != 2) return best;
+        auto const next = cells.find({static_cast<int>(k), corner.next}),
+                   previous = cells.find({corner.previous, static_cast<int>(k)});
         if (next == cells.end() || previous == cells.end()) return best;
-        return std::min(best, std::max(best_quad_with_wide_angle(mean, length(k, at(its.next)),
-                                                                 next->second.area),
-                                       best_quad_with_wide_angle(mean, length(k, at(its.previous)),
-                                                                 previous->second.area)));
+        return std::min(
+            best,
+            std::max(best_quad_with_wide_angle(mean, length(k, at(corner.next)), next->second.area),
+                     best_quad_with_wide_angle(mean, length(k, at(corner.previous)),
+                                               previous->second.area)));
     }
 };
 

@@ -74,7 +74,7 @@ public:
         for (int d = 0; d < 2; ++d) low_[d] -= by, high_[d] += by;
     }
     std::size_t unknowns() const { return static_cast<std::size_t>((degree_ - 1) * (degree_ - 1)); }
-    // Of the inner nodes; all 0 outside the box.
+    // Returns the Bernstein functions of the inner nodes; all are 0 outside the box.
     std::vector<double> weights(double x, double y) const {
         double const t = (x - low_[0]) / (high_[0] - low_[0]),
                      s = (y - low_[1]) / (high_[1] - low_[1]);

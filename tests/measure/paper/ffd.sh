@@ -9,7 +9,7 @@ mesh=$meshes/diffuser_airfoil.su2
 for operator in laplace conformal; do
     run solve "$mesh" $airfoil --operator $operator -o "$out/ffd-$operator.basis"
 done
-objects=$(sed -n "s#^$BUILD/harmorph:##p" "$BUILD/rules.mk" | tr ' ' '\n' | grep '[.]o$' | grep -v cli-main.o)
+objects=$(cat "$BUILD/objects/program.list")
 if ${CXX:-c++} -std=c++17 -Wall -Wextra -Wconversion -Wshadow ${CXXFLAGS:--O3} -pthread -Iinclude -Ic_api/cli \
     -o "$out/ffd" "$here/ffd.cpp" $objects "$BUILD/libharmorph.a" $LDFLAGS; then
     "$out/ffd" "$out" "$mesh" "$out/ffd-laplace.basis" "$out/ffd-conformal.basis" || fail "the comparison with FFD"

@@ -36,11 +36,11 @@ fit() {
         --json >"$out/json" || fail "fitting $2"
     echo "  a fit to the mesh points of $2, degree $3, $4 points: $(number max_error) off at most"
 }
-# Which control points (first to last) move by how much: lines "index dx dy"
+# Writes lines "index dx dy": the control points (first to last) and their movement.
 equally() { awk -v a="$1" -v b="$2" -v dx="$3" -v dy="$4" 'BEGIN { for (i = a; i <= b; i++) print i, dx, dy }'; }
 
-echo "Figures 1 to 7 are numbered as in the paper; 8 to 11 follow the order of its text. Captions are our own words,"
-echo "and shapes are drawn after the paper's description. All pictures are made with the compact scheme and the direct"
+echo "Figures 1 to 11 are numbered as in the paper; further figures have letters. Captions are our own words, and"
+echo "shapes are drawn after the paper's description. All pictures are made with the compact scheme and the direct"
 echo "engine."
 
 echo "== The method, on an axisymmetric diffuser: cubic, 11 control points (figures 1 to 5)"
@@ -63,12 +63,17 @@ boundary_figure diffuser "Figure 4"
 text="The mesh follows the three control points."
 mesh_figure diffuser "Figure 5"
 
-echo "== The scheme: control volumes round points (figures 6, 7 and 8)"
+echo "== The scheme: control volumes round points (figures 6 and 7, A and B)"
 hybrid=$meshes/naca0012.su2
-run check "$hybrid" --dual-volumes 2067 --svg "$out/dual-volume.svg"
-figure dual-volume.svg "Figure 6 | Control volumes of the median dual, over which the flux of each function is" \
-    "balanced (equation 8). They join the middles of edges with the barycentres of the cells, also where" \
-    "quadrilaterals meet triangles."
+dual_volume() {   # LETTER MESH POINT KIND
+    run check "$meshes/$2.su2" --dual-volumes "$3" --svg "$out/dual-volume-$1.svg"
+    figure "dual-volume-$1.svg" "Figure 6 ($1) | A control volume of the median dual among $4, over which the flux of" \
+        "each function is balanced (equation 8). The boundary of the volume joins the middles of edges with the" \
+        "barycentres of the cells."
+}
+dual_volume a two_bodies 1200 triangles
+dual_volume b block 299 quadrilaterals
+dual_volume c naca0012 2067 "quadrilaterals and triangles"
 run check "$hybrid" --gradient-volumes 2067 --svg "$out/gradient-volume.svg"
 figure gradient-volume.svg "Figure 7 | The cells round a point, over which the gradient at the point is formed" \
     "(equation 10)."
@@ -78,18 +83,18 @@ for kind in isotropic directional; do
     run export "$meshes/two_bodies.su2" "$out/levels.basis" --agglomeration $kind --level 0,1,2,3 \
         --svg "$out/levels-$kind.svg"
 done
-figure levels-isotropic.svg "Figure 8 | Control volumes are merged from level to level for the multigrid method, in" \
+figure levels-isotropic.svg "Figure A | Control volumes are merged from level to level for the multigrid method, in" \
     "all directions alike, in the order of a front that advances from the boundaries. Points with known values, in" \
     "grey, are not merged."
-figure levels-directional.svg "Figure 8, directional | The same, merged along the strongest couplings."
+figure levels-directional.svg "Figure B | Control volumes are merged along the strongest couplings."
 
-echo "== Case 1: a rectangle with two bodies, cubic, 11 and 9 control points (figures 9 and 10)"
+echo "== Case 1: a rectangle with two bodies, cubic, 11 and 9 control points (figures 8 and 9)"
 shape="Two bodies in a rectangle:"
 solve two-bodies two_bodies $two_bodies
 fit two_bodies left 3 11
 fit two_bodies right 3 9
 text="$shape the functions of control points 1 and 5 of each curve. Each is 0 on the other body and on the rectangle."
-functions two-bodies -0.1,-0.1,4.1,2.5 1,5,12,16 "Figure 9"
+functions two-bodies -0.1,-0.1,4.1,2.5 1,5,12,16 "Figure 8"
 cat >"$out/two-bodies.moves" <<END
 1 0.10 -0.08
 2 0.08 0.06
@@ -114,42 +119,43 @@ cat >"$out/two-bodies.moves" <<END
 END
 morph two-bodies "$out/two-bodies.moves" -0.1,-0.1,4.1,2.5
 text="$shape all control points move."
-mesh_figure two-bodies "Figure 10"
-boundary_figure two-bodies "Figure 10, boundaries"
+mesh_figure two-bodies "Figure 9"
+boundary_figure two-bodies "Figure C"
 
-echo "== Case 2: the airfoil of a wind turbine's diffuser, quadratic, 14 control points, all moved alike (figure 11)"
+echo "== Case 2: the airfoil of a wind turbine's diffuser, quadratic, 14 control points (figures 10 and 11)"
 shape="Airfoil of a wind turbine's diffuser:"
 solve airfoil diffuser_airfoil $airfoil
 fit diffuser_airfoil airfoil 2 14
 text="$shape the functions of six of its control points."
-functions airfoil -0.7,-0.6,1.7,1.1 1,4,7,9,12,14 "Figure 11, functions"
+functions airfoil -0.7,-0.6,1.7,1.1 1,4,7,9,12,14 "Figure 10"
 equally 1 14 0.16 0.13 >"$out/airfoil.moves"
 morph airfoil "$out/airfoil.moves" -0.6,-0.5,1.6,1
 text="$shape all control points move by (.16, .13)."
-mesh_figure airfoil "Figure 11, mesh"
-boundary_figure airfoil "Figure 11, boundary"
+mesh_figure airfoil "Figure 11"
+boundary_figure airfoil "Figure D"
 echo "  (more inverts cells at the trailing edge, the paper's open problem;" \
     "the conformal functions go five times as far)"
 solve airfoil-conformal diffuser_airfoil $airfoil --operator conformal
 equally 1 14 0.8 0.65 >"$out/airfoil.moves"
 morph airfoil-conformal "$out/airfoil.moves" -1,-1,2.6,1.8
 text="$shape conformal functions, all control points move by (.8, .65)."
-mesh_figure airfoil-conformal "Beyond the paper"
+mesh_figure airfoil-conformal "Figure E"
 
 echo "== The diffuser as a whole, its axis fixed as in the paper, and slipping"
 equally 1 11 0.22 -0.08 >"$out/diffuser.moves"
 for axis in fixed slip; do
-    if [ $axis = slip ]; then slip="--slip axis" how=slip; else slip= how="are fixed"; fi
+    letter=F
+    if [ $axis = slip ]; then slip="--slip axis" how=slip letter=G; else slip= how="are fixed"; fi
     solve diffuser-$axis axisymmetric_diffuser $diffuser $slip
     morph diffuser-$axis "$out/diffuser.moves" "$window"
     text="All control points of the diffuser move by (.22, -.08), and points of the axis $how."
-    mesh_figure diffuser-$axis "Beyond the paper, $axis axis"
+    mesh_figure diffuser-$axis "Figure $letter"
 done
 
 echo "== Harmonic coordinates: degree 1 on a cage, positions instead of displacements"
 solve cage cage --curve cage=$meshes/cage.curve
 text="A cage of straight lines: the functions of two of its corners are its harmonic coordinates."
-functions cage -1.7,-1.6,1.7,1.5 4,8 "Harmonic coordinates"
+functions cage -1.7,-1.6,1.7,1.5 4,8 "Figure H"
 cat >"$out/cage.moves" <<END
 1 -0.25 0.1
 2 -0.05 0.05
@@ -163,7 +169,7 @@ cat >"$out/cage.moves" <<END
 END
 morph cage "$out/cage.moves" -1.8,-1.6,2,1.7
 text="Corners of the cage move, and what is inside follows."
-mesh_figure cage "Cage"
+mesh_figure cage "Figure I"
 # sum F_i P_i against the points themselves, from the tables of all functions
 rm -f "$out"/cage-*.csv
 awk '/^points/ { n = $2; next } n && k < n { ++k; print k, $1, $2 }' $meshes/cage.curve >"$out/cage.control"

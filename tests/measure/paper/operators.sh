@@ -1,4 +1,4 @@
-# The same control points by harmonic and by conformal functions. Part of run.sh.
+# Moves control points by harmonic and by conformal functions. This is a part of run.sh.
 echo "== Harmonic and conformal functions of the same control point (NACA 0012, quadrilaterals inside triangles)"
 mesh=$meshes/naca0012.su2
 run fit "$mesh" --marker airfoil -o "$out/naca.curve"
@@ -8,7 +8,7 @@ for operator in laplace conformal; do
 done
 run export "$mesh" "$out/naca-laplace.basis" --beside "$out/naca-conformal.basis" --function 16 --number 1,2 \
     --window -0.6,-0.7,1.3,0.9 --svg "$out/operators.svg"
-figure operators.svg "Harmonic and conformal | The function of one control point by either operator, in one scale." \
+figure operators.svg "Figure J | The function of one control point by either operator, in one scale." \
     "The harmonic one is between 0 and 1 and falls off at once; the conformal one is complex, reaches farther," \
     "changes its sign, and turns cells with the wall."
 "$harmorph" export "$mesh" "$out/naca-laplace.basis" --function 16 --csv "$out/laplace.csv"

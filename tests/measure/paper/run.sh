@@ -25,6 +25,8 @@ diffuser="--curve diffuser=$meshes/axisymmetric_diffuser.curve"
 . "$here/ffd.sh"
 . "$here/schemes.sh"
 . "$here/engines.sh"
+. "$here/histories.sh"
+. "$here/coarse.sh"
 
 rm -f "$out"/json "$out"/log "$out"/*.basis "$out"/*.csv "$out"/*.su2 "$out"/*.curve "$out"/*.moves
 exit $failed

@@ -106,9 +106,9 @@ struct Gradients {  // over volumes: those of all cells round a point, or on bot
         add_gradient(mesh, cell, x[to], y[to]);
         area[to] += mesh.area(cell);
     }
-    void add_flux(std::size_t of, Vector const& through, Row& flux) const {
-        for (auto const& [point, by] : x[of]) flux[point] += through.x() * by / area[of];
-        for (auto const& [point, by] : y[of]) flux[point] += through.y() * by / area[of];
+    void add_flux(std::size_t cell, Vector const& through, Row& flux) const {
+        for (auto const& [point, by] : x[cell]) flux[point] += through.x() * by / area[cell];
+        for (auto const& [point, by] : y[cell]) flux[point] += through.y() * by / area[cell];
     }
 };
 
@@ -193,7 +193,7 @@ Sparse matrix_of(Mesh const& mesh, Scheme scheme) {
     return out;
 }
 
-// How much a mode alternates from point to point: the mean of (u_P - u_Q)^2 over the edges,
+// Returns how much a mode alternates from point to point: the mean of (u_P - u_Q)^2 over the edges,
 // relative to that of 2 (u_P^2 + u_Q^2); 1 for a checkerboard, 0 for a constant.
 double alternation(Mesh const& mesh, Eigen::VectorXcd const& mode) {
     std::vector<std::complex<double>> u(mesh.at.size());

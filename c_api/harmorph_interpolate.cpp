@@ -1,0 +1,134 @@
+// The C interface: fields of one mesh at the points of another, and the transpose.
+#include "handles.hpp"
+#include "base/parallel_reduce.hpp"
+#include "fields/interpolation.hpp"
+#include "harmorph_fields.h"
+#include "mesh/cell_shape.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Index max_interpolated = Index{1} << 29;
+
+Status check_count(Index n, Fault& fault) noexcept {
+    if (n >= 0 && n <= max_interpolated) return Status::ok;
+    return fault.refuse(Status::bad_argument, "n is #, but must be between 0 and 2^29", plain(n));
+}
+
+Status check_fields(Index n_fields, Fault& fault) noexcept {
+    if (n_fields >= 1) return Status::ok;
+    return fault.refuse(Status::bad_argument, "n_fields must be at least 1, not #",
+                        plain(n_fields));
+}
+
+Status open_interpolation(const hm_interpolation* handle, const Interpolation*& opened,
+                          CallFault& fault) noexcept {
+    HARMORPH_TRY(require({{"interpolation", handle}}, fault));
+    opened = reinterpret_cast<const Interpolation*>(handle);
+    fault.bases.mesh = opened->index_base;
+    return Status::ok;
+}
+
+// Refuses a cell that is inverted at the given points.
+Status check_inverted(Topology const& topology, Points at, Executor const& threads,
+                      Fault& fault) noexcept {
+    Index const bad = find_in_ranges(topology.mesh.n_cells, threads, [&](Index begin, Index end) {
+        for (Index i = begin; i < end; ++i) {
+            if (is_inverted(CellShape(topology.cell(i), at, false))) return i;
+        }
+        return none;
+    });
+    if (bad == none) return Status::ok;
+    return fault.refuse(Status::bad_mesh,
+                        "cell # is inverted, so no point can be found in the mesh",
+                        cell_item(topology.mesh.number(bad)));
+}
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_interpolation_size(const hm_analysis* from, int32_t n, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Analysis* opened = nullptr;
+        HARMORPH_TRY(open_analysis(from, opened, fault));
+        HARMORPH_TRY(check_count(n, fault));
+        InBlock<Interpolation> made;
+        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, *opened, n); });
+    });
+}
+
+hm_status hm_interpolation_init(hm_interpolation** interpolation, void* block, size_t bytes,
+                                const hm_analysis* from, const hm_points* at, int32_t n,
+                                const hm_points* to, double* distance, const hm_executor* executor,
+                                hm_interpolation_report* report, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Analysis* opened = nullptr;
+        Points targets;
+        Executor threads;
+        HARMORPH_TRY(require({{"interpolation", interpolation}}, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
+        HARMORPH_TRY(open_analysis(from, opened, fault));
+        HARMORPH_TRY(check_count(n, fault));
+        Points points = opened->problem().mesh.points;
+        HARMORPH_TRY(view_points_if(at, "at", points, fault));
+        HARMORPH_TRY(view_points(to, "to", targets, fault, n));
+        HARMORPH_TRY(view_executor(executor, threads, fault));
+        HARMORPH_TRY(check_range(points, opened->problem().mesh.n_points, fault, threads));
+        HARMORPH_TRY(check_range(targets, n, fault, threads));
+        HARMORPH_TRY(check_inverted(opened->topology(), points, threads, fault));
+        InBlock<Interpolation> made;
+        HARMORPH_TRY(
+            place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, *opened, n); }));
+        Span<Real> distances;
+        if (distance != nullptr) distances = {distance, static_cast<Size>(n)};
+        Interpolation::Report const found =
+            made.object.find(*opened, points, targets, distances, threads);
+        made.give(interpolation);
+        if (report == nullptr) return Status::ok;
+        hm_interpolation_report filled = {};
+        filled.outside = found.outside;
+        filled.max_distance = found.max_distance;
+        filled.max_distance_point = numbered(found.max_distance_point, made.object.index_base);
+        write_struct(filled, report);
+        return Status::ok;
+    });
+}
+
+hm_status hm_interpolate(const hm_interpolation* interpolation, int32_t n_fields,
+                         const double* from, double* to, const hm_executor* executor,
+                         hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Interpolation* opened = nullptr;
+        Executor threads;
+        HARMORPH_TRY(open_interpolation(interpolation, opened, fault));
+        HARMORPH_TRY(require({{"from", from}, {"to", to}}, fault));
+        HARMORPH_TRY(check_fields(n_fields, fault));
+        HARMORPH_TRY(view_executor(executor, threads, fault));
+        for (Index field = 0; field < n_fields; ++field) {
+            opened->apply(from + Offset{opened->n_mesh_points} * field,
+                          to + Offset{opened->count()} * field, threads);
+        }
+        return Status::ok;
+    });
+}
+
+hm_status hm_interpolate_adjoint(const hm_interpolation* interpolation, int32_t n_fields,
+                                 const double* to_dj, double* from_dj, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Interpolation* opened = nullptr;
+        HARMORPH_TRY(open_interpolation(interpolation, opened, fault));
+        HARMORPH_TRY(require({{"to_dj", to_dj}, {"from_dj", from_dj}}, fault));
+        HARMORPH_TRY(check_fields(n_fields, fault));
+        for (Index field = 0; field < n_fields; ++field) {
+            opened->add_transpose(to_dj + Offset{opened->count()} * field,
+                                  from_dj + Offset{opened->n_mesh_points} * field);
+        }
+        return Status::ok;
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,46 @@
+"""harmorph morphs an airfoil and its CFD mesh together.
+
+>>> import harmorph
+>>> mesh = harmorph.Mesh.read("naca0012.su2")              # doctest: +SKIP
+>>> curves = harmorph.Curves.fit(mesh, "airfoil")          # doctest: +SKIP
+>>> morph = harmorph.Morph(mesh, curves)                   # doctest: +SKIP
+>>> moved = morph.morph(move)                              # doctest: +SKIP
+
+Points and cells, control points, curves and functions are counted from 0. Lengths have the unit of
+the coordinates, angles are in degrees. Every refusal is a :class:`harmorph.Error`; what can be used
+with a reservation is a :class:`harmorph.HarmorphWarning`. Adapters for other codes are the modules
+``harmorph.usmesh``, ``harmorph.dvgeo``, ``harmorph.openmdao``, ``harmorph.torch`` and
+``harmorph.jax``, which import their host when they are imported.
+"""
+
+from ._native import ffi as _ffi, lib as _lib
+from .conditions import Condition
+from .curves import Curve, Curves
+from .errors import Error, HarmorphWarning
+from .functions import Assessment, rigid
+from .large import Safe
+from .measures import Measures
+from .mesh import Mesh
+from .morph import Morph
+from .plane import Plane
+from .reports import Report
+from .variables import Variables
+
+__version__: str = _ffi.string(_lib.hm_version()).decode()
+__all__ = [
+    "Assessment",
+    "Condition",
+    "Curve",
+    "Curves",
+    "Error",
+    "HarmorphWarning",
+    "Measures",
+    "Mesh",
+    "Morph",
+    "Plane",
+    "Report",
+    "Safe",
+    "Variables",
+    "rigid",
+    "__version__",
+]

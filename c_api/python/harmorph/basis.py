@@ -1,0 +1,111 @@
+"""A solved basis: one block of memory, which may be a file that is mapped."""
+
+from __future__ import annotations
+
+import mmap
+import os
+from typing import Any, List, Optional, Tuple
+
+import numpy as np
+
+from ._native import ffi, lib
+from .conditions import Condition, of_basis
+from .curves import Curves
+from .errors import Error, call
+from .files import replace
+from .mesh import Mesh
+from .reports import Report, new, report
+
+_TITLE = b"\nharmorph markers "
+
+
+class Basis:
+    """The functions of a mesh, which do not change any more. For the other modules of the package.
+
+    Parameters
+    ----------
+    pointer : cdata
+        The ``hm_basis*``, inside of `memory`.
+    memory : object
+        Keeps the block alive.
+    """
+
+    def __init__(self, pointer: Any, memory: Any) -> None:
+        self.pointer, self.memory = pointer, memory
+        info = new("hm_basis_info")
+        call(lib.hm_basis_info_get, pointer, info)
+        self.bytes: int = info.bytes
+        self.info: Report = report(info)
+        self.shape = (self.info.functions, 2)
+        self.n_points: int = self.info.points
+
+    @classmethod
+    def empty(cls, analysis: Any) -> Tuple[Any, np.ndarray]:
+        """Return a new ``hm_basis*`` to be solved, and its block."""
+        size, pointer = ffi.new("size_t*"), ffi.new("hm_basis**")
+        call(lib.hm_basis_size, analysis, size)
+        block = np.empty(size[0], np.uint8)
+        call(lib.hm_basis_init, pointer, ffi.from_buffer(block), len(block), analysis)
+        return pointer[0], block
+
+    @classmethod
+    def attach(cls, memory: Any, mesh: Optional[Mesh]) -> "Basis":
+        """Return the basis in a buffer of bytes; warns if the mesh has other coordinates."""
+        view = ffi.from_buffer(memory)
+        pointer = ffi.new("hm_basis**")
+        call(lib.hm_basis_attach, pointer, view, len(view), mesh._c if mesh else ffi.NULL,
+             names=mesh.names if mesh else None)
+        return cls(pointer[0], (view, memory))
+
+    @classmethod
+    def load(cls, path: Any, mesh: Optional[Mesh]) -> "Basis":
+        """Map a file and attach the basis in it."""
+        try:
+            with open(path, "rb") as file:
+                memory = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
+        except (OSError, ValueError) as error:
+            reason = getattr(error, "strerror", None) or "the file is empty"
+            raise Error(f"{path}: cannot be read: {reason}", Error.BAD_FILE) from None
+        return cls.attach(memory, mesh)
+
+    def save(self, path: Any, mesh: Optional[Mesh]) -> None:
+        """Write the block, and behind it the names of the markers as the program harmorph does."""
+        behind = b""
+        markers = mesh.markers if mesh else {}
+        can_be_lines = not any("\n" in str(name) for name in markers)
+        if can_be_lines and markers and sorted(markers.values()) == list(range(len(markers))):
+            ordered = sorted(markers, key=lambda name: markers[name])
+            lines = [str(name).encode("utf-8", "surrogateescape") for name in ordered]
+            behind = _TITLE + b"%d\n" % len(lines) + b"".join(line + b"\n" for line in lines)
+        replace(os.fsdecode(path), self._buffer(), behind)
+
+    def _buffer(self) -> Any:
+        return ffi.buffer(ffi.cast("char*", self.pointer), self.bytes)
+
+    def to_bytes(self) -> bytes:
+        """Return a copy of the block."""
+        return bytes(self._buffer())
+
+    def curves(self) -> Optional[Curves]:
+        """Return the curves that the basis was solved with; None if it has none."""
+        if self.info.curves == 0:
+            return None
+        views, out = ffi.new("hm_curve[]", self.info.curves), new("hm_curves")
+        views[0].struct_size = ffi.sizeof("hm_curve")
+        call(lib.hm_basis_curves, self.pointer, out, views, self.info.curves)
+        return Curves._copied(out)
+
+    def conditions(self, mesh: Mesh) -> List[Tuple[int, Condition]]:
+        """Return the conditions that the basis was solved with."""
+        n = ffi.new("int32_t*")
+        room = 1 + len(mesh.markers) * 4
+        while True:
+            structs = ffi.new("hm_condition[]", room)
+            structs[0].struct_size = ffi.sizeof("hm_condition")
+            error = ffi.new("hm_error*")
+            status = lib.hm_basis_conditions(self.pointer, structs, room, n, error)
+            if status == 0:
+                return of_basis(mesh, structs, n[0])
+            if n[0] <= room:
+                raise Error(ffi.string(error.text).decode(), status)
+            room = n[0]

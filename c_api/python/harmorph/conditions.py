@@ -1,0 +1,134 @@
+"""Boundary conditions: what the points of each marker do."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Iterable, List, Mapping, Optional, Tuple, Union
+
+from ._native import ffi, lib
+from .curves import Curves
+from .errors import Error
+from .boundary import Marker
+from .mesh import Mesh
+from .reports import fill, pair
+
+KINDS = {
+    "curve": lib.HM_ON_CURVE,
+    "rigid": lib.HM_RIGID,
+    "fixed": lib.HM_FIXED,
+    "slip": lib.HM_SLIP,
+    "free": lib.HM_FREE,
+    "periodic": lib.HM_PERIODIC_PAIR,
+    "given": lib.HM_GIVEN,
+    "rotation": lib.HM_ROTATION_PAIR,
+    "interface": lib.HM_INTERFACE,
+}
+
+
+@dataclass(frozen=True)
+class Condition:
+    """What the points of a marker do.
+
+    Parameters
+    ----------
+    kind : str
+        - "curve": they lie on curves, and move with the control points;
+        - "rigid": they belong to a body that translates, rotates and scales;
+        - "fixed": they stay; also every marker without a condition;
+        - "slip": they slide along straight lines, along the smooth curve through the points of the
+          marker, or along given curves;
+        - "free": zero normal derivative; not with the conformal operator;
+        - "periodic": this marker and its partner are translates of each other;
+        - "rotation": the partner is this marker, rotated about `centre`;
+        - "given": their displacements are arguments of :meth:`harmorph.Morph.displace`;
+        - "interface": the faces of this marker and its partner may touch and cross.
+    curves : pair of int, optional
+        "curve": the first curve and the number of curves; the default is all curves.
+    body : int
+        "rigid": the number of the body, from 0 without gaps.
+    partner : marker, optional
+        "periodic", "rotation", "interface": the other marker.
+    centre : pair of float
+        "rigid", "rotation": the centre of rotation [length].
+    near : pair of float, optional
+        The condition is for one piece of the marker, the one nearest to this point [length].
+    along : Curves, optional
+        "slip": the curves along which the points move.
+    """
+
+    kind: str
+    curves: Optional[Tuple[int, int]] = None
+    body: int = 0
+    partner: Optional[Marker] = None
+    centre: Tuple[float, float] = (0.0, 0.0)
+    near: Optional[Tuple[float, float]] = None
+    along: Optional[Curves] = None
+
+
+Given = Union[Mapping[Marker, Any], Iterable[Tuple[Marker, Any]], None]
+
+
+def listed(mesh: Mesh, curves: Optional[Curves], given: Given) -> List[Tuple[int, Condition]]:
+    """Return pairs (number of the marker, Condition).
+
+    Parameters
+    ----------
+    given : mapping or sequence of pairs
+        Conditions by marker: a :class:`Condition` or the name of its kind. Markers that `curves`
+        was fitted to, and that have no condition here, are on all curves.
+    """
+    pairs: List[Tuple[Marker, Any]] = list(given.items() if isinstance(given, Mapping) else (given or ()))
+    named = {name for name, _ in pairs}
+    fitted = curves.markers if curves is not None else ()
+    pairs = [(name, "curve") for name in fitted if name not in named] + pairs
+    result: List[Tuple[int, Condition]] = []
+    for name, wanted in pairs:
+        condition = Condition(wanted) if isinstance(wanted, str) else wanted
+        if not isinstance(condition, Condition) or condition.kind not in KINDS:
+            raise Error(f"The condition of marker {name!r} must be one of {list(KINDS)}, or a "
+                        f"harmorph.Condition; it is {condition!r}.", Error.BAD_CONDITION)
+        result.append((mesh.marker(name), condition))
+    if not result:
+        raise Error("No marker is on a curve, rigid or given; give `conditions`, or curves that were "
+                    "fitted to markers of the mesh.", Error.BAD_CONDITION)
+    return result
+
+
+def structs(mesh: Mesh, curves: Optional[Curves], pairs: List[Tuple[int, Condition]]) -> Any:
+    """Return an array of ``hm_condition``; the curves `along` must stay alive."""
+    result = ffi.new("hm_condition[]", len(pairs))
+    for struct, (marker, condition) in zip(result, pairs):
+        struct.struct_size, struct.marker = ffi.sizeof("hm_condition"), marker
+        struct.kind, view = KINDS[condition.kind], ffi.addressof(struct)
+        if condition.kind == "curve" and curves is not None:
+            first, n = pair(condition.curves or (0, len(curves.curves)), "curves")
+            fill(view, first_curve=first, n_curves=n)
+        if condition.partner is not None:
+            struct.partner = mesh.marker(condition.partner)
+        x, y = pair(condition.centre, "centre")
+        fill(view, body=condition.body, x=x, y=y)
+        if condition.near is not None:
+            near_x, near_y = pair(condition.near, "near")
+            fill(view, piece=1, near_x=near_x, near_y=near_y)
+        if condition.along is not None:
+            struct.along, struct.n_curves = condition.along._c, len(condition.along.curves)
+    return result
+
+
+def of_basis(mesh: Mesh, basis: Any, n: int) -> List[Tuple[int, Condition]]:
+    """Return the pairs that `n` conditions of a saved basis stand for."""
+    names = {value: key for key, value in KINDS.items()}
+    markers = {number: name for name, number in mesh.markers.items()}
+    pairs = []
+    for struct in basis[0:n]:
+        kind = names[struct.kind]
+        has_partner = kind in ("periodic", "rotation", "interface")
+        pairs.append((struct.marker, Condition(
+            kind,
+            curves=(struct.first_curve, struct.n_curves) if kind == "curve" else None,
+            body=struct.body,
+            partner=markers.get(struct.partner, struct.partner) if has_partner else None,
+            centre=(struct.x, struct.y),
+            near=(struct.near_x, struct.near_y) if struct.piece else None,
+        )))
+    return pairs

@@ -1,0 +1,341 @@
+"""B-spline curves with common control points."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import airfoil_file
+from .arrays import doubles, int32_view, int32s, numbers
+from .errors import Error, call
+from .fit import fit_in_order, fit_markers
+from .measures import Measures, measure
+from .boundary import Marker
+from .mesh import Mesh
+from .reports import Report, new, pair
+from .variables import Variables
+from ._native import ffi, lib
+
+
+class Curve(NamedTuple):
+    """One B-spline of a set: C(u) = sum_k N_k(u) P[indices[k]].
+
+    Parameters
+    ----------
+    degree : int
+        1 to 5.
+    knots : array of shape (n_indices + degree + 1,)
+        Non-decreasing.
+    indices : int array of shape (n_indices,)
+        The control points of the curve, from 0. Repeated points close a curve.
+    """
+
+    degree: int
+    knots: np.ndarray
+    indices: np.ndarray
+
+
+class Curves:
+    """B-spline curves with common control points.
+
+    Parameters
+    ----------
+    control : array of shape (n_control, 2)
+        Control points [length]; copied.
+    degree : int
+        1 to 5, of a single curve; ignored if `curves` is given.
+    closed : {"open", "tied", "periodic"}
+        How a single curve with uniform knots ends: clamped at the first and the last control point;
+        clamped, with the first control point also at the end (a sharp trailing edge); smooth
+        everywhere.
+    curves : sequence of Curve, optional
+        The curves with their own knots and indices.
+    weights : array of shape (n_control,), optional
+        Weights of rational curves, 1e-10 to 1e10.
+
+    Attributes
+    ----------
+    control : ndarray of shape (n_control, 2)
+        Read-only.
+    weights : ndarray of shape (n_control,) or None
+    curves : tuple of Curve
+    markers : tuple of marker
+        The markers that :meth:`fit` was given; :class:`harmorph.Morph` puts them onto the curves.
+    fit_report : Report or None
+        The members of ``hm_fit_report``: max_error and rms_error [length], max_error_point, ...
+
+    Raises
+    ------
+    Error
+        ``BAD_CURVE``: degree, knots, indices, weights or control points that form no curve.
+    """
+
+    def __init__(
+        self,
+        control: Any,
+        degree: int = 3,
+        closed: str = "open",
+        *,
+        curves: Optional[Sequence[Curve]] = None,
+        weights: Any = None,
+    ) -> None:
+        self.control = _frozen(control, "The control points", (-1, 2))
+        self.weights = None if weights is None else _frozen(weights, "The weights", (len(self.control),))
+        if curves is None:
+            curves = [_uniform(len(self.control), degree, closed)]
+        self.curves: Tuple[Curve, ...] = tuple(
+            Curve(int(one[0]), _frozen(one[1], "The knots", (-1,)), int32s(one[2], "The indices"))
+            for one in curves
+        )
+        self.markers: Tuple[Marker, ...] = ()
+        self.fit_report: Optional[Report] = None
+        self._view()
+        call(lib.hm_curves_check, self._c)
+
+    def _view(self) -> None:
+        views = ffi.new("hm_curve[]", len(self.curves))
+        alive: List[Any] = [views]
+        for view, one in zip(views, self.curves):
+            if len(one.knots) != len(one.indices) + one.degree + 1:
+                raise Error(f"A curve of degree {one.degree} with {len(one.indices)} indices needs "
+                            f"{len(one.indices) + one.degree + 1} knots, not {len(one.knots)}.",
+                            Error.BAD_CURVE)
+            view.struct_size = ffi.sizeof("hm_curve")
+            view.degree, view.n_indices = one.degree, len(one.indices)
+            view.indices, view.knots = int32_view(one.indices), ffi.from_buffer("double[]", one.knots)
+        struct = new("hm_curves")
+        struct.n_control = len(self.control)
+        struct.control = doubles(self.control, self.control.shape, "control")
+        if self.weights is not None:
+            struct.weights = doubles(self.weights, self.weights.shape, "weights")
+        struct.n_curves, struct.curve = len(self.curves), views
+        self._c, self._alive = struct, alive
+
+    # ---- Other ways to make curves ----
+
+    @classmethod
+    def fit(
+        cls,
+        mesh: Mesh,
+        markers: Union[Marker, Iterable[Marker]],
+        n_control: int = 20,
+        degree: int = 3,
+        closed: str = "auto",
+    ) -> "Curves":
+        """Fit curves to the points of markers of a mesh, each connected piece by its own.
+
+        Parameters
+        ----------
+        mesh : Mesh
+        markers : marker or sequence of markers
+        n_control : int
+            Control points of each piece.
+        degree : int
+            1 to 5.
+        closed : {"auto", "open", "tied", "periodic"}
+            "auto": periodic without corners; open with a second curve along a blunt base; otherwise
+            tied at the sharpest corner.
+
+        Warns
+        -----
+        HarmorphWarning
+            ``BACKTRACKS``: the curve runs against the order of the points; use fewer control points.
+        """
+        one = isinstance(markers, (str, int, np.integer))
+        names: tuple = (markers,) if one else tuple(markers)  # type: ignore
+        found, result, _block = fit_markers(mesh, names, n_control, degree, closed)
+        curves = cls._copied(found)
+        curves.markers, curves.fit_report = names, result
+        return curves
+
+    @classmethod
+    def fit_points(
+        cls,
+        points: Any,
+        is_loop: bool,
+        n_control: int = 20,
+        degree: int = 3,
+        closed: str = "auto",
+    ) -> "Curves":
+        """Fit curves to points in order.
+
+        Parameters
+        ----------
+        points : array of shape (n, 2), or pair of arrays of shape (n,)
+        is_loop : bool
+            The last point is connected to the first one, which is not repeated.
+        n_control, degree, closed
+            See :meth:`fit`.
+        """
+        found, result, _block = fit_in_order(points, is_loop, n_control, degree, closed)
+        curves = cls._copied(found)
+        curves.fit_report = result
+        return curves
+
+    @classmethod
+    def read_airfoil(
+        cls, path: Any, n_control: int = 20, degree: int = 3, closed: str = "auto"
+    ) -> "Curves":
+        """Fit curves to an airfoil file (.dat) in Selig's or Lednicer's order; see :meth:`fit`."""
+        points, is_loop = airfoil_file.read(path)
+        return cls.fit_points(points, is_loop, n_control, degree, closed)
+
+    @classmethod
+    def _copied(cls, view: Any) -> "Curves":
+        """A copy of what a ``hm_curves*`` of the library points to."""
+        curves = []
+        for k in range(view.n_curves):
+            one = view.curve[k]
+            n = one.n_indices
+            indices = (np.arange(n) if one.indices == ffi.NULL
+                       else np.frombuffer(ffi.buffer(one.indices, 4 * n), np.int32) - view.index_base)
+            knots = np.frombuffer(ffi.buffer(one.knots, 8 * (n + one.degree + 1)))
+            curves.append(Curve(one.degree, knots, indices))
+        control = np.frombuffer(ffi.buffer(view.control, 16 * view.n_control)).reshape(-1, 2)
+        has_weights = view.weights != ffi.NULL
+        weights = np.frombuffer(ffi.buffer(view.weights, 8 * view.n_control)) if has_weights else None
+        return cls(control, curves=curves, weights=weights)
+
+    # ---- Questions ----
+
+    def moved(self, move: Any) -> "Curves":
+        """Return the curves with control points moved by `move` [length], shape (n_control, 2)."""
+        step = numbers(move, "move")
+        if step.shape != self.control.shape:
+            raise Error(f"move must have the shape {self.control.shape}, not {step.shape}.")
+        curves = Curves(self.control + step, curves=self.curves, weights=self.weights)
+        curves.markers = self.markers
+        return curves
+
+    def points(self, u: Any, curve: int = 0, derivative: int = 0) -> np.ndarray:
+        """Return points of a curve, or derivatives by the parameter.
+
+        Parameters
+        ----------
+        u : array of shape (n,)
+            Parameters between the first and the last inner knot.
+        curve : int
+            From 0.
+        derivative : int
+            0 to 5.
+
+        Returns
+        -------
+        ndarray of shape (n, 2)
+        """
+        parameters = np.atleast_1d(numbers(u, "u")).astype(float)
+        result, xy = np.empty((len(parameters), 2)), ffi.new("double[12]")
+        for k, parameter in enumerate(parameters):
+            call(lib.hm_curve_point, self._c, curve, parameter, derivative, xy)
+            result[k] = xy[2 * derivative], xy[2 * derivative + 1]
+        return result
+
+    def basis(self, u: Any, curve: int = 0) -> np.ndarray:
+        """Return the basis functions at parameters of a curve.
+
+        Parameters
+        ----------
+        u : array of shape (n,)
+        curve : int
+            From 0.
+
+        Returns
+        -------
+        ndarray of shape (n, n_control)
+            Row k times the control points is the point of the curve at ``u[k]``.
+        """
+        parameters = np.atleast_1d(numbers(u, "u")).astype(float)
+        result = np.zeros((len(parameters), len(self.control)))
+        control, values = ffi.new("int32_t[6]"), ffi.new("double[6]")
+        for row, parameter in zip(result, parameters):
+            call(lib.hm_curve_basis, self._c, curve, parameter, 0, control, values)
+            for k in range(self._curve(curve).degree + 1):
+                row[control[k]] += values[k]
+        return result
+
+    def range(self, curve: int = 0) -> Tuple[float, float]:
+        """Return the first and the last parameter of a curve."""
+        one = self._curve(curve)
+        return float(one.knots[one.degree]), float(one.knots[len(one.indices)])
+
+    def _curve(self, curve: int) -> Curve:
+        if not 0 <= curve < len(self.curves):
+            raise Error(f"There is no curve {curve}; the set has {len(self.curves)}, counted from 0.")
+        return self.curves[curve]
+
+    def project(self, point: Sequence[float], curve: int = 0) -> Tuple[float, float]:
+        """Return the parameter of the curve point nearest to `point`, and its distance [length]."""
+        u, distance = ffi.new("double*"), ffi.new("double*")
+        x, y = pair(point, "point")
+        call(lib.hm_curve_project, self._c, curve, x, y, u, distance)
+        return u[0], distance[0]
+
+    def measure(self, *quantities: Any, chord: Any = None, curves: Any = None) -> Measures:
+        """Measure a section; see :func:`harmorph.measures.measure`."""
+        return measure(self._c, len(self.control), quantities, chord, curves)
+
+    def variables(self, kind: str, **options: Any) -> Variables:
+        """Return design variables of the section; see :class:`harmorph.Variables`."""
+        return Variables(self._c, len(self.control), kind, **options)
+
+    def smooth_gradient(self, gradient: Any, length: float) -> np.ndarray:
+        """Smooth a gradient by the control points along the curves.
+
+        Parameters
+        ----------
+        gradient : array of shape (n_control, 2)
+        length : float
+            Changes along less than this length are damped [length].
+
+        Returns
+        -------
+        ndarray of shape (n_control, 2)
+            Its product with `gradient` is positive.
+        """
+        size = ffi.new("size_t*")
+        call(lib.hm_smooth_gradient_size, self._c, size)
+        work, result = np.empty(size[0], np.uint8), np.empty_like(self.control)
+        call(lib.hm_smooth_gradient, self._c, length, doubles(gradient, self.control.shape, "gradient"),
+             doubles(result, result.shape, "result", out=True), ffi.from_buffer(work), len(work))
+        return result
+
+    def __copy__(self) -> "Curves":
+        other = Curves.__new__(Curves)
+        other.__setstate__(self.__getstate__())
+        return other
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {key: value for key, value in self.__dict__.items() if key not in ("_c", "_alive")}
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        # Arrays that were copied or pickled can be written.
+        for array in (self.control, self.weights, *(one.knots for one in self.curves)):
+            if array is not None:
+                array.flags.writeable = False
+        self._view()
+
+    def __repr__(self) -> str:
+        return f"Curves({len(self.control)} control points, {len(self.curves)} curve(s))"
+
+
+def _frozen(values: Any, what: str, shape: tuple) -> np.ndarray:
+    array = np.array(numbers(values, what), dtype=np.float64, order="C")
+    if array.ndim != len(shape) or any(s not in (-1, t) for s, t in zip(shape, array.shape)):
+        raise Error(f"{what} must have the shape {str(shape).replace('-1', 'n')}, not {array.shape}.")
+    array.flags.writeable = False
+    return array
+
+
+def _uniform(n: int, degree: int, closed: str) -> Curve:
+    if closed not in ("open", "tied", "periodic") or not 1 <= degree <= 5 or n <= degree:
+        raise Error(f"A curve of degree {degree} with {n} control points that is {closed!r} is not "
+                    "possible: the degree is 1 to 5 and less than the number of control points; the "
+                    "curve is 'open', 'tied' or 'periodic'.", Error.BAD_CURVE)
+    if closed == "periodic":
+        indices = np.concatenate([np.arange(n), np.arange(degree)])
+        return Curve(degree, np.arange(len(indices) + degree + 1.0), indices)
+    indices = np.arange(n + 1) % n if closed == "tied" else np.arange(n)
+    inner = np.linspace(0, 1, len(indices) - degree + 1)
+    return Curve(degree, np.concatenate([[0.0] * degree, inner, [1.0] * degree]), indices)

@@ -1,0 +1,58 @@
+"""Fits of B-splines, as the library makes them: curves in a block, and a report."""
+
+from __future__ import annotations
+
+from typing import Any, Tuple
+
+import numpy as np
+
+from ._native import ffi, lib
+from .arrays import int32_view, points_in
+from .errors import Error, call
+from .mesh import Mesh
+from .reports import Report, fill, new, report
+
+_CLOSED = {
+    "auto": lib.HM_CLOSED_AUTO,
+    "open": lib.HM_OPEN,
+    "tied": lib.HM_TIED,
+    "periodic": lib.HM_PERIODIC,
+}
+
+
+def fit_markers(
+    mesh: Mesh, markers: Any, n_control: int, degree: int, closed: str
+) -> Tuple[Any, Report, np.ndarray]:
+    """Return ``hm_curves*`` through the points of markers, the report, and the block of the curves.
+
+    The arguments are those of :meth:`harmorph.Curves.fit`.
+    """
+    options, result = _options(n_control, degree, closed), new("hm_fit_report")
+    wanted = np.array(mesh.numbers_of(markers), np.int32)
+    size, work_size, found = ffi.new("size_t*"), ffi.new("size_t*"), ffi.new("hm_curves**")
+    call(lib.hm_fit_marker_size, mesh._c, len(wanted), int32_view(wanted), options, size, work_size,
+         names=mesh.names)
+    block, work = np.empty(size[0], np.uint8), np.empty(work_size[0], np.uint8)
+    call(lib.hm_fit_marker, found, ffi.from_buffer(block), len(block), mesh._c, len(wanted),
+         int32_view(wanted), options, result, ffi.from_buffer(work), len(work), names=mesh.names)
+    return found[0], report(result), block
+
+
+def fit_in_order(
+    points: Any, is_loop: bool, n_control: int, degree: int, closed: str
+) -> Tuple[Any, Report, np.ndarray]:
+    """Return the same through points in order; see :meth:`harmorph.Curves.fit_points`."""
+    n = len(points[0]) if isinstance(points, tuple) and len(points) else len(points)
+    view, _alive = points_in(points, n, "points")
+    options, result = _options(n_control, degree, closed), new("hm_fit_report")
+    size, found = ffi.new("size_t*"), ffi.new("hm_curves**")
+    call(lib.hm_fit_size, n, options, size)
+    block = np.empty(size[0], np.uint8)
+    call(lib.hm_fit, found, ffi.from_buffer(block), len(block), view, n, bool(is_loop), options, result)
+    return found[0], report(result), block
+
+
+def _options(n_control: int, degree: int, closed: str) -> Any:
+    if closed not in _CLOSED:
+        raise Error(f"closed must be one of {list(_CLOSED)}, not {closed!r}.")
+    return fill(new("hm_fit_options"), n_control=n_control, degree=degree, closed=_CLOSED[closed])

@@ -1,0 +1,208 @@
+"""Movements of all mesh points by a solved basis, their transpose, and their assessment."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Optional, Sequence
+
+import numpy as np
+
+from ._native import ffi, lib
+from .arrays import apart, doubles, points_in, points_out
+from .basis import Basis
+from .errors import Error, call, check
+from .mesh import Mesh
+from .reports import Report, new, report
+from .threads import Executor
+
+_new, _NULL = ffi.new, ffi.NULL
+_hm_morph, _hm_adjoint = lib.hm_morph, lib.hm_adjoint
+
+
+class Assessment(NamedTuple):
+    """Result of :meth:`Morph.assess`.
+
+    Attributes
+    ----------
+    step : Report or None
+        The members of ``hm_step_report``: `admissible`, the factor by which the displacement can be
+        multiplied before the first cell inverts, `boundary`, `cell`, `point`, ...
+    quality : Report
+        The members of ``hm_quality_report``: `inverted`, `min_area` [length^2], `min_quality` and
+        `mean_quality` [0..1], `self_crossing`, ...
+    """
+
+    step: Optional[Report]
+    quality: Report
+
+
+class Functions:
+    """Methods of :class:`harmorph.Morph` that need no plan."""
+
+    _basis: Optional[Basis]
+    _problem: Optional[Mesh]
+    _executor: Executor
+    _lock: Any
+    n_points: int
+
+    def displacement(self, move: Any, out: Any = None) -> Any:
+        """Return the displacement of each mesh point, sum_i F_i (dx, dy)_i.
+
+        Parameters
+        ----------
+        move : array of shape (functions, 2)
+            Movements of the control points [length], then two rows for each rigid body. Velocities
+            give velocities.
+        out : array of shape (n_points, 2), or pair of arrays of shape (n_points,), optional
+            Receives the result; see :mod:`harmorph.arrays`.
+
+        Returns
+        -------
+        ndarray of shape (n_points, 2), or `out`
+        """
+        basis = self._basis or self._open()
+        step = doubles(move, basis.shape, "move")
+        if out is None:
+            out = np.empty((basis.n_points, 2))
+        to, _alive = points_out(out, basis.n_points, "out")
+        error = _new("hm_error*")
+        if self._executor.threads == 1:
+            status = _hm_morph(basis.pointer, step, _NULL, to, self._executor.view, error)
+        else:
+            with self._lock:
+                status = _hm_morph(basis.pointer, step, _NULL, to, self._executor.view, error)
+        if status:
+            check(status, error)
+        return out
+
+    def morph(self, move: Any, points: Any = None, out: Any = None) -> Any:
+        """Return moved coordinates, points + sum_i F_i (dx, dy)_i.
+
+        Parameters
+        ----------
+        move : array of shape (functions, 2)
+            See :meth:`displacement`.
+        points : array of shape (n_points, 2), or pair of arrays, optional
+            Coordinates before the movement; the default is `start`.
+        out : array of shape (n_points, 2), or pair of arrays, optional
+            Receives the result; it may be `points`, which then moves in place.
+
+        Returns
+        -------
+        ndarray of shape (n_points, 2), or `out`
+
+        Notes
+        -----
+        Points on the wall follow the B-spline. Points with a displacement of 0 keep their bits. A
+        sum of movements gives the same mesh in one call or in several. Whether cells invert,
+        :meth:`assess` tells.
+        """
+        basis = self._basis or self._open()
+        step = doubles(move, basis.shape, "move")
+        if out is None:
+            out = np.empty((basis.n_points, 2))
+        if points is None:
+            if self._problem is None:
+                raise Error("A basis without a mesh has no coordinates; give `points`.")
+            points = self._problem.points
+        elif points is not out:
+            points = apart(points, out)
+        to, _alive = points_out(out, basis.n_points, "out")
+        from_, _alive_too = points_in(points, basis.n_points, "points")
+        error = _new("hm_error*")
+        if self._executor.threads == 1:
+            status = _hm_morph(basis.pointer, step, from_, to, self._executor.view, error)
+        else:
+            with self._lock:
+                status = _hm_morph(basis.pointer, step, from_, to, self._executor.view, error)
+        if status:
+            check(status, error)
+        return out
+
+    def adjoint(self, dj: Any, out: Optional[np.ndarray] = None) -> np.ndarray:
+        """Return derivatives by the movement from those by the mesh points: the exact transpose.
+
+        Parameters
+        ----------
+        dj : array of shape (n_points, 2), or pair of arrays of shape (n_points,)
+            Derivatives of an objective J by x and y of each mesh point.
+        out : C-contiguous float64 array of shape (functions, 2), optional
+
+        Returns
+        -------
+        ndarray of shape (functions, 2), or `out`
+            Derivatives by the rows of `move`. If a number is not finite, all are NaN.
+        """
+        basis = self._basis or self._open()
+        view, _alive = points_in(dj, basis.n_points, "dj")
+        if out is None:
+            out = np.empty(basis.shape)
+        gradient = doubles(out, basis.shape, "out", out=True)
+        error = _new("hm_error*")
+        if self._executor.threads == 1:
+            status = _hm_adjoint(basis.pointer, view, gradient, self._executor.view, error)
+        else:
+            with self._lock:
+                status = _hm_adjoint(basis.pointer, view, gradient, self._executor.view, error)
+        if status:
+            check(status, error)
+        return out
+
+    def assess(self, displacement: Any = None, points: Any = None, reference: Any = None) -> Assessment:
+        """Judge a movement before anything moves, or a mesh as it is.
+
+        Parameters
+        ----------
+        displacement : array of shape (n_points, 2), or pair of arrays, optional
+            From :meth:`displacement`. None: the mesh at `points` is judged.
+        points : array of shape (n_points, 2), or pair of arrays, optional
+            Coordinates from which the points move; the default is `start`.
+        reference : array of shape (n_points, 2), or pair of arrays, optional
+            Coordinates with the sizes of cells that the quality refers to; the default is `points`.
+
+        Returns
+        -------
+        Assessment
+        """
+        basis, n = self._open(), self.n_points
+        if self._problem is None:
+            raise Error("This call needs the mesh; give it to Morph.load().", Error.BAD_BASIS)
+        views = [(_NULL, None) if one is None else points_in(one, n, what)
+                 for one, what in ((points, "points"), (displacement, "displacement"),
+                                   (reference, "reference"))]
+        step = new("hm_step_report") if displacement is not None else _NULL
+        quality = new("hm_quality_report")
+        with self._lock if self._executor.threads > 1 else _NoLock():
+            call(lib.hm_assess, basis.pointer, self._problem._c, *(view for view, _ in views),
+                 self._executor.view, step, quality)
+        return Assessment(None if step == _NULL else report(step), report(quality))
+
+    def _open(self) -> Basis:
+        raise NotImplementedError
+
+
+class _NoLock:
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(self, *_ignored: Any) -> None:
+        pass
+
+
+def rigid(shift: Sequence[float] = (0.0, 0.0), degrees: float = 0.0, scale: float = 1.0) -> np.ndarray:
+    """Return the two rows of `move` for a rigid body.
+
+    Parameters
+    ----------
+    shift : pair of float
+        Translation [length].
+    degrees : float
+        Rotation about the centre of the body, counter-clockwise.
+    scale : float
+        Scale about the centre.
+
+    Returns
+    -------
+    ndarray of shape (2, 2)
+    """
+    angle = np.radians(degrees)
+    return np.array([shift, [scale * np.cos(angle) - 1, scale * np.sin(angle)]], dtype=float)

@@ -1,0 +1,244 @@
+"""Large movements, better cells, and points that slip along curves: calls that need the plan."""
+
+from __future__ import annotations
+
+from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
+
+import numpy as np
+
+from ._native import ffi, lib
+from .arrays import apart, doubles, points_in, points_out
+from .basis import Basis
+from .errors import Error, call
+from .reports import Report, fill, new, report
+
+_STRATEGIES = ("linear", "other", "substeps", "untangled", "improved")
+
+
+class Safe(NamedTuple):
+    """Result of :meth:`harmorph.Morph.safe` and :meth:`harmorph.Morph.displace_safe`.
+
+    Attributes
+    ----------
+    points : ndarray of shape (n_points, 2), or `out`
+        The mesh; no cell is inverted.
+    report : Report
+        The members of ``hm_safe_report``: `step_fraction` (1: the whole movement), `strategy`,
+        `min_quality`, `worst`, ...
+    reached : ndarray of shape (functions, 2)
+        The movement that `points` has.
+    derivative : Morph or None
+        `displacement` and `adjoint` of this object are the derivative of `points` by `move` and its
+        transpose; see ``hm_morph_safe``.
+    """
+
+    points: Any
+    report: Report
+    reached: np.ndarray
+    derivative: Any
+
+
+class Large:
+    """Methods of :class:`harmorph.Morph` that solve on the way."""
+
+    _basis: Optional[Basis]
+    _lock: Any
+    n_points: int
+    functions: int
+
+    def safe(
+        self,
+        move: Any,
+        out: Any = None,
+        *,
+        max_resolves: int = 0,
+        skip: Sequence[str] = (),
+        others: Sequence[Any] = (),
+        improve: bool = False,
+        heights: float = 0.0,
+        min_quality: float = 0.0,
+        max_height_change: float = 0.0,
+        derivative: bool = False,
+    ) -> Safe:
+        """Move the mesh from `start` by a movement of any size, so that no cell inverts.
+
+        Parameters
+        ----------
+        move : array of shape (functions, 2)
+            See :meth:`displacement`.
+        out : array of shape (n_points, 2), or pair of arrays of shape (n_points,), optional
+            Receives the coordinates.
+        max_resolves : int
+            How many times the functions may be solved again; 0 means 10, negative never.
+        skip : sequence of {"linear", "other", "substeps", "untangled", "improved"}
+            Strategies that are not tried.
+        others : sequence of Morph
+            Objects of the same mesh, curves and conditions with other operators.
+        improve : bool
+            The mesh at the target is improved in any case.
+        heights : float
+            0 to 1: the part of the heights of the first layer that is restored.
+        min_quality : float
+            Smallest quality of the target in parts of that of the start; 0 means 0.05, negative any
+            valid mesh.
+        max_height_change : float
+            The largest factor by which heights of the first layer may change; 0: any.
+        derivative : bool
+            Also return the derivative.
+
+        Returns
+        -------
+        Safe
+
+        Raises
+        ------
+        Error
+            ``CROSSING``: no mesh has the moved boundary. `out` is then unchanged.
+
+        Warns
+        -----
+        HarmorphWarning
+            ``SHORT``: only a part of the movement was possible; ``POOR``; ``NOT_CONVERGED``.
+        """
+        options, alive = safe_options(
+            max_resolves, skip, others, improve, heights, min_quality, max_height_change
+        )
+        with self._lock:
+            basis, solver = self._open(), self._ready()
+            step = doubles(move, basis.shape, "move")
+            out = np.empty((self.n_points, 2)) if out is None else out
+            to, _to_alive = points_out(out, self.n_points, "out")
+            reached, result = np.zeros(basis.shape), new("hm_safe_report")
+            options.reached = doubles(reached, basis.shape, "reached", out=True)
+            other, block = Basis.empty(solver.analysis) if derivative else (ffi.NULL, None)
+            work = solver.work(lib.hm_morph_safe_size, basis.pointer)
+            try:
+                call(lib.hm_morph_safe, solver.plan, basis.pointer, step, to, other,
+                     ffi.from_buffer(work), len(work), options, result)
+            finally:
+                solver.has_factor = solver.has_factor and result.resolves == 0
+            found = self._derivative(Basis(other, block)) if derivative else None
+        del alive
+        return Safe(out, report(result), reached, found)
+
+    def _derivative(self, basis: Basis) -> Any:
+        from copy import copy
+
+        other = copy(self)
+        other._set_basis(basis)
+        return other
+
+    def improve(
+        self, points: Any, out: Any = None, *, reference: Any = None, max_iterations: int = 0
+    ) -> Tuple[Any, Report]:
+        """Make the cells of a moved mesh more like those before; no cell inverts.
+
+        Parameters
+        ----------
+        points : array of shape (n_points, 2), or pair of arrays
+            A valid mesh after a movement.
+        out : array of shape (n_points, 2), or pair of arrays, optional
+            Receives the coordinates; it may be `points`.
+        reference : array of shape (n_points, 2), or pair of arrays, optional
+            Coordinates before the movement; the default is `start`.
+        max_iterations : int
+            0 means 60.
+
+        Returns
+        -------
+        points : ndarray of shape (n_points, 2), or `out`
+        report : Report
+            The members of ``hm_improve_report``: `min_quality_before`, `min_quality`, ...
+        """
+        options, result, n = new("hm_improve_options"), new("hm_improve_report"), self.n_points
+        fill(options, max_iterations=max_iterations)
+        out = np.empty((n, 2)) if out is None else out
+        to, _to_alive = points_out(out, n, "out")
+        from_, _alive = points_in(apart(points, out), n, "points")
+        with self._lock:
+            self._open()
+            solver = self._ready()
+            if reference is not None:
+                before, _kept = points_in(apart(reference, out), n, "reference")
+                options.reference = before
+            work = solver.work(lib.hm_improve_size)
+            call(lib.hm_improve, solver.plan, from_, to, ffi.from_buffer(work), len(work), options, result)
+        return out, report(result)
+
+    def slip(self, points: Any, out: Any = None) -> Any:
+        """Put points with slip back onto their curved boundary after a morph.
+
+        Parameters
+        ----------
+        points : array of shape (n_points, 2), or pair of arrays
+        out : array of shape (n_points, 2), or pair of arrays, optional
+            Receives the coordinates; it may be `points`.
+
+        Returns
+        -------
+        ndarray of shape (n_points, 2), or `out`
+        """
+        n = self.n_points
+        out = np.empty((n, 2)) if out is None else out
+        to, _to_alive = points_out(out, n, "out")
+        from_, _alive = points_in(apart(points, out), n, "points")
+        with self._lock:
+            self._open()
+            call(lib.hm_slip, self._ready().analysis, from_, to)
+        return out
+
+    def slip_adjoint(self, points: Any, dj: Any) -> np.ndarray:
+        """Return derivatives by the points before :meth:`slip` from those by the points after it.
+
+        Parameters
+        ----------
+        points : array of shape (n_points, 2), or pair of arrays
+            The points before.
+        dj : array of shape (n_points, 2), or pair of arrays
+
+        Returns
+        -------
+        ndarray of shape (n_points, 2)
+        """
+        n = self.n_points
+        result = np.empty((n, 2))
+        to, _to_alive = points_out(result, n, "out")
+        from_, _alive = points_in(points, n, "points")
+        view, _alive_too = points_in(dj, n, "dj")
+        with self._lock:
+            self._open()
+            call(lib.hm_slip_adjoint, self._ready().analysis, from_, view, to)
+        return result
+
+    def _open(self) -> Basis:
+        raise NotImplementedError
+
+    def _ready(self) -> Any:
+        raise NotImplementedError
+
+    def _set_basis(self, basis: Basis) -> None:
+        raise NotImplementedError
+
+
+def safe_options(
+    max_resolves: int,
+    skip: Any,
+    others: Any,
+    improve: bool,
+    heights: float,
+    min_quality: float,
+    max_height_change: float,
+) -> Tuple[Any, Any]:
+    """Return ``hm_safe_options*``, and what must stay alive with it."""
+    options = fill(new("hm_safe_options"), max_resolves=max_resolves, improve=int(bool(improve)),
+                   heights=heights, min_quality=min_quality, max_height_change=max_height_change)
+    for name in skip:
+        if name not in _STRATEGIES:
+            raise Error(f"The strategy {name!r} is unknown; known are {list(_STRATEGIES)}.")
+        options.skipped_strategies |= 1 << _STRATEGIES.index(name)
+    alive: List[Any] = [other._open() for other in others]
+    if alive:
+        pointers = ffi.new("hm_basis*[]", [one.pointer for one in alive])
+        options.others, options.n_others = pointers, len(alive)
+        alive.append(pointers)
+    return options, alive

@@ -1,0 +1,104 @@
+"""Measures of a section, with their derivatives by the control points."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Sequence
+
+import numpy as np
+
+from ._native import ffi, lib
+from .arrays import doubles, numbers
+from .errors import Error, call
+from .reports import fill, new, pair
+
+_KINDS = {
+    name: getattr(lib, "HM_" + name.upper())
+    for name in (
+        "area", "centroid_x", "centroid_y", "moment_xx", "moment_yy", "moment_xy", "chord",
+        "thickness", "camber", "max_thickness", "max_camber", "leading_edge_radius",
+        "trailing_edge_angle", "trailing_edge_gap", "min_radius", "curvature_variation", "clearance",
+    )
+}
+
+
+class Measures(NamedTuple):
+    """Results of :func:`measure`.
+
+    Attributes
+    ----------
+    values : ndarray of shape (n,)
+    gradients : ndarray of shape (n, n_control, 2)
+        Derivatives by x and y of the control points, at constant weights. Those of
+        :meth:`harmorph.Morph.measure` have a row for each function.
+    places : ndarray of shape (n, 2)
+        The point of the section to which each value belongs [length].
+    """
+
+    values: np.ndarray
+    gradients: np.ndarray
+    places: np.ndarray
+
+
+def section_of(chord: Any, curves: Any) -> Any:
+    """Return an ``hm_section*``, or NULL for all curves with their own chord."""
+    if chord is None and curves is None:
+        return ffi.NULL
+    section = new("hm_section")
+    if curves is not None:
+        first, n = pair(curves, "curves")
+        fill(section, first_curve=first, n_curves=n)
+    if chord is not None:
+        leading, trailing = (pair(end, "An end of the chord") for end in pair(chord, "chord"))
+        fill(section, leading_x=leading[0], leading_y=leading[1], trailing_x=trailing[0],
+             trailing_y=trailing[1])
+    return section
+
+
+def measure(view: Any, n_control: int, quantities: Sequence[Any], chord: Any, curves: Any) -> Measures:
+    """Measure the section that curves enclose.
+
+    Parameters
+    ----------
+    quantities : str or tuple
+        "area" [length^2], "centroid_x", "centroid_y" [length], "moment_xx", "moment_yy",
+        "moment_xy" [length^4], "chord", ("thickness", t), ("camber", t) at the station t between 0
+        and 1 of the chord line, "max_thickness", "max_camber", "leading_edge_radius" [length],
+        "trailing_edge_angle" [degrees], "trailing_edge_gap", "min_radius" [length],
+        "curvature_variation" [1/length^3], ("clearance", polygon) with a polygon of shape (m, 2)
+        that should fit inside [length]. ``harmorph_design.h`` defines them.
+    chord : pair of points, optional
+        A chord line (leading edge, trailing edge) that does not move. Periodic curves need one for
+        the quantities that refer to the chord.
+    curves : pair of int, optional
+        The first curve and the number of curves that form the outline; the default is all.
+
+    Returns
+    -------
+    Measures
+
+    Raises
+    ------
+    Error
+        ``BAD_CURVE``: the curves do not have the quantity `item`.
+    """
+    n = len(quantities)
+    if n == 0:
+        raise Error("Name at least one quantity.")
+    structs, alive = ffi.new("hm_quantity[]", n), []
+    for struct, wanted in zip(structs, quantities):
+        name, value = wanted if isinstance(wanted, tuple) and len(wanted) == 2 else (wanted, None)
+        if name not in _KINDS or (value is None) != (name not in ("thickness", "camber", "clearance")):
+            raise Error(f"The quantity {wanted!r} is unknown; known are {', '.join(_KINDS)}, and "
+                        "thickness and camber with a station, clearance with a polygon.")
+        struct.struct_size, struct.kind = ffi.sizeof("hm_quantity"), _KINDS[name]
+        if name == "clearance":
+            polygon = numbers(value, "The polygon")
+            view_of_polygon = doubles(polygon, (len(polygon), 2), "The polygon")
+            alive.append(view_of_polygon)
+            struct.polygon, struct.n_polygon = view_of_polygon, len(polygon)
+        elif value is not None:
+            fill(ffi.addressof(struct), station=value)
+    result = Measures(np.empty(n), np.empty((n, n_control, 2)), np.empty((n, 2)))
+    views = [doubles(one, one.shape, "result", out=True) for one in result]
+    call(lib.hm_measure, view, section_of(chord, curves), n, structs, views[0], views[2], views[1])
+    return result

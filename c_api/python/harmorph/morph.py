@@ -1,0 +1,321 @@
+"""Morph: the functions of a mesh, and all that is done with them."""
+
+from __future__ import annotations
+
+import copy
+import threading
+from typing import Any, Dict, Optional
+
+import numpy as np
+
+from ._native import lib
+from .arrays import numbers, points_in
+from .basis import Basis
+from .conditions import Given, listed
+from .curves import Curves
+from .displacements import Displacements
+from .errors import Error, call
+from .functions import Functions
+from .large import Large
+from .measures import Measures
+from .mesh import Mesh
+from .reports import Report, new, report
+from .solver import Solver, options_of
+from .threads import ONE_THREAD, Executor
+from .variables import Variables
+
+
+class Morph(Functions, Large, Displacements):
+    """The functions that carry movements of control points to a mesh.
+
+    ``Morph(mesh, curves)`` checks the mesh, orders and factors the matrix and solves for one
+    function for each control point.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        Its coordinates are copied once; they are `start`. So the arrays of the mesh may move.
+    curves : Curves, optional
+        None: rigid bodies and given displacements only.
+    conditions : mapping of marker to Condition or str, or sequence of such pairs, optional
+        What the markers do (:class:`harmorph.Condition`). Markers that `curves` was fitted to are
+        on the curves; other markers without a condition are fixed.
+    operator : {"conformal", "laplace", "weighted"}
+        Conformal functions keep the angles at the wall; Laplace functions are those of the paper.
+    engine : {"direct", "multigrid", "fas"}
+    precision : {"double", "single"}
+        Of the factor.
+    exponent : float, optional
+        The exponent q of the weight 1 / d^q, a multiple of 0.25 up to 4; 0: no weight.
+    offset_correction : bool
+        Conformal only: offsets of mesh points from the curve rotate with the curve.
+    tolerance : float
+        Relative residual above which the solution warns; 0 means 1e-10.
+    threads : int
+        Threads of each call, 1 to 256. Calls of one object wait for each other if it is not 1.
+
+    Attributes
+    ----------
+    mesh : Mesh or None
+    curves : Curves or None
+    start : ndarray of shape (n_points, 2), or None
+        Read-only: the coordinates on which the functions were solved.
+    functions : int
+        Rows of `move`: control points, then two rows for each rigid body (:func:`harmorph.rigid`).
+    n_points : int
+    info : Report
+        The members of ``hm_basis_info``.
+    solve_report : Report or None
+        The members of ``hm_solve_report``; None after :meth:`load`.
+
+    Raises
+    ------
+    Error
+        ``BAD_MESH``, ``BAD_CURVE``, ``BAD_CONDITION``, ``UNSUPPORTED``, ``NOT_POSITIVE``.
+
+    Warns
+    -----
+    HarmorphWarning
+        ``FAR_FROM_CURVE``: a point is far from its curve; ``NOT_CONVERGED``.
+
+    Notes
+    -----
+    The library runs without the interpreter lock. Any number of threads may call `displacement`,
+    `morph`, `adjoint` and `assess` of one object; other calls wait for each other.
+    """
+
+    def __init__(
+        self,
+        mesh: Mesh,
+        curves: Optional[Curves] = None,
+        conditions: Given = None,
+        *,
+        operator: str = "conformal",
+        engine: str = "direct",
+        precision: str = "double",
+        exponent: Optional[float] = None,
+        offset_correction: bool = False,
+        tolerance: float = 0.0,
+        threads: int = 1,
+    ) -> None:
+        if not isinstance(mesh, Mesh):
+            raise Error(f"mesh must be a harmorph.Mesh, not {type(mesh).__name__}.")
+        self._options = options_of(operator, engine, precision, exponent, offset_correction, tolerance)
+        self._own(mesh, curves, listed(mesh, curves, conditions), threads)
+        self._solve()
+
+    def _own(self, mesh: Optional[Mesh], curves: Optional[Curves], pairs: Any, threads: int) -> None:
+        self.mesh, self.curves, self._pairs = mesh, curves, pairs
+        self._executor = ONE_THREAD if threads == 1 else Executor(threads)
+        self._lock = threading.RLock()
+        self._basis: Optional[Basis] = None
+        self._solver: Optional[Solver] = None
+        self._problem: Optional[Mesh] = None  # at the start
+        self._analysed: Any = None  # coordinates on which the curve was projected
+        self.solve_report: Optional[Report] = None
+        if mesh is not None:
+            x, y = mesh.points if isinstance(mesh.points, tuple) else mesh.points.T
+            self._problem = mesh.with_points(np.stack([x, y], axis=1).astype(np.float64))
+            self._problem._file = None
+            self._analysed = self._problem.points
+
+    def _ready(self) -> Solver:
+        """The solver, made anew where it was released or the object was loaded; with a factor."""
+        if self._solver is None:
+            if self._problem is None:
+                raise Error("This call needs the mesh; give it to Morph.load().", Error.BAD_BASIS)
+            mesh = self._problem.with_points(self._analysed.copy())
+            self._solver = Solver(mesh, self.curves, self._pairs, self._options, self._executor)
+            mesh.points[:] = self._problem.points
+        self._solver.factor()
+        return self._solver
+
+    def _solve(self) -> None:
+        solver = self._ready()
+        pointer, block = Basis.empty(solver.analysis)
+        result = new("hm_solve_report")
+        basis = Basis(pointer, block)
+        if basis.info.functions:
+            call(lib.hm_plan_solve, solver.plan, pointer, result)
+        self._set_basis(Basis(pointer, block))
+        self.solve_report = report(result)
+
+    def _set_basis(self, basis: Basis) -> None:
+        self._basis = basis
+        self.functions, self.n_points, self.info = basis.shape[0], basis.n_points, basis.info
+
+    def _open(self) -> Basis:
+        if self._basis is None:
+            raise Error("This object was closed.", Error.BAD_BASIS)
+        return self._basis
+
+    @property
+    def start(self) -> Optional[np.ndarray]:
+        """Read-only view of the coordinates on which the functions were solved, shape (n_points, 2)."""
+        if self._problem is None:
+            return None
+        view = self._problem.points.view()
+        view.flags.writeable = False
+        return view
+
+    # ---- Curves ----
+
+    def measure(self, *quantities: Any, move: Any = None, chord: Any = None, curves: Any = None) -> Measures:
+        """Measure the section, with derivatives by the rows of `move`.
+
+        Parameters
+        ----------
+        *quantities, chord, curves
+            See :func:`harmorph.measures.measure`.
+        move : array of shape (functions, 2), optional
+            The section is measured after this movement.
+
+        Returns
+        -------
+        Measures
+            `gradients` has the shape (n, functions, 2); rows of rigid bodies are 0.
+        """
+        section = self._curves()
+        n_control = len(section.control)
+        if move is not None:
+            step = numbers(move, "move")
+            if step.shape != (self.functions, 2):
+                raise Error(f"move must have the shape {(self.functions, 2)}, not {step.shape}.")
+            section = section.moved(step[:n_control])
+        found = section.measure(*quantities, chord=chord, curves=curves)
+        gradients = np.zeros((len(quantities), self.functions, 2))
+        gradients[:, :n_control] = found.gradients
+        return found._replace(gradients=gradients)
+
+    def variables(self, kind: str, **options: Any) -> Variables:
+        """Return design variables of the section; see :class:`harmorph.Variables`."""
+        return self._curves().variables(kind, **options)
+
+    def _curves(self) -> Curves:
+        if self.curves is None:
+            raise Error("This object has no curves.", Error.BAD_CURVE)
+        return self.curves
+
+    # ---- Again, files, copies ----
+
+    def solve(self, points: Any = None) -> None:
+        """Solve again, on other coordinates of the mesh points, which become `start`.
+
+        Parameters
+        ----------
+        points : array of shape (n_points, 2), or pair of arrays, optional
+            A valid mesh; the default is `start`. If it is refused, the object stays as it was.
+        """
+        with self._lock:
+            self._open()
+            solver, before = self._ready(), self._problem
+            assert before is not None  # or _ready() has refused
+            try:
+                if points is not None:
+                    _view, columns = points_in(points, self.n_points, "points")
+                    at = points if isinstance(points, np.ndarray) else np.stack(columns, axis=1)
+                    self._problem = before.with_points(at.astype(np.float64))
+                    solver.mesh.points[:] = at
+                    solver.has_factor = False
+                self._solve()
+            except Error:
+                self._problem = before
+                solver.mesh.points[:] = before.points
+                solver.has_factor = False
+                raise
+
+    def release(self) -> None:
+        """Free analysis and plan. Calls that need them make them again, which takes time."""
+        with self._lock:
+            self._solver = None
+
+    def close(self) -> None:
+        """Free everything. Later calls are refused; a mapped file is closed."""
+        with self._lock:
+            self._solver = self._basis = None
+
+    def __enter__(self) -> "Morph":
+        return self
+
+    def __exit__(self, *_ignored: Any) -> None:
+        self.close()
+
+    def save(self, path: Any) -> None:
+        """Write the basis to a file, which C, Fortran and, for meshes that were read, the program
+        harmorph load, too. The file appears as a whole or not at all."""
+        self._open().save(path, self.mesh)
+
+    @classmethod
+    def load(cls, path: Any, mesh: Optional[Mesh] = None, *, threads: int = 1) -> "Morph":
+        """Map a basis file into memory.
+
+        Parameters
+        ----------
+        path : path
+            A file of :meth:`save`, or of C, Fortran or the program.
+        mesh : Mesh, optional
+            The mesh of the basis, which is compared. Without it only `displacement`, `morph` with
+            `points`, and `adjoint` are possible.
+        threads : int
+            See :class:`Morph`.
+
+        Raises
+        ------
+        Error
+            ``BAD_FILE``, or ``BAD_BASIS``: no basis, cut off, damaged, of another mesh.
+
+        Warns
+        -----
+        HarmorphWarning
+            ``MOVED``: the mesh has other coordinates than the basis was solved on.
+
+        Notes
+        -----
+        Curves along which points slip (``Condition.along``) are not in the file.
+        """
+        basis = Basis.load(path, mesh)
+        pairs = basis.conditions(mesh) if mesh else []
+        return cls._attached(basis, mesh, basis.curves(), pairs, threads)
+
+    @classmethod
+    def _attached(cls, basis: Basis, mesh: Any, curves: Any, pairs: Any, threads: int) -> "Morph":
+        self = cls.__new__(cls)
+        info = basis.info
+        is_laplace = info.operator_kind == lib.HM_LAPLACE
+        self._options = {
+            "operator_kind": info.operator_kind, "engine": info.engine,
+            "exponent_quarters": 0 if is_laplace else info.exponent_quarters,
+            "offset_correction": info.offset_correction,
+        }
+        self._own(mesh, curves, pairs, threads)
+        self._set_basis(basis)
+        return self
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {
+            "mesh": self.mesh, "start": self._problem, "analysed": self._analysed,
+            "curves": self.curves, "pairs": self._pairs, "options": self._options,
+            "threads": self._executor.threads,
+            "basis": self._open().to_bytes(), "report": self.solve_report,
+        }
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        self._options = state["options"]
+        self._own(state["mesh"], state["curves"], state["pairs"], state["threads"])
+        self._problem, self._analysed = state["start"], state["analysed"]
+        self._set_basis(Basis.attach(state["basis"], self._problem))
+        self.solve_report = state["report"]
+
+    def __copy__(self) -> "Morph":
+        basis, other = self._open(), self.__class__.__new__(self.__class__)
+        other._options = dict(self._options)
+        other._own(self.mesh, self.curves, self._pairs, self._executor.threads)
+        other._problem, other._analysed = self._problem, self._analysed
+        other._set_basis(basis)
+        other.solve_report = copy.copy(self.solve_report)
+        return other
+
+    def __repr__(self) -> str:
+        if self._basis is None:
+            return "Morph(closed)"
+        return f"Morph({self.n_points} points, {self.functions} functions)"

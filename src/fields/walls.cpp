@@ -1,0 +1,103 @@
+#include "fields/walls.hpp"
+
+#include "base/angle.hpp"
+
+namespace harmorph {
+namespace {
+
+bool is_among(Index marker, Span<const Index> markers) noexcept {
+    for (Index const one : markers) {
+        if (one == marker) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+Index Walls::count_faces(Boundary const& boundary, Span<const Index> markers) noexcept {
+    Index n = 0;
+    for (Index const marker : boundary.marker.first(boundary.count)) n += is_among(marker, markers);
+    return n;
+}
+
+void Walls::lay_out(Arena& arena, Analysis const& analysis, Index faces) noexcept {
+    Size const n = static_cast<Size>(faces);
+    tree.lay_out(arena, n);
+    layer.lay_out(arena, analysis.problem().mesh, n);
+    arena.take(segments, n);
+    arena.take(face_point, 2 * n);
+    arena.take(face_marker, n);
+    arena.take(wall_point, WallPoints::max_count(analysis.problem().mesh.n_points, n));
+    arena.take(above, WallPoints::max_count(analysis.problem().mesh.n_points, n));
+}
+
+void Walls::find(Analysis const& analysis, Span<const Index> markers, Points at) noexcept {
+    Boundary const& boundary = analysis.boundary();
+    Mesh const& mesh = analysis.problem().mesh;
+    n_points = mesh.n_points;
+    index_base = mesh.index_base;
+    tree.kernel = resolved(analysis.problem().method.kernel, analysis.problem().executor.kernel);
+    Index n = 0;
+    tree.choose(boundary, [&](Index face) {
+        bool const chosen = is_among(boundary.marker[face], markers);
+        if (chosen) face_marker[n++] = boundary.marker[face];
+        return chosen;
+    });
+    for (Index face = 0; face < n; ++face) {
+        for (Index end = 0; end < 2; ++end)
+            face_point[2 * face + end] = tree.faces[face].point[end] + index_base;
+    }
+    layer.find(mesh, at, analysis.topology().representative, tree.chosen());
+    for (Index slot = 0; slot < layer.wall.count; ++slot) {
+        wall_point[slot] = layer.wall.point[slot] + index_base;
+        above[slot] = layer.above[slot] == none ? none : layer.above[slot] + index_base;
+    }
+    move_to(at);
+}
+
+void Walls::move_to(Points at) noexcept {
+    tree.build(at);
+    for (Index face = 0; face < n_faces(); ++face) {
+        FaceDistance::Face const& ends = tree.faces[face];
+        segments[face] = {at[ends.point[0]], at[ends.point[1]]};
+    }
+}
+
+WallFoot Walls::foot_on(Index face, Vec2 from) const noexcept {
+    Segment const& segment = segments[face];
+    Vec2 const along = segment.end - segment.begin, off_begin = from - segment.begin,
+               off_end = from - segment.end;
+    WallFoot out;
+    out.face = face;
+    Real const covered = dot(off_begin, along), whole = square(along);
+    // Both ends are asked for themselves, so that a foot at an end is exactly this end.
+    bool const at_begin = !(covered > 0), at_end = !at_begin && !(dot(off_end, along) < 0);
+    if (at_begin || at_end) {
+        Vec2 const off = at_begin ? off_begin : off_end;
+        out.t = at_begin ? 0 : 1;
+        out.distance = length(off);
+        if (out.distance > 0) {
+            out.normal = (1 / out.distance) * off;
+            return out;
+        }
+    } else {
+        Real const moment = cross(along, off_begin), size = sqrt(whole);
+        out.t = min(covered / whole, 1.0);
+        out.distance = abs(moment) / size;
+        out.normal = (moment < 0 ? -1 / size : 1 / size) * left_of(along);
+        return out;
+    }
+    out.normal = left_of(direction(along));
+    return out;
+}
+
+void Walls::heights(Points at, Span<Real> height) const noexcept {
+    for (Index slot = 0; slot < layer.wall.count; ++slot) {
+        height[slot] = 0;
+        if (layer.above[slot] == none) continue;
+        Vec2 const edge = at[layer.above[slot]] - at[layer.wall.point[slot]];
+        height[slot] = dot(edge, left_of(direction(layer.wall.tangent(slot, at))));
+    }
+}
+
+}  // namespace harmorph

@@ -1,0 +1,282 @@
+#include "morph/cell_bounds.hpp"
+
+#include "morph/cell_batch.hpp"
+#include "morph/odd_cells.hpp"
+
+namespace harmorph {
+namespace {
+
+// Cells are divided into chunks, so many that threads share them evenly. A thread collects the
+// derivatives by the points of its range, and computes all chunks that have such points: the sum at
+// each point then has the order of the cells, whatever the number of threads. Where neighbouring
+// cells have neighbouring points, few chunks are computed by several threads.
+constexpr Index most_bound_chunks = 128, least_cells_in_bound_chunk = 1024;
+
+struct BoundChunk {
+    SmoothMinimum quality, area;
+    Index first_point = 0, last_point = 0;
+};
+
+// The derivatives that one thread collects.
+struct BoundGradients {
+    PointGradient quality, area;
+    bool wanted() const noexcept { return quality.wanted() || area.wanted(); }
+};
+
+struct BoundPass {
+    OrientedMesh const& cells;
+    CellPlaces places;
+    SmoothRequest request;
+    CellKernels const& kernels;
+
+    void add_chunk(Index begin, Index end, BoundGradients const& gradients,
+                   BoundChunk& chunk) const noexcept;
+    // Adds cells of some batches. `numbers` are their numbers; null: those of the batches.
+    void add_batches(CellBatches const& batches, const Index* numbers,
+                     BoundGradients const& gradients, BoundChunk& chunk) const noexcept;
+    void add_odd(Index cell, BoundGradients const& gradients, BoundChunk& chunk) const noexcept {
+        OddCell const odd(cells, cell, places.at, places.reference);
+        if (request.quality) odd.add_quality(request.kept, chunk.quality, gradients.quality);
+        if (request.area) odd.add_areas(chunk.area, gradients.area);
+    }
+};
+
+// Adds up the numbers of a list in eight sums, of which compilers make vectors.
+Real sum_of_weights(const Real* numbers, Index n) noexcept {
+    constexpr Index lanes = 8;
+    Real sum[lanes] = {};
+    Index i = 0;
+    for (; i + lanes <= n; i += lanes) {
+#pragma GCC unroll 8
+        for (Index lane = 0; lane < lanes; ++lane) sum[lane] += numbers[i + lane];
+    }
+    for (Index lane = 0; i < n; ++i, ++lane) sum[lane] += numbers[i];
+    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+}
+Real least_value_of(const Real* numbers, Index n) noexcept {
+    constexpr Index lanes = 8;
+    Real least[lanes];
+    for (Real& number : least) number = infinity;
+    Index i = 0;
+    for (; i + lanes <= n; i += lanes) {
+#pragma GCC unroll 8
+        for (Index lane = 0; lane < lanes; ++lane)
+            least[lane] = min(least[lane], numbers[i + lane]);
+    }
+    for (; i < n; ++i) least[0] = min(least[0], numbers[i]);
+    Real overall = least[0];
+    for (Index lane = 1; lane < lanes; ++lane) overall = min(overall, least[lane]);
+    return overall;
+}
+
+// Replaces the numbers of odd cells, so that they count nothing.
+void clear_odd_cells(CellList const& cells, SmoothList& list, bool quality, bool area) noexcept {
+    for (std::uint64_t left = list.odd; left != 0; left &= left - 1) {
+        Index const i = static_cast<Index>(__builtin_ctzll(left));
+        if (i >= cells.n) return;
+        if (quality) {
+            list.quality[i] = infinity;
+            list.quality_weight[i] = 0;
+        }
+        if (area) {
+            list.area[i] = infinity;
+            list.area_weight[i] = 0;
+        }
+    }
+}
+
+void add_list_slopes(CellList const& cells, Index width, const Real* weights,
+                     SmoothSlopes const& slopes, PointGradient const& gradient) noexcept {
+    for (Index i = 0; i < cells.n; ++i) {
+        if (weights[i] == 0) continue;  // the cell is odd, or too far from the smallest value
+        const Index* const point = cells.point + width * i;
+        for (Index k = 0; k < width; ++k) {
+            Index const corner = cells.reversed ? width - 1 - k : k;
+            gradient.add(from_zero(point[corner], cells.index_base),
+                         {slopes.x[k][i], slopes.y[k][i]});
+        }
+    }
+}
+
+void BoundPass::add_batches(CellBatches const& batches, const Index* numbers,
+                            BoundGradients const& gradients, BoundChunk& chunk) const noexcept {
+    SmoothList lists[2];  // triangles, quads
+    kernels.smooth_triangles(batches.triangles, places, request, lists[0]);
+    kernels.smooth_quads(batches.quads, places, request, lists[1]);
+    Real least_quality = infinity, least_area = infinity;
+    for (Index kind = 0; kind < 2; ++kind) {
+        CellList const& given = kind == 0 ? batches.triangles : batches.quads;
+        SmoothList& list = lists[kind];
+        if (given.n == 0) continue;
+        Index const width = 3 + kind;
+        if (list.odd != 0) clear_odd_cells(given, list, request.quality, request.area);
+        Index const n_regular = given.n - __builtin_popcountll(list.odd);
+        if (request.quality) {
+            least_quality = min(least_quality, least_value_of(list.quality, given.n));
+            chunk.quality.sum += sum_of_weights(list.quality_weight, given.n);
+            chunk.quality.count += n_regular;
+            if (gradients.quality.wanted())
+                add_list_slopes(given, width, list.quality_weight, list.by_quality,
+                                gradients.quality);
+        }
+        if (request.area) {
+            least_area = min(least_area, least_value_of(list.area, given.n));
+            chunk.area.sum += sum_of_weights(list.area_weight, given.n);
+            chunk.area.count += std::int64_t{n_regular} * (kind == 0 ? 1 : 4);
+            if (gradients.area.wanted())
+                add_list_slopes(given, width, list.area_weight, list.by_area, gradients.area);
+        }
+    }
+    bool const has_least = least_quality < chunk.quality.least || least_area < chunk.area.least;
+    if (!has_least && (lists[0].odd | lists[1].odd) == 0) return;
+    batches.for_each([&](Index at, bool is_triangle, Index i) {
+        Index const cell = numbers == nullptr ? at : numbers[at - batches.first];
+        SmoothList const& list = lists[is_triangle ? 0 : 1];
+        if ((list.odd >> i & 1) != 0) return add_odd(cell, gradients, chunk);
+        if (request.quality) chunk.quality.note(list.quality[i], cell);
+        if (request.area) chunk.area.note(list.area[i], cell);
+    });
+}
+
+void BoundPass::add_chunk(Index begin, Index end, BoundGradients const& gradients,
+                          BoundChunk& chunk) const noexcept {
+    if (!cells.mesh.has_pieces()) {
+        return for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
+            add_batches(batches, nullptr, gradients, chunk);
+        });
+    }
+    // Polygons with three or four corners are not divided into pieces.
+    Index numbers[CellBatches::max_count];
+    CellBatches batches;
+    batches.begin_copies(0);
+    auto const finish = [&] {
+        if (batches.n > 0) add_batches(batches, numbers, gradients, chunk);
+        batches.begin_copies(0);
+    };
+    for (Index number = begin; number < end; ++number) {
+        IndexRange const pieces = cells.mesh.pieces_of(number);
+        if (pieces.count() > 1) {
+            add_odd(number, gradients, chunk);
+            continue;
+        }
+        numbers[batches.n] = number;
+        batches.add_copy(cells.cell(pieces.first), false);
+        if (batches.n == CellBatches::max_count) finish();
+    }
+    finish();
+}
+
+// Finds the smallest and the largest point of the cells of a chunk.
+void find_chunk_points(OrientedMesh const& cells, Index begin, Index end,
+                       BoundChunk& chunk) noexcept {
+    Index first = cells.mesh.n_points, last = -1;
+    auto const include = [&](Cell const& cell) {
+        for (Index k = 0; k < cell.n; ++k) {
+            first = min(first, cell.point[k]);
+            last = max(last, cell.point[k]);
+        }
+    };
+    if (cells.mesh.has_pieces()) {
+        for (Index number = begin; number < end; ++number) {
+            for (Index const piece : cells.mesh.pieces_of(number)) include(cells.mesh.cell(piece));
+        }
+    } else {
+        cells.mesh.for_each_cell(begin, end, [&](Index, Cell const& cell) { include(cell); });
+    }
+    chunk.first_point = first;
+    chunk.last_point = last;
+}
+
+// Computes the sums of all cells, and the derivatives of the sums by the points.
+void run_pass(BoundPass const& pass, Executor const& executor, CellBoundPair& bounds) noexcept {
+    OrientedMesh const& cells = pass.cells;
+    Index const n_cells = cells.mesh.n_given_cells(), n_points = cells.mesh.n_points;
+    Index const n_chunks = clamp(n_cells / least_cells_in_bound_chunk, Index{1}, most_bound_chunks);
+    auto const start_of = [&](Index chunk) {
+        return static_cast<Index>(Offset{n_cells} * chunk / n_chunks);
+    };
+    BoundChunk empty;
+    empty.quality.sharpness = pass.request.quality_sharpness;
+    empty.quality.shift = pass.request.quality_shift;
+    empty.area.sharpness = pass.request.area_sharpness;
+    empty.area.shift = pass.request.area_shift;
+    BoundChunk chunks[most_bound_chunks];
+    BoundGradients const wanted{{bounds.quality.gradient, 0, n_points},
+                                {bounds.area.gradient, 0, n_points}};
+    if (!wanted.wanted() || executor.is_serial()) {
+        executor.for_each(n_chunks, [&](Index i) {
+            chunks[i] = empty;
+            pass.add_chunk(start_of(i), start_of(i + 1), wanted, chunks[i]);
+        });
+    } else {
+        executor.for_each(n_chunks, [&](Index i) {
+            chunks[i] = empty;
+            find_chunk_points(cells, start_of(i), start_of(i + 1), chunks[i]);
+        });
+        executor.for_each(executor.n_threads, [&](Index thread) {
+            Index const begin = static_cast<Index>(Offset{n_points} * thread / executor.n_threads),
+                        end = static_cast<Index>(Offset{n_points} * (thread + 1) /
+                                                 executor.n_threads);
+            BoundGradients const part{{bounds.quality.gradient, begin, end},
+                                      {bounds.area.gradient, begin, end}};
+            for (Index i = 0; i < n_chunks; ++i) {
+                if (chunks[i].last_point < begin || chunks[i].first_point >= end) continue;
+                // The thread with the first point of a chunk keeps the sums of the chunk.
+                bool const is_first = chunks[i].first_point >= begin;
+                BoundChunk other = empty;
+                pass.add_chunk(start_of(i), start_of(i + 1), part, is_first ? chunks[i] : other);
+            }
+        });
+    }
+    for (Index i = 1; i < n_chunks; ++i) {
+        chunks[0].quality.merge(chunks[i].quality);
+        chunks[0].area.merge(chunks[i].area);
+    }
+    bounds.quality.found = chunks[0].quality;
+    bounds.area.found = chunks[0].area;
+}
+
+void scale_gradient(MutablePoints gradient, Index n, Real factor,
+                    Executor const& executor) noexcept {
+    if (!gradient.given()) return;
+    constexpr Index least_points = 16384;
+    executor.for_ranges(n, least_points, [&](Index begin, Index end) {
+        Points const now = gradient;
+        for (Index k = begin; k < end; ++k) gradient.set(k, factor * now[k]);
+    });
+}
+
+}  // namespace
+
+// The first pass uses shifts that suit most meshes. If the smallest value is too far from one, the
+// cells are visited again with the smallest value as the shift.
+void find_cell_bounds(OrientedMesh const& cells, Points at, Points start, Executor const& executor,
+                      CellBoundPair& bounds) noexcept {
+    Index const n_points = cells.mesh.n_points;
+    CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
+    SmoothRequest request;
+    request.quality = bounds.quality.sharpness > 0;
+    request.kept = bounds.kept;
+    request.area = bounds.area.sharpness > 0;
+    request.slopes = bounds.quality.gradient.given() || bounds.area.gradient.given();
+    request.quality_sharpness = bounds.quality.sharpness;
+    request.area_sharpness = bounds.area.sharpness;
+    request.quality_shift = bounds.kept ? 1 : 0.5;
+    request.area_shift = 1;
+    run_pass({cells, {at, {}, start}, request, kernels}, executor, bounds);
+    bool const quality_again = request.quality && !bounds.quality.found.is_accurate(),
+               area_again = request.area && !bounds.area.found.is_accurate();
+    if (quality_again || area_again) {
+        if (quality_again) request.quality_shift = bounds.quality.found.least;
+        if (area_again) request.area_shift = bounds.area.found.least;
+        scale_gradient(bounds.quality.gradient, n_points, 0, executor);
+        scale_gradient(bounds.area.gradient, n_points, 0, executor);
+        run_pass({cells, {at, {}, start}, request, kernels}, executor, bounds);
+    }
+    if (request.quality)
+        scale_gradient(bounds.quality.gradient, n_points, 1 / bounds.quality.found.sum, executor);
+    if (request.area)
+        scale_gradient(bounds.area.gradient, n_points, 1 / bounds.area.found.sum, executor);
+}
+
+}  // namespace harmorph
