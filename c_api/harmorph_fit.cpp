@@ -113,6 +113,7 @@ struct WallRequest {
         problem.struct_size = sizeof problem;
         problem.mesh = mesh;
         HARMORPH_TRY(request.read(&problem, nullptr, fault));
+        HARMORPH_TRY(check_fit_weights(options, request.problem.mesh.n_points, fault));
         return check_fit(options.n_control, options, fault);
     }
     Offset max_faces() const noexcept {
@@ -136,6 +137,7 @@ struct FitWork {
     Analysis analysis;
     Span<Index> point;  // of the piece
     Span<Real> x, y;
+    Span<Real> weight;         // of these points; empty without weights
     Span<unsigned char> room;  // of the fit of any piece
 
     void lay_out(Arena& arena, WallRequest const& wall) noexcept {
@@ -144,6 +146,7 @@ struct FitWork {
         arena.take(point, most);
         arena.take(x, most);
         arena.take(y, most);
+        arena.take(weight, wall.options.weight == nullptr ? 0 : most);
         Arena counting;
         Fit().lay_out(counting, most, wall.options);
         arena.take(room, counting.bytes());
@@ -196,12 +199,16 @@ private:
             work_.y[k] = points[work_.point[k]].y;
         }
         Fit fit;
+        FitOptions options = wall_.options;
+        if (options.weight != nullptr) {
+            for (Index k = 0; k < n_points_; ++k) work_.weight[k] = options.weight[work_.point[k]];
+            options.weight = work_.weight.data();
+        }
         FitReport fitted;
         if (failed(check_fit(n_points_, wall_.options, fault))) return;
         Arena arena(work_.room.data(), work_.room.size());
         fit.lay_out(arena, n_points_, wall_.options);
-        fit.run({work_.x.data(), work_.y.data(), 1}, n_points_, is_loop, wall_.options, fitted,
-                fault);
+        fit.run({work_.x.data(), work_.y.data(), 1}, n_points_, is_loop, options, fitted, fault);
         name_point(fault.item);
         name_point(fault.other);
         if (failed(fault.status)) return;
@@ -250,6 +257,7 @@ hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes, const hm_p
         HARMORPH_TRY(view_points(points, "points", view, fault));
         HARMORPH_TRY(view_fit_options(options, asked, fault));
         HARMORPH_TRY(check_fit(n, asked, fault));
+        HARMORPH_TRY(check_fit_weights(asked, n, fault));
         FitBlock made;
         FitReport fitted;
         HARMORPH_TRY(

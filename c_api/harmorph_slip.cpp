@@ -43,6 +43,22 @@ hm_status hm_slip(const hm_analysis* analysis, const hm_points* from, const hm_p
     });
 }
 
+hm_status hm_slip_derivative(const hm_analysis* analysis, const hm_points* from,
+                             const hm_points* d_from, const hm_points_out* d_to, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Analysis* opened = nullptr;
+        Points before, velocity;
+        MutablePoints after;
+        HARMORPH_TRY(open_complete(analysis, opened, fault));
+        HARMORPH_TRY(view_points(from, "from", before, fault));
+        HARMORPH_TRY(view_points(d_from, "d_from", velocity, fault));
+        HARMORPH_TRY(view_points(d_to, "d_to", after, fault));
+        HARMORPH_TRY(check_sliding(opened->slip_curves(), before, fault));
+        sliding_of(*opened).differentiate(before, velocity, after);
+        return Status::ok;
+    });
+}
+
 hm_status hm_slip_adjoint(const hm_analysis* analysis, const hm_points* from, const hm_points* dj,
                           const hm_points_out* dj_from, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {

@@ -171,7 +171,9 @@ hm_status hm_variables_map(const hm_curves* curves, const hm_section* section,
         HARMORPH_TRY(task.open(curves, section, variables, fault));
         VariableMap map;
         HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { task.lay_out(arena, map); }));
-        HARMORPH_TRY(map.run(task.section, task.variables, fault));
+        VariablesOfSection const wanted{task.section, task.variables};
+        HARMORPH_TRY(map.run(task.section, wanted.movements(), fault));
+        HARMORPH_TRY(map.check_independence(fault));
         copy(Span<Real>(matrix, map.wanted.size()), Span<const Real>(map.wanted));
         if (error != nullptr)
             copy(Span<Real>(error, map.error.size()), Span<const Real>(map.error));

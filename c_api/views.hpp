@@ -153,5 +153,7 @@ Status view_executor(const hm_executor* given, Executor& executor, Fault& fault)
 Status view_options(const hm_options* given, Problem& problem, Fault& fault) noexcept;
 Status view_fit_options(const hm_fit_options* given, FitOptions& options,
                         CallFault& fault) noexcept;
+// Must be called with the number of points for which the caller has weights.
+Status check_fit_weights(FitOptions const& options, Index n_points, Fault& fault) noexcept;
 
 }  // namespace harmorph

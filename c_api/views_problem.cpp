@@ -216,32 +216,6 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
     return view_executor(o.executor, problem.executor, fault);
 }
 
-Status view_fit_options(const hm_fit_options* given, FitOptions& options,
-                        CallFault& fault) noexcept {
-    options = FitOptions{};
-    if (given == nullptr) return Status::ok;
-    hm_fit_options o;
-    if (!read_struct(given, o))
-        return fault.refuse(Status::bad_argument,
-                            "options.struct_size is not the size of an hm_fit_options; begin with "
-                            "HM_INIT(options)");
-    if (o.closed < HM_CLOSED_AUTO || o.closed > HM_PERIODIC) {
-        return fault.refuse(
-            Status::bad_argument,
-            "options.closed is #, but it must be HM_CLOSED_AUTO, HM_OPEN, HM_TIED or HM_PERIODIC",
-            plain(o.closed));
-    }
-    if (o.index_base != 0 && o.index_base != 1) {
-        return fault.refuse(Status::bad_argument, "options.index_base must be 0 or 1, not #",
-                            plain(o.index_base));
-    }
-    fault.bases.curves = o.index_base;
-    if (o.degree != 0) options.degree = o.degree;
-    if (o.n_control != 0) options.n_control = o.n_control;
-    options.closure = static_cast<Closure>(o.closed);
-    return Status::ok;
-}
-
 Status view_curves(const hm_curves* given, CurvesView& view, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"curves", given}}, fault));
     if (!read_struct(given, view.set))

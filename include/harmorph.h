@@ -326,6 +326,7 @@ typedef struct hm_fit_options {
     int32_t n_control;  /* distinct control points > degree; at most the points; 0 means 20 */
     int32_t closed;     /* HM_CLOSED_AUTO, ... */
     int32_t index_base; /* 0 or 1: what errors of hm_fit count points from */
+    const struct hm_fit_details* details; /* weights, end tangents, ...: harmorph_design.h; NULL */
 } hm_fit_options;
 
 typedef struct hm_fit_report {
@@ -354,10 +355,9 @@ HM_API hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes,
 
 /* Fits curves to the walls of a mesh: finds the points of the given markers in order along the
  * boundary, joins the two sides of cuts (the trailing edge of a C-mesh), and fits each connected
- * piece, in the order of their first faces, by curves of its own with options.n_control control
- * points. The report is that of the piece with the largest max_error. The size query reads the
- * markers; *bytes is enough for any number of pieces. work is needed during the call only. A marker
- * that no face has is refused (HM_BAD_CONDITION). */
+ * piece, in the order of first faces, by curves of its own with n_control control points. The
+ * report is that of the piece with the largest max_error. The size query reads the markers; *bytes
+ * is enough for any number of pieces. A marker that no face has is refused (HM_BAD_CONDITION). */
 HM_API hm_status hm_fit_marker_size(const hm_mesh* mesh, int32_t n_markers, const int32_t* markers,
                                     const hm_fit_options* options, size_t* bytes,
                                     size_t* work_bytes, hm_error* err);

@@ -61,6 +61,29 @@ enum {
     HM_FIT_BASE = 4       /* open: there is a blunt base */
 };
 
+/* Further wishes for a fit: hm_fit_options.details. All 0: none. */
+typedef struct hm_fit_details {
+    uint64_t struct_size;
+    /* [n_weights] >= 0, finite, in the sum of squares beside the share of the arc length; NULL: all
+     * are 1. hm_fit: one for each point; hm_fit_marker: one for each point of the mesh. A point
+     * with weight 0 tells where the curve runs and nothing more, and does not count in the report.
+     * The ends of curves, and corners, go through their points at any weight. */
+    const double* weights;
+    int32_t n_weights; /* with weights: n of hm_fit, n_points of the mesh; otherwise 0 */
+    /* [length] >= 0: adds smoothing^4 times the integral of |C''|^2 by the arc length to the sum of
+     * squares. Waves much shorter than this length are damped; corners stay. Degree >= 2. */
+    double smoothing;
+    /* [length] > 0: control points (and with them knots, where the errors are) are inserted, from
+     * degree + 1 up to options.n_control, until report.max_error is at most this; every step has
+     * one more, or an eighth more. HM_SHORT: n_control do not suffice; the curve is the last one.
+     * The size queries count n_control. 0: n_control control points. */
+    double tolerance;
+    /* Directions of the curve (not the other way round) where it begins and where it ends, of any
+     * length; 0,0: free. Degree >= 2, n_control >= 4; not for periodic curves. HM_BAD_CURVE: the
+     * points run the other way there. */
+    double begin_x, begin_y, end_x, end_y;
+} hm_fit_details;
+
 /* ---- More control points for the same shape ---- */
 
 /* Gives one curve of a set more control points; all points C(u) stay the same but for rounding,
@@ -303,6 +326,92 @@ HM_API hm_status hm_variables_map(const hm_curves* curves, const hm_section* sec
                                   const hm_variables* variables, void* work, size_t bytes,
                                   double* matrix, double* error, hm_error* err);
 
+/* ---- Movements of a section by values: turns, flaps, and variables that are not linear ---- */
+
+/* hm_movement.kind, with the values v of the movement. Every value is a change, and 0 moves
+ * nothing. Degrees count counter-clockwise. */
+enum {
+    HM_TURN = 0,  /* v0 [degrees]: rotation about (x, y) */
+    HM_SHIFT = 1, /* v0, v1 [length]: translation by (v0, v1) */
+    HM_SCALE = 2, /* v0 [-]: the distances from (x, y) are multiplied by 1 + v0 > 0 */
+    /* v0 [degrees]: deflection behind the hinge H = (x, y). Each control point P becomes
+     * H + R(v0 S(d / length)) (P - H): R is the rotation, d the distance of P behind H in the
+     * direction of the chord, and S(t) = t^3 (10 - 15 t + 6 t^2) between 0 and 1, 0 before, 1
+     * behind. Control points ahead of H stay; those farther behind than `length` move as a rigid
+     * body. The chord is that of the curves that are given, whatever movements come before. */
+    HM_FLAP = 3,
+    /* Camber line and thickness separately. v0 .. [chords]: n_camber heights c_k, which add
+     * sum_k c_k s (1-s) B_k(s) to the camber line, B_k Bernstein polynomials of degree n_camber-1,
+     * s the station; then n_thickness numbers t_k, which add sum_k t_k s^.5 (1-s) B_k(s) to half
+     * the thickness, normal to the camber line. Points keep their station and their distance from
+     * the camber line, so that a change of camber turns the thickness. */
+    HM_CAMBER_THICKNESS = 4,
+    /* Eleven changes of the parameters of H. Sobieczky's PARSEC (Notes Numer. Fluid Mech. 68 (1998)
+     * 71), lengths in chords: leading-edge radius; station, height and second derivative of the
+     * upper crest; the same three of the lower crest; height of the trailing edge and its
+     * thickness; direction of the trailing edge and angle between its sides [degrees]. The outline
+     * moves normal to the chord by the difference of two PARSEC sections. */
+    HM_PARSEC = 5,
+    /* v0, v1, v2 [degrees]: changes of the metal angle at the leading edge and at the trailing
+     * edge, and of the stagger. Metal angles are those of the camber line, stagger that of the
+     * chord, all counted from the x axis. A cubic with these angles is added to the camber line,
+     * the thickness turns with the camber line, and the section rotates about (x, y) by v2. */
+    HM_BLADE = 6
+};
+
+/* Fields that belong to another kind must be 0. */
+typedef struct hm_movement {
+    uint64_t struct_size;          /* the same in all movements of one call */
+    int32_t kind;                  /* HM_TURN, ... */
+    int32_t n_camber, n_thickness; /* HM_CAMBER_THICKNESS: 0 .. 64, together at least 1 */
+    double x, y;                   /* turn, scale, blade: the centre; flap: the hinge */
+    double length;                 /* flap: > 0; 0 means a tenth of the chord */
+} hm_movement;
+
+/* *n: number of values of all movements; *bytes: working memory of hm_move_section. */
+HM_API hm_status hm_move_section_size(const hm_curves* curves, const hm_section* section,
+                                      int32_t n_movements, const hm_movement* movements, int32_t* n,
+                                      size_t* bytes, hm_error* err);
+/* Applies 1 .. 64 movements to a section, in their order, with values [n] one movement after the
+ * other. HM_CAMBER_THICKNESS, HM_PARSEC and HM_BLADE may only come first. move [2*n_control]
+ * receives the movement of the control points, for hm_morph; control points that no curve of the
+ * section uses do not move. derivatives [n * 2*n_control], or NULL: row j contains the exact
+ * derivatives of x and y of each control point by value j at these values; their products with a
+ * gradient of hm_adjoint are the derivatives by the values.
+ *
+ * Turn, shift and scale map control points, and so move the curves exactly. A flap maps control
+ * points, too: the curve moves as the map of its points except near the transition, where control
+ * points that are dense compared with `length` make the difference small. The other three move the
+ * outline in the least-squares sense of hm_variables_map. error [2], or NULL: root mean square and
+ * largest difference that remains on the outline [length], 0 for maps of control points.
+ * start [n], or NULL: what the given curves have: HM_PARSEC the parameters, HM_BLADE the angles,
+ * otherwise 0. The camber line is the polynomial s (1-s) p(s), p of degree 5, that is nearest to
+ * the middles of the thickness normal to this line, at 33 stations. section as in hm_measure; only
+ * turn, shift and scale do without a chord. Refused, outputs unchanged: values that are not finite,
+ * degrees beyond 360, a factor that is not > 0, a metal angle beyond 85 degrees from the chord, a
+ * PARSEC crest outside the chord or radius below 0 (HM_BAD_ARGUMENT, error.item: the value, from
+ * 0); a section without a round leading edge, without a crest on both sides, or without ends at the
+ * trailing edge for HM_PARSEC (HM_BAD_CURVE). */
+HM_API hm_status hm_move_section(const hm_curves* curves, const hm_section* section,
+                                 int32_t n_movements, const hm_movement* movements,
+                                 const double* values, double* move, double* derivatives,
+                                 double* start, double* error, void* work, size_t bytes,
+                                 hm_error* err);
+
+/* Replaces n movements of control points, such as hm_refit makes of the airfoils of a family, by
+ * their modes: movements [n * 2*n_control] receives the modes, the most important one first, as
+ * design variables (they are linear: hm_morph takes sums of modes times values). The inner product
+ * of movements a and b is sum_i D_i a_i . b_i / sum_i D_i, D_i the integral of N_i by the arc
+ * length of the curves. The modes are orthonormal: their root mean square is 1 length. singular
+ * [n]: singular values [length], descending; the modes of values below 1e-12 times the first one
+ * are 0. A combination of the first k modes is the nearest one to all movements, in the sum of
+ * squares. The largest component of each mode is positive. 1 <= n <= 1024. Control points that no
+ * curve uses have weight 0 and receive 0. Refused with HM_BAD_ARGUMENT: movements that are not
+ * finite, or all 0 (outputs unchanged). (One-sided Jacobi: Hestenes, J. SIAM 6 (1958) 51.) */
+HM_API hm_status hm_family_modes_size(const hm_curves* curves, size_t* work_bytes, hm_error* err);
+HM_API hm_status hm_family_modes(const hm_curves* curves, int32_t n, double* movements,
+                                 double* singular, void* work, size_t work_bytes, hm_error* err);
+
 /* ---- Points that slip along curves ---- */
 
 /* On a straight line the functions keep points with HM_SLIP on the line. On a curve they move each
@@ -324,6 +433,13 @@ HM_API hm_status hm_variables_map(const hm_curves* curves, const hm_section* sec
  * for meshes in parts (HM_UNSUPPORTED). */
 HM_API hm_status hm_slip(const hm_analysis* analysis, const hm_points* from,
                          const hm_points_out* to, hm_error* err);
+/* The derivative of hm_slip at `from`: d_from are velocities of the points before hm_slip, d_to
+ * receives those of the points after. With d_from of hm_morph or hm_displace of a direction (from
+ * NULL), this is the forward derivative of a morph with points that slip. d_to may be the arrays of
+ * d_from. */
+HM_API hm_status hm_slip_derivative(const hm_analysis* analysis, const hm_points* from,
+                                    const hm_points* d_from, const hm_points_out* d_to,
+                                    hm_error* err);
 /* The transpose of the derivative of hm_slip at `from`. dj: derivatives with respect to the points
  * after hm_slip; dj_from: derivatives with respect to the points before. For the gradient of
  * hm_morph and hm_slip call hm_slip_adjoint, then hm_adjoint. dj_from may be the arrays of dj. */

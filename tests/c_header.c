@@ -74,10 +74,12 @@ int main(void) {
 
     BEGINS(hm_executor);
     BEGINS(hm_mesh);
+    BEGINS(hm_movement);
     BEGINS(hm_curve);
     BEGINS(hm_curves);
     BEGINS(hm_fit_options);
     BEGINS(hm_fit_report);
+    BEGINS(hm_fit_details);
     BEGINS(hm_condition);
     BEGINS(hm_problem);
     BEGINS(hm_options);

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "base/angle.hpp"
+
 namespace harmorph {
 namespace {
 
@@ -63,6 +65,26 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
     if (!is_loop && (options.closure == Closure::tied || options.closure == Closure::periodic))
         return fault.refuse(Status::bad_curve,
                             "a tied or periodic curve needs points that form a closed loop");
+    if (!(options.tolerance > 0)) return attempt(points, n, options, report, fault);
+    FitOptions fewer = options;
+    for (fewer.n_control = options.degree + 1;;) {
+        bool const is_last = fewer.n_control == options.n_control;
+        Fault why;
+        Status const status = attempt(points, n, fewer, report, is_last ? fault : why);
+        if (status == Status::ok && report.max_error <= options.tolerance) return status;
+        if (is_last && status != Status::ok) return status;
+        if (is_last) break;
+        fewer.n_control =
+            min(options.n_control, fewer.n_control + max(Index(1), fewer.n_control / 8));
+    }
+    return fault.refuse(Status::short_of_target,
+                        "with # control points the largest error of the fit is ~, above the "
+                        "tolerance",
+                        plain(options.n_control), {}, report.max_error);
+}
+
+Status Fit::attempt(Points points, Index n, FitOptions const& options, FitReport& report,
+                    Fault& fault) noexcept {
     outline_.measure();
     Index n_corners = drop_facets(outline_, corner_, find_corners(outline_, corner_));
     report = {};
@@ -74,9 +96,11 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
                             "determine @ control points",
                             plain(course_.n_positions), plain(options.n_control));
     shape_curve(options);
+    HARMORPH_TRY(check_tangents(options, fault));
     Index const max_corners = corners_possible(options.degree, squares_.curve.n_indices);
     n_corners = corners_on(course_, outline_, corner_.first(n_corners), max_corners);
-    gather(n_corners);
+    gather(n_corners, options);
+    use_details(options);
     HARMORPH_TRY(check_growth(fault));
     approximate(n_corners);
     constexpr const char* undetermined =
@@ -89,7 +113,7 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
         if (failed(check_curve(curve[c], c, why)))
             return fault.refuse(Status::bad_curve, undetermined);
     }
-    report_errors(points, n, report);
+    report_errors(points, n, options, report);
     if (!is_finite(report.max_error)) return fault.refuse(Status::bad_curve, undetermined);
     report.backtrack_point = find_backtrack();
     if (report.backtrack_point == none) return Status::ok;
@@ -98,6 +122,40 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
                         "the fitted curve runs backwards between points # and @; use fewer control "
                         "points",
                         point_item(report.backtrack_point), point_item(next));
+}
+
+// Lengths are divided by the extent of the points, and parameters are parts of the arc length S, so
+// that L^4 times the integral of |C''|^2 by the arc length is L^4 / S^3 times that by the
+// parameter.
+void Fit::use_details(FitOptions const& options) noexcept {
+    Real const part = options.smoothing / points_.extent, arc = arc_[course_.n_positions - 1];
+    squares_.bending = part * part * part * part / (arc * arc * arc);
+    squares_.speed = arc;
+    for (Index end = 0; end < 2; ++end) squares_.direction[end] = direction(options.tangent[end]);
+}
+
+Status Fit::check_tangents(FitOptions const& options, Fault& fault) const noexcept {
+    bool const asked = square(options.tangent[0]) > 0 || square(options.tangent[1]) > 0;
+    if (!asked) return Status::ok;
+    if (course_.closure == Closure::periodic)
+        return fault.refuse(Status::bad_curve,
+                            "a periodic curve has no ends, and so takes no end tangents");
+    if (options.degree < 2 || options.n_control < 4)
+        return fault.refuse(Status::bad_curve,
+                            "end tangents need a degree of at least 2 and 4 control points");
+    Index const last = course_.n_positions - 1;
+    auto const step = [&](Index from) {
+        return points_.at[point_at(from + 1)] - points_.at[point_at(from)];
+    };
+    for (Index end = 0; end < 2; ++end) {
+        if (!(dot(step(end == 0 ? 0 : last - 1), options.tangent[end]) < 0)) continue;
+        return fault.refuse(Status::bad_curve,
+                            end == 0 ? "the points leave the first end of the curve against the "
+                                       "tangent that is given there"
+                                     : "the points reach the last end of the curve against the "
+                                       "tangent that is given there");
+    }
+    return Status::ok;
 }
 
 void Fit::shape_curve(FitOptions const& options) noexcept {
@@ -111,11 +169,14 @@ void Fit::shape_curve(FitOptions const& options) noexcept {
     shape.indices = course_.closes() ? indices_.data() : nullptr;
     shape.knots = knots_.data();
     squares_.set_up(shape, along_.first(course_.n_positions));
+    // The arrays have room for the largest number of control points.
+    control = {control.data(), 2 * static_cast<Size>(shape.n_control)};
+    best_pinned_ = {best_pinned_.data(), static_cast<Size>(shape.n_control)};
 }
 
 // Collects the points and their curvature along the curve. A corner gets the curvature beside it,
 // so that the turn of the corner does not attract knots.
-void Fit::gather(Index n_corners) noexcept {
+void Fit::gather(Index n_corners, FitOptions const& options) noexcept {
     Index const m = course_.n_positions;
     for (Index k = 0; k < m; ++k) {
         Index const point = point_at(k);
@@ -133,7 +194,8 @@ void Fit::gather(Index n_corners) noexcept {
         start_[k] = arc_[k] / arc_[m - 1];
         Real const reach = arc_[min(k + 1, m - 1)] - arc_[max(k - 1, Index(0))];
         // With these weights, the sum of squares approximates the integral along the curve.
-        squares_.weight[k] = 0.5 * reach;
+        Real const weight = options.weight != nullptr ? options.weight[point_at(k)] : 1;
+        squares_.weight[k] = 0.5 * reach * weight;
     }
     sites_.u = start_.first(m);
     sites_.mass = mass_.first(m - 1);

@@ -13,6 +13,12 @@ struct FitOptions {
     Index degree = 3;
     Index n_control = 20;  // distinct control points
     Closure closure = Closure::automatic;
+    const Real* weight = nullptr;  // [n_weights], one for each point, or null: all 1
+    Index n_weights = 0;
+    Real smoothing = 0;  // [length] waves much shorter than this are damped
+    // [length] Not 0: the fewest control points, at most n_control, whose errors are below this.
+    Real tolerance = 0;
+    Vec2 tangent[2] = {};  // the directions of the curve at its first and last end; 0: any
 };
 
 struct FitReport {
@@ -42,8 +48,12 @@ struct Fit {
                FitReport& report, Fault& fault) noexcept;
 
 private:
+    Status attempt(Points points, Index n_points, FitOptions const& options, FitReport& report,
+                   Fault& fault) noexcept;
+    void use_details(FitOptions const& options) noexcept;
+    Status check_tangents(FitOptions const& options, Fault& fault) const noexcept;
     void shape_curve(FitOptions const& options) noexcept;
-    void gather(Index n_corners) noexcept;
+    void gather(Index n_corners, FitOptions const& options) noexcept;
     void use_corners(Index n) noexcept;
     void pin_ends_and_corners() noexcept;
     void start_parameters() noexcept;
@@ -52,7 +62,8 @@ private:
     void approximate(Index n_corners) noexcept;
     Status check_growth(Fault& fault) const noexcept;
     void publish(Points points) noexcept;
-    void report_errors(Points points, Index n, FitReport& report) const noexcept;
+    void report_errors(Points points, Index n, FitOptions const& options,
+                       FitReport& report) const noexcept;
     Index find_backtrack() const noexcept;
     // Returns the caller's point at a position along the curve.
     Index point_at(Index position) const noexcept {

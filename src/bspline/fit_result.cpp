@@ -37,22 +37,27 @@ void Fit::publish(Points points) noexcept {
                 nullptr};
 }
 
-void Fit::report_errors(Points points, Index n, FitReport& report) const noexcept {
+// Points with weight 0 have no errors.
+void Fit::report_errors(Points points, Index n, FitOptions const& options,
+                        FitReport& report) const noexcept {
     report.closure = course_.closure;
     report.reason = course_.reason;
     report.first_point = course_.first;
     report.base_points = course_.base_points;
     Real sum = 0;
+    Index counted = 0;
     for (Index k = 0; k < n; ++k) {
+        if (options.weight != nullptr && options.weight[k] == 0) continue;
+        ++counted;
         Real distance = infinity;
         for (Index c = 0; c < n_curves; ++c)
             distance = min(distance, project(curve[c], points[k]).distance);
         sum += distance * distance;
-        if (k > 0 && distance <= report.max_error) continue;
+        if (counted > 1 && distance <= report.max_error) continue;
         report.max_error = distance;
         report.max_error_point = k;
     }
-    report.rms_error = sqrt(sum / n);
+    report.rms_error = sqrt(sum / counted);
 }
 
 // Returns the point after which the curve runs against the step to the next point, or none.

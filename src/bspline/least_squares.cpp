@@ -1,5 +1,8 @@
 #include "bspline/least_squares.hpp"
 
+#include "base/angle.hpp"
+#include "bspline/quadrature.hpp"
+
 namespace harmorph {
 namespace {
 
@@ -86,6 +89,21 @@ void add_smoothing(LeastSquares const& fit, Real strength) noexcept {
     }
 }
 
+void add_bending(LeastSquares const& fit) noexcept {
+    Curve const& curve = fit.curve;
+    for (Index span = curve.degree; span < curve.n_indices; ++span) {
+        if (!(curve.knots[span] < curve.knots[span + 1])) continue;
+        Gauss10::for_each(curve.knots[span], curve.knots[span + 1], [&](Real u, Real weight) {
+            CurveBasis const basis = curve_basis_in(curve, span, u, 2);
+            for (Index a = 0; a < basis.order; ++a)
+                for (Index b = 0; b < basis.order; ++b)
+                    add_product(
+                        fit, basis.control[a], basis.control[b],
+                        fit.bending * weight * basis.value[2][a] * basis.value[2][b] * unit);
+        });
+    }
+}
+
 // Makes one step of Newton's method for the parameter of each point, except the first and the last.
 // `error` becomes the distances before the step.
 void step_to_feet(LeastSquares const& fit) noexcept {
@@ -128,6 +146,84 @@ void pin(LeastSquares const& fit) noexcept {
     }
 }
 
+// The control points at an end of the curve and beside this end.
+struct CurveEnd {
+    Index at, beside;
+
+    CurveEnd(Curve const& curve, Index end) noexcept
+        : at(curve.control_point(end == 0 ? 0 : curve.n_indices - 1)),
+          beside(curve.control_point(end == 0 ? 1 : curve.n_indices - 2)) {}
+};
+
+// The distance from the control point at an end to its neighbour at a third of the speed.
+Real least_length(LeastSquares const& fit, Index end) noexcept {
+    Curve const& curve = fit.curve;
+    const Real* const knots = curve.knots + (end == 0 ? 1 : curve.n_indices - 1);
+    return fit.speed * (knots[curve.degree] - knots[0]) / (3 * curve.degree);
+}
+
+// Makes an unknown known. Entries outside the envelope are 0.
+void fix_unknown(LeastSquares const& fit, Index row, Real value) noexcept {
+    EnvelopeMatrix const& matrix = fit.matrix;
+    for (Index k = 0; k < matrix.count(); ++k) {
+        Index const low = min(row, k), high = max(row, k);
+        if (matrix.first_column(high) > low) continue;
+        Real& entry = matrix.at(high, low);
+        fit.control[k] -= value * entry;
+        entry = k == row ? 1 : 0;
+    }
+    fit.control[row] = value;
+}
+
+// The control point beside an end becomes s t + c n, with the tangent t, the normal n, and the
+// number c of the control point at the end, which is pinned. Its unknowns are then s and c.
+void hold_tangent(LeastSquares const& fit, Index end) noexcept {
+    Vec2 const t = fit.direction[end], n = left_of(t);
+    CurveEnd const ends(fit.curve, end);
+    Vec2 const at = fit.points[fit.pinned[ends.at]];
+    Index const row = 2 * ends.beside;
+    EnvelopeMatrix const& matrix = fit.matrix;
+    for (Index k = 0; k < matrix.count(); ++k) {
+        if (k == row || k == row + 1) continue;
+        bool const couples =
+            k < row ? matrix.first_column(row + 1) <= k : matrix.first_column(k) <= row;
+        if (!couples) continue;
+        Real& by_x = k < row ? matrix.at(row, k) : matrix.at(k, row);
+        Real& by_y = k < row ? matrix.at(row + 1, k) : matrix.at(k, row + 1);
+        Vec2 const pair{by_x, by_y};
+        by_x = dot(pair, t);
+        by_y = dot(pair, n);
+    }
+    SymmetricBlock const own{matrix.at(row, row), matrix.at(row + 1, row),
+                             matrix.at(row + 1, row + 1)};
+    Vec2 const right{fit.control[row], fit.control[row + 1]};
+    matrix.at(row, row) = dot(t, own * t);
+    matrix.at(row + 1, row) = dot(t, own * n);
+    matrix.at(row + 1, row + 1) = dot(n, own * n);
+    fit.control[row] = dot(right, t);
+    fit.control[row + 1] = dot(right, n);
+    fix_unknown(fit, row + 1, dot(at, n));
+    if (!fit.has_least_speed[end]) return;
+    fix_unknown(fit, row, dot(at, t) + (end == 0 ? 1 : -1) * least_length(fit, end));
+}
+
+void place_beside_end(LeastSquares const& fit, Index end) noexcept {
+    Vec2 const t = fit.direction[end];
+    Index const row = 2 * CurveEnd(fit.curve, end).beside;
+    Vec2 const place = fit.control[row] * t + fit.control[row + 1] * left_of(t);
+    fit.control[row] = place.x;
+    fit.control[row + 1] = place.y;
+}
+
+// Returns whether an end is slower than it may be.
+bool is_too_slow(LeastSquares const& fit, Index end) noexcept {
+    CurveEnd const ends(fit.curve, end);
+    Vec2 const to{fit.control[2 * ends.beside], fit.control[2 * ends.beside + 1]};
+    Vec2 const from = fit.points[fit.pinned[ends.at]];
+    Real const length = (end == 0 ? 1 : -1) * dot(to - from, fit.direction[end]);
+    return !fit.has_least_speed[end] && length < least_length(fit, end);
+}
+
 }  // namespace
 
 void LeastSquares::lay_out(Arena& arena, Index n_points, Index n_control, Index degree) noexcept {
@@ -148,6 +244,9 @@ void LeastSquares::set_up(Curve const& shape, Span<const Vec2> through) noexcept
     u = u.first(through.size());
     weight = weight.first(through.size());
     error = error.first(through.size());
+    // The arrays have room for the largest number of control points.
+    control = {control.data(), 2 * static_cast<Size>(shape.n_control)};
+    pinned = {pinned.data(), static_cast<Size>(shape.n_control)};
     tangent = tangent.first(through.size());
     largest_so_far = largest_so_far.first(through.size());
 }
@@ -155,6 +254,22 @@ void LeastSquares::set_up(Curve const& shape, Span<const Vec2> through) noexcept
 void LeastSquares::start() noexcept { fill(tangent, Vec2{}); }
 
 void LeastSquares::solve(Real along) noexcept {
+    has_least_speed[0] = has_least_speed[1] = false;
+    bool again = true;
+    while (again) {
+        solve_once(along);
+        again = false;
+        for (Index end = 0; end < 2; ++end) {
+            if (!(square(direction[end]) > 0)) continue;
+            place_beside_end(*this, end);
+            bool const slow = is_too_slow(*this, end);
+            again = again || slow;
+            has_least_speed[end] = has_least_speed[end] || slow;
+        }
+    }
+}
+
+void LeastSquares::solve_once(Real along) noexcept {
     Real total = 0;
     for (Real const w : weight) total += w;
     Real strength = smoothing * total / curve.n_control;
@@ -163,7 +278,10 @@ void LeastSquares::solve(Real along) noexcept {
         fill(control, Real(0));
         add_points(*this, along);
         add_smoothing(*this, strength);
+        if (bending > 0) add_bending(*this);
         pin(*this);
+        for (Index end = 0; end < 2; ++end)
+            if (square(direction[end]) > 0) hold_tangent(*this, end);
         strength *= 100;
     } while (matrix.factor() != none && strength < total);
     matrix.solve(control);

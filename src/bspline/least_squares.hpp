@@ -19,8 +19,16 @@ struct LeastSquares {
     Span<Real> control;  // [2 * n_control] output: pairs x, y
     // [n_control] The position of the point at which a control point is pinned, or none.
     Span<Index> pinned;
-    EnvelopeMatrix matrix;      // the unknowns have the order of `control`
-    Span<Real> largest_so_far;  // [n] working space
+    // The weight of the integral of |C''|^2 by the parameter, which is added to the sum of squares.
+    Real bending = 0;
+    // Unit tangents at the first and the last end of the curve, or 0. Where a tangent does not suit
+    // the points, the least squares would shorten the derivative there to nothing, or reverse it;
+    // it keeps a third of the speed of the points by their parameters.
+    Vec2 direction[2];
+    Real speed = 1;
+    bool has_least_speed[2] = {};  // set by solve()
+    EnvelopeMatrix matrix;         // the unknowns have the order of `control`
+    Span<Real> largest_so_far;     // [n] working space
 
     void lay_out(Arena& arena, Index n_points, Index n_control, Index degree) noexcept;
     // Sets the curve and the points, and gives the arrays the sizes of this problem.
@@ -35,6 +43,9 @@ struct LeastSquares {
     // curve. The first and the last parameter and the order do not change. The errors are those
     // between the two steps; returns the largest one.
     Real correct_parameters() noexcept;
+
+private:
+    void solve_once(Real along) noexcept;
 };
 
 }  // namespace harmorph

@@ -13,7 +13,7 @@ void VariableMap::lay_out(Arena& arena, Index n_control, Index n) noexcept {
     mass.lay_out(arena, n_control, n_control - 1, false);
     arena.take(wanted, Offset{n_control} * 2 * n);
     arena.take(trial, Offset{n_control} * 2 * n);
-    arena.take(value, n);
+    arena.take(at_point, 2 * Offset{n});
     arena.take(error, 2 * n);
     arena.take(pins, n_control);
 }
@@ -38,7 +38,7 @@ bool VariableMap::is_upper(Section const& section, CurvePlace const& place) cons
 // Calls body(place, weight) for the points of Gauss' rule on halves of spans, which are also
 // divided at the leading and trailing edge. A blunt base has no samples.
 template <class Body>
-void VariableMap::for_each_sample(Section const& section, Variables const& variables,
+void VariableMap::for_each_sample(Section const& section, OutlineMovements const& movements,
                                   Body const& body) const noexcept {
     section.for_each_span(0, section.n_sides, [&](Index c, Index span, Real low, Real high) {
         Real breaks[5] = {low, low + 0.5 * (high - low), high};
@@ -49,7 +49,7 @@ void VariableMap::for_each_sample(Section const& section, Variables const& varia
             for (; breaks[k - 1] > u; --k) breaks[k] = breaks[k - 1];
             breaks[k] = u;
         };
-        if (variables.needs_chord()) {
+        if (movements.needs_chord) {
             if (section.leading_edge_place.curve == &section.curve[c])
                 split(section.leading_edge_place.u);
             if (trailing_edge_position_ > 0) split(trailing_edge_u_);
@@ -63,22 +63,40 @@ void VariableMap::for_each_sample(Section const& section, Variables const& varia
     });
 }
 
-// Computes `value` at a point, and returns the movement of the point by a unit of `value`.
-Vec2 VariableMap::evaluate(Section const& section, Variables const& variables, Vec2 point,
-                           bool upper) const noexcept {
-    if (!variables.needs_chord()) {
-        variables.node_weights(point, value.data());
-        return {1, 0};
-    }
-    Vec2 const chord = section.chord();
-    Real const station = clamp(dot(point - section.leading_edge, chord) / square(chord), 0.0, 1.0);
-    variables.shapes(station, upper, value.data());
-    return left_of(chord);
+OutlineMovements VariablesOfSection::movements() const noexcept {
+    auto const write = [](const void* context, Vec2 point, bool upper, Real* pairs) {
+        auto const& own = *static_cast<const VariablesOfSection*>(context);
+        Index const n = own.variables.count();
+        Real* const value = pairs + n;  // pair j is written after value j is read
+        Vec2 unit{1, 0};
+        if (own.variables.needs_chord()) {
+            Vec2 const chord = own.section.chord();
+            Real const station =
+                clamp(dot(point - own.section.leading_edge, chord) / square(chord), 0.0, 1.0);
+            own.variables.shapes(station, upper, value);
+            unit = left_of(chord);
+        } else {
+            own.variables.node_weights(point, value);
+        }
+        for (Index j = 0; j < n; ++j) {
+            Vec2 const movement = value[j] * unit;
+            pairs[2 * j] = movement.x;
+            pairs[2 * j + 1] = movement.y;
+        }
+    };
+    return {variables.count(), variables.needs_chord(), this, write};
+}
+
+// Computes `at_point`.
+void VariableMap::evaluate(Section const& section, OutlineMovements const& movements,
+                           CurvePlace const& place) const noexcept {
+    movements.write(movements.context, place.point(),
+                    movements.needs_chord && is_upper(section, place), at_point.data());
 }
 
 // A control point that is the end of a curve moves exactly as the variables say; if it is the end
 // of several curves, it gets the mean movement of these ends.
-void VariableMap::pin_ends(Section const& section, Variables const& variables) noexcept {
+void VariableMap::pin_ends(Section const& section, OutlineMovements const& movements) noexcept {
     for (Index c = 0; c < section.n_curves; ++c) {
         for (Index end = 0; end < 2; ++end) {
             bool const at_end = end == 1;
@@ -86,15 +104,15 @@ void VariableMap::pin_ends(Section const& section, Variables const& variables) n
             CurveBasis const basis = curve_basis_in(*place.curve, place.span, place.u, 0);
             bool const base = c >= section.n_sides;
             bool const upper = base ? at_end == (section.sign > 0)
-                                    : variables.needs_chord() && is_upper(section, place);
+                                    : movements.needs_chord && is_upper(section, place);
             for (Index k = 0; k < basis.order; ++k) {
                 if (basis.value[0][k] != 1) continue;
                 Real* const row = wanted.data() + Offset{basis.control[k]} * 2 * n_;
                 Real const n = pins[basis.control[k]]++;  // the number of ends so far
-                Vec2 const unit = evaluate(section, variables, place.point(), upper);
+                movements.write(movements.context, place.point(), upper, at_point.data());
                 for (Index j = 0; j < n_; ++j) {
-                    row[2 * j] = (n * row[2 * j] + value[j] * unit.x) / (n + 1);
-                    row[2 * j + 1] = (n * row[2 * j + 1] + value[j] * unit.y) / (n + 1);
+                    row[2 * j] = (n * row[2 * j] + at_point[2 * j]) / (n + 1);
+                    row[2 * j + 1] = (n * row[2 * j + 1] + at_point[2 * j + 1]) / (n + 1);
                 }
             }
         }
@@ -109,11 +127,10 @@ void VariableMap::find_trailing_edge(Section const& section) noexcept {
 }
 
 // Adds up the normal equations of the least squares.
-void VariableMap::add_samples(Section const& section, Variables const& variables) noexcept {
-    for_each_sample(section, variables, [&](CurvePlace const& place, Real weight) {
+void VariableMap::add_samples(Section const& section, OutlineMovements const& movements) noexcept {
+    for_each_sample(section, movements, [&](CurvePlace const& place, Real weight) {
         CurveBasis const basis = curve_basis_in(*place.curve, place.span, place.u, 0);
-        Vec2 const unit = evaluate(section, variables, place.point(),
-                                   variables.needs_chord() && is_upper(section, place));
+        evaluate(section, movements, place);
         for (Index k = 0; k < basis.order; ++k) {
             Index const i = basis.control[k];
             Real const weighted = weight * basis.value[0][k];
@@ -124,8 +141,8 @@ void VariableMap::add_samples(Section const& section, Variables const& variables
             if (pins[i] > 0) continue;
             Real* const row = wanted.data() + Offset{i} * 2 * n_;
             for (Index j = 0; j < n_; ++j) {
-                row[2 * j] += weighted * value[j] * unit.x;
-                row[2 * j + 1] += weighted * value[j] * unit.y;
+                row[2 * j] += weighted * at_point[2 * j];
+                row[2 * j + 1] += weighted * at_point[2 * j + 1];
             }
         }
     });
@@ -163,15 +180,15 @@ Status VariableMap::check_independence(Fault& fault) noexcept {
     return fault.refuse(Status::bad_condition, text, variable_item(dependent.column));
 }
 
-void VariableMap::measure_errors(Section const& section, Variables const& variables) noexcept {
+void VariableMap::measure_errors(Section const& section,
+                                 OutlineMovements const& movements) noexcept {
     Real total = 0;
-    for_each_sample(section, variables, [&](CurvePlace const& place, Real weight) {
+    for_each_sample(section, movements, [&](CurvePlace const& place, Real weight) {
         CurveBasis const basis = curve_basis_in(*place.curve, place.span, place.u, 0);
-        Vec2 const unit = evaluate(section, variables, place.point(),
-                                   variables.needs_chord() && is_upper(section, place));
+        evaluate(section, movements, place);
         total += weight;
         for (Index j = 0; j < n_; ++j) {
-            Vec2 difference = -value[j] * unit;
+            Vec2 difference{-at_point[2 * j], -at_point[2 * j + 1]};
             for (Index k = 0; k < basis.order; ++k) {
                 const Real* const pair = wanted.data() + (Offset{basis.control[k]} * n_ + j) * 2;
                 difference = difference + basis.value[0][k] * Vec2{pair[0], pair[1]};
@@ -183,16 +200,17 @@ void VariableMap::measure_errors(Section const& section, Variables const& variab
     for (Index j = 0; j < n_; ++j) error[2 * j] = sqrt(error[2 * j] / total);
 }
 
-Status VariableMap::run(Section const& section, Variables const& variables, Fault& fault) noexcept {
+Status VariableMap::run(Section const& section, OutlineMovements const& movements,
+                        Fault& fault) noexcept {
     bool const has_trailing_edge_inside =
-        variables.needs_chord() && section.n_sides == 1 && is_periodic(section.curve[0]);
+        movements.needs_chord && section.n_sides == 1 && is_periodic(section.curve[0]);
     if (has_trailing_edge_inside) find_trailing_edge(section);
     mass.shape(n_control_, n_control_ - 1, false);
     fill(wanted, 0.0);
     fill(pins, 0.0);
     fill(error, 0.0);
-    pin_ends(section, variables);
-    add_samples(section, variables);
+    pin_ends(section, movements);
+    add_samples(section, movements);
     eliminate_pins();
     Index const undetermined = mass.factor(1e-14);
     if (undetermined != none) {
@@ -200,8 +218,7 @@ Status VariableMap::run(Section const& section, Variables const& variables, Faul
                             control_point_item(undetermined));
     }
     mass.solve(wanted, 2 * n_);
-    HARMORPH_TRY(check_independence(fault));
-    measure_errors(section, variables);
+    measure_errors(section, movements);
     return Status::ok;
 }
 

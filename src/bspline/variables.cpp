@@ -5,17 +5,6 @@
 namespace harmorph {
 namespace {
 
-// Writes the Bernstein polynomials of degree n - 1 at t to value [n], by de Casteljau's algorithm.
-void bernstein(Index n, Real t, Real* value) noexcept {
-    for (Index k = 0; k < n; ++k) value[k] = 0;
-    if (n == 0) return;
-    value[0] = 1;
-    for (Index degree = 1; degree < n; ++degree) {
-        for (Index k = degree; k > 0; --k) value[k] = (1 - t) * value[k] + t * value[k - 1];
-        value[0] *= 1 - t;
-    }
-}
-
 // The formula is that of I. Abbott, A. von Doenhoff, Theory of Wing Sections, 6.4; the last
 // coefficient is changed so that the trailing edge is closed.
 Real naca_half_thickness(Real t) noexcept {
@@ -28,6 +17,16 @@ Real naca_camber(Real peak, Real t) noexcept {
 }
 
 }  // namespace
+
+void bernstein(Index n, Real t, Real* value) noexcept {
+    for (Index k = 0; k < n; ++k) value[k] = 0;
+    if (n == 0) return;
+    value[0] = 1;
+    for (Index degree = 1; degree < n; ++degree) {
+        for (Index k = degree; k > 0; --k) value[k] = (1 - t) * value[k] + t * value[k - 1];
+        value[0] *= 1 - t;
+    }
+}
 
 Real Variables::peak(Index k) const noexcept {
     if (peaks != nullptr) return peaks[k];

@@ -9,6 +9,9 @@ namespace harmorph {
 // The numbers are those of the C header, which explains them.
 enum class VariableKind : std::int32_t { ffd = 0, cst = 1, hicks_henne = 2, naca4 = 3 };
 
+// Writes the Bernstein polynomials of degree n - 1 at t to value [n], by de Casteljau's algorithm.
+void bernstein(Index n, Real t, Real* value) noexcept;
+
 struct Variables {
     // The largest number of variables of one side, and of nodes in one direction.
     static constexpr Index max_count = 64;

@@ -19,6 +19,19 @@ void SlipProjection::project(Points from, MutablePoints to) const noexcept {
         [&](Index slot, Index point) { to.set(point, curves.nearest(slot, to[point]).at); });
 }
 
+void SlipProjection::differentiate(Points from, Points velocity, MutablePoints to) const noexcept {
+    copy_points(n_points, velocity, to);
+    auto const along_curve = [&](Index slot, Index point) {
+        SlipCurves::Place const place = curves.nearest(slot, from[point]);
+        return (place.stretch * dot(place.tangent, to[point])) * place.tangent;
+    };
+    followers.for_each(curves, [&](Index k, Index slot, Real share) {
+        Index const point = curves.point[slot];
+        to.set(k, to[k] + share * (along_curve(slot, point) - to[point]));
+    });
+    curves.for_each([&](Index slot, Index point) { to.set(point, along_curve(slot, point)); });
+}
+
 // With J the derivative of the nearest place, followers are moved by their shares of J - 1 times
 // the points that slip.
 void SlipProjection::transpose(Points from, Points derivative, MutablePoints to) const noexcept {

@@ -1,5 +1,5 @@
-// Moves the slipping points of a moved mesh back onto their curves; and the transpose of the
-// derivative. tests/morph/test_slip.cpp covers this file.
+// Moves the slipping points of a moved mesh back onto their curves; the derivative, and its
+// transpose. tests/morph/test_slip.cpp covers this file.
 #pragma once
 
 #include "boundary/slip_followers.hpp"
@@ -14,6 +14,9 @@ struct SlipProjection {
     // Copies `from` to `to`, with slipping points at the nearest places of their curves, and
     // followers moved along. `to` may be `from`.
     void project(Points from, MutablePoints to) const noexcept;
+    // Turns a velocity of the points of `from` into that of the points of `to`; both may be the
+    // same arrays.
+    void differentiate(Points from, Points velocity, MutablePoints to) const noexcept;
     // Turns derivatives by `to` into derivatives by `from`; both may be the same arrays.
     void transpose(Points from, Points derivative, MutablePoints to) const noexcept;
 };

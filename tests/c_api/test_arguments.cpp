@@ -92,6 +92,19 @@ TEST_CASE("curves and fits") {
     Guarded work(bytes);
     check_arguments("curves, ?section, variables, work, bytes, matrix, ?error", hm_variables_map,
                     &curves, &section, &variables, work.data(), bytes, map.data(), values);
+    hm_movement turn = with_size<hm_movement>();
+    check_arguments("curves, ?section, -, movements, n, bytes", hm_move_section_size, &curves,
+                    &section, 1, &turn, &n, &bytes);
+    Guarded moved(bytes);
+    check_arguments(
+        "curves, ?section, -, movements, values, move, ?derivatives, ?start, ?error, work, bytes",
+        hm_move_section, &curves, &section, 1, &turn, values, map.data(), map.data() + 32, values,
+        values, moved.data(), bytes);
+    check_arguments("curves, work_bytes", hm_family_modes_size, &curves, &bytes);
+    Guarded modes(bytes);
+    map.assign(map.size(), 1);
+    check_arguments("curves, -, movements, singular, work, work_bytes", hm_family_modes, &curves, 1,
+                    map.data(), values, modes.data(), bytes);
 }
 
 TEST_CASE("from the problem to the basis") {
@@ -186,6 +199,8 @@ TEST_CASE("movements, gradients, quality") {
                     g.basis, &g.at, 0.0, g.numbers.data(), &error, &g.n, room.data(), bytes);
     check_arguments("analysis, from, to", hm_slip, g.analysis, &g.at, &g.to);
     check_arguments("analysis, from, dj, dj_from", hm_slip_adjoint, g.analysis, &g.at, &g.at,
+                    &g.to);
+    check_arguments("analysis, from, d_from, d_to", hm_slip_derivative, g.analysis, &g.at, &g.at,
                     &g.to);
     check_arguments("basis, mesh, ?from, displacement, ?reference, ?executor, ?step, ?quality",
                     hm_assess, g.basis, &g.mesh, &g.at, &g.still, &g.at, &g.executor, &step,

@@ -121,3 +121,59 @@ adjoint "a point that is not there" 'no point 1e+06' "$tmp/bad.txt"
 adjoint "an empty file" 'has no numbers' "$tmp/bad.txt"
 refuses "adjoint: normals without a side" 2 '--into fluid or --into body' adjoint "$mesh" "$basis" \
     --sensitivity "$tmp/one.csv" --normal one
+
+# The same derivatives as vectors in files of VTK, by points of the mesh.
+sorted() { sort -n "$tmp/sens.txt" | grep -v '^#'; }
+makes convert "$mesh" "$tmp/plain.vtk"
+makes convert "$mesh" "$tmp/plain.vtu"
+{ cat "$tmp/plain.vtk"; echo "POINT_DATA $(sorted | wc -l)"; echo "SCALARS p double 1"; echo "LOOKUP_TABLE default"
+  sorted | awk '{ print 1.5 }'; echo "VECTORS dJ double"; sorted | awk '{ print $2, $3, 0 }'; } >"$tmp/sens.vtk"
+runs "adjoint: VTK" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/sens.vtk" --vector dJ -o "$tmp/other"
+check "adjoint: VTK: the same bits" same_lines "$tmp/gradient" "$tmp/other"
+{ sed '/<Cells>/,$d' "$tmp/plain.vtu"; echo '<PointData><DataArray type="Float64" Name="Sensitivity" ' \
+    'NumberOfComponents="3" format="ascii">'; sorted | awk '{ print $2, $3, 0 }'
+  echo '</DataArray></PointData>'; sed -n '/<Cells>/,$p' "$tmp/plain.vtu"; } >"$tmp/sens.vtu"
+runs "adjoint: VTU" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/sens.vtu" -o "$tmp/other"
+check "adjoint: VTU: the same bits" same_lines "$tmp/gradient" "$tmp/other"
+adjoint "a vector that is not there" "no column 'dI_x'" "$tmp/sens.vtk" --vector dI
+sed 's/^POINT_DATA .*/POINT_DATA 7/' "$tmp/sens.vtk" >"$tmp/bad.vtk"
+adjoint "VTK: a wrong count" 'the number of points' "$tmp/bad.vtk" --vector dJ
+sed '$d' "$tmp/sens.vtk" >"$tmp/bad.vtk"
+adjoint "VTK: a row that is missing" 'bad.vtk' "$tmp/bad.vtk" --vector dJ
+refuses "adjoint: --vector and --x" 2 'exclude each other' adjoint "$mesh" "$basis" --sensitivity "$tmp/sens.vtk" \
+    --vector dJ --x a
+
+# One cell thick: the derivatives by both planes are added, of a field of OpenFOAM, too.
+awk '/^POINTS/ { print "# vtk DataFile Version 3.0\nthick\nASCII\nDATASET UNSTRUCTURED_GRID"; n = $2
+        print "POINTS", 2 * n, "double"; for (k = 0; k < n; k++) { getline; p[k] = $1 " " $2; print p[k], 0 }
+        for (k = 0; k < n; k++) print p[k], 1; next }
+    /^CELLS/ { m = $2; size = $3 - m; print "CELLS", m, m + 2 * size; for (k = 0; k < m; k++) { getline
+        type[k] = $1 == 3 ? 13 : 12; line = 2 * $1; for (i = 2; i <= NF; i++) line = line " " $i
+        for (i = 2; i <= NF; i++) line = line " " $i + n; print line }; print "CELL_TYPES", m
+        for (k = 0; k < m; k++) print type[k]; exit }' "$tmp/plain.vtk" >"$tmp/thick.vtk"
+runs "adjoint: thick: functions" 0 solve "$tmp/thick.vtk" --curve boundary1="$tmp/demo/airfoil.curve" \
+    -o "$tmp/thick.basis"
+for share in .25 .75; do
+    sorted | awk -v s=$share '{ printf "%.17g %.17g 7\n", s * $2, s * $3 }'
+done >"$tmp/planes"
+{ cat "$tmp/thick.vtk"; echo "POINT_DATA $(wc -l <"$tmp/planes")"; echo "VECTORS Sensitivity double"
+  cat "$tmp/planes"; } >"$tmp/thick_sens.vtk"
+{ echo 'FoamFile { version 2.0; format ascii; class pointVectorField; object dJ; }'
+  echo 'dimensions [0 0 0 0 0 0 0];'; echo "internalField nonuniform List<vector> $(wc -l <"$tmp/planes") ("
+  sed 's/.*/(&)/' "$tmp/planes"; echo ');'; } >"$tmp/dJ"
+runs "adjoint: thick: by places in the plane" 0 adjoint "$tmp/thick.vtk" "$tmp/thick.basis" \
+    --sensitivity "$tmp/sens-placed.csv" --x jx --y jy -o "$tmp/flat"
+for file in thick_sens.vtk dJ; do
+    runs "adjoint: thick: $file" 0 adjoint "$tmp/thick.vtk" "$tmp/thick.basis" --sensitivity "$tmp/$file" \
+        -o "$tmp/other"
+    check "adjoint: thick: $file: the sum of both planes" awk '
+        /^#/ { next } NR == FNR { x[$1] = $2; y[$1] = $3; next }
+        { d = (x[$1] - $2) ^ 2 + (y[$1] - $3) ^ 2; if (d > 1e-24) bad = 1; ++n } END { exit bad || n != 20 }' \
+        "$tmp/flat" "$tmp/other"
+done
+sed '20s/([^ ]*/(nan/' "$tmp/dJ" >"$tmp/bad"
+refuses "adjoint: OpenFOAM: NaN" 3 'bad:' adjoint "$tmp/thick.vtk" "$tmp/thick.basis" \
+    --sensitivity "$tmp/bad" -o "$tmp/x"
+sed 's/pointVectorField/volVectorField/' "$tmp/dJ" >"$tmp/bad"
+refuses "adjoint: OpenFOAM: a field of cells" 3 'pointVectorField' adjoint "$tmp/thick.vtk" "$tmp/thick.basis" \
+    --sensitivity "$tmp/bad" -o "$tmp/x"

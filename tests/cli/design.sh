@@ -59,3 +59,19 @@ refuses "a mode that is zero" 2 'mode 0 is zero' solve "$mesh" --given airfoil \
     --mode "$tmp/zero" -o "$tmp/x"
 echo 'mode 3 1' >"$tmp/values"
 refuses "a mode that is none" 3 'between 1 and 2' morph "$mesh" "$tmp/modes.basis" --move "$tmp/values"
+
+# Further wishes for a fit.
+runs "fit to a tolerance" 0 fit "$mesh" --marker airfoil --tolerance 1e-4 -o "$tmp/near.curve" --json
+check "fit to a tolerance: reached" awk -v e="$(number max_error)" 'BEGIN { exit !(e > 0 && e <= 1e-4) }'
+few=$(number points)
+runs "fit to a smaller tolerance" 0 fit "$mesh" --marker airfoil --tolerance 1e-5 -o "$tmp/near.curve" --json
+check "fit to a smaller tolerance: more points" test "$(number points)" -gt "$few"
+refuses "fit: a tolerance that is not reached" 1 'do not reach the tolerance' fit "$mesh" --marker airfoil \
+    --tolerance 1e-9 --points 8 -o "$tmp/x"
+printf '10 100 # heavy\n11 0\n' >"$tmp/weights"
+runs "fit: weights, smooth, tangents" 0 fit "$mesh" --marker airfoil --weights "$tmp/weights" --smooth 0.001 \
+    --begin=-1,0.1 --end 1,0.1 -o "$tmp/wished.curve" --json
+echo '99999 1' >"$tmp/weights"
+refuses "fit: a weight of no point" 3 'weights:1: the file needs a point of the boundary' fit "$mesh" --marker airfoil \
+    --weights "$tmp/weights" -o "$tmp/x"
+refuses "fit: a tangent that is none" 2 'expects a direction' fit "$mesh" --marker airfoil --begin 0,0 -o "$tmp/x"

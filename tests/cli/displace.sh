@@ -136,3 +136,9 @@ refuses "displace: a body into the given one" 1 'the moved boundary crosses itse
 marker_points "$bodies" left | awk '{ printf "%d .03 %.17g\n", $1, .1 * ($2 - 1.2) }' >"$tmp/left.txt"
 runs "displace beside a curve" 0 displace "$bodies" --given left --wall "$tmp/left.txt" \
     --curve "right=$meshes/two_bodies_right.curve" --safe -o "$tmp/both.su2"
+
+# The report: given walls are walls that move, and their distance from the targets is 0 but for the digits of the file.
+runs "displace: report" 0 displace "$ring" --given body --wall "$tmp/wall.txt" --report "$tmp/displaced.html"
+check "displace: report: data of the page" grep -q '"boundary_error_note": "largest distance of given points' \
+    "$tmp/displaced.html"
+check "displace: report: the whole page" grep -q '</html>' "$tmp/displaced.html"

@@ -43,6 +43,7 @@ while read -r line; do
     done
 done <<END
 mesh.su2 : fit mesh.su2 --marker body -o OUT
+mesh.su2 field : fit mesh.su2 --marker body --weights field -o OUT
 a.curve : fit a.curve -o OUT
 section.dat : fit section.dat -o OUT
 mesh.su2 a.curve : solve mesh.su2 --curve body=a.curve -o OUT
@@ -61,6 +62,7 @@ mesh.su2 a.basis values map : morph mesh.su2 a.basis --variables map --move valu
 mesh.su2 a.basis section.dat : morph mesh.su2 a.basis --to-airfoil section.dat --moves-out OUT
 field : displace mesh.su2 --given body --wall field -o OUT
 mesh.su2 field : displace mesh.su2 --given body --wall field --vtu OUT
+mesh.su2 field : displace mesh.su2 --given body --wall field --report OUT
 a.curve moves : displace mesh.su2 --given far --wall field --curve body=a.curve --move moves -o OUT
 mesh.su2 a.basis : export mesh.su2 a.basis --function 1 --csv OUT
 mesh.su2 a.basis : export mesh.su2 a.basis --function 1 --vtu OUT
@@ -71,8 +73,10 @@ mesh.su2 a.basis : transfer mesh.su2 a.basis mesh.su2 -o OUT
 mesh.su2 a.basis moves : explore mesh.su2 a.basis --move moves -o OUT
 mesh.su2 : convert mesh.su2 OUT
 mesh.su2 a.basis field map : adjoint mesh.su2 a.basis --sensitivity field --variables map -o OUT
+mesh.su2 a.basis field map values : adjoint mesh.su2 a.basis --sensitivity field --variables map --at values -o OUT
 a.curve : curve a.curve --halve -o OUT
 a.curve : variables a.curve --naca .4 -o OUT
+a.curve section.dat : variables a.curve --family section.dat -o OUT
 END
 
 # Two outputs of one command, which need not exist.

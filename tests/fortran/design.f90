@@ -4,7 +4,7 @@ module design_tests
     use body_mesh
     implicit none
     private
-    public :: design, refits, smooth_gradients, tables
+    public :: design, moved_sections, refits, smooth_gradients, tables
 
 contains
 
@@ -15,16 +15,10 @@ contains
         type(hm_curves) :: curves, moved
         type(hm_refit_report) :: report
         type(hm_error) :: err
-        real(dp) :: px(n), py(n), t, u, distance, largest
+        real(dp) :: px(n), py(n), u, distance, largest
         real(dp), allocatable :: movement(:, :)
         integer :: k, stat
-        do k = 1, n
-            t = 6.283185307179586_dp * (k - 1) / n
-            px(k) = 0.5_dp * (1 + cos(t))
-            py(k) = sign(0.594689181_dp * (0.298222773_dp * sqrt(px(k)) - 0.127125232_dp * px(k) - 0.357907906_dp * &
-                px(k)**2 + 0.291984971_dp * px(k)**3 - 0.105174606_dp * px(k)**4), sin(t))
-        end do
-        call curves%fit(px, py, .true., n_control=24)
+        call fit_airfoil(curves, px, py)
         allocate(movement(2, size(curves%control, 2)))
         call curves%refit(1, px, 1.1_dp * py, .true., movement, report=report)
         call check(report%max_error < 1e-4_dp .and. report%closed == hm_tied, "a refit of the thicker airfoil")
@@ -49,6 +43,53 @@ contains
     end subroutine
 
     ! The smoothed gradient: length 0 keeps the gradient; a positive length leaves a direction of descent.
+    ! A curve through points of a NACA 0012.
+    subroutine fit_airfoil(curves, px, py)
+        type(hm_curves), intent(inout) :: curves
+        real(dp), intent(out) :: px(:), py(:)
+        real(dp) :: t
+        integer :: k
+        do k = 1, size(px)
+            t = 6.283185307179586_dp * (k - 1) / size(px)
+            px(k) = 0.5_dp * (1 + cos(t))
+            py(k) = sign(0.594689181_dp * (0.298222773_dp * sqrt(px(k)) - 0.127125232_dp * px(k) - 0.357907906_dp * &
+                px(k)**2 + 0.291984971_dp * px(k)**3 - 0.105174606_dp * px(k)**4), sin(t))
+        end do
+        call curves%fit(px, py, .true., n_control=24)
+    end subroutine
+
+    ! A flap, then a turn, by values; and the modes of two movements.
+    subroutine moved_sections()
+        type(hm_curves) :: curves
+        real(dp), allocatable :: move(:, :), by(:, :, :), next(:, :), pair(:, :, :)
+        real(dp) :: start(2), error(2), singular(2), px(120), py(120)
+        integer :: n, stat
+        type(hm_movement) :: movements(2)
+        type(hm_fit_report) :: report
+        call fit_airfoil(curves, px, py)
+        call curves%fit(px, py, .true., n_control=60, details=hm_fit_details(tolerance=1e-3_dp), report=report)
+        call check(size(curves%control, 2) < 24 .and. report%max_error <= 1e-3_dp, "a fit to a tolerance")
+        call curves%fit(px, py, .true., details=hm_fit_details(weights=px(2:)), stat=stat)
+        call check(stat == hm_bad_argument, "weights that are too few")
+        n = size(curves%control, 2)
+        allocate(move(2, n), by(2, n, 2), next(2, n), pair(2, n, 2))
+        movements = [hm_movement(hm_flap, [0.7_dp, 0._dp]), hm_movement(hm_turn, [0.25_dp, 0._dp])]
+        call curves%move_section(movements, [-10._dp, 3._dp], move, by, start, error)
+        call curves%move_section(movements, [-10._dp + 1e-5_dp, 3._dp], next)
+        call check(maxval(abs(move)) > 0.03_dp .and. maxval(abs(error)) <= 0 .and. maxval(abs(start)) <= 0, &
+            "a section that values move")
+        call check(maxval(abs((next - move) / 1e-5_dp - by(:, :, 1))) < 1e-7_dp, "derivatives by the values")
+        call curves%move_section(movements, [1._dp], move, stat=stat)
+        call check(stat == hm_bad_argument, "values that are too few")
+        pair(:, :, 1) = 2 * move
+        pair(:, :, 2) = -move
+        call curves%family_modes(pair, singular)
+        call check(singular(1) > 0.001_dp .and. singular(2) < 1e-12_dp .and. all(abs(pair(:, :, 2)) <= 0), &
+            "modes of a family")
+        call curves%family_modes(pair, singular(:1), stat=stat)
+        call check(stat == hm_bad_argument, "singular values that are too few")
+    end subroutine
+
     subroutine smooth_gradients()
         type(hm_curves) :: curves
         real(dp), allocatable :: gradient(:, :), smoothed(:, :)

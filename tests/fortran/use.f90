@@ -91,6 +91,7 @@ program use
     call design()
     call refits()
     call smooth_gradients()
+    call moved_sections()
     call tables()
     call planes()
     call numbers_in_errors()

@@ -114,6 +114,51 @@ TEST_CASE("hm_slip_adjoint is the transpose of the derivative") {
     CHECK(same_bits(jy, gy));
 }
 
+TEST_CASE("hm_slip_derivative agrees with differences, and hm_slip_adjoint is its transpose") {
+    Slid moved;
+    std::size_t const n = moved.x.size();
+    std::vector<double> const some = some_move(static_cast<std::int32_t>(n), 1, 3),
+                              weight = some_move(static_cast<std::int32_t>(n), 1, 7);
+    std::vector<double> dx(n), dy(n), jx(n), jy(n), tx(n), ty(n), gx(n), gy(n);
+    for (std::size_t k = 0; k < n; ++k) {
+        dx[k] = some[2 * k], dy[k] = some[2 * k + 1];
+        jx[k] = weight[2 * k], jy[k] = weight[2 * k + 1];
+    }
+    REQUIRE(hm_slip_derivative(moved.attempt.analysis, points_in(moved.x, moved.y),
+                               points_in(dx, dy), points_out(tx, ty), nullptr) == HM_OK);
+    REQUIRE(hm_slip_adjoint(moved.attempt.analysis, points_in(moved.x, moved.y), points_in(jx, jy),
+                            points_out(gx, gy), nullptr) == HM_OK);
+    double after = 0, before = 0, size = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+        after += jx[k] * tx[k] + jy[k] * ty[k];
+        before += gx[k] * dx[k] + gy[k] * dy[k];
+        size += std::fabs(jx[k] * tx[k]) + std::fabs(jy[k] * ty[k]);
+    }
+    CHECK(std::fabs(after - before) <= 1e-14 * size);
+    auto const worst = [&](double h) {
+        auto const slid = [&](double step) {
+            std::vector<double> x = moved.x, y = moved.y;
+            for (std::size_t k = 0; k < n; ++k) x[k] += step * dx[k], y[k] += step * dy[k];
+            REQUIRE(hm_slip(moved.attempt.analysis, points_in(x, y), points_out(x, y), nullptr) ==
+                    HM_OK);
+            x.insert(x.end(), y.begin(), y.end());
+            return x;
+        };
+        std::vector<double> const more = slid(h), less = slid(-h);
+        double largest = 0;
+        for (std::size_t k = 0; k < n; ++k) {
+            largest = std::max({largest, std::fabs((more[k] - less[k]) / (2 * h) - tx[k]),
+                                std::fabs((more[n + k] - less[n + k]) / (2 * h) - ty[k])});
+        }
+        return largest;
+    };
+    CHECK(worst(1e-4) < 1e-5);
+    REQUIRE(hm_slip_derivative(moved.attempt.analysis, points_in(moved.x, moved.y),
+                               points_in(dx, dy), points_out(dx, dy), nullptr) == HM_OK);
+    CHECK(same_bits(dx, tx));
+    CHECK(same_bits(dy, ty));
+}
+
 TEST_CASE("a point of a slip line that is not finite is refused by name, and the outputs stay") {
     Slid moved;
     std::vector<double> x(moved.x.size(), 7), y(moved.x.size(), 7);

@@ -10,8 +10,12 @@ namespace {
 // Reads moves of control points and bodies, or values of variables; with variables, bodies stay.
 std::vector<double> moves_of_file(const Arguments& arguments, const Basis& basis,
                                   const Mesh& mesh) {
+    if (!arguments.has("--variables")) {
+        if (!arguments.has("--by")) arguments.text("--move");  // one of both is needed
+        return read_moves(texts_of_moves(arguments), movable_of(basis), mesh);
+    }
+    if (arguments.has("--by")) arguments.refuse("--by and --variables exclude each other");
     const std::string path = arguments.text("--move");
-    if (!arguments.has("--variables")) return read_moves(path, basis, mesh);
     const std::string map_path = arguments.text("--variables");
     const VariableMap map = read_variables(map_path);
     if (map.points != basis.n_control()) {
@@ -20,7 +24,7 @@ std::vector<double> moves_of_file(const Arguments& arguments, const Basis& basis
                                      ", but the curves of the basis have " +
                                      std::to_string(basis.n_control()));
     }
-    std::vector<double> moves = map.control_moves(read_values(path, map));
+    std::vector<double> moves = map.control_moves(basis.curves(), read_values(path, map), map_path);
     moves.resize(2 * static_cast<std::size_t>(basis.functions()));
     return moves;
 }
@@ -36,8 +40,11 @@ std::vector<double> asked_moves(const Arguments& arguments, const Mesh& mesh, co
         }
         return moves_of_file(arguments, basis, mesh);
     }
-    if (arguments.has("--move"))
-        arguments.refuse("--move and --to-airfoil both state a movement; name one of them");
+    for (const char* option : {"--move", "--by"}) {
+        if (arguments.has(option))
+            arguments.refuse(std::string(option) +
+                             " and --to-airfoil both state a movement; name one of them");
+    }
     const std::string path = arguments.text("--to-airfoil");
     if (basis.info().curves == 0)
         arguments.refuse("--to-airfoil needs a curve, but the basis has no curve");

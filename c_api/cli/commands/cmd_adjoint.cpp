@@ -8,6 +8,7 @@
 #include "basics/threads.hpp"
 #include "commands/commands.hpp"
 #include "curves/gradient_file.hpp"
+#include "curves/variables_file.hpp"
 #include "mesh/sensitivity.hpp"
 
 #include <algorithm>
@@ -20,6 +21,13 @@ namespace {
 
 SensitivityColumns columns_of(const Arguments& arguments) {
     SensitivityColumns columns;
+    if (arguments.has("--vector")) {
+        for (const char* option : {"--x", "--y", "--normal"})
+            if (arguments.has(option))
+                arguments.refuse(std::string(option) + " and --vector exclude each other");
+        columns.x = arguments.text("--vector") + "_x";
+        columns.y = arguments.text("--vector") + "_y";
+    }
     if (arguments.has("--x")) columns.x = arguments.text("--x");
     if (arguments.has("--y")) columns.y = arguments.text("--y");
     if (!arguments.has("--normal")) {
@@ -62,8 +70,34 @@ void smooth(const Mesh& mesh, const Basis& basis, double length, std::vector<dou
          static_cast<void*>(work.data()), bytes);
 }
 
+// The design variables of --variables, at the values of --at.
+struct VariablesAt {
+    std::string path;
+    VariableMap map;
+    std::vector<double> values;  // pairs
+};
+
+std::optional<VariablesAt> variables_at(const Arguments& arguments, const Basis& basis) {
+    if (!arguments.has("--variables")) {
+        if (arguments.has("--at")) arguments.refuse("--at needs --variables");
+        return {};
+    }
+    const std::string path = arguments.text("--variables");
+    VariablesAt at = {path, read_variables(path), {}};
+    if (at.map.points != basis.n_control()) {
+        throw Failure(exit_file, path + ": the variables move " +
+                                     plural(at.map.points, "control point") +
+                                     ", but the curves of the basis have " +
+                                     std::to_string(basis.n_control()));
+    }
+    at.values.resize(2 * static_cast<std::size_t>(at.map.variables));
+    if (arguments.has("--at")) at.values = read_values(arguments.text("--at"), at.map);
+    return at;
+}
+
 Gradient gradient_of(const Arguments& arguments, const std::string& path, const Mesh& mesh,
-                     const Basis& basis, const Threads& threads) {
+                     const Basis& basis, const std::optional<VariablesAt>& variables,
+                     const Threads& threads) {
     const Sensitivity sensitivity = read_sensitivity(path, columns_of(arguments), mesh);
     Gradient found;
     found.objective = path;
@@ -77,6 +111,10 @@ Gradient gradient_of(const Arguments& arguments, const std::string& path, const 
         smooth(mesh, basis, arguments.positive("--smooth", 0), found.by_functions);
     }
     found.admissible_descent = admissible_descent(mesh, basis, found.by_functions, threads);
+    if (variables) {
+        found.by_variables = variables->map.variable_gradient(
+            basis.curves_at_start(), variables->values, found.by_functions, variables->path);
+    }
     return found;
 }
 
@@ -86,27 +124,18 @@ void run_adjoint(const Arguments& arguments) {
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
     const Threads threads(threads_of(arguments));
-    std::optional<VariableMap> map;
-    if (arguments.has("--variables")) {
-        map = read_variables(arguments.text("--variables"));
-        if (map->points != basis.n_control()) {
-            throw Failure(exit_file, arguments.text("--variables") + ": its variables are of " +
-                                         plural(map->points, "control point") +
-                                         ", the curves of the basis have " +
-                                         std::to_string(basis.n_control()));
-        }
-    }
+    const std::optional<VariablesAt> variables = variables_at(arguments, basis);
     std::vector<Gradient> gradients;
     for (const std::string& path : paths)
-        gradients.push_back(gradient_of(arguments, path, mesh, basis, threads));
+        gradients.push_back(gradient_of(arguments, path, mesh, basis, variables, threads));
     if (arguments.has("-o")) {
         OutputFiles files;
         const std::string& path = arguments.text("-o");
-        write_gradients(files.add(path), path, gradients, basis, mesh, map ? &*map : nullptr);
+        write_gradients(files.add(path), path, gradients, basis, mesh);
         files.commit();
     }
     if (arguments.has("--json")) {
-        print("%s\n", gradients_json(gradients, basis, mesh, map ? &*map : nullptr).text().c_str());
+        print("%s\n", gradients_json(gradients, basis, mesh).text().c_str());
         return;
     }
     for (const Gradient& gradient : gradients) {
@@ -134,10 +163,15 @@ const Command adjoint_command = {
     "moves, exact to rounding.\n"
     "FILE is a table \"point dJ/dx dJ/dy\" (points from 0, in the order of MESH), a CSV file with "
     "the names of columns in\n"
-    "its first line (SU2's volume and surface files), or a binary restart file of SU2. Rows are "
-    "matched by the column\n"
-    "PointID, or by x and y; where a file has both, they must agree. Points without a row have "
-    "derivative 0.\n"
+    "its first line (SU2's volume and surface files), a binary restart file of SU2, a file .vtk or "
+    ".vtu with vectors at\n"
+    "the points, or a pointVectorField of OpenFOAM. Rows are matched by the column PointID, or by "
+    "x "
+    "and y; where a file has\n"
+    "both, they must agree. Points without a row have derivative 0. Where the rows are the points "
+    "of "
+    "MESH itself, and MESH is\n"
+    "one cell thick, the derivatives by both planes are added.\n"
     "The output has the lines of a file of moves: \"index dJ/dx dJ/dy\", \"rigid MARKER dJ/dx "
     "dJ/dy dJ/ddegrees dJ/dscale\",\n"
     "\"mode K dJ/damplitude dJ/damplitude-y\"; with --variables \"variable dJ/dvalue "
@@ -149,6 +183,8 @@ const Command adjoint_command = {
          FileUse::input},
         {"--x", "NAME", "the column of dJ/dx (default: Sensitivity_x)"},
         {"--y", "NAME", "the column of dJ/dy (default: Sensitivity_y)"},
+        {"--vector", "NAME",
+         "the array of vectors in a file of VTK (default: Sensitivity), in place of --x and --y"},
         {"--normal", "NAME",
          "the column of derivatives along the normals of the boundary, instead of --x and --y"},
         {"--into", "SIDE", "for --normal: the normals point into the fluid or into the body"},
@@ -156,6 +192,11 @@ const Command adjoint_command = {
          "for --normal: the values are by the length of the wall (default: by point)"},
         {"--variables", "MAP",
          "derivatives by the design variables in MAP, a file of `harmorph variables`",
+         FileUse::input},
+        {"--at", "VALUES",
+         "for --variables that are movements (turn, flap, PARSEC, ...): the values at which the "
+         "derivatives are\n"
+         "taken, by which the mesh has moved since BASIS was solved (default: 0)",
          FileUse::input},
         {"--smooth", "LENGTH",
          "smooth the gradient along the curves: changes along less than LENGTH are damped"},

@@ -13,11 +13,13 @@
 #include "commands/solver.hpp"
 #include "commands/task.hpp"
 #include "formats/vtu.hpp"
+#include "page/page_data.hpp"
 #include "mesh/wall_field.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <ostream>
 
 namespace cli {
 
@@ -38,6 +40,8 @@ struct Displacement {
     std::optional<hm_safe_report> safe;
     std::string refusal, warning;       // set by the safe displacement
     std::vector<OperatorTrial> trials;  // the operators that were compared
+    hm_basis_info info = sized<hm_basis_info>();
+    std::vector<std::int32_t> curve_points;  // mesh points on curves
 
     explicit Displacement(const Mesh& mesh) : by(mesh.x.size()), moved(mesh.x.size()) {}
     bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
@@ -121,6 +125,10 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
     solver.prepare();
     call(mesh, hm_plan_factor, solver.plan(), nullptr);
     found.factor_seconds = whole.seconds();
+    call(mesh, hm_basis_info_get, static_cast<const hm_basis*>(solver.basis()), &found.info);
+    found.curve_points.assign(found.info.curve_point,
+                              found.info.curve_point + found.info.curve_points);
+    found.info.curve_point = nullptr;  // the basis does not outlive this function
     if (!movement.moves.empty())
         call(mesh, hm_plan_solve, solver.plan(), solver.unsolved(), nullptr);
     if (arguments.has("--safe")) {
@@ -143,8 +151,34 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
     return found;
 }
 
-void write_files(const Arguments& arguments, const Mesh& mesh, const Displacement& found) {
-    OutputFiles files;
+// Returns the largest distance of a given wall point from where its displacement leads.
+double distance_from_targets(const Mesh& mesh, const Movement& movement,
+                             const Displacement& found) {
+    double largest = 0;
+    for (std::size_t k = 0; k < movement.wall.points.size(); ++k) {
+        const auto point = static_cast<std::size_t>(movement.wall.points[k]);
+        largest = std::max(largest,
+                           std::hypot(found.moved.x[point] - mesh.x[point] - movement.wall.x[k],
+                                      found.moved.y[point] - mesh.y[point] - movement.wall.y[k]));
+    }
+    return largest;
+}
+
+void write_report(std::ostream& out, const Mesh& mesh, const Task& task, const Movement& movement,
+                  const Displacement& found) {
+    const CurvesView curves(task.curves);
+    std::vector<std::int32_t> body = found.curve_points;
+    body.insert(body.end(), movement.wall.points.begin(), movement.wall.points.end());
+    const auto no_way = sized<hm_safe_report>();
+    write_report(out, mesh, {"", found.info, *curves.get(), task.conditions}, body,
+                 {found.by, movement.moves, found.step, found.quality,
+                  distance_from_targets(mesh, movement, found),
+                  "largest distance of given points from their targets", found.safe.has_value(),
+                  found.safe ? *found.safe : no_way, found.refusal});
+}
+
+void write_files(const Arguments& arguments, const Mesh& mesh, const Displacement& found,
+                 OutputFiles& files) {
     if (arguments.has("-o"))
         write_moved(files.add(moved_file(mesh, arguments.text("-o"))), mesh, found.moved.x.data(),
                     found.moved.y.data());
@@ -155,7 +189,6 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Displacemen
         }
         write_vtu(files.add(arguments.text("--vtu")), mesh, found.moved.x, found.moved.y, data);
     }
-    files.commit();
 }
 
 void print_json(const Displacement& found) {
@@ -206,17 +239,18 @@ std::string reason(const Displacement& found, const Mesh& mesh) {
 Movement movement_of(const Arguments& arguments, const Mesh& mesh, const Task& task) {
     Movement movement = {
         arguments.text("--wall"), read_wall_field(arguments.text("--wall"), mesh), {}};
+    const CurvesView curves(task.curves);
     Movable movable = {static_cast<std::int32_t>(task.curves.control.size() / 2), 0, 0,
-                       task.conditions};
+                       task.conditions, [&curves]() -> const hm_curves& { return *curves.get(); }};
     for (const hm_condition& condition : task.conditions) {
         if (condition.kind == HM_RIGID)
             movable.n_bodies = std::max(movable.n_bodies, condition.body + 1);
     }
-    if (arguments.has("--move") && movable.functions() == 0)
-        arguments.refuse("--move needs --curve or --rigid");
-    movement.moves.resize(2 * static_cast<std::size_t>(movable.functions()));
-    if (arguments.has("--move"))
-        movement.moves = read_moves(arguments.text("--move"), movable, mesh);
+    for (const char* const option : {"--move", "--by"}) {
+        if (arguments.has(option) && movable.functions() == 0)
+            arguments.refuse(std::string(option) + " needs --curve or --rigid");
+    }
+    movement.moves = read_moves(texts_of_moves(arguments), movable, mesh);
     return movement;
 }
 
@@ -263,7 +297,11 @@ void run_displace(const Arguments& arguments) {
     if (found.safe) warn_of_heights(arguments, *found.safe, found.valid());
     const bool strict = arguments.has("--strict") && !found.warning.empty();
     const bool reached = found.valid() && found.refusal.empty() && !strict;
-    if (reached || arguments.has("--force")) write_files(arguments, mesh, found);
+    OutputFiles files;  // the report is written for invalid meshes, too
+    if (reached || arguments.has("--force")) write_files(arguments, mesh, found, files);
+    if (arguments.has("--report"))
+        write_report(files.add(arguments.text("--report")), mesh, task, movement, found);
+    files.commit();
     if (arguments.has("--json")) {
         print_json(found);
     } else {
@@ -298,8 +336,13 @@ const Command displace_command = {
         {"--move", "MOVES",
          "with --curve or --rigid: what control points and bodies move by, see `harmorph morph`",
          FileUse::input},
+        by_option,
         {"-o", "MESH", "moved mesh to write", FileUse::moved_mesh},
-        {"--vtu", "FILE", "moved mesh and its displacement for ParaView", FileUse::output}} +
+        {"--vtu", "FILE", "moved mesh and its displacement for ParaView", FileUse::output},
+        {"--report", "FILE",
+         "HTML page for any browser, as of `harmorph morph`; written even if the moved mesh is not "
+         "valid",
+         FileUse::output}} +
         task_options() + engine_options() + safe_options() +
         std::vector<Option>{
             {"--repeat", "N",

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <sstream>
 
 namespace cli {
 
@@ -44,9 +45,12 @@ void run_explore(const Arguments& arguments) {
     refuse_inverted_cells(mesh, basis);
     std::string moves;
     if (arguments.has("--move")) {
-        read_moves(arguments.text("--move"), basis,
-                   mesh);  // refuses moves that the page would not understand
-        moves = TextFile(arguments.text("--move")).text();
+        const TextFile text = text_of_moves(arguments.text("--move"));
+        const std::vector<double> by = read_moves({text}, movable_of(basis), mesh);
+        std::ostringstream lines;  // the page knows no movements of sections
+        if (has_section_movements(text)) write_moves(lines, by, basis, mesh);
+        else lines << text.text();
+        moves = lines.str();
     }
     const hm_basis_info& info = basis.info();
     const std::vector<std::int32_t> body(info.curve_point, info.curve_point + info.curve_points);

@@ -4,6 +4,7 @@
 #include "curves/curve_file.hpp"
 #include "basics/json.hpp"
 #include "mesh/mesh_analysis.hpp"
+#include "basics/number_list.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
 #include "basics/output_file.hpp"
@@ -64,6 +65,47 @@ hm_fit_options fit_options(const Arguments& arguments) {
     return options;
 }
 
+// Lines "point weight" with the numbers that the points have in the mesh, or in the file.
+std::vector<double> read_weights(const std::string& path, const Outline& outline) {
+    const TextFile file(path);
+    LineReader lines(file, '#');
+    std::vector<double> weights(outline.x.size(), 1);
+    while (lines.next()) {
+        const auto& words = lines.words();
+        std::int32_t point = 0;
+        double weight = 0;
+        if (words.size() != 2 || !parse(words[0], point) || !parse(words[1], weight) || weight < 0)
+            lines.expected("a point and a weight of 0 or above");
+        const auto found = std::find(outline.numbers.begin(), outline.numbers.end(), point);
+        if (found == outline.numbers.end())
+            lines.expected("a point of the boundary that is fitted", words[0]);
+        weights[static_cast<std::size_t>(found - outline.numbers.begin())] = weight;
+    }
+    return weights;
+}
+
+void take_direction(const Arguments& arguments, const std::string& option, double& x, double& y) {
+    if (!arguments.has(option)) return;
+    const std::vector<double> numbers = number_list(arguments, option);
+    if (numbers.size() != 2 || (numbers[0] == 0 && numbers[1] == 0))
+        arguments.refuse(option + " expects a direction X,Y");
+    x = numbers[0];
+    y = numbers[1];
+}
+
+hm_fit_details fit_details(const Arguments& arguments, const std::vector<double>& weights) {
+    auto details = sized<hm_fit_details>();
+    if (!weights.empty()) {
+        details.weights = weights.data();
+        details.n_weights = static_cast<std::int32_t>(weights.size());
+    }
+    if (arguments.has("--smooth")) details.smoothing = arguments.positive("--smooth", 0);
+    if (arguments.has("--tolerance")) details.tolerance = arguments.positive("--tolerance", 0);
+    take_direction(arguments, "--begin", details.begin_x, details.begin_y);
+    take_direction(arguments, "--end", details.end_x, details.end_y);
+    return details;
+}
+
 // path: the file of the points.
 Fit fit(const std::string& path, const Outline& outline, const hm_fit_options& options) {
     Fit fit;
@@ -73,8 +115,13 @@ Fit fit(const std::string& path, const Outline& outline, const hm_fit_options& o
     const hm_curves* curves = nullptr;
     const hm_points points = {outline.x.data(), outline.y.data(), 1};
     const std::int32_t is_loop = outline.is_loop;
-    call(path, hm_fit, &curves, block.data(), bytes, &points, outline.points(), is_loop, &options,
-         &fit.report);
+    const hm_status status = call(path, hm_fit, &curves, block.data(), bytes, &points,
+                                  outline.points(), is_loop, &options, &fit.report);
+    if (status == HM_SHORT) {
+        throw Failure(exit_unusable, path + ": " + plural(options.n_control, "control point") +
+                                         " do not reach the tolerance; the largest error is " +
+                                         brief(fit.report.max_error));
+    }
     fit.curves = copied(*curves);
     return fit;
 }
@@ -161,9 +208,15 @@ Outline outline_of(const Arguments& arguments, const std::string& path) {
 }
 
 void run_fit(const Arguments& arguments) {
-    const hm_fit_options options = fit_options(arguments);
+    hm_fit_options options = fit_options(arguments);
     const std::string path = arguments.text("-o"), from = arguments.operand(0);
     const Outline outline = outline_of(arguments, from);
+    std::vector<double> weights;
+    if (arguments.has("--weights")) weights = read_weights(arguments.text("--weights"), outline);
+    const hm_fit_details details = fit_details(arguments, weights);
+    options.details = &details;
+    if (details.tolerance > 0 && !arguments.has("--points"))
+        options.n_control = std::min(outline.points(), 100);
     if (options.n_control > outline.points()) {
         arguments.refuse("--points " + std::to_string(options.n_control) +
                          ": the boundary itself has only " + plural(outline.points(), "point"));
@@ -198,7 +251,18 @@ const Command fit_command = {
     {{"--marker", "A[,B..]",
       "markers of the boundary (required with a mesh); A@X:Y: its piece nearest to (X, Y)"},
      {"--degree", "P", "degree of the curve, 1 to 5 (default 3)"},
-     {"--points", "N", "number of control points (default 20)"},
+     {"--points", "N", "number of control points (default 20; with --tolerance the most, 100)"},
+     {"--tolerance", "LENGTH",
+      "insert control points until no point is farther from the curve than LENGTH (in the mesh's "
+      "unit)"},
+     {"--smooth", "LENGTH", "damp waves much shorter than LENGTH; corners stay"},
+     {"--weights", "FILE",
+      "lines \"point weight\", points as the mesh counts them (from 0); others have weight 1; a "
+      "point with\n"
+      "weight 0 does not count",
+      FileUse::input},
+     {"--begin", "X,Y", "direction of the curve at its first end"},
+     {"--end", "X,Y", "direction of the curve at its last end"},
      {"--closed", "HOW",
       "periodic: smooth all round; tied: both ends are one control point, for a sharp trailing "
       "edge;\n"

@@ -10,7 +10,6 @@
 #include "curves/moves_file.hpp"
 #include "basics/output_file.hpp"
 #include "page/page_data.hpp"
-#include "page/page_text.hpp"
 #include "pictures/pictures.hpp"
 #include "formats/vtu.hpp"
 #include "commands/window_option.hpp"
@@ -42,11 +41,10 @@ Companions companions_of(const Arguments& arguments, const Basis& basis, const M
 void write_report(std::ostream& out, const Mesh& mesh, const Basis& basis, const Morph& morph,
                   bool safe) {
     const hm_basis_info& info = basis.info();
-    const PageSelection selection =
-        select_for_page(mesh, {info.curve_point, info.curve_point + info.curve_points}, 20000);
-    out << page_head << report_page.before_data << "<script>\nconst page_data = ";
-    write_report_data(out, mesh, basis, selection, morph, safe);
-    out << ";\n</script>\n" << report_page.after_data;
+    write_report(out, mesh, {basis.path(), info, basis.curves(), basis.conditions()},
+                 {info.curve_point, info.curve_point + info.curve_points},
+                 {morph.displacement, morph.moves, morph.step, morph.quality, morph.boundary_error,
+                  "largest distance from the B-spline", safe, morph.safe, morph.refusal});
 }
 
 void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
@@ -169,7 +167,12 @@ const Command morph_command = {
     "MOVES is a text file with lines \"index dx dy\": control point (from 1) and its movement; "
     "for bodies of solve --rigid\n"
     "\"rigid MARKER dx dy degrees [scale]\", for tables of solve --mode \"mode "
-    "K amplitude [amplitude y]\". What is not\n"
+    "K amplitude [amplitude y]\". A section moves as\n"
+    "a whole by \"turn MARKER degrees [X,Y]\" (counter-clockwise, about X,Y or the quarter chord), "
+    "\"shift MARKER dx dy\",\n"
+    "\"scale MARKER factor [X,Y]\" and \"flap MARKER X,Y degrees [length]\", a smooth "
+    "deflection behind the hinge X,Y, over a\n"
+    "tenth of the chord or `length`. Lines are applied in their order. What is not\n"
     "named stays; `#` starts a comment. Points of the mesh on the curve move exactly as the "
     "B-spline does.\n"
     "A mesh with inverted cells or a boundary that crosses itself is not written.\n"
@@ -179,8 +182,9 @@ const Command morph_command = {
     "and then not by a fraction of it, as\n"
     "bodies turn on the way: MESH.reached is the file of moves that it has.\n",
     std::vector<Option>{
-        {"--move", "MOVES", "movement of the control points (this or --to-airfoil is required)",
-         FileUse::input},
+        {"--move", "MOVES",
+         "movement of the control points (this, --by or --to-airfoil is required)", FileUse::input},
+        by_option,
         {"--variables", "MAP",
          "MOVES has lines \"variable value\" (or \"variable x y\") of the design variables in MAP, "
          "a file of\n"

@@ -31,12 +31,11 @@ void add_bodies(std::vector<Row>& rows, const std::vector<double>& g, const Basi
     }
 }
 
-std::vector<Row> rows_of(const Gradient& gradient, const Basis& basis, const Mesh& mesh,
-                         const VariableMap* map) {
+std::vector<Row> rows_of(const Gradient& gradient, const Basis& basis, const Mesh& mesh) {
     const std::vector<double>& g = gradient.by_functions;
     std::vector<Row> rows;
-    if (map != nullptr) {
-        const std::vector<double> by = map->variable_gradient(g);
+    const std::vector<double>& by = gradient.by_variables;
+    if (!by.empty()) {
         for (std::size_t j = 0; j < by.size() / 2; ++j)
             rows.push_back({"variable", std::to_string(j + 1), {by[2 * j], by[2 * j + 1]}});
     } else {
@@ -72,11 +71,11 @@ void write_csv(std::ostream& out, std::size_t objective, const std::vector<Row>&
 }  // namespace
 
 JsonObject gradients_json(const std::vector<Gradient>& gradients, const Basis& basis,
-                          const Mesh& mesh, const VariableMap* map) {
+                          const Mesh& mesh) {
     std::vector<JsonObject> objectives;
     for (const Gradient& gradient : gradients) {
         std::vector<JsonObject> rows;
-        for (const Row& row : rows_of(gradient, basis, mesh, map)) {
+        for (const Row& row : rows_of(gradient, basis, mesh)) {
             JsonObject object;
             object.add("kind", row.kind).add("name", row.name);
             object.add("dx", row.values[0]).add("dy", row.values[1]);
@@ -94,17 +93,16 @@ JsonObject gradients_json(const std::vector<Gradient>& gradients, const Basis& b
 }
 
 void write_gradients(std::ostream& out, const std::string& path,
-                     const std::vector<Gradient>& gradients, const Basis& basis, const Mesh& mesh,
-                     const VariableMap* map) {
+                     const std::vector<Gradient>& gradients, const Basis& basis, const Mesh& mesh) {
     if (ends_with(path, ".json")) {
-        out << gradients_json(gradients, basis, mesh, map).text() << '\n';
+        out << gradients_json(gradients, basis, mesh).text() << '\n';
         return;
     }
     const bool is_csv = ends_with(path, ".csv");
     if (is_csv) out << "objective,kind,name,dx,dy,ddegrees,dscale\n";
     std::size_t number = 0;
     for (const Gradient& gradient : gradients) {
-        const std::vector<Row> rows = rows_of(gradient, basis, mesh, map);
+        const std::vector<Row> rows = rows_of(gradient, basis, mesh);
         ++number;
         if (is_csv) {
             write_csv(out, number, rows);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "basics/json.hpp"
-#include "curves/variables_file.hpp"
 #include "mesh/basis_file.hpp"
 
 #include <iosfwd>
@@ -15,14 +14,15 @@ struct Gradient {
     std::string objective;  // the file of its sensitivities
     std::size_t points = 0;
     std::vector<double> by_functions;  // [2 * functions] of hm_adjoint
-    double admissible_descent = 0;     // see hm_assess
+    // Pairs, by the design variables; not empty: they stand for the control points.
+    std::vector<double> by_variables;
+    double admissible_descent = 0;  // see hm_assess
 };
 
-// The format follows the ending of the path. map NULL: by control points, bodies and modes.
+// The format follows the ending of the path.
 void write_gradients(std::ostream& out, const std::string& path,
-                     const std::vector<Gradient>& gradients, const Basis& basis, const Mesh& mesh,
-                     const VariableMap* map);
+                     const std::vector<Gradient>& gradients, const Basis& basis, const Mesh& mesh);
 JsonObject gradients_json(const std::vector<Gradient>& gradients, const Basis& basis,
-                          const Mesh& mesh, const VariableMap* map);
+                          const Mesh& mesh);
 
 }  // namespace cli

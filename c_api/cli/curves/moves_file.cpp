@@ -3,6 +3,7 @@
 #include "basics/failure.hpp"
 #include "basics/numbers.hpp"
 #include "basics/text_file.hpp"
+#include "curves/section_movement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,24 +17,26 @@ constexpr double pi = 3.14159265358979323846;
 
 class MovesReader {
 public:
-    MovesReader(const TextFile& file, const Movable& movable, const Mesh& mesh)
+    MovesReader(const TextFile& file, const Movable& movable, const Mesh& mesh,
+                std::vector<double>& moves)
         : movable_(movable),
           mesh_(mesh),
           lines_(file, '#'),
-          moves_(2 * static_cast<std::size_t>(movable.functions())),
+          moves_(moves),
           moved_(static_cast<std::size_t>(movable.functions())) {}
 
-    std::vector<double> read() {
+    void read() {
         while (lines_.next()) {
             if (lines_.words()[0] == "rigid") {
                 read_body();
+            } else if (is_section_movement(lines_.words()[0])) {
+                read_section();
             } else if (lines_.words()[0] == "mode") {
                 read_mode();
             } else {
                 read_control_point();
             }
         }
-        return moves_;
     }
 
 private:
@@ -49,7 +52,55 @@ private:
         if (moved_[point])
             lines_.fail("control point " + std::to_string(index) + " is moved a second time");
         moved_[point] = true;
-        for (std::size_t i = 0; i < 2; ++i) moves_[2 * point + i] = number(words[i + 1]);
+        for (std::size_t i = 0; i < 2; ++i) moves_[2 * point + i] += number(words[i + 1]);
+    }
+
+    void read_section() {
+        SectionMovement line = section_movement_of(lines_);
+        const hm_section section = section_of(line.marker);
+        hm_curves curves = movable_.curves();
+        const auto n = 2 * static_cast<std::size_t>(curves.n_control);
+        std::vector<double> control(curves.control, curves.control + n);
+        for (std::size_t k = 0; k < n; ++k) control[k] += moves_[k];
+        curves.control = control.data();
+        hm_error error = {};
+        if (!line.has_centre &&
+            !find_quarter_chord(curves, section, line.movement.x, line.movement.y, error)) {
+            lines_.fail("the section of " + in_quotes(line.marker) +
+                        " has no quarter chord; name the centre X,Y: " + error.text);
+        }
+        MovedSection moved;
+        if (!move_section(curves, section, {line.movement}, line.values, moved, error))
+            lines_.fail(error.text);
+        for (std::size_t k = 0; k < n; ++k) moves_[k] += moved.move[k];
+    }
+
+    // Returns the curves of all conditions on the markers of this name.
+    hm_section section_of(const std::string& name) const {
+        const std::vector<std::int32_t> markers = markers_of(name, "a marker on a curve");
+        auto section = sized<hm_section>();
+        for (const hm_condition& condition : movable_.conditions) {
+            const auto found = std::find(markers.begin(), markers.end(), condition.marker);
+            if (condition.kind != HM_ON_CURVE || found == markers.end()) continue;
+            const bool is_first = section.n_curves == 0;
+            const std::int32_t first = is_first
+                                           ? condition.first_curve
+                                           : std::min(section.first_curve, condition.first_curve);
+            const std::int32_t end = std::max(is_first ? 0 : section.first_curve + section.n_curves,
+                                              condition.first_curve + condition.n_curves);
+            section.first_curve = first;
+            section.n_curves = end - first;
+        }
+        if (section.n_curves == 0) lines_.expected("a marker on a curve", name);
+        return section;
+    }
+
+    std::vector<std::int32_t> markers_of(const std::string& name, const char* what) const {
+        try {
+            return mesh_.find_markers(name);
+        } catch (const Failure&) {
+            lines_.expected(what, name);
+        }
     }
 
     void read_body() {
@@ -89,12 +140,7 @@ private:
 
     // Returns the first function of the body to which all markers of this name belong.
     std::int32_t function_of(const std::string& name) const {
-        std::vector<std::int32_t> markers;
-        try {
-            markers = mesh_.find_markers(name);
-        } catch (const Failure&) {
-            lines_.expected("a marker of a rigid body", name);
-        }
+        const std::vector<std::int32_t> markers = markers_of(name, "a marker of a rigid body");
         std::int32_t body = -1;
         for (const hm_condition& condition : movable_.conditions) {
             const auto found = std::find(markers.begin(), markers.end(), condition.marker);
@@ -117,26 +163,52 @@ private:
     const Movable& movable_;
     const Mesh& mesh_;
     LineReader lines_;
-    std::vector<double> moves_;
+    std::vector<double>& moves_;
     std::vector<bool> moved_;
 };
 
 }  // namespace
 
-std::vector<double> read_moves(const std::string& path, const Movable& movable, const Mesh& mesh) {
-    const TextFile file(path);
+const Option by_option = {
+    "--by", "LINE",
+    "a line of a file of moves, such as \"turn airfoil 3 0.25,0\"; may be repeated"};
+
+TextFile text_of_moves(const std::string& path) {
+    TextFile file(path);
     if (trimmed(file.text()).empty())
         file.fail(
             0,
             "the file of moves is empty; if nothing is to move, write a comment such as `# nothing "
             "moves`");
-    return MovesReader(file, movable, mesh).read();
+    return file;
 }
 
-std::vector<double> read_moves(const std::string& path, const Basis& basis, const Mesh& mesh) {
-    const Movable movable = {basis.n_control(), basis.info().bodies, basis.info().modes,
-                             basis.conditions()};
-    return read_moves(path, movable, mesh);
+std::vector<TextFile> texts_of_moves(const Arguments& arguments) {
+    std::vector<TextFile> texts;
+    if (arguments.has("--move")) texts.push_back(text_of_moves(arguments.text("--move")));
+    std::string lines;
+    for (const std::string& line : arguments.all("--by")) lines += line + '\n';
+    if (!lines.empty()) texts.emplace_back("--by", lines);
+    return texts;
+}
+
+std::vector<double> read_moves(const std::vector<TextFile>& texts, const Movable& movable,
+                               const Mesh& mesh) {
+    std::vector<double> moves(2 * static_cast<std::size_t>(movable.functions()));
+    for (const TextFile& text : texts) MovesReader(text, movable, mesh, moves).read();
+    return moves;
+}
+
+Movable movable_of(const Basis& basis) {
+    return {basis.n_control(), basis.info().bodies, basis.info().modes, basis.conditions(),
+            [&basis]() -> const hm_curves& { return basis.curves(); }};
+}
+
+bool has_section_movements(const TextFile& text) {
+    LineReader lines(text, '#');
+    while (lines.next())
+        if (is_section_movement(lines.words()[0])) return true;
+    return false;
 }
 
 void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis,

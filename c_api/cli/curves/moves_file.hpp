@@ -1,11 +1,14 @@
-// Files of movements: lines "index dx dy", the control point counted from 1, "rigid MARKER dx dy
-// degrees [scale]", and "mode K amplitude [amplitude-y]" for functions by table; points and bodies
-// that are not named do not move.
+// Files of movements: lines "index dx dy", the control point counted from 1, lines that move a
+// section (section_movement.hpp), "rigid MARKER dx dy degrees [scale]", and "mode K amplitude
+// [amplitude-y]" for functions by table. Lines are applied in their order: a section moves from
+// where the lines before have put its control points. What is not named does not move.
 #pragma once
 
+#include "basics/arguments.hpp"
 #include "mesh/basis_file.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -16,13 +19,21 @@ namespace cli {
 struct Movable {
     std::int32_t n_control = 0, n_bodies = 0, n_modes = 0;
     std::vector<hm_condition> conditions;
+    std::function<const hm_curves&()> curves;  // where they are; a Failure if they are on no wall
 
     std::int32_t functions() const { return n_control + 2 * n_bodies + n_modes; }
 };
 
+// The option `--by LINE`, and the texts of `--move` and of all `--by`, in this order.
+extern const Option by_option;
+std::vector<TextFile> texts_of_moves(const Arguments& arguments);
+TextFile text_of_moves(const std::string& path);  // refuses an empty file
+
+Movable movable_of(const Basis& basis);
 // Returns pairs [2 * functions].
-std::vector<double> read_moves(const std::string& path, const Movable& movable, const Mesh& mesh);
-std::vector<double> read_moves(const std::string& path, const Basis& basis, const Mesh& mesh);
+std::vector<double> read_moves(const std::vector<TextFile>& texts, const Movable& movable,
+                               const Mesh& mesh);
+bool has_section_movements(const TextFile& text);
 void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis,
                  const Mesh& mesh);
 

@@ -1,7 +1,9 @@
 #include "curves/variables_file.hpp"
 
+#include "basics/library.hpp"
 #include "basics/numbers.hpp"
 #include "basics/text_file.hpp"
+#include "curves/section_movement.hpp"
 
 #include <ostream>
 
@@ -9,11 +11,11 @@ namespace cli {
 
 namespace {
 
+// The number on a line "keyword number".
 std::int32_t count(LineReader& lines, const char* keyword) {
     std::int32_t n = 0;
-    const bool found = lines.next();
-    if (!found || lines.words().size() != 2 || lines.words()[0] != keyword ||
-        !parse(lines.words()[1], n) || n < 1 || n > (1 << 20)) {
+    if (lines.words().size() != 2 || lines.words()[0] != keyword || !parse(lines.words()[1], n) ||
+        n < 1 || n > (1 << 20)) {
         lines.expected(std::string(keyword) + " and how many");
     }
     return n;
@@ -34,9 +36,100 @@ double value(LineReader& lines, std::size_t word) {
     return number;
 }
 
+// The movements as a file names them, with the numbers that follow the name.
+struct MovementName {
+    const char* name;
+    std::int32_t kind;
+    std::size_t numbers;
+};
+constexpr MovementName movement_names[] = {{"turn", HM_TURN, 2},
+                                           {"shift", HM_SHIFT, 0},
+                                           {"scale", HM_SCALE, 2},
+                                           {"flap", HM_FLAP, 3},
+                                           {"camber-thickness", HM_CAMBER_THICKNESS, 2},
+                                           {"parsec", HM_PARSEC, 0},
+                                           {"blade", HM_BLADE, 2}};
+
+hm_movement movement_on(LineReader& lines) {
+    const auto& words = lines.words();
+    auto movement = sized<hm_movement>();
+    for (const MovementName& known : movement_names) {
+        if (words[0] != known.name) continue;
+        if (words.size() != known.numbers + 1) {
+            lines.expected(plural(static_cast<std::int64_t>(known.numbers), "number") + " after " +
+                           known.name);
+        }
+        movement.kind = known.kind;
+        if (known.kind == HM_CAMBER_THICKNESS) {
+            if (!parse(words[1], movement.n_camber) || !parse(words[2], movement.n_thickness))
+                lines.expected("two whole numbers after camber-thickness");
+            return movement;
+        }
+        if (known.numbers > 0) {
+            movement.x = value(lines, 1);
+            movement.y = value(lines, 2);
+        }
+        if (known.numbers > 2) movement.length = value(lines, 3);
+        return movement;
+    }
+    lines.expected("a movement such as turn, flap or parsec", words[0]);
+}
+
+void read_movements(LineReader& lines, std::int32_t n, VariableMap& map) {
+    while (lines.next()) {
+        if (lines.words()[0] != "chord") {
+            map.movements.push_back(movement_on(lines));
+            map.variables += static_cast<std::int32_t>(value_names(map.movements.back()).size());
+            continue;
+        }
+        if (lines.words().size() != 5) lines.expected("chord X Y X Y");
+        map.section.leading_x = value(lines, 1);
+        map.section.leading_y = value(lines, 2);
+        map.section.trailing_x = value(lines, 3);
+        map.section.trailing_y = value(lines, 4);
+    }
+    if (static_cast<std::int32_t>(map.movements.size()) != n)
+        lines.fail("the file announces " + plural(n, "movement") + " and has " +
+                   std::to_string(map.movements.size()));
+}
+
+void write_movements(std::ostream& out, const VariableMap& map) {
+    out << "movements " << map.movements.size() << "\npoints " << map.points << '\n';
+    const hm_section& s = map.section;
+    if (!(s.leading_x == 0 && s.leading_y == 0 && s.trailing_x == 0 && s.trailing_y == 0)) {
+        out << "chord " << exact(s.leading_x) << ' ' << exact(s.leading_y) << ' '
+            << exact(s.trailing_x) << ' ' << exact(s.trailing_y) << '\n';
+    }
+    for (const hm_movement& movement : map.movements) {
+        const MovementName& name = movement_names[movement.kind];
+        out << name.name;
+        if (movement.kind == HM_CAMBER_THICKNESS) {
+            out << ' ' << movement.n_camber << ' ' << movement.n_thickness;
+        } else if (name.numbers > 0) {
+            out << ' ' << exact(movement.x) << ' ' << exact(movement.y);
+        }
+        if (name.numbers > 2) out << ' ' << exact(movement.length);
+        out << '\n';
+    }
+}
+
+// values: pairs, of which the first numbers count.
+MovedSection moved_by(const VariableMap& map, const hm_curves& curves,
+                      const std::vector<double>& values, const std::string& path) {
+    std::vector<double> own;
+    for (std::size_t j = 0; j < values.size(); j += 2) own.push_back(values[j]);
+    MovedSection moved;
+    hm_error error = {};
+    if (!move_section(curves, map.section, map.movements, own, moved, error)) refuse(error, path);
+    return moved;
+}
+
 }  // namespace
 
-std::vector<double> VariableMap::control_moves(const std::vector<double>& values) const {
+std::vector<double> VariableMap::control_moves(const hm_curves& curves,
+                                               const std::vector<double>& values,
+                                               const std::string& path) const {
+    if (!movements.empty()) return moved_by(*this, curves, values, path).move;
     std::vector<double> moves(2 * static_cast<std::size_t>(points));
     const auto n = static_cast<std::size_t>(variables);
     for (std::size_t i = 0; i < static_cast<std::size_t>(points); ++i) {
@@ -50,10 +143,20 @@ std::vector<double> VariableMap::control_moves(const std::vector<double>& values
     return moves;
 }
 
-std::vector<double> VariableMap::variable_gradient(const std::vector<double>& gradient) const {
-    const auto n = static_cast<std::size_t>(variables);
+std::vector<double> VariableMap::variable_gradient(const hm_curves& curves,
+                                                   const std::vector<double>& values,
+                                                   const std::vector<double>& gradient,
+                                                   const std::string& path) const {
+    const auto n = static_cast<std::size_t>(variables), n_points = static_cast<std::size_t>(points);
     std::vector<double> by(2 * n);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(points); ++i) {
+    if (!movements.empty()) {
+        const std::vector<double> derivatives = moved_by(*this, curves, values, path).derivatives;
+        for (std::size_t j = 0; j < n; ++j)
+            for (std::size_t k = 0; k < 2 * n_points; ++k)
+                by[2 * j] += derivatives[j * 2 * n_points + k] * gradient[k];
+        return by;
+    }
+    for (std::size_t i = 0; i < n_points; ++i) {
         for (std::size_t j = 0; j < n; ++j) {
             const double a = matrix[2 * (i * n + j)], b = matrix[2 * (i * n + j) + 1],
                          x = gradient[2 * i], y = gradient[2 * i + 1];
@@ -68,8 +171,18 @@ VariableMap read_variables(const std::string& path) {
     const TextFile file(path);
     LineReader lines(file, '#');
     VariableMap map;
-    map.variables = count(lines, "variables");
+    map.section = sized<hm_section>();
+    if (!lines.next() || (lines.words()[0] != "variables" && lines.words()[0] != "movements"))
+        lines.expected("variables or movements, and how many");
+    const bool is_linear = lines.words()[0] == "variables";
+    const std::int32_t n = count(lines, is_linear ? "variables" : "movements");
+    if (!lines.next()) lines.expected("points and how many");
     map.points = count(lines, "points");
+    if (!is_linear) {
+        read_movements(lines, n, map);
+        return map;
+    }
+    map.variables = n;
     map.matrix.resize(2 * static_cast<std::size_t>(map.variables) *
                       static_cast<std::size_t>(map.points));
     while (lines.next()) {
@@ -86,6 +199,7 @@ VariableMap read_variables(const std::string& path) {
 }
 
 void write_variables(std::ostream& out, const VariableMap& map) {
+    if (!map.movements.empty()) return write_movements(out, map);
     out << "variables " << map.variables << "\npoints " << map.points
         << "\n# control point, variable, dx, dy\n";
     std::size_t at = 0;
@@ -112,6 +226,8 @@ std::vector<double> read_values(const std::string& path, const VariableMap& map)
             lines.fail("variable " + std::to_string(variable + 1) + " has a value already");
         named[variable] = true;
         values[2 * variable] = value(lines, 1);
+        if (n == 3 && !map.movements.empty())
+            lines.expected("one value, as the variables are movements");
         if (n == 3) values[2 * variable + 1] = value(lines, 2);
     }
     return values;

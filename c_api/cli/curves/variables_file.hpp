@@ -1,8 +1,19 @@
-// Files of design variables: the movement of each control point by one unit of each variable.
+// Files of design variables. Linear ones have the movement of each control point by one unit of
+// each variable:
 //
 //     variables 12           # how many
 //     points 20              # control points
 //     1 3 0 0.0125           # control point, variable, dx, dy; pairs that are not named are 0
+//
+// Other ones are movements of the section, in the order in which they are applied (hm_movement);
+// the variables are their values:
+//
+//     movements 3
+//     points 20
+//     chord 0 0 1 0          # a chord line that does not move; may be missing
+//     parsec                 # or blade X Y, or camber-thickness N M
+//     flap 0.7 0 0.1         # hinge, length
+//     turn 0.25 0            # centre; likewise scale, and shift without a place
 #pragma once
 
 #include <harmorph_design.h>
@@ -15,13 +26,20 @@ namespace cli {
 
 struct VariableMap {
     std::int32_t points = 0, variables = 0;
-    std::vector<double> matrix;  // [points * variables * 2], as hm_variables_map fills it
+    std::vector<double> matrix;          // [points * variables * 2], as hm_variables_map fills it
+    std::vector<hm_movement> movements;  // not empty: they take the place of the matrix
+    hm_section section;
 
-    // Returns the movements of the control points for these values of the variables, both as pairs.
-    std::vector<double> control_moves(const std::vector<double>& values) const;
-    // The transpose: derivatives by the values, both pairs. gradient: by the control points at
-    // least.
-    std::vector<double> variable_gradient(const std::vector<double>& gradient) const;
+    // Returns the movements of the control points from where they are on `curves` for these values
+    // of the variables, both as pairs.
+    std::vector<double> control_moves(const hm_curves& curves, const std::vector<double>& values,
+                                      const std::string& path) const;
+    // The transpose: derivatives by the values at these values, both pairs. gradient: by the
+    // control points at least.
+    std::vector<double> variable_gradient(const hm_curves& curves,
+                                          const std::vector<double>& values,
+                                          const std::vector<double>& gradient,
+                                          const std::string& path) const;
 };
 
 VariableMap read_variables(const std::string& path);

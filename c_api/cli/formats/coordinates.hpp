@@ -23,6 +23,7 @@ struct CoordinateSlot {
     std::int32_t point;  // a point of the mesh; from the number of points on, one of `between`
     std::int32_t
         rule;  // takes_x, takes_y: the number is that coordinate; otherwise a place in `directions`
+    std::int64_t number = -1;  // 3 k + d: coordinate d of point k of a file with three coordinates
 };
 enum CoordinateRule : std::int32_t { takes_x = -1, takes_y = -2 };
 
@@ -49,6 +50,7 @@ struct FileCoordinates {
     bool swapped = false;      // binary numbers are not in this machine's byte order
     std::size_t axes[2] = {0,
                            1};  // which coordinates of a file of one plane are x and y of the mesh
+    std::int64_t n_points = 0;  // of a file with three coordinates, which slots then number
     std::vector<CoordinateSlot> slots;
     std::vector<Direction> directions;
     std::vector<Between> between;

@@ -3,6 +3,8 @@
 #include "basics/failure.hpp"
 #include "basics/numbers.hpp"
 #include "formats/bytes.hpp"
+#include "formats/deflate.hpp"
+#include "formats/point_fields.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -139,13 +141,6 @@ private:
 
 std::string place_text(double x, double y) { return "(" + brief(x) + ", " + brief(y) + ")"; }
 
-// Text files have 6 digits or more.
-double reach_of(const Mesh& mesh) {
-    const auto x = std::minmax_element(mesh.x.begin(), mesh.x.end());
-    const auto y = std::minmax_element(mesh.y.begin(), mesh.y.end());
-    return 2e-6 * std::max(*x.second - *x.first, *y.second - *y.first);
-}
-
 std::int32_t by_number(const PointTable& table, std::size_t row, const Mesh& mesh) {
     const double number = table.at(row, table.column(point_name));
     if (number != std::floor(number) || number < 0 || number >= mesh.points()) {
@@ -170,6 +165,12 @@ std::int32_t by_number(const PointTable& table, std::size_t row, const Mesh& mes
 
 }  // namespace
 
+double reach_of(const Mesh& mesh) {
+    const auto x = std::minmax_element(mesh.x.begin(), mesh.x.end());
+    const auto y = std::minmax_element(mesh.y.begin(), mesh.y.end());
+    return 2e-6 * std::max(*x.second - *x.first, *y.second - *y.first);
+}
+
 bool PointTable::has(const std::string& name) const {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -189,7 +190,8 @@ std::string PointTable::place(std::size_t row) const {
 }
 
 PointTable read_point_table(const std::string& path) {
-    const auto file = std::make_shared<const TextFile>(path);
+    const auto file = std::make_shared<const TextFile>(read_unpacked(path));
+    if (is_point_fields(*file)) return read_point_fields(file);
     if (is_restart(file->text())) return read_restart(file);
     LineReader lines(*file, '#');
     if (!lines.next()) file->fail(0, "the file has no numbers");

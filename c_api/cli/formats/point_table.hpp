@@ -3,6 +3,7 @@
 //     text       lines "point dJ/dx dJ/dy", points counted from 0 in the order of the mesh file
 //     CSV        a first line with the names of the columns, in quotes or not (SU2, ParaView)
 //     restart    SU2's binary restart files (.dat)
+//     fields     files of VTK and OpenFOAM (point_fields.hpp)
 #pragma once
 
 #include "mesh/mesh_file.hpp"
@@ -18,6 +19,7 @@ struct PointTable {
     std::vector<std::string> names;    // of the columns
     std::vector<double> values;        // [rows * columns]
     std::vector<std::size_t> offsets;  // [rows] of the lines in the file; empty: a binary file
+    bool has_file_points = false;      // rows may be points of a mesh file with three coordinates
 
     std::size_t rows() const { return names.empty() ? 0 : values.size() / names.size(); }
     double at(std::size_t row, std::size_t column) const {
@@ -29,6 +31,9 @@ struct PointTable {
 };
 
 PointTable read_point_table(const std::string& path);
+
+// How far a place in a file may be from a point of the mesh: text files have 6 digits or more.
+double reach_of(const Mesh& mesh);
 
 // The mesh point of each row: by the column PointID, else by the columns x and y, else by the order
 // of the rows, which must then be as many as the points. Where a file has numbers and coordinates,

@@ -40,7 +40,8 @@ VtkXmlFile TagReader::read() {
         } else if (!has_head) {
             file_.fail(tag().begin, "the file needs <VTKFile here, but " +
                                         in_quotes("<" + std::string(name)) + " follows");
-        } else if (name == "Points" || name == "Cells" || name == "/Points" || name == "/Cells") {
+        } else if (name == "Points" || name == "Cells" || name == "PointData" ||
+                   name == "/Points" || name == "/Cells" || name == "/PointData") {
             section_ = tag().is_empty ? "" : name;
         } else {
             read_tag();
@@ -130,7 +131,11 @@ void TagReader::read_array() {
         found_.appended.push_back(array);
     }
     VtkArray* const place = place_of(tag().attribute("Name"));
-    if (!place) return;  // the array stays as it is
+    if (!place) {  // the array stays as it is
+        if (section_ == "PointData" && !found_.pieces.empty())
+            found_.pieces.back().point_data.emplace_back(tag().attribute("Name"), array);
+        return;
+    }
     if (place->is_there) file_.fail(tag().begin, "the piece has this array a second time");
     if (!array.is_appended && !array.is_binary && !format.empty() && format != "ascii") {
         file_.fail(tag().begin, "the array has the format " + in_quotes(tag().attribute("format")) +

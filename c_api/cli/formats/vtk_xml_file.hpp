@@ -5,6 +5,8 @@
 #include "formats/vtk_data.hpp"
 #include "formats/xml.hpp"
 
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace cli {
@@ -14,6 +16,7 @@ struct VtkPiece {
     std::int64_t n_points = 0, n_cells = 0;  // of unstructured grids
     std::int64_t size[3] = {0, 0, 0};        // of structured grids: points along i, j, k
     VtkArray points, connectivity, offsets, types;
+    std::vector<std::pair<std::string, VtkArray>> point_data;  // by names
 };
 
 struct VtkXmlFile {

@@ -1,6 +1,7 @@
 #include "mesh/sensitivity.hpp"
 
 #include "basics/failure.hpp"
+#include "basics/numbers.hpp"
 
 #include <cmath>
 #include <map>
@@ -60,11 +61,58 @@ Field boundary_normals(const Mesh& mesh) {
     return normals;
 }
 
+// Returns whether the rows are the points of the mesh's own file, which has three coordinates.
+bool has_points_of_file(const PointTable& table, const Mesh& mesh) {
+    return table.has_file_points && mesh.in_file.n_points > 0 &&
+           mesh.in_file.n_points == static_cast<std::int64_t>(table.rows());
+}
+
+// Each coordinate of the file that moves with a point of the mesh adds to the derivatives by this
+// point, also in both planes of a mesh that is one cell thick.
+Sensitivity by_points_of_file(const PointTable& table, const SensitivityColumns& columns,
+                              const Mesh& mesh) {
+    if (!mesh.in_file.between.empty()) {
+        throw Failure(exit_file, table.file->path() +
+                                     ": sensitivities by the points of elements of "
+                                     "second order are not read");
+    }
+    const std::size_t x = table.column(columns.x);
+    const std::string vector = columns.x.substr(0, columns.x.size() - 2);
+    const std::size_t component[3] = {x, table.column(columns.y),
+                                      table.has(vector + "_z") ? table.column(vector + "_z") : x};
+    const bool has_places = table.has("x") && table.has("y") && table.has("z");
+    const double reach = reach_of(mesh);
+    Sensitivity found{Field(mesh.x.size()), table.rows()};
+    for (const CoordinateSlot& slot : mesh.in_file.slots) {
+        if (slot.number < 0) continue;
+        const auto row = static_cast<std::size_t>(slot.number / 3),
+                   point = static_cast<std::size_t>(slot.point);
+        const auto d = static_cast<std::size_t>(slot.number % 3);
+        Direction along = {{slot.rule == takes_x ? 1.0 : 0.0, slot.rule == takes_y ? 1.0 : 0.0}};
+        if (slot.rule >= 0) along = mesh.in_file.directions[static_cast<std::size_t>(slot.rule)];
+        const double place = slot.rule == takes_x ? mesh.x[point] : mesh.y[point];
+        if (has_places && slot.rule < 0 &&
+            std::fabs(table.at(row, table.column("x") + d) - place) > reach) {
+            throw Failure(exit_file, table.place(row) +
+                                         ": the values are those of another mesh: coordinate " +
+                                         std::string(1, "xyz"[d]) + " is " +
+                                         brief(table.at(row, table.column("x") + d)) +
+                                         ", that of this mesh is " + brief(place));
+        }
+        const double value = finite(table, row, component[d]);
+        found.by.x[point] += along.along[0] * value;
+        found.by.y[point] += along.along[1] * value;
+    }
+    return found;
+}
+
 }  // namespace
 
 Sensitivity read_sensitivity(const std::string& path, const SensitivityColumns& columns,
                              const Mesh& mesh) {
     const PointTable table = read_point_table(path);
+    if (columns.normal.empty() && has_points_of_file(table, mesh))
+        return by_points_of_file(table, columns, mesh);
     const std::vector<std::int32_t> points = points_of(table, mesh);
     Sensitivity found{Field(mesh.x.size()), points.size()};
     if (columns.normal.empty()) {

@@ -20,7 +20,8 @@ class Slots {
 public:
     explicit Slots(Mesh& mesh) : mesh_(mesh) {}
 
-    void add(std::size_t offset, double value, std::int32_t point, const Direction& direction) {
+    void add(std::size_t offset, double value, std::int32_t point, const Direction& direction,
+             std::int64_t number) {
         const auto p = static_cast<std::size_t>(point);
         std::int32_t rule = 0;
         if (direction.along[0] == 0 && direction.along[1] == 0) return;
@@ -36,7 +37,7 @@ public:
             if (known.second) directions.push_back(direction);
             rule = known.first->second;
         }
-        mesh_.in_file.slots.push_back({offset, point, rule});
+        mesh_.in_file.slots.push_back({offset, point, rule, number});
     }
 
 private:
@@ -111,15 +112,17 @@ void take_flat(Mesh& mesh, const SpacePoints& points, const std::vector<SpaceCop
     mesh.x = points.x[axes[0]];
     mesh.y = points.x[axes[1]];
     mesh.point_offset = points.offset[axes[0]];
+    mesh.in_file.n_points = static_cast<std::int64_t>(points.x[0].size());
     Slots slots(mesh);
     for (const std::size_t axis : {0u, 1u}) {
         const Direction direction = {{axis == 0 ? 1.0 : 0.0, axis == 0 ? 0.0 : 1.0}};
         const std::size_t d = axes[axis];
         for (std::size_t k = 0; k < points.x[d].size(); ++k) {
-            slots.add(points.offset[d][k], points.x[d][k], static_cast<std::int32_t>(k), direction);
+            slots.add(points.offset[d][k], points.x[d][k], static_cast<std::int32_t>(k), direction,
+                      static_cast<std::int64_t>(3 * k + d));
         }
         for (const SpaceCopy& copy : copies)
-            slots.add(copy.offset[d], copy.x[d], copy.original, direction);
+            slots.add(copy.offset[d], copy.x[d], copy.original, direction, -1);
     }
 }
 
@@ -185,16 +188,20 @@ void take_plane(Mesh& mesh, const SpaceMesh& space) {
         mesh.in_file.is_computed = mesh.in_file.is_computed || !is_axis;
     }
     Slots slots(mesh);
-    const auto add = [&](std::size_t k, std::size_t d, std::size_t offset, double value) {
-        slots.add(offset, value, info.follows[k], {{steps[0][d * n + k], steps[1][d * n + k]}});
+    const auto add = [&](std::size_t k, std::size_t d, std::size_t offset, double value,
+                         std::int64_t number) {
+        slots.add(offset, value, info.follows[k], {{steps[0][d * n + k], steps[1][d * n + k]}},
+                  number);
     };
+    mesh.in_file.n_points = static_cast<std::int64_t>(n);
     for (std::size_t k = 0; k < n; ++k) {
         for (std::size_t d = 0; d < 3; ++d)
-            add(k, d, space.points.offset[d][k], space.points.x[d][k]);
+            add(k, d, space.points.offset[d][k], space.points.x[d][k],
+                static_cast<std::int64_t>(3 * k + d));
     }
     for (const SpaceCopy& copy : space.copies) {
         for (std::size_t d = 0; d < 3; ++d)
-            add(static_cast<std::size_t>(copy.original), d, copy.offset[d], copy.x[d]);
+            add(static_cast<std::size_t>(copy.original), d, copy.offset[d], copy.x[d], -1);
     }
 }
 

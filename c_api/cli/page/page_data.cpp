@@ -2,7 +2,9 @@
 
 #include "basics/json.hpp"
 #include "basics/operators.hpp"
+#include "page/page_text.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <ostream>
@@ -60,8 +62,8 @@ std::string base64(const std::vector<Number>& numbers) {
 
 class Writer {
 public:
-    Writer(const Mesh& mesh, const Basis& basis, const PageSelection& selection)
-        : mesh_(mesh), basis_(basis), selection_(selection) {}
+    Writer(const Mesh& mesh, const PageSubject& subject, const PageSelection& selection)
+        : mesh_(mesh), subject_(subject), selection_(selection) {}
 
     // Adds everything except functions and displacements.
     JsonObject& run() {
@@ -69,13 +71,13 @@ public:
             return std::filesystem::path(path).filename().string();
         };
         object_.add("version", std::string(hm_version())).add("mesh", name(mesh_.file.path()));
-        object_.add("basis", name(basis_.path()));
+        object_.add("basis", name(subject_.basis));
         object_.add("all_points", mesh_.points()).add("all_cells", mesh_.cells());
         object_.add("points", static_cast<std::int64_t>(selection_.points.size()))
             .add("in_cells", selection_.in_cells);
         object_.add("cells", static_cast<std::int64_t>(selection_.cells.size()));
-        object_.add("operator", std::string(operator_named(basis_.info().operator_kind).functions))
-            .add("numbers", basis_.info().numbers_per_value);
+        object_.add("operator", std::string(operator_named(subject_.info.operator_kind).functions))
+            .add("numbers", subject_.info.numbers_per_value);
         add_points();
         add_cells();
         add_boundary();
@@ -85,11 +87,11 @@ public:
     }
 
     // Adds the values at the points, function by function, and number by number of a function.
-    void add_functions() {
+    void add_functions(const Basis& basis) {
         Base64 all;
-        for (std::int32_t function = 0; function < basis_.functions(); ++function) {
-            for (std::int32_t number = 0; number < basis_.info().numbers_per_value; ++number) {
-                const std::vector<double> values = basis_.values(function, number, mesh_);
+        for (std::int32_t function = 0; function < basis.functions(); ++function) {
+            for (std::int32_t number = 0; number < subject_.info.numbers_per_value; ++number) {
+                const std::vector<double> values = basis.values(function, number, mesh_);
                 for (const std::int32_t point : selection_.points) {
                     all.add(static_cast<float>(values[static_cast<std::size_t>(point)]));
                 }
@@ -164,7 +166,7 @@ private:
         std::vector<hm_condition> conditions(mesh_.markers.size());
         std::vector<std::int32_t> across(mesh_.markers.size(), -1);  // of sliding interfaces
         for (hm_condition& condition : conditions) condition.kind = HM_FIXED;
-        for (const hm_condition& condition : basis_.conditions()) {
+        for (const hm_condition& condition : subject_.conditions) {
             const auto marker = static_cast<std::size_t>(condition.marker);
             if (condition.kind != HM_INTERFACE) {
                 conditions[marker] = condition;
@@ -189,7 +191,7 @@ private:
     }
 
     void add_curves() {
-        const hm_curves& curves = basis_.curves();
+        const hm_curves& curves = subject_.curves;
         const auto n = static_cast<std::size_t>(curves.n_control);
         object_.add("control", base64(curves.control, 2 * n));
         object_.add("weights",
@@ -210,9 +212,9 @@ private:
     }
 
     void add_bodies() {
-        std::vector<JsonObject> bodies(static_cast<std::size_t>(basis_.info().bodies));
+        std::vector<JsonObject> bodies(static_cast<std::size_t>(subject_.info.bodies));
         std::vector<bool> named(bodies.size());
-        for (const hm_condition& condition : basis_.conditions()) {
+        for (const hm_condition& condition : subject_.conditions) {
             if (condition.kind != HM_RIGID || named[static_cast<std::size_t>(condition.body)])
                 continue;
             named[static_cast<std::size_t>(condition.body)] = true;
@@ -224,7 +226,7 @@ private:
     }
 
     const Mesh& mesh_;
-    const Basis& basis_;
+    const PageSubject& subject_;
     const PageSelection& selection_;
     JsonObject object_;
 };
@@ -240,31 +242,39 @@ std::string for_script(std::string json) {
 
 void write_page_data(std::ostream& out, const Mesh& mesh, const Basis& basis,
                      const PageSelection& selection, const std::string& moves) {
-    Writer writer(mesh, basis, selection);
+    const PageSubject subject = {basis.path(), basis.info(), basis.curves(), basis.conditions()};
+    Writer writer(mesh, subject, selection);
     JsonObject& object = writer.run();
-    writer.add_functions();
+    writer.add_functions(basis);
     out << for_script(object.add("moves", moves).text());
 }
 
-void write_report_data(std::ostream& out, const Mesh& mesh, const Basis& basis,
-                       const PageSelection& selection, const Morph& morph, bool safe) {
-    Writer writer(mesh, basis, selection);
+void write_report(std::ostream& out, const Mesh& mesh, const PageSubject& subject,
+                  const std::vector<std::int32_t>& body, const MovedMesh& moved) {
+    const PageSelection selection = select_for_page(mesh, body, 20000);
+    Writer writer(mesh, subject, selection);
     JsonObject& object = writer.run();
-    writer.add_displacement(morph.displacement);
+    writer.add_displacement(moved.displacement);
     object.add("functions", std::string())
-        .add("moved", base64(morph.moves))
-        .add("refusal", morph.refusal);
-    object.add("inverted", morph.quality.inverted)
-        .add("self_crossing", morph.quality.self_crossing != 0);
-    object.add("admissible_step", valid_fraction(morph.step)).add("limiting_cell", morph.step.cell);
-    object.add("min_quality", morph.quality.min_quality)
-        .add("mean_quality", morph.quality.mean_quality);
-    object.add("worst_cell", morph.quality.min_quality_cell)
-        .add("boundary_error", morph.boundary_error);
-    object.add("safe", safe).add("strategy", morph.safe.strategy).add("steps", morph.safe.steps);
-    object.add("resolves", morph.safe.resolves).add("step_fraction", morph.safe.step_fraction);
-    object.add("untangled", morph.safe.untangled);
-    out << for_script(object.text());
+        .add("moved", base64(moved.moves))
+        .add("refusal", moved.refusal);
+    object.add("inverted", moved.quality.inverted)
+        .add("self_crossing", moved.quality.self_crossing != 0);
+    object.add("admissible_step", std::min(moved.step.admissible, moved.step.boundary))
+        .add("limiting_cell", moved.step.cell);
+    object.add("min_quality", moved.quality.min_quality)
+        .add("mean_quality", moved.quality.mean_quality);
+    object.add("worst_cell", moved.quality.min_quality_cell)
+        .add("boundary_error", moved.boundary_error)
+        .add("boundary_error_note", moved.boundary_error_note);
+    object.add("safe", moved.is_safe)
+        .add("strategy", moved.safe.strategy)
+        .add("steps", moved.safe.steps);
+    object.add("resolves", moved.safe.resolves).add("step_fraction", moved.safe.step_fraction);
+    object.add("untangled", moved.safe.untangled);
+    out << page_head << report_page.before_data
+        << "<script>\nconst page_data = " << for_script(object.text()) << ";\n</script>\n"
+        << report_page.after_data;
 }
 
 }  // namespace cli

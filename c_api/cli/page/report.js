@@ -3,8 +3,8 @@
 //
 //   dx, dy [points]           the displacement of each point
 //   moved [2*functions]       the movements that hm_morph was given, as far as they were reached
-//   inverted, self_crossing, admissible_step, min_quality, mean_quality, worst_cell, limiting_cell, boundary_error
-//                             the program's findings on the whole mesh
+//   inverted, self_crossing, admissible_step, min_quality, mean_quality, worst_cell, limiting_cell, boundary_error,
+//   boundary_error_note       the program's findings on the whole mesh
 //   safe, strategy, steps, resolves, step_fraction, untangled, refusal
 //                             the way that hm_morph_safe went
 

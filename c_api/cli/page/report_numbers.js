@@ -30,7 +30,7 @@ class ReportNumbers {
             ],
             ["Least quality", data.min_quality.toFixed(3), `before ${cells_before.min_quality.toFixed(3)}`],
             ["Mean quality", data.mean_quality.toFixed(4), `before ${cells_before.mean_quality.toFixed(4)}`],
-            ["Boundary error", brief(data.boundary_error), "largest distance from the B-spline"],
+            ["Boundary error", brief(data.boundary_error), data.boundary_error_note],
         ];
         if (data.safe) {
             cards.push([

@@ -6,7 +6,7 @@ class Wall {
     constructor(data, model) {
         this.model = model;
         this.faces = Wall.directed_faces(data); // of all markers: {a, b, marker, across}
-        this.moves = data.markers.map((marker) => marker.kind === "curve" || marker.kind === "rigid");
+        this.moves = data.markers.map((marker) => ["curve", "rigid", "given"].includes(marker.kind));
         this.points = []; // of walls that move: {point, previous, next, above}
         this.slot = new Int32Array(model.n).fill(-1);
         for (const face of this.faces) {

@@ -1,0 +1,291 @@
+// The C interface: moves a section by values, and finds the modes of a family of movements.
+#include "base/range.hpp"
+#include "bspline/camber_change.hpp"
+#include "bspline/family_modes.hpp"
+#include "bspline/parsec.hpp"
+#include "bspline/section_area.hpp"
+#include "section_view.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Index max_movements = 64;
+
+// Reads a movement, and refuses fields that belong to another kind.
+Status view_movement(const hm_movement* array, Index number, Movement& out, Fault& fault) noexcept {
+    hm_movement m;
+    if (!read_struct(array, m) || !read_struct(element(array, number), m)) {
+        return fault.refuse(
+            Status::bad_argument,
+            "struct_size of movement # is not the size of an hm_movement; begin with HM_INIT",
+            entry_item(number));
+    }
+    if (m.kind < HM_TURN || m.kind > HM_BLADE) {
+        return fault.refuse(
+            Status::bad_argument,
+            "the kind of movement # is @, but it must be one of HM_TURN to HM_BLADE",
+            entry_item(number), plain(m.kind));
+    }
+    out = {};
+    out.kind = static_cast<MovementKind>(m.kind);
+    out.n_camber = m.n_camber;
+    out.n_thickness = m.n_thickness;
+    out.centre = {m.x, m.y};
+    out.length = m.length;
+    bool const counts = out.kind == MovementKind::camber_thickness;
+    bool const is_counted = m.n_camber >= 0 && m.n_camber <= Variables::max_count &&
+                            m.n_thickness >= 0 && m.n_thickness <= Variables::max_count &&
+                            m.n_camber + m.n_thickness > 0;
+    if (counts ? !is_counted : m.n_camber != 0 || m.n_thickness != 0) {
+        return fault.refuse(Status::bad_argument,
+                            counts ? "n_camber and n_thickness of movement # must be between 0 and "
+                                     "64, and their sum at least 1"
+                                   : "n_camber and n_thickness of movement # must be 0 unless the "
+                                     "kind is HM_CAMBER_THICKNESS",
+                            entry_item(number));
+    }
+    bool const has_place = out.kind == MovementKind::turn || out.kind == MovementKind::scale ||
+                           out.kind == MovementKind::flap || out.kind == MovementKind::blade;
+    if (!is_coordinate(out.centre) || (!has_place && !(m.x == 0 && m.y == 0))) {
+        return fault.refuse(Status::bad_argument,
+                            "the place (x, y) of movement # is not finite or beyond 1e100, or its "
+                            "kind has no place",
+                            entry_item(number));
+    }
+    bool const is_flap = out.kind == MovementKind::flap;
+    if (is_flap ? !is_between(0, m.length, largest_coordinate) : m.length != 0) {
+        return fault.refuse(Status::bad_argument,
+                            is_flap ? "the length of movement # must be 0 or above, not ~"
+                                    : "the length of movement # must be 0 unless the kind is "
+                                      "HM_FLAP",
+                            entry_item(number), {}, m.length);
+    }
+    return Status::ok;
+}
+
+// The arguments that hm_move_section_size and hm_move_section have in common.
+struct MovementTask {
+    CurvesView view;
+    Section section;
+    Movement movement[max_movements];
+    Index n_movements = 0, n_values = 0;
+
+    Status open(const hm_curves* curves, const hm_section* given_section, Index n,
+                const hm_movement* given, CallFault& fault) noexcept {
+        HARMORPH_TRY(require({{"movements", given}}, fault));
+        if (n < 1 || n > max_movements) {
+            return fault.refuse(Status::bad_argument, "n_movements must be between 1 and 64, not #",
+                                plain(n));
+        }
+        HARMORPH_TRY(open_section(curves, given_section, view, section, fault));
+        bool needs_chord = false;
+        for (n_movements = 0; n_movements < n; ++n_movements) {
+            Movement& own = movement[n_movements];
+            HARMORPH_TRY(view_movement(given, n_movements, own, fault));
+            if (n_movements > 0 && !own.maps_points()) {
+                return fault.refuse(Status::bad_argument,
+                                    "movement # changes the outline and must come first",
+                                    entry_item(n_movements));
+            }
+            needs_chord = needs_chord || own.needs_chord();
+            n_values += own.count();
+        }
+        return needs_chord ? find_chord(fault) : Status::ok;
+    }
+    bool changes_outline() const noexcept { return !movement[0].maps_points(); }
+
+private:
+    Status find_chord(CallFault& fault) noexcept {
+        AreaMoments moments;
+        HARMORPH_TRY(area_moments(section, moments, fault));  // finds the orientation
+        HARMORPH_TRY(section.find_chord(true, fault));
+        Real const chord = length(section.chord());
+        for (Index k = 0; k < n_movements; ++k) {
+            movement[k].behind = (1 / chord) * section.chord();
+            if (movement[k].length == 0) movement[k].length = 0.1 * chord;
+        }
+        return Status::ok;
+    }
+};
+
+struct MovementWork {
+    VariableMap map;              // of a change of the outline
+    Span<Vec2> place;             // [n_control] where the control points are
+    Span<Vec2> move;              // [n_control]
+    Span<Vec2> derivative;        // [values * n_control]
+    Span<Real> start;             // [values]
+    Span<unsigned char> is_used;  // [n_control] whether a curve of the section uses the point
+    Real error[2] = {};
+
+    void lay_out(Arena& arena, MovementTask const& task) noexcept {
+        Offset const n = task.view.set.n_control;
+        if (task.changes_outline())
+            map.lay_out(arena, task.view.set.n_control, 1 + task.movement[0].count());
+        arena.take(place, n);
+        arena.take(move, n);
+        arena.take(derivative, n * task.n_values);
+        arena.take(start, task.n_values);
+        arena.take(is_used, n);
+    }
+    Status run(MovementTask const& task, const Real* values, Fault& fault) noexcept {
+        begin(task);
+        Index first = 0;
+        for (Index k = 0; k < task.n_movements; ++k) {
+            Movement const& movement = task.movement[k];
+            Index const bad = movement.find_bad_value(values + first);
+            if (bad != none) return refuse_value(first + bad, values, fault);
+            if (movement.maps_points()) map_points(movement, values + first, first);
+            else HARMORPH_TRY(change_outline(task.section, movement, values, fault));
+            first += movement.count();
+        }
+        for (Index i = 0; i < move.count(); ++i) {
+            if (is_coordinate(move[i])) continue;
+            return fault.refuse(Status::bad_argument,
+                                "the values move control point # beyond 1e100",
+                                control_point_item(i));
+        }
+        return Status::ok;
+    }
+
+private:
+    void begin(MovementTask const& task) noexcept {
+        const Real* const control = task.view.set.control;
+        fill(is_used, static_cast<unsigned char>(0));
+        fill(derivative, Vec2{});
+        fill(start, Real(0));
+        for (Index i = 0; i < place.count(); ++i) {
+            place[i] = {control[2 * i], control[2 * i + 1]};
+            move[i] = {};
+        }
+        for (Index c = 0; c < task.section.n_curves; ++c) {
+            Curve const& curve = task.section.curve[c];
+            for (Index k = 0; k < curve.n_indices; ++k) is_used[curve.control_point(k)] = 1;
+        }
+    }
+    Status refuse_value(Index number, const Real* values, Fault& fault) const noexcept {
+        return fault.refuse(Status::bad_argument, "value # of the movements is ~, out of its range",
+                            variable_item(number), {}, values[number]);
+    }
+    void map_points(Movement const& movement, const Real* values, Index first) noexcept {
+        Offset const n = place.count();
+        for (Index i = 0; i < place.count(); ++i) {
+            if (is_used[i] == 0) continue;
+            MappedPoint const mapped = map_point(movement, values, place[i]);
+            for (Index j = 0; j < first; ++j) {
+                Vec2& by = derivative[j * n + i];
+                by = by.x * mapped.by_x + by.y * mapped.by_y;
+            }
+            for (Index j = 0; j < movement.count(); ++j)
+                derivative[(first + j) * n + i] = mapped.by_value[j];
+            place[i] = place[i] + mapped.move;
+            move[i] = move[i] + mapped.move;
+        }
+    }
+    Status change_outline(Section const& section, Movement const& movement, const Real* values,
+                          Fault& fault) noexcept {
+        ParsecChange parsec;
+        CamberChange camber;
+        bool const is_parsec = movement.kind == MovementKind::parsec;
+        if (is_parsec) HARMORPH_TRY(parsec.measure(section, fault));
+        else HARMORPH_TRY(camber.measure(section, movement, fault));
+        Index const bad = is_parsec ? parsec.set(values) : camber.set(values);
+        if (bad != none) return refuse_value(bad, values, fault);
+        HARMORPH_TRY(map.run(section, is_parsec ? parsec.movements() : camber.movements(), fault));
+        Index const n_columns = 1 + movement.count();
+        for (Index i = 0; i < place.count(); ++i) {
+            const Real* const row = map.wanted.data() + Offset{i} * 2 * n_columns;
+            move[i] = {row[0], row[1]};
+            place[i] = place[i] + move[i];
+            for (Index j = 1; j < n_columns; ++j)
+                derivative[Offset{j - 1} * place.count() + i] = {row[2 * j], row[2 * j + 1]};
+        }
+        for (Index j = 0; j < movement.count(); ++j)
+            start[j] = is_parsec ? parsec.start(j) : camber.start(j);
+        for (Index k = 0; k < 2; ++k) error[k] = map.error[k];
+        return Status::ok;
+    }
+};
+
+void write_pairs(Span<const Vec2> from, double* to) noexcept {
+    for (Index i = 0; to != nullptr && i < from.count(); ++i) {
+        to[2 * i] = from[i].x;
+        to[2 * i + 1] = from[i].y;
+    }
+}
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_move_section_size(const hm_curves* curves, const hm_section* section,
+                               int32_t n_movements, const hm_movement* movements, int32_t* n,
+                               size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        MovementTask task;
+        MovementWork arrays;
+        HARMORPH_TRY(require({{"n", n}}, fault));
+        HARMORPH_TRY(task.open(curves, section, n_movements, movements, fault));
+        HARMORPH_TRY(count_bytes(bytes, fault, [&](Arena& arena) { arrays.lay_out(arena, task); }));
+        *n = task.n_values;
+        return Status::ok;
+    });
+}
+
+hm_status hm_move_section(const hm_curves* curves, const hm_section* section, int32_t n_movements,
+                          const hm_movement* movements, const double* values, double* move,
+                          double* derivatives, double* start, double* error, void* work,
+                          size_t bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        MovementTask task;
+        MovementWork arrays;
+        HARMORPH_TRY(require({{"values", values}, {"move", move}, {"work", work}}, fault));
+        HARMORPH_TRY(task.open(curves, section, n_movements, movements, fault));
+        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { arrays.lay_out(arena, task); }));
+        HARMORPH_TRY(arrays.run(task, values, fault));
+        write_pairs(arrays.move, move);
+        write_pairs(arrays.derivative, derivatives);
+        for (Index j = 0; start != nullptr && j < task.n_values; ++j) start[j] = arrays.start[j];
+        for (Index k = 0; error != nullptr && k < 2; ++k) error[k] = arrays.error[k];
+        return Status::ok;
+    });
+}
+
+hm_status hm_family_modes_size(const hm_curves* curves, size_t* work_bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        CurvesView view;
+        FamilyModes modes;
+        HARMORPH_TRY(require({{"work_bytes", work_bytes}}, fault));
+        HARMORPH_TRY(view_curves(curves, view, fault));
+        return count_bytes(work_bytes, fault,
+                           [&](Arena& arena) { modes.lay_out(arena, view.set.n_control); });
+    });
+}
+
+hm_status hm_family_modes(const hm_curves* curves, int32_t n, double* movements, double* singular,
+                          void* work, size_t work_bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        CurvesView view;
+        FamilyModes modes;
+        HARMORPH_TRY(
+            require({{"movements", movements}, {"singular", singular}, {"work", work}}, fault));
+        if (n < 1 || n > 1024)
+            return fault.refuse(Status::bad_argument, "n must be between 1 and 1024, not #",
+                                plain(n));
+        HARMORPH_TRY(view_curves(curves, view, fault));
+        HARMORPH_TRY(place(work, work_bytes, fault,
+                           [&](Arena& arena) { modes.lay_out(arena, view.set.n_control); }));
+        modes.start();
+        for (Index number = 0; number < view.count(); ++number) {
+            Curve curve;
+            HARMORPH_TRY(view.curve(number, curve, fault));
+            HARMORPH_TRY(check_curve(curve, number, fault));
+            modes.add(curve);
+        }
+        return modes.run(n, movements, singular, fault);
+    });
+}
+
+}  // extern "C"

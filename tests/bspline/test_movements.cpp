@@ -1,0 +1,366 @@
+#include <harmorph_design.h>
+#include <doctest/doctest.h>
+
+#include <fixtures/curves.hpp>
+#include <fixtures/guarded.hpp>
+
+#include <algorithm>
+#include <string>
+
+using fixtures::CurveSet;
+using fixtures::FitRun;
+using fixtures::Spline;
+
+namespace {
+
+double const pi = std::acos(-1.0);
+
+// A cambered NACA section, tied at the trailing edge, or open with a base.
+CurveSet airfoil(bool blunt = false, double camber = 0.02) {
+    fixtures::Naca4 naca{camber, 0.4, 0.12, blunt};
+    harmorph::FitOptions options;
+    options.n_control = 30;
+    FitRun run(fixtures::vectors(fixtures::naca4(naca, 100)), options);
+    REQUIRE(run.status == harmorph::Status::ok);
+    Spline spline;
+    harmorph::Curve const& curve = run.fit.curve[0];
+    for (int i = 0; i < curve.n_control; ++i)
+        spline.control.insert(spline.control.end(), {run.control(i).x, run.control(i).y});
+    for (int k = 0; k < curve.n_indices; ++k) spline.indices.push_back(curve.control_point(k));
+    spline.knots.assign(curve.knots, curve.knots + curve.n_indices + 4);
+    CurveSet set(spline);
+    if (blunt)
+        set.add_over(1, {curve.control_point(curve.n_indices - 1), curve.control_point(0)},
+                     {0, 0, 1, 1});
+    return set;
+}
+
+hm_movement movement(int kind, double x = 0, double y = 0, double length = 0) {
+    hm_movement out{};
+    out.struct_size = sizeof out;
+    out.kind = kind;
+    out.x = x;
+    out.y = y;
+    out.length = length;
+    return out;
+}
+
+hm_movement camber_thickness(int n_camber, int n_thickness) {
+    hm_movement out = movement(HM_CAMBER_THICKNESS);
+    out.n_camber = n_camber;
+    out.n_thickness = n_thickness;
+    return out;
+}
+
+struct Moved {
+    hm_status status;
+    hm_error error{};
+    std::int32_t n = 0;
+    std::vector<double> move, derivatives, start, difference;
+};
+
+Moved moved(CurveSet& set, std::vector<hm_movement> const& movements,
+            std::vector<double> const& values, hm_section const* section = nullptr) {
+    Moved out;
+    std::size_t bytes = 0;
+    auto const n = static_cast<std::int32_t>(movements.size());
+    out.status =
+        hm_move_section_size(&set.view(), section, n, movements.data(), &out.n, &bytes, &out.error);
+    if (out.status < 0) return out;
+    REQUIRE(static_cast<std::size_t>(out.n) == values.size());
+    auto const length = static_cast<std::size_t>(2 * set.n_control());
+    out.move.assign(length, -7);
+    out.derivatives.assign(values.size() * length, -7);
+    out.start.assign(values.size(), -7);
+    out.difference.assign(2, -7);
+    fixtures::Guarded work(bytes);
+    out.status = hm_move_section(&set.view(), section, n, movements.data(), values.data(),
+                                 out.move.data(), out.derivatives.data(), out.start.data(),
+                                 out.difference.data(), work.data(), bytes, &out.error);
+    CHECK(work.guards_intact());
+    return out;
+}
+
+CurveSet after(CurveSet const& set, Moved const& by) {
+    CurveSet out = set;
+    for (std::size_t k = 0; k < out.control.size(); ++k) out.control[k] += by.move[k];
+    return out;
+}
+
+struct At {
+    double x, y;
+};
+At curve_at(CurveSet& set, double u) {
+    double xy[2];
+    REQUIRE(hm_curve_point(&set.view(), 0, u, 0, xy, nullptr) == HM_OK);
+    return {xy[0], xy[1]};
+}
+
+hm_section chord(double leading_x, double leading_y, double trailing_x, double trailing_y) {
+    hm_section out{};
+    out.struct_size = sizeof out;
+    out.leading_x = leading_x;
+    out.leading_y = leading_y;
+    out.trailing_x = trailing_x;
+    out.trailing_y = trailing_y;
+    return out;
+}
+hm_section const unit_chord = chord(0, 0, 1, 0);
+
+double measured(CurveSet& set, int kind, double station = 0) {
+    hm_quantity quantity{};
+    quantity.struct_size = sizeof quantity;
+    quantity.kind = kind;
+    quantity.station = station;
+    double value = 0;
+    REQUIRE(hm_measure(&set.view(), &unit_chord, 1, &quantity, &value, nullptr, nullptr, nullptr) ==
+            HM_OK);
+    return value;
+}
+
+struct Case {
+    std::string name;
+    std::vector<hm_movement> movements;
+    std::vector<double> values;
+    double step;
+};
+
+std::vector<Case> cases() {
+    std::vector<double> const parsec = {0.002, 0.01,  0.004, 0.05, -0.01, -0.003,
+                                        0.04,  0.002, 0.001, 0.8,  1.5};
+    return {{"turn", {movement(HM_TURN, 0.25, 0.1)}, {17}, 1e-2},
+            {"shift", {movement(HM_SHIFT)}, {0.3, -0.2}, 1e-2},
+            {"scale", {movement(HM_SCALE, 1, 2)}, {0.4}, 1e-2},
+            {"flap", {movement(HM_FLAP, 0.7, 0.01, 0.15)}, {-12}, 1e-2},
+            {"flap, scale, turn, shift",
+             {movement(HM_FLAP, 0.7, 0), movement(HM_SCALE, 0.5, 0), movement(HM_TURN, 0.25, 0),
+              movement(HM_SHIFT)},
+             {-9, 0.2, 5, 0.1, 0.2},
+             1e-2},
+            {"camber and thickness",
+             {camber_thickness(3, 4)},
+             {0.05, 0.08, -0.04, .01, .02, -.01, .03},
+             1e-3},
+            {"PARSEC", {movement(HM_PARSEC)}, parsec, 2e-4},
+            {"blade", {movement(HM_BLADE, 0.3, 0.1)}, {6, -8, 20}, 1e-2},
+            {"blade and flap",
+             {movement(HM_BLADE, 0.3, 0.1), movement(HM_FLAP, 0.8, 0), movement(HM_TURN, 0, 0)},
+             {6, -8, 4, 5, -30},
+             1e-2}};
+}
+
+}  // namespace
+
+TEST_CASE("derivatives of movements agree with differences, of fourth order under refinement") {
+    for (Case const& one : cases()) {
+        CurveSet set = airfoil();
+        Moved const at = moved(set, one.movements, one.values);
+        INFO(one.name);
+        REQUIRE(at.status == HM_OK);
+        auto const length = static_cast<std::size_t>(2 * set.n_control());
+        double coarse = 0, fine = 0, largest = 0;
+        for (std::size_t j = 0; j < one.values.size(); ++j) {
+            // The five-point formula, with two steps.
+            auto const difference = [&](double h, std::size_t k) {
+                auto const f = [&](double times) {
+                    std::vector<double> values = one.values;
+                    values[j] += times * h;
+                    return moved(set, one.movements, values).move[k];
+                };
+                return (8 * (f(1) - f(-1)) - (f(2) - f(-2))) / (12 * h);
+            };
+            for (std::size_t k = 0; k < length; k += 7) {
+                double const exact = at.derivatives[j * length + k];
+                double const h = one.step * std::max(1.0, std::fabs(one.values[j]));
+                largest = std::max(largest, std::fabs(exact));
+                coarse = std::max(coarse, std::fabs(difference(4 * h, k) - exact));
+                fine = std::max(fine, std::fabs(difference(h, k) - exact));
+            }
+        }
+        INFO("largest " << largest << ", differences " << coarse << ", " << fine);
+        CHECK(largest > 1e-3);
+        CHECK(fine <= 1e-8 * largest);
+        CHECK((fine <= coarse / 100 || fine <= 1e-11 * largest));
+    }
+}
+
+TEST_CASE("values that are 0 move nothing, to the bit") {
+    for (Case const& one : cases()) {
+        CurveSet set = airfoil(true);
+        INFO(one.name);
+        Moved const at = moved(set, one.movements, std::vector<double>(one.values.size()));
+        REQUIRE(at.status == HM_OK);
+        for (double const move : at.move) CHECK(move == 0);
+    }
+}
+
+TEST_CASE("turn, shift and scale move the curve exactly") {
+    CurveSet set = airfoil();
+    Moved const by =
+        moved(set, {movement(HM_TURN, 0.25, 0), movement(HM_SCALE, 1, 0), movement(HM_SHIFT)},
+              {90, 1, 3, 4});
+    REQUIRE(by.status == HM_OK);
+    CHECK(by.difference[1] == 0);
+    CurveSet now = after(set, by);
+    for (int k = 0; k <= 50; ++k) {
+        At const p = curve_at(set, k / 50.0), q = curve_at(now, k / 50.0);
+        double const x = 0.25 - p.y, y = p.x - 0.25;
+        CHECK(q.x == doctest::Approx(1 + 2 * (x - 1) + 3).epsilon(1e-14));
+        CHECK(q.y == doctest::Approx(2 * y + 4).epsilon(1e-14));
+    }
+}
+
+TEST_CASE("a turn of a periodic curve needs no chord, and moves its control points alone") {
+    CurveSet set;
+    set.add(fixtures::ring(3, 12, 1, 0.5));
+    set.add(fixtures::ring(3, 12, 1, 0.5, 5, 0));
+    hm_section second{};
+    second.struct_size = sizeof second;
+    second.first_curve = second.n_curves = 1;
+    Moved const by = moved(set, {movement(HM_TURN, 5, 0)}, {180}, &second);
+    REQUIRE(by.status == HM_OK);
+    for (std::size_t k = 0; k < 24; ++k) {
+        CHECK(by.move[k] == 0);
+        double const from_centre = set.control[24 + k] - (k % 2 == 0 ? 5 : 0);
+        CHECK(by.move[24 + k] == doctest::Approx(-2 * from_centre).epsilon(1e-15));
+    }
+    CHECK(moved(set, {movement(HM_FLAP, 5, 0)}, {1}, &second).status == HM_BAD_CURVE);
+}
+
+TEST_CASE("a flap leaves control points ahead of the hinge, and turns those behind as a body") {
+    CurveSet set = airfoil();
+    double const x = 0.6, y = 0.01, length = 0.2, degrees = -15;
+    Moved const by = moved(set, {movement(HM_FLAP, x, y, length)}, {degrees});
+    REQUIRE(by.status == HM_OK);
+    double const c = std::cos(degrees * pi / 180), s = std::sin(degrees * pi / 180);
+    int ahead = 0, behind = 0;
+    for (int i = 0; i < set.n_control(); ++i) {
+        auto const k = static_cast<std::size_t>(2 * i);
+        double const dx = set.control[k] - x, dy = set.control[k + 1] - y;
+        // The chord is the x axis to 1e-3.
+        if (dx < -1e-3) {
+            ++ahead;
+            CHECK(by.move[k] == 0);
+            CHECK(by.move[k + 1] == 0);
+        } else if (dx > length + 1e-3) {
+            ++behind;
+            CHECK(by.move[k] == doctest::Approx((c - 1) * dx - s * dy).epsilon(1e-13));
+            CHECK(by.move[k + 1] == doctest::Approx(s * dx + (c - 1) * dy).epsilon(1e-13));
+        }
+    }
+    CHECK(ahead > 5);
+    CHECK(behind >= 3);
+}
+
+TEST_CASE("thickness is added on both sides of a straight camber line, and camber keeps it") {
+    CurveSet set = airfoil(false, 0);
+    Moved const thicker = moved(set, {camber_thickness(0, 1)}, {0.05}, &unit_chord);
+    REQUIRE(thicker.status == HM_OK);
+    CurveSet now = after(set, thicker);
+    for (double const s : {0.1, 0.3, 0.6, 0.9}) {
+        double const added = 2 * 0.05 * std::sqrt(s) * (1 - s);
+        CHECK(measured(now, HM_THICKNESS, s) - measured(set, HM_THICKNESS, s) ==
+              doctest::Approx(added).epsilon(0.01));
+    }
+    // With camber, thickness stays normal to the camber line: the area changes in second order
+    // only, and points at the largest camber move along the normal of the chord.
+    Moved const cambered = moved(set, {camber_thickness(1, 0)}, {0.4}, &unit_chord);
+    REQUIRE(cambered.status == HM_OK);
+    CurveSet bent = after(set, cambered);
+    CHECK(measured(bent, HM_CAMBER, 0.5) == doctest::Approx(0.1).epsilon(1e-3));
+    CHECK(measured(bent, HM_THICKNESS, 0.5) ==
+          doctest::Approx(measured(set, HM_THICKNESS, 0.5)).epsilon(5e-3));
+}
+
+TEST_CASE("a section that PARSEC has changed has the new parameter") {
+    struct Changed {
+        std::size_t parameter;
+        double by, tolerance;
+    };
+    for (bool const blunt : {false, true}) {
+        CurveSet set = airfoil(blunt);
+        for (Changed const& one :
+             {Changed{0, 0.002, 4e-4}, Changed{1, 0.03, 1e-3}, Changed{2, 0.01, 2e-5},
+              Changed{3, 0.1, 1e-2}, Changed{5, 0.01, 2e-5}, Changed{7, 0.01, 1e-8},
+              Changed{9, 1.5, 0.1}, Changed{10, 1.5, 0.1}}) {
+            std::vector<double> values(11);
+            values[one.parameter] = one.by;
+            Moved const parsec = moved(set, {movement(HM_PARSEC)}, values, &unit_chord);
+            REQUIRE(parsec.status == HM_OK);
+            CurveSet now = after(set, parsec);
+            Moved const again =
+                moved(now, {movement(HM_PARSEC)}, std::vector<double>(11), &unit_chord);
+            REQUIRE(again.status == HM_OK);
+            double const change = again.start[one.parameter] - parsec.start[one.parameter];
+            INFO("parameter " << one.parameter << " changed by " << change);
+            CHECK(std::fabs(change - one.by) < one.tolerance);
+        }
+    }
+}
+
+TEST_CASE("a blade has the metal angles and the stagger that were asked for") {
+    CurveSet set = airfoil();
+    Moved const blade = moved(set, {movement(HM_BLADE, 0.5, 0)}, {12, -10, 25}, &unit_chord);
+    REQUIRE(blade.status == HM_OK);
+    CHECK(blade.start[2] == 0);
+    CurveSet now = after(set, blade);
+    double const c = 0.5 * std::cos(25 * pi / 180), d = 0.5 * std::sin(25 * pi / 180);
+    hm_section const new_chord = chord(0.5 - c, -d, 0.5 + c, d);
+    Moved const again = moved(now, {movement(HM_BLADE)}, {0, 0, 0}, &new_chord);
+    REQUIRE(again.status == HM_OK);
+    CHECK(std::fabs(again.start[0] - blade.start[0] - 12) < 0.05);
+    CHECK(std::fabs(again.start[1] - blade.start[1] + 10) < 0.05);
+    CHECK(std::fabs(again.start[2] - 25) < 1e-12);
+}
+
+TEST_CASE("movements that cannot be made are refused, and the outputs stay") {
+    CurveSet set = airfoil(), ring(fixtures::ring(3, 12, 1, 0.5));
+    struct Refused {
+        CurveSet& set;
+        std::vector<hm_movement> movements;
+        std::vector<double> values;
+        hm_status status;
+        const char* text;
+    };
+    hm_movement unknown = movement(7), spoiled = movement(HM_SHIFT), long_turn = movement(HM_TURN);
+    spoiled.struct_size = 1;
+    long_turn.length = 1;
+    std::vector<double> back(11), flat(11);
+    back[1] = 1;
+    flat[0] = -1;
+    std::vector<Refused> const table = {
+        {set, {unknown}, {0}, HM_BAD_ARGUMENT, "must be one of HM_TURN to HM_BLADE"},
+        {set, {spoiled}, {0, 0}, HM_BAD_ARGUMENT, "not the size of an hm_movement"},
+        {set, {long_turn}, {0}, HM_BAD_ARGUMENT, "must be 0 unless the kind is HM_FLAP"},
+        {set, {movement(HM_SHIFT, 1, 0)}, {0, 0}, HM_BAD_ARGUMENT, "its kind has no place"},
+        {set, {movement(HM_FLAP, 0, 0, -1)}, {0}, HM_BAD_ARGUMENT, "must be 0 or above, not -1"},
+        {set, {camber_thickness(0, 0)}, {}, HM_BAD_ARGUMENT, "their sum at least 1"},
+        {set, {camber_thickness(65, 0)}, {}, HM_BAD_ARGUMENT, "between 0 and 64"},
+        {set, {movement(HM_SHIFT), movement(HM_PARSEC)}, {}, HM_BAD_ARGUMENT, "must come first"},
+        {set, {movement(HM_SHIFT), movement(HM_SCALE)}, {0, 0, -1}, HM_BAD_ARGUMENT, "value 2"},
+        {set, {movement(HM_TURN)}, {361}, HM_BAD_ARGUMENT, "value 0 of the movements is 361"},
+        {set, {movement(HM_TURN)}, {std::nan("")}, HM_BAD_ARGUMENT, "out of its range"},
+        {set, {movement(HM_BLADE)}, {0, 90, 0}, HM_BAD_ARGUMENT, "value 1 of the movements is 90"},
+        {set, {movement(HM_PARSEC)}, back, HM_BAD_ARGUMENT, "value 1 of"},
+        {set, {movement(HM_PARSEC)}, flat, HM_BAD_ARGUMENT, "value 0 of"},
+        {ring, {movement(HM_PARSEC)}, back, HM_BAD_CURVE, "no trailing edge"}};
+    for (Refused const& one : table) {
+        INFO(one.text);
+        if (one.values.empty()) {
+            std::int32_t n = -7;
+            std::size_t bytes = 7;
+            hm_error error{};
+            CHECK(hm_move_section_size(&one.set.view(), nullptr,
+                                       static_cast<std::int32_t>(one.movements.size()),
+                                       one.movements.data(), &n, &bytes, &error) == one.status);
+            CHECK(std::string(error.text).find(one.text) != std::string::npos);
+            CHECK(n == -7);
+            continue;
+        }
+        Moved const out = moved(one.set, one.movements, one.values);
+        CHECK(out.status == one.status);
+        CHECK(std::string(out.error.text).find(one.text) != std::string::npos);
+        for (double const value : out.move) CHECK(value == -7);
+        for (double const value : out.start) CHECK(value == -7);
+    }
+}
