@@ -83,7 +83,7 @@ TEST_CASE("an arena that is one byte too small is noticed, and the missing size 
         CHECK(placing.overflown());
         Fault fault;
         CHECK(placing.verify(block.size(), fault) == Status::block_too_small);
-        CHECK(fault.value == static_cast<double>(missing));
+        CHECK(fault.value == double(missing));
         CHECK(block.untouched());
     }
 }

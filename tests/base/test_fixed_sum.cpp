@@ -5,7 +5,6 @@
 
 #include "base/fixed_sum.hpp"
 
-#include <cmath>
 #include <limits>
 #include <random>
 
@@ -14,12 +13,13 @@ using harmorph::FixedSum;
 
 namespace {
 
-// What kernels without an instruction for it do with vectors, for one number, in units of 2^63.
+// Computes for one number, in units of 2^63, the same as kernels whose instruction set has no such
+// instruction.
 FixedSum fixed(double t) {
     t = std::ldexp(t, 63);
     double const coarse = (t + FixedSum::coarse_grid) - FixedSum::coarse_grid;
     double const fine = ((t - coarse) + FixedSum::fine_grid) - FixedSum::fine_grid;
-    return {static_cast<std::int64_t>(std::ldexp(coarse, -31)), static_cast<std::int64_t>(fine)};
+    return {std::int64_t(std::ldexp(coarse, -31)), std::int64_t(fine)};
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include "base/hash.hpp"
 
 #include <set>
-#include <vector>
 
 TEST_CASE("hashes distinguish order, zeros, lengths and single bits") {
     auto const hash = [](std::vector<std::uint64_t> const& words) {

@@ -14,11 +14,11 @@ std::vector<Index> run_of(std::vector<double> const& values) {
     std::vector<Index> previous(values.size()), run(values.size());
     std::size_t const n = values.size();
     Index const length = longest_run({values.data(), n}, {previous.data(), n}, {run.data(), n});
-    run.resize(static_cast<std::size_t>(length));
+    run.resize(std::size_t(length));
     return run;
 }
 
-// By dynamic programming.
+// Finds the length by dynamic programming.
 std::size_t longest(std::vector<double> const& values) {
     std::vector<std::size_t> length(values.size(), 1);
     for (std::size_t k = 0; k < values.size(); ++k)
@@ -33,13 +33,12 @@ TEST_CASE("the longest run is non-decreasing, in order, and as long as possible"
     std::mt19937 random(1);
     for (int trial = 0; trial < 300; ++trial) {
         std::vector<double> values(random() % 40);
-        for (double& value : values) value = static_cast<double>(random() % 20);
+        for (double& value : values) value = double(random() % 20);
         std::vector<Index> const run = run_of(values);
         CHECK(run.size() == longest(values));
         for (std::size_t l = 1; l < run.size(); ++l) {
             CHECK(run[l - 1] < run[l]);
-            CHECK(values[static_cast<std::size_t>(run[l - 1])] <=
-                  values[static_cast<std::size_t>(run[l])]);
+            CHECK(values[std::size_t(run[l - 1])] <= values[std::size_t(run[l])]);
         }
     }
 }

@@ -58,19 +58,17 @@ int in_circle_sign(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {  // dif
     return sum.sign();
 }
 
-Vec2 at(GridPoint p, double scale) {
-    return {scale * static_cast<double>(p.x), scale * static_cast<double>(p.y)};
-}
+Vec2 at(GridPoint p, double scale) { return {scale * double(p.x), scale * double(p.y)}; }
 
 std::int64_t below(std::mt19937& random, std::int64_t end) {
-    return static_cast<std::int64_t>(fixtures::uniform(random) * static_cast<double>(end));
+    return std::int64_t(fixtures::uniform(random) * double(end));
 }
 
 // Any exponent a double can have, subnormals included, either sign, 0 now and then.
 double any_number(std::mt19937& random) {
     if (random() % 8 == 0) return 0;
     double const mantissa = 1 + fixtures::uniform(random);
-    double const size = std::ldexp(mantissa, static_cast<int>(random() % 2090) - 1067);
+    double const size = std::ldexp(mantissa, int(random() % 2090) - 1067);
     return random() % 2 == 0 ? size : -size;
 }
 

@@ -1,9 +1,4 @@
-// Progress and cancellation, and what calls out of order do: nothing is lost, nothing is solved by
-// chance.
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
+// Progress, cancellation and calls out of order lose no results and leave no partial ones.
 #include <fixtures/bodies.hpp>
 
 #include <limits>
@@ -17,7 +12,7 @@ struct Event {
     double fraction;
 };
 
-// A callback that takes down what it is told, and stops at one event.
+// A callback that records the events and stops at one of them.
 struct Listener {
     std::vector<Event> events;
     std::size_t stop_at = std::numeric_limits<std::size_t>::max();
@@ -145,9 +140,7 @@ TEST_CASE("a solution that is cancelled at any moment has the same bits when rep
 
 TEST_CASE("a plan without a factor and the basis of another analysis are refused") {
     Case setup = tiny_case(), other = two_body_case();
-    Attempt attempt;
-    REQUIRE(attempt.analyse(setup.problem()));
-    REQUIRE(attempt.prepare());
+    Attempt attempt = prepared(setup.problem());
     CHECK(hm_plan_solve(attempt.plan, attempt.basis, nullptr, nullptr) < 0);
     REQUIRE(attempt.solve());
     Solved const foreign(other);
@@ -178,7 +171,7 @@ TEST_CASE("functions solved again on moved coordinates are those of the moved me
     CHECK(largest_difference(first.all_values(), expected.all_values()) < 1e-12);
     hm_mesh const on_moved = moved.mesh.view(), on_old = setup.mesh.view();
     const hm_basis* basis = nullptr;
-    std::size_t const bytes = static_cast<std::size_t>(first.info().bytes);
+    std::size_t const bytes = std::size_t(first.info().bytes);
     CHECK(hm_basis_attach(&basis, first.basis, bytes, &on_moved, nullptr) == HM_OK);
     CHECK(hm_basis_attach(&basis, first.basis, bytes, &on_old, nullptr) == HM_MOVED);
 }

@@ -24,7 +24,7 @@ std::vector<int> take_all(harmorph::Executor const& executor, Index workers) {
     ready.add(1);
     executor.for_each(workers, [&](Index) {
         for (Index item = ready.take(); item != harmorph::none; item = ready.take()) {
-            ++taken[static_cast<std::size_t>(item)];
+            ++taken[std::size_t(item)];
             if (2 * item >= n) continue;
             ready.add(2 * item);
             ready.add(2 * item + 1);
@@ -55,7 +55,7 @@ TEST_CASE("each number is given to one task") {
     hm_pthreads pool;
     hm_executor const executor = hm_pthreads_start(&pool, 4);
     harmorph::Executor{executor.run, executor.user, 4}.for_each(4, [&](Index) {
-        for (Index k = next.take(); k < 5000; k = next.take()) ++taken[static_cast<std::size_t>(k)];
+        for (Index k = next.take(); k < 5000; k = next.take()) ++taken[std::size_t(k)];
     });
     hm_pthreads_stop(&pool);
     CHECK(taken == std::vector<int>(5000, 1));
@@ -87,12 +87,12 @@ TEST_CASE("ranges cover all items once, and none is shorter than allowed") {
          {harmorph::Executor{}, {fixtures::Backwards::run, &order, 3}}) {
         for (Index const n : {0, 1, 99, 100, 101, 5000}) {
             constexpr Index min_items = 100;
-            std::vector<int> visited(static_cast<std::size_t>(n), 0);
+            std::vector<int> visited(std::size_t(n), 0);
             executor.for_ranges(n, min_items, [&](Index begin, Index end) {
                 CHECK(end - begin >= std::min(n, min_items));
-                for (Index k = begin; k < end; ++k) ++visited[static_cast<std::size_t>(k)];
+                for (Index k = begin; k < end; ++k) ++visited[std::size_t(k)];
             });
-            CHECK(visited == std::vector<int>(static_cast<std::size_t>(n), 1));
+            CHECK(visited == std::vector<int>(std::size_t(n), 1));
         }
     }
     CHECK(order.calls > 0);

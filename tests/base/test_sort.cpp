@@ -1,6 +1,4 @@
 // Sorting, and the sums that turn counts into places.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 
 #include "base/sort.hpp"
@@ -13,10 +11,9 @@ TEST_CASE("the heap sort sorts lists of all sizes, with equal keys, sorted, reve
         for (int kind = 0; kind < 4; ++kind) {
             std::vector<int> items;
             for (int k = 0; k < n; ++k)
-                items.push_back(kind == 0 ? k
-                                : kind == 1
-                                    ? -k
-                                    : static_cast<int>(random() % (kind == 2 ? 5 : 100000)));
+                items.push_back(kind == 0   ? k
+                                : kind == 1 ? -k
+                                            : int(random() % (kind == 2 ? 5 : 100000)));
             std::vector<int> expected = items;
             std::sort(expected.begin(), expected.end());
             harmorph::sort(span(items), [](int a, int b) { return a < b; });
@@ -30,10 +27,9 @@ TEST_CASE("the insertion sort sorts and keeps the order of equal keys") {
         for (int kind = 0; kind < 4; ++kind) {
             std::vector<std::pair<int, int>> items;
             for (int k = 0; k < n; ++k)
-                items.push_back({kind == 0 ? k
-                                 : kind == 1
-                                     ? -k
-                                     : static_cast<int>(random() % (kind == 2 ? 5 : 100000)),
+                items.push_back({kind == 0   ? k
+                                 : kind == 1 ? -k
+                                             : int(random() % (kind == 2 ? 5 : 100000)),
                                  k});
             std::vector<std::pair<int, int>> expected = items;
             std::stable_sort(expected.begin(), expected.end(),

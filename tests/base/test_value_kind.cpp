@@ -1,9 +1,5 @@
-// Values of all kinds, real, complex and 2 x 2: one basis, one morph, one adjoint, whatever a value
-// is made of.
+// Values of all kinds, real, complex and 2 x 2, have the same interface: basis, morph and adjoint.
 #include <harmorph_design.h>
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
 #include <fixtures/operators.hpp>
@@ -13,7 +9,7 @@ using namespace fixtures;
 
 namespace {
 
-// A square with a hole on a polygon, and what makes its values real, complex or 2 x 2.
+// A square with a hole on a polygon, and the settings that make the values real, complex or 2 x 2.
 struct Kind {
     const char* name;
     std::int32_t operator_kind;
@@ -57,8 +53,7 @@ TEST_CASE("the numbers of a value are the linear map that a morph applies") {
     for (Kind const& kind : kinds) {
         INFO(kind.name);
         Case setup = case_of(kind);
-        Options const options = options_of(kind.operator_kind);
-        Solved const solved(setup, &options);
+        Solved const solved(setup, options_of(kind.operator_kind));
         hm_basis_info const info = solved.info();
         CHECK(info.numbers_per_value >= kind.least_numbers);
         CHECK((info.numbers_per_value == 1 || info.numbers_per_value == 2 ||
@@ -86,7 +81,7 @@ TEST_CASE("the numbers of a value are the linear map that a morph applies") {
                 CHECK(by_y[k] == Complex(xy, yy));
             }
         }
-        std::vector<double> to(static_cast<std::size_t>(info.points), 7);
+        std::vector<double> to(std::size_t(info.points), 7);
         CHECK(hm_basis_values(solved.basis, 0, info.numbers_per_value, to.data(), nullptr) ==
               HM_BAD_ARGUMENT);
         CHECK(hm_basis_values(solved.basis, 0, -1, to.data(), nullptr) == HM_BAD_ARGUMENT);
@@ -100,11 +95,10 @@ TEST_CASE("the adjoint is the transpose of the morph for values of all kinds") {
     for (Kind const& kind : kinds) {
         INFO(kind.name);
         Case setup = case_of(kind);
-        Options const options = options_of(kind.operator_kind);
-        Solved const solved(setup, &options);
+        Solved const solved(setup, options_of(kind.operator_kind));
         std::int32_t const n = solved.info().functions;
         std::vector<double> const g = some_move(setup.mesh.n_points(), 1, 5);
-        std::vector<double> gradient(2 * static_cast<std::size_t>(n), -1.0);
+        std::vector<double> gradient(2 * std::size_t(n), -1.0);
         REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(),
                            nullptr, nullptr) == HM_OK);
         for (std::int32_t k = 0; k < 2 * n; ++k) {  // each of its numbers
@@ -116,7 +110,7 @@ TEST_CASE("the adjoint is the transpose of the morph for values of all kinds") {
                 expected += part[0] + part[1];
                 size += std::fabs(part[0]) + std::fabs(part[1]);
             }
-            CHECK(std::fabs(gradient[static_cast<std::size_t>(k)] - expected) <= 1e-14 * size);
+            CHECK(std::fabs(gradient[std::size_t(k)] - expected) <= 1e-14 * size);
         }
         Backwards backwards;
         hm_executor const executor = backwards.executor(3);
@@ -130,12 +124,11 @@ TEST_CASE("the adjoint is the transpose of the morph for values of all kinds") {
 TEST_CASE("adjoint and morph agree on meshes and functions beyond one block of either") {
     for (int const n : {9, 150}) {
         Case setup = ring_case(14, 300, 0.5, 2, Cells::hybrid, 3, n);
-        Options const options = options_of(HM_CONFORMAL);
-        Solved const solved(setup, &options);
+        Solved const solved(setup, options_of(HM_CONFORMAL));
         std::vector<double> const move = some_move(n, 1, 4),
                                   g = some_move(setup.mesh.n_points(), 1, 5);
         Field const moved = displacement(solved, move);
-        std::vector<double> gradient(2 * static_cast<std::size_t>(n));
+        std::vector<double> gradient(2 * std::size_t(n));
         REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(),
                            nullptr, nullptr) == HM_OK);
         double here = 0, there = 0, size = 0;
@@ -154,9 +147,8 @@ TEST_CASE("zero movement keeps every bit, and a movement that is not finite is r
     for (Kind const& kind : kinds) {
         INFO(kind.name);
         Case setup = case_of(kind);
-        Options const options = options_of(kind.operator_kind);
-        Solved const solved(setup, &options);
-        std::vector<double> move(2 * static_cast<std::size_t>(solved.info().functions), -0.0);
+        Solved const solved(setup, options_of(kind.operator_kind));
+        std::vector<double> move(2 * std::size_t(solved.info().functions), -0.0);
         std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
         x[3] = -0.0;
         std::vector<double> const before = x;
@@ -175,9 +167,8 @@ TEST_CASE("saving and attaching keep values of all kinds, and damaged values are
     for (Kind const& kind : kinds) {
         INFO(kind.name);
         Case setup = case_of(kind);
-        Options const options = options_of(kind.operator_kind);
-        Solved const solved(setup, &options);
-        std::size_t const bytes = static_cast<std::size_t>(solved.info().bytes);
+        Solved const solved(setup, options_of(kind.operator_kind));
+        std::size_t const bytes = std::size_t(solved.info().bytes);
         std::vector<double> const move = some_move(solved.info().functions, 0.1, 6);
         Guarded whole(bytes, 8);
         std::memcpy(whole.data(), solved.basis, bytes);
@@ -244,7 +235,8 @@ TEST_CASE("a basis gives back the conditions and options it was solved with") {
         CHECK(found[k].x == expected.x);
         CHECK(found[k].y == expected.y);
     }
-    // With curves and parameters they make the problem, and so the basis, again.
+    // Together with curves and parameters, the conditions define the problem, and so the basis,
+    // again.
     hm_curves curves{};
     curves.struct_size = sizeof curves;
     hm_curve shape[2];
@@ -264,13 +256,13 @@ TEST_CASE("a basis gives back the conditions and options it was solved with") {
     problem.curves = &curves;
     problem.n_conditions = n;
     problem.conditions = found;
-    problem.n_given = static_cast<std::int32_t>(points.size());
+    problem.n_given = std::int32_t(points.size());
     problem.given_points = points.data();
     problem.given_curves = on.data();
     problem.given_u = u.data();
     Solved const again(problem, &options);
     REQUIRE(again.info().bytes == info.bytes);
-    CHECK(std::memcmp(again.basis, solved.basis, static_cast<std::size_t>(info.bytes)) == 0);
+    CHECK(std::memcmp(again.basis, solved.basis, std::size_t(info.bytes)) == 0);
 }
 
 TEST_CASE("a plan does not solve the basis of another operator, exponent or correction") {

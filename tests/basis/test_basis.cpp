@@ -1,8 +1,6 @@
 // A basis is one block that may be copied, written to a file and attached again,
 // and gives back what it was solved with.
 #include <harmorph_design.h>
-#include <harmorph_study.h>
-#include <doctest/doctest.h>
 
 #include <fixtures/basis_copy.hpp>
 #include <fixtures/bodies.hpp>
@@ -89,8 +87,8 @@ TEST_CASE("a basis gives back the curves, the points and the parameters of the s
 TEST_CASE("a moved curve has the control points plus their movement and is unchanged otherwise") {
     Case setup = airfoil_case();
     Solved const solved(setup);
-    auto const n = static_cast<std::size_t>(solved.info().functions);
-    std::vector<double> move = some_move(static_cast<std::int32_t>(n), 0.1, 5), control(2 * n, 7);
+    auto const n = std::size_t(solved.info().functions);
+    std::vector<double> move = some_move(std::int32_t(n), 0.1, 5), control(2 * n, 7);
     hm_curves before{}, after{};
     before.struct_size = after.struct_size = sizeof before;
     hm_curve shape[2], moved[2];
@@ -114,7 +112,7 @@ TEST_CASE("a moved curve has the control points plus their movement and is uncha
                 HM_OK);
         REQUIRE(hm_curve_point(&after, info.point_curve[k], info.point_u[k], 0, to, nullptr) ==
                 HM_OK);
-        auto const point = static_cast<std::size_t>(info.curve_point[k]);
+        auto const point = std::size_t(info.curve_point[k]);
         CHECK(std::abs(x[point] - setup.mesh.x[point] - (to[0] - from[0])) < 1e-13);
         CHECK(std::abs(y[point] - setup.mesh.y[point] - (to[1] - from[1])) < 1e-13);
     }
@@ -135,13 +133,9 @@ TEST_CASE("a moved curve has the control points plus their movement and is uncha
 
 TEST_CASE("a basis that is not solved refuses all calls and cannot be attached") {
     Case setup = tiny_case();
-    Attempt attempt;
-    REQUIRE(attempt.analyse(setup.problem()));
-    REQUIRE(attempt.prepare());
+    Attempt attempt = prepared(setup.problem());
     std::vector<double> x = setup.mesh.x, y = setup.mesh.y, move(8, 0.1);
-    hm_basis_info info{};
-    info.struct_size = sizeof info;
-    REQUIRE(hm_basis_info_get(attempt.basis, &info, nullptr) == HM_OK);
+    hm_basis_info const info = info_of(attempt.basis);
     CHECK(info.solved == 0);
     CHECK(hm_morph(attempt.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
                    nullptr) == HM_BAD_BASIS);
@@ -151,7 +145,7 @@ TEST_CASE("a basis that is not solved refuses all calls and cannot be attached")
     CHECK(same_bits(x, setup.mesh.x));
     CHECK(same_bits(y, setup.mesh.y));
     CHECK(move[3] == 0.1);
-    BasisCopy copy(attempt.basis, static_cast<std::size_t>(info.bytes));
+    BasisCopy copy(attempt.basis, std::size_t(info.bytes));
     CHECK(copy.attach() == HM_BAD_BASIS);
     CHECK(copy.says("not been solved"));
     REQUIRE(attempt.solve());
@@ -162,7 +156,7 @@ TEST_CASE("a basis that is not solved refuses all calls and cannot be attached")
 TEST_CASE("a basis that is written to a file and read back has the same values") {
     Case setup = airfoil_case();
     Solved const solved(setup);
-    std::size_t const bytes = static_cast<std::size_t>(solved.info().bytes);
+    std::size_t const bytes = std::size_t(solved.info().bytes);
     std::FILE* const file = std::tmpfile();
     REQUIRE(file != nullptr);
     REQUIRE(std::fwrite(solved.basis, 1, bytes, file) == bytes);

@@ -1,15 +1,10 @@
 // Shares of the functions, solved apart and put together from parcels, are the functions solved
 // together, bit by bit.
 #include <harmorph_parts.h>
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
 
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/parts.hpp>
-
-#include <cstring>
 
 using namespace fixtures;
 
@@ -41,9 +36,9 @@ public:
     }
     std::vector<double> parcel(std::vector<std::int32_t> const& points) const {
         std::int64_t doubles = 0;
-        std::int32_t const n = static_cast<std::int32_t>(points.size());
+        std::int32_t const n = std::int32_t(points.size());
         REQUIRE(hm_parcel_size(basis, n, &doubles, nullptr) == HM_OK);
-        std::vector<double> out(static_cast<std::size_t>(doubles) + 1, -3.0);
+        std::vector<double> out(std::size_t(doubles) + 1, -3.0);
         REQUIRE(hm_parcel_pack(basis, n, points.data(), out.data(), nullptr) == HM_OK);
         CHECK(out.back() == -3.0);  // not written
         out.pop_back();
@@ -55,8 +50,7 @@ private:
 };
 
 hm_status unpack(Rows const& rows, std::vector<double> const& parcel, hm_error* error = nullptr) {
-    return hm_parcel_unpack(rows.basis, parcel.data(), static_cast<std::int64_t>(parcel.size()),
-                            error);
+    return hm_parcel_unpack(rows.basis, parcel.data(), std::int64_t(parcel.size()), error);
 }
 
 }  // namespace

@@ -14,11 +14,10 @@ double number_of(Index point, Index k) { return 1 + 1000.0 * point + k; }
 
 // Rows side by side; what follows the last one is to be overwritten.
 std::vector<double> rows(Index n_points, Index numbers) {
-    std::vector<double> out(static_cast<std::size_t>(harmorph::whole_blocks(n_points) * numbers),
-                            -1);
+    std::vector<double> out(std::size_t(harmorph::whole_blocks(n_points) * numbers), -1);
     for (Index point = 0; point < n_points; ++point)
         for (Index k = 0; k < numbers; ++k)
-            out[static_cast<std::size_t>(Offset{point} * numbers + k)] = number_of(point, k);
+            out[std::size_t(Offset{point} * numbers + k)] = number_of(point, k);
     return out;
 }
 
@@ -29,8 +28,7 @@ TEST_CASE("each number is found where the row says, and points behind the last o
         for (Index const numbers : {1, 2, 7, 8, 9, 40}) {
             if (n_points > 1000 && numbers > 9) continue;
             std::vector<double> values = rows(n_points, numbers);
-            std::vector<double> work(
-                static_cast<std::size_t>(harmorph::RowsToBlocks::work_numbers(numbers)));
+            std::vector<double> work(std::size_t(harmorph::RowsToBlocks::work_numbers(numbers)));
             harmorph::RowsToBlocks{values.data(), n_points, numbers, {work.data(), work.size()}}
                 .run({});
             Index wrong = 0;

@@ -1,13 +1,9 @@
 // Rows of some points do what the whole basis does at these points.
 #include <harmorph_parts.h>
-#include <harmorph_study.h>
-#include <doctest/doctest.h>
 
 #include <fixtures/parts.hpp>
 
 #include "basis/basis.hpp"
-
-#include <cstring>
 
 using namespace fixtures;
 
@@ -46,7 +42,7 @@ TEST_CASE("a subset with ghosts and repeats has the values of the whole basis") 
             hm_basis_info const info = info_of(rows.basis);
             CHECK(info.solved == 1);
             CHECK(info.cells == 0);
-            CHECK(info.points == static_cast<std::int32_t>(points.size()));
+            CHECK(info.points == std::int32_t(points.size()));
             CHECK(info.functions == whole.functions);
             CHECK(info.numbers_per_value == whole.numbers_per_value);
             CHECK(info.curves == whole.curves);
@@ -54,7 +50,7 @@ TEST_CASE("a subset with ghosts and repeats has the values of the whole basis") 
 
             for (std::int32_t i = 0; i < info.functions; ++i)
                 for (std::int32_t p = 0; p < info.numbers_per_value; ++p) {
-                    Numbers all(static_cast<std::size_t>(whole.points)), some(points.size());
+                    Numbers all(std::size_t(whole.points)), some(points.size());
                     REQUIRE(hm_basis_values(solved.basis, i, p, all.data(), nullptr) == HM_OK);
                     REQUIRE(hm_basis_values(rows.basis, i, p, some.data(), nullptr) == HM_OK);
                     CHECK(same_bits(some, pick(all, points)));
@@ -83,7 +79,7 @@ TEST_CASE("a subset with ghosts and repeats has the values of the whole basis") 
             double error = -1;
             std::int32_t worst = -1;
             Moved wrong = there;
-            wrong.x[static_cast<std::size_t>(info.curve_point[5])] += 0.01;
+            wrong.x[std::size_t(info.curve_point[5])] += 0.01;
             REQUIRE(hm_boundary_error(rows.basis, move.data(), points_in(here.x, here.y),
                                       points_in(there.x, there.y), &error, &worst,
                                       nullptr) == HM_OK);
@@ -103,8 +99,7 @@ TEST_CASE("the row of one point accepts x and y side by side, with any stride") 
     Rows const row(solved.basis, one);
     REQUIRE(row.status == HM_OK);
     Numbers const move = some_move(solved.info().functions, 0.05, 3);
-    double at[2] = {setup.mesh.x[static_cast<std::size_t>(one[0])],
-                    setup.mesh.y[static_cast<std::size_t>(one[0])]};
+    double at[2] = {setup.mesh.x[std::size_t(one[0])], setup.mesh.y[std::size_t(one[0])]};
     Moved const to = morphed(row.basis, move, {{at[0]}, {at[1]}});
     Numbers gradient(move.size()), expected(move.size());
     double const dj[2] = {0.3, -0.7};
@@ -129,11 +124,11 @@ TEST_CASE("rows can be moved, saved and attached like any basis, and extracted a
     std::memcpy(copy.data(), bytes.data(), bytes.size());
     const hm_basis* attached = nullptr;
     REQUIRE(hm_basis_attach(&attached, copy.data(), bytes.size(), nullptr, nullptr) == HM_OK);
-    CHECK(info_of(attached).points == static_cast<std::int32_t>(points.size()));
+    CHECK(info_of(attached).points == std::int32_t(points.size()));
 
     std::vector<std::int32_t> every_other, direct;
     for (std::size_t k = 0; k < points.size(); k += 2) {
-        every_other.push_back(static_cast<std::int32_t>(k));
+        every_other.push_back(std::int32_t(k));
         direct.push_back(points[k]);
     }
     // Only the fingerprint of the list tells them apart.
@@ -215,7 +210,7 @@ TEST_CASE("blocks that are too small are refused, and the stated size suffices f
     std::vector<std::int32_t> const wall(info.curve_point, info.curve_point + info.curve_points);
     CHECK(info_of(Rows(solved.basis, wall, 24).basis).curve_points == info.curve_points);
 
-    std::int32_t const n = static_cast<std::int32_t>(wall.size());
+    std::int32_t const n = std::int32_t(wall.size());
     std::size_t need = 0;
     REQUIRE(hm_extract_size(solved.basis, n, &need, nullptr) == HM_OK);
     std::size_t const slack = 64 + 256;  // for alignment, and for lists that repeat points

@@ -1,6 +1,4 @@
 // Blocks that are no whole, unchanged basis of this mesh are refused with the reason.
-#include <doctest/doctest.h>
-
 #include <fixtures/basis_copy.hpp>
 #include <fixtures/bodies.hpp>
 #include <fixtures/polygon_cases.hpp>
@@ -20,9 +18,9 @@ TEST_CASE("a basis that is truncated at any length is refused with the reason") 
         bool const in_header = size < sizeof(harmorph::BasisHeader);
         CHECK(part.says(size == 0 ? "not a harmorph basis: the mark" : "truncated"));
         std::size_t const wanted = in_header ? sizeof(harmorph::BasisHeader) : whole.size();
-        if (size > 0) CHECK(part.error.value == static_cast<double>(wanted - size));
+        if (size > 0) CHECK(part.error.value == double(wanted - size));
     }
-    // A longer block, as a file with something behind it, is none of its business.
+    // A longer block, such as a file with further contents, is accepted.
     std::vector<double> longer(whole.size() / 8 + 10, 3.0);
     std::memcpy(longer.data(), whole.data(), whole.size());
     const hm_basis* basis = nullptr;
@@ -173,7 +171,8 @@ TEST_CASE("a basis with a valid checksum but indices out of range or infinite nu
     CHECK(attach_sealed() == HM_OK);
     CHECK(basis.header->checksum == good.checksum);
 
-    // Any word of all that is not values: refused, or of no use to whom would read elsewhere.
+    // Each word other than the values is refused when changed, or has no effect on where data are
+    // read.
     std::int32_t* const words = reinterpret_cast<std::int32_t*>(copy.data());
     std::ptrdiff_t const n = reinterpret_cast<std::int32_t*>(basis.value.data()) - words;
     std::vector<double> const move = some_move(20, 0.1, 1);

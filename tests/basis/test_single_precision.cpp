@@ -1,13 +1,8 @@
 // Functions in single precision: the wall moves as with double ones, the rest to the stated bound,
 // and the adjoint is the transpose of that.
-#include <harmorph_study.h>
-#include <doctest/doctest.h>
-
 #include <fixtures/executors.hpp>
 #include <fixtures/single.hpp>
 #include <fixtures/wrong.hpp>
-
-#include <cstring>
 
 using namespace fixtures;
 
@@ -37,11 +32,10 @@ TEST_CASE("each number is rounded to single precision, except on the wall, where
             for (std::size_t i = 0; i < before.plane[p].size(); ++i)
                 for (std::size_t k = 0; k < wall.size(); ++k) {
                     double const was = before.plane[p][i][k], now = after.plane[p][i][k];
-                    wrong.compare(k, now,
-                                  wall[k] ? was : static_cast<double>(static_cast<float>(was)));
+                    wrong.compare(k, now, wall[k] ? was : double(float(was)));
                     wrong.add(!(std::fabs(now - was) <= 0x1p-24 * std::fabs(was) + 0x1p-150), k,
                               now - was);
-                    on_wall += wall[k] && was != static_cast<double>(static_cast<float>(was));
+                    on_wall += wall[k] && was != double(float(was));
                     rounded += now != was;
                 }
         CHECK(wrong == 0);
@@ -89,7 +83,7 @@ TEST_CASE("a single-precision morph moves the wall exactly and other points with
                                   points_in(found.x, found.y), &error, nullptr, nullptr) == HM_OK);
         CHECK(error < 1e-14);
 
-        // In place, in pairs; and the movement 0 keeps every bit.
+        // The morph also works in place and in pairs; and the movement 0 keeps every bit.
         Numbers xy, nothing(move.size(), 0.0);
         for (std::size_t k = 0; k < mesh.x.size(); ++k) xy.insert(xy.end(), {mesh.x[k], mesh.y[k]});
         xy[0] = -0.0;
@@ -115,7 +109,7 @@ TEST_CASE("both sides of a cut move as one, on the wall and off the wall") {
     Solved const solved(setup);
     CHECK(solved.info().curve_points == 30);  // 31 points of the mesh are on the curve
     Single const single(solved.basis);
-    // The wall's other side, and not the side with the parameter.
+    // The list has the wall's other side, and not the side with the parameter.
     std::vector<std::int32_t> copy_alone = {30, 61, 5, 30};
     Rows const rows(single.basis, copy_alone);
     CHECK(info_of(rows.basis).curve_points == 2);
@@ -130,7 +124,7 @@ TEST_CASE("both sides of a cut move as one, on the wall and off the wall") {
         CHECK(by.x[k] == whole.x[k]);
         CHECK(by.y[k] == whole.y[k]);
     }
-    CHECK(by.x[0] != static_cast<double>(static_cast<float>(by.x[0])));
+    CHECK(by.x[0] != double(float(by.x[0])));
     for (std::size_t const k : {0u, 3u}) {
         CHECK(some.x[k] == whole.x[30]);
         CHECK(some.y[k] == whole.y[30]);

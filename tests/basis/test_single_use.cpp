@@ -2,14 +2,10 @@
 // refuses them.
 #include <harmorph_design.h>
 #include <harmorph_parts.h>
-#include <harmorph_study.h>
-#include <doctest/doctest.h>
 
 #include <fixtures/single.hpp>
 
 #include "basis/single_precision.hpp"
-
-#include <cstring>
 
 using namespace fixtures;
 
@@ -131,7 +127,7 @@ TEST_CASE("wrong arguments, shares, unsolved bases and blocks that are too small
               HM_BLOCK_TOO_SMALL);
         CHECK(made == nullptr);
         CHECK(block.guards_intact());
-        CHECK(error.value == static_cast<double>(need - give));
+        CHECK(error.value == double(need - give));
     }
     std::size_t bytes = 0;
     REQUIRE(hm_share_size(solved.analysis, 0, 3, &bytes, nullptr) == HM_OK);

@@ -1,21 +1,16 @@
 // hm_recover_movement: the movement is found again from where the points of the wall are.
 #include <harmorph_design.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
 
 #include <fixtures/derived.hpp>
 #include <fixtures/fitted.hpp>
 #include <fixtures/refused.hpp>
 #include <fixtures/safe.hpp>
 
-#include <complex>
-#include <limits>
-
 using namespace fixtures;
 
 namespace {
 
-// What the call returns for a mesh whose points are at x and y.
+// The result of the call for a mesh with points at x and y.
 struct Recovered {
     std::vector<double> move;
     double residual = -1;
@@ -25,13 +20,11 @@ struct Recovered {
 
     Recovered(const hm_basis* basis, std::vector<double> const& x, std::vector<double> const& y,
               double tolerance = 0) {
-        hm_basis_info info{};
-        info.struct_size = sizeof info;
-        REQUIRE(hm_basis_info_get(basis, &info, nullptr) == HM_OK);
+        hm_basis_info const info = info_of(basis);
         std::size_t bytes = 0;
         REQUIRE(hm_recover_movement_size(basis, &bytes, nullptr) == HM_OK);
         Guarded work(bytes);
-        move.assign(2 * static_cast<std::size_t>(info.functions), 7.5);
+        move.assign(2 * std::size_t(info.functions), 7.5);
         status = hm_recover_movement(basis, points_in(x, y), tolerance, move.data(), &residual,
                                      &point, work.data(), bytes, &error);
         CHECK(work.guards_intact());
@@ -49,7 +42,7 @@ double difference(std::vector<double> const& a, std::vector<double> const& b) {
 // last-1, on which no point of the wall depends.
 void check_sum(const hm_basis* basis, Mesh const& mesh, std::int32_t functions,
                double exactness = 1e-12, std::size_t first = 0, std::size_t last = 0) {
-    std::vector<double> x = mesh.x, y = mesh.y, sum(2 * static_cast<std::size_t>(functions));
+    std::vector<double> x = mesh.x, y = mesh.y, sum(2 * std::size_t(functions));
     for (unsigned const seed : {1u, 2u}) {
         std::vector<double> const move = some_move(functions, 0.01, seed);
         REQUIRE(hm_morph(basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) ==
@@ -94,9 +87,7 @@ TEST_CASE("the movement so far is the sum of all morphs for every kind of basis"
         options.offset_correction = row.offset_correction;
         Solved solved(row.setup.problem(), &options);
         REQUIRE(solved.status >= 0);
-        hm_basis_info info{};
-        info.struct_size = sizeof info;
-        REQUIRE(hm_basis_info_get(solved.basis, &info, nullptr) == HM_OK);
+        hm_basis_info const info = info_of(solved.basis);
         check_sum(solved.basis, row.setup.mesh, info.functions, 1e-12, row.first, row.last);
         Recovered const start(solved.basis, row.setup.mesh.x, row.setup.mesh.y);
         CHECK(start.status == HM_OK);
@@ -108,8 +99,7 @@ TEST_CASE("the movement so far is the sum of all morphs for every kind of basis"
 
 TEST_CASE("the movement so far is found for design variables and for modes at given points") {
     Case setup = curve_and_table();
-    Options const options = options_of(HM_CONFORMAL);
-    Solved solved(setup.problem(), &options);
+    Solved solved(setup.problem(), options_of(HM_CONFORMAL));
     REQUIRE(solved.status >= 0);
     Combination const by(20, 4, 2, 3);  // the second curve has no points
     Combined const combined(solved.basis, by);
@@ -118,16 +108,15 @@ TEST_CASE("the movement so far is found for design variables and for modes at gi
     auto const n = given_points(solved.plan).size();
     std::vector<Field> modes(2, Field(n));
     for (std::size_t k = 0; k < n; ++k) {
-        modes[0][k] = {0.3, 0.1 * std::cos(0.2 * static_cast<double>(k))};
-        modes[1][k] = {std::sin(0.3 * static_cast<double>(k)), 0};
+        modes[0][k] = {0.3, 0.1 * std::cos(0.2 * double(k))};
+        modes[1][k] = {std::sin(0.3 * double(k)), 0};
     }
     Tabulated const tabulated(solved.plan, solved.basis, modes, 2);
     REQUIRE(tabulated.status >= 0);
     check_sum(tabulated.basis, setup.mesh, 22, 1e-12, 11, 20);
     // Without modes, given points may be anywhere.
     std::vector<double> x = setup.mesh.x;
-    for (std::int32_t const point : given_points(solved.plan))
-        x[static_cast<std::size_t>(point)] += 0.05;
+    for (std::int32_t const point : given_points(solved.plan)) x[std::size_t(point)] += 0.05;
     Recovered const without(solved.basis, x, setup.mesh.y);
     CHECK(without.status == HM_OK);
     CHECK(without.residual == 0);
@@ -161,8 +150,7 @@ TEST_CASE("control points on which no wall point depends move with their neighbo
     setup.given_curves.clear();
     setup.given_u.clear();
     for (int k = 0; k < 12; ++k) setup.give(k, ring_parameter(3, 40, 2 * pi * k / 12));
-    Options const options = options_of(HM_CONFORMAL);
-    Solved solved(setup.problem(), &options);
+    Solved solved(setup.problem(), options_of(HM_CONFORMAL));
     REQUIRE(solved.status >= 0);
     std::vector<double> const turn =
         similarity_move(setup.curves, std::polar(1.2, 0.4), {0.1, 0}, {0.3, 0.2});
@@ -184,11 +172,10 @@ TEST_CASE("control points on which no wall point depends move with their neighbo
 
 TEST_CASE("a wall that is on no curve of the basis is refused with the point and the distance") {
     Case setup = airfoil_case();
-    Options const options = options_of(HM_CONFORMAL);
-    Solved solved(setup.problem(), &options);
+    Solved solved(setup.problem(), options_of(HM_CONFORMAL));
     std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
     std::int32_t const wall = points_on(setup.mesh, body)[10];
-    y[static_cast<std::size_t>(wall)] += 0.01;
+    y[std::size_t(wall)] += 0.01;
     Recovered const found(solved.basis, x, y);
     CHECK(found.status == HM_BAD_MESH);
     CHECK(std::string(found.error.text).find("the wall is on no curve of this basis") == 0);
@@ -203,7 +190,7 @@ TEST_CASE("a wall that is on no curve of the basis is refused with the point and
     CHECK(any.residual == found.error.value);
     CHECK(any.point == wall);
     double const nan = std::numeric_limits<double>::quiet_NaN();
-    y[static_cast<std::size_t>(wall)] = nan;
+    y[std::size_t(wall)] = nan;
     Recovered const broken(solved.basis, x, y);
     CHECK(broken.status == HM_BAD_MESH);
     CHECK(std::string(broken.error.text).find("of the wall has a coordinate that is not finite") !=

@@ -1,6 +1,4 @@
-// What every point is: the strongest condition of its markers, or inside.
-#include <doctest/doctest.h>
-
+// The kind of every point is the strongest condition of its markers, or inside.
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/core.hpp>
 
@@ -11,7 +9,7 @@ using harmorph::PointKind;
 namespace {
 
 int count(Analysed const& seen, PointKind kind) {
-    return static_cast<int>(std::count(seen->kinds().begin(), seen->kinds().end(), kind));
+    return int(std::count(seen->kinds().begin(), seen->kinds().end(), kind));
 }
 
 }  // namespace
@@ -71,7 +69,7 @@ TEST_CASE("the graph couples every pair of unknowns that share a cell, and no ot
         Analysed const seen(setup);
         harmorph::Graph const& graph = seen->graph();
         std::vector<std::pair<int, int>> expected, found;
-        std::vector<char> near_wall(static_cast<std::size_t>(graph.n), 0);
+        std::vector<char> near_wall(std::size_t(graph.n), 0);
         harmorph::Mesh const mesh = core_mesh(setup.mesh);
         for (harmorph::Index i = 0; i < mesh.n_cells; ++i) {
             harmorph::Cell const cell = mesh.cell(i);
@@ -82,7 +80,7 @@ TEST_CASE("the graph couples every pair of unknowns that share a cell, and no ot
                     if (u != harmorph::none && v != harmorph::none && u != v)
                         expected.push_back({u, v});
                     if (u != harmorph::none && seen->kinds()[cell.point[b]] == PointKind::on_wall)
-                        near_wall[static_cast<std::size_t>(u)] = 1;
+                        near_wall[std::size_t(u)] = 1;
                 }
         }
         std::sort(expected.begin(), expected.end());
@@ -91,7 +89,7 @@ TEST_CASE("the graph couples every pair of unknowns that share a cell, and no ot
             for (harmorph::Index const v : graph.neighbours(u)) found.push_back({u, v});
             CHECK(graph.unknown[graph.line[u]] == u);
             if (u > 0) CHECK(graph.point(u) > graph.point(u - 1));
-            CHECK(graph.beside_curve[u] == near_wall[static_cast<std::size_t>(u)]);
+            CHECK(graph.beside_curve[u] == near_wall[std::size_t(u)]);
         }
         std::sort(found.begin(), found.end());
         CHECK(found == expected);

@@ -1,6 +1,4 @@
 // Distances from faces and the nearest places on them, against trying all faces.
-#include <doctest/doctest.h>
-
 #include <fixtures/airfoil.hpp>
 #include <fixtures/face_loops.hpp>
 
@@ -109,7 +107,7 @@ TEST_CASE("only the chosen faces count, with the coordinates at the time when th
     tree.build(loops.points());
     long double const alone =
         from_segment({20, 1}, {loops.x[117], loops.y[117]}, {loops.x[118], loops.y[118]});
-    CHECK(tree.distance({20, 1}) == doctest::Approx(static_cast<double>(alone)));
+    CHECK(tree.distance({20, 1}) == doctest::Approx(double(alone)));
 }
 
 TEST_CASE("the foot is the nearest place for any order of groups, also for equal distances") {

@@ -1,7 +1,5 @@
 // Weights of cells by their distance from faces, against repeated multiplication; scaled meshes,
 // threads, kernels.
-#include <doctest/doctest.h>
-
 #include <fixtures/airfoil.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/face_loops.hpp>
@@ -153,7 +151,7 @@ TEST_CASE("all kernels give the same bits, and images of faces count as faces do
         double const distance = tree.distance(place);
         for (harmorph::Kernel const kernel : usable_kernels()) {
             tree.kernel = kernel;
-            Index guess = static_cast<Index>(random() % static_cast<unsigned>(tree.groups.count()));
+            Index guess = Index(random() % unsigned(tree.groups.count()));
             FaceDistance::Foot const seen = tree.foot(place, guess);
             CHECK(seen.face == foot.face);
             CHECK(seen.t == foot.t);
@@ -177,6 +175,5 @@ TEST_CASE("weights without faces, without extent, and at zero distance are finit
     CHECK(std::isfinite(k));
     Untrapped const untrapped;
     mesh.x[0] = mesh.y[3] = std::nan("");  // no valid mesh, but no reason to go astray
-    CHECK(weights_of(mesh, FaceTree(through), 6).size() ==
-          static_cast<std::size_t>(mesh.n_cells()));
+    CHECK(weights_of(mesh, FaceTree(through), 6).size() == std::size_t(mesh.n_cells()));
 }

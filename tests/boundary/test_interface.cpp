@@ -1,8 +1,4 @@
 // Sliding interfaces: a rotor in a stator, which meet on one circle with different points.
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/annulus.hpp>
 #include <fixtures/safe_displaced.hpp>
 
@@ -85,7 +81,7 @@ TEST_CASE("one step of a rotor touches and crosses nothing") {
                       &quality, nullptr) == HM_OK);
     CHECK(step.boundary > 1);  // farther on, the rotor grows until it reaches the outer boundary
     CHECK(quality.self_crossing == 0);
-    // As a mesh of its own.
+    // The displaced mesh is assessed as a mesh of its own.
     REQUIRE(hm_assess(solved.basis, &view, nullptr, nullptr, nullptr, nullptr, nullptr, &quality,
                       nullptr) == HM_OK);
     CHECK(quality.self_crossing == 0);
@@ -138,7 +134,7 @@ TEST_CASE("walls that end on an interface slide along the interface") {
     Mesh const left = square(6);
     setup.mesh = left;
     for (std::int32_t& marker : setup.mesh.face_markers)
-        marker = marker == right ? rotor_side : static_cast<std::int32_t>(body);
+        marker = marker == right ? rotor_side : std::int32_t(body);
     std::int32_t const first = left.n_points();
     for (std::int32_t k = 0; k < left.n_points(); ++k)
         setup.mesh.add_point({left.point(k).x + 1, left.point(k).y});

@@ -1,6 +1,4 @@
 // Every point of a curve's marker gets the right curve and parameter.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 
 using namespace fixtures;
@@ -22,7 +20,7 @@ std::map<std::int32_t, std::pair<std::int32_t, double>> parameters(Solved const&
     hm_basis_info const info = solved.info();
     for (std::int32_t k = 0; k < info.curve_points; ++k)
         out[info.curve_point[k]] = {info.point_curve[k], info.point_u[k]};
-    CHECK(out.size() == static_cast<std::size_t>(info.curve_points));  // every point once
+    CHECK(out.size() == std::size_t(info.curve_points));  // every point once
     return out;
 }
 
@@ -40,13 +38,13 @@ TEST_CASE("parameters are found where points lie on the curve, from any start") 
             for (int k = 0; k < n_t; ++k) {
                 double const u = std::fmod(9.0 * ((against ? n_t - k : k) + 0.3) / n_t, 9.0);
                 harmorph::Vec2 const p = curve_point(spline.curve(), u);
-                setup.mesh.x[static_cast<std::size_t>(k)] = p.x;
-                setup.mesh.y[static_cast<std::size_t>(k)] = p.y;
+                setup.mesh.x[std::size_t(k)] = p.x;
+                setup.mesh.y[std::size_t(k)] = p.y;
                 expected.push_back(u);
             }
             // Turn the rings behind it so that cells stay valid.
             double const turn = std::atan2(setup.mesh.y[0], setup.mesh.x[0]);
-            for (std::size_t k = static_cast<std::size_t>(n_t); k < setup.mesh.x.size(); ++k) {
+            for (std::size_t k = std::size_t(n_t); k < setup.mesh.x.size(); ++k) {
                 double const x = setup.mesh.x[k], y = setup.mesh.y[k];
                 setup.mesh.x[k] = 1.3 * (x * std::cos(turn) - y * std::sin(turn));
                 setup.mesh.y[k] = 1.3 * (x * std::sin(turn) + y * std::cos(turn));
@@ -56,8 +54,7 @@ TEST_CASE("parameters are found where points lie on the curve, from any start") 
             auto const found = parameters(solved);
             REQUIRE(found.size() == 40);
             for (int k = 0; k < n_t; ++k)
-                CHECK(std::fabs(found.at(k).second - expected[static_cast<std::size_t>(k)]) <
-                      1e-10);
+                CHECK(std::fabs(found.at(k).second - expected[std::size_t(k)]) < 1e-10);
         }
 }
 
@@ -82,7 +79,7 @@ TEST_CASE("the point at the corner of a tied curve has exactly the corner's func
         std::vector<Point> const corners = {{2, 2}, {4, 2}, {4, 4}, {2, 4}};
         std::vector<Point> turned;
         for (std::int32_t k = 0; k < 4; ++k)
-            turned.push_back(corners[static_cast<std::size_t>((k + start) % 4)]);
+            turned.push_back(corners[std::size_t((k + start) % 4)]);
         setup.curves = polyline(turned);
         Solved const solved(setup);
         std::size_t const ids[] = {16, 18, 31, 29};
@@ -102,7 +99,7 @@ TEST_CASE("points of a blunt base are on the second curve, and the ends belong t
     options.struct_size = sizeof options;
     hm_fit_report report{};
     report.struct_size = sizeof report;
-    std::int32_t const n = static_cast<std::int32_t>(outline.points.size());
+    std::int32_t const n = std::int32_t(outline.points.size());
     std::size_t bytes = 0;
     REQUIRE(hm_fit_size(n, &options, &bytes, nullptr) == HM_OK);
     Guarded block(bytes);
@@ -130,14 +127,13 @@ TEST_CASE("points of a blunt base are on the second curve, and the ends belong t
     CHECK(solved.report.partition_defect < 1e-14);
     // Each corner has the function of one control point alone, and the base is linear between the
     // two.
-    std::vector<double> move(2 * static_cast<std::size_t>(curves->n_control), 0.0);
+    std::vector<double> move(2 * std::size_t(curves->n_control), 0.0);
     for (std::int32_t i = 0; i < curves->n_control; ++i) {
         std::vector<double> const f = solved.values(i);
         CHECK((f[0] == 0 || f[0] == 1));
         CHECK((f[4] == 0 || f[4] == 1));
         for (std::size_t k = 1; k <= 3; ++k)
-            CHECK(f[k] ==
-                  doctest::Approx(f[0] + (f[4] - f[0]) * static_cast<double>(k) / 4).epsilon(1e-9));
+            CHECK(f[k] == doctest::Approx(f[0] + (f[4] - f[0]) * double(k) / 4).epsilon(1e-9));
     }
 }
 
@@ -169,8 +165,8 @@ TEST_CASE("points that two markers share belong to the control point that their 
     // points.
     Case setup = tiny_case();
     for (std::size_t k = 0; k < setup.mesh.face_markers.size(); ++k) {
-        bool const low = setup.mesh.y[static_cast<std::size_t>(setup.mesh.faces[2 * k])] == 2 &&
-                         setup.mesh.y[static_cast<std::size_t>(setup.mesh.faces[2 * k + 1])] == 2;
+        bool const low = setup.mesh.y[std::size_t(setup.mesh.faces[2 * k])] == 2 &&
+                         setup.mesh.y[std::size_t(setup.mesh.faces[2 * k + 1])] == 2;
         if (setup.mesh.face_markers[k] == body && low) setup.mesh.face_markers[k] = 40;
     }
     for (bool const first_low : {false, true}) {
@@ -240,7 +236,7 @@ TEST_CASE("points farther from their curve than 5 % of its extent give a warning
             }
             CHECK(attempt.status == HM_FAR_FROM_CURVE);
             CHECK(attempt.error.value == doctest::Approx(0.2 * part * size));
-            CHECK(setup.mesh.y[static_cast<std::size_t>(attempt.error.item)] == 0.6 * size);
+            CHECK(setup.mesh.y[std::size_t(attempt.error.item)] == 0.6 * size);
             CHECK(attempt.prepare());
             CHECK(attempt.solve());  // the result can be used
             CHECK(attempt.status == HM_OK);

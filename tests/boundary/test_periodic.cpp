@@ -1,8 +1,4 @@
-// Periodic pairs: both sides move alike, and one period is all there is to know about many.
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
+// Periodic pairs: both sides move alike, and one period is equivalent to many.
 #include <fixtures/cascade.hpp>
 
 using namespace fixtures;
@@ -33,14 +29,12 @@ TEST_CASE("both sides of a periodic pair move alike to the last bit, and not onl
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : kinds) {
             Case setup = cascade(kind);
-            Options const options = options_of(operator_kind);
-            Solved const solved(setup, &options);
+            Solved const solved(setup, options_of(operator_kind));
             Field const moved = displacement(solved, some_move(4, 1, 4));
             for (std::size_t j = 0; j <= 8; ++j) {
                 std::vector<std::int32_t> const l = points_on(setup.mesh, left),
                                                 r = points_on(setup.mesh, right);
-                Complex const a = moved[static_cast<std::size_t>(l[j])],
-                              b = moved[static_cast<std::size_t>(r[j])];
+                Complex const a = moved[std::size_t(l[j])], b = moved[std::size_t(r[j])];
                 CHECK(a == b);
                 CHECK((j == 0 || j == 8 ? a == 0.0
                                         : std::abs(a) > 1e-3));  // top and bottom are fixed
@@ -59,8 +53,8 @@ TEST_CASE("two and three periods with bodies that move alike are one period, rep
                 Field const expected = displacement(a, move);
                 Field found = displacement(b, repeated(move, n));
                 found.resize(expected.size());
-                // Weights see the bodies of all periods where there are several, and one where
-                // there is one.
+                // Weights take the bodies of all periods into account where there are several, and
+                // one where there is one.
                 bool const weighted = operator_kind != HM_LAPLACE;
                 CHECK(largest_difference(found, expected) < (weighted ? 1e-2 : 1e-13));
                 Case fixed = one;
@@ -98,8 +92,7 @@ TEST_CASE("the place where the mesh is cut does not matter, and the mesh may be 
                     Field const expected = displacement(Solved(a, &options), move);
                     Field const all = displacement(Solved(b, &options), move);
                     Field found;
-                    for (std::int32_t const k : number)
-                        found.push_back(all[static_cast<std::size_t>(k)]);
+                    for (std::int32_t const k : number) found.push_back(all[std::size_t(k)]);
                     CHECK(largest_difference(found, expected) < 1e-12);
                 }
 }
@@ -155,7 +148,7 @@ TEST_CASE("numbering, orientation and the order of markers do not change a perio
     reverse_some_faces(changed.mesh, 11);
     Field const mangled = displacement(Solved(changed, &options), move);
     for (std::size_t k = 0; k < expected.size(); ++k)
-        CHECK(std::abs(mangled[static_cast<std::size_t>(new_of[k])] - expected[k]) < 1e-12);
+        CHECK(std::abs(mangled[std::size_t(new_of[k])] - expected[k]) < 1e-12);
 
     Complex const turn = std::polar(2.0, 0.8);
     changed = similar(origin, turn, {3, 4});
@@ -171,24 +164,23 @@ TEST_CASE("numbering, orientation and the order of markers do not change a perio
     Solved const sheared(changed, &options);
     Field const moved = displacement(sheared, move);
     for (std::size_t j = 0; j <= 8; ++j)
-        CHECK(moved[static_cast<std::size_t>(points_on(changed.mesh, left)[j])] ==
-              moved[static_cast<std::size_t>(points_on(changed.mesh, right)[j])]);
+        CHECK(moved[std::size_t(points_on(changed.mesh, left)[j])] ==
+              moved[std::size_t(points_on(changed.mesh, right)[j])]);
 }
 
 TEST_CASE("the four corners of two pairs are one point, and a translation moves the whole mesh") {
     for (std::int32_t const operator_kind : operators) {
         Case setup = cascade(Cells::hybrid);
         setup.set_periodic(top, bottom);
-        Options const options = options_of(operator_kind);
-        Solved const solved(setup, &options);
+        Solved const solved(setup, options_of(operator_kind));
         Field const moved = displacement(solved, some_move(4, 0.2, 12));
         std::size_t const last =
             moved.size() - 1;  // the corners: the mesh's first and last points, and two more
         std::vector<std::int32_t> const b = points_on(setup.mesh, bottom),
                                         t = points_on(setup.mesh, top);
         CHECK(moved[0] == moved[last]);
-        CHECK(moved[static_cast<std::size_t>(b.back())] == moved[0]);
-        CHECK(moved[static_cast<std::size_t>(t.front())] == moved[0]);
+        CHECK(moved[std::size_t(b.back())] == moved[0]);
+        CHECK(moved[std::size_t(t.front())] == moved[0]);
         CHECK(std::abs(moved[0]) > 1e-3);
         Field const translated =
             displacement(solved, similarity_move(setup.curves, 1, 0, {0.5, -1}));
@@ -221,15 +213,13 @@ TEST_CASE("a point at the end of a pair on slip lines of two directions cannot s
             setup.mesh.y[k] += slope * (0.5 - std::fabs(setup.mesh.x[k] - 0.5)) *
                                std::fmax(setup.mesh.y[k] - 0.75, 0.0) * 4;
         setup.set_slip(top);
-        Options const options = options_of(HM_CONFORMAL);
-        Solved const solved(setup, &options);
+        Solved const solved(setup, options_of(HM_CONFORMAL));
         Field const moved = displacement(solved, some_move(4, 0.2, 14));
         std::vector<std::int32_t> const roof = points_on(setup.mesh, top);
-        Complex const a = moved[static_cast<std::size_t>(roof.front())],
-                      b = moved[static_cast<std::size_t>(roof.back())];
+        Complex const a = moved[std::size_t(roof.front())], b = moved[std::size_t(roof.back())];
         CHECK(a == b);
         CHECK((slope == 0 ? std::abs(a) > 1e-4 : a == 0.0));
-        Complex const beside = moved[static_cast<std::size_t>(roof[1])];
+        Complex const beside = moved[std::size_t(roof[1])];
         CHECK(std::abs(beside) > 1e-4);
         CHECK(std::fabs(beside.imag() - slope * beside.real()) < 1e-15);
     }
@@ -238,7 +228,7 @@ TEST_CASE("a point at the end of a pair on slip lines of two directions cannot s
 TEST_CASE("markers that are no periodic pair are refused with the place") {
     Case const good = cascade(Cells::quads);
     Case setup = good;
-    setup.mesh.y[static_cast<std::size_t>(points_on(setup.mesh, right)[4])] += 1e-4;
+    setup.mesh.y[std::size_t(points_on(setup.mesh, right)[4])] += 1e-4;
     Options const options = options_of(HM_CONFORMAL);
     {
         Attempt const attempt(setup.problem(), &options);
@@ -250,7 +240,7 @@ TEST_CASE("markers that are no periodic pair are refused with the place") {
     }
     setup = good;  // coordinates rounded as in a file
     for (std::int32_t const point : points_on(setup.mesh, right))
-        setup.mesh.x[static_cast<std::size_t>(point)] += 1e-8 * (point % 3);
+        setup.mesh.x[std::size_t(point)] += 1e-8 * (point % 3);
     CHECK(Attempt(setup.problem(), &options).status == HM_OK);
 
     setup = good;  // a side of another number of points

@@ -1,8 +1,4 @@
 // Pieces of a marker that has several: each with a condition of its own, chosen by a point near it.
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/operators.hpp>
 #include <fixtures/parts.hpp>
 

@@ -1,8 +1,4 @@
-// Rotation pairs: one passage of an annulus is all there is to know about all of them.
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
+// Rotation pairs: one passage of an annulus is equivalent to the whole annulus.
 #include <fixtures/displaced.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/passage.hpp>
@@ -17,7 +13,7 @@ constexpr int n_control = 8;
 
 Field of_passage(Field const& all, std::vector<std::int32_t> const& number) {
     Field out;
-    for (std::int32_t const k : number) out.push_back(all[static_cast<std::size_t>(k)]);
+    for (std::int32_t const k : number) out.push_back(all[std::size_t(k)]);
     return out;
 }
 
@@ -34,8 +30,7 @@ TEST_CASE("one passage moves as the annulus of turned copies for all operators a
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : kinds)
             for (int const n : {2, 3, 5}) {
-                INFO("operator " << operator_kind << ", cells " << static_cast<int>(kind)
-                                 << ", passages " << n);
+                INFO("operator " << operator_kind << ", cells " << int(kind) << ", passages " << n);
                 Case one = passage(kind, n);
                 std::vector<std::vector<std::int32_t>> number;
                 Case all = annulus_of(one, n, number);
@@ -47,8 +42,7 @@ TEST_CASE("one passage moves as the annulus of turned copies for all operators a
                 CHECK(largest_difference(found, of_passage(expected, number[0])) < 1e-14);
                 Complex const turn = turn_of_passage(n);
                 CHECK(misfit_of_sides(one.mesh, found, turn) < 1e-16);
-                CHECK(std::abs(found[static_cast<std::size_t>(points_on(one.mesh, left)[4])]) >
-                      1e-4);
+                CHECK(std::abs(found[std::size_t(points_on(one.mesh, left)[4])]) > 1e-4);
                 CHECK(a.info().numbers_per_value == 2);
                 Case fixed = one;
                 fixed.conditions.pop_back();
@@ -204,8 +198,7 @@ TEST_CASE("a pair in two pieces, each a pair of its own, works in either sense")
 TEST_CASE("the adjoint is the transpose") {
     for (std::int32_t const operator_kind : operators) {
         Case setup = passage(Cells::hybrid, 7);
-        Options const options = options_of(operator_kind);
-        Solved const solved(setup, &options);
+        Solved const solved(setup, options_of(operator_kind));
         std::vector<double> const move = some_move(n_control, 0.5, 3);
         Field const moved = displacement(solved, move), dj = some_field(moved.size(), 4);
         std::vector<double> gradient(move.size());
@@ -232,8 +225,7 @@ TEST_CASE("given displacements of a passage are those of the annulus, with the e
         Field everywhere(all.mesh.x.size());
         for (std::size_t m = 0; m < number.size(); ++m)
             for (std::size_t k = 0; k < some.size(); ++k)
-                everywhere[static_cast<std::size_t>(number[m][k])] =
-                    some[k] * std::pow(turn, static_cast<int>(m));
+                everywhere[std::size_t(number[m][k])] = some[k] * std::pow(turn, int(m));
         Field const found = a.displace(a.on_wall(some)),
                     expected = b.displace(b.on_wall(everywhere));
         CHECK(largest_difference(found, of_passage(expected, number[0])) < 1e-14);
@@ -258,7 +250,7 @@ TEST_CASE("the centre where sides meet stays, and displacements obey the rotatio
             }
             std::int32_t const a = setup.mesh.faces[2 * face], b = setup.mesh.faces[2 * face + 1];
             setup.mesh.cells.insert(setup.mesh.cells.end(), {a, b, centre});
-            setup.mesh.cell_start.push_back(static_cast<std::int32_t>(setup.mesh.cells.size()));
+            setup.mesh.cell_start.push_back(std::int32_t(setup.mesh.cells.size()));
             hub.insert(hub.end(), {a, b});
             setup.mesh.face_markers.erase(setup.mesh.face_markers.begin() +
                                           static_cast<std::ptrdiff_t>(face));
@@ -277,80 +269,81 @@ TEST_CASE("the centre where sides meet stays, and displacements obey the rotatio
         setup.mesh.add_face(centre, last, right);
         Options const options = options_of(operator_kind);
         Field const found = displacement(Solved(setup, &options), some_move(n_control, 0.05, 5));
-        CHECK(found[static_cast<std::size_t>(centre)] == 0.0);
-        CHECK(std::abs(found[static_cast<std::size_t>(first)]) > 1e-4);
-        CHECK(std::abs(found[static_cast<std::size_t>(last)] -
-                       turn * found[static_cast<std::size_t>(first)]) < 1e-17);
+        CHECK(found[std::size_t(centre)] == 0.0);
+        CHECK(std::abs(found[std::size_t(first)]) > 1e-4);
+        CHECK(std::abs(found[std::size_t(last)] - turn * found[std::size_t(first)]) < 1e-17);
     }
 }
 
 TEST_CASE("markers that are no rotation pair are refused with the place") {
-    Case const good = passage(Cells::quads, 5);
+    Case const good = passage(Cells::quads, 5), translates = cascade(Cells::quads);
     Options const options = options_of(HM_CONFORMAL);
     Case setup = good;
-    std::int32_t const moved = points_on(setup.mesh, right)[4];
-    setup.mesh.y[static_cast<std::size_t>(moved)] += 1e-4;
-    {
-        Attempt const attempt(setup.problem(), &options);
-        CHECK(attempt.status == HM_BAD_CONDITION);
-        CHECK(std::string(attempt.error.text).find("the turned point is") != std::string::npos);
-        CHECK(attempt.error.item == points_on(setup.mesh, left)[4]);
-        CHECK(attempt.error.value == doctest::Approx(1e-4).epsilon(0.3));
+    setup.mesh.y[std::size_t(points_on(setup.mesh, right)[4])] += 1e-4;
+    Attempt const attempt(setup.problem(), &options);
+    CHECK(attempt.status == HM_BAD_CONDITION);
+    CHECK(std::string(attempt.error.text).find("the turned point is") != std::string::npos);
+    CHECK(attempt.error.item == points_on(setup.mesh, left)[4]);
+    CHECK(attempt.error.value == doctest::Approx(1e-4).epsilon(0.3));
+    struct {
+        Case const& start;
+        hm_status status;
+        const char* words;
+        void (*spoil)(Case&);
+    } const cases[] = {
+        {good, HM_OK, "",  // coordinates rounded as in a file
+         [](Case& c) {
+             for (std::int32_t const point : points_on(c.mesh, right))
+                 c.mesh.x[std::size_t(point)] += 1e-8 * (point % 3);
+         }},
+        {good, HM_OK, "", [](Case& c) { c = similar(c, 1e-90, 0); }},
+        {good, HM_OK, "", [](Case& c) { c = similar(c, 1e90, 0); }},
+        {good, HM_BAD_CONDITION, "the turned point is",
+         [](Case& c) { c.conditions.back().x = 0.01; }},
+        {good, HM_BAD_CONDITION, "a coordinate beyond 1e100",
+         [](Case& c) { c.conditions.back().x = 1e101; }},
+        {good, HM_BAD_CONDITION, "is not finite",
+         [](Case& c) { c.conditions.back().x = std::nan(""); }},
+        {good, HM_BAD_CONDITION, "the translated point is",
+         [](Case& c) { c.conditions.back().kind = HM_PERIODIC_PAIR; }},
+        {translates, HM_BAD_CONDITION, "the turned point is",
+         [](Case& c) { c.conditions.pop_back(), c.set_rotation(left, right); }},
+        {good, HM_BAD_CONDITION, "are not turned; use HM_PERIODIC_PAIR",  // a whole annulus, cut
+         [](Case& c) { c = bent(cascade(Cells::quads, 0), 1, 0); }},
+        {translates, HM_OK, "",  // a quarter turn about a corner
+         [](Case& c) { c.conditions.pop_back(), c.set_rotation(bottom, left); }},
+        {translates, HM_BAD_CONDITION, "has another centre or angle",
+         [](Case& c) {
+             c.conditions.pop_back(), c.set_rotation(bottom, left);
+             c.set_rotation(right, top, 1, 1);
+         }},
+        {good, HM_BAD_CONDITION, "chooses a piece of a marker",
+         [](Case& c) { c.conditions.back().piece = 1; }},
+        {good, HM_UNSUPPORTED, "cannot be combined with slip", [](Case& c) { c.set_slip(right); }},
+        {good, HM_BAD_CONDITION, "its own periodic partner",
+         [](Case& c) { c.conditions.back().partner = left; }},
+    };
+    for (auto const& one : cases) {
+        INFO("case " << &one - cases);
+        Case spoiled = one.start;
+        one.spoil(spoiled);
+        refused(spoiled, one.status, one.words, options);
     }
-    setup = good;  // coordinates rounded as in a file
-    for (std::int32_t const point : points_on(setup.mesh, right))
-        setup.mesh.x[static_cast<std::size_t>(point)] += 1e-8 * (point % 3);
-    CHECK(Attempt(setup.problem(), &options).status == HM_OK);
-    setup = similar(good, 1e-90, 0);  // tiny
-    CHECK(Attempt(setup.problem(), &options).status == HM_OK);
-    setup = similar(good, 1e90, 0);
-    CHECK(Attempt(setup.problem(), &options).status == HM_OK);
-    setup = good;
-    setup.conditions.back().x = 0.01;
-    refused(setup, HM_BAD_CONDITION, "the turned point is", options);
-    setup.conditions.back().x = 1e101;
-    refused(setup, HM_BAD_CONDITION, "a coordinate beyond 1e100", options);
-    setup.conditions.back().x = std::nan("");
-    refused(setup, HM_BAD_CONDITION, "is not finite", options);
-    setup = good;
-    setup.conditions.back().kind = HM_PERIODIC_PAIR;
-    refused(setup, HM_BAD_CONDITION, "the translated point is", options);
-    setup = cascade(Cells::quads);  // translates are turned about nothing
-    setup.conditions.pop_back();
-    setup.set_rotation(left, right);
-    refused(setup, HM_BAD_CONDITION, "the turned point is", options);
-    setup = bent(cascade(Cells::quads, 0), 1, 0);  // a whole annulus, cut
-    refused(setup, HM_BAD_CONDITION, "are not turned; use HM_PERIODIC_PAIR", options);
-    setup = cascade(Cells::quads);  // a quarter turn about each of two corners
-    setup.conditions.pop_back();
-    setup.set_rotation(bottom, left);
-    CHECK(Attempt(setup.problem(), &options).status == HM_OK);
-    setup.set_rotation(right, top, 1, 1);
-    refused(setup, HM_BAD_CONDITION, "has another centre or angle", options);
-    setup = good;
-    setup.conditions.back().piece = 1;
-    refused(setup, HM_BAD_CONDITION, "chooses a piece of a marker", options);
-    setup = good;
-    setup.set_slip(right);
-    refused(setup, HM_UNSUPPORTED, "cannot be combined with slip", options);
-    setup = good;
-    setup.conditions.back().partner = left;
-    refused(setup, HM_BAD_CONDITION, "its own periodic partner", options);
 }
 
 TEST_CASE("combinations that rotation pairs do not support are refused by name") {
     Case setup = passage(Cells::quads, 5);
-    Options options = options_of(HM_LAPLACE);
-    options.engine = HM_MULTIGRID;
-    refused(setup, HM_UNSUPPORTED, "needs the direct engine", options);
-    options.engine = HM_FAS;
-    refused(setup, HM_UNSUPPORTED, "needs the direct engine", options);
-    options = options_of(HM_LAPLACE);
-    options.scheme = HM_BOUNDED;
-    refused(setup, HM_UNSUPPORTED, "needs the compact scheme", options);
-    options.scheme = HM_NODAL_GRADIENT;
-    refused(setup, HM_UNSUPPORTED, "needs the compact scheme", options);
-    options = options_of(HM_CONFORMAL);
+    for (std::int32_t const engine : {std::int32_t{HM_MULTIGRID}, std::int32_t{HM_FAS}}) {
+        Options options = options_of(HM_LAPLACE);
+        options.engine = engine;
+        refused(setup, HM_UNSUPPORTED, "needs the direct engine", options);
+    }
+    for (std::int32_t const scheme : {std::int32_t{HM_BOUNDED}, std::int32_t{HM_NODAL_GRADIENT}}) {
+        Options options = options_of(HM_LAPLACE);
+        options.scheme = scheme;
+        refused(setup, HM_UNSUPPORTED, "needs the compact scheme", options);
+    }
     setup.set_periodic(top, bottom);
-    refused(setup, HM_UNSUPPORTED, "cannot be combined with HM_PERIODIC_PAIR", options);
+    refused(setup, HM_UNSUPPORTED, "cannot be combined with HM_PERIODIC_PAIR",
+            options_of(HM_CONFORMAL));
 }

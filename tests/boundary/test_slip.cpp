@@ -1,7 +1,4 @@
 // Slip boundaries: points slide along straight lines, and a slip line is a line of symmetry.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/half_ring.hpp>
 
@@ -45,13 +42,13 @@ TEST_CASE("points slide and stay on a line at any angle to rounding") {
             for (std::int32_t const point : points_on(setup.mesh, slip_line)) {
                 if (point == 0 || point == 16)
                     continue;  // on the body, which moves as its curve does
-                Complex const d = moved[static_cast<std::size_t>(point)] / turn;
+                Complex const d = moved[std::size_t(point)] / turn;
                 off = std::fmax(off, std::fabs(d.imag()));
                 along = std::fmax(along, std::fabs(d.real()));
             }
             CHECK(off < 2e-16 * 8);
             CHECK(along > 0.05);
-            // And the whole does not depend on the angle.
+            // The functions of the whole mesh do not depend on the angle.
             Case straight = half_ring(6, 16, Cells::hybrid, 0.3, 5);
             Solved const reference(straight, &options);
             Field expected = displacement(reference, some_move(8, 1, 6));
@@ -63,8 +60,7 @@ TEST_CASE("points slide and stay on a line at any angle to rounding") {
 TEST_CASE("after many small steps, points are still on their slip line") {
     Complex const turn = std::polar(1.0, 0.4);
     Case setup = similar(half_ring(6, 16, Cells::quads, 0.3, 7), turn, 0);
-    Options const options = options_of(HM_CONFORMAL);
-    Solved const solved(setup, &options);
+    Solved const solved(setup, options_of(HM_CONFORMAL));
     Mesh mesh = setup.mesh;
     for (unsigned step = 0; step < 100; ++step) {
         std::vector<double> const move = some_move(8, 0.01, step);
@@ -111,7 +107,7 @@ TEST_CASE("corners of slip lines are fixed, stronger conditions win, and lines c
     setup = tiny_case();  // one line over two markers
     for (std::size_t face = 0; face < setup.mesh.face_markers.size(); ++face)
         if (setup.mesh.face_markers[face] == bottom &&
-            setup.mesh.x[static_cast<std::size_t>(setup.mesh.faces[2 * face])] > 2.5)
+            setup.mesh.x[std::size_t(setup.mesh.faces[2 * face])] > 2.5)
             setup.mesh.face_markers[face] = 40;
     setup.set_slip(bottom);
     setup.set_slip(40);
@@ -123,8 +119,7 @@ TEST_CASE("corner points beside a free boundary stay on the slip line as Laplace
     Case setup = tiny_case();
     setup.set_slip(bottom);
     setup.set_free(right);
-    Options const options = options_of(HM_LAPLACE);
-    Solved const solved(setup, &options);
+    Solved const solved(setup, options_of(HM_LAPLACE));
     std::vector<double> const move = some_move(4, 1, 9);
     Field const moved = displacement(solved, move);
     for (std::size_t k = 0; k < 7; ++k) CHECK(moved[k].imag() == 0);
@@ -151,13 +146,12 @@ TEST_CASE("in a channel with slip on all sides and two bodies, all points stay i
         Complex const centre = std::polar(1.5, 0.7) * Complex(1.5, 0.5) + Complex(1, 2);
         setup.set_rigid(second_body, centre.real(), centre.imag());
         setup.set_slip(far_field);  // one marker, four lines
-        Options const options = options_of(operator_kind);
-        Solved const solved(setup, &options);
+        Solved const solved(setup, options_of(operator_kind));
         std::vector<double> const move = some_move(solved.info().functions, 0.2, 10);
         Field const moved = displacement(solved, move);
         double most = 0;
         for (std::int32_t const point : points_on(setup.mesh, far_field)) {
-            Complex const d = moved[static_cast<std::size_t>(point)] / std::polar(1.0, 0.7);
+            Complex const d = moved[std::size_t(point)] / std::polar(1.0, 0.7);
             CHECK(std::fmin(std::fabs(d.real()), std::fabs(d.imag())) < 1e-15);
             Complex const at =
                 (to_complex(setup.mesh.point(point)) - Complex(1, 2)) / std::polar(1.5, 0.7);
@@ -175,8 +169,7 @@ TEST_CASE("a bend above the rounding of coordinates makes a curve, and a smaller
         Case setup = tiny_case();
         setup.set_slip(bottom);
         setup.mesh.y[3] -= by;
-        Options const options = options_of(HM_CONFORMAL);
-        Solved const solved(setup, &options);
+        Solved const solved(setup, options_of(HM_CONFORMAL));
         Field const moved = displacement(solved, some_move(4, 1, 9));
         double angle = 0;
         for (std::size_t k = 1; k < 6; ++k)
@@ -201,7 +194,7 @@ TEST_CASE("a corner is a jump of direction without neighbours like it, or above 
         REQUIRE(seen.analyse(setup.problem(), &options));
         std::vector<PointKind> out;
         for (std::size_t k = 1; k < 6; ++k)
-            out.push_back(inside(seen.analysis).kinds()[static_cast<harmorph::Index>(k)]);
+            out.push_back(inside(seen.analysis).kinds()[harmorph::Index(k)]);
         return out;
     };
     std::vector<PointKind> const flat(5, PointKind::slip);
@@ -237,7 +230,7 @@ TEST_CASE("points on a circle move along tangents, also when factored on moved c
             for (std::int32_t const point : points_on(mesh, far_field)) {
                 Complex const radius = to_complex(mesh.point(point));
                 Complex const part =
-                    moved[static_cast<std::size_t>(point)] * std::conj(radius) / std::abs(radius);
+                    moved[std::size_t(point)] * std::conj(radius) / std::abs(radius);
                 normal = std::fmax(normal, std::fabs(part.real()));
                 along = std::fmax(along, std::fabs(part.imag()));
             }
@@ -255,7 +248,7 @@ TEST_CASE("points on a circle move along tangents, also when factored on moved c
                                nullptr) == HM_OK);
         REQUIRE(hm_plan_solve(solved.plan, solved.basis, nullptr, nullptr) == HM_OK);
         CHECK(largest_normal(turned_case.mesh) < 1e-6);
-        // The same functions as those of the turned mesh, but for the circle through its points.
+        // The functions are those of the turned mesh, except for the circle through its points.
         Solved const other(turned_case, &options);
         CHECK(largest_difference(displacement(solved, some_move(8, 1, 11)),
                                  displacement(other, some_move(8, 1, 11))) < 1e-6);

@@ -1,10 +1,6 @@
 // Boundaries that slide along B-splines that are given.
 #include <harmorph_design.h>
-#include <harmorph_study.h>
 #include <cstring>
-
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
 
 #include <fixtures/circle.hpp>
 #include <fixtures/core.hpp>
@@ -44,7 +40,7 @@ struct Along {
         REQUIRE(hm_slip(attempt.analysis, points_in(x, y), points_out(x, y), nullptr) == HM_OK);
         CHECK(same_bits(x, setup.mesh.x));
         CHECK(same_bits(y, setup.mesh.y));
-        std::vector<double> const by = some_move(static_cast<std::int32_t>(x.size()), 0.3, 4);
+        std::vector<double> const by = some_move(std::int32_t(x.size()), 0.3, 4);
         for (std::size_t k = 0; k < x.size(); ++k) {
             x[k] += by[2 * k];
             y[k] += by[2 * k + 1];
@@ -126,7 +122,7 @@ TEST_CASE("points where two arcs end are fixed, and the others slide along their
     CHECK(n_fixed == 2);
 }
 
-TEST_CASE("the conditions of a basis state the number of curves, and cannot be used without") {
+TEST_CASE("the conditions of a basis state the number of curves, and need them again") {
     Along along(circle(2, 11));
     along.condition();
     Options const options = options_of(HM_CONFORMAL);
@@ -149,7 +145,7 @@ TEST_CASE("the conditions of a basis state the number of curves, and cannot be u
     CHECK(along.off_circle() < 1e-11);
 }
 
-TEST_CASE("a basis keeps the curves for sliding: conditions restored from a copy of the block") {
+TEST_CASE("a copy of a basis gives back the curves along which points slide") {
     Along along(circle(2, 11));
     along.condition();
     hm_curves const given = *along.setup.conditions[1].along;
@@ -218,7 +214,7 @@ TEST_CASE("curves that do not fit are refused with the point") {
             .find("away from the curve along which it slides; check the marker of the condition") !=
         std::string::npos);
     CHECK(error.value == doctest::Approx(1));
-    CHECK(far.is_outer(static_cast<std::size_t>(error.item)));
+    CHECK(far.is_outer(std::size_t(error.item)));
 
     Spline octagon;  // in which the curve turns by 45 degrees, between points
     octagon.degree = 1;

@@ -25,10 +25,9 @@ public:
         REQUIRE(!arena.overflown());
     }
     void add(std::vector<Vec2> const& points, bool closed) {
-        auto const n = static_cast<Index>(points.size());
+        auto const n = Index(points.size());
         curves.add(
-            closed ? n : n - 1, closed,
-            [&](Index k) { return points[static_cast<std::size_t>(k % n)]; },
+            closed ? n : n - 1, closed, [&](Index k) { return points[std::size_t(k % n)]; },
             [&](Index k) { return k % n; });
     }
     SlipCurves curves;
@@ -80,7 +79,7 @@ TEST_CASE("boundary points are on their curve bit by bit, and straight parts are
     for (Vec2 const p : circle(10, 1, 0, pi / 2)) points.push_back({p.x + 5, p.y + 5});
     curves.add(points, false);
     for (Index slot = 0; slot < curves.curves.n_slots(); ++slot) {
-        Vec2 const p = points[static_cast<std::size_t>(slot)];
+        Vec2 const p = points[std::size_t(slot)];
         SlipCurves::Place const place = curves.curves.nearest(slot, p);
         CHECK(place.at.x == p.x);
         CHECK(place.at.y == p.y);
@@ -107,7 +106,7 @@ TEST_CASE("the projected place is the nearest, and the derivative agrees with di
         for (Vec2& p : points) p = {1.5 * p.x, p.y + 0.02 * p.x * p.x};
         curves.add(points, closed);
         for (int trial = 0; trial < 40; ++trial) {
-            Index const slot = static_cast<Index>(19 * uniform(random));
+            Index const slot = Index(19 * uniform(random));
             Vec2 const start = curves.curves.at[slot], way = curves.curves.tangent[slot];
             double const by = 0.8 * uniform(random) - 0.4, off = 0.2 * uniform(random) - 0.1;
             Vec2 const p{start.x + by * way.x - off * way.y, start.y + by * way.y + off * way.x};

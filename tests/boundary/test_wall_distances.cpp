@@ -1,6 +1,4 @@
 // Points of a wall that do not lie on the curves that they were given.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 
 using namespace fixtures;
@@ -19,7 +17,7 @@ Case hole() {
 }
 
 bool is_middle_of_base(Mesh const& mesh, std::int32_t point) {
-    std::size_t const k = static_cast<std::size_t>(point);
+    std::size_t const k = std::size_t(point);
     return std::fabs(mesh.x[k] - 0.4) < 1e-12 && std::fabs(mesh.y[k] - 0.5) < 1e-12;
 }
 

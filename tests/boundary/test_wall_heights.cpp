@@ -1,13 +1,9 @@
 // Heights above the walls brought back after conformal maps, whose stretch is known; and what must
 // stay as it is.
-#include <doctest/doctest.h>
-
 #include <fixtures/airfoil.hpp>
 #include <fixtures/check.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/walls.hpp>
-
-#include <complex>
 
 using namespace fixtures;
 using harmorph::FirstLayerChange;
@@ -142,7 +138,7 @@ TEST_CASE("joined points move together") {
     };
     for (std::size_t k = 0; k < mesh.cells.size();
          ++k)  // the last column: beyond the cut the points are others
-        if (static_cast<int>(k / 4) % n_t == n_t - 1) cut(mesh.cells[k]);
+        if (int(k / 4) % n_t == n_t - 1) cut(mesh.cells[k]);
     for (std::size_t k = 0; k < mesh.faces.size(); ++k)
         if (mesh.faces[k ^ 1] % n_t == n_t - 1) cut(mesh.faces[k]);
     Walls walls(mesh);
@@ -194,7 +190,7 @@ TEST_CASE("points beside a boundary that is no wall do not move") {
         marker = marker == second_body ? std::int32_t{9} : marker;
     std::vector<char> is_fixed(mesh.x.size(), 0);
     for (std::size_t k = 0; k < mesh.faces.size(); ++k)
-        if (mesh.face_markers[k / 2] != body) is_fixed[static_cast<std::size_t>(mesh.faces[k])] = 1;
+        if (mesh.face_markers[k / 2] != body) is_fixed[std::size_t(mesh.faces[k])] = 1;
     Walls walls(mesh);
     walls.deform([](Point p) { return Point{1.2 * p.x, 1.2 * p.y}; });
     Mesh const before = walls.deformed;
@@ -202,8 +198,7 @@ TEST_CASE("points beside a boundary that is no wall do not move") {
     CHECK(!is_still(walls, before));
     for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
         std::int32_t const next = mesh.cells[k % 4 == 3 ? k - 3 : k + 1];  // all cells are quads
-        if (is_fixed[static_cast<std::size_t>(next)])
-            CHECK(moved(walls, before, mesh.cells[k]) == 0);
+        if (is_fixed[std::size_t(next)]) CHECK(moved(walls, before, mesh.cells[k]) == 0);
     }
 }
 

@@ -18,7 +18,7 @@ struct Sampled {
     Status status;
 
     explicit Sampled(std::vector<Vec2> const& points, bool is_loop = true) {
-        auto const n = static_cast<Index>(points.size());
+        auto const n = Index(points.size());
         Arena counting;
         AirfoilSamples().lay_out(counting, n, 400);
         block.resize(counting.bytes());

@@ -28,20 +28,25 @@ std::vector<double> parameters(Curve const& curve) {
 }
 
 Spline with_weights(Spline spline) {
-    for (int k = 0; 2 * k < static_cast<int>(spline.control.size()); ++k)
+    for (int k = 0; 2 * k < int(spline.control.size()); ++k)
         spline.weights.push_back(0.5 + 0.37 * (k % 5));
     return spline;
 }
 
-Status refusal(Spline const& spline, std::string const& word, Fault* out = nullptr) {
+double const not_finite = std::numeric_limits<double>::quiet_NaN();
+
+// Checks the refusal of a curve with the number 7: the words and, unless it is none, the second
+// number of the sentence, which is that of a knot, an index, a control point or a degree.
+Fault check_refusal(Spline const& spline, std::string const& words, Index number = none) {
     Fault fault;
-    Status const status = check_curve(spline.curve(), 7, fault);
-    CHECK_MESSAGE(std::string(fault.sentence).find(word) != std::string::npos, fault.sentence);
-    // The first number of a sentence is its item.
+    CHECK(check_curve(spline.curve(), 7, fault) == Status::bad_curve);
+    INFO(fault.sentence);
+    CHECK(std::string(fault.sentence).find(words) != std::string::npos);
     bool const begins_with_curve = std::string(fault.sentence).rfind("curve #", 0) == 0;
     CHECK((begins_with_curve ? fault.item.number : fault.other.number) == 7);
-    if (out != nullptr) *out = fault;
-    return status;
+    if (number != none)
+        CHECK((begins_with_curve ? fault.other.number : fault.item.number) == number);
+    return fault;
 }
 
 }  // namespace
@@ -147,8 +152,7 @@ TEST_CASE("a knot of multiplicity m leaves degree - m continuous derivatives") {
     for (int degree = 2; degree <= 5; ++degree)
         for (int fold = 1; fold <= degree; ++fold) {
             Spline spline = fixtures::clamped(degree, degree + 1 + fold, 8);
-            for (int k = 0; k < fold; ++k)
-                spline.knots[static_cast<std::size_t>(degree + 1 + k)] = 0.5;
+            for (int k = 0; k < fold; ++k) spline.knots[std::size_t(degree + 1 + k)] = 0.5;
             Curve const curve = spline.curve();
             Fault fault;
             REQUIRE(check_curve(curve, 0, fault) == Status::ok);
@@ -175,63 +179,52 @@ TEST_CASE("a periodic curve is smooth at its seam") {
 }
 
 TEST_CASE("a curve that is not well formed is refused with the reason and the place") {
-    double const nan = std::numeric_limits<double>::quiet_NaN();
     Spline const good = fixtures::clamped(3, 8, 10);
-    Fault fault;
-    Spline bad = good;
-    bad.degree = 6;
-    CHECK(refusal(bad, "has degree @, but the degree must be 1 to 5", &fault) == Status::bad_curve);
-    CHECK(fault.other.number == 6);
-    bad = good;
-    bad.knots.resize(7);
-    CHECK(refusal(bad, "more than its degree") == Status::bad_curve);
-    bad = good;
-    bad.knots[5] = nan;
-    CHECK(refusal(bad, "not finite", &fault) == Status::bad_curve);
-    CHECK(fault.item.number == 5);
-    bad = good;
-    bad.knots[6] = bad.knots[5] - 0.1;
-    CHECK(refusal(bad, "is smaller than the knot before it", &fault) == Status::bad_curve);
-    CHECK(fault.item.number == 6);
-    bad = good;
-    bad.knots.assign(12, 2);
-    CHECK(refusal(bad, "has no length, or a knot is beyond 1e100") == Status::bad_curve);
-    for (double const factor : {1e-104, 1e100}) {  // too short, too long for derivatives
-        bad = good;
-        for (double& knot : bad.knots) knot *= factor;
-        CHECK(refusal(bad, "has no length, or a knot is beyond 1e100") == Status::bad_curve);
+    const char* const length = "has no length, or a knot is beyond 1e100";
+    struct {
+        const char* words;
+        Index number;
+        void (*spoil)(Spline&);
+    } const cases[] = {
+        {"has degree @, but the degree must be 1 to 5", 6, [](Spline& s) { s.degree = 6; }},
+        {"more than its degree", none, [](Spline& s) { s.knots.resize(7); }},
+        {"not finite", 5, [](Spline& s) { s.knots[5] = not_finite; }},
+        {"is smaller than the knot before it", 6, [](Spline& s) { s.knots[6] = s.knots[5] - 0.1; }},
+        {length, none, [](Spline& s) { s.knots.assign(12, 2); }},
+        {length, none,  // too short for derivatives
+         [](Spline& s) {
+             for (double& knot : s.knots) knot *= 1e-104;
+         }},
+        {length, none,
+         [](Spline& s) {
+             for (double& knot : s.knots) knot *= 1e100;
+         }},
+        {"repeated", 7, [](Spline& s) { std::fill(&s.knots[4], &s.knots[8], 2.0); }},
+        {"index #", 6, [](Spline& s) { s.indices = {0, 1, 2, 3, 4, 5, 8, 7}; }},
+        {"index #", 6,
+         [](Spline& s) {
+             s.indices = {0, 1, 2, 3, 4, 5, std::numeric_limits<std::int32_t>::min(), 7};
+         }},
+        {"fewer", none, [](Spline& s) { s.control.resize(14); }},
+        {"control point #", 4, [](Spline& s) { s.control[9] = not_finite; }},
+    };
+    for (auto const& one : cases) {
+        Spline bad = good;
+        one.spoil(bad);
+        Fault const fault = check_refusal(bad, one.words, one.number);
+        if (bad.indices.size() > 6 && bad.indices[6] != 6) CHECK(fault.value == bad.indices[6]);
+        if (one.number == 4) CHECK(fault.item.kind == ItemKind::control_point);
     }
-    bad = good;
+    Spline bad = good;
     for (double& knot : bad.knots) knot -= good.knots[6];
     bad.knots[7] = 1e-19;
-    CHECK(refusal(bad, "less than 1e-18", &fault) == Status::bad_curve);
-    CHECK(fault.item.number == 7);
+    check_refusal(bad, "less than 1e-18", 7);
     bad.knots[7] = 1e-16;
+    Fault fault;
     CHECK(check_curve(bad.curve(), 7, fault) == Status::ok);
-    bad = good;
-    for (std::size_t k = 4; k < 8; ++k) bad.knots[k] = 2;
-    CHECK(refusal(bad, "repeated", &fault) == Status::bad_curve);
-    CHECK(fault.item.number == 7);
-    bad = good;
-    bad.indices = {0, 1, 2, 3, 4, 5, 8, 7};
-    CHECK(refusal(bad, "index #", &fault) == Status::bad_curve);
-    CHECK(fault.item.number == 6);
-    CHECK(fault.value == 8);
-    bad.indices[6] = std::numeric_limits<std::int32_t>::min();
-    CHECK(refusal(bad, "index #") == Status::bad_curve);
-    bad = good;
-    bad.control.resize(14);
-    CHECK(refusal(bad, "fewer") == Status::bad_curve);
-    bad = good;
-    bad.control[9] = nan;
-    CHECK(refusal(bad, "control point #", &fault) == Status::bad_curve);
-    CHECK(fault.item.number == 4);
-    CHECK(fault.item.kind == ItemKind::control_point);
-    for (double const weight : {0.0, -1.0, 1e-11, 1e11, nan, HUGE_VAL}) {
+    for (double const weight : {0.0, -1.0, 1e-11, 1e11, not_finite, HUGE_VAL}) {
         bad = with_weights(good);
         bad.weights[3] = weight;
-        CHECK(refusal(bad, "weight", &fault) == Status::bad_curve);
-        CHECK(fault.item.number == 3);
-        CHECK(fault.item.kind == ItemKind::control_point);
+        CHECK(check_refusal(bad, "weight", 3).item.kind == ItemKind::control_point);
     }
 }

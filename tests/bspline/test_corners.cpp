@@ -18,7 +18,7 @@ struct Measured {
 
     explicit Measured(std::vector<Vec2> const& given, bool is_loop = true)
         : points(given), corners(given.size()) {
-        auto const n = static_cast<Index>(points.size());
+        auto const n = Index(points.size());
         Arena counting;
         Outline().lay_out(counting, n);
         block.resize(counting.bytes());
@@ -27,8 +27,7 @@ struct Measured {
         outline.points = {points.data(), points.size()};
         outline.is_loop = is_loop;
         outline.measure();
-        corners.resize(
-            static_cast<std::size_t>(find_corners(outline, {corners.data(), corners.size()})));
+        corners.resize(std::size_t(find_corners(outline, {corners.data(), corners.size()})));
     }
 };
 

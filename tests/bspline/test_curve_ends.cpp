@@ -19,7 +19,7 @@ struct Chosen {
 
 Chosen choose(std::vector<Vec2> const& points, Closure wanted, bool is_loop = true,
               Index most = 100) {
-    auto const n = static_cast<Index>(points.size());
+    auto const n = Index(points.size());
     Arena counting;
     Outline().lay_out(counting, n);
     std::vector<unsigned char> block(counting.bytes());
@@ -37,14 +37,14 @@ Chosen choose(std::vector<Vec2> const& points, Closure wanted, bool is_loop = tr
     out.dropped = n_found - n_corners;
     out.course = choose_course(outline, corners.first(n_corners), wanted);
     out.corners.resize(
-        static_cast<std::size_t>(corners_on(out.course, outline, corners.first(n_corners), most)));
+        std::size_t(corners_on(out.course, outline, corners.first(n_corners), most)));
     return out;
 }
 
-// Chosen alike wherever the loop begins, whichever way it runs, and however it lies: returns that
-// choice, with the first point as in the list given.
+// Checks that the choice is the same wherever the loop begins, whichever way it runs, and however
+// it lies. Returns the choice, with the first point as in the given list.
 Chosen choose_always(std::vector<Vec2> points) {
-    auto const n = static_cast<Index>(points.size());
+    auto const n = Index(points.size());
     Vec2 centre;
     for (Vec2 const p : points) centre = centre + (1.0 / n) * p;
     for (Vec2& p : points) p = p - centre;
@@ -134,15 +134,15 @@ TEST_CASE("the closure that the caller asks for is used") {
 namespace {
 
 // NACA 00xx, closed, with points in geometric progression from the trailing edge, and one straight
-// facet across the nose that is `longer` times as long as the ones beside it.
-std::vector<Vec2> with_nose_facet(double thickness, int n_side, double longer) {
+// facet across the leading edge that is `longer` times as long as the ones beside it.
+std::vector<Vec2> with_leading_facet(double thickness, int n_side, double longer) {
     fixtures::Naca4 const shape{0, 0.4, thickness, false};
     std::vector<Vec2> points = {{1, 0}};
-    double const half = 0.004;  // of the nose facet: where the section is as high
-    double x_nose = 0;
-    while (fixtures::naca4_point(shape, x_nose, 1).y < half) x_nose += 1e-6;
+    double const half = 0.004;  // half the height of the section at the facet
+    double x_leading = 0;
+    while (fixtures::naca4_point(shape, x_leading, 1).y < half) x_leading += 1e-6;
     std::vector<double> x;
-    double step = 2 * half / longer, at = x_nose;
+    double step = 2 * half / longer, at = x_leading;
     while (at < 1) {
         x.push_back(at);
         at += step;
@@ -163,7 +163,7 @@ std::vector<Vec2> with_nose_facet(double thickness, int n_side, double longer) {
 // edges at both ends.
 std::vector<Vec2> blade(double turning, double thickness, double tail, int n_side, int n_cap) {
     double const pi = std::acos(-1.0), radius = 0.5 / std::sin(0.5 * turning);
-    auto const on_line = [&](double s) {  // 0 nose, 1 tail
+    auto const on_line = [&](double s) {  // 0: leading edge, 1: trailing edge
         double const a = turning * (s - 0.5);
         return Vec2{radius * std::sin(a), radius * std::cos(a)};
     };
@@ -207,8 +207,7 @@ std::vector<Vec2> cut_off(double height, double slant, int n_side, int n_base) {
     }
     Vec2 const low{1, -0.5 * height}, high{1 - slant * height, 0.5 * height};
     std::vector<Vec2> base;
-    for (int k = 0; k <= n_base; ++k)
-        base.push_back(low + (static_cast<double>(k) / n_base) * (high - low));
+    for (int k = 0; k <= n_base; ++k) base.push_back(low + (double(k) / n_base) * (high - low));
     out.insert(out.begin(), base.begin(), base.end());
     return out;
 }
@@ -220,10 +219,9 @@ TEST_CASE("a facet across a leading edge is no base and no corner, however coars
     for (double const thickness : {0.06, 0.12, 0.2})
         for (int const n_side : {10, 40, 200})
             for (double const longer : {1.0, 2.0, 5.0, 20.0}) {
-                CAPTURE(thickness);
-                CAPTURE(n_side);
-                CAPTURE(longer);
-                Chosen const chosen = choose_always(with_nose_facet(thickness, n_side, longer));
+                INFO("thickness = " << thickness << ", n_side = " << n_side
+                                    << ", longer = " << longer);
+                Chosen const chosen = choose_always(with_leading_facet(thickness, n_side, longer));
                 CHECK(chosen.course.reason == ClosureReason::corner);
                 CHECK(chosen.course.closure == Closure::tied);
                 CHECK(chosen.course.first == 0);
@@ -238,10 +236,8 @@ TEST_CASE("a turbine blade with round ends has no base") {
         for (double const tail : {0.004, 0.01, 0.02})
             for (int const n_cap : {4, 5, 8, 20})
                 for (int const n_side : {20, 60}) {
-                    CAPTURE(turning);
-                    CAPTURE(tail);
-                    CAPTURE(n_cap);
-                    CAPTURE(n_side);
+                    INFO("turning = " << turning << ", tail = " << tail << ", n_cap = " << n_cap
+                                      << ", n_side = " << n_side);
                     CHECK(choose_always(blade(turning, 0.08, tail, n_side, n_cap))
                               .course.base_points == 0);
                 }
@@ -252,10 +248,8 @@ TEST_CASE("blunt bases of any thickness and slant are found at the end opposite 
         for (double const slant : {0.0, 0.5, -0.3})
             for (int const n_base : {1, 2, 6})
                 for (int const n_side : {30, 100}) {
-                    CAPTURE(height);
-                    CAPTURE(slant);
-                    CAPTURE(n_base);
-                    CAPTURE(n_side);
+                    INFO("height = " << height << ", slant = " << slant << ", n_base = " << n_base
+                                     << ", n_side = " << n_side);
                     Chosen const chosen = choose_always(cut_off(height, slant, n_side, n_base));
                     CHECK(chosen.course.reason == ClosureReason::base);
                     CHECK(chosen.course.base_points == n_base + 1);
@@ -270,7 +264,7 @@ TEST_CASE("ends of a plate, a step on a side and chamfers are no base") {
     Chosen const chosen = choose_always(plate);
     CHECK(chosen.course.reason == ClosureReason::corner);
     CHECK(chosen.corners.size() == 3);
-    // Down at half chord, as in a cove, and sharp behind.
+    // This section has a step down at half chord, as in a cove, and a sharp trailing edge.
     Chosen const step =
         choose_always(fixtures::polygon({{1, 0}, {0.5, 0.02}, {0.5, 0.06}, {0, 0}}, 10));
     CHECK(step.course.base_points == 0);
@@ -353,12 +347,9 @@ TEST_CASE("a trailing edge of one point is no base, though the last panel turns 
                             double const turn = std::asin(std::abs(cross(before, panel)) /
                                                           (length(before) * length(panel)));
                             if (turn > 0.42) continue;  // like a slanted base
-                            CAPTURE(blunt);
-                            CAPTURE(thickness);
-                            CAPTURE(camber);
-                            CAPTURE(last);
-                            CAPTURE(n_side);
-                            CAPTURE(above);
+                            INFO("blunt = " << blunt << ", thickness = " << thickness
+                                            << ", camber = " << camber << ", last = " << last
+                                            << ", n_side = " << n_side << ", above = " << above);
                             Chosen const chosen = choose_always(section);
                             CHECK(chosen.course.closure == Closure::tied);
                             CHECK(chosen.course.reason == ClosureReason::corner);

@@ -38,12 +38,12 @@ TEST_CASE("banded and ring-shaped matrices are solved") {
             for (Index const n : {2, 6, 7, 11, 40}) {
                 Block block(n, bandwidth, closes);
                 std::vector<double> x(static_cast<std::size_t>(n)), b(x.size());
-                for (Index i = 0; i < n; ++i) x[static_cast<std::size_t>(i)] = std::sin(1.0 + i);
+                for (Index i = 0; i < n; ++i) x[std::size_t(i)] = std::sin(1.0 + i);
                 for (Index i = 0; i < n; ++i)
                     for (Index j = 0; j < n; ++j) {
                         double const a = entry(i, j, n, bandwidth, closes);
                         if (j <= i && a != 0) block.matrix.add(i, j, a);
-                        b[static_cast<std::size_t>(i)] += a * x[static_cast<std::size_t>(j)];
+                        b[std::size_t(i)] += a * x[std::size_t(j)];
                     }
                 REQUIRE(block.matrix.factor() == harmorph::none);
                 block.matrix.solve({b.data(), b.size()});

@@ -5,7 +5,6 @@
 #include <fixtures/guarded.hpp>
 #include <fixtures/traps.hpp>
 
-#include <cstring>
 #include <string>
 
 using fixtures::CurveSet;
@@ -14,7 +13,7 @@ using fixtures::Spline;
 namespace {
 
 Spline with_weights(Spline spline) {
-    for (int k = 0; 2 * k < static_cast<int>(spline.control.size()); ++k)
+    for (int k = 0; 2 * k < int(spline.control.size()); ++k)
         spline.weights.push_back(0.5 + 0.37 * (k % 5));
     return spline;
 }
@@ -23,7 +22,7 @@ Spline with_weights(Spline spline) {
 Spline tied(int degree, int n, unsigned seed) {
     Spline spline = fixtures::clamped(degree, n, seed);
     for (int k = 0; k < n; ++k) spline.indices.push_back(k % (n - 1));
-    spline.control.resize(2 * static_cast<std::size_t>(n - 1));
+    spline.control.resize(2 * std::size_t(n - 1));
     return spline;
 }
 
@@ -44,7 +43,7 @@ struct Finer {
 Finer refined(hm_curves const& curves, int curve, std::vector<double> const& u) {
     Finer out;
     std::size_t bytes = 0;
-    int const n = static_cast<int>(u.size());
+    int const n = int(u.size());
     out.status = hm_refine_size(&curves, curve, 0, n, u.data(), &bytes, &out.error);
     if (out.status < 0) return out;
     out.block.resize(bytes);
@@ -96,7 +95,7 @@ void check_same(CurveSet& set, Finer const& finer) {
     for (double& number : set.control) number += 0.2 * uniform(random);
     hm_curves const moved_old = set.view();
     hm_curves moved = *finer.curves;
-    std::vector<double> control(2 * static_cast<std::size_t>(moved.n_control));
+    std::vector<double> control(2 * std::size_t(moved.n_control));
     for (int j = 0; j < moved.n_control; ++j)
         for (int i = 0; i < old.n_control; ++i)
             for (int d = 0; d < 2; ++d)
@@ -143,8 +142,7 @@ TEST_CASE("a knot repeated as often as the degree makes the curve interpolate a 
     for (int degree = 1; degree <= 5; ++degree) {
         CurveSet set(fixtures::clamped(degree, 9, 4));
         double const u = 1.7;
-        Finer const finer =
-            refined(set.view(), 0, std::vector<double>(static_cast<std::size_t>(degree), u));
+        Finer const finer = refined(set.view(), 0, std::vector<double>(std::size_t(degree), u));
         double at[2];
         REQUIRE(hm_curve_point(&set.view(), 0, u, 0, at, nullptr) == HM_OK);
         double nearest = 1;
@@ -188,7 +186,7 @@ TEST_CASE("points at the seam of a curve with close knots are found from the bet
     Spline spline = fixtures::periodic(5, 9, 0.3, 6);
     double const in_one_period[] = {0, 5e-5, 1.2e-4, 1.7e-4, 0.25, 0.5, 0.50008, 0.50015, 0.5002};
     for (std::size_t k = 0; k < spline.knots.size(); ++k)
-        spline.knots[k] = in_one_period[(k + 4) % 9] + static_cast<double>((k + 4) / 9) - 1;
+        spline.knots[k] = in_one_period[(k + 4) % 9] + double((k + 4) / 9) - 1;
     CurveSet set(spline);
     for (double const u : {0.22, 0.4, 0.69, 0.95}) {
         INFO("knot " << u);
@@ -258,7 +256,7 @@ TEST_CASE("knots that cannot be inserted are refused by name, and nothing is wri
         const hm_curves* made = nullptr;
         CHECK(hm_refine(&made, nullptr, block.data(), bytes - short_of, &set.view(), 0, 0, 1, &u,
                         &error) == HM_BLOCK_TOO_SMALL);
-        CHECK(error.value == static_cast<double>(short_of));
+        CHECK(error.value == double(short_of));
         CHECK(block.untouched());
     }
 }

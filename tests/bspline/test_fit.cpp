@@ -5,9 +5,7 @@
 #include <fixtures/spline.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <random>
 #include <string>
 
 using namespace harmorph;
@@ -107,11 +105,9 @@ TEST_CASE("the report of a fit agrees with the fitted curve") {
         sum += distance * distance;
     }
     CHECK(run.report.max_error == largest);
-    CHECK(run.report.rms_error ==
-          doctest::Approx(std::sqrt(sum / static_cast<double>(points.size()))));
-    CHECK(std::fmin(
-              project(wing, points[static_cast<std::size_t>(run.report.max_error_point)]).distance,
-              1) == largest);
+    CHECK(run.report.rms_error == doctest::Approx(std::sqrt(sum / double(points.size()))));
+    CHECK(std::fmin(project(wing, points[std::size_t(run.report.max_error_point)]).distance, 1) ==
+          largest);
 }
 
 TEST_CASE("a tied curve closes in one control point, a periodic one in as many as its degree") {
@@ -164,7 +160,7 @@ TEST_CASE("points of a B-spline are fitted by a B-spline") {
         FitRun const run(sampled(bezier, 60, true), options(degree, degree + 1), false);
         CHECK(run.report.closure == Closure::open);
     }
-    // Knots are found, too, but only nearly.
+    // The knots are found, too, but only approximately.
     CHECK(max_error(sampled(fixtures::clamped(3, 10, 2), 200, true), options(3, 10), false) < 0.05);
     CHECK(max_error(sampled(fixtures::clamped(3, 10, 2), 200, true), options(3, 20), false) <
           0.005);
@@ -207,8 +203,7 @@ TEST_CASE("the fit turns, moves and grows with the points") {
             for (int i = 0; i < 20; ++i) expected.push_back(plain.control(i));
             expected = fixtures::placed(expected, 0.7, scale, by);
             for (int i = 0; i < 20; ++i)
-                CHECK(length(moved.control(i) - expected[static_cast<std::size_t>(i)]) <
-                      1e-8 * scale);
+                CHECK(length(moved.control(i) - expected[std::size_t(i)]) < 1e-8 * scale);
         }
     }
 }
@@ -275,7 +270,7 @@ TEST_CASE("facets divided by further points make no blunt base at the leading ed
         for (std::size_t k = 0; k < corners.size(); ++k) {
             Vec2 const from = corners[k], to = corners[(k + 1) % corners.size()];
             for (int i = 0; i < parts; ++i)
-                points.push_back(from + (static_cast<double>(i) / parts) * (to - from));
+                points.push_back(from + (double(i) / parts) * (to - from));
         }
         FitRun const run(points, {}, true);
         CHECK(run.status == Status::ok);
@@ -295,10 +290,9 @@ TEST_CASE("a curve that runs back between two points is reported") {
     CHECK(run.fault.item.number == at);
     CHECK(std::string(run.fault.sentence) ==
           "the fitted curve runs backwards between points # and @; use fewer control points");
-    // It does: of some piece of the curve near that step the direction is against it.
+    // Near that step, some piece of the curve has a direction against the step.
     Curve const& curve = run.fit.curve[0];
-    Vec2 const from = square[static_cast<std::size_t>(at)],
-               to = square[static_cast<std::size_t>((at + 1) % 20)];
+    Vec2 const from = square[std::size_t(at)], to = square[std::size_t((at + 1) % 20)];
     double const begin = project(curve, from).u;
     double const end = (at + 1) % 20 == run.report.first_point ? curve.end() : project(curve, to).u;
     double least = 1;
@@ -344,24 +338,22 @@ TEST_CASE("points whose distance is lost in rounding of the arc length are refus
 TEST_CASE("fits of random points that are not refused are well-formed curves") {
     std::mt19937 random(34);
     auto const between = [&](double low, double high) {
-        return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+        return low + (high - low) * (double(random()) / 4294967296.0);
     };
     int fitted = 0, warned = 0, not_fitted = 0;
     for (int trial = 0; trial < 600; ++trial) {
-        int const n = 6 + static_cast<int>(random() % 20), degree = 1 + trial % 5;
+        int const n = 6 + int(random() % 20), degree = 1 + trial % 5;
         double const unit = trial % 3 == 0 ? 9e99 : 1, tiny = trial % 2 == 0 ? 1e-16 : 1e-3;
         std::vector<Vec2> points;
         for (int k = 0; k < n; ++k) {
-            double const angle =
-                2 * std::acos(-1.0) * std::pow(static_cast<double>(k) / n, between(1, 1.2));
+            double const angle = 2 * std::acos(-1.0) * std::pow(double(k) / n, between(1, 1.2));
             Vec2 p{std::cos(angle), 0.1 * std::sin(angle)};
             if (k > 0 && random() % 10 == 0)
                 p = points.back() + Vec2{tiny * between(-1, 1), tiny * between(-1, 1)};
             points.push_back(p);
         }
         for (Vec2& p : points) p = unit * p;
-        FitRun const run(points, options(degree, degree + 1 + static_cast<Index>(random() % 4)),
-                         trial % 4 != 0);
+        FitRun const run(points, options(degree, degree + 1 + Index(random() % 4)), trial % 4 != 0);
         if (failed(run.status)) {
             ++not_fitted;
             continue;

@@ -18,7 +18,7 @@ struct Sites {
     Sites(int n, std::vector<Index> const& corners)
         : corner(corners), section_spans(corners.size() + 1) {
         for (int k = 0; k < n; ++k) u.push_back(k / (n - 1.0));
-        mass.assign(static_cast<std::size_t>(n - 1), 1);
+        mass.assign(std::size_t(n - 1), 1);
         capped = mass;
     }
     KnotSites view() {
@@ -29,7 +29,7 @@ struct Sites {
                 {section_spans.data(), section_spans.size()}};
     }
     std::vector<double> place(int degree, int n_indices, bool periodic) {
-        std::vector<double> knots(static_cast<std::size_t>(n_indices + degree + 1));
+        std::vector<double> knots(std::size_t(n_indices + degree + 1));
         place_knots(view(), degree, n_indices, periodic, {knots.data(), knots.size()});
         return knots;
     }
@@ -39,7 +39,7 @@ bool is_well_formed(std::vector<double> const& knots, int degree) {
     std::vector<double> control(2 * knots.size());
     Curve curve;
     curve.degree = degree;
-    curve.n_indices = curve.n_control = static_cast<Index>(knots.size()) - degree - 1;
+    curve.n_indices = curve.n_control = Index(knots.size()) - degree - 1;
     curve.knots = knots.data();
     curve.control = control.data();
     Fault fault;
@@ -55,8 +55,7 @@ TEST_CASE("even mass gives even knots") {
         CHECK(clamped[k] == doctest::Approx(expected[k]).epsilon(1e-14));
     std::vector<double> const periodic = Sites(101, {}).place(2, 12, true);
     for (int k = 0; k < 15; ++k)
-        CHECK(periodic[static_cast<std::size_t>(k)] ==
-              doctest::Approx((k - 2) / 10.0).epsilon(1e-14));
+        CHECK(periodic[std::size_t(k)] == doctest::Approx((k - 2) / 10.0).epsilon(1e-14));
 }
 
 TEST_CASE("knots follow the mass, but each span keeps a point") {
@@ -65,7 +64,7 @@ TEST_CASE("knots follow the mass, but each span keeps a point") {
     for (int const n_indices : {10, 20, 41}) {
         std::vector<double> const knots = sites.place(3, n_indices, false);
         CHECK(is_well_formed(knots, 3));
-        for (std::size_t k = 3; k < static_cast<std::size_t>(n_indices); ++k)
+        for (std::size_t k = 3; k < std::size_t(n_indices); ++k)
             CHECK(std::any_of(sites.u.begin(), sites.u.end(), [&](double u) {
                 return u > knots[k] - 1e-6 && u < knots[k + 1] + 1e-6;
             }));

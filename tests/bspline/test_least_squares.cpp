@@ -23,12 +23,12 @@ struct Problem {
         Arena placing(block.data(), block.size());
         squares.lay_out(placing, n, curve.n_control, curve.degree);
         REQUIRE(!placing.overflown());
-        points.resize(static_cast<std::size_t>(n));
+        points.resize(std::size_t(n));
         squares.set_up(curve, {points.data(), points.size()});
         for (int k = 0; k < n; ++k) {
             squares.u[k] = curve.begin() + (curve.end() - curve.begin()) * k / (n - 1.0);
             squares.weight[k] = 1.0 / n;
-            points[static_cast<std::size_t>(k)] = curve_point(curve, squares.u[k]);
+            points[std::size_t(k)] = curve_point(curve, squares.u[k]);
         }
         fill(squares.pinned, none);
         squares.start();
@@ -75,9 +75,9 @@ TEST_CASE("control points that no point determines are smooth, and straight line
     Spline line = fixtures::clamped(3, 12, 4);
     for (int k = 0; k < 12; ++k) {
         double greville = 0;
-        for (int j = 1; j <= 3; ++j) greville += line.knots[static_cast<std::size_t>(k + j)] / 3;
-        line.control[static_cast<std::size_t>(2 * k)] = 1 + greville;
-        line.control[static_cast<std::size_t>(2 * k + 1)] = 2 - 3 * greville;
+        for (int j = 1; j <= 3; ++j) greville += line.knots[std::size_t(k + j)] / 3;
+        line.control[std::size_t(2 * k)] = 1 + greville;
+        line.control[std::size_t(2 * k + 1)] = 2 - 3 * greville;
     }
     Problem problem(line, 50);
     for (Index k = 15; k < 35; ++k) problem.squares.weight[k] = 0;
@@ -96,8 +96,7 @@ TEST_CASE("parameters are corrected towards the feet and stay in order") {
     copy(problem.squares.control, Span<const Real>(spline.control.data(), spline.control.size()));
     for (int times = 0; times < 4; ++times) problem.squares.correct_parameters();
     for (Index k = 1; k < 59; ++k)
-        CHECK(problem.squares.u[k] ==
-              doctest::Approx(exact[static_cast<std::size_t>(k)]).epsilon(1e-10));
+        CHECK(problem.squares.u[k] == doctest::Approx(exact[std::size_t(k)]).epsilon(1e-10));
     for (Index k = 1; k < 59; ++k) problem.squares.u[k] += k % 2 == 0 ? 0.1 : -0.1;  // nearly met
     problem.squares.correct_parameters();
     for (Index k = 1; k < 60; ++k) CHECK(problem.squares.u[k] > problem.squares.u[k - 1]);
@@ -111,8 +110,7 @@ TEST_CASE("solving and correcting in turn finds the parameters, too") {
         std::vector<double> arc{0};
         for (std::size_t k = 1; k < 60; ++k)
             arc.push_back(travelled += length(problem.points[k] - problem.points[k - 1]));
-        for (Index k = 0; k < 60; ++k)
-            problem.squares.u[k] = arc[static_cast<std::size_t>(k)] / travelled;
+        for (Index k = 0; k < 60; ++k) problem.squares.u[k] = arc[std::size_t(k)] / travelled;
         problem.squares.pinned[0] = 0;
         problem.squares.pinned[degree] = 59;
         double error = 1;

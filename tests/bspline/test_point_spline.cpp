@@ -13,7 +13,7 @@ struct SplineRun {
     PointSpline spline;
 
     SplineRun(std::vector<Vec2> const& points, bool is_closed) {
-        auto const n = static_cast<Index>(points.size());
+        auto const n = Index(points.size());
         Arena counting;
         PointSpline().lay_out(counting, n);
         block.resize(counting.bytes());
@@ -46,8 +46,8 @@ TEST_CASE("the spline passes through the points, and straight lines stay straigh
     std::vector<Vec2> const points = {{0, 0}, {1, 2}, {1.5, 3}, {4, 8}};
     SplineRun const run(points, false);
     for (Index k = 0; k < 3; ++k) {
-        CHECK(length(run.spline.at(k, 0) - points[static_cast<std::size_t>(k)]) == 0);
-        CHECK(length(run.spline.at(k, 1) - points[static_cast<std::size_t>(k) + 1]) == 0);
+        CHECK(length(run.spline.at(k, 0) - points[std::size_t(k)]) == 0);
+        CHECK(length(run.spline.at(k, 1) - points[std::size_t(k) + 1]) == 0);
         Vec2 const middle = run.spline.at(k, 0.3);
         CHECK(std::fabs(middle.y - 2 * middle.x) < 1e-14);
     }

@@ -17,7 +17,7 @@ struct Chained {
 };
 
 Chained chain(Curve const& curve, std::vector<Vec2> const& points, bool is_loop) {
-    auto const n = static_cast<Index>(points.size());
+    auto const n = Index(points.size());
     Arena counting;
     ChainWork work;
     work.lay_out(counting, n);
@@ -162,7 +162,7 @@ TEST_CASE("the seam may be within a thin part") {
         CHECK(turns_back(found.u, true) == 1);
         for (int k = 0; k < 150; ++k) {
             double const exact = 24 * std::fmod(first + k / 150.0, 1.0);
-            double const off = std::fabs(found.u[static_cast<std::size_t>(k)] - exact);
+            double const off = std::fabs(found.u[std::size_t(k)] - exact);
             CHECK(std::fmin(off, 24 - off) < 1.5);
         }
     }

@@ -22,7 +22,7 @@ struct RefitRun {
 
     RefitRun(Curve const& curve, Curve const* base, std::vector<Vec2> const& points,
              RefitOptions const& options = {}) {
-        auto const n = static_cast<Index>(points.size());
+        auto const n = Index(points.size());
         Arena counting;
         Refit().lay_out(counting, curve, n);
         block.resize(counting.bytes());
@@ -115,9 +115,8 @@ TEST_CASE("the moved curve does not cross itself") {
                 REQUIRE(!failed(run.status));
                 Curve moved = fit.fit.curve[0];
                 moved.control = run.refit.control.data();
-                CAPTURE(camber);
-                CAPTURE(front);
-                CAPTURE(thickness);
+                INFO("camber = " << camber << ", front = " << front
+                                 << ", thickness = " << thickness);
                 CHECK(crossings(sampled(moved, 300)) == 0);
             }
         }

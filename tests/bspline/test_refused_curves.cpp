@@ -1,13 +1,10 @@
-// What calls with curves and sections refuse, with the whole sentence that says so.
+// Calls with curves and sections that are refused, with the whole sentence of each refusal.
 #include <harmorph_design.h>
-#include <doctest/doctest.h>
 
 #include <fixtures/curves.hpp>
 #include <fixtures/refused.hpp>
 
 #include <limits>
-#include <string>
-#include <vector>
 
 using namespace fixtures;
 
@@ -32,7 +29,7 @@ struct Square {
         set.struct_size = sizeof set;
         set.n_control = 4;
         set.control = control.data();
-        set.n_curves = static_cast<std::int32_t>(n);
+        set.n_curves = std::int32_t(n);
         set.curve = curve.data();
     }
 };

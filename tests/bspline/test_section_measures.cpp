@@ -33,7 +33,7 @@ hm_quantity sharpened(hm_quantity out, double sharpness) {
 }
 hm_quantity clearance(std::vector<double> const& polygon) {
     hm_quantity out = quantity(HM_CLEARANCE);
-    out.n_polygon = static_cast<int>(polygon.size() / 2);
+    out.n_polygon = int(polygon.size() / 2);
     out.polygon = polygon.data();
     return out;
 }
@@ -117,14 +117,14 @@ CurveSet section(bool open, bool rational, int degree = 3) {
     Spline out;
     out.degree = degree;
     for (std::size_t k = 0; k < x.size(); ++k) {
-        out.indices.push_back(static_cast<int>(k));
+        out.indices.push_back(int(k));
         if (!open && k == 12) {
             out.indices.back() = 0;
             continue;
         }
         out.control.push_back(x[k]);
         out.control.push_back(y[k]);
-        if (rational) out.weights.push_back(0.7 + 0.13 * static_cast<double>(k % 6));
+        if (rational) out.weights.push_back(0.7 + 0.13 * double(k % 6));
     }
     out.knots = fixtures::clamped_knots(degree, 13);
     return CurveSet(out);
@@ -455,7 +455,7 @@ TEST_CASE("the derivative of an extreme at a corner follows the corner") {
         spline.degree = outline.degree;
         spline.control = outline.control;
         spline.knots = outline.knots;
-        int const n = static_cast<int>(outline.control.size() / 2);
+        int const n = int(outline.control.size() / 2);
         for (int k = 0; k <= n; ++k) spline.indices.push_back(k % n);
         for (bool const back : {false, true}) {
             CurveSet const set = back ? reversed(CurveSet(spline)) : CurveSet(spline);

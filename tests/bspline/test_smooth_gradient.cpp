@@ -19,27 +19,27 @@ struct Set {
 
     Set(std::vector<Spline> const& parts, int n_unused = 0) : splines(parts) {
         for (Spline& s : splines) {
-            auto const first = static_cast<std::int32_t>(control.size() / 2);
+            auto const first = std::int32_t(control.size() / 2);
             if (s.indices.empty())
                 for (std::size_t k = 0; k < s.control.size() / 2; ++k)
-                    s.indices.push_back(static_cast<std::int32_t>(k));
+                    s.indices.push_back(std::int32_t(k));
             for (std::int32_t& i : s.indices) i += first;
             control.insert(control.end(), s.control.begin(), s.control.end());
         }
-        control.resize(control.size() + 2 * static_cast<std::size_t>(n_unused), 0.5);
+        control.resize(control.size() + 2 * std::size_t(n_unused), 0.5);
         for (Spline const& s : splines) {
             hm_curve curve{};
             HM_INIT(curve);
             curve.degree = s.degree;
-            curve.n_indices = static_cast<std::int32_t>(s.indices.size());
+            curve.n_indices = std::int32_t(s.indices.size());
             curve.indices = s.indices.data();
             curve.knots = s.knots.data();
             curves.push_back(curve);
         }
         HM_INIT(view);
-        view.n_control = static_cast<std::int32_t>(control.size() / 2);
+        view.n_control = std::int32_t(control.size() / 2);
         view.control = control.data();
-        view.n_curves = static_cast<std::int32_t>(curves.size());
+        view.n_curves = std::int32_t(curves.size());
         view.curve = curves.data();
     }
     hm_status smooth(double length, std::vector<double> const& gradient, std::vector<double>& out,
@@ -79,7 +79,7 @@ struct Dense {
     std::vector<std::vector<double>> stiffness;
 
     explicit Dense(Set const& set) {
-        auto const n = static_cast<std::size_t>(set.view.n_control);
+        auto const n = std::size_t(set.view.n_control);
         mass.assign(n, 0);
         stiffness.assign(n, std::vector<double>(n, 0));
         for (Spline const& s : set.splines) {
@@ -95,10 +95,10 @@ struct Dense {
                 auto const basis = harmorph::curve_basis(curve, u, 1);
                 double const speed = length(c[1]);
                 for (int a = 0; a < basis.order; ++a) {
-                    auto const i = static_cast<std::size_t>(basis.control[a]);
+                    auto const i = std::size_t(basis.control[a]);
                     mass[i] += width * speed * basis.value[0][a];
                     for (int b = 0; b < basis.order; ++b)
-                        stiffness[i][static_cast<std::size_t>(basis.control[b])] +=
+                        stiffness[i][std::size_t(basis.control[b])] +=
                             width / speed * basis.value[1][a] * basis.value[1][b];
                 }
             }

@@ -23,10 +23,10 @@ struct Map {
     std::vector<double> matrix, errors;
 
     double x(int point, int variable) const {
-        return matrix[static_cast<std::size_t>(2 * (point * n + variable))];
+        return matrix[std::size_t(2 * (point * n + variable))];
     }
     double y(int point, int variable) const {
-        return matrix[static_cast<std::size_t>(2 * (point * n + variable) + 1)];
+        return matrix[std::size_t(2 * (point * n + variable) + 1)];
     }
 };
 
@@ -35,8 +35,8 @@ Map mapped(CurveSet& set, hm_variables const& variables, hm_section const* secti
     std::size_t bytes = 0;
     out.status = hm_variables_size(&set.view(), section, &variables, &out.n, &bytes, &out.error);
     if (out.status < 0) return out;
-    out.matrix.assign(static_cast<std::size_t>(2 * set.n_control() * out.n), -7);
-    out.errors.assign(static_cast<std::size_t>(2 * out.n), -7);
+    out.matrix.assign(std::size_t(2 * set.n_control() * out.n), -7);
+    out.errors.assign(std::size_t(2 * out.n), -7);
     fixtures::Guarded work(bytes);
     out.status = hm_variables_map(&set.view(), section, &variables, work.data(), bytes,
                                   out.matrix.data(), out.errors.data(), &out.error);
@@ -73,7 +73,7 @@ CurveSet airfoil(bool blunt, int n_control) {
     return set;
 }
 
-// What a variable moves the curve by at a parameter, and the curve's point.
+// The displacement of the curve by a variable at a parameter, and the point of the curve there.
 struct Movement {
     double x, y, dx = 0, dy = 0;
 
@@ -93,7 +93,7 @@ struct Movement {
 
 double bernstein(int degree, int k, double t) {
     double value = std::pow(t, k) * std::pow(1 - t, degree - k);
-    for (int i = 0; i < k; ++i) value *= static_cast<double>(degree - i) / (k - i);
+    for (int i = 0; i < k; ++i) value *= double(degree - i) / (k - i);
     return value;
 }
 
@@ -110,28 +110,26 @@ hm_section unit_chord() {
 // (1,0).
 template <class Shape>
 void check_shape(CurveSet& set, Map const& map, int variable, Shape const& shape) {
-    double worst = 0, farthest = 0, nose = 0;
+    double worst = 0, farthest = 0, leading = 0;
     for (int k = 0; k <= 4000; ++k) {
         Movement const at(set, map, variable, k / 4000.0);
         if (std::hypot(at.x - 1, at.y) > farthest) {
             farthest = std::hypot(at.x - 1, at.y);
-            nose = k / 4000.0;
+            leading = k / 4000.0;
         }
     }
-    double const upper_first = Movement(set, map, variable, 0.5 * nose).y > 0;
+    double const upper_first = Movement(set, map, variable, 0.5 * leading).y > 0;
     for (int k = 0; k <= 4000; ++k) {
         double const u = k / 4000.0;
-        if (std::fabs(u - nose) < 1e-3) continue;
+        if (std::fabs(u - leading) < 1e-3) continue;
         Movement const at(set, map, variable, u);
-        bool const upper = (u < nose) == (upper_first != 0);
+        bool const upper = (u < leading) == (upper_first != 0);
         double const t = std::min(std::max(at.x, 0.0), 1.0);
         worst = std::max({worst, std::fabs(at.dx), std::fabs(at.dy - shape(t, upper))});
     }
-    INFO("variable " << variable << ", error "
-                     << map.errors[static_cast<std::size_t>(2 * variable + 1)]);
-    CHECK(worst <= 1.1 * map.errors[static_cast<std::size_t>(2 * variable + 1)] + 1e-12);
-    CHECK(map.errors[static_cast<std::size_t>(2 * variable)] <=
-          map.errors[static_cast<std::size_t>(2 * variable + 1)]);
+    INFO("variable " << variable << ", error " << map.errors[std::size_t(2 * variable + 1)]);
+    CHECK(worst <= 1.1 * map.errors[std::size_t(2 * variable + 1)] + 1e-12);
+    CHECK(map.errors[std::size_t(2 * variable)] <= map.errors[std::size_t(2 * variable + 1)]);
 }
 
 }  // namespace
@@ -159,8 +157,8 @@ TEST_CASE("an FFD box of degree 1 gives affine maps exactly; a box of any degree
                 sum += map.x(i, node);
                 CHECK(map.y(i, node) == 0);
             }
-            double const x = set.control[static_cast<std::size_t>(2 * i)],
-                         y = set.control[static_cast<std::size_t>(2 * i + 1)];
+            double const x = set.control[std::size_t(2 * i)],
+                         y = set.control[std::size_t(2 * i + 1)];
             CHECK(sum == doctest::Approx(1).epsilon(1e-10));
             CHECK(dx == doctest::Approx(0.1 + 0.3 * x - 0.7 * y).epsilon(1e-9));
             CHECK(dy == doctest::Approx(-0.2 + 0.5 * x + 0.4 * y).epsilon(1e-9));
@@ -193,7 +191,7 @@ TEST_CASE("CST, bumps and NACA modes move the curve by their formulas within the
                            ? std::pow(std::sin(pi * std::pow(t, std::log(0.5) / std::log(peak))), 3)
                            : 0;
             });
-            CHECK(bumps.errors[static_cast<std::size_t>(2 * j)] < 0.06);
+            CHECK(bumps.errors[std::size_t(2 * j)] < 0.06);
         }
         check_shape(set, naca, 0, [](double t, bool) {
             return t < 0.4 ? t * (0.8 - t) / 0.16 : (0.2 + 0.8 * t - t * t) / 0.36;
@@ -235,8 +233,8 @@ TEST_CASE("the given chord divides a periodic section of either direction") {
     Map const reversed = mapped(back, kind(HM_CST, 2, 2), &chord);
     REQUIRE(reversed.status == HM_OK);
     for (int i = 0; i < ring.n_control(); ++i) {
-        bool const upper = ring.control[static_cast<std::size_t>(2 * i + 1)] > 0.04;
-        bool const lower = ring.control[static_cast<std::size_t>(2 * i + 1)] < -0.04;
+        bool const upper = ring.control[std::size_t(2 * i + 1)] > 0.04;
+        bool const lower = ring.control[std::size_t(2 * i + 1)] < -0.04;
         for (int j = 0; j < 4; ++j) {
             CHECK(map.y(i, j) == doctest::Approx(reversed.y(i, j)).epsilon(1e-9));
             if ((upper && j < 2) || (lower && j >= 2)) CHECK(map.y(i, j) > 0);
@@ -327,7 +325,7 @@ TEST_CASE("a tied trailing edge moves by the mean of what both sides ask for") {
         0.5;  // and an edge exponent of 0: the last variable of each side opens the edge
     Map const map = mapped(set, cst);
     REQUIRE_MESSAGE(map.status == HM_OK, map.error.text);
-    double tip[2], nose[2] = {0, 0};
+    double tip[2], leading[2] = {0, 0};
     REQUIRE(hm_curve_point(&set.view(), 0, set.shapes[0].knots.front(), 0, tip, nullptr) == HM_OK);
     for (int k = 0; k < 400; ++k) {  // the leading edge: farthest from the trailing edge
         double at[2];
@@ -335,16 +333,16 @@ TEST_CASE("a tied trailing edge moves by the mean of what both sides ask for") {
         REQUIRE(hm_curve_point(&set.view(), 0, begin + (end - begin) * k / 400, 0, at, nullptr) ==
                 HM_OK);
         if (std::hypot(at[0] - tip[0], at[1] - tip[1]) >
-            std::hypot(nose[0] - tip[0], nose[1] - tip[1]))
-            nose[0] = at[0], nose[1] = at[1];
+            std::hypot(leading[0] - tip[0], leading[1] - tip[1]))
+            leading[0] = at[0], leading[1] = at[1];
     }
     for (int v = 0; v < n_upper + n_lower; ++v) {
         bool const opens = v == n_upper - 1 || v == n_upper + n_lower - 1;
         INFO("variable " << v);
         CHECK(map.x(edge, v) ==
-              doctest::Approx(opens ? -0.5 * (tip[1] - nose[1]) : 0).epsilon(1e-3));
+              doctest::Approx(opens ? -0.5 * (tip[1] - leading[1]) : 0).epsilon(1e-3));
         CHECK(map.y(edge, v) ==
-              doctest::Approx(opens ? 0.5 * (tip[0] - nose[0]) : 0).epsilon(1e-4));
+              doctest::Approx(opens ? 0.5 * (tip[0] - leading[0]) : 0).epsilon(1e-4));
     }
     CHECK(map.y(edge, n_upper - 1) == map.y(edge, n_upper + n_lower - 1));
 }
@@ -385,28 +383,28 @@ TEST_CASE("the residual of each shape is orthogonal to all free basis functions"
         double const begin = set.shapes[0].knots[3],
                      end = set.shapes[0].knots[set.shapes[0].indices.size()];
         auto const parameter = [&](int k) { return begin + (end - begin) * (k + 0.5) / n_samples; };
-        double farthest = 0, nose = 0, first_side = 0;
+        double farthest = 0, leading = 0, first_side = 0;
         for (int k = 0; k < n_samples; ++k) {
             Movement const at(set, map, 0, parameter(k));
             if (std::hypot(at.x - 1, at.y) <= farthest) continue;
             farthest = std::hypot(at.x - 1, at.y);
-            nose = parameter(k);
+            leading = parameter(k);
         }
-        first_side = Movement(set, map, 0, 0.5 * (begin + nose)).y;
+        first_side = Movement(set, map, 0, 0.5 * (begin + leading)).y;
         for (int v = 0; v < map.n; ++v) {
-            std::vector<double> left(static_cast<std::size_t>(set.n_control()), 0.0), size = left;
+            std::vector<double> left(std::size_t(set.n_control()), 0.0), size = left;
             double along = 0;
             for (int k = 0; k < n_samples; ++k) {
                 double const u = parameter(k);
                 Movement const at(set, map, v, u);
-                bool const upper = (u < nose) == (first_side > 0);
+                bool const upper = (u < leading) == (first_side > 0);
                 double const wanted = shapes.shape(v, std::min(std::max(at.x, 0.0), 1.0), upper);
                 std::int32_t control[4];
                 double value[4];
                 hm_curve_basis(&set.view(), 0, u, 0, control, value, nullptr);
                 for (int i = 0; i < 4; ++i) {
-                    left[static_cast<std::size_t>(control[i])] += value[i] * (wanted - at.dy);
-                    size[static_cast<std::size_t>(control[i])] += value[i];
+                    left[std::size_t(control[i])] += value[i] * (wanted - at.dy);
+                    size[std::size_t(control[i])] += value[i];
                 }
                 along = std::max(along, std::fabs(at.dx));
             }
@@ -415,8 +413,7 @@ TEST_CASE("the residual of each shape is orthogonal to all free basis functions"
                 if (i == set.shapes[0].indices.front() || i == set.shapes[0].indices.back())
                     continue;
                 INFO(std::string(shapes.name) << ", variable " << v << ", control point " << i);
-                CHECK(std::fabs(left[static_cast<std::size_t>(i)] /
-                                size[static_cast<std::size_t>(i)]) < 2e-4);
+                CHECK(std::fabs(left[std::size_t(i)] / size[std::size_t(i)]) < 2e-4);
             }
         }
     }

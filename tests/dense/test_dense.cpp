@@ -1,8 +1,6 @@
 // The dense kernels against plain loops, real and complex, in double and in single precision, for
 // every size up to 60 and round the borders of blocks, tiles and strips, on every kind of processor
 // at hand.
-#include <doctest/doctest.h>
-
 #include <fixtures/front.hpp>
 #include <fixtures/kernels.hpp>
 
@@ -15,9 +13,9 @@ template <class Its>
 class FrontCheck {
 public:
     FrontCheck(Kernel kernel, Index pivots, Index border)
-        : n_(static_cast<std::size_t>(pivots + border)),
-          p_(static_cast<std::size_t>(pivots)),
-          expected_(some_matrix<Its>(n_, static_cast<unsigned>(n_ * 1000 + p_))),
+        : n_(std::size_t(pivots + border)),
+          p_(std::size_t(pivots)),
+          expected_(some_matrix<Its>(n_, unsigned(n_ * 1000 + p_))),
           front_(kernel, expected_, pivots) {
         REQUIRE(expected_.factor(p_));
         CHECK(front_.factor() == harmorph::none);
@@ -32,8 +30,7 @@ private:
     static constexpr Index slab = dense::slab;
 
     void compare(const Number* found, harmorph::Offset plane, Entry exact) {
-        double const error =
-            std::abs(Its::get(found, plane) - exact) / std::sqrt(static_cast<double>(n_));
+        double const error = std::abs(Its::get(found, plane) - exact) / std::sqrt(double(n_));
         if (!(error <= worst_)) worst_ = error;  // NaN stays
     }
     void check_factor() {
@@ -42,11 +39,10 @@ private:
         for (Index k = 0; k < front_.pivots;
              ++k)  // behind each diagonal block, which holds its inverse
             for (Index c = std::min(panel.pivots, (k / slab + 1) * slab); c < front_.size; ++c)
-                compare(panel.at(k, c), slab,
-                        expected_.at(static_cast<std::size_t>(k), static_cast<std::size_t>(c)));
+                compare(panel.at(k, c), slab, expected_.at(std::size_t(k), std::size_t(c)));
         auto const update = front_.update_matrix();
         auto const left = [&](Index r, Index c) {
-            return expected_.at(p_ + static_cast<std::size_t>(r), p_ + static_cast<std::size_t>(c));
+            return expected_.at(p_ + std::size_t(r), p_ + std::size_t(c));
         };
         for (Index r = 0; r < update.n; ++r) {
             Entry sum = 0;
@@ -58,7 +54,7 @@ private:
         CHECK(front_.is_poisoned_behind());
     }
     void check_solves(Index row) {
-        std::size_t const width = static_cast<std::size_t>(row), length = Its::planes * width;
+        std::size_t const width = std::size_t(row), length = Its::planes * width;
         std::vector<Entry> exact(n_ * width);
         std::vector<Number> y(n_ * length + behind, Its::poison);
         std::mt19937 random(9);
@@ -96,7 +92,7 @@ private:
 
 template <class Its>
 void check_front(Kernel kernel, Index pivots, Index border) {
-    INFO("kernel " << static_cast<int>(kernel) << ", " << pivots << " pivots, border " << border);
+    INFO("kernel " << int(kernel) << ", " << pivots << " pivots, border " << border);
     FrontCheck<Its> const check(kernel, pivots, border);
 }
 
@@ -132,8 +128,8 @@ TEST_CASE_TEMPLATE("any number of threads in any order gives the same bits", Its
     using Number = typename Its::Number;
     Index const sizes[][2] = {{300, 600}, {600, 0}, {40, 900}, {128, 500}};
     for (auto const& size : sizes) {
-        auto const a = some_matrix<Its>(static_cast<std::size_t>(size[0] + size[1]), 5);
-        std::size_t const n = a.n * static_cast<std::size_t>(Its::planes) * 32;
+        auto const a = some_matrix<Its>(std::size_t(size[0] + size[1]), 5);
+        std::size_t const n = a.n * std::size_t(Its::planes) * 32;
         for (Kernel const kernel : fixtures::usable_kernels()) {
             std::vector<Number> first[3];
             for (Index const threads : {1, 2, 7}) {
@@ -141,8 +137,7 @@ TEST_CASE_TEMPLATE("any number of threads in any order gives the same bits", Its
                 REQUIRE(front.factor() == harmorph::none);
                 front.update_border();
                 std::vector<Number> y(n);
-                for (std::size_t k = 0; k < n; ++k)
-                    y[k] = static_cast<Number>(std::sin(static_cast<double>(k)));
+                for (std::size_t k = 0; k < n; ++k) y[k] = static_cast<Number>(std::sin(double(k)));
                 dense::solve_forward(kernel, front.panel(), y.data(), 32, front.executor);
                 dense::solve_backward(kernel, front.panel(), y.data(), 32, front.executor);
                 for (std::vector<Number>* array : {&front.data, &front.update})

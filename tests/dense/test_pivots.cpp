@@ -1,6 +1,4 @@
 // Pivots that are no good, and those that only look as if they were not.
-#include <doctest/doctest.h>
-
 #include <fixtures/front.hpp>
 #include <fixtures/kernels.hpp>
 #include <fixtures/traps.hpp>
@@ -14,15 +12,15 @@ TEST_CASE_TEMPLATE("a pivot that is not positive is found and named, wherever it
     for (Kernel const kernel : fixtures::usable_kernels())
         for (Index const n : {1, 5, 8, 9, 64, 100, 130, 260})
             for (Index const bad : {Index{0}, n / 3, n / 2, n - 1})
-                for (double const value : {-1.0, 0.0, static_cast<double>(Its::poison)}) {
-                    auto a = some_matrix<Its>(static_cast<std::size_t>(n) + 4, 3);
-                    std::size_t const at = static_cast<std::size_t>(bad);
+                for (double const value : {-1.0, 0.0, double(Its::poison)}) {
+                    auto a = some_matrix<Its>(std::size_t(n) + 4, 3);
+                    std::size_t const at = std::size_t(bad);
                     if (value == 0)
                         for (std::size_t k = 0; k < a.n; ++k) a.at(at, k) = a.at(k, at) = 0;
                     a.at(at, at) = value;
                     Front<Its> front(kernel, a, n);
-                    INFO("kernel " << static_cast<int>(kernel) << ", n " << n << ", bad " << bad
-                                   << ", value " << value);
+                    INFO("kernel " << int(kernel) << ", n " << n << ", bad " << bad << ", value "
+                                   << value);
                     CHECK(front.factor() == bad);
                 }
 }
@@ -32,15 +30,15 @@ TEST_CASE_TEMPLATE("a singular matrix is found up to rounding", Its, ALL_ARITHME
         for (std::size_t const n : {2u, 8u, 9u, 32u, 33u, 100u}) {
             typename Its::Matrix a(n);
             for (std::size_t k = 0; k + 1 < n; ++k) {
-                double const stiffness = 1 + static_cast<double>(k % 3) / 3;
+                double const stiffness = 1 + double(k % 3) / 3;
                 a.at(k, k) += stiffness;
                 a.at(k + 1, k + 1) += stiffness;
                 a.at(k, k + 1) -= stiffness;
             }
-            Front<Its> front(kernel, a, static_cast<Index>(n));
-            INFO("kernel " << static_cast<int>(kernel) << ", " << n << " points");
+            Front<Its> front(kernel, a, Index(n));
+            INFO("kernel " << int(kernel) << ", " << n << " points");
             Index const found = front.factor();
-            CHECK((found == static_cast<Index>(n) - 1));
+            CHECK((found == Index(n) - 1));
         }
 }
 
@@ -53,7 +51,7 @@ TEST_CASE_TEMPLATE("uneven conductances lose no accuracy", Its, Arithmetic<doubl
     Index const sizes[][2] = {{1, 0}, {9, 0}, {40, 0}, {150, 0}, {300, 0}};
     for (Kernel const kernel : fixtures::usable_kernels())
         for (auto const& size : sizes) {
-            std::size_t const n = static_cast<std::size_t>(size[0]);
+            std::size_t const n = std::size_t(size[0]);
             typename Its::Matrix a(n);
             std::mt19937 random(static_cast<unsigned>(n));
             for (std::size_t i = 0; i < n; ++i)
@@ -65,17 +63,16 @@ TEST_CASE_TEMPLATE("uneven conductances lose no accuracy", Its, Arithmetic<doubl
             std::vector<Number> y(row * n, Number{0});
             for (std::size_t i = 0; i < n; ++i) {
                 Number const tie = static_cast<Number>(std::pow(10.0, -15 - 3 * uniform(random)));
-                *front.panel().at(static_cast<Index>(i), static_cast<Index>(i)) = y[row * i] = tie;
+                *front.panel().at(Index(i), Index(i)) = y[row * i] = tie;
             }
-            INFO("kernel " << static_cast<int>(kernel) << ", " << n << " points");
+            INFO("kernel " << int(kernel) << ", " << n << " points");
             REQUIRE(front.factor() == harmorph::none);
             CHECK(front.min_pivot_ratio > 0.9);
             dense::solve_forward(kernel, front.panel(), y.data(), dense::slab, front.executor);
             dense::solve_backward(kernel, front.panel(), y.data(), dense::slab, front.executor);
             double worst = 0;
             for (std::size_t i = 0; i < n; ++i)
-                worst = std::max(worst, std::abs(static_cast<double>(y[row * i]) - 1));
-            CHECK(worst <
-                  20 * std::sqrt(static_cast<double>(n)) * std::numeric_limits<Number>::epsilon());
+                worst = std::max(worst, std::abs(double(y[row * i]) - 1));
+            CHECK(worst < 20 * std::sqrt(double(n)) * std::numeric_limits<Number>::epsilon());
         }
 }

@@ -1,9 +1,6 @@
 // Meshes of several structured blocks: O-, C- and H-topologies against the same meshes with one
 // point for each place.
 #include <harmorph_space.h>
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
 
 #include <fixtures/blocks.hpp>
 #include <fixtures/bodies.hpp>
@@ -82,8 +79,7 @@ TEST_CASE("interfaces of blocks close, and functions are those of the mesh with 
                     REQUIRE(hm_basis_values(several.basis, i, n, a.data(), nullptr) == HM_OK);
                     REQUIRE(hm_basis_values(one.basis, i, n, b.data(), nullptr) == HM_OK);
                     for (std::size_t k = 0; k < a.size(); ++k) {
-                        worst = std::max(worst,
-                                         std::fabs(a[k] - b[static_cast<std::size_t>(number[k])]));
+                        worst = std::max(worst, std::fabs(a[k] - b[std::size_t(number[k])]));
                     }
                 }
             }
@@ -96,7 +92,7 @@ TEST_CASE("interfaces of blocks close, and functions are those of the mesh with 
             bool together = true;
             std::vector<std::size_t> first(joined.mesh.x.size(), x.size());
             for (std::size_t k = 0; k < x.size(); ++k) {
-                std::size_t& other = first[static_cast<std::size_t>(number[k])];
+                std::size_t& other = first[std::size_t(number[k])];
                 if (other == x.size()) other = k;
                 together = together && x[k] == x[other] && y[k] == y[other];
             }
@@ -118,7 +114,7 @@ TEST_CASE("blocks have the right numbers in reports, for both index bases, and w
         Solved const solved(setup.problem(mesh));
         // The point (1, 1) of the last block goes to where its cell is turned over.
         std::int32_t const first = 7 * 25, point = first + 1 + 5;
-        x[static_cast<std::size_t>(point)] += 10;
+        x[std::size_t(point)] += 10;
         hm_quality_report quality{};
         quality.struct_size = sizeof quality;
         REQUIRE(hm_assess(solved.basis, &mesh, points_in(x, y), nullptr, nullptr, nullptr, nullptr,
@@ -127,7 +123,7 @@ TEST_CASE("blocks have the right numbers in reports, for both index bases, and w
         CHECK(quality.first_inverted == 7 * 16 + base);
         const hm_basis* attached = nullptr;
         hm_basis_info const info = solved.info();
-        std::size_t const bytes = static_cast<std::size_t>(info.bytes);
+        std::size_t const bytes = std::size_t(info.bytes);
         CHECK(hm_basis_attach(&attached, solved.basis, bytes, &mesh, nullptr) == HM_OK);
         std::vector<std::int32_t> sizes = blocks.sizes, markers = blocks.markers;
         markers[0] = 77;
@@ -145,7 +141,7 @@ TEST_CASE("a side that is partly a cut has lists, and a marker on a side means t
     hm_mesh mesh = one.view();
     std::vector<std::int32_t> list;
     for (std::int32_t i = c.n_wake; i < c.ni - c.n_wake; ++i) list.push_back(i);
-    std::int32_t const start[] = {0, static_cast<std::int32_t>(list.size())}, marker = body;
+    std::int32_t const start[] = {0, std::int32_t(list.size())}, marker = body;
     mesh.n_lists = 1;
     mesh.list_start = start;
     mesh.list_points = list.data();
@@ -191,7 +187,7 @@ TEST_CASE("blocks that are wrong are refused") {
             [](Blocks& b, hm_mesh&) { b.x[0] *= 1 + 1e-9; });
     refused(HM_BAD_MESH, "more than two cells", [](Blocks& b, hm_mesh& m) {  // a block twice
         b.sizes.insert(b.sizes.end(), {b.sizes[0], b.sizes[1]});
-        std::size_t const n = static_cast<std::size_t>(b.sizes[0] * b.sizes[1]);
+        std::size_t const n = std::size_t(b.sizes[0] * b.sizes[1]);
         for (std::vector<double>* values : {&b.x, &b.y}) {
             std::vector<double> const first(values->begin(),
                                             values->begin() + static_cast<std::ptrdiff_t>(n));
@@ -219,7 +215,7 @@ TEST_CASE("blocks with ghost points or j as the faster index are gathered and sc
         Array a;
         if (b % 2 == 0) a = {{}, {}, 1, ni + 2, ni + 3};  // one layer of ghost points
         else a = {{}, {}, nj, 1, 0};
-        a.x.assign(static_cast<std::size_t>((ni + 2) * (nj + 2)), -7);
+        a.x.assign(std::size_t((ni + 2) * (nj + 2)), -7);
         a.y = a.x;
         arrays.push_back(a);
     }
@@ -234,14 +230,13 @@ TEST_CASE("blocks with ghost points or j as the faster index are gathered and sc
         std::size_t touched = 0;
         for (std::int64_t j = 0; j < mesh.block_sizes[2 * b + 1]; ++j) {
             for (std::int64_t i = 0; i < mesh.block_sizes[2 * b]; ++i, ++point, ++touched) {
-                hm_block_points const& points = in[static_cast<std::size_t>(b)];
+                hm_block_points const& points = in[std::size_t(b)];
                 wrong += points.x[i * points.stride + j * points.row] != blocks.x[point];
                 wrong += points.y[i * points.stride + j * points.row] != blocks.y[point];
             }
         }
-        std::vector<double> const& all = arrays[static_cast<std::size_t>(b)].x;
-        CHECK(static_cast<std::size_t>(std::count(all.begin(), all.end(), -7)) ==
-              all.size() - touched);
+        std::vector<double> const& all = arrays[std::size_t(b)].x;
+        CHECK(std::size_t(std::count(all.begin(), all.end(), -7)) == all.size() - touched);
     }
     CHECK(point == n);
     CHECK(wrong == 0);
@@ -252,9 +247,8 @@ TEST_CASE("blocks with ghost points or j as the faster index are gathered and sc
     // One block alone: the others stay.
     x.assign(n, 0);
     REQUIRE(hm_blocks_gather(&mesh, 1, 1, &in[1], points_out(x, y), nullptr) == HM_OK);
-    std::size_t const first = static_cast<std::size_t>(mesh.block_sizes[0] * mesh.block_sizes[1]);
-    std::size_t const last =
-        first + static_cast<std::size_t>(mesh.block_sizes[2] * mesh.block_sizes[3]);
+    std::size_t const first = std::size_t(mesh.block_sizes[0] * mesh.block_sizes[1]);
+    std::size_t const last = first + std::size_t(mesh.block_sizes[2] * mesh.block_sizes[3]);
     for (std::size_t k = 0; k < n; ++k) {
         if (x[k] != (k >= first && k < last ? blocks.x[k] : 0)) ++wrong;
     }

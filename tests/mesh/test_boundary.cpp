@@ -1,6 +1,4 @@
 // The boundary comes out as closed loops with the mesh on the left, however it was given.
-#include <doctest/doctest.h>
-
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/core.hpp>
 
@@ -38,18 +36,18 @@ struct Lists {
                 bool const goes_on =
                     k > boundary.loop_start[loop] && boundary.marker[k] == boundary.marker[k - 1];
                 if (!goes_on) {
-                    if (!points.empty()) start.push_back(static_cast<std::int32_t>(points.size()));
+                    if (!points.empty()) start.push_back(std::int32_t(points.size()));
                     points.push_back(boundary.point[k]);
                     markers.push_back(boundary.marker[k]);
                 }
                 points.push_back(boundary.point[boundary.after(k, loop)]);
             }
-        start.push_back(static_cast<std::int32_t>(points.size()));
+        start.push_back(std::int32_t(points.size()));
     }
     void put_into(hm_mesh& mesh) const {
         mesh.n_faces = 0;
         mesh.face_points = mesh.face_markers = nullptr;
-        mesh.n_lists = static_cast<std::int32_t>(markers.size());
+        mesh.n_lists = std::int32_t(markers.size());
         mesh.list_start = start.data();
         mesh.list_points = points.data();
         mesh.list_markers = markers.data();
@@ -146,7 +144,7 @@ TEST_CASE("pieces are runs of marked faces, across the place where a loop is cut
         std::int32_t const n = seen->boundary().for_each_chain(
             is_on,
             [&](std::int32_t piece, std::int32_t point) {
-                pieces.resize(static_cast<std::size_t>(piece) + 1);
+                pieces.resize(std::size_t(piece) + 1);
                 pieces.back().push_back(point);
             },
             [&](std::int32_t, bool is_loop) { closed.push_back(is_loop); });
@@ -179,11 +177,10 @@ TEST_CASE("the cut of a C-mesh is joined, so that both sides of the wake are one
     CHECK(solved.report.curve_points == 48);
     for (std::int32_t i = 0; i < solved.report.functions; ++i) {
         std::vector<double> const f = solved.values(i);
-        for (std::size_t k = 0; k <= static_cast<std::size_t>(c.n_wake); ++k)
-            CHECK(f[k] == f[static_cast<std::size_t>(c.ni) - 1 - k]);
+        for (std::size_t k = 0; k <= std::size_t(c.n_wake); ++k)
+            CHECK(f[k] == f[std::size_t(c.ni) - 1 - k]);
     }
-    CHECK(solved.values(0)[static_cast<std::size_t>(c.n_wake)] ==
-          1);  // the trailing edge, from below
+    CHECK(solved.values(0)[std::size_t(c.n_wake)] == 1);  // the trailing edge, from below
 }
 
 TEST_CASE("the seam of an O-mesh block is joined, and functions are those of the closed mesh") {
@@ -210,15 +207,14 @@ TEST_CASE("the seam of an O-mesh block is joined, and functions are those of the
         double worst = 0;
         for (int j = 0; j <= n_r; ++j)
             for (int k = 0; k <= n_t; ++k) {
-                std::size_t const here = static_cast<std::size_t>(j * (n_t + 1) + k);
+                std::size_t const here = std::size_t(j * (n_t + 1) + k);
                 worst = std::fmax(
-                    worst,
-                    std::fabs(found[here] - expected[static_cast<std::size_t>(j * n_t + k % n_t)]));
+                    worst, std::fabs(found[here] - expected[std::size_t(j * n_t + k % n_t)]));
             }
         CHECK(worst < 1e-13);
     }
     // A seam that does not quite coincide is no seam.
-    open.mesh.x[static_cast<std::size_t>(2 * (n_t + 1))] *= 1 + 1e-15;
+    open.mesh.x[std::size_t(2 * (n_t + 1))] *= 1 + 1e-15;
     view = open.mesh.view();
     view.cell_layout = HM_CELLS_STRUCTURED;
     view.n_cells = 0;

@@ -1,6 +1,4 @@
 // The nearest of many items, against looking at all of them.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include "mesh/box_tree.hpp"
 
@@ -18,19 +16,19 @@ class Tree {
 public:
     explicit Tree(std::vector<Box> const& boxes) : boxes_(boxes) {
         harmorph::Arena counting;
-        tree_.lay_out(counting, static_cast<Index>(boxes.size()));
+        tree_.lay_out(counting, Index(boxes.size()));
         block_ = std::make_unique<Guarded>(counting.bytes(), 8);
         harmorph::Arena arena(block_->data(), block_->size());
-        tree_.lay_out(arena, static_cast<Index>(boxes.size()));
+        tree_.lay_out(arena, Index(boxes.size()));
         REQUIRE(!arena.overflown());
-        tree_.build([&](Index item) { return boxes_[static_cast<std::size_t>(item)]; });
+        tree_.build([&](Index item) { return boxes_[std::size_t(item)]; });
         REQUIRE(block_->guards_intact());
     }
     Nearest nearest(Vec2 point, Nearest best = {}) const {
         asked_ = 0;
         return tree_.nearest(point, best, [&](Index item) {
             ++asked_;
-            return boxes_[static_cast<std::size_t>(item)].squared_distance(point);
+            return boxes_[std::size_t(item)].squared_distance(point);
         });
     }
     int asked() const { return asked_; }
@@ -47,7 +45,7 @@ Nearest by_looking(std::vector<Box> const& boxes, Vec2 point) {
     Nearest best;
     for (std::size_t k = 0; k < boxes.size(); ++k) {
         double const squared = boxes[k].squared_distance(point);
-        if (squared < best.squared) best = {static_cast<Index>(k), squared};
+        if (squared < best.squared) best = {Index(k), squared};
     }
     return best;
 }
@@ -77,15 +75,14 @@ std::vector<Box> random_boxes(std::size_t n, unsigned seed, double grid = 0) {
 TEST_CASE("the nearest item is found for every number of items") {
     std::mt19937 random(4);
     for (std::size_t n = 0; n < 70; ++n) {
-        std::vector<Box> const boxes = random_boxes(n, static_cast<unsigned>(n));
+        std::vector<Box> const boxes = random_boxes(n, unsigned(n));
         Tree const tree(boxes);
         for (int k = 0; k < 20; ++k) {
             Vec2 const point{3 * uniform(random) - 1, 3 * uniform(random) - 1};
             Nearest const found = tree.nearest(point), expected = by_looking(boxes, point);
             CHECK(found.squared == expected.squared);
             if (n > 0)
-                CHECK(boxes[static_cast<std::size_t>(found.item)].squared_distance(point) ==
-                      found.squared);
+                CHECK(boxes[std::size_t(found.item)].squared_distance(point) == found.squared);
         }
     }
 }
@@ -97,8 +94,7 @@ TEST_CASE("the nearest item is found among random, coincident and aligned items"
          {random_boxes(3000, 1), random_boxes(3000, 2, 0.25), same, line}) {
         Tree const tree(boxes);
         std::vector<int> seen(boxes.size(), 0);
-        for (BoxTree::Entry const& entry : tree.tree().entry)
-            ++seen[static_cast<std::size_t>(entry.item)];
+        for (BoxTree::Entry const& entry : tree.tree().entry) ++seen[std::size_t(entry.item)];
         CHECK(seen == std::vector<int>(boxes.size(), 1));
         std::mt19937 random(9);
         for (int k = 0; k < 200; ++k) {

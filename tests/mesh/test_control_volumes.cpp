@@ -1,6 +1,4 @@
 // Areas of the median dual and shortest edges, where they are known.
-#include <doctest/doctest.h>
-
 #include <fixtures/agglomerated.hpp>
 
 #include "mesh/control_volumes.hpp"
@@ -53,7 +51,7 @@ TEST_CASE("on a grid of rectangles volumes, sides and shorter sides are known") 
         setup.curves.control[k] *= 0.25;
     Measured const found(setup);
     for (std::size_t k = 0; k < found.area.size(); ++k) {
-        Point const p = setup.mesh.point(static_cast<Index>(k));
+        Point const p = setup.mesh.point(Index(k));
         double expected = 1.0 / 64 * 0.25;
         if (p.x < 1e-9 || p.x > 1 - 1e-9) expected /= 2;
         if (p.y < 1e-9 || p.y > 0.25 - 1e-9) expected /= 2;
@@ -66,7 +64,7 @@ TEST_CASE("a point without an unknown is left out") {
     Case setup = square_on_curve(4, Cells::triangles, 0, 0);
     Analysed const seen(setup);
     FrontMatrix const front(*seen.operator->());
-    std::vector<double> area(static_cast<std::size_t>(front.rows.n)), shortest(area.size());
+    std::vector<double> area(std::size_t(front.rows.n)), shortest(area.size());
     harmorph::ControlVolumes volumes{span(area), span(shortest)};
     harmorph::Mesh const& mesh = seen->problem().mesh;
     volumes.measure(seen->topology(), mesh.points, front.matrix.rows_of_dofs());

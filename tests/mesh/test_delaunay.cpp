@@ -1,6 +1,4 @@
 // Flipped triangulations: of the same points and the same domain, and Delaunay.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/wrong.hpp>
@@ -19,7 +17,7 @@ namespace {
 
 constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 
-// With what an analysis of the mesh alone finds of it.
+// Triangulates with the results of an analysis of the mesh alone.
 struct Flipped {
     Analysed seen;
     harmorph::Triangulation triangulation;
@@ -124,8 +122,7 @@ TEST_CASE("in a convex domain no point is inside the circle of any triangle") {
                 for (Index point = 0; point < mesh.n_points(); ++point) {
                     harmorph::Vec2 const a = found.at(corner[k]), b = found.at(corner[k + 1]),
                                          c = found.at(corner[k + 2]);
-                    inside.add(in_circle_sign(a, b, c, found.at(point)) > 0, point,
-                               static_cast<double>(k / 3));
+                    inside.add(in_circle_sign(a, b, c, found.at(point)) > 0, point, double(k / 3));
                 }
             CHECK(inside == 0);
         }
@@ -180,8 +177,8 @@ TEST_CASE("numbering, order and sense of cells do not matter without points on c
         std::set<Edge> out;
         Flipped const found(mesh);
         found.triangulation.for_each_edge([&](DelaunayEdge const& edge) {
-            std::int32_t const a = old_of[static_cast<std::size_t>(edge.begin)];
-            std::int32_t const b = old_of[static_cast<std::size_t>(edge.end)];
+            std::int32_t const a = old_of[std::size_t(edge.begin)];
+            std::int32_t const b = old_of[std::size_t(edge.end)];
             out.insert({std::min(a, b), std::max(a, b)});
         });
         return out;
@@ -200,7 +197,7 @@ TEST_CASE("numbering, order and sense of cells do not matter without points on c
     std::vector<std::int32_t> const new_of = renumber_points(other, 5);
     std::vector<std::int32_t> old_of(new_of.size());
     for (std::int32_t k = 0; k < mesh.n_points(); ++k) {
-        old_of[static_cast<std::size_t>(new_of[static_cast<std::size_t>(k)])] = k;
+        old_of[std::size_t(new_of[std::size_t(k)])] = k;
     }
     CHECK(edges_of(other, old_of) == expected);
 }

@@ -1,6 +1,4 @@
 // Every edge once, with the cells at its two sides.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/wrong.hpp>
 
@@ -20,9 +18,8 @@ struct Edges {
     // join: a pair of points that are one.
     explicit Edges(Mesh const& mesh, bool listed = true, std::pair<Index, Index> join = {0, 0})
         : representative(listed ? mesh.x.size() : 0) {
-        for (std::size_t k = 0; k < representative.size(); ++k)
-            representative[k] = static_cast<Index>(k);
-        if (listed) representative[static_cast<std::size_t>(join.second)] = join.first;
+        for (std::size_t k = 0; k < representative.size(); ++k) representative[k] = Index(k);
+        if (listed) representative[std::size_t(join.second)] = join.first;
         harmorph::Mesh const view = core_mesh(mesh);
         harmorph::Arena counting;
         edges.lay_out(counting, view);
@@ -56,7 +53,7 @@ TEST_CASE("all edges of all cells are found once, with their cells and the sense
         }
         Edges const found(mesh);
         REQUIRE(found.status == harmorph::Status::ok);
-        CHECK(static_cast<std::size_t>(found.edges.count()) == expected.size());
+        CHECK(std::size_t(found.edges.count()) == expected.size());
         Index last = -1;
         Wrong wrong;
         found.edges.for_each([&](Index edge, Index low, Index high) {
@@ -67,7 +64,7 @@ TEST_CASE("all edges of all cells are found once, with their cells and the sense
                 if (code >= 0)
                     cells.insert({harmorph::cell_of_side(code), harmorph::runs_backwards(code)});
             wrong.add(cells != expected[{low, high}], edge,
-                      static_cast<double>(cells.size()));  // cells of it
+                      double(cells.size()));  // cells of it
             CHECK(found.edges.is_boundary(edge) == (cells.size() == 1));
             CHECK(found.edges.find(low, high) == edge);
             CHECK(found.edges.find(high, low) == edge);

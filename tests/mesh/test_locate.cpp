@@ -1,6 +1,4 @@
 // Cells of points, and weights that reproduce linear fields.
-#include <doctest/doctest.h>
-
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/traps.hpp>
@@ -44,7 +42,7 @@ double interpolated(Location const& found, Field field) {
     return sum;
 }
 
-// Of a linear field at the point.
+// Interpolates a linear field at the point.
 double linear_error(Mesh const& mesh, Location const& found, Vec2 p) {
     auto const field = [](double x, double y) { return 3 + 2 * x - 5 * y; };
     return std::fabs(
@@ -90,7 +88,7 @@ TEST_CASE("weights are 1 at points of the mesh, and middles of cells are found i
             for (std::size_t k = 0; k < corners.size(); ++k) {
                 Point const a = mesh.point(corners[k]),
                             b = mesh.point(corners[(k + 1) % corners.size()]);
-                middle = middle + (1.0 / static_cast<double>(corners.size())) * Vec2{a.x, a.y};
+                middle = middle + (1.0 / double(corners.size())) * Vec2{a.x, a.y};
                 Location const corner = finder.locate({a.x, a.y});
                 CHECK(corner.distance == 0);
                 CHECK(interpolated(corner, [&](Index p) { return p == corners[k] ? 1.0 : 0.0; }) ==
@@ -105,7 +103,7 @@ TEST_CASE("weights are 1 at points of the mesh, and middles of cells are found i
                       doctest::Approx(0.5));
             }
             Location const inside = finder.locate(middle);
-            CHECK(inside.cell == static_cast<Index>(cell));
+            CHECK(inside.cell == Index(cell));
             CHECK(inside.distance == 0);
         }
     }
@@ -118,8 +116,7 @@ TEST_CASE("weights sum to 1, are not negative inside, and reproduce linear field
         int outside = 0;
         for (int k = 0; k < 400; ++k) {
             std::size_t const cell = random() % (mesh.cell_start.size() - 1);
-            Point const corner =
-                mesh.point(mesh.cells[static_cast<std::size_t>(mesh.cell_start[cell])]);
+            Point const corner = mesh.point(mesh.cells[std::size_t(mesh.cell_start[cell])]);
             double const size = k % 2 == 0 ? 0.2 : 0.01;
             Vec2 const p{corner.x + size * (uniform(random) - 0.5),
                          corner.y + size * (uniform(random) - 0.5)};
@@ -178,17 +175,16 @@ TEST_CASE("a continuous field depends neither on the hint nor on the numbering")
         std::vector<double> field, its_field(mesh.x.size());
         for (std::size_t k = 0; k < mesh.x.size(); ++k) field.push_back(uniform(random));
         for (std::size_t k = 0; k < mesh.x.size(); ++k)
-            its_field[static_cast<std::size_t>(new_of[k])] = field[k];
+            its_field[std::size_t(new_of[k])] = field[k];
         for (int k = 0; k < 300; ++k) {
             double const r = 0.52 + 1.43 * uniform(random), angle = 7 * uniform(random);
             Vec2 const p{r * std::cos(angle), r * std::sin(angle)};
-            double const value = interpolated(
-                finder.locate(p), [&](Index i) { return field[static_cast<std::size_t>(i)]; });
-            Index const hint = static_cast<Index>(random() % static_cast<unsigned>(mesh.n_cells()));
+            double const value =
+                interpolated(finder.locate(p), [&](Index i) { return field[std::size_t(i)]; });
+            Index const hint = Index(random() % unsigned(mesh.n_cells()));
             auto const same = [&](Location const& found, std::vector<double> const& values) {
-                CHECK(interpolated(found, [&](Index i) {
-                          return values[static_cast<std::size_t>(i)];
-                      }) == doctest::Approx(value).epsilon(1e-12));
+                CHECK(interpolated(found, [&](Index i) { return values[std::size_t(i)]; }) ==
+                      doctest::Approx(value).epsilon(1e-12));
             };
             same(finder.locate(p, hint), field);
             same(its_finder.locate(p, hint), its_field);

@@ -1,6 +1,4 @@
 // Control volumes: they fill the domain, and close.
-#include <doctest/doctest.h>
-
 #include <fixtures/schemes.hpp>
 
 using namespace fixtures;
@@ -14,8 +12,7 @@ constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 double open_by(Scheme const& scheme, Mesh const& mesh) {
     std::vector<Point> sum(mesh.x.size(), Point{0, 0});
     auto const add = [&](Index point, double x, double y) {
-        Point& sum_here =
-            sum[static_cast<std::size_t>(scheme.seen->topology().representative[point])];
+        Point& sum_here = sum[std::size_t(scheme.seen->topology().representative[point])];
         sum_here = {sum_here.x + x, sum_here.y + y};
     };
     for (harmorph::MedianDual::Face const& face : scheme.operation.dual.faces) {
@@ -42,10 +39,9 @@ TEST_CASE("dual volumes fill the domain and close, in whatever sense cells run")
             Scheme const scheme(mesh, false);
             double area = 0;
             for (Index point = 0; point < mesh.n_points(); ++point) {
-                double const volume = scheme.area[static_cast<std::size_t>(point)];
+                double const volume = scheme.area[std::size_t(point)];
                 CHECK(volume > 0);
-                CHECK(volume ==
-                      doctest::Approx(plain.area[static_cast<std::size_t>(point)]).epsilon(1e-12));
+                CHECK(volume == doctest::Approx(plain.area[std::size_t(point)]).epsilon(1e-12));
                 area += volume;
             }
             CHECK(area == doctest::Approx(expected.area).epsilon(1e-13));
@@ -64,7 +60,7 @@ TEST_CASE("dual volumes of a triangle are thirds, and faces on squares are as lo
     Scheme const triangle(one, false);
     double const third = check(one).area / 3;
     for (Index point = 0; point < 3; ++point)
-        CHECK(triangle.area[static_cast<std::size_t>(point)] == doctest::Approx(third));
+        CHECK(triangle.area[std::size_t(point)] == doctest::Approx(third));
 
     Mesh const mesh = square(6);
     Scheme const squares(mesh, false);
@@ -87,9 +83,9 @@ TEST_CASE("the points of a cut have one volume") {
     int joined = 0;
     for (Index point = 0; point < c.mesh.n_points(); ++point) {
         bool const is_joined = scheme.seen->topology().representative[point] != point;
-        CHECK((scheme.area[static_cast<std::size_t>(point)] == 0) == is_joined);
+        CHECK((scheme.area[std::size_t(point)] == 0) == is_joined);
         joined += is_joined;
-        area += scheme.area[static_cast<std::size_t>(point)];
+        area += scheme.area[std::size_t(point)];
     }
     CHECK(joined == c.n_wake + 1);  // one for each point of the wake, the trailing edge among them
     CHECK(area == doctest::Approx(check(c.mesh).area).epsilon(1e-12));

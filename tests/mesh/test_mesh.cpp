@@ -1,7 +1,4 @@
-// The same cells come out of every layout; what is wrong is refused, and the first offender is
-// named.
-#include <doctest/doctest.h>
-
+// Every layout gives the same cells; wrong input is refused, and the first offender is named.
 #include <fixtures/core.hpp>
 #include <fixtures/mixed.hpp>
 #include <fixtures/wrong.hpp>

@@ -1,7 +1,4 @@
 // Cells are turned as their neighbours ask for, and the larger area is right.
-#include <harmorph_study.h>
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/perturb.hpp>
 #include <fixtures/square.hpp>
@@ -17,8 +14,7 @@ std::vector<std::uint8_t> reversed_of(Analysed const& seen) {
     return {seen->topology().reversed.begin(), seen->topology().reversed.end()};
 }
 std::vector<std::uint8_t> all(Mesh const& mesh, int value) {
-    return std::vector<std::uint8_t>(static_cast<std::size_t>(mesh.n_cells()),
-                                     static_cast<std::uint8_t>(value));
+    return std::vector<std::uint8_t>(std::size_t(mesh.n_cells()), static_cast<std::uint8_t>(value));
 }
 
 // A strip of quads between two rings of points, closed with or without a twist. Its place in the
@@ -55,9 +51,8 @@ TEST_CASE("counter-clockwise, clockwise and mixed meshes are oriented") {
         harmorph::Mesh const view = core_mesh(mesh);
         int turned = 0;
         for (Index i = 0; i < view.n_cells; ++i) {
-            CHECK((cell_area(view.cell(i), view.points) < 0) ==
-                  (found[static_cast<std::size_t>(i)] != 0));
-            turned += found[static_cast<std::size_t>(i)];
+            CHECK((cell_area(view.cell(i), view.points) < 0) == (found[std::size_t(i)] != 0));
+            turned += found[std::size_t(i)];
         }
         CHECK(turned > mesh.n_cells() / 4);
         CHECK(turned < 3 * mesh.n_cells() / 4);
@@ -123,7 +118,7 @@ TEST_CASE("parts that are not joined are oriented separately") {
     Analysed const seen(mesh);
     std::vector<std::uint8_t> const found = reversed_of(seen);
     for (std::size_t k = 0; k < found.size(); ++k)
-        CHECK(found[k] == (k < static_cast<std::size_t>(n_cells) ? 0 : 1));
+        CHECK(found[k] == (k < std::size_t(n_cells) ? 0 : 1));
     CHECK(seen->boundary().n_loops == 2);
 }
 

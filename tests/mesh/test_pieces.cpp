@@ -1,7 +1,5 @@
 // Division of polygons: triangles of positive area that are together the polygon, the best there
 // are; guards.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/polygons.hpp>
 
@@ -87,7 +85,7 @@ std::vector<Point> with_middles(std::vector<Point> const& p, int per_side) {
     for (std::size_t k = 0; k < p.size(); ++k) {
         Point const a = p[k], b = p[(k + 1) % p.size()];
         for (int i = 0; i <= per_side; ++i) {
-            double const t = static_cast<double>(i) / (per_side + 1);
+            double const t = double(i) / (per_side + 1);
             out.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
         }
     }
@@ -106,26 +104,25 @@ TEST_CASE("a polygon is divided into n - 2 triangles of positive area and has gu
         {{0, 0}, {2, 0.5}, {0, 1}, {0.4, 0.5}},                            // an arrow
     };
     for (unsigned seed = 1; seed <= 40; ++seed)
-        polygons.push_back(star(5 + static_cast<int>(seed) % 11, 0.6, seed));
+        polygons.push_back(star(5 + int(seed) % 11, 0.6, seed));
     polygons.push_back(star(300, 0.3, 7));
     for (std::vector<Point> polygon : polygons) {
         for (bool const clockwise : {false, true}) {
-            CAPTURE(polygon.size());
-            CAPTURE(clockwise);
+            INFO("polygon.size() = " << polygon.size() << ", clockwise = " << clockwise);
             std::size_t convex = 0;
             for (std::size_t k = 0; k < polygon.size(); ++k)
                 convex += is_convex_corner(polygon, k) ? 1 : 0;
             std::vector<Point> given = polygon;
             if (clockwise) std::reverse(given.begin(), given.end());
             Divided const divided(given, clockwise ? 1 : 0);
-            REQUIRE(divided.pieces.n_cells == static_cast<std::int32_t>(polygon.size()) - 2);
-            REQUIRE(divided.pieces.n_guards == static_cast<std::int32_t>(polygon.size()));
+            REQUIRE(divided.pieces.n_cells == std::int32_t(polygon.size()) - 2);
+            REQUIRE(divided.pieces.n_guards == std::int32_t(polygon.size()));
             std::int32_t found_convex = 0;
             for (std::int32_t k = 0; k < divided.pieces.n_guards; ++k) {
                 found_convex +=
                     divided.pieces.guard_kind[k] == harmorph::CornerKind::convex ? 1 : 0;
             }
-            CHECK(found_convex == static_cast<std::int32_t>(convex));
+            CHECK(found_convex == std::int32_t(convex));
             double const sense = clockwise ? -1 : 1;
             double sum = 0, smallest = 1;
             for (std::int32_t i = 0; i < divided.pieces.n_checked(); ++i) {
@@ -144,7 +141,7 @@ TEST_CASE("a polygon is divided into n - 2 triangles of positive area and has gu
 
 TEST_CASE("the worst triangle is the best that any triangulation has") {
     for (unsigned seed = 1; seed <= 30; ++seed) {
-        std::vector<Point> const polygon = star(5 + static_cast<int>(seed) % 5, 0.5, 100 + seed);
+        std::vector<Point> const polygon = star(5 + int(seed) % 5, 0.5, 100 + seed);
         CAPTURE(seed);
         CHECK(Divided(polygon).worst_shape() ==
               doctest::Approx(best_of_all(polygon, 0, polygon.size() - 1)).epsilon(1e-14));
@@ -176,7 +173,7 @@ TEST_CASE("pieces and guards have the numbers of their cells, and some cells hav
     harmorph::Mesh const& pieces = analysed->topology().mesh;
     REQUIRE(pieces.has_pieces());
     CHECK(pieces.n_given_cells() == mesh.n_cells());
-    std::vector<std::int32_t> found(static_cast<std::size_t>(mesh.n_cells()), 0);
+    std::vector<std::int32_t> found(std::size_t(mesh.n_cells()), 0);
     for (std::int32_t i = 0; i < pieces.n_checked(); ++i) {
         std::int32_t const cell = pieces.number(i);
         std::vector<std::int32_t> const corners = corners_of(mesh, cell);
@@ -184,11 +181,11 @@ TEST_CASE("pieces and guards have the numbers of their cells, and some cells hav
         for (std::int32_t k = 0; k < piece.n; ++k) {
             CHECK(std::count(corners.begin(), corners.end(), piece.point[k]) == 1);
         }
-        if (i < pieces.n_cells) ++found[static_cast<std::size_t>(cell)];
+        if (i < pieces.n_cells) ++found[std::size_t(cell)];
         CHECK(pieces.is_piece_or_guard(i) == (corners.size() > 4));
     }
     for (std::int32_t cell = 0; cell < mesh.n_cells(); ++cell) {
-        std::int32_t const n = static_cast<std::int32_t>(corners_of(mesh, cell).size());
-        CHECK(found[static_cast<std::size_t>(cell)] == (n > 4 ? n - 2 : 1));
+        std::int32_t const n = std::int32_t(corners_of(mesh, cell).size());
+        CHECK(found[std::size_t(cell)] == (n > 4 ? n - 2 : 1));
     }
 }

@@ -18,14 +18,14 @@ std::vector<NamedCase> cases() {
     std::vector<NamedCase> out;
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         out.push_back({"ring", ring_case(6, 24, 0.5, 2, kind)});
-        out.back().its.given_points.clear();
-        out.back().its.given_curves.clear();
-        out.back().its.given_u.clear();
+        out.back().setup.given_points.clear();
+        out.back().setup.given_curves.clear();
+        out.back().setup.given_u.clear();
     }
     out.push_back({"airfoil", airfoil_case(16)});
     for (NamedCase const& polygons : polygon_cases()) {
         out.push_back(polygons);
-        out.back().its.mesh.cell_layout = HM_CELLS_POLYGONS;
+        out.back().setup.mesh.cell_layout = HM_CELLS_POLYGONS;
     }
     return out;
 }
@@ -112,7 +112,7 @@ double rough(NamedCase const& of) {
 TEST_CASE("the values are those of the header, and the bounds their aggregates") {
     for (NamedCase const& of : cases()) {
         INFO(std::string(of.name));
-        Bounded const mesh(of.its);
+        Bounded const mesh(of.setup);
         Field const at = moved(mesh.start(), 0.1, 3, rough(of));
         std::vector<double> quality, kept;
         for (std::int32_t cell = 0; cell < mesh.its.mesh.n_cells(); ++cell) {
@@ -155,9 +155,9 @@ TEST_CASE("the values are those of the header, and the bounds their aggregates")
 
 TEST_CASE("areas are compared with the start corner by corner, positive or not") {
     for (NamedCase const& of : cases()) {
-        if (of.its.mesh.cell_layout == HM_CELLS_POLYGONS) continue;
+        if (of.setup.mesh.cell_layout == HM_CELLS_POLYGONS) continue;
         INFO(std::string(of.name));
-        Bounded const mesh(of.its);
+        Bounded const mesh(of.setup);
         for (double const amount : {0.0, 0.1, 2.0}) {
             Field const at = moved(mesh.start(), amount, 3, amount > 1 ? 0.1 : 0);
             std::vector<double> ratios;
@@ -186,7 +186,7 @@ TEST_CASE("areas are compared with the start corner by corner, positive or not")
 TEST_CASE("a mesh that has not moved: areas and kept quality are 1, the gap is ln(N) / rho") {
     for (NamedCase const& of : cases()) {
         INFO(std::string(of.name));
-        Bounded const mesh(of.its);
+        Bounded const mesh(of.setup);
         for (BoundResult const& found :
              bounds_of(mesh, mesh.start(), {HM_BOUND_KEPT_QUALITY, HM_BOUND_AREA}, 100)) {
             CHECK(found.value.extreme == doctest::Approx(1).epsilon(1e-12));
@@ -200,7 +200,7 @@ TEST_CASE("a mesh that has not moved: areas and kept quality are 1, the gap is l
 TEST_CASE("derivatives agree with differences, of second order, also at the start mesh") {
     for (NamedCase const& of : cases()) {
         INFO(std::string(of.name));
-        Bounded const mesh(of.its);
+        Bounded const mesh(of.setup);
         double const size = rough(of);
         for (double const amount : {0.0, 0.1}) {
             Field const at = moved(mesh.start(), amount, 3, amount * size);
@@ -224,7 +224,7 @@ TEST_CASE("derivatives agree with differences, of second order, also at the star
 TEST_CASE("derivatives of inverted cells agree with differences") {
     for (NamedCase const& of : cases()) {
         INFO(std::string(of.name));
-        Bounded const mesh(of.its);
+        Bounded const mesh(of.setup);
         Field at = mesh.start();
         Field const noise =
             some_field(at.size(), 21, std::string(of.name) == "airfoil" ? 0.02 : 0.2);
@@ -254,15 +254,15 @@ TEST_CASE("no value depends on the unit of length, on turns or translations") {
     std::complex<double> const turn = std::polar(1.0, 0.7);
     for (NamedCase const& of : cases()) {
         INFO(std::string(of.name));
-        Bounded const mesh(of.its);
+        Bounded const mesh(of.setup);
         Field const at = moved(mesh.start(), 0.1, 3, rough(of));
         std::vector<BoundResult> const expected = bounds_of(mesh, at, cell_kinds);
         for (double const unit : {0x1p-40, 1e3, 1e-85, 1e85}) {
-            Case scaled = of.its;
+            Case scaled = of.setup;
             Field there = at;
             for (std::size_t k = 0; k < at.size(); ++k) {
                 std::complex<double> const z =
-                    unit * turn * std::complex<double>(of.its.mesh.x[k], of.its.mesh.y[k]);
+                    unit * turn * std::complex<double>(of.setup.mesh.x[k], of.setup.mesh.y[k]);
                 scaled.mesh.x[k] = z.real();
                 scaled.mesh.y[k] = z.imag();
                 there[k] = unit * turn * at[k];
@@ -287,25 +287,25 @@ TEST_CASE("no value depends on the unit of length, on turns or translations") {
 TEST_CASE("no value depends on the orientation of cells or the numbering of cells and points") {
     for (NamedCase const& of : cases()) {
         INFO(std::string(of.name));
-        Bounded const mesh(of.its);
+        Bounded const mesh(of.setup);
         Field const at = moved(mesh.start(), 0.1, 3, rough(of));
         std::vector<BoundResult> const expected = bounds_of(mesh, at, cell_kinds);
         // Point k becomes point n - 1 - k; cells are listed backwards, and every one is reversed.
-        Case other = of.its;
-        std::int32_t const n = of.its.mesh.n_points();
+        Case other = of.setup;
+        std::int32_t const n = of.setup.mesh.n_points();
         Mesh renamed;
-        renamed.cell_layout = of.its.mesh.cell_layout;
-        for (std::int32_t k = n; k-- > 0;) renamed.add_point(of.its.mesh.point(k));
-        for (std::int32_t cell = of.its.mesh.n_cells(); cell-- > 0;) {
-            std::vector<std::int32_t> points = corners_of(of.its.mesh, cell);
+        renamed.cell_layout = of.setup.mesh.cell_layout;
+        for (std::int32_t k = n; k-- > 0;) renamed.add_point(of.setup.mesh.point(k));
+        for (std::int32_t cell = of.setup.mesh.n_cells(); cell-- > 0;) {
+            std::vector<std::int32_t> points = corners_of(of.setup.mesh, cell);
             for (auto p = points.rbegin(); p != points.rend(); ++p)
                 renamed.cells.push_back(n - 1 - *p);
             renamed.cell_start.push_back(static_cast<std::int32_t>(renamed.cells.size()));
         }
-        for (std::int32_t face = 0; face < of.its.mesh.n_faces(); ++face) {
+        for (std::int32_t face = 0; face < of.setup.mesh.n_faces(); ++face) {
             std::size_t const k = 2 * static_cast<std::size_t>(face);
-            renamed.add_face(n - 1 - of.its.mesh.faces[k], n - 1 - of.its.mesh.faces[k + 1],
-                             of.its.mesh.face_markers[static_cast<std::size_t>(face)]);
+            renamed.add_face(n - 1 - of.setup.mesh.faces[k], n - 1 - of.setup.mesh.faces[k + 1],
+                             of.setup.mesh.face_markers[static_cast<std::size_t>(face)]);
         }
         other.mesh = renamed;
         other.index_base = 1;
@@ -319,7 +319,7 @@ TEST_CASE("no value depends on the orientation of cells or the numbering of cell
                   1e-9 * largest(expected[k].gradient));
         }
         CHECK(found[0].value.item - 1 ==
-              of.its.mesh.n_cells() - 1 - expected[0].value.item);  // counted from 1
+              of.setup.mesh.n_cells() - 1 - expected[0].value.item);  // counted from 1
     }
 }
 

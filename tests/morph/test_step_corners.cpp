@@ -48,7 +48,7 @@ TEST_CASE("the derivative of the admissible step agrees with differences") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         cases.push_back(ring_case(6, 24, 0.5, 2, kind));
     for (NamedCase const& of : polygon_cases()) {
-        cases.push_back(of.its);
+        cases.push_back(of.setup);
         cases.back().mesh.cell_layout = HM_CELLS_POLYGONS;
     }
     for (Case const& of : cases) {

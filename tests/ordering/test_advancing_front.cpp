@@ -1,7 +1,5 @@
 // The front: each layer from the boundaries inwards before the next one, and quads before
 // triangles.
-#include <doctest/doctest.h>
-
 #include <fixtures/agglomerated.hpp>
 #include <fixtures/wrong.hpp>
 
@@ -12,11 +10,11 @@ namespace {
 
 // Cells from each unknown to the nearest point that is not unknown, or to a free boundary.
 std::vector<int> depth_of(harmorph::Analysis const& a) {
-    std::vector<int> depth(static_cast<std::size_t>(a.graph().n), -1);
+    std::vector<int> depth(std::size_t(a.graph().n), -1);
     int reached = 0;
     auto const set = [&](Index u, int to) {
-        if (u == harmorph::none || depth[static_cast<std::size_t>(u)] >= 0) return;
-        depth[static_cast<std::size_t>(u)] = to;
+        if (u == harmorph::none || depth[std::size_t(u)] >= 0) return;
+        depth[std::size_t(u)] = to;
         ++reached;
     };
     harmorph::for_each_pair(a.topology(), [&](Index p, Index q) {
@@ -27,18 +25,18 @@ std::vector<int> depth_of(harmorph::Analysis const& a) {
         if (a.kinds()[a.graph().point(u)] == harmorph::PointKind::free) set(u, 0);
     for (int layer = 0; reached < a.graph().n; ++layer)
         for (Index u = 0; u < a.graph().n; ++u)
-            if (depth[static_cast<std::size_t>(u)] == layer)
+            if (depth[std::size_t(u)] == layer)
                 for (Index const v : a.graph().neighbours(u)) set(v, layer + 1);
     return depth;
 }
 
 std::vector<char> quad_corners(harmorph::Analysis const& a) {
-    std::vector<char> out(static_cast<std::size_t>(a.graph().n), 0);
+    std::vector<char> out(std::size_t(a.graph().n), 0);
     for (Index c = 0; c < a.problem().mesh.n_cells; ++c) {
         harmorph::Cell const cell = a.problem().mesh.cell(c);
         for (Index k = 0; cell.n == 4 && k < 4; ++k) {
             Index const u = a.graph().unknown[a.topology().representative[cell.point[k]]];
-            if (u != harmorph::none) out[static_cast<std::size_t>(u)] = 1;
+            if (u != harmorph::none) out[std::size_t(u)] = 1;
         }
     }
     return out;
@@ -56,12 +54,11 @@ TEST_CASE("the front has every unknown once, layer after layer, from free bounda
             std::vector<int> const depth = depth_of(*seen.operator->());
             std::vector<Index> sorted = front.order;
             std::sort(sorted.begin(), sorted.end());
-            for (std::size_t k = 0; k < sorted.size(); ++k)
-                REQUIRE(sorted[k] == static_cast<Index>(k));
+            for (std::size_t k = 0; k < sorted.size(); ++k) REQUIRE(sorted[k] == Index(k));
             int last = 0;
             Wrong backwards;
             for (Index const u : front.order) {
-                int const here = depth[static_cast<std::size_t>(u)];
+                int const here = depth[std::size_t(u)];
                 backwards.add(here < last, u, here);
                 last = here;
             }
@@ -80,5 +77,5 @@ TEST_CASE("in hybrid meshes the front passes all quads at the wall before the tr
     REQUIRE(n_quads > 100);
     REQUIRE(n_quads + 100 < front.order.size());
     for (std::size_t k = 0; k < front.order.size(); ++k)
-        REQUIRE((quads[static_cast<std::size_t>(front.order[k])] != 0) == (k < n_quads));
+        REQUIRE((quads[std::size_t(front.order[k])] != 0) == (k < n_quads));
 }

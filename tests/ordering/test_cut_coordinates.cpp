@@ -1,7 +1,5 @@
 // Places and reaches of unknowns: no neighbour is farther away than it is said to be. Levels of
 // parts.
-#include <doctest/doctest.h>
-
 #include <fixtures/graphs.hpp>
 #include <fixtures/wrong.hpp>
 
@@ -37,7 +35,7 @@ TEST_CASE("neighbours lie within reach in every direction, and layers grow by on
         harmorph::CutCoordinates const& places = placed.places;
         Wrong outside, jumps;
         for (Index u = 0; u < graph.n(); ++u)
-            for (Index const v : graph.near[static_cast<std::size_t>(u)]) {
+            for (Index const v : graph.near[std::size_t(u)]) {
                 for (Index d = 0; d < harmorph::directions; ++d) {
                     float const step = places.position[v].at[d] - places.position[u].at[d];
                     outside.add(std::fabs(step) > places.position[u].reach[d], u, step);
@@ -71,7 +69,7 @@ TEST_CASE("steps across a piece are 1 on the piece, signed beside it, and comple
         int const column = u % around, back = around - column;
         CHECK(step(u) == (column == 0 ? 1 : column <= back ? column + 1 : -back));
         float farthest = 1;
-        for (Index const v : ring.near[static_cast<std::size_t>(u)])
+        for (Index const v : ring.near[std::size_t(u)])
             farthest = std::fmax(farthest, std::fabs(step(v) - step(u)));
         CHECK(placed.places.position[u].reach[harmorph::across_direction] == farthest);
     }
@@ -85,8 +83,8 @@ TEST_CASE("levels are steps from an end of the part, at most one between neighbo
         auto const level = [&](Index u) {
             return placed.places.position[u].at[harmorph::level_direction];
         };
-        std::vector<Index> all(static_cast<std::size_t>(graph.n()));
-        for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<Index>(k);
+        std::vector<Index> all(std::size_t(graph.n()));
+        for (std::size_t k = 0; k < all.size(); ++k) all[k] = Index(k);
         placed.places.find_levels(graph.view(), span(all), placed.places.queue);
         std::set<Index> seen;
         Wrong jumps, falls;
@@ -94,7 +92,7 @@ TEST_CASE("levels are steps from an end of the part, at most one between neighbo
             Index const u = placed.places.queue[k];
             seen.insert(u);
             if (k > 0) falls.add(level(u) < level(placed.places.queue[k - 1]), u, level(u));
-            for (Index const v : graph.near[static_cast<std::size_t>(u)])
+            for (Index const v : graph.near[std::size_t(u)])
                 jumps.add(std::fabs(level(v) - level(u)) > 1, u, level(v) - level(u));
         }
         CHECK(seen.size() == all.size());
@@ -112,7 +110,7 @@ TEST_CASE("levels are steps from an end of the part, at most one between neighbo
     placed.places.find_levels(grid.view(), span(half), placed.places.queue);
     Index const first = placed.places.queue[0];
     for (Index const u : half) {
-        float const expected = static_cast<float>(std::abs(u % 9 - first % 9));
+        float const expected = float(std::abs(u % 9 - first % 9));
         CHECK((first % 9 == 5 || first % 9 == 8));
         CHECK(placed.places.position[u].at[harmorph::level_direction] >= expected);
         CHECK(placed.places.position[u].at[harmorph::level_direction] <= 3);

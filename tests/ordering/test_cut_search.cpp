@@ -1,10 +1,6 @@
-// Where parts are cut: in the middle, across the shorter way, behind the cheapest level, with
-// borders in mind.
-#include <doctest/doctest.h>
-
+// Parts are cut in the middle, across the shorter direction, behind the cheapest level, with
+// borders taken into account.
 #include <fixtures/graphs.hpp>
-
-#include <map>
 
 #include "ordering/cut_search.hpp"
 
@@ -25,11 +21,11 @@ struct Searched {
         places.lay_out(placing, graph.n());
         places.lay_out_layers(placing, graph.n());
         find_coordinates(places, graph.view(), graph.points());
-        for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<Index>(k);
+        for (std::size_t k = 0; k < order.size(); ++k) order[k] = Index(k);
         search = std::make_unique<harmorph::CutSearch>(graph.view(), places, span(order));
     }
     ~Searched() { CHECK(block_->guards_intact()); }
-    Index n() const { return static_cast<Index>(order.size()); }
+    Index n() const { return Index(order.size()); }
     Index left_of(Cut const& cut) const {
         Index left = 0;
         for (Index u = 0; u < n(); ++u) left += places.position[u].at[cut.direction] < cut.level;

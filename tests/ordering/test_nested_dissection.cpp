@@ -1,11 +1,7 @@
 // The order of elimination is a permutation, its tree a postorder, and separators separate.
-#include <doctest/doctest.h>
-
 #include <fixtures/executors.hpp>
 #include <fixtures/graphs.hpp>
 #include <fixtures/wrong.hpp>
-
-#include <cstring>
 
 #include "ordering/bisection.hpp"
 
@@ -26,8 +22,8 @@ void check_dissection(HandMadeGraph& graph) {
     // them.
     CHECK(cut.tree.count <= n / 2 + 1);
     Index next = 0, roots = 0;
-    std::vector<Index> subtree_begin(static_cast<std::size_t>(cut.tree.count));
-    std::vector<int> times_child(static_cast<std::size_t>(cut.tree.count), 0);
+    std::vector<Index> subtree_begin(std::size_t(cut.tree.count));
+    std::vector<int> times_child(std::size_t(cut.tree.count), 0);
     for (Index t = 0; t < cut.tree.count; ++t) {
         auto const& node = cut.tree.nodes[t];
         CHECK(node.begin == next);
@@ -39,26 +35,25 @@ void check_dissection(HandMadeGraph& graph) {
         for (Index child = node.child; child != -1; child = cut.tree.nodes[child].sibling) {
             REQUIRE(child < t);
             CHECK(cut.tree.nodes[child].parent == t);
-            begin = std::min(begin, subtree_begin[static_cast<std::size_t>(child)]);
-            ++times_child[static_cast<std::size_t>(child)];
+            begin = std::min(begin, subtree_begin[std::size_t(child)]);
+            ++times_child[std::size_t(child)];
         }
-        subtree_begin[static_cast<std::size_t>(t)] = begin;
+        subtree_begin[std::size_t(t)] = begin;
     }
     CHECK(next == n);
     CHECK(roots == 1);
     for (Index t = 0; t < cut.tree.count; ++t)
-        CHECK(times_child[static_cast<std::size_t>(t)] == (cut.tree.nodes[t].parent == -1 ? 0 : 1));
+        CHECK(times_child[std::size_t(t)] == (cut.tree.nodes[t].parent == -1 ? 0 : 1));
 
     // Neighbours are in one node, or one's node is an ancestor of the other's: nothing crosses a
     // separator.
     std::vector<Index> const node_of = cut.node_of_position();
     for (std::int32_t a = 0; a < n; ++a)
-        for (std::int32_t const b : graph.near[static_cast<std::size_t>(a)]) {
-            Index const first = std::min(position[static_cast<std::size_t>(a)],
-                                         position[static_cast<std::size_t>(b)]);
-            Index const above = node_of[static_cast<std::size_t>(std::max(
-                position[static_cast<std::size_t>(a)], position[static_cast<std::size_t>(b)]))];
-            Index up = node_of[static_cast<std::size_t>(first)];
+        for (std::int32_t const b : graph.near[std::size_t(a)]) {
+            Index const first = std::min(position[std::size_t(a)], position[std::size_t(b)]);
+            Index const above =
+                node_of[std::size_t(std::max(position[std::size_t(a)], position[std::size_t(b)]))];
+            Index up = node_of[std::size_t(first)];
             while (up != -1 && up < above) up = cut.tree.nodes[up].parent;
             CHECK(up == above);
         }
@@ -113,8 +108,8 @@ TEST_CASE("a rolled strip is cut across, wherever its turns lie beside each othe
         for (int i = 0; i < along; ++i) {
             double const turn = 0.3 * i,
                          radius = 1 + 0.01 * turn + 0.001 * j;  // straight cuts cross all turns
-            strip.x[static_cast<std::size_t>(i + along * j)] = radius * std::cos(turn);
-            strip.y[static_cast<std::size_t>(i + along * j)] = radius * std::sin(turn);
+            strip.x[std::size_t(i + along * j)] = radius * std::cos(turn);
+            strip.y[std::size_t(i + along * j)] = radius * std::sin(turn);
         }
     for (int i = 0; i < along; ++i) strip.beside_curve.insert(i);  // and layers run along
     Dissected const cut(strip);
@@ -138,9 +133,9 @@ TEST_CASE("a wake of thin curved cells has few more entries than when laid out s
              {1e-3, 1e-4}) {  // height of the cells in the middle, about, beside their length
             for (int k = 0; k < grid.n(); ++k) {
                 double const x = 1.0 * (k % nx) / ny, across = 1.0 * (k / nx) / ny - 0.5;
-                grid.x[static_cast<std::size_t>(k)] = x;
+                grid.x[std::size_t(k)] = x;
                 double const shear_layer = thin * std::sinh(-2 * std::log(thin) * across);
-                grid.y[static_cast<std::size_t>(k)] = 0.2 * std::sin(3 * x) + shear_layer;
+                grid.y[std::size_t(k)] = 0.2 * std::sin(3 * x) + shear_layer;
             }
             double const curved = FactorCost(grid, Dissected(grid)).entries;
             INFO(nx << " x " << ny << ", thin " << thin << ": " << curved << " entries instead of "
@@ -167,13 +162,11 @@ TEST_CASE("large parts know the unknowns next to the separators above them, and 
             REQUIRE(range.pivots < graph.n);
             std::vector<char> is_next(grid.x.size(), 0);
             for (Index k = range.pivots; k < graph.n; ++k)
-                for (Index const v : graph.neighbours(order[k]))
-                    is_next[static_cast<std::size_t>(v)] = 1;
+                for (Index const v : graph.neighbours(order[k])) is_next[std::size_t(v)] = 1;
             for (Index k = 0; k < range.pivots; ++k) {
                 float const mark = work.coordinates.position[order[k]].at[harmorph::border_lane];
                 marked += mark == 1;
-                wrong.compare(order[k], mark,
-                              is_large ? is_next[static_cast<std::size_t>(order[k])] : 0);
+                wrong.compare(order[k], mark, is_large ? is_next[std::size_t(order[k])] : 0);
             }
         });
         CHECK(wrong == 0);
@@ -225,9 +218,9 @@ TEST_CASE("any number of threads in any order of tasks gives the same order and 
             Dissected const together(graph, {Backwards::run, &order, threads});
             CHECK(together.order == alone.order);
             REQUIRE(together.tree.count == alone.tree.count);
-            CHECK(std::memcmp(together.tree.nodes.data(), alone.tree.nodes.data(),
-                              sizeof(harmorph::AssemblyTree::Node) *
-                                  static_cast<std::size_t>(alone.tree.count)) == 0);
+            CHECK(std::memcmp(
+                      together.tree.nodes.data(), alone.tree.nodes.data(),
+                      sizeof(harmorph::AssemblyTree::Node) * std::size_t(alone.tree.count)) == 0);
             CHECK((order.tasks > 0) == (threads > 1));
         }
     }

@@ -1,6 +1,4 @@
 // Ranges of positions that are independent, and what lies between them.
-#include <doctest/doctest.h>
-
 #include <fixtures/graphs.hpp>
 
 using namespace fixtures;
@@ -21,23 +19,20 @@ TEST_CASE("subtrees are small enough and not too many, and neighbours are never 
             for (Index i = 0; i < ranges.count; ++i) {
                 PositionRange const range = ranges.subtree[i];
                 CHECK(range.end - range.begin <= largest);
-                for (Index k = range.begin; k < range.end; ++k)
-                    owner[static_cast<std::size_t>(k)] = i;
+                for (Index k = range.begin; k < range.end; ++k) owner[std::size_t(k)] = i;
             }
             int across = 0;
             for (std::int32_t u = 0; u < graph.n(); ++u)
-                for (std::int32_t const v : graph.near[static_cast<std::size_t>(u)]) {
-                    Index const of_u =
-                        owner[static_cast<std::size_t>(position[static_cast<std::size_t>(u)])];
-                    Index const of_v =
-                        owner[static_cast<std::size_t>(position[static_cast<std::size_t>(v)])];
+                for (std::int32_t const v : graph.near[std::size_t(u)]) {
+                    Index const of_u = owner[std::size_t(position[std::size_t(u)])];
+                    Index const of_v = owner[std::size_t(position[std::size_t(v)])];
                     across += of_u >= 0 && of_v >= 0 && of_u != of_v;
                 }
             CHECK(across == 0);
             // The ranges between them complete them to all positions.
             std::vector<Index> left;
             for (Index k = 0; k < graph.n(); ++k)
-                if (owner[static_cast<std::size_t>(k)] < 0) left.push_back(k);
+                if (owner[std::size_t(k)] < 0) left.push_back(k);
             std::vector<Index> between;
             ranges.for_each_between(graph.n(), [&](PositionRange range) {
                 CHECK(range.begin < range.end);

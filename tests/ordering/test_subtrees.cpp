@@ -1,7 +1,5 @@
 // Subtrees are whole and apart, listed by work, and the memory laid out for them is what a walk
 // through them needs.
-#include <doctest/doctest.h>
-
 #include <fixtures/graphs.hpp>
 
 #include "ordering/subtrees.hpp"
@@ -18,7 +16,7 @@ struct Chosen {
     harmorph::Subtrees subtrees;
 
     Chosen(Dissected const& cut, Symbolic const& symbolic, Index workers)
-        : memory(static_cast<std::size_t>(harmorph::Subtrees::max_count(workers))) {
+        : memory(std::size_t(harmorph::Subtrees::max_count(workers))) {
         subtrees.workers = workers;
         subtrees.all = span(memory);
         subtrees.choose(cut.tree, span(symbolic.start));
@@ -33,8 +31,7 @@ struct Walk {
     Offset stack[2] = {}, rows[2] = {};  // the most: inside a subtree, above all of them
 
     Index border(Index node) const {
-        return static_cast<Index>(symbolic.start[static_cast<std::size_t>(node) + 1] -
-                                  symbolic.start[static_cast<std::size_t>(node)]);
+        return Index(symbolic.start[std::size_t(node) + 1] - symbolic.start[std::size_t(node)]);
     }
     Offset update(Index node) const { return harmorph::dense::update_entries(border(node)); }
     Offset front(Index node) const { return tree.nodes[node].pivots() + border(node); }
@@ -111,10 +108,10 @@ TEST_CASE("on a large mesh the work of all workers is similar") {
     Symbolic const symbolic(graph, cut);
     for (Index const workers : {2, 4, 8, 16}) {
         Chosen const chosen(cut, symbolic, workers);
-        std::vector<double> load(static_cast<std::size_t>(workers), 0.0);
+        std::vector<double> load(std::size_t(workers), 0.0);
         for (Index k = 0; k < chosen.subtrees.count; ++k) {  // to the one that is free next
             harmorph::Subtree const& subtree = chosen.subtrees.all[chosen.subtrees.all[k].by_work];
-            *std::min_element(load.begin(), load.end()) += static_cast<double>(subtree.work);
+            *std::min_element(load.begin(), load.end()) += double(subtree.work);
         }
         auto const least = std::min_element(load.begin(), load.end()),
                    most = std::max_element(load.begin(), load.end());

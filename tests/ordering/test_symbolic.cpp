@@ -1,6 +1,4 @@
 // The symbolic pass against brute force.
-#include <doctest/doctest.h>
-
 #include <fixtures/executors.hpp>
 #include <fixtures/graphs.hpp>
 
@@ -10,19 +8,20 @@ using harmorph::Offset;
 
 namespace {
 
-// Which later positions each column of the factor has entries in: elimination with sets.
+// The later positions in which each column of the factor has entries, found by elimination with
+// sets.
 std::vector<std::set<Index>> eliminate(HandMadeGraph const& graph, Dissected const& cut) {
     std::vector<Index> const position = cut.position();
     std::vector<std::set<Index>> column(cut.order.size());
     for (std::size_t k = 0; k < cut.order.size(); ++k)
-        for (std::int32_t const v : graph.near[static_cast<std::size_t>(cut.order[k])]) {
-            Index const p = position[static_cast<std::size_t>(v)];
-            if (p > static_cast<Index>(k)) column[k].insert(p);
+        for (std::int32_t const v : graph.near[std::size_t(cut.order[k])]) {
+            Index const p = position[std::size_t(v)];
+            if (p > Index(k)) column[k].insert(p);
         }
     for (std::size_t k = 0; k < column.size(); ++k) {
         if (column[k].empty()) continue;
         Index const parent = *column[k].begin();
-        std::set<Index>& to = column[static_cast<std::size_t>(parent)];
+        std::set<Index>& to = column[std::size_t(parent)];
         to.insert(std::next(column[k].begin()), column[k].end());
     }
     return column;
@@ -41,7 +40,7 @@ Offset check_borders(HandMadeGraph& graph) {
         auto const& node = cut.tree.nodes[t];
         std::set<Index> filled, allowed;
         for (Index k = node.begin; k < node.end; ++k) {
-            std::set<Index> const& below = column[static_cast<std::size_t>(k)];
+            std::set<Index> const& below = column[std::size_t(k)];
             filled.insert(below.lower_bound(node.end), below.end());
         }
         // Dense fronts: what a child's border leaves behind belongs to the parent's, pivot or not.
@@ -55,11 +54,10 @@ Offset check_borders(HandMadeGraph& graph) {
         CHECK(border == allowed);
         // Given in increasing order, each once.
         CHECK(border.size() ==
-              static_cast<std::size_t>(found.start[static_cast<std::size_t>(t) + 1] -
-                                       found.start[static_cast<std::size_t>(t)]));
-        CHECK(std::is_sorted(found.border.begin() + found.start[static_cast<std::size_t>(t)],
-                             found.border.begin() + found.start[static_cast<std::size_t>(t) + 1]));
-        Index const size = static_cast<Index>(border.size());
+              std::size_t(found.start[std::size_t(t) + 1] - found.start[std::size_t(t)]));
+        CHECK(std::is_sorted(found.border.begin() + found.start[std::size_t(t)],
+                             found.border.begin() + found.start[std::size_t(t) + 1]));
+        Index const size = Index(border.size());
         entries += size;
         largest_front = std::max(largest_front, size + node.pivots());
     }

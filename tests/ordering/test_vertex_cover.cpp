@@ -1,7 +1,5 @@
 // Covers of cut edges: they cover, they are as small as the largest matching, and nothing else
 // changes sides.
-#include <doctest/doctest.h>
-
 #include <fixtures/graphs.hpp>
 #include <fixtures/wrong.hpp>
 
@@ -23,7 +21,7 @@ struct Covered {
     // is_left(unknown) for all; what is far from the cut stays inside, as in a dissection.
     template <class IsLeft>
     Covered(HandMadeGraph& graph, IsLeft is_left) {
-        std::size_t const n = static_cast<std::size_t>(graph.n());
+        std::size_t const n = std::size_t(graph.n());
         harmorph::BorderCover cover;
         harmorph::Arena counting;
         cover.lay_out(counting, graph.n());
@@ -32,7 +30,7 @@ struct Covered {
         cover.lay_out(placing, graph.n());
         for (Index u = 0; u < graph.n(); ++u) {
             bool is_near = false;
-            for (Index const v : graph.near[static_cast<std::size_t>(u)])
+            for (Index const v : graph.near[std::size_t(u)])
                 is_near = is_near || is_left(u) != is_left(v);
             cover.side[u] = !is_near ? Side::inside : is_left(u) ? Side::left : Side::right;
             if (is_near) near.push_back(u);
@@ -44,7 +42,7 @@ struct Covered {
         CHECK(block.guards_intact());
     }
     int count(Side side, std::vector<Side> const& sides) const {
-        return static_cast<int>(std::count(sides.begin(), sides.end(), side));
+        return int(std::count(sides.begin(), sides.end(), side));
     }
 };
 
@@ -57,17 +55,16 @@ public:
         int pairs = 0;
         for (Index const u : cut_.near) {
             seen_.clear();
-            pairs += cut_.before[static_cast<std::size_t>(u)] == Side::left && augment(u);
+            pairs += cut_.before[std::size_t(u)] == Side::left && augment(u);
         }
         return pairs;
     }
 
 private:
     bool augment(Index u) {
-        for (Index const v : graph_.near[static_cast<std::size_t>(u)]) {
-            if (cut_.before[static_cast<std::size_t>(v)] != Side::right || !seen_.insert(v).second)
-                continue;
-            Index& mate = mate_[static_cast<std::size_t>(v)];
+        for (Index const v : graph_.near[std::size_t(u)]) {
+            if (cut_.before[std::size_t(v)] != Side::right || !seen_.insert(v).second) continue;
+            Index& mate = mate_[std::size_t(v)];
             if (mate != -1 && !augment(mate)) continue;
             mate = u;
             return true;
@@ -85,12 +82,11 @@ void check_cover(HandMadeGraph& graph, IsLeft is_left) {
     Covered const cut(graph, is_left);
     Wrong crossing, changed;
     for (Index u = 0; u < graph.n(); ++u) {
-        std::size_t const k = static_cast<std::size_t>(u);
+        std::size_t const k = std::size_t(u);
         Side const side = cut.after[k];
-        changed.add(side != Side::separator && side != cut.before[k], u, static_cast<double>(side));
+        changed.add(side != Side::separator && side != cut.before[k], u, double(side));
         for (Index const v : graph.near[k])
-            crossing.add(
-                side == Side::left && cut.after[static_cast<std::size_t>(v)] == Side::right, u, v);
+            crossing.add(side == Side::left && cut.after[std::size_t(v)] == Side::right, u, v);
     }
     CHECK(crossing == 0);
     CHECK(changed == 0);

@@ -1,8 +1,5 @@
-// Which other bases a safe morph takes: those whose functions are the same at the wall, modes of a
-// table included.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
+// A safe morph accepts other bases whose functions are the same at the wall, modes of a table
+// included.
 #include <fixtures/derived.hpp>
 #include <fixtures/displaced.hpp>
 #include <fixtures/parts.hpp>
@@ -22,7 +19,7 @@ hm_status safe_morph(hm_plan* plan, const hm_basis* basis, const hm_basis* other
     options.others = &other;
     hm_basis_info const info = info_of(basis);
     std::vector<double> x(n_points), y(n_points);
-    std::vector<double> const move(static_cast<std::size_t>(2 * info.functions), 1e-3);
+    std::vector<double> const move(std::size_t(2 * info.functions), 1e-3);
     return hm_morph_safe(plan, basis, move.data(), points_out(x, y), nullptr, work.data(), bytes,
                          &options, nullptr, &error);
 }
@@ -77,13 +74,12 @@ TEST_CASE("the derivative is cleared at the beginning and cannot be a basis that
     REQUIRE(hm_morph_safe_size(own.plan, own.basis, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
     std::vector<double> x(setup.mesh.x.size(), 7), y = x;
-    std::vector<double> const move(static_cast<std::size_t>(2 * info_of(own.basis).functions),
-                                   1e-3);
+    std::vector<double> const move(std::size_t(2 * info_of(own.basis).functions), 1e-3);
     auto const morph = [&](std::vector<const hm_basis*> const& others, hm_basis* derivative,
                            hm_error& error) {
         hm_safe_options safe{};
         safe.struct_size = sizeof safe;
-        safe.n_others = static_cast<std::int32_t>(others.size());
+        safe.n_others = std::int32_t(others.size());
         safe.others = others.data();
         return hm_morph_safe(own.plan, own.basis, move.data(), points_out(x, y), derivative,
                              work.data(), bytes, &safe, nullptr, &error);

@@ -1,8 +1,4 @@
 // Given displacements end with good cells, not just with valid ones.
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/block_in_square.hpp>
 #include <fixtures/channels.hpp>
 #include <fixtures/safe_displaced.hpp>
@@ -11,14 +7,15 @@ using namespace fixtures;
 
 namespace {
 
-// The wall of a nozzle whose axis slides comes to `part` of its height.
+// Returns displacements by which the wall of a nozzle with a sliding axis comes to `part` of its
+// height.
 Field squeezed(SafeDisplaced const& safe, double part) {
     Field out;
     for (Complex const z : safe.start()) out.push_back({0, (part - 1) * z.imag()});
     return out;
 }
 
-// What one step by Laplace functions makes of a displacement.
+// Returns the quality after one step of a displacement by Laplace functions.
 double laplace_quality(Case& setup, double part) {
     SafeDisplaced one(setup, options_of(HM_LAPLACE));
     one.safe_options.skipped_strategies = 0xff & ~(1 << HM_STRATEGY_LINEAR);

@@ -1,7 +1,4 @@
 // Wall points beside their curve: a body that turns takes them along, and the mesh near them.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
 
@@ -22,7 +19,7 @@ Case rough_ring() {
     // The curve is a circle through the points, nearly.
     for (double& coordinate : setup.curves.control) coordinate *= 0.5 / 0.445;
     for (std::size_t k = 0; k < 32; ++k) {
-        double const factor = 1 + 0.02 * std::sin(7.0 * static_cast<double>(k));
+        double const factor = 1 + 0.02 * std::sin(7.0 * double(k));
         setup.mesh.x[k] *= factor;
         setup.mesh.y[k] *= factor;
     }
@@ -95,7 +92,7 @@ TEST_CASE("offsets are zero without rotation, with real functions, and on the cu
     CHECK(real.carried.reach == 0);
     CHECK(real.carried.largest(real.basis, real.path, 1) == 0);
     for (Index slot = 0; slot < 32; ++slot) {  // on the curve
-        auto const k = static_cast<std::size_t>(real.basis.wall_point[slot]);
+        auto const k = std::size_t(real.basis.wall_point[slot]);
         setup.mesh.x[k] = real.on_curve(slot).real();
         setup.mesh.y[k] = real.on_curve(slot).imag();
     }
@@ -111,10 +108,9 @@ TEST_CASE("the similarity is carried near the wall and fades inside with the dis
     std::vector<double> reached(2 * 8, 0.0), dx(n, 0.0), dy(n, 0.0);
     std::vector<Index> representative(n);
     std::vector<std::uint8_t> held(n, 0);
-    for (std::size_t k = 0; k < n; ++k) representative[k] = static_cast<Index>(k);
+    for (std::size_t k = 0; k < n; ++k) representative[k] = Index(k);
     for (std::int32_t const marker : {std::int32_t{body}, std::int32_t{far_field}})
-        for (std::int32_t const k : points_on(setup.mesh, marker))
-            held[static_cast<std::size_t>(k)] = 1;
+        for (std::int32_t const k : points_on(setup.mesh, marker)) held[std::size_t(k)] = 1;
     harmorph::Points const start = move.plan.mesh().points;
     move.carried.find_groups(move.basis, move.path, start, move.plan.walls(), span(representative),
                              span(held), {});

@@ -16,12 +16,10 @@ using harmorph::Vec2;
 
 namespace {
 
-double random_number(std::mt19937& random) {
-    return static_cast<double>(random()) / 2147483648.0 - 1;
-}
+double random_number(std::mt19937& random) { return double(random()) / 2147483648.0 - 1; }
 Vec2 random_vector(std::mt19937& random) { return {random_number(random), random_number(random)}; }
 
-// Derivatives do not see that all points move together: their sum over the points is 0.
+// Derivatives do not change when all points move together: their sum over the points is 0.
 void make_derivative(std::mt19937& random, Vec2 (&at)[3]) {
     at[0] = random_vector(random);
     at[2] = random_vector(random);

@@ -1,7 +1,5 @@
 // Movements that are possible, on meshes with traits that have made them look impossible; and
 // impossible ones.
-#include <doctest/doctest.h>
-
 #include "measure/deform/seeds.hpp"
 
 #include <fixtures/channels.hpp>
@@ -17,13 +15,12 @@ double const pi = std::acos(-1.0);
 // Smooth and random; 0 at both ends of an open curve, or periodic.
 std::vector<double> smooth_move(std::int32_t n, double size, unsigned seed) {
     std::mt19937 random(seed);
-    std::vector<double> move(2 * static_cast<std::size_t>(n), 0.0);
+    std::vector<double> move(2 * std::size_t(n), 0.0);
     for (int wave = 1; wave <= 4; ++wave)
         for (std::size_t side = 0; side < 2; ++side) {
             double const amount = size * (2 * uniform(random) - 1) / wave * (side == 0 ? 0.2 : 1);
-            for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
-                move[2 * k + side] +=
-                    amount * std::sin(pi * wave * static_cast<double>(k) / (n - 1));
+            for (std::size_t k = 0; k < std::size_t(n); ++k)
+                move[2 * k + side] += amount * std::sin(pi * wave * double(k) / (n - 1));
         }
     move[move.size() - 2] = move[move.size() - 1] = 0;  // and not the rounding of a sine
     return move;
@@ -55,17 +52,16 @@ TEST_CASE("the ends of a piece of a channel's floor stay where they are on the w
             CHECK(safe.report.step_fraction == 1);
             CHECK(safe.is_valid());
             CHECK(safe.boundary_error(move) < 1e-14);
-            // As far as one solution more leads: both ends are where they were, to the bit.
+            // Without further solutions the morph makes one step, and both ends are where they
+            // were, to the bit.
             safe.safe_options.max_resolves = -1;
             safe.safe_options.skipped_strategies =
                 without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});
             REQUIRE(safe.run(move) == HM_SHORT);
             CHECK(safe.report.steps == 1);
             for (std::int32_t const k : corners) {
-                CHECK(safe.x[static_cast<std::size_t>(k)] ==
-                      setup.mesh.x[static_cast<std::size_t>(k)]);
-                CHECK(safe.y[static_cast<std::size_t>(k)] ==
-                      setup.mesh.y[static_cast<std::size_t>(k)]);
+                CHECK(safe.x[std::size_t(k)] == setup.mesh.x[std::size_t(k)]);
+                CHECK(safe.y[std::size_t(k)] == setup.mesh.y[std::size_t(k)]);
             }
             safe.safe_options.max_resolves = 0;
             safe.safe_options.skipped_strategies = 0;
@@ -87,8 +83,7 @@ TEST_CASE("the wall of a nozzle moves from corner to corner while its axis slide
     CHECK(safe.is_valid());
     CHECK(safe.report.min_quality > 0.2);
     CHECK(safe.report.resolves <= 6);
-    for (std::int32_t const k : points_on(setup.mesh, bottom))
-        CHECK(safe.y[static_cast<std::size_t>(k)] == 0);
+    for (std::int32_t const k : points_on(setup.mesh, bottom)) CHECK(safe.y[std::size_t(k)] == 0);
     for (std::size_t k = 1; k < 32; k += 2) move[k] *= 2;  // the throat below the axis
     CHECK(safe.run(move) == HM_CROSSING);
     CHECK(safe.untouched());
@@ -171,7 +166,7 @@ TEST_CASE("a body turns with its points and heights, also where a fit is coarse"
         CHECK(safe.report.min_quality > 0.9 * start_quality(safe));
         for (std::int32_t const k :
              points_on(setup.mesh, body)) {  // the wall is the start's, turned
-            std::size_t const point = static_cast<std::size_t>(k);
+            std::size_t const point = std::size_t(k);
             Complex const start(setup.mesh.x[point], setup.mesh.y[point]);
             CHECK(std::abs(Complex(safe.x[point], safe.y[point]) -
                            (centre + turn * (start - centre))) < 1e-13);
@@ -180,7 +175,7 @@ TEST_CASE("a body turns with its points and heights, also where a fit is coarse"
               doctest::Approx(std::abs(turn - 1.0) * safe.solved().report.max_distance)
                   .epsilon(1e-3));
     }
-    // What turns nothing is the B-spline's movement alone.
+    // A movement without rotation is the B-spline's movement alone.
     std::vector<double> const shift = similarity_move(setup.curves, 1, 0, {0.1, 0.2});
     REQUIRE(safe.run(shift) == HM_OK);
     CHECK(safe.report.turned_offset < 1e-15);
@@ -214,7 +209,7 @@ TEST_CASE("heights are restored as far as quality permits, and the report says h
                  << ", seed " << seed << ", restored " << safe.report.heights);
             CHECK(safe.is_valid());
             CHECK(safe.report.min_quality >= 0.5 * without);
-            // What was asked for, and had without the heights, is not given up for them.
+            // A quality that is reached without the heights is not given up for them.
             safe.safe_options.min_quality =
                 std::min(1.0, 0.95 * without / safe.report.start_quality);
             CHECK(safe.run(move) == HM_OK);
@@ -242,7 +237,7 @@ TEST_CASE("a wall that ends beside a fixed line is stopped there, and the end is
              {Complex(0, 0.3), Complex(0, -0.3), Complex(0.2, 0.5), Complex(-0.2, 0.1)}) {
             std::vector<double> move(setup.curves.control.size());
             for (std::size_t k = 0; k < 12; ++k) {  // the left end moves most
-                double const part = 1 - static_cast<double>(k) / 11;
+                double const part = 1 - double(k) / 11;
                 move[2 * k] = part * by.real();
                 move[2 * k + 1] = part * by.imag();
             }
@@ -254,7 +249,7 @@ TEST_CASE("a wall that ends beside a fixed line is stopped there, and the end is
             CHECK(safe.report.end_point == safe.error.item);
             CHECK(safe.report.end_leaves == doctest::Approx(std::fabs(by.imag())));
             CHECK(std::find(wall.begin(), wall.end(), safe.error.item) != wall.end());
-            auto const end = static_cast<std::size_t>(safe.error.item);
+            auto const end = std::size_t(safe.error.item);
             CHECK(setup.mesh.x[end] == 1);
             CHECK(setup.mesh.y[end] == 0);
         }
@@ -274,7 +269,7 @@ TEST_CASE("points on a slip line make room for the end of a wall that leaves the
             mesh.y[k] = floor + mesh.y[k] * (1.5 - floor);
         }
         for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
-            auto const at = static_cast<std::size_t>(mesh.faces[2 * face]);
+            auto const at = std::size_t(mesh.faces[2 * face]);
             if (mesh.face_markers[face] == body || mesh.face_markers[face] == bottom)
                 mesh.face_markers[face] = at < n_line ? std::int32_t{bottom} : std::int32_t{body};
         }
@@ -293,7 +288,7 @@ TEST_CASE("points on a slip line make room for the end of a wall that leaves the
                          {0, -0.4, 1, 0.4},   {0, -0.4, 5, 0.4},   {-0.3, 0, 6, 0.3},
                          {-0.3, 0.2, 6, 0.3}, {-0.3, 0, 1, 0},     {0.3, 0, 1, 0}};
         for (auto const& one : all) {
-            INFO("cells " << static_cast<int>(kind) << ", by " << one.dx << " " << one.dy << " of "
+            INFO("cells " << int(kind) << ", by " << one.dx << " " << one.dy << " of "
                           << one.moved);
             std::vector<double> move(2 * n_control, 0.0);
             for (std::size_t k = 0; k < one.moved; ++k) {

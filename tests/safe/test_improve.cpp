@@ -1,6 +1,4 @@
 // Improving valid meshes: better cells, walls as they were, and never an inverted one.
-#include <doctest/doctest.h>
-
 #include <fixtures/annulus.hpp>
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/airfoil.hpp>
@@ -30,7 +28,7 @@ struct Task {
     std::vector<Vec2> line;
 
     explicit Task(Mesh const& mesh) : reference(mesh), now(mesh), held(mesh.x.size(), 0) {
-        for (std::int32_t const point : mesh.faces) held[static_cast<std::size_t>(point)] = 1;
+        for (std::int32_t const point : mesh.faces) held[std::size_t(point)] = 1;
     }
     // Inner points are thrown about by up to `part` of what keeps every corner positive, with the
     // given seed.
@@ -211,7 +209,7 @@ TEST_CASE("the gradient is that of the energy, also where targets depend on the 
         double largest = 0;
         for (Vec2 const by : gradient) largest = std::fmax(largest, length(by));
         for (Index u = 0; u < out.improvement.region.n; u += 17) {
-            auto const point = static_cast<std::size_t>(out.improvement.region.point[u]);
+            auto const point = std::size_t(out.improvement.region.point[u]);
             auto const slope = [&](double& number) {
                 double const old = number, h = 1e-7;
                 number = old + h;
@@ -223,7 +221,7 @@ TEST_CASE("the gradient is that of the energy, also where targets depend on the 
                 number = old;
                 return (ahead - behind) / (2 * h);
             };
-            Vec2 const by = gradient[static_cast<std::size_t>(u)];
+            Vec2 const by = gradient[std::size_t(u)];
             CHECK(std::fabs(by.x - slope(out.mesh.x[point])) < 1e-5 * largest);
             CHECK(std::fabs(by.y - slope(out.mesh.y[point])) < 1e-5 * largest);
         }
@@ -289,7 +287,7 @@ TEST_CASE("the number of threads changes no bit of an improved mesh") {
 TEST_CASE("the points of a cut are improved as one") {
     CMesh const c = c_mesh(naca4({}, 24), 12, 3, stretched(1e-2, 4, 16));
     Task task(c.mesh);
-    std::size_t const ni = static_cast<std::size_t>(c.ni);
+    std::size_t const ni = std::size_t(c.ni);
     for (std::size_t k = 4; k < 8; ++k) {  // both copies of four points in the wake
         for (std::size_t const point : {k, ni - 1 - k}) task.now.y[point] += 0.004;
     }

@@ -1,8 +1,5 @@
 // Better cells in meshes whose outer boundary slides along a curve: the points there go along the
 // curve, too.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/circle.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/mangle.hpp>
@@ -35,7 +32,7 @@ struct Ring {
         Mesh scattered = setup.mesh;
         std::mt19937 random(7);
         for (std::int32_t const point : points_on(setup.mesh, far_field)) {
-            auto const k = static_cast<std::size_t>(point);
+            auto const k = std::size_t(point);
             Complex const at = Complex(scattered.x[k], scattered.y[k]) *
                                std::polar(1.0, (2 * uniform(random) - 1) * 0.065);
             scattered.x[k] = at.real() * (2 / std::abs(at));
@@ -62,7 +59,7 @@ struct Ring {
     double off_circle() const {
         double off = 0;
         for (std::int32_t const point : points_on(setup.mesh, far_field)) {
-            auto const k = static_cast<std::size_t>(point);
+            auto const k = std::size_t(point);
             off = std::fmax(off, std::fabs(std::hypot(x[k], y[k]) - 2));
         }
         return off;
@@ -76,7 +73,7 @@ struct Ring {
     int changed(std::vector<double> const& old_x) const {
         int n = 0;
         for (std::int32_t const point : points_on(setup.mesh, far_field)) {
-            auto const k = static_cast<std::size_t>(point);
+            auto const k = std::size_t(point);
             n += x[k] != old_x[k] ? 1 : 0;
         }
         return n;
@@ -125,7 +122,7 @@ TEST_CASE("any number of threads improves a sliding mesh to the same bits") {
 
 TEST_CASE("a point that is not on its curve is held, and the others slide") {
     Ring ring(Outer::circle);
-    auto const off = static_cast<std::size_t>(points_on(ring.setup.mesh, far_field)[5]);
+    auto const off = std::size_t(points_on(ring.setup.mesh, far_field)[5]);
     ring.x[off] *= 1.00001;
     ring.y[off] *= 1.00001;
     std::vector<double> const x = ring.x, y = ring.y;

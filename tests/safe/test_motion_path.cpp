@@ -1,8 +1,5 @@
 // The way of the control points in several steps: similarities on the way, exact at its end, and
 // its derivative.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/channels.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
@@ -24,7 +21,7 @@ Vec2 vec(Complex z) { return {z.real(), z.imag()}; }
 class Path {
 public:
     Path(Solved const& solved, std::vector<double> const& move) : n_(solved.info().functions) {
-        REQUIRE(move.size() == 2 * static_cast<std::size_t>(n_));
+        REQUIRE(move.size() == 2 * std::size_t(n_));
         harmorph::Basis const basis = harmorph::Basis::view(static_cast<const void*>(solved.basis));
         harmorph::Arena counting;
         path.lay_out(counting, basis.header->counts);
@@ -36,7 +33,7 @@ public:
     }
     // Movements at t, as complex numbers.
     Field at(double t) const {
-        std::vector<double> movement(2 * static_cast<std::size_t>(n_), -9.0);
+        std::vector<double> movement(2 * std::size_t(n_), -9.0);
         path.at(t, span(movement));
         Field out;
         for (std::size_t k = 0; k < movement.size(); k += 2)
@@ -246,14 +243,13 @@ TEST_CASE("weights are the derivative by the target with the similarities held")
             // The same similarities with a changed target: only D_i changes, by dP_i / r.
             MovementPath changed = path.path;
             std::vector<Vec2> drift(20);
-            for (Index k = 0; k < 20; ++k) drift[static_cast<std::size_t>(k)] = path.path.drift[k];
+            for (Index k = 0; k < 20; ++k) drift[std::size_t(k)] = path.path.drift[k];
             Vec2 const ratio = path.path.groups[path.path.group_of[i]].ratio;
-            drift[static_cast<std::size_t>(i)] =
-                vec(number(drift[static_cast<std::size_t>(i)]) + by / number(ratio));
+            drift[std::size_t(i)] = vec(number(drift[std::size_t(i)]) + by / number(ratio));
             changed.drift = span(drift);
             std::vector<double> moved(40);
             changed.at(t, span(moved));
-            std::size_t const its_place = static_cast<std::size_t>(i);
+            std::size_t const its_place = std::size_t(i);
             Complex const found =
                 (Complex(moved[2 * its_place], moved[2 * its_place + 1]) - before[its_place]) / by;
             CHECK(std::abs(found - number(path.path.weight(i, t))) < 1e-13);

@@ -1,7 +1,4 @@
 // A mesh on the way of a large movement: one step ahead, and back to the start.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
 
@@ -50,7 +47,7 @@ TEST_CASE("one step to the target is the morph, with the admissible step of the 
                      points_out(x, y), nullptr, nullptr) == HM_OK);
     double off = 0;
     for (std::size_t k = 0; k < x.size(); ++k) {
-        harmorph::Vec2 const at = moving.mesh.ahead()[static_cast<Index>(k)];
+        harmorph::Vec2 const at = moving.mesh.ahead()[Index(k)];
         off = std::fmax(off, std::hypot(at.x - x[k], at.y - y[k]));
     }
     CHECK(off < 1e-15);
@@ -73,7 +70,7 @@ TEST_CASE("a trial moves nothing, a step does, and begin() restores the start bi
     Moving moving(setup, some_move(12, 0.02, 4));
     auto const is_start = [&] {
         for (std::size_t k = 0; k < setup.mesh.x.size(); ++k) {
-            harmorph::Vec2 const at = moving.mesh.now()[static_cast<Index>(k)];
+            harmorph::Vec2 const at = moving.mesh.now()[Index(k)];
             if (at.x != setup.mesh.x[k] || at.y != setup.mesh.y[k]) return false;
         }
         return true;
@@ -103,7 +100,7 @@ TEST_CASE("after a hundred steps the wall is on the B-spline without accumulated
         Index const point = moving.basis.wall_point[slot];
         harmorph::Vec2 const by = moving.basis.wall_move(slot, move.data()),
                              at = moving.mesh.now()[point];
-        auto const k = static_cast<std::size_t>(point);
+        auto const k = std::size_t(point);
         off = std::fmax(off, std::fabs(at.x - (setup.mesh.x[k] + by.x)));
         off = std::fmax(off, std::fabs(at.y - (setup.mesh.y[k] + by.y)));
     }

@@ -1,7 +1,5 @@
 // The Newton system: gradient against differences of the sum of energies, symmetry, and the
 // conjugate gradients' step.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/mangle.hpp>
 #include <fixtures/square.hpp>
@@ -35,7 +33,7 @@ struct System {
           at(mesh.x.size()),
           analysed(mesh) {
         std::mt19937 random(9);
-        for (std::int32_t const point : mesh.faces) held[static_cast<std::size_t>(point)] = 1;
+        for (std::int32_t const point : mesh.faces) held[std::size_t(point)] = 1;
         for (std::size_t k = 0; k < at.size(); ++k) {
             double const dx = 2 * uniform(random) - 1, dy = 2 * uniform(random) - 1,
                          amount = held[k] != 0 ? 0 : reach;
@@ -89,11 +87,10 @@ struct System {
         return {};
     }
     std::vector<Vec2> times(harmorph::Span<Vec2> v) const {
-        std::vector<Vec2> out(static_cast<std::size_t>(region.n));
+        std::vector<Vec2> out(std::size_t(region.n));
         for (Index u = 0; u < region.n; ++u)
             for (Index other = 0; other < region.n; ++other)
-                out[static_cast<std::size_t>(u)] =
-                    out[static_cast<std::size_t>(u)] + entry(u, other) * v[other];
+                out[std::size_t(u)] = out[std::size_t(u)] + entry(u, other) * v[other];
         return out;
     }
 };
@@ -115,7 +112,7 @@ TEST_CASE("the gradient is that of the sum over all corners, on tangled meshes t
     for (Index u = 0; u < system.region.n; ++u)
         largest = std::fmax(largest, length(system.newton.gradient[u]));
     for (Index u = 0; u < system.region.n; u += 5) {
-        Vec2& point = system.at[static_cast<std::size_t>(system.region.point[u])];
+        Vec2& point = system.at[std::size_t(system.region.point[u])];
         Vec2 const old = point;
         auto const slope = [&](Vec2 by) {
             point = old + h * by;
@@ -157,7 +154,7 @@ TEST_CASE("the Hessian is symmetric and positive definite, and its diagonal bloc
         std::vector<Vec2> const image = system.times(system.newton.search);
         double curvature = 0;
         for (Index u = 0; u < system.region.n; ++u)
-            curvature += dot(system.newton.search[u], image[static_cast<std::size_t>(u)]);
+            curvature += dot(system.newton.search[u], image[std::size_t(u)]);
         CHECK(curvature > 0);
         double product = 0, largest = 0, error = 0;
         for (Index range = 0; range < harmorph::reduced_ranges; ++range) {
@@ -167,7 +164,7 @@ TEST_CASE("the Hessian is symmetric and positive definite, and its diagonal bloc
                                        system.newton.search, system.newton.image);
         }
         for (Index u = 0; u < system.region.n; ++u) {
-            Vec2 const expected = image[static_cast<std::size_t>(u)];
+            Vec2 const expected = image[std::size_t(u)];
             largest = std::fmax(largest, length(expected));
             error = std::fmax(error, length(system.newton.image[u] - expected));
         }
@@ -189,8 +186,7 @@ TEST_CASE("the step descends, and more iterations bring the step nearer to Newto
     std::vector<Vec2> const image = system.times(system.newton.step);
     double rest = 0, whole = 0;
     for (Index u = 0; u < system.region.n; ++u) {
-        Vec2 const gradient = system.newton.gradient[u],
-                   left = gradient + image[static_cast<std::size_t>(u)];
+        Vec2 const gradient = system.newton.gradient[u], left = gradient + image[std::size_t(u)];
         rest += dot(left, system.newton.inverse[u] * left);
         whole += dot(gradient, system.newton.inverse[u] * gradient);
     }

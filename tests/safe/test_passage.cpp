@@ -1,8 +1,5 @@
 // Large movements and better cells in one passage of an annulus: what all passages do, and sides
 // that stay images.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/displaced.hpp>
 #include <fixtures/passage.hpp>
 #include <fixtures/safe.hpp>
@@ -20,7 +17,7 @@ Field places(std::vector<double> const& x, std::vector<double> const& y) {
 double difference_in(Field const& one, Field const& all, std::vector<std::int32_t> const& number) {
     double out = 0;
     for (std::size_t k = 0; k < one.size(); ++k)
-        out = std::max(out, std::abs(one[k] - all[static_cast<std::size_t>(number[k])]));
+        out = std::max(out, std::abs(one[k] - all[std::size_t(number[k])]));
     return out;
 }
 
@@ -29,8 +26,7 @@ std::vector<double> turned_and_moved(Case const& setup, double degrees, Complex 
     Complex middle = 0;
     std::size_t const n = setup.curves.control.size() / 2;
     for (std::size_t k = 0; k < n; ++k)
-        middle += Complex(setup.curves.control[2 * k], setup.curves.control[2 * k + 1]) /
-                  static_cast<double>(n);
+        middle += Complex(setup.curves.control[2 * k], setup.curves.control[2 * k + 1]) / double(n);
     return similarity_move(setup.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), middle,
                            shift);
 }
@@ -110,7 +106,7 @@ TEST_CASE("given displacements of a passage are safe") {
         safe.struct_size = sizeof safe;
         safe.min_quality = -1;
         hm_error error;
-        std::int32_t const n_wall = static_cast<std::int32_t>(wall.size());
+        std::int32_t const n_wall = std::int32_t(wall.size());
         hm_status const status = hm_displace_safe(
             displaced.plan, displaced.basis, nullptr, n_wall, nullptr, points_in(w, w + 1, 2),
             points_out(xy, xy + 1, 2), work.data(), bytes, &safe, nullptr, &error);
@@ -118,7 +114,7 @@ TEST_CASE("given displacements of a passage are safe") {
         CHECK(status == HM_OK);
         CHECK(misfit_of_sides(setup.mesh, to, turn_of_passage(n)) < 1e-15);
         for (std::size_t k = 0; k < wall.size(); ++k) {
-            std::size_t const point = static_cast<std::size_t>(displaced.points[k]);
+            std::size_t const point = std::size_t(displaced.points[k]);
             CHECK(std::abs(to[point] - to_complex(setup.mesh.point(displaced.points[k])) -
                            wall[k]) < 1e-15);
         }
@@ -156,7 +152,7 @@ TEST_CASE("cells of a passage improve as in the annulus of all passages") {
         CHECK(report.min_quality > report.min_quality_before);
         CHECK(report.iterations > 2);
         CHECK(misfit_of_sides(one.mesh, better, turn) < 1e-14);
-        std::size_t const side = static_cast<std::size_t>(points_on(one.mesh, left)[4]);
+        std::size_t const side = std::size_t(points_on(one.mesh, left)[4]);
         CHECK(std::abs(better[side] - from[side]) > 1e-4);
         CHECK(difference_in(better, better_all, number[0]) < 1e-8);
     }

@@ -1,8 +1,4 @@
 // Walls that would cross their own periodic image are refused before anything is solved.
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/channels.hpp>
 #include <fixtures/passage.hpp>
 #include <fixtures/safe.hpp>

@@ -15,9 +15,7 @@ using harmorph::Vec2;
 
 namespace {
 
-double random_number(std::mt19937& random) {
-    return static_cast<double>(random()) / 2147483648.0 - 1;
-}
+double random_number(std::mt19937& random) { return double(random()) / 2147483648.0 - 1; }
 
 Triangle random_triangle(std::mt19937& random) {
     Triangle out;

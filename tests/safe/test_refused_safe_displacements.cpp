@@ -1,7 +1,5 @@
 // Given displacements that a safe morph refuses: each by name, with the place, and without a change
 // of the output.
-#include <doctest/doctest.h>
-
 #include <fixtures/found.hpp>
 #include <fixtures/safe_displaced.hpp>
 #include <fixtures/traps.hpp>
@@ -32,7 +30,7 @@ TEST_CASE("refused displacements and arguments are named, and nothing is written
     bad[2] = 1e101;
     refusal(bad, HM_BAD_ARGUMENT, "exceeds 1e100 in magnitude", safe.points[2]);
     refusal(Field(good.begin(), good.end() - 1), HM_BAD_ARGUMENT, "points have given displacements",
-            static_cast<std::int32_t>(good.size()) - 1);
+            std::int32_t(good.size()) - 1);
     CHECK(safe.run(Field(good.size(), Complex(5, 0))) == HM_CROSSING);
     CHECK(std::string(safe.error.text).find("outside") != std::string::npos);
     CHECK(safe.untouched());
@@ -50,9 +48,7 @@ TEST_CASE("refused displacements and arguments are named, and nothing is written
     CHECK(hm_displace_safe_size(curves.plan, curves.basis, &bytes, &error) == HM_BAD_CONDITION);
     with_curve.conditions.pop_back();
     with_curve.set_given(second_body);
-    Attempt unsolved;
-    REQUIRE(unsolved.analyse(with_curve.problem()));
-    REQUIRE(unsolved.prepare());
+    Attempt unsolved = prepared(with_curve.problem());
     CHECK(hm_displace_safe_size(unsolved.plan, unsolved.basis, &bytes, &error) == HM_BAD_BASIS);
     CHECK(hm_displace_safe_size(unsolved.plan, safe.basis, &bytes, &error) == HM_BAD_BASIS);
     CHECK(hm_displace_safe_size(nullptr, safe.basis, &bytes, &error) == HM_BAD_ARGUMENT);
@@ -63,7 +59,7 @@ TEST_CASE("refused displacements and arguments are named, and nothing is written
     std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
     const double* const values = reinterpret_cast<const double*>(good.data());
     hm_points const wall{values, values + 1, 2};
-    auto const n = static_cast<std::int32_t>(good.size());
+    auto const n = std::int32_t(good.size());
     CHECK(hm_displace_safe(safe.plan, safe.basis, nullptr, n, nullptr, &wall, points_out(x, y),
                            work.data(), bytes - 1, nullptr, nullptr, &error) == HM_BLOCK_TOO_SMALL);
     CHECK(hm_displace_safe(safe.plan, safe.basis, nullptr, n, nullptr, nullptr, points_out(x, y),

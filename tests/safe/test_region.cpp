@@ -1,6 +1,4 @@
 // The region round chosen cells, against distances counted the slow way.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/mangle.hpp>
 #include <fixtures/square.hpp>
@@ -27,7 +25,7 @@ struct Grown {
 
     explicit Grown(Mesh const& its_mesh)
         : mesh(its_mesh), view(core_mesh(mesh)), held(mesh.x.size(), 0), analysed(mesh) {
-        for (std::int32_t const point : mesh.faces) held[static_cast<std::size_t>(point)] = 1;
+        for (std::int32_t const point : mesh.faces) held[std::size_t(point)] = 1;
         auto const counts = harmorph::RegionCounts::of(analysed->topology());
         harmorph::Arena query;
         region.lay_out(query, counts);
@@ -82,13 +80,13 @@ TEST_CASE("the unknowns are the free points within the given number of cells") {
             grown.region.grow(grown.tangle, layers);
             std::set<Index> wanted;
             for (Index const point : grown.near(seed, layers < 300 ? layers : 40))
-                if (grown.held[static_cast<std::size_t>(point)] == 0) wanted.insert(point);
+                if (grown.held[std::size_t(point)] == 0) wanted.insert(point);
             Region const& region = grown.region;
             CHECK(std::set<Index>(region.point.begin(), region.point.begin() + region.n) == wanted);
             for (Index u = 0; u < region.n; ++u) CHECK(region.unknown[region.point[u]] == u);
 
             std::set<Index> cells;
-            std::vector<std::set<Index>> neighbours(static_cast<std::size_t>(region.n));
+            std::vector<std::set<Index>> neighbours(std::size_t(region.n));
             for (Index i = 0; i < grown.view.n_cells; ++i)
                 for (Index const a : grown.corners(i)) {
                     if (region.unknown[a] == harmorph::none) continue;
@@ -96,13 +94,13 @@ TEST_CASE("the unknowns are the free points within the given number of cells") {
                     for (Index const b : grown.corners(i)) {
                         Index const v = region.unknown[b];
                         if (v != harmorph::none)
-                            neighbours[static_cast<std::size_t>(region.unknown[a])].insert(v);
+                            neighbours[std::size_t(region.unknown[a])].insert(v);
                     }
                 }
-            CHECK(region.n_cells == static_cast<Index>(cells.size()));
+            CHECK(region.n_cells == Index(cells.size()));
             CHECK(std::set<Index>(region.cell.begin(), region.cell.begin() + region.n_cells) ==
                   cells);
-            std::vector<std::set<Index>> listed(static_cast<std::size_t>(region.n));
+            std::vector<std::set<Index>> listed(std::size_t(region.n));
             for (Index u = 0; u < region.n; ++u) {
                 auto const row = region.of(u);
                 CHECK(row[0] == u);
@@ -111,8 +109,8 @@ TEST_CASE("the unknowns are the free points within the given number of cells") {
                     bool const is_inner = region.start[u] + k < region.outer_start[u];
                     CHECK((range_of(region.n, row[k]) == range_of(region.n, u)) == is_inner);
                     CHECK((!is_inner || row[k] >= u));
-                    listed[static_cast<std::size_t>(u)].insert(row[k]);
-                    if (is_inner) listed[static_cast<std::size_t>(row[k])].insert(u);
+                    listed[std::size_t(u)].insert(row[k]);
+                    if (is_inner) listed[std::size_t(row[k])].insert(u);
                 }
             }
             CHECK(listed == neighbours);
@@ -128,7 +126,7 @@ TEST_CASE("the whole mesh fills the memory of the pairs exactly when no point is
     CHECK(grown.region.n_cells == grown.view.n_cells);
     Index n_inner = 0;  // pairs that are listed once
     for (Index u = 0; u < grown.region.n; ++u) {
-        n_inner += static_cast<Index>(grown.region.outer_start[u] - grown.region.start[u]) - 1;
+        n_inner += Index(grown.region.outer_start[u] - grown.region.start[u]) - 1;
     }
     CHECK(grown.region.start[grown.region.n] + n_inner ==
           grown.region.neighbour.count() - 3);  // less unused points

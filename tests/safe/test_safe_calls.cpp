@@ -1,7 +1,4 @@
 // Calls of the safe morph: cancelled, with exact working space, on threads, refused.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/block_in_square.hpp>
 #include <fixtures/executors.hpp>
 
@@ -55,7 +52,7 @@ TEST_CASE("working space of exactly the stated size suffices, and every smaller 
         else {
             REQUIRE(status == HM_BLOCK_TOO_SMALL);
             CHECK(error.value > 0);
-            CHECK(error.value <= static_cast<double>(bytes - give));
+            CHECK(error.value <= double(bytes - give));
         }
         CHECK(less.guards_intact());
         if (status == HM_OK) break;
@@ -88,13 +85,12 @@ TEST_CASE("threads, input in place and other arrays do not change the bits") {
             CHECK(safe.report.min_quality == serial.report.min_quality);
         }
     }
-    Options const options = options_of(HM_CONFORMAL);
     Safe reference(setup);
     REQUIRE(reference.run(move) == HM_OK);
     Case own = setup;
     hm_mesh view = own.mesh.view();
     hm_problem const problem = own.problem(view);
-    Solved const solved(problem, &options);
+    Solved const solved(problem, options_of(HM_CONFORMAL));
     std::size_t bytes = 0;
     REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
@@ -133,9 +129,7 @@ TEST_CASE("arguments that do not belong together are refused, and nothing is wri
     CHECK(refused(plan, other_operator.basis, move) == HM_BAD_BASIS);
     CHECK(refused(plan, other_parameters.basis, move) == HM_BAD_BASIS);
     CHECK(refused(plan, safe.solved().basis, move, other_operator.basis) == HM_BAD_BASIS);
-    Attempt unsolved;
-    REQUIRE(unsolved.analyse(setup.problem(), &conformal));
-    REQUIRE(unsolved.prepare());
+    Attempt unsolved = prepared(setup.problem(), conformal);
     CHECK(refused(unsolved.plan, unsolved.basis, move) == HM_BAD_BASIS);
     std::vector<double> wrong = move;
     wrong[3] = std::nan("");

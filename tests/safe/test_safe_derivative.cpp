@@ -1,7 +1,4 @@
 // The derivative of a safe morph: a basis that takes small movements from where the mesh is now.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/block_in_square.hpp>
 
 using namespace fixtures;
@@ -20,9 +17,7 @@ TEST_CASE("the derivative is exact at the wall, the sum of the steps elsewhere")
                 for (std::int32_t const side : {bottom, right, top, left}) setup.set_slip(side);
             Options const options = options_of(HM_CONFORMAL);
             Safe safe(setup, options);
-            Attempt real;
-            REQUIRE(real.analyse(setup.problem(), &options));
-            REQUIRE(real.prepare());
+            Attempt real = prepared(setup.problem(), options);
             std::vector<double> const move = turn_of(setup, 120, {slip ? 0.1 : 0.05, 0.02});
             if (untangled) safe.safe_options.skipped_strategies = without({HM_STRATEGY_SUBSTEPS});
             REQUIRE(safe.run(move, real.basis) == HM_OK);
@@ -33,10 +28,9 @@ TEST_CASE("the derivative is exact at the wall, the sum of the steps elsewhere")
             Field const by = displacement(real.basis, further),
                         of_wall = displacement(safe.solved(), further);
             for (std::int32_t const point : points_on(setup.mesh, body))
-                CHECK(std::abs(by[static_cast<std::size_t>(point)] -
-                               of_wall[static_cast<std::size_t>(point)]) < 1e-13);
+                CHECK(std::abs(by[std::size_t(point)] - of_wall[std::size_t(point)]) < 1e-13);
             for (std::int32_t const point : points_on(setup.mesh, bottom)) {
-                Complex const d = by[static_cast<std::size_t>(point)];
+                Complex const d = by[std::size_t(point)];
                 CHECK((slip ? d.imag() == 0 : d == 0.0));
             }
             std::vector<double> const g = some_move(setup.mesh.n_points(), 1, 4);
@@ -48,14 +42,12 @@ TEST_CASE("the derivative is exact at the wall, the sum of the steps elsewhere")
                 here += g[2 * k] * by[k].real() + g[2 * k + 1] * by[k].imag();
             for (std::size_t k = 0; k < 8; ++k) there += gradient[k] * further[k];
             CHECK(here == doctest::Approx(there).epsilon(1e-11));
-            // It is a basis as any other: whole, solved, of this mesh.
+            // The derivative is a basis like any other: complete, solved, and of this mesh.
             hm_mesh const mesh = setup.mesh.view();
-            hm_basis_info info{};
-            info.struct_size = sizeof info;
-            REQUIRE(hm_basis_info_get(real.basis, &info, nullptr) == HM_OK);
+            hm_basis_info const info = info_of(real.basis);
             const hm_basis* attached = nullptr;
-            CHECK(hm_basis_attach(&attached, real.basis, static_cast<std::size_t>(info.bytes),
-                                  &mesh, nullptr) == HM_OK);
+            CHECK(hm_basis_attach(&attached, real.basis, std::size_t(info.bytes), &mesh, nullptr) ==
+                  HM_OK);
         }
 }
 
@@ -65,17 +57,14 @@ TEST_CASE("where untangling ends in a poor mesh, the derivative is that of the w
     Safe safe(setup, options);
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_SUBSTEPS, HM_STRATEGY_IMPROVED});
     safe.safe_options.min_quality = 0.99;  // no mesh is as good as that
-    Attempt derivative;
-    REQUIRE(derivative.analyse(setup.problem(), &options));
-    REQUIRE(derivative.prepare());
+    Attempt derivative = prepared(setup.problem(), options);
     REQUIRE(safe.run(turn_of(setup, 120), derivative.basis) == HM_POOR);
     REQUIRE(safe.report.strategy == HM_STRATEGY_UNTANGLED);
     std::vector<double> const further = some_move(4, 1, 3);
     Field const by = displacement(derivative.basis, further),
                 of_wall = displacement(safe.solved(), further);
     for (std::int32_t const point : points_on(setup.mesh, body))
-        CHECK(std::abs(by[static_cast<std::size_t>(point)] -
-                       of_wall[static_cast<std::size_t>(point)]) < 1e-13);
+        CHECK(std::abs(by[std::size_t(point)] - of_wall[std::size_t(point)]) < 1e-13);
 }
 
 TEST_CASE("the derivative is the basis after one step; the mean of the steps on straight paths") {
@@ -83,9 +72,7 @@ TEST_CASE("the derivative is the basis after one step; the mean of the steps on 
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
         Options const options = options_of(operator_kind);
         Safe safe(setup, options);
-        Attempt derivative;
-        REQUIRE(derivative.analyse(setup.problem(), &options));
-        REQUIRE(derivative.prepare());
+        Attempt derivative = prepared(setup.problem(), options);
         REQUIRE(safe.run(turn_of(setup, 1), derivative.basis) == HM_OK);
         REQUIRE(safe.report.strategy == HM_STRATEGY_LINEAR);
         std::vector<double> const further = some_move(4, 1, 5);
@@ -97,9 +84,7 @@ TEST_CASE("the derivative is the basis after one step; the mean of the steps on 
     // moved.
     Safe safe(setup, options_of(HM_LAPLACE));
     Options const options = options_of(HM_LAPLACE);
-    Attempt derivative;
-    REQUIRE(derivative.analyse(setup.problem(), &options));
-    REQUIRE(derivative.prepare());
+    Attempt derivative = prepared(setup.problem(), options);
     std::vector<double> const move = turn_of(setup, 35, {0.1, 0.05});
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_UNTANGLED});
     REQUIRE(safe.run(move, derivative.basis) >= 0);
@@ -112,9 +97,7 @@ TEST_CASE("the derivative is the sum of the steps' functions times the change of
     Case setup = block_in_square(Cells::quads, 15);
     Options const options = options_of(HM_CONFORMAL);
     Safe safe(setup, options);
-    Attempt derivative;
-    REQUIRE(derivative.analyse(setup.problem(), &options));
-    REQUIRE(derivative.prepare());
+    Attempt derivative = prepared(setup.problem(), options);
     double const degrees = 120;
     std::vector<double> const move = turn_of(setup, degrees), further = some_move(4, 1, 6);
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});
@@ -157,9 +140,7 @@ TEST_CASE("differences of two safe morphs agree with the derivative where they s
         Case setup = block_in_square(Cells::quads, 15);
         Options const options = options_of(HM_CONFORMAL);
         Safe safe(setup, options);
-        Attempt attempt;
-        REQUIRE(attempt.analyse(setup.problem(), &options));
-        REQUIRE(attempt.prepare());
+        Attempt attempt = prepared(setup.problem(), options);
         std::vector<double> const move = turn_of(setup, several ? 100 : 10, {0.03, 0.02}),
                                   along = some_move(4, 1, 7);
         safe.safe_options.skipped_strategies =
@@ -183,7 +164,7 @@ TEST_CASE("differences of two safe morphs agree with the derivative where they s
         }
         double worst = 0;
         for (std::int32_t const point : points) {
-            std::size_t const k = static_cast<std::size_t>(point);
+            std::size_t const k = std::size_t(point);
             worst = std::max(worst, std::abs((ahead[k] - back[k]) / (2 * h) - derivative[k]));
         }
         INFO("several steps: " << several);

@@ -1,8 +1,4 @@
 // Safe morphs by derived bases: combined functions and modes.
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/derived.hpp>
 #include <fixtures/displaced.hpp>
 #include <fixtures/safe.hpp>
@@ -17,7 +13,7 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     // Two variables: all control points along x, and along y times their own x.
     Combination matrix(info.control_points, 2, 1, 1);
     for (int i = 0; i < matrix.rows; ++i) {
-        auto const k = static_cast<std::size_t>(2 * i);
+        auto const k = std::size_t(2 * i);
         matrix.entries[k] = 1;
         matrix.entries[k + 1] = setup.curves.control[k];
     }
@@ -55,11 +51,11 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     // The derivative at the wall is that of the combined functions.
     Moved const slope = displaced(sum.basis, move), expected = displaced(combined.basis, move);
     for (std::int32_t slot = 0; slot < info.curve_points; ++slot) {
-        auto const at = static_cast<std::size_t>(info.curve_point[slot]);
+        auto const at = std::size_t(info.curve_point[slot]);
         CHECK(slope.x[at] == doctest::Approx(expected.x[at]).epsilon(1e-12));
         CHECK(slope.y[at] == doctest::Approx(expected.y[at]).epsilon(1e-12));
     }
-    // With the whole functions' derivative it does not fit together.
+    // The call refuses the derivative of the whole functions.
     CHECK(hm_morph_safe(plan, combined.basis, move.data(), points_out(x, y),
                         const_cast<hm_basis*>(reference.solved().basis), work.data(), bytes,
                         &safe_options, nullptr, &error) == HM_BAD_BASIS);
@@ -72,15 +68,14 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     std::vector<std::int32_t> const points = given_points(solved.plan);
     Field mode;
     for (std::int32_t const point : points) {
-        auto const k = static_cast<std::size_t>(point);
+        auto const k = std::size_t(point);
         mode.push_back({setup.mesh.y[k], 0.3});
     }
     Tabulated const tabulated(solved.plan, solved.basis, {mode}, 2);
     REQUIRE(tabulated.status == HM_OK);
     REQUIRE(hm_morph_safe_size(solved.plan, tabulated.basis, &bytes, nullptr) == HM_OK);
     Guarded more(bytes);
-    std::vector<double> amplitudes(2 *
-                                   static_cast<std::size_t>(info_of(tabulated.basis).functions));
+    std::vector<double> amplitudes(2 * std::size_t(info_of(tabulated.basis).functions));
     amplitudes[amplitudes.size() - 2] = 0.2;
     amplitudes[amplitudes.size() - 1] = 0.1;
     safe_options.reached = nullptr;
@@ -95,7 +90,7 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     moved.y = y;
     CHECK(check(moved).min_corner > 0);
     for (std::size_t k = 0; k < points.size(); ++k) {
-        auto const at = static_cast<std::size_t>(points[k]);
+        auto const at = std::size_t(points[k]);
         Complex const by = Complex(0.2, 0.1) * mode[k];
         CHECK(std::fabs(x[at] - setup.mesh.x[at] - by.real()) < 1e-15);
         CHECK(std::fabs(y[at] - setup.mesh.y[at] - by.imag()) < 1e-15);

@@ -1,8 +1,5 @@
 // Given displacements by the strategies of a safe morph: the whole displacement with the given
 // bits, or how far and why.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/executors.hpp>
 #include <fixtures/naca0012.hpp>
 #include <fixtures/safe_displaced.hpp>
@@ -119,9 +116,9 @@ TEST_CASE("threads and the order of the list do not change a bit") {
     const double* const values = reinterpret_cast<const double*>(reversed.data());
     hm_points const given{values, values + 1, 2};
     std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
-    REQUIRE(hm_displace_safe(one.plan, one.basis, nullptr, static_cast<std::int32_t>(list.size()),
-                             list.data(), &given, points_out(x, y), work.data(), bytes,
-                             &one.safe_options, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_displace_safe(one.plan, one.basis, nullptr, std::int32_t(list.size()), list.data(),
+                             &given, points_out(x, y), work.data(), bytes, &one.safe_options,
+                             nullptr, nullptr) == HM_OK);
     CHECK(same_bits(one.x, x));
     CHECK(same_bits(one.y, y));
 }
@@ -140,7 +137,7 @@ TEST_CASE("a displacement that is partly possible reports the fraction and the l
     CHECK(safe.error.value == doctest::Approx(part));
     CHECK(safe.safe_report.cell >= 0);
     for (std::size_t k = 0; k < safe.points.size(); ++k) {
-        auto const at = static_cast<std::size_t>(safe.points[k]);
+        auto const at = std::size_t(safe.points[k]);
         CHECK(safe.x[at] - safe.mesh.x[at] ==
               doctest::Approx(part * wall[k].real()).epsilon(1e-12));
     }

@@ -1,9 +1,5 @@
 // Safe given displacements beside other conditions: curves, design variables, and lines along which
 // points slide.
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/derived.hpp>
 #include <fixtures/half_ring.hpp>
 #include <fixtures/safe_displaced.hpp>
@@ -20,17 +16,15 @@ TEST_CASE("both bodies turn with points beside a curve, and each wall is where i
     Case setup = two_body_case(Cells::hybrid, 12, 8);
     setup.conditions.pop_back();
     setup.set_given(second_body);
-    Options const options = options_of(HM_CONFORMAL);
-    SafeDisplaced safe(setup, options);
+    SafeDisplaced safe(setup, options_of(HM_CONFORMAL));
     REQUIRE(hm_plan_solve(safe.plan, safe.basis, nullptr, nullptr) == HM_OK);
     hm_basis_info const info = info_of(safe.basis);
     Field const start = safe.start();
     Complex centre = 0;
-    for (Complex const z : start) centre += z / static_cast<double>(start.size());
+    for (Complex const z : start) centre += z / double(start.size());
     Field const wall = safe.similarity(std::polar(1.0, -50 * pi / 180), centre);
-    std::vector<double> move(2 * static_cast<std::size_t>(info.functions));  // the first curve up
-    for (std::int32_t const i : setup.curves.shapes[0].indices)
-        move[2 * static_cast<std::size_t>(i) + 1] = 0.03;
+    std::vector<double> move(2 * std::size_t(info.functions));  // the first curve up
+    for (std::int32_t const i : setup.curves.shapes[0].indices) move[2 * std::size_t(i) + 1] = 0.03;
     std::vector<double> reached(move.size());
     safe.safe_options.reached = reached.data();
     REQUIRE_MESSAGE(safe.run(wall, &move) == HM_OK, safe.error.text);

@@ -1,7 +1,5 @@
-// Safe morphs: no inverted cell and no crossing whatever happens, and the truth about the way.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
+// Safe morphs: no cell is inverted and no boundary crosses whatever happens, and the report is
+// true.
 #include <fixtures/block_in_square.hpp>
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/fitted.hpp>
@@ -20,9 +18,8 @@ TEST_CASE("slip points stay on lines and periodic sides move alike, also in unta
         REQUIRE(sliding.report.strategy != HM_STRATEGY_LINEAR);
         double slid = 0;
         for (std::int32_t const point : points_on(slip.mesh, bottom)) {
-            CHECK(sliding.y[static_cast<std::size_t>(point)] == 0);
-            slid =
-                std::fmax(slid, std::fabs(sliding.moved()[static_cast<std::size_t>(point)].real()));
+            CHECK(sliding.y[std::size_t(point)] == 0);
+            slid = std::fmax(slid, std::fabs(sliding.moved()[std::size_t(point)].real()));
         }
         CHECK(slid > 1e-3);
         REQUIRE(alike.run(turn_of(pair, 110, {0.1, 0.05})) == HM_OK);
@@ -31,8 +28,7 @@ TEST_CASE("slip points stay on lines and periodic sides move alike, also in unta
                                         r = points_on(pair.mesh, right);
         Field const moved = alike.moved();
         for (std::size_t j = 0; j < l.size(); ++j)
-            CHECK(std::abs(moved[static_cast<std::size_t>(l[j])] -
-                           moved[static_cast<std::size_t>(r[j])]) < 1e-15);
+            CHECK(std::abs(moved[std::size_t(l[j])] - moved[std::size_t(r[j])]) < 1e-15);
     }
 }
 
@@ -66,19 +62,19 @@ TEST_CASE("heights of the first layer are limited where asked for, or a warning 
     double const change = std::max(high, 1 / low);
     CHECK(safe.report.heights == 0);
     REQUIRE(change > 1.1);  // conformal functions stretch heights with the wall
-    // What is met anyway changes nothing.
+    // A limit that is kept anyway changes nothing.
     std::vector<double> const x = safe.x, y = safe.y;
     safe.safe_options.max_height_change = 1.01 * change;
     REQUIRE(safe.run(move) == HM_OK);
     CHECK(same_bits(safe.x, x));
     CHECK(same_bits(safe.y, y));
-    // Half of the change: heights are brought back.
+    // With a limit of half of the change, heights are restored.
     safe.safe_options.max_height_change = 1 + 0.5 * (change - 1);
     REQUIRE(safe.run(move) == HM_OK);
     CHECK(safe.is_valid());
     CHECK(safe.report.max_height_ratio <= safe.safe_options.max_height_change);
     CHECK(safe.report.min_height_ratio >= 1 / safe.safe_options.max_height_change);
-    // Heights come back but for rounding; less is too much to ask for, and said.
+    // Heights are restored but for rounding; a smaller limit cannot be kept, and a warning says so.
     safe.safe_options.max_height_change = 1 + 1e-9;
     CHECK(safe.run(move) == HM_OK);
     safe.safe_options.max_height_change = std::nextafter(1.0, 2.0);
@@ -147,9 +143,7 @@ TEST_CASE("a boundary that crosses itself is refused at once, and nothing is wri
     CHECK(safe.report.min_height_ratio == 1);
     CHECK(safe.report.max_height_ratio == 1);
     CHECK(safe.untouched());
-    hm_basis_info info{};
-    info.struct_size = sizeof info;
-    REQUIRE(hm_basis_info_get(derivative.basis, &info, nullptr) == HM_OK);
+    hm_basis_info const info = info_of(derivative.basis);
     CHECK(info.solved == 1);  // refused: as it was
 }
 
@@ -297,7 +291,7 @@ TEST_CASE("functions on the way that miss the tolerance give a warning and a val
     CHECK(report.inverted == 0);
     CHECK(x[0] == setup.mesh.x[0]);
     CHECK(error.value > 1e-18);
-    // One step needs no other functions than those that are there.
+    // One step needs no functions other than the present ones.
     CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(setup, 10).data(), points_out(x, y),
                         nullptr, work.data(), bytes, nullptr, &report, &error) == HM_OK);
 }

@@ -1,7 +1,4 @@
-// The strategies of the safe morph: each where it helps, and what each of them promises.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
+// The strategies of the safe morph: cases in which each of them helps, and the properties of each.
 #include <fixtures/block_in_square.hpp>
 
 using namespace fixtures;
@@ -32,8 +29,8 @@ TEST_CASE("another basis can be the strategy that helps") {
     Safe safe(setup, options_of(HM_LAPLACE));
     std::vector<double> const move = turn_of(setup, 60);
     CHECK(safe.admissible(move) < 1);
-    Options const weighted = options_of(HM_WEIGHTED, 1), conformal = options_of(HM_CONFORMAL);
-    Solved const useless(setup, &weighted), useful(setup, &conformal);
+    Solved const useless(setup, options_of(HM_WEIGHTED, 1)),
+        useful(setup, options_of(HM_CONFORMAL));
     const hm_basis* const others[] = {useless.basis, useful.basis};
     safe.safe_options.n_others = 2;
     safe.safe_options.others = others;
@@ -89,9 +86,7 @@ TEST_CASE("the longest linear step is straight, without a derivative of a path t
     Case setup = block_in_square(Cells::quads, 15);
     Options const options = options_of(HM_CONFORMAL);
     Safe safe(setup, options);
-    Attempt derivative;
-    REQUIRE(derivative.analyse(setup.problem(), &options));
-    REQUIRE(derivative.prepare());
+    Attempt derivative = prepared(setup.problem(), options);
     std::vector<double> const move = turn_of(setup, 150, {0.05, 0.02});
     REQUIRE(safe.admissible(move) < 1);
     safe.safe_options.skipped_strategies = without(
@@ -123,7 +118,7 @@ TEST_CASE("substeps can be the strategy that helps, with the wall exactly on its
         Field const moved = safe.moved();
         for (std::int32_t const side : {bottom, right, top, left})
             for (std::int32_t const point : points_on(setup.mesh, side))
-                CHECK(moved[static_cast<std::size_t>(point)] == 0.0);
+                CHECK(moved[std::size_t(point)] == 0.0);
     }
 }
 
@@ -162,8 +157,8 @@ TEST_CASE("a substep takes half of the admissible step, with the functions at it
                 y = safe.y;
             }
         }
-        // Straight ahead the displacements are proportional to the way, so that the search ends at
-        // half, or just below.
+        // Straight ahead, the displacements are proportional to the time, so that the search ends
+        // at half, or just below.
         safe.safe_options.max_resolves = -1;
         REQUIRE(safe.run(shift) == HM_SHORT);
         CHECK(safe.report.step_fraction <= safe.admissible(shift) / 2);
@@ -210,8 +205,7 @@ TEST_CASE("the wall has the same bits for every strategy, without accumulated ro
         REQUIRE(safe.run(move) == HM_OK);
         std::vector<double> found;
         for (std::int32_t const point : points_on(setup.mesh, body))
-            found.insert(found.end(), {safe.x[static_cast<std::size_t>(point)],
-                                       safe.y[static_cast<std::size_t>(point)]});
+            found.insert(found.end(), {safe.x[std::size_t(point)], safe.y[std::size_t(point)]});
         if (!wall.empty()) CHECK(same_bits(found, wall));
         wall = found;
     }

@@ -1,6 +1,4 @@
 // Large movements in meshes whose outer boundary slides along a curve.
-#include <doctest/doctest.h>
-
 #include <fixtures/safe.hpp>
 
 using namespace fixtures;
@@ -20,7 +18,7 @@ Case sliding_ring(Cells kind = Cells::hybrid) {
 double farthest_from_circle(Safe const& safe) {
     double off = 0;
     for (std::int32_t const point : points_on(safe.mesh, far_field)) {
-        auto const k = static_cast<std::size_t>(point);
+        auto const k = std::size_t(point);
         off = std::fmax(off, std::fabs(std::hypot(safe.x[k], safe.y[k]) - 2));
     }
     return off;
@@ -45,7 +43,7 @@ TEST_CASE("the body turns, and the mesh turns with it, the outer points along th
         CHECK(safe.report.min_quality > 0.75 * safe.report.start_quality);
         double turned = 0;  // the mean angle by which outer points have gone round
         for (std::int32_t const point : points_on(setup.mesh, far_field)) {
-            auto const k = static_cast<std::size_t>(point);
+            auto const k = std::size_t(point);
             turned +=
                 std::arg(Complex(safe.x[k], safe.y[k]) / to_complex(setup.mesh.point(point))) / 32;
         }
@@ -100,7 +98,7 @@ TEST_CASE("the derivative at sliding points agrees with differences to first ord
         double const h = 1e-6;
         Field const more = moved_by(h), less = moved_by(-h);
         for (std::int32_t const point : points_on(setup.mesh, far_field)) {
-            auto const k = static_cast<std::size_t>(point);
+            auto const k = std::size_t(point);
             Complex const difference = (more[k] - less[k]) / (2 * h);
             CHECK(std::abs(difference - change[k]) < 1e-8);
             CHECK(std::abs(change[k]) > 1e-3);

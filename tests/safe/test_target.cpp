@@ -1,6 +1,4 @@
-// Can there be a mesh at the target? Decided from the boundary alone.
-#include <doctest/doctest.h>
-
+// Decides from the boundary alone whether there can be a mesh at the target.
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
 
@@ -15,13 +13,13 @@ using harmorph::Status;
 
 namespace {
 
-// Where the boundary of a case is to go; inner points stay, and nothing is known of them.
+// The target positions of the boundary of a case; inner points stay, and their target is not known.
 struct Aim {
     explicit Aim(Case its_case)
         : setup(its_case), attempt(setup.problem()), x(setup.mesh.x), y(setup.mesh.y) {
         REQUIRE(attempt.status == HM_OK);
         harmorph::Analysis const& analysis = inside(attempt.analysis);
-        for (Index k = 0; k < static_cast<Index>(x.size()); ++k) {
+        for (Index k = 0; k < Index(x.size()); ++k) {
             bool const is_inner = analysis.kinds()[k] == harmorph::PointKind::inside;
             ends.push_back(is_inner ? KnownEnd::unknown : KnownEnd::prescribed);
         }
@@ -30,8 +28,8 @@ struct Aim {
     void map(std::int32_t marker, Map const& map_point) {
         for (std::int32_t const point : points_on(setup.mesh, marker)) {
             Complex const z = map_point(to_complex(setup.mesh.point(point)));
-            x[static_cast<std::size_t>(point)] = z.real();
-            y[static_cast<std::size_t>(point)] = z.imag();
+            x[std::size_t(point)] = z.real();
+            y[std::size_t(point)] = z.imag();
         }
     }
     Status check() {
@@ -81,8 +79,8 @@ TEST_CASE("faces that cross are named with the place") {
     CHECK(aim.crossing.found);
     CHECK(aim.fault.item.number == aim.crossing.first[0]);
     CHECK(aim.fault.other.number == aim.crossing.second[0]);
-    CHECK(aim.fault.place[0] == aim.x[static_cast<std::size_t>(aim.fault.item.number)]);
-    CHECK(aim.fault.place[1] == aim.y[static_cast<std::size_t>(aim.fault.item.number)]);
+    CHECK(aim.fault.place[0] == aim.x[std::size_t(aim.fault.item.number)]);
+    CHECK(aim.fault.place[1] == aim.y[std::size_t(aim.fault.item.number)]);
 }
 
 TEST_CASE("a target outside, inside out or within another body is impossible without crossing") {
@@ -103,9 +101,9 @@ TEST_CASE("a target outside, inside out or within another body is impossible wit
     std::vector<std::int32_t> const first = points_on(two.setup.mesh, body),
                                     second = points_on(two.setup.mesh, second_body);
     for (std::int32_t const k : first)
-        centre += to_complex(two.setup.mesh.point(k)) / static_cast<double>(first.size());
+        centre += to_complex(two.setup.mesh.point(k)) / double(first.size());
     for (std::int32_t const k : second)
-        other += to_complex(two.setup.mesh.point(k)) / static_cast<double>(second.size());
+        other += to_complex(two.setup.mesh.point(k)) / double(second.size());
     two.map(second_body, [&](Complex z) { return centre + 0.1 * (z - other); });
     CHECK(two.check() == Status::crossing);
     CHECK(two.says("is inside the one"));
@@ -126,7 +124,7 @@ TEST_CASE("nothing is reported about points whose target is not known") {
     Aim aim(tiny_case());
     aim.map(body, [](Complex z) { return z + 3.0; });
     for (std::int32_t const k : points_on(aim.setup.mesh, body))
-        aim.ends[static_cast<std::size_t>(k)] = KnownEnd::unknown;
+        aim.ends[std::size_t(k)] = KnownEnd::unknown;
     CHECK(aim.check() == Status::ok);
     aim.map(body, [](Complex z) { return z + 10.0; });
     CHECK(aim.check() == Status::ok);

@@ -1,7 +1,5 @@
 // Targets of cells: the reference mesh, layers as long as their wall, and the ideal corners of the
 // quality that is reported.
-#include <doctest/doctest.h>
-
 #include <fixtures/annulus.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/perturb.hpp>

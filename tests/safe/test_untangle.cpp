@@ -1,7 +1,5 @@
-// Untangling: meshes with inverted cells come out valid, with their boundary as it was; what cannot
-// be is refused.
-#include <doctest/doctest.h>
-
+// Untangling makes meshes with inverted cells valid and keeps their boundary; impossible cases are
+// refused.
 #include <fixtures/airfoil.hpp>
 #include <fixtures/annulus.hpp>
 #include <fixtures/c_mesh.hpp>
@@ -22,13 +20,13 @@ using harmorph::Untangling;
 
 namespace {
 
-// Where the points of a mesh are to be, and where they are.
+// The target positions of the points of a mesh, and their present positions.
 struct Tangled {
     Mesh reference, now;
     std::vector<std::uint8_t> held;
 
     explicit Tangled(Mesh const& mesh) : reference(mesh), now(mesh), held(mesh.x.size(), 0) {
-        for (std::int32_t const point : mesh.faces) held[static_cast<std::size_t>(point)] = 1;
+        for (std::int32_t const point : mesh.faces) held[std::size_t(point)] = 1;
     }
     bool is_held(std::size_t k) const { return held[k] != 0; }
     // Inner points go anywhere within `reach`.
@@ -46,11 +44,10 @@ struct Tangled {
         double const c = std::cos(angle), s = std::sin(angle);
         std::vector<char> turned(held.size(), 0);
         for (std::size_t k = 0; k < now.faces.size(); ++k)
-            if (now.face_markers[k / 2] == marker)
-                turned[static_cast<std::size_t>(now.faces[k])] = 1;
+            if (now.face_markers[k / 2] == marker) turned[std::size_t(now.faces[k])] = 1;
         for (std::size_t k = 0; k < turned.size(); ++k) {
             if (turned[k] == 0) continue;
-            Point const p = reference.point(static_cast<std::int32_t>(k));
+            Point const p = reference.point(std::int32_t(k));
             now.x[k] = c * p.x - s * p.y;
             now.y[k] = s * p.x + c * p.y;
         }
@@ -84,7 +81,8 @@ struct Outcome {
         CHECK(block.guards_intact());
     }
 
-    // Corner areas relative to the reference's; of corners that can move.
+    // Returns the smallest ratio of a corner area to that of the reference, among corners that can
+    // move.
     double smallest(Tangled const& tangled) const {
         double least = HUGE_VAL;
         harmorph::Mesh const view = core_mesh(tangled.reference);
@@ -92,12 +90,10 @@ struct Outcome {
             harmorph::Cell const cell = view.cell(i);
             for (std::int32_t k = 0; k < cell.n; ++k) {
                 std::int32_t const a = cell.point[k], b = cell.next(k), c = cell.previous(k);
-                auto const fixed = [&](std::int32_t p) {
-                    return tangled.is_held(static_cast<std::size_t>(p));
-                };
+                auto const fixed = [&](std::int32_t p) { return tangled.is_held(std::size_t(p)); };
                 if (fixed(a) && fixed(b) && fixed(c)) continue;
                 auto const area = [&](Mesh const& one) {
-                    return twice_area(mesh.point(a), mesh.point(b), mesh.point(c));
+                    return twice_area(one.point(a), one.point(b), one.point(c));
                 };
                 least = std::fmin(least, area(mesh) / area(tangled.reference));
             }
@@ -177,7 +173,7 @@ TEST_CASE("points that are far from a few inverted cells do not move") {
     double farthest = 0;  // in cells
     for (std::size_t k = 0; k < tangled.held.size(); ++k) {
         if (out.mesh.x[k] == tangled.now.x[k] && out.mesh.y[k] == tangled.now.y[k]) continue;
-        Point const p = tangled.reference.point(static_cast<std::int32_t>(k));
+        Point const p = tangled.reference.point(std::int32_t(k));
         farthest = std::fmax(
             farthest, 60 * std::fmax(std::fabs(p.x - 20 / 60.0), std::fabs(p.y - 20 / 60.0)));
     }
@@ -221,8 +217,8 @@ TEST_CASE("turned, moved and scaled meshes are repaired in the same way") {
         Mesh const wanted = image(expected.mesh);
         double worst = 0;
         for (std::size_t k = 0; k < wanted.x.size(); ++k)
-            worst = std::fmax(worst, distance(wanted.point(static_cast<std::int32_t>(k)),
-                                              found.mesh.point(static_cast<std::int32_t>(k))));
+            worst = std::fmax(
+                worst, distance(wanted.point(std::int32_t(k)), found.mesh.point(std::int32_t(k))));
         CHECK(worst < 1e-9 * by.scale);
     }
 }
@@ -266,7 +262,7 @@ TEST_CASE("other numberings, first corners and mixed orientation are repaired to
 TEST_CASE("the points of a cut move as one") {
     CMesh const c = c_mesh(naca4({}, 24), 12, 3, stretched(1e-3, 4, 16));
     Tangled tangled(c.mesh);
-    std::size_t const ni = static_cast<std::size_t>(c.ni);
+    std::size_t const ni = std::size_t(c.ni);
     for (std::size_t k = 4; k < 8;
          ++k) {  // both copies of four points in the wake go up by some layers
         for (std::size_t const point : {k, ni - 1 - k}) tangled.now.y[point] += 0.1;

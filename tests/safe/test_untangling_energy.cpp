@@ -13,9 +13,7 @@ using harmorph::Vec2;
 
 namespace {
 
-double random_number(std::mt19937& random) {
-    return static_cast<double>(random()) / 2147483648.0 - 1;
-}
+double random_number(std::mt19937& random) { return double(random()) / 2147483648.0 - 1; }
 Vec2 random_point(std::mt19937& random) { return {random_number(random), random_number(random)}; }
 
 // A reference with positive area, and another triangle, inverted or not.

@@ -1,4 +1,4 @@
-// What the processor says of itself.
+// The instruction sets that the processor reports.
 #include <doctest/doctest.h>
 
 #include "simd/cpu.hpp"

@@ -1,6 +1,4 @@
 // The registers of every instruction set that this processor has, against plain numbers.
-#include <doctest/doctest.h>
-
 #include <fixtures/core.hpp>
 #include <fixtures/kernels.hpp>
 #include <fixtures/traps.hpp>
@@ -8,7 +6,6 @@
 #include "base/scalar.hpp"
 #include "simd/kernel_table.hpp"
 
-#include <cmath>
 #include <limits>
 
 using harmorph::Index;
@@ -72,12 +69,12 @@ TEST_CASE_TEMPLATE("sums c + a b and c - a b are contracted or rounded twice in 
     Number const units = static_cast<Number>(1 << (std::numeric_limits<Number>::digits / 2 + 2));
     for (std::vector<Number>* const numbers : {&a, &b, &c})
         for (Number& number : *numbers) number = std::round(number * units) / units;
-    auto const whole = [&](Number number) { return static_cast<std::int64_t>(number * units); };
+    auto const whole = [&](Number number) { return std::int64_t(number * units); };
     auto const rounded_once = [&](std::int64_t sum) {
         return static_cast<Number>(sum) / (units * units);
     };
     for (Kernel const kernel : usable_kernels()) {
-        INFO("kernel " << static_cast<int>(kernel));
+        INFO("kernel " << int(kernel));
         std::vector<Number> sum(n), rest(n);
         auto const& by = operations(kernel).with(Number{});
         by.multiply_add(a.data(), b.data(), c.data(), sum.data(), n);
@@ -86,7 +83,7 @@ TEST_CASE_TEMPLATE("sums c + a b and c - a b are contracted or rounded twice in 
         for (std::size_t k = 0; k < n; ++k) {
             Number const product = a[k] * b[k];
             std::int64_t const exact = whole(a[k]) * whole(b[k]),
-                               added = whole(c[k]) * static_cast<std::int64_t>(units);
+                               added = whole(c[k]) * std::int64_t(units);
             CHECK(sum[k] == (contracted ? rounded_once(added + exact) : c[k] + product));
             CHECK(rest[k] == (contracted ? rounded_once(added - exact) : c[k] - product));
         }
@@ -114,12 +111,11 @@ TEST_CASE_TEMPLATE("parts of a register are loaded with zeros behind, and nothin
         Index const lanes = operations(kernel).in_double.lanes;
         for (Index n = 0; n < lanes; ++n) {
             // On the heap, so that a memory checker sees a number too many.
-            std::vector<Number> const from = some<Number>(static_cast<std::size_t>(n), 4);
+            std::vector<Number> const from = some<Number>(std::size_t(n), 4);
             double out[most_lanes];
             operations(kernel).with(Number{}).load_part(from.data(), n, out);
             for (Index lane = 0; lane < lanes; ++lane)
-                CHECK(out[lane] ==
-                      (lane < n ? static_cast<double>(from[static_cast<std::size_t>(lane)]) : 0));
+                CHECK(out[lane] == (lane < n ? double(from[std::size_t(lane)]) : 0));
         }
     }
 }
@@ -130,7 +126,7 @@ TEST_CASE("single precision becomes double precision exactly") {
         double out[most_lanes];
         operations(kernel).load_single(from.data(), out);
         for (Index lane = 0; lane < operations(kernel).in_double.lanes; ++lane)
-            CHECK(out[lane] == static_cast<double>(from[static_cast<std::size_t>(lane)]));
+            CHECK(out[lane] == double(from[std::size_t(lane)]));
     }
 }
 
@@ -139,16 +135,13 @@ TEST_CASE_TEMPLATE("lanes are picked from two registers or from none", Number, d
     for (Kernel const kernel : usable_kernels()) {
         auto const& by = operations(kernel).with(Number{});
         for (int attempt = 0; attempt < 200; ++attempt) {
-            std::vector<Number> const both =
-                some<Number>(static_cast<std::size_t>(2 * by.lanes), 7);
+            std::vector<Number> const both = some<Number>(std::size_t(2 * by.lanes), 7);
             Index picked[most_lanes];
-            for (Index& from : picked)
-                from = static_cast<Index>(random() % static_cast<unsigned>(2 * by.lanes + 1)) - 1;
+            for (Index& from : picked) from = Index(random() % unsigned(2 * by.lanes + 1)) - 1;
             Number out[most_lanes];
             by.pick(both.data(), both.data() + by.lanes, picked, out);
             for (Index lane = 0; lane < by.lanes; ++lane)
-                CHECK(out[lane] ==
-                      (picked[lane] < 0 ? 0 : both[static_cast<std::size_t>(picked[lane])]));
+                CHECK(out[lane] == (picked[lane] < 0 ? 0 : both[std::size_t(picked[lane])]));
         }
     }
 }
@@ -171,7 +164,7 @@ TEST_CASE("the functions max and min take the second number where one is NaN; Na
         for (Index first = 0; first < 8; first += by.in_double.lanes) {
             unsigned const mask = by.less(a.data() + first, b.data() + first);
             for (Index lane = 0; lane < by.in_double.lanes; ++lane) {
-                std::size_t const k = static_cast<std::size_t>(first + lane);
+                std::size_t const k = std::size_t(first + lane);
                 CHECK((mask >> lane & 1u) == (a[k] < b[k] ? 1u : 0u));
             }
             CHECK((mask >> by.in_double.lanes) == 0);
@@ -190,7 +183,6 @@ TEST_CASE("square roots are rounded correctly, and integers are the nearest with
         if (by.round == nullptr) continue;
         std::uint64_t words[8];
         by.round(b.data(), words, 8);
-        for (std::size_t k = 0; k < 8; ++k)
-            CHECK(static_cast<std::int64_t>(words[k]) == std::llrint(b[k]));
+        for (std::size_t k = 0; k < 8; ++k) CHECK(std::int64_t(words[k]) == std::llrint(b[k]));
     }
 }

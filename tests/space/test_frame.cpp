@@ -1,6 +1,4 @@
 // The frame of the plane, from the points of the faces alone.
-#include <doctest/doctest.h>
-
 #include <fixtures/plane.hpp>
 #include "space/frame.hpp"
 
@@ -9,17 +7,17 @@ using namespace fixtures;
 TEST_CASE("the frame depends on the given points alone; numbers behind the arrays are not read") {
     Case const setup = tiny_case();
     Extruded space(setup.mesh, inclined());
-    std::size_t const n = static_cast<std::size_t>(space.n_points());
+    std::size_t const n = std::size_t(space.n_points());
     std::vector<std::uint8_t> in_faces(n + 1, 0);
     for (std::int32_t const point : space.faces)
-        if (point >= 0) in_faces[static_cast<std::size_t>(point)] = 1;
+        if (point >= 0) in_faces[std::size_t(point)] = 1;
     for (double const behind : {1e3, -1e3}) {
         for (std::vector<double>* const axis : {&space.x, &space.y, &space.z}) {
             axis->resize(n);
-            axis->push_back(behind * static_cast<double>(n + axis->size()));
+            axis->push_back(behind * double(n + axis->size()));
         }
         harmorph::SpaceMesh mesh;
-        mesh.n_points = static_cast<harmorph::Index>(n);
+        mesh.n_points = harmorph::Index(n);
         mesh.points = {space.x.data(), space.y.data(), space.z.data(), 1};
         harmorph::Frame frames[2];
         for (std::size_t const side : {0u, 1u}) {

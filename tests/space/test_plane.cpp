@@ -1,7 +1,6 @@
 // The plane of meshes of three dimensions that are one cell thick: which point follows which, kinds
 // and axes.
 #include <harmorph_space.h>
-#include <doctest/doctest.h>
 
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/plane.hpp>
@@ -71,9 +70,9 @@ TEST_CASE("both sides of a cut are followed by their own points, layer by layer"
     std::int32_t const lower = 0, upper = c.ni - 1, n = c.mesh.n_points();
     space.x.pop_back();  // the last point of the second layer is the far corner; the cut's end is
                          // joined instead
-    space.x.push_back(space.x[static_cast<std::size_t>(n + lower)]);
-    space.y.back() = space.y[static_cast<std::size_t>(n + lower)];
-    CHECK(space.x[static_cast<std::size_t>(lower)] == space.x[static_cast<std::size_t>(upper)]);
+    space.x.push_back(space.x[std::size_t(n + lower)]);
+    space.y.back() = space.y[std::size_t(n + lower)];
+    CHECK(space.x[std::size_t(lower)] == space.x[std::size_t(upper)]);
     hm_space_mesh view = space.view();
     view.n_sides = 0;
     CHECK(Plane(view).status == HM_BAD_MESH);  // the far corner has lost its partner
@@ -98,7 +97,7 @@ TEST_CASE("threads, strides, index bases and four entries for each face give the
         for (std::int32_t k = 0; k < 4; ++k) {
             std::int32_t const at =
                 std::min(space.face_start[face] + k, space.face_start[face + 1] - 1);
-            four.push_back(space.faces[static_cast<std::size_t>(at)] + 1);
+            four.push_back(space.faces[std::size_t(at)] + 1);
         }
     }
     for (std::int32_t& point : sides) ++point;

@@ -1,7 +1,6 @@
 // Movements of the plane in space, and the adjoint: in coordinate planes, inclined planes and
 // wedges.
 #include <harmorph_space.h>
-#include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
 #include <fixtures/plane.hpp>
@@ -41,8 +40,8 @@ TEST_CASE("the mesh of a coordinate plane has the coordinates' bits, and so has 
             CHECK(all_follow(plane, space));
             bool same = true;
             for (std::int32_t p = 0; p < plane.info.n_points; ++p) {
-                std::size_t const from = static_cast<std::size_t>(
-                    space.plane_point[static_cast<std::size_t>(plane.info.space_point[p])]);
+                std::size_t const from =
+                    std::size_t(space.plane_point[std::size_t(plane.info.space_point[p])]);
                 same = same && plane.mesh.points.x[p] == setup.mesh.x[from] &&
                        plane.mesh.points.y[p] == setup.mesh.y[from];
             }
@@ -51,7 +50,7 @@ TEST_CASE("the mesh of a coordinate plane has the coordinates' bits, and so has 
             INFO(solved.error.text);
             REQUIRE(solved.status == HM_OK);
             std::vector<double> const move = some_move(solved.report.functions, 0.01, 1);
-            std::size_t const n = static_cast<std::size_t>(plane.info.n_points);
+            std::size_t const n = std::size_t(plane.info.n_points);
             std::vector<double> x(n), y(n), sx = space.x, sy = space.y, sz = space.z;
             REQUIRE(hm_morph(solved.basis, move.data(), &plane.mesh.points, points_out(x, y),
                              nullptr, nullptr) == HM_OK);
@@ -65,7 +64,7 @@ TEST_CASE("the mesh of a coordinate plane has the coordinates' bits, and so has 
             CHECK(same_bits(across, normal == 0 ? space.x : normal == 1 ? space.y : space.z));
             bool alike = true;
             for (std::size_t k = 0; k < first.size(); ++k) {
-                std::size_t const p = static_cast<std::size_t>(plane.info.follows[k]);
+                std::size_t const p = std::size_t(plane.info.follows[k]);
                 alike = alike && first[k] == x[p] && second[k] == y[p];
             }
             CHECK(alike);
@@ -106,7 +105,7 @@ TEST_CASE("the movement of inclined planes, wedges and many layers is that of th
         hm_plane_info const& info = plane.info;
         bool in_place = true;
         for (std::int32_t p = 0; p < info.n_points; ++p) {
-            std::size_t const k = static_cast<std::size_t>(info.space_point[p]);
+            std::size_t const k = std::size_t(info.space_point[p]);
             Vec3 const at{space.x[k], space.y[k], space.z[k]};
             for (std::size_t d = 0; d < 3; ++d) {
                 double const back = info.origin[d] + plane.mesh.points.x[p] * info.x_direction[d] +
@@ -117,7 +116,7 @@ TEST_CASE("the movement of inclined planes, wedges and many layers is that of th
         CHECK(in_place);
         // The plane's coordinates may be turned against those of the fixture, so the curve is a
         // movement of the mesh.
-        std::size_t const n = static_cast<std::size_t>(info.n_points);
+        std::size_t const n = std::size_t(info.n_points);
         std::vector<double> dx(n), dy(n);
         for (std::size_t p = 0; p < n; ++p) {
             dx[p] = 0.01 * std::sin(plane.mesh.points.x[p]);
@@ -139,12 +138,12 @@ TEST_CASE("the movement of inclined planes, wedges and many layers is that of th
         double worst = 0;
         for (std::size_t k = 0; k < sx.size(); ++k) {
             std::int32_t const p = info.follows[k], q = info.space_point[p];
-            if (static_cast<std::size_t>(q) != k) continue;
+            if (std::size_t(q) != k) continue;
             Vec3 const step{sx[k] - space.x[k], sy[k] - space.y[k], sz[k] - space.z[k]};
-            worst = std::max(worst, std::fabs(dot(info, info.x_direction, step) -
-                                              dx[static_cast<std::size_t>(p)]));
-            worst = std::max(worst, std::fabs(dot(info, info.y_direction, step) -
-                                              dy[static_cast<std::size_t>(p)]));
+            worst =
+                std::max(worst, std::fabs(dot(info, info.x_direction, step) - dx[std::size_t(p)]));
+            worst =
+                std::max(worst, std::fabs(dot(info, info.y_direction, step) - dy[std::size_t(p)]));
             worst = std::max(worst, std::fabs(dot(info, info.normal, step)));
         }
         CHECK(worst < 1e-13);
@@ -162,8 +161,7 @@ TEST_CASE("the adjoint is the transpose of the morph in planes and wedges") {
         std::vector<Point> corners;
         for (std::int32_t const p : {2 + 7 * 2, 4 + 7 * 2, 4 + 7 * 4 - 1, 2 + 7 * 4 - 1}) {
             for (std::int32_t q = 0; q < plane.info.n_points; ++q) {
-                if (space.plane_point[static_cast<std::size_t>(plane.info.space_point[q])] != p)
-                    continue;
+                if (space.plane_point[std::size_t(plane.info.space_point[q])] != p) continue;
                 corners.push_back({plane.mesh.points.x[q], plane.mesh.points.y[q]});
             }
         }
@@ -196,7 +194,7 @@ TEST_CASE("the adjoint is the transpose of the morph in planes and wedges") {
         REQUIRE(hm_plane_adjoint(plane.plane, solved.basis, &by, again.data(), &executor,
                                  nullptr) == HM_OK);
         CHECK(same_bits(gradient, again));
-        std::vector<double> px(static_cast<std::size_t>(plane.info.n_points)), py = px;
+        std::vector<double> px(std::size_t(plane.info.n_points)), py = px;
         REQUIRE(hm_plane_gather(plane.plane, &by, points_out(px, py), nullptr, nullptr) == HM_OK);
         REQUIRE(hm_adjoint(solved.basis, points_in(px, py), again.data(), nullptr, nullptr) ==
                 HM_OK);

@@ -1,6 +1,5 @@
 // Meshes of three dimensions and arguments that are refused, each with a sentence and the place.
 #include <harmorph_space.h>
-#include <doctest/doctest.h>
 
 #include <fixtures/found.hpp>
 #include <fixtures/plane.hpp>
@@ -24,11 +23,10 @@ TEST_CASE("a mesh that is no plane mesh in layers is refused; the point, face or
     };
     REQUIRE(Plane(good.view()).status == HM_OK);
     Extruded bad = good;
-    bad.x[static_cast<std::size_t>(n + 9)] += 0.1;
+    bad.x[std::size_t(n + 9)] += 0.1;
     refused(bad, "the projection of point 57 is 1.00000e-1 away", n + 9);
     bad = good;
-    for (std::size_t k = static_cast<std::size_t>(n); k < bad.x.size(); ++k)
-        bad.x[k] *= 1.01;  // a tapered wing
+    for (std::size_t k = std::size_t(n); k < bad.x.size(); ++k) bad.x[k] *= 1.01;  // a tapered wing
     refused(bad, "away from the nearest point", n + 1);
     bad = good;
     bad.z[5] += 0.2;
@@ -55,8 +53,8 @@ TEST_CASE("a mesh that is no plane mesh in layers is refused; the point, face or
     bad.sides[1] = 20;
     refused(bad, "the points of side 0 belong to 3 points", 0);
     bad = good;
-    bad.x[static_cast<std::size_t>(n + 9)] = bad.x[static_cast<std::size_t>(n + 10)];
-    bad.y[static_cast<std::size_t>(n + 9)] = bad.y[static_cast<std::size_t>(n + 10)];
+    bad.x[std::size_t(n + 9)] = bad.x[std::size_t(n + 10)];
+    bad.y[std::size_t(n + 9)] = bad.y[std::size_t(n + 10)];
     refused(bad, "point 9 of the faces has no opposite point", 9);
     bad = good;
     bad.face_start[0] = 1;
