@@ -561,18 +561,18 @@ typedef struct hm_solve_report {
     int32_t unknowns, functions;
     /* [-] largest |b - A F| / |b| of all functions, 2-norms; see options.tolerance */
     double residual;
-    int32_t residual_function;    /* the function with that residual */
-    int32_t boundary_error_point; /* the point with the boundary error below */
-    double boundary_error;        /* [-] largest |F_i - N_i(u)| on the curves */
-    double partition_defect;      /* [-] largest |sum_i F_i - 1| on the curves */
-    double min_value, max_value;  /* [-] of all F_i of control points */
-    double max_distance;          /* [length] largest distance of a curve point from its curve */
-    int32_t max_distance_point;   /* the point with that distance */
-    int32_t curve_points;         /* mesh points on curves */
+    int32_t residual_function;     /* the function with that residual */
+    int32_t boundary_error_point;  /* the point with the boundary error below */
+    double boundary_error;         /* [-] largest |F_i - N_i(u)| on the curves */
+    double partition_defect;       /* [-] largest |sum_i F_i - 1| on the curves */
+    double min_value, max_value;   /* [-] of all F_i of control points */
+    double max_distance;           /* [length] largest distance of a curve point from its curve */
+    int32_t max_distance_point;    /* the point with that distance */
+    int32_t curve_points;          /* mesh points on curves */
     int32_t refinements, reserved; /* steps of iterative refinement; 0 */
-    int64_t factor_entries;       /* numbers in the factor; 0: there is no factor */
-    int32_t iterations, levels;   /* of engines that iterate, see harmorph_study.h */
-    double work;                  /* of engines that iterate, see harmorph_study.h */
+    int64_t factor_entries;        /* numbers in the factor; 0: there is no factor */
+    int32_t iterations, levels;    /* of engines that iterate, see harmorph_study.h */
+    double work;                   /* of engines that iterate, see harmorph_study.h */
 } hm_solve_report;
 
 /* Solves for all functions of the basis with the factor of the plan. Both must come from the same

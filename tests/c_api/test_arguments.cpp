@@ -92,7 +92,7 @@ TEST_CASE("curves and fits") {
     Guarded work(bytes);
     check_arguments("curves, ?section, variables, work, bytes, matrix, ?error", hm_variables_map,
                     &curves, &section, &variables, work.data(), bytes, map.data(), values);
-    hm_movement turn = with_size<hm_movement>();
+    hm_movement turn = sized<hm_movement>();
     check_arguments("curves, ?section, -, movements, n, bytes", hm_move_section_size, &curves,
                     &section, 1, &turn, &n, &bytes);
     Guarded moved(bytes);
