@@ -47,7 +47,7 @@ void Walls::find(Analysis const& analysis, Span<const Index> markers, Points at)
         for (Index end = 0; end < 2; ++end)
             face_point[2 * face + end] = tree.faces[face].point[end] + index_base;
     }
-    layer.find(mesh, at, analysis.topology().representative, tree.faces.first(tree.count));
+    layer.find(mesh, at, analysis.topology().representative, tree.chosen());
     for (Index slot = 0; slot < layer.wall.count; ++slot) {
         wall_point[slot] = layer.wall.point[slot] + index_base;
         above[slot] = layer.above[slot] == none ? none : layer.above[slot] + index_base;

@@ -79,7 +79,8 @@ void DesignSpace::choose_kind(const Arguments& arguments) {
     if (chosen > 1) arguments.refuse("name only one of --variables, --naca, --cst and --sections");
     if (arguments.has("--variables")) {
         kind_ = Kind::variables;
-        map_ = read_variables(arguments.text("--variables"));
+        map_path_ = arguments.text("--variables");
+        map_ = read_variables(map_path_);
         if (map_.points != basis_.n_control())
             throw Failure(exit_file, arguments.text("--variables") + ": its variables are of " +
                                          plural(map_.points, "control point") +
@@ -180,7 +181,9 @@ Design DesignSpace::design(std::int64_t number) const {
         out.fit_error = fitted.max_error;
         return out;
     }
-    out.moves = kind_ == Kind::variables ? map_.control_moves(out.values) : out.values;
+    out.moves = kind_ == Kind::variables
+                    ? map_.control_moves(basis_.curves(), out.values, map_path_)
+                    : out.values;
     out.moves.resize(2 * static_cast<std::size_t>(basis_.functions()));
     return out;
 }

@@ -53,6 +53,7 @@ private:
     const Basis& basis_;
     Kind kind_ = Kind::control;
     VariableMap map_;
+    std::string map_path_;
     std::int32_t curve_ = 0, n_upper_ = 0, n_lower_ = 0;
     bool on_chord_ = false;
     std::vector<std::string> files_;
