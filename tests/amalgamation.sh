@@ -15,7 +15,8 @@ same_names() {
 rm -rf "$dir"
 mkdir -p "$dir"
 check "make amalgamation" $MAKE -s BUILD="$build" amalgamation
-check "one source and its headers" [ "$(ls "$build/amalgamation")" = "$( (echo harmorph.cpp; cat fortran/harmorph/headers) | sort)" ]
+expected=$( (echo harmorph.cpp; cat fortran/harmorph/headers) | sort)
+check "one source and the headers" [ "$(ls "$build/amalgamation")" = "$expected" ]
 cp "$build/amalgamation/"* "$dir/" && cd "$dir" || exit 1
 # Without optimisation: what the compiler takes is not its speed.
 check "compilation" $CXX -std=c++17 -O0 -Wall -Wextra -Wconversion -Werror -fno-exceptions -fno-rtti -ffp-contract=off \

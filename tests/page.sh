@@ -32,7 +32,8 @@ if explore "$naca" "$tmp/conformal.basis" -o "$tmp/whole.html"; then ok; else fa
 if grep -E '(src|href)=|https?:' "$tmp/whole.html" | grep -v 'link.href = URL' >/dev/null; then
     fail "the page refers to something outside"
 else ok; fi
-refuses "a file that is no moves" "the file needs index dx dy" "$naca" "$tmp/conformal.basis" -o "$tmp/x.html" --move "$naca"
+refuses "a file that is no moves" "the file needs index dx dy" "$naca" "$tmp/conformal.basis" -o "$tmp/x.html" \
+    --move "$naca"
 refuses "a file that is no basis" "basis" "$naca" "$naca" -o "$tmp/x.html"
 refuses "too few points" "--points" "$naca" "$tmp/conformal.basis" -o "$tmp/x.html" --points 3
 if [ -e "$tmp/x.html" ]; then fail "a refused command leaves a page"; else ok; fi

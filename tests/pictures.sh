@@ -76,7 +76,8 @@ check "a morph is a picture" is_picture "$tmp/morph.svg" "Mesh and B-spline" 1
 check "a boundary is a picture" is_picture "$tmp/boundary.svg" "The boundary" 1
 refuses "a list that is none" "--function expects whole numbers between 1 and 20" export "$bodies" \
     "$tmp/harmonic.basis" --function 1,,2 --svg "$tmp/x"
-refuses "a table of several functions" "--csv and --vtu take exactly one function" export "$bodies" "$tmp/harmonic.basis" \
+refuses "a table of several functions" "--csv and --vtu take exactly one function" \
+    export "$bodies" "$tmp/harmonic.basis" \
     --function 1,2 --csv "$tmp/x"
 refuses "an imaginary part of real functions" "--number" export "$bodies" "$tmp/harmonic.basis" --function 1 \
     --number 2 --svg "$tmp/x"

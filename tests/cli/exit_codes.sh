@@ -32,9 +32,11 @@ runs "morph that inverts cells, --force" 1 morph "$ring" "$basis" --move "$tmp/l
 check "--force writes" test -s "$tmp/large.su2"
 refuses "check counts inverted cells" 1 'inverted' check "$tmp/large.su2"
 refuses "solve refuses inverted cells" 3 "$tmp/large.su2:" solve "$tmp/large.su2" --curve body="$curve" -o "$tmp/x"
-refuses "not converged" 1 'the solution has not converged: ' solve "$ring" --curve body="$curve" -o "$tmp/loose.basis" --tol 1e-30
+refuses "not converged" 1 'the solution has not converged: ' solve "$ring" --curve body="$curve" \
+    -o "$tmp/loose.basis" --tol 1e-30
 leaves_nothing "not converged: nothing written" "$tmp/loose.basis"
-runs "not converged, --force" 1 solve "$ring" --curve body="$curve" -o "$tmp/loose.basis" --tol 1e-30 --force
+runs "not converged, --force" 1 solve "$ring" --curve body="$curve" \
+    -o "$tmp/loose.basis" --tol 1e-30 --force
 check "not converged, --force writes" test -s "$tmp/loose.basis"
 
 # Output that cannot be written.

@@ -3,14 +3,17 @@
 says "fluent: zones are markers" '"body", "faces": 24}, {"name": "far", "faces": 24}]'
 change() { sed "$1" "$tmp/fluent.msh" >"$tmp/bad.msh"; }
 change 's/^(2 2)/(2 1)/'
-refuses "fluent: one dimension" "bad.msh:2: the file needs the dimension, 2 or 3 here, but '1' follows" "$harmorph" check "$tmp/bad.msh"
+refuses "fluent: one dimension" "bad.msh:2: the file needs the dimension, 2 or 3 here, but '1' follows" \
+    "$harmorph" check "$tmp/bad.msh"
 change 's/^(10 (1 1 a8/(10 (1 1 a9/'
-refuses "fluent: too few nodes" "the file needs a node's x here, but the end of the numbers follows" "$harmorph" check "$tmp/bad.msh"
+refuses "fluent: too few nodes" "the file needs a node's x here, but the end of the numbers follows" \
+    "$harmorph" check "$tmp/bad.msh"
 change 's/^(10 (1 1 a8/(10 (1 1 a7/'
 refuses "fluent: too many nodes" 'the section has more numbers than those of 167 nodes' "$harmorph" \
     check "$tmp/bad.msh"
 change 's/^(10 (1 1 a8/(10 (1 2 a9/'
-refuses "fluent: a node is missing" 'bad.msh:8: the file needs node 1 here, but node 2 follows' "$harmorph" check "$tmp/bad.msh"
+refuses "fluent: a node is missing" 'bad.msh:8: the file needs node 1 here, but node 2 follows' \
+    "$harmorph" check "$tmp/bad.msh"
 change 's/^(10 (1 /(3010 (1 /'
 refuses "fluent: a binary section without its end" "bad.msh:6: this binary section has no end 'End of Binary Section" \
     "$harmorph" check "$tmp/bad.msh"
@@ -20,7 +23,8 @@ change 's/^2 2 1 1 0/2 2 9 1 0/'
 refuses "fluent: a cell that is not closed" 'the faces of cell 1 (4 faces) do not form a polygon' \
     "$harmorph" check "$tmp/bad.msh"
 change 's/^2 2 1 1 0/3 2 1 9 1 0/'
-refuses "fluent: a face of three nodes" 'the file needs 2 nodes of a face between 2 and 2 here, but 3 follows' "$harmorph" \
+refuses "fluent: a face of three nodes" 'the file needs 2 nodes of a face between 2 and 2 here, but 3 follows' \
+    "$harmorph" \
     check "$tmp/bad.msh"
 change 's/^2 2 1 1 0/2 2 1 2 0/'
 refuses "fluent: a cell whose faces are no polygon" 'do not form a polygon' "$harmorph" check "$tmp/bad.msh"

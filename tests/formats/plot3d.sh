@@ -15,7 +15,8 @@ check "plot3d: names of a .nmf file" "$harmorph" check "$tmp/text-k.p3d" --json
 says "plot3d: names of a .nmf file: a side of two parts" \
     '"farfield", "faces": 24}, {"name": "lower_wall", "faces": 12}, {"name": "upper_wall", "faces": 12}'
 sed -i.old 's/^1 25 7 2/1 25 8 2/' "$tmp/text-k.nmf"
-refuses "plot3d: .nmf of other sizes" "text-k.nmf:3: the file needs the size of the block between 7 and 7 here, but '8' follows" \
+refuses "plot3d: .nmf of other sizes" \
+    "text-k.nmf:3: the file needs the size of the block between 7 and 7 here, but '8' follows" \
     "$harmorph" \
     check "$tmp/text-k.p3d"
 rm "$tmp/text-k.nmf"

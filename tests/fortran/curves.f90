@@ -122,7 +122,8 @@ contains
         call check(same([curves%control(:, :n_control)], [by_points%control]) .and. &
             same([curves%control(:, n_control + 1:)], [outer%control]), "each through its own points")
         call check(all(curves%curve(2)%indices == n_control + outer%curve(1)%indices), "with its own control points")
-        call check(report%max_error >= max(of_wall%max_error, of_outer%max_error), "the report is that of the worst one")
+        call check(report%max_error >= max(of_wall%max_error, of_outer%max_error), &
+            "the report is that of the worst one")
 
         call from_0%points(x, y, first=0)
         call from_0%cells(cells - 1_c_int32_t)
