@@ -1,4 +1,4 @@
-# What code_saturne reads before a run: the mesh, and the library that is linked.
+# code_saturne reads this file before a run. The file names the mesh, and the library that is linked.
 import os
 
 

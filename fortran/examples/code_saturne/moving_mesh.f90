@@ -1,4 +1,4 @@
-! The mesh of code_saturne as harmorph needs it: the mesh of one plane, the same on every process. Points are known by
+! This module gives harmorph the mesh of one plane of code_saturne's mesh, the same on every process. Points are known by
 ! their coordinates x, y, which have the same bits in both planes and on all processes. The factor takes a fraction of
 ! a second for meshes of this kind, so every process computes it; nothing is sent in a time step.
 module moving_mesh
@@ -16,7 +16,8 @@ module moving_mesh
 
 contains
 
-    ! start: the coordinates of the points of this process before any movement.
+    ! Finds the mesh of the plane and factors the matrix. start has the coordinates of the points of this process before
+    ! any movement.
     subroutine start_mesh(start)
         real(dp), intent(in) :: start(:, :)
         real(dp), allocatable :: corners(:, :), on_wall(:, :), on_outside(:, :), sorted(:, :)
@@ -56,7 +57,7 @@ contains
         call judge%init(plan)
     end subroutine
 
-    ! The wall turns by an angle about the origin: displacements of all points of this process.
+    ! Computes the displacements of all points of this process when the wall turns by an angle about the origin.
     subroutine follow_wall(angle, displacement)
         real(dp), intent(in) :: angle
         real(dp), intent(out) :: displacement(:, :)
@@ -69,7 +70,8 @@ contains
         displacement(3, :) = 0
     end subroutine
 
-    ! The smallest quality of the cells, relative to the start; now: the coordinates of the points of this process.
+    ! Returns the smallest quality of the cells, relative to the start. now has the coordinates of the points of this
+    ! process.
     function quality_of(now) result(least)
         use parall, only: irangp, parrmx
         real(dp), intent(in) :: now(:, :)
@@ -84,7 +86,8 @@ contains
         least = merge(0._dp, quality%min_quality, quality%inverted > 0)
     end function
 
-    ! The different x, y of the points of the chosen faces of all processes, m of each face, face by face.
+    ! Collects the x, y of the corners of the faces that `criterion` chooses, of all processes. A face has m corners with
+    ! different x, y, which follow each other.
     subroutine collect(criterion, m, start, corners)
         use mesh, only: nfabor, ipnfbr, nodfbr
         use parall, only: irangp, parcpt, paragv
@@ -130,7 +133,7 @@ contains
         before = a(1) < b(1) .or. (a(1) == b(1) .and. a(2) < b(2))
     end function
 
-    ! Merge sort of the points that `order` lists.
+    ! Sorts the points that `order` lists, by merging.
     recursive subroutine sort(at, order)
         real(dp), intent(in) :: at(:, :)
         integer, intent(inout) :: order(:)
@@ -157,7 +160,7 @@ contains
         end do
     end subroutine
 
-    ! The number of the point of the plane at these coordinates, by bisection.
+    ! Returns the number of the point of the plane at these coordinates, by bisection.
     integer function place(at)
         real(dp), intent(in) :: at(2)
         integer :: high, middle

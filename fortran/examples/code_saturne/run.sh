@@ -1,8 +1,8 @@
 #!/bin/sh
 # usage: run.sh BUILD   (called by `make test-saturne`)
 # A pitching ellipse in code_saturne on one process and on two, with points moved by harmorph and by code_saturne's own
-# diffusion. Skipped, with the reason, where code_saturne is missing. DEGREES: of the wall in a time step; STEPS: their
-# number.
+# diffusion. The test is skipped, with the reason, if code_saturne is missing. The wall turns by DEGREES in each time
+# step; STEPS is the number of time steps.
 here=$(cd "$(dirname "$0")" && pwd) build=$(cd "$1" && pwd)
 dir=$build/saturne topic=code_saturne log=$build/saturne/log
 . "$here/../../../tests/count.sh"
