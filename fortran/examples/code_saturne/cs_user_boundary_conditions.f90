@@ -1,4 +1,4 @@
-! Flow from the left, symmetry in both planes, a wall.
+! The flow enters from the left; the two planes are symmetry planes, and the ellipse is a wall.
 subroutine cs_f_user_boundary_conditions(nvar, nscal, icodcl, itrifb, itypfb, izfppp, dt, rcodcl)
     use paramx
     use numvar

@@ -1,6 +1,6 @@
-! This module gives harmorph the mesh of one plane of code_saturne's mesh, the same on every process. Points are known by
-! their coordinates x, y, which have the same bits in both planes and on all processes. The factor takes a fraction of
-! a second for meshes of this kind, so every process computes it; nothing is sent in a time step.
+! This module gives harmorph the mesh of one plane of code_saturne's mesh, the same on every process. Points are known
+! by their coordinates x, y, which have the same bits in both planes and on all processes. The factor takes a fraction
+! of a second for meshes of this kind, so every process computes it; nothing is sent in a time step.
 module moving_mesh
     use harmorph
     implicit none
@@ -86,8 +86,8 @@ contains
         least = merge(0._dp, quality%min_quality, quality%inverted > 0)
     end function
 
-    ! Collects the x, y of the corners of the faces that `criterion` chooses, of all processes. A face has m corners with
-    ! different x, y, which follow each other.
+    ! Collects the x, y of the corners of the faces that `criterion` chooses, of all processes. A face has m corners
+    ! with different x, y, which follow each other.
     subroutine collect(criterion, m, start, corners)
         use mesh, only: nfabor, ipnfbr, nodfbr
         use parall, only: irangp, parcpt, paragv
