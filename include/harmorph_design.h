@@ -61,44 +61,49 @@ enum {
     HM_FIT_BASE = 4       /* open: there is a blunt base */
 };
 
-/* Further wishes for a fit: hm_fit_options.details. All 0: none. */
+/* Further options of a fit: hm_fit_options.details. A field that is 0 has no effect. */
 typedef struct hm_fit_details {
     uint64_t struct_size;
-    /* [n_weights] >= 0, finite, in the sum of squares beside the share of the arc length; NULL: all
-     * are 1. hm_fit: one for each point; hm_fit_marker: one for each point of the mesh. A point
-     * with weight 0 tells where the curve runs and nothing more, and does not count in the report.
-     * The ends of curves, and corners, go through their points at any weight. */
+    /* [n_weights] >= 0, finite: factors of the points in the sum of squares, besides the share of
+     * the arc length; NULL: all are 1. hm_fit: one for each point; hm_fit_marker: one for each
+     * point of the mesh. A point with weight 0 only tells where the curve runs, and does not count
+     * in the report. The curves pass through the points at their ends and at corners with any
+     * weight. */
     const double* weights;
     int32_t n_weights; /* with weights: n of hm_fit, n_points of the mesh; otherwise 0 */
     /* [length] >= 0: adds smoothing^4 times the integral of |C''|^2 by the arc length to the sum of
      * squares. Waves much shorter than this length are damped; corners stay. Degree >= 2. */
     double smoothing;
     /* [length] > 0: control points (and with them knots, where the errors are) are inserted, from
-     * degree + 1 up to options.n_control, until report.max_error is at most this; every step has
-     * one more, or an eighth more. HM_SHORT: n_control do not suffice; the curve is the last one.
-     * The size queries count n_control. 0: n_control control points. */
+     * degree + 1 up to options.n_control, until report.max_error is at most this; each step adds
+     * one control point, or an eighth of their number if that is more. HM_SHORT: n_control control
+     * points do not suffice; the curve is that of the last step. The size queries count n_control.
+     * 0: the curve has n_control control points. */
     double tolerance;
     /* Directions of the curve (not the other way round) where it begins and where it ends, of any
      * length; 0,0: free. Degree >= 2, n_control >= 4; not for periodic curves. HM_BAD_CURVE: the
-     * points run the other way there. */
+     * points run in the opposite direction there. */
     double begin_x, begin_y, end_x, end_y;
 } hm_fit_details;
 
 /* ---- More control points for the same shape ---- */
 
 /* Gives one curve of a set more control points; all points C(u) stay the same but for rounding,
- * also of rational curves, and the other curves of the set are kept. degree 0      inserts n knots
- * u [n] into the curve, in any order; a knot to be repeated stands in u as often as it is inserted
- *   degree p + 1  raises the degree p of the curve by 1; n must be 0
+ * also of rational curves, and the other curves of the set are kept. With degree 0 the call inserts
+ * n knots u [n] into the curve, in any order; a knot to be repeated stands in u as often as it is
+ * inserted. With degree p + 1 the call raises the degree p of the curve by 1; n must be 0.
+ *
  * *matrix [finer->n_control * curves->n_control] contains rows M: new control points = M * old ones
  * (of x and of y), and derivatives with respect to the old ones = transpose of M * those with
  * respect to the new ones. Rows sum to 1. Weights are constants here; the new ones are in
  * finer->weights. matrix may be NULL.
+ *
  * Control points are numbered anew: first those of the changed curve in its order, then those that
  * only other curves use or no curve. A control point that the change does not touch stays one
  * point, however many curves or ends use it: ties and common ends persist. Periodic curves (the
  * first `degree` points again at the end, with periodic knots) remain periodic; the knot is
  * inserted in all its images.
+ *
  * *finer and its arrays and *matrix are inside the block; finer->index_base is that of curves.
  * Refused with HM_BAD_ARGUMENT: a knot that is not finite or not between the ends of the curve (the
  * beginning of a periodic curve is allowed), another degree; with HM_BAD_CURVE: a multiplicity
@@ -329,7 +334,7 @@ HM_API hm_status hm_variables_map(const hm_curves* curves, const hm_section* sec
 /* ---- Movements of a section by values: turns, flaps, and variables that are not linear ---- */
 
 /* hm_movement.kind, with the values v of the movement. Every value is a change, and 0 moves
- * nothing. Degrees count counter-clockwise. */
+ * nothing. Angles are positive counter-clockwise. */
 enum {
     HM_TURN = 0,  /* v0 [degrees]: rotation about (x, y) */
     HM_SHIFT = 1, /* v0, v1 [length]: translation by (v0, v1) */
@@ -383,31 +388,32 @@ HM_API hm_status hm_move_section_size(const hm_curves* curves, const hm_section*
  * points, too: the curve moves as the map of its points except near the transition, where control
  * points that are dense compared with `length` make the difference small. The other three move the
  * outline in the least-squares sense of hm_variables_map. error [2], or NULL: root mean square and
- * largest difference that remains on the outline [length], 0 for maps of control points.
- * start [n], or NULL: what the given curves have: HM_PARSEC the parameters, HM_BLADE the angles,
- * otherwise 0. The camber line is the polynomial s (1-s) p(s), p of degree 5, that is nearest to
- * the middles of the thickness normal to this line, at 33 stations. section as in hm_measure; only
- * turn, shift and scale do without a chord. Refused, outputs unchanged: values that are not finite,
- * degrees beyond 360, a factor that is not > 0, a metal angle beyond 85 degrees from the chord, a
- * PARSEC crest outside the chord or radius below 0 (HM_BAD_ARGUMENT, error.item: the value, from
- * 0); a section without a round leading edge, without a crest on both sides, or without ends at the
- * trailing edge for HM_PARSEC (HM_BAD_CURVE). */
+ * largest difference that remains on the outline [length], 0 for maps of control points. start [n],
+ * or NULL: the values that the given curves have: the parameters for HM_PARSEC, the angles for
+ * HM_BLADE, otherwise 0. The camber line is the polynomial s (1-s) p(s), p of degree 5, that is
+ * nearest to the middles of the thickness normal to this line, at 33 stations. section as in
+ * hm_measure; only turn, shift and scale do without a chord. Refused, outputs unchanged: values
+ * that are not finite, degrees beyond 360, a factor that is not > 0, a metal angle beyond 85
+ * degrees from the chord, a PARSEC crest outside the chord or radius below 0 (HM_BAD_ARGUMENT,
+ * error.item: the value, from 0); a section without a round leading edge, without a crest on both
+ * sides, or without ends at the trailing edge for HM_PARSEC (HM_BAD_CURVE). */
 HM_API hm_status hm_move_section(const hm_curves* curves, const hm_section* section,
                                  int32_t n_movements, const hm_movement* movements,
                                  const double* values, double* move, double* derivatives,
                                  double* start, double* error, void* work, size_t bytes,
                                  hm_error* err);
 
-/* Replaces n movements of control points, such as hm_refit makes of the airfoils of a family, by
- * their modes: movements [n * 2*n_control] receives the modes, the most important one first, as
- * design variables (they are linear: hm_morph takes sums of modes times values). The inner product
- * of movements a and b is sum_i D_i a_i . b_i / sum_i D_i, D_i the integral of N_i by the arc
- * length of the curves. The modes are orthonormal: their root mean square is 1 length. singular
- * [n]: singular values [length], descending; the modes of values below 1e-12 times the first one
- * are 0. A combination of the first k modes is the nearest one to all movements, in the sum of
- * squares. The largest component of each mode is positive. 1 <= n <= 1024. Control points that no
- * curve uses have weight 0 and receive 0. Refused with HM_BAD_ARGUMENT: movements that are not
- * finite, or all 0 (outputs unchanged). (One-sided Jacobi: Hestenes, J. SIAM 6 (1958) 51.) */
+/* Replaces n movements of control points, such as those that hm_refit finds for the airfoils of a
+ * family, by their modes: movements [n * 2*n_control] receives the modes, the most important one
+ * first, as design variables (they are linear: hm_morph takes sums of modes times values). The
+ * inner product of movements a and b is sum_i D_i a_i . b_i / sum_i D_i, D_i the integral of N_i by
+ * the arc length of the curves. The modes are orthonormal: the root mean square of each is 1 unit
+ * of length. singular [n]: singular values [length], descending; the modes of values below 1e-12
+ * times the first one are 0. A combination of the first k modes is the nearest one to all
+ * movements, in the sum of squares. The largest component of each mode is positive. 1 <= n <= 1024.
+ * Control points that no curve uses have weight 0 and receive 0. Refused with HM_BAD_ARGUMENT:
+ * movements that are not finite, or all 0 (outputs unchanged). (One-sided Jacobi: Hestenes, J. SIAM
+ * 6 (1958) 51.) */
 HM_API hm_status hm_family_modes_size(const hm_curves* curves, size_t* work_bytes, hm_error* err);
 HM_API hm_status hm_family_modes(const hm_curves* curves, int32_t n, double* movements,
                                  double* singular, void* work, size_t work_bytes, hm_error* err);

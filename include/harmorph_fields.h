@@ -51,10 +51,11 @@ HM_API hm_status hm_swept_areas(const hm_mesh* mesh, const hm_points* from, cons
 /* The faces of chosen markers in one position of the mesh. */
 typedef struct hm_walls hm_walls;
 
-/* analysis: of the mesh, with conditions or without (hm_problem). markers [n_markers], n_markers >=
- * 1: the markers of the walls; a marker that no face has is refused (HM_BAD_CONDITION). at
- * [n_points]: the coordinates of the mesh points; NULL: those of the mesh. The walls keep all that
- * they need in their block: analysis, mesh and `at` are not needed afterwards. */
+/* analysis: that of the mesh, with conditions or without (hm_problem). markers [n_markers],
+ * n_markers >= 1: the markers of the walls; a marker that no face has is refused
+ * (HM_BAD_CONDITION). at [n_points]: the coordinates of the mesh points; NULL: those of the mesh.
+ * The walls keep all that they need in their block: analysis, mesh and `at` are not needed
+ * afterwards. */
 HM_API hm_status hm_walls_size(const hm_analysis* analysis, int32_t n_markers,
                                const int32_t* markers, size_t* bytes, hm_error* err);
 HM_API hm_status hm_walls_init(hm_walls** walls, void* block, size_t bytes,
@@ -94,25 +95,27 @@ HM_API hm_status hm_walls_info_get(const hm_walls* walls, hm_walls_info* info, h
 HM_API hm_status hm_wall_distance(const hm_walls* walls, int32_t n, const hm_points* points,
                                   const int32_t* hint, double* distance, int32_t* face,
                                   double* parameter, const hm_executor* executor, hm_error* err);
-/* The derivative of the distances, each to its nearest face [n] of hm_wall_distance with the same
- * points: change [n] = n . (point_change - (1-t) first_change - t second_change), with the unit
- * vector n from the nearest place to the point (at distance 0: the normal of the face into the
- * mesh). point_change [n]: changes of the points; NULL: 0. mesh_change [n_points]: changes of the
- * mesh points; NULL: 0. Where two faces are nearest, this is the derivative on one side. */
+/* Computes the derivative of the distances of the same points, each to the face [n] that
+ * hm_wall_distance found nearest: change [n] = n . (point_change - (1-t) first_change - t
+ * second_change), with the unit vector n from the nearest place to the point (at distance 0: the
+ * normal of the face into the mesh). point_change [n]: changes of the points; NULL: 0. mesh_change
+ * [n_points]: changes of the mesh points; NULL: 0. Where two faces are nearest, this is the
+ * derivative on one side. */
 HM_API hm_status hm_wall_distance_change(const hm_walls* walls, int32_t n, const hm_points* points,
                                          const int32_t* face, const hm_points* point_change,
                                          const hm_points* mesh_change, double* change,
                                          hm_error* err);
-/* The transpose: adds the derivatives of an objective by the points to point_dj [n] and those by
- * the mesh points to mesh_dj [n_points], from its derivatives dj [n] by the distances. Where the
- * points are the mesh points, both may be the same arrays. NULL: not wanted. */
+/* The transpose adds the derivatives of an objective by the points to point_dj [n] and those by the
+ * mesh points to mesh_dj [n_points]. dj [n]: the derivatives of the objective by the distances.
+ * Where the points are the mesh points, both may be the same arrays. NULL: not wanted. */
 HM_API hm_status hm_wall_distance_adjoint(const hm_walls* walls, int32_t n, const hm_points* points,
                                           const int32_t* face, const double* dj,
                                           const hm_points_out* point_dj,
                                           const hm_points_out* mesh_dj, hm_error* err);
-/* Heights of the first layer at the mesh points `at` [n_points]: for each wall point, how far the
- * other end of its first-layer edge is from the wall, in the direction of the normal of the wall at
- * the wall point [length]; 0 where there is no such edge. heights [n_wall_points]. */
+/* Computes the heights of the first layer at the mesh points `at` [n_points]: for each wall point,
+ * the distance of the other end of the first-layer edge from the wall, in the direction of the
+ * normal of the wall at the wall point [length]; 0 where there is no such edge. heights
+ * [n_wall_points]. */
 HM_API hm_status hm_first_layer(const hm_walls* walls, const hm_points* at, double* heights,
                                 hm_error* err);
 
@@ -121,11 +124,11 @@ HM_API hm_status hm_first_layer(const hm_walls* walls, const hm_points* at, doub
 /* The control volumes of the median dual of a mesh, merged level by level. */
 typedef struct hm_levels hm_levels;
 
-/* analysis: of the mesh, with conditions or without; it must exist as long as the levels. at
- * [n_points]: the coordinates by which volumes are merged; NULL: those of the mesh. agglomeration:
- * HM_AGGLOMERATE_... of harmorph_study.h, here with the length of the common face of two volumes,
- * divided by the length of the mesh edge, as conductance: HM_AGGLOMERATE_DIRECTIONAL merges
- * across the layers of thin cells, HM_AGGLOMERATE_ISOTROPIC whatever the shapes of cells.
+/* analysis: that of the mesh, with conditions or without; the analysis must exist as long as the
+ * levels. at [n_points]: the coordinates by which volumes are merged; NULL: those of the mesh.
+ * agglomeration: HM_AGGLOMERATE_... of harmorph_study.h, here with the length of the common face of
+ * two volumes, divided by the length of the mesh edge, as conductance: HM_AGGLOMERATE_DIRECTIONAL
+ * merges across the layers of thin cells, HM_AGGLOMERATE_ISOTROPIC whatever the shapes of cells.
  * max_levels 0 .. 20, the finest level included; 0: as many as there are. Each level has at most a
  * third of the volumes of the next finer one; levels end where this fails, or at 48 volumes. All
  * volumes are connected. Points that a cut joins, and in an analysis with conditions those of
@@ -136,17 +139,17 @@ HM_API hm_status hm_levels_size(const hm_analysis* analysis, size_t* bytes, hm_e
 HM_API hm_status hm_levels_init(hm_levels** levels, void* block, size_t bytes,
                                 const hm_analysis* analysis, const hm_points* at,
                                 int32_t agglomeration, int32_t max_levels, hm_error* err);
-/* cells [n_points] receives the volume of a level, counted from 0, in which the volume of each
- * point is; -1 for points that no cell uses. Level 0 is the finest. *n_cells: the volumes of the
- * level; *n_levels: all levels. Each of the three may be NULL. The volumes of one level are unions
- * of those of finer levels. */
+/* cells [n_points] receives for each point the number, from 0, of the volume of this level that
+ * contains the volume of the point; -1 for points that no cell uses. Level 0 is the finest.
+ * *n_cells: the volumes of the level; *n_levels: all levels. Each of the three may be NULL. The
+ * volumes of one level are unions of those of finer levels. */
 HM_API hm_status hm_level_cells(const hm_levels* levels, int32_t level, int32_t* cells,
                                 int32_t* n_cells, int32_t* n_levels, hm_error* err);
 /* areas [n_cells of the level] [length^2] receives the areas of the volumes at the mesh points `to`
- * [n_points], or, with `from` [n_points], by how much they grow from there to `to`. The sum over
- * the corners of cells is rounded; each of its terms is computed with twice the precision of
- * doubles. The growth is the sum of what the faces of the volume sweep (hm_swept_areas, duals and
- * halves), but for rounding. */
+ * [n_points], or, with `from` [n_points], the increase of these areas from `from` to `to`. The sum
+ * over the corners of cells is rounded; each of its terms is computed with twice the precision of
+ * doubles. The increase is the sum of the areas that the faces of the volume sweep (hm_swept_areas,
+ * duals and halves), except for rounding. */
 HM_API hm_status hm_level_areas(const hm_levels* levels, int32_t level, const hm_points* from,
                                 const hm_points* to, double* areas, hm_error* err);
 
@@ -162,8 +165,9 @@ typedef struct hm_interpolation_report {
     double max_distance;        /* [length] its distance from the mesh */
 } hm_interpolation_report;
 
-/* analysis: of the mesh that has the fields, with conditions or without; not needed afterwards. n:
- * points to which fields are interpolated, of another mesh for instance, 0 .. 2^29.
+/* analysis: that of the mesh that has the fields, with conditions or without; not needed
+ * afterwards. n: number of points to which fields are interpolated, of another mesh for instance, 0
+ * .. 2^29.
  */
 HM_API hm_status hm_interpolation_size(const hm_analysis* analysis, int32_t n, size_t* bytes,
                                        hm_error* err);
@@ -188,7 +192,7 @@ HM_API hm_status hm_interpolation_init(hm_interpolation** interpolation, void* b
 HM_API hm_status hm_interpolate(const hm_interpolation* interpolation, int32_t n_fields,
                                 const double* from, double* to, const hm_executor* executor,
                                 hm_error* err);
-/* The transpose: adds to from_dj [n_fields * n_points] the derivatives by the values at the mesh
+/* The transpose adds to from_dj [n_fields * n_points] the derivatives by the values at the mesh
  * points, from the derivatives to_dj [n_fields * n] by the interpolated values. */
 HM_API hm_status hm_interpolate_adjoint(const hm_interpolation* interpolation, int32_t n_fields,
                                         const double* to_dj, double* from_dj, hm_error* err);

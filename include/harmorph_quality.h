@@ -4,7 +4,7 @@
  * An optimiser moves control points, and the cells of the mesh must remain good. hm_assess returns
  * the smallest quality, which has no derivative where two cells compete. hm_quality_bounds returns
  * a smooth bound of the smallest quality and the derivatives of this bound with respect to all mesh
- * points. The transposes that exist turn them into derivatives with respect to other unknowns:
+ * points. These calls turn the derivatives into those with respect to other unknowns:
  *   hm_adjoint            control points, rigid bodies, variables of a combined basis (hm_combine)
  *   hm_displace_adjoint   displacements of wall points
  *   hm_slip_adjoint       points before hm_slip, to which the two above then apply */
@@ -26,9 +26,10 @@ typedef struct hm_quality hm_quality;
 /* *bytes: the exact size of the block of hm_quality_init. basis, mesh: as in hm_assess. */
 HM_API hm_status hm_quality_size(const hm_basis* basis, const hm_mesh* mesh, size_t* bytes,
                                  hm_error* err);
-/* basis: of the mesh, solved or not. start [n_points]: the coordinates to compare with; NULL: the
- * mesh's own coordinates. The coordinates are copied, so the mesh may move in place. The basis, and
- * the arrays of the mesh that list cells, must exist as long as the object.
+/* basis: a basis of the mesh, solved or not. start [n_points]: the coordinates to compare with;
+ * NULL: the mesh's own coordinates. The coordinates are copied, so the mesh may move in place. The
+ * basis, and the arrays of the mesh that list cells, must exist as long as the object.
+ *
  * The walls are the faces both ends of which are on curves, on rigid bodies, or given (HM_GIVEN).
  * The first layer has one edge for each wall point: the edge of a cell that leaves the wall and is
  * nearest to the normal of the wall at the start. For a polygon that is divided into triangles, the
@@ -40,8 +41,9 @@ HM_API hm_status hm_quality_init(hm_quality** quality, void* block, size_t bytes
 
 /* ---- Smooth bounds ---- */
 
-/* hm_bound.kind: the values v_1 .. v_N of which the bound is computed. All are pure numbers. None
- * depends on the unit of length, the orientation of cells, or the numbering of points. */
+/* hm_bound.kind selects the values v_1 .. v_N from which the bound is computed. All are pure
+ * numbers. None depends on the unit of length, the orientation of cells, or the numbering of
+ * points. */
 enum {
     /* A lower bound of the smallest quality. There is one value for each cell, Q = f s(t).
      * f is the skew quality of hm_assess: 4 sqrt(3) a / (sum of the squares of the sides) for a
@@ -95,10 +97,10 @@ typedef struct hm_bound {
 /* Kreisselmeier and Steinhauser's aggregate of the values v, with m the smallest of them:
  *     bound = m - ln(sum_k exp(-rho (v_k - m))) / rho
  * (G. Kreisselmeier, R. Steinhauser, IFAC Proc. 12(7) (1979) 113). It is infinitely differentiable
- * in the values, positive or negative, and never above m: m - ln(N) / rho <= bound <= m. At the
- * start all areas are at the smallest one, and the gap is at its largest. HM_BOUND_STRETCH has the
- * same formula with the signs of the values and of the bound changed, so bound >= m, the largest
- * value. */
+ * in the values, positive or negative, and never above m: m - ln(N) / rho <= bound <= m. The gap is
+ * largest where all values are equal, as those of HM_BOUND_AREA at the start. HM_BOUND_STRETCH has
+ * the same formula with the signs of the values and of the bound changed, so bound >= m, the
+ * largest value. */
 typedef struct hm_bound_value {
     uint64_t struct_size; /* the same in all values of one call */
     double bound;
@@ -133,27 +135,29 @@ HM_API hm_status hm_quality_bounds(const hm_quality* quality, const hm_points* a
 typedef struct hm_step_corner {
     double step; /* [-] where the area becomes 0: at the points from + step * displacement */
     int32_t cell;
-    /* The neighbour before, the corner, the neighbour behind; counted from mesh.index_base. */
+    /* The point before the corner, the corner, the point after the corner; counted from
+     * mesh.index_base. */
     int32_t points[3];
     /* [1/length] x,y pairs of these points: the derivatives of `step` with respect to `from`. Those
      * with respect to the displacement are `step` times as large. */
     double by_from[6];
 } hm_step_corner;
 
-/* Lists the corners that limit the admissible step of hm_assess: those whose step is at most
- * (1 + closeness) times the smallest one, the smallest first; of equal steps, in the order of the
- * cells. *n: their number, 0 if there is no limit. corners [capacity], at least 1: receives the
- * first of them, at most `capacity`; *n may be larger. closeness [-]: 0 .. 1.
- * Let the points move by p and the displacement change by w; then corner c changes its step by
- * g_c = sum over its three points of by_from . (p + step w). Where one corner limits the step
- * (*n = 1 with closeness 0), g_1 is the derivative of the admissible step. Where several compete,
- * the admissible step has one-sided derivatives only: the smallest g_c in this direction, and minus
- * the smallest g_c of the opposite direction, that is the largest g_c, from the other side. With
- * rounding, corners that compete exactly differ by 1e-13 or so: take a closeness of 1e-10. For a
- * gradient by control points, add step * by_from to arrays dj that are 0 elsewhere, for hm_adjoint.
- * All other arguments are as in hm_assess; the first touch of the boundary is not considered.
- * Refused with HM_BAD_MESH, outputs unchanged: an inverted cell at `from`; a corner whose area only
- * touches 0, so that the step has no derivative (error.item: the cell). */
+/* Lists the corners that limit the admissible step of hm_assess: those whose step is at most (1 +
+ * closeness) times the smallest one, the smallest first; of equal steps, in the order of the cells.
+ * *n: their number, 0 if there is no limit. corners [capacity], at least 1: receives the first of
+ * them, at most `capacity`; *n may be larger. closeness [-]: 0 .. 1.
+ *
+ * Let the points move by p and the displacement change by w; then corner c changes its step by g_c
+ * = sum over its three points of by_from . (p + step w). Where one corner limits the step (*n = 1
+ * with closeness 0), g_1 is the derivative of the admissible step. Where several compete, the
+ * admissible step has one-sided derivatives only: the smallest g_c in this direction, and minus the
+ * smallest g_c of the opposite direction, that is the largest g_c, from the other side. Rounding
+ * makes the steps of corners that compete exactly differ by about 1e-13: use a closeness of 1e-10.
+ * For a gradient by control points, add step * by_from to arrays dj that are 0 elsewhere, for
+ * hm_adjoint. All other arguments are as in hm_assess; the first touch of the boundary is not
+ * considered. Refused with HM_BAD_MESH, outputs unchanged: an inverted cell at `from`; a corner
+ * whose area only touches 0, so that the step has no derivative (error.item: the cell). */
 HM_API hm_status hm_step_gradient(const hm_basis* basis, const hm_mesh* mesh, const hm_points* from,
                                   const hm_points* displacement, double closeness, int32_t capacity,
                                   hm_step_corner* corners, int32_t* n, const hm_executor* executor,
