@@ -159,37 +159,36 @@ const Command adjoint_command = {
     "Derivatives by control points from derivatives by mesh points",
     "An adjoint flow solver writes the derivatives of an objective by the coordinates of all mesh "
     "points. This command\n"
-    "multiplies them by the transpose of the morph: the result are derivatives by what BASIS "
-    "moves, exact to rounding.\n"
+    "multiplies them by the transpose of the morph: the result is the gradient by the control "
+    "points, rigid bodies and modes\n"
+    "of BASIS, exact to rounding.\n"
     "FILE is a table \"point dJ/dx dJ/dy\" (points from 0, in the order of MESH), a CSV file with "
     "the names of columns in\n"
     "its first line (SU2's volume and surface files), a binary restart file of SU2, a file .vtk or "
     ".vtu with vectors at\n"
     "the points, or a pointVectorField of OpenFOAM. Rows are matched by the column PointID, or by "
-    "x "
-    "and y; where a file has\n"
+    "x and y; where a file has\n"
     "both, they must agree. Points without a row have derivative 0. Where the rows are the points "
-    "of "
-    "MESH itself, and MESH is\n"
+    "of MESH itself, and MESH is\n"
     "one cell thick, the derivatives by both planes are added.\n"
     "The output has the lines of a file of moves: \"index dJ/dx dJ/dy\", \"rigid MARKER dJ/dx "
     "dJ/dy dJ/ddegrees dJ/dscale\",\n"
     "\"mode K dJ/damplitude dJ/damplitude-y\"; with --variables \"variable dJ/dvalue "
     "dJ/dvalue-y\". Morphs are linear in\n"
-    "the control points: second derivatives by control points are F^T H F with the solver's H, "
-    "and have no other term.\n",
+    "the control points: second derivatives by control points are F^T H F with the solver's H, and "
+    "have no other term.\n",
     std::vector<Option>{
-        {"--sensitivity", "FILE", "derivatives by mesh points; may be repeated, once an objective",
-         FileUse::input},
+        {"--sensitivity", "FILE",
+         "derivatives by mesh points; may be repeated, once for each objective", FileUse::input},
         {"--x", "NAME", "the column of dJ/dx (default: Sensitivity_x)"},
         {"--y", "NAME", "the column of dJ/dy (default: Sensitivity_y)"},
         {"--vector", "NAME",
          "the array of vectors in a file of VTK (default: Sensitivity), in place of --x and --y"},
         {"--normal", "NAME",
          "the column of derivatives along the normals of the boundary, instead of --x and --y"},
-        {"--into", "SIDE", "for --normal: the normals point into the fluid or into the body"},
+        {"--into", "SIDE", "for --normal: fluid or body, into which the normals point"},
         {"--per-length", nullptr,
-         "for --normal: the values are by the length of the wall (default: by point)"},
+         "for --normal: the values are per length of the wall (default: per point)"},
         {"--variables", "MAP",
          "derivatives by the design variables in MAP, a file of `harmorph variables`",
          FileUse::input},
@@ -200,7 +199,8 @@ const Command adjoint_command = {
          FileUse::input},
         {"--smooth", "LENGTH",
          "smooth the gradient along the curves: changes along less than LENGTH are damped"},
-        {"-o", "FILE", "where to write the gradient: .csv, .json, or else text", FileUse::output},
+        {"-o", "FILE", "file of the gradient; the ending selects .csv, .json, or else text",
+         FileUse::output},
         {"--json", nullptr, "print one JSON object with all gradients"},
         format_option,
         zone_option,

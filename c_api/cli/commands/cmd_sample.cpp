@@ -322,31 +322,32 @@ const Command sample_command = {
     "sample",
     {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}},
     "Makes many designs of a mesh, for surrogate models",
-    "All meshes have the points and cells of MESH in the same order. A design is made by one "
-    "linear step or, where this\n"
-    "leaves a poor mesh, by the safe morph; designs beyond --min and --max, and those that the "
-    "mesh cannot follow, are\n"
-    "rejected and listed with the reason. DIR/designs.csv has a line for each design, "
-    "DIR/shards/*.npz (for numpy.load)\n"
-    "have 1000 accepted designs each: coordinates, parameters, control points, measures, quality "
-    "and connectivity.\n"
-    "DIR/README.md describes all arrays, and DIR/index.html shows some sections and scatter "
-    "plots. The same command on\n"
-    "the same DIR goes on behind the last complete shard; the bits do not depend on interruptions "
-    "and --threads.\n",
+    "All meshes have the points and cells of MESH in the same order. A linear step makes the mesh "
+    "of a design; where this\n"
+    "step leaves a poor mesh, the safe morph makes the mesh. Designs beyond --min and --max, and "
+    "designs that the mesh\n"
+    "cannot follow, are rejected and listed with the reason. DIR/designs.csv has a line for each "
+    "design. The files\n"
+    "DIR/shards/*.npz (for numpy.load) have 1000 accepted designs each: coordinates, parameters, "
+    "control points, measures,\n"
+    "quality and connectivity. DIR/README.md describes all arrays, and DIR/index.html shows some "
+    "sections and scatter plots.\n"
+    "The same command on the same DIR continues after the last complete shard; the bits do not "
+    "depend on interruptions and\n"
+    "--threads.\n",
     DesignSpace::options() + measure_options() + SampleSplits::options() +
         std::vector<Option>{
             {"--min-quality", "Q",
-             "a linear step must leave this smallest quality, in parts of that of MESH, 0 to 1\n"
-             "(default 0.05), and so must the safe morph"},
+             "the smallest quality that a linear step and the safe morph must leave, relative to "
+             "that of\n"
+             "MESH, 0 to 1 (default 0.05)"},
             {"--linear", nullptr, "reject designs that one linear step does not reach"},
             {"--step", nullptr,
-             "also admissible_step: the multiple of the movement at which the first cell inverts "
-             "or "
-             "the\n"
-             "boundary first touches itself"},
+             "also the column admissible_step: the multiple of the movement at which the first "
+             "cell\n"
+             "inverts or the boundary first touches itself"},
             {"--wall", nullptr,
-             "also points of the moving walls in order, their unit normals and arc lengths"},
+             "also the points of the moving walls in order, their unit normals and arc lengths"},
             {"--wall-distance", nullptr,
              "also the distances of all points to the moving walls, in shards/*.distance.npz"},
             {"--meshes", nullptr, "also each accepted mesh in the format of MESH, in DIR/meshes"},

@@ -112,7 +112,7 @@ std::string Limits::refusal_from(const std::vector<double>& values, std::size_t 
 std::vector<Option> measure_options() {
     return {chord_option,
             {"--stations", "S[,S..]",
-             "also thickness_S and camber_S at these stations, 0 to 1 along the chord"},
+             "also the columns thickness_S and camber_S at these stations, 0 to 1 along the chord"},
             {"--min", "NAME=NUMBER",
              "rejects designs of which a column is smaller: area, chord, max_thickness, "
              "max_camber,\n"

@@ -49,12 +49,13 @@ std::string SampleSplits::description() const {
 }
 
 std::vector<Option> SampleSplits::options() {
-    return {
-        {"--test", "F",
-         "the part of the designs in the split `test`, 0 to 1, chosen by lot (default .2)"},
-        {"--inside", "NAME=LOW,HIGH",
-         "designs with this parameter or measure outside the range are the split `out` (may be\n"
-         "repeated)"}};
+    return {{"--test", "F",
+             "the part of the designs, 0 to 1, that the seed chooses for the split `test`\n"
+             "(default .2)"},
+            {"--inside", "NAME=LOW,HIGH",
+             "designs with this parameter or measure outside the range go into the split `out` "
+             "(may be\n"
+             "repeated)"}};
 }
 
 }  // namespace cli
