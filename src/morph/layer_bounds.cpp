@@ -47,9 +47,9 @@ struct LayerState {
             face[1].weight = length(along[0]);
             tangent = face[0].weight * face[0].before + face[1].weight * face[1].before;
         }
-        for (LayerFace const& of : face) {
-            if (of.given())
-                sum = sum + of.weight * product(conjugate(of.before), direction(of.now));
+        for (LayerFace const& wall : face) {
+            if (wall.given())
+                sum = sum + wall.weight * product(conjugate(wall.before), direction(wall.now));
         }
         turn = direction(sum);
         if (turn.x == 0 && turn.y == 0) turn = {1, 0};
@@ -91,14 +91,14 @@ struct LayerState {
         if (!(size > 0)) return;
         // The angle of T changes by Im(conj(T) dS) / |S|, and that of u by cross(u, d(now)) /
         // |now|.
-        for (LayerFace const& of : face) {
-            Real const along = length(of.now);
-            if (!of.given() || !(along > 0)) continue;
-            Vec2 const unit = direction(of.now), part = product(conjugate(of.before), unit);
-            Real const share = of.weight * dot(turn, part) / size;
+        for (LayerFace const& wall : face) {
+            Real const along = length(wall.now);
+            if (!wall.given() || !(along > 0)) continue;
+            Vec2 const unit = direction(wall.now), part = product(conjugate(wall.before), unit);
+            Real const share = wall.weight * dot(turn, part) / size;
             Vec2 const by_end = by_turn * share / along * left_of(unit);
-            gradient.add(of.to, by_end);
-            gradient.add(of.from, -1 * by_end);
+            gradient.add(wall.to, by_end);
+            gradient.add(wall.from, -1 * by_end);
         }
     }
 };

@@ -14,8 +14,8 @@ void MeshQuality::lay_out(Arena& arena, Basis const& basis, Mesh const& mesh) no
     arena.release(mark);
 }
 
-void MeshQuality::find(Basis const& basis, OrientedMesh const& of, Points at) noexcept {
-    cells = of;
+void MeshQuality::find(Basis const& basis, OrientedMesh const& mesh, Points at) noexcept {
+    cells = mesh;
     Index const n_points = cells.mesh.n_points;
     for (Index k = 0; k < n_points; ++k) {
         xy[k] = at[k].x;

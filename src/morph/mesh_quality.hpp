@@ -16,7 +16,7 @@ struct MeshQuality {
 
     void lay_out(Arena& arena, Basis const& basis, Mesh const& mesh) noexcept;
     // The basis must be one of these cells.
-    void find(Basis const& basis, OrientedMesh const& of, Points at) noexcept;
+    void find(Basis const& basis, OrientedMesh const& mesh, Points at) noexcept;
 
     Points start() const noexcept { return {xy.data(), xy.data() + cells.mesh.n_points, 1}; }
     Span<const LayerEdge> edges() const noexcept { return edge.first(n_edges); }

@@ -56,11 +56,11 @@ void check_chain(Bounded const& mesh, Field const& unknowns, Displacement const&
 
 TEST_CASE("derivatives by control points, for real and for complex functions") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
-        Case its = airfoil_case(20);
+        Case setup = airfoil_case(20);
         Options options{};
         options.operator_kind = kind;
-        Solved const solved(its, &options);
-        Bounded const mesh(its);
+        Solved const solved(setup, &options);
+        Bounded const mesh(setup);
         std::size_t const n = static_cast<std::size_t>(solved.info().functions);
         check_chain(
             mesh, some_field(n, 2, 0.002),
@@ -70,11 +70,11 @@ TEST_CASE("derivatives by control points, for real and for complex functions") {
 }
 
 TEST_CASE("derivatives by design variables, through a combined basis") {
-    Case its = airfoil_case(20);
+    Case setup = airfoil_case(20);
     Options options{};
     options.operator_kind = HM_CONFORMAL;
-    Solved const solved(its, &options);
-    Bounded const mesh(its);
+    Solved const solved(setup, &options);
+    Bounded const mesh(setup);
     Combination const variables(solved.info().functions, 4, 2, 5);
     Combined const few(solved.basis, variables);
     REQUIRE(few.status == HM_OK);
@@ -85,10 +85,10 @@ TEST_CASE("derivatives by design variables, through a combined basis") {
 }
 
 TEST_CASE("derivatives by displacements of wall points") {
-    Case its = given_instead(airfoil_case(20));
+    Case setup = given_instead(airfoil_case(20));
     Options const options = laplace();
-    Displaced displaced(its, &options);
-    Bounded const mesh(its);
+    Displaced displaced(setup, &options);
+    Bounded const mesh(setup);
     check_chain(
         mesh, some_field(displaced.points.size(), 2, 1e-5),
         [&](Field const& wall) { return displaced.displace(wall); },
@@ -96,9 +96,9 @@ TEST_CASE("derivatives by displacements of wall points") {
 }
 
 TEST_CASE("derivatives of the admissible step by control points") {
-    Case its = airfoil_case(20);
-    Solved const solved(its);
-    Bounded const mesh(its);
+    Case setup = airfoil_case(20);
+    Solved const solved(setup);
+    Bounded const mesh(setup);
     std::size_t const n = static_cast<std::size_t>(solved.info().functions);
     Field const move = some_field(n, 6, 0.01), direction = some_field(n, 7, 0.001);
     auto const step_of = [&](double t, hm_step_corner* corner) {

@@ -102,21 +102,21 @@ std::vector<std::int32_t> const cell_kinds = {HM_BOUND_QUALITY, HM_BOUND_KEPT_QU
                                               HM_BOUND_AREA};
 
 // The length below which random movements keep the cells of these cases valid.
-double rough(NamedCase const& of) {
-    std::string const name = of.name;
+double rough(NamedCase const& given) {
+    std::string const name = given.name;
     return name == "airfoil" ? 1e-5 : name == "hanging nodes" ? 1e-3 : 0.006;
 }
 
 }  // namespace
 
 TEST_CASE("the values are those of the header, and the bounds their aggregates") {
-    for (NamedCase const& of : cases()) {
-        INFO(std::string(of.name));
-        Bounded const mesh(of.setup);
-        Field const at = moved(mesh.start(), 0.1, 3, rough(of));
+    for (NamedCase const& given : cases()) {
+        INFO(std::string(given.name));
+        Bounded const mesh(given.setup);
+        Field const at = moved(mesh.start(), 0.1, 3, rough(given));
         std::vector<double> quality, kept;
-        for (std::int32_t cell = 0; cell < mesh.its.mesh.n_cells(); ++cell) {
-            Outlines const both(mesh.its.mesh, cell, at);
+        for (std::int32_t cell = 0; cell < mesh.setup.mesh.n_cells(); ++cell) {
+            Outlines const both(mesh.setup.mesh, cell, at);
             quality.push_back(smooth_quality_of(both, false));
             kept.push_back(smooth_quality_of(both, true));
         }
@@ -144,7 +144,7 @@ TEST_CASE("the values are those of the header, and the bounds their aggregates")
         hm_quality_report report{};
         report.struct_size = sizeof report;
         hm_points const points = pairs_in(at),
-                        start = {mesh.its.mesh.x.data(), mesh.its.mesh.y.data(), 1};
+                        start = {mesh.setup.mesh.x.data(), mesh.setup.mesh.y.data(), 1};
         REQUIRE(hm_assess(mesh.attempt.basis, &mesh.mesh, &points, nullptr, &start, nullptr,
                           nullptr, &report, nullptr) == HM_OK);
         hm_bound_value const sharp = bound_of(mesh, at, HM_BOUND_QUALITY, 1e5).value;
@@ -154,15 +154,15 @@ TEST_CASE("the values are those of the header, and the bounds their aggregates")
 }
 
 TEST_CASE("areas are compared with the start corner by corner, positive or not") {
-    for (NamedCase const& of : cases()) {
-        if (of.setup.mesh.cell_layout == HM_CELLS_POLYGONS) continue;
-        INFO(std::string(of.name));
-        Bounded const mesh(of.setup);
+    for (NamedCase const& given : cases()) {
+        if (given.setup.mesh.cell_layout == HM_CELLS_POLYGONS) continue;
+        INFO(std::string(given.name));
+        Bounded const mesh(given.setup);
         for (double const amount : {0.0, 0.1, 2.0}) {
             Field const at = moved(mesh.start(), amount, 3, amount > 1 ? 0.1 : 0);
             std::vector<double> ratios;
-            for (std::int32_t cell = 0; cell < mesh.its.mesh.n_cells(); ++cell) {
-                Outlines const both(mesh.its.mesh, cell, at);
+            for (std::int32_t cell = 0; cell < mesh.setup.mesh.n_cells(); ++cell) {
+                Outlines const both(mesh.setup.mesh, cell, at);
                 std::size_t const n = both.now.size();
                 for (std::size_t k = n == 3 ? 2 : 0; k < n; ++k) {
                     std::size_t const b = (k + 1) % n, c = (k + 2) % n;
@@ -184,9 +184,9 @@ TEST_CASE("areas are compared with the start corner by corner, positive or not")
 }
 
 TEST_CASE("a mesh that has not moved: areas and kept quality are 1, the gap is ln(N) / rho") {
-    for (NamedCase const& of : cases()) {
-        INFO(std::string(of.name));
-        Bounded const mesh(of.setup);
+    for (NamedCase const& given : cases()) {
+        INFO(std::string(given.name));
+        Bounded const mesh(given.setup);
         for (BoundResult const& found :
              bounds_of(mesh, mesh.start(), {HM_BOUND_KEPT_QUALITY, HM_BOUND_AREA}, 100)) {
             CHECK(found.value.extreme == doctest::Approx(1).epsilon(1e-12));
@@ -198,10 +198,10 @@ TEST_CASE("a mesh that has not moved: areas and kept quality are 1, the gap is l
 }
 
 TEST_CASE("derivatives agree with differences, of second order, also at the start mesh") {
-    for (NamedCase const& of : cases()) {
-        INFO(std::string(of.name));
-        Bounded const mesh(of.setup);
-        double const size = rough(of);
+    for (NamedCase const& given : cases()) {
+        INFO(std::string(given.name));
+        Bounded const mesh(given.setup);
+        double const size = rough(given);
         for (double const amount : {0.0, 0.1}) {
             Field const at = moved(mesh.start(), amount, 3, amount * size);
             Field const direction = some_field(at.size(), 11, size);
@@ -222,12 +222,12 @@ TEST_CASE("derivatives agree with differences, of second order, also at the star
 }
 
 TEST_CASE("derivatives of inverted cells agree with differences") {
-    for (NamedCase const& of : cases()) {
-        INFO(std::string(of.name));
-        Bounded const mesh(of.setup);
+    for (NamedCase const& given : cases()) {
+        INFO(std::string(given.name));
+        Bounded const mesh(given.setup);
         Field at = mesh.start();
         Field const noise =
-            some_field(at.size(), 21, std::string(of.name) == "airfoil" ? 0.02 : 0.2);
+            some_field(at.size(), 21, std::string(given.name) == "airfoil" ? 0.02 : 0.2);
         at = along(at, noise, 1);
         Field const direction = some_field(at.size(), 12, 1e-3 * largest(noise));
         for (std::int32_t const kind : cell_kinds) {
@@ -252,17 +252,18 @@ TEST_CASE("derivatives of inverted cells agree with differences") {
 
 TEST_CASE("no value depends on the unit of length, on turns or translations") {
     std::complex<double> const turn = std::polar(1.0, 0.7);
-    for (NamedCase const& of : cases()) {
-        INFO(std::string(of.name));
-        Bounded const mesh(of.setup);
-        Field const at = moved(mesh.start(), 0.1, 3, rough(of));
+    for (NamedCase const& given : cases()) {
+        INFO(std::string(given.name));
+        Bounded const mesh(given.setup);
+        Field const at = moved(mesh.start(), 0.1, 3, rough(given));
         std::vector<BoundResult> const expected = bounds_of(mesh, at, cell_kinds);
         for (double const unit : {0x1p-40, 1e3, 1e-85, 1e85}) {
-            Case scaled = of.setup;
+            Case scaled = given.setup;
             Field there = at;
             for (std::size_t k = 0; k < at.size(); ++k) {
                 std::complex<double> const z =
-                    unit * turn * std::complex<double>(of.setup.mesh.x[k], of.setup.mesh.y[k]);
+                    unit * turn *
+                    std::complex<double>(given.setup.mesh.x[k], given.setup.mesh.y[k]);
                 scaled.mesh.x[k] = z.real();
                 scaled.mesh.y[k] = z.imag();
                 there[k] = unit * turn * at[k];
@@ -285,27 +286,28 @@ TEST_CASE("no value depends on the unit of length, on turns or translations") {
 }
 
 TEST_CASE("no value depends on the orientation of cells or the numbering of cells and points") {
-    for (NamedCase const& of : cases()) {
-        INFO(std::string(of.name));
-        Bounded const mesh(of.setup);
-        Field const at = moved(mesh.start(), 0.1, 3, rough(of));
+    for (NamedCase const& given : cases()) {
+        INFO(std::string(given.name));
+        Bounded const mesh(given.setup);
+        Field const at = moved(mesh.start(), 0.1, 3, rough(given));
         std::vector<BoundResult> const expected = bounds_of(mesh, at, cell_kinds);
         // Point k becomes point n - 1 - k; cells are listed backwards, and every one is reversed.
-        Case other = of.setup;
-        std::int32_t const n = of.setup.mesh.n_points();
+        Case other = given.setup;
+        std::int32_t const n = given.setup.mesh.n_points();
         Mesh renamed;
-        renamed.cell_layout = of.setup.mesh.cell_layout;
-        for (std::int32_t k = n; k-- > 0;) renamed.add_point(of.setup.mesh.point(k));
-        for (std::int32_t cell = of.setup.mesh.n_cells(); cell-- > 0;) {
-            std::vector<std::int32_t> points = corners_of(of.setup.mesh, cell);
+        renamed.cell_layout = given.setup.mesh.cell_layout;
+        for (std::int32_t k = n; k-- > 0;) renamed.add_point(given.setup.mesh.point(k));
+        for (std::int32_t cell = given.setup.mesh.n_cells(); cell-- > 0;) {
+            std::vector<std::int32_t> points = corners_of(given.setup.mesh, cell);
             for (auto p = points.rbegin(); p != points.rend(); ++p)
                 renamed.cells.push_back(n - 1 - *p);
             renamed.cell_start.push_back(static_cast<std::int32_t>(renamed.cells.size()));
         }
-        for (std::int32_t face = 0; face < of.setup.mesh.n_faces(); ++face) {
+        for (std::int32_t face = 0; face < given.setup.mesh.n_faces(); ++face) {
             std::size_t const k = 2 * static_cast<std::size_t>(face);
-            renamed.add_face(n - 1 - of.setup.mesh.faces[k], n - 1 - of.setup.mesh.faces[k + 1],
-                             of.setup.mesh.face_markers[static_cast<std::size_t>(face)]);
+            renamed.add_face(n - 1 - given.setup.mesh.faces[k],
+                             n - 1 - given.setup.mesh.faces[k + 1],
+                             given.setup.mesh.face_markers[static_cast<std::size_t>(face)]);
         }
         other.mesh = renamed;
         other.index_base = 1;
@@ -319,14 +321,14 @@ TEST_CASE("no value depends on the orientation of cells or the numbering of cell
                   1e-9 * largest(expected[k].gradient));
         }
         CHECK(found[0].value.item - 1 ==
-              of.setup.mesh.n_cells() - 1 - expected[0].value.item);  // counted from 1
+              given.setup.mesh.n_cells() - 1 - expected[0].value.item);  // counted from 1
     }
 }
 
 TEST_CASE("the bits do not depend on threads, kernels, layouts, or on which bounds are wanted") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
-        Case its = ring_case(60, 120, 0.5, 4, kind);
-        Bounded const mesh(its);
+        Case setup = ring_case(60, 120, 0.5, 4, kind);
+        Bounded const mesh(setup);
         Field at = moved(mesh.start(), 0.1, 3, 1e-3);
         at[3000] += 0.1;  // some cells are inverted
         std::vector<BoundResult> const expected = bounds_of(mesh, at, cell_kinds);
@@ -358,13 +360,13 @@ TEST_CASE("the bits do not depend on threads, kernels, layouts, or on which boun
         }
     }
     // Polygons with up to four corners have the values of other layouts.
-    Case its = ring_case(20, 40, 0.5, 4, Cells::hybrid);
-    Bounded const rows(its);
-    its.given_points.clear();
-    its.given_curves.clear();
-    its.given_u.clear();
-    its.mesh.cell_layout = HM_CELLS_POLYGONS;
-    Bounded const polygons(its);
+    Case setup = ring_case(20, 40, 0.5, 4, Cells::hybrid);
+    Bounded const rows(setup);
+    setup.given_points.clear();
+    setup.given_curves.clear();
+    setup.given_u.clear();
+    setup.mesh.cell_layout = HM_CELLS_POLYGONS;
+    Bounded const polygons(setup);
     Field const at = moved(rows.start(), 0.1, 3, 1e-3);
     std::vector<BoundResult> const expected = bounds_of(rows, at, cell_kinds),
                                    found = bounds_of(polygons, at, cell_kinds);

@@ -20,9 +20,9 @@ std::vector<Case> layered_cases() {
 }  // namespace
 
 TEST_CASE("heights and angles are those of the first layer") {
-    for (Case const& of : {airfoil_case(20), ring_case(6, 24, 0.5, 2, Cells::triangles)}) {
-        Bounded const mesh(of);
-        Walls walls(of.mesh);
+    for (Case const& given : {airfoil_case(20), ring_case(6, 24, 0.5, 2, Cells::triangles)}) {
+        Bounded const mesh(given);
+        Walls walls(given.mesh);
         for (double const amount : {0.0, 0.05, 0.2}) {
             Field const at = moved(mesh.start(), amount, 3, 0);
             for (std::size_t k = 0; k < at.size(); ++k) {
@@ -58,8 +58,8 @@ TEST_CASE("heights and angles are those of the first layer") {
 }
 
 TEST_CASE("derivatives by the points agree with differences, also at the start") {
-    for (Case const& of : layered_cases()) {
-        Bounded const mesh(of);
+    for (Case const& given : layered_cases()) {
+        Bounded const mesh(given);
         for (double const amount : {0.0, 0.1}) {
             Field const at = moved(mesh.start(), amount, 3, 0);
             Field direction = some_field(at.size(), 5, 1e-4);

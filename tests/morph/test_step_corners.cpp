@@ -47,12 +47,12 @@ TEST_CASE("the derivative of the admissible step agrees with differences") {
     std::vector<Case> cases;
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         cases.push_back(ring_case(6, 24, 0.5, 2, kind));
-    for (NamedCase const& of : polygon_cases()) {
-        cases.push_back(of.setup);
+    for (NamedCase const& given : polygon_cases()) {
+        cases.push_back(given.setup);
         cases.back().mesh.cell_layout = HM_CELLS_POLYGONS;
     }
-    for (Case const& of : cases) {
-        Bounded const mesh(of);
+    for (Case const& given : cases) {
+        Bounded const mesh(given);
         Field const from = mesh.start();
         for (unsigned seed = 1; seed < 6; ++seed) {
             Field const displacement = some_field(from.size(), seed, 0.1);
@@ -74,8 +74,8 @@ TEST_CASE("the derivative of the admissible step agrees with differences") {
 TEST_CASE("where cells compete, the step has the one-sided derivatives of the header") {
     // All columns of a ring compete when the wall grows; a change that breaks the symmetry then
     // lowers the step to both sides.
-    Case its = ring_case(6, 24, 0.5, 2);
-    Bounded const mesh(its);
+    Case setup = ring_case(6, 24, 0.5, 2);
+    Bounded const mesh(setup);
     Field const from = mesh.start();
     Field displacement(from.size());
     for (std::size_t k = 0; k < from.size(); ++k)
