@@ -89,6 +89,14 @@ first_lines() {
     grep -q 'make demo' "$dir/first.sh" && sh "$dir/first.sh" && ls "$build/demo/morph.svg"
 }
 check "the first two commands" first_lines
+openfoam_lines() {   # OpenFOAM's sources are not there: make prints its commands only
+    { echo 'PATH=$dir/bin:$PATH'
+      echo 'make() { command $MAKE -n "$@" LIBRARY="$build/libharmorph.a"; }'
+      echo set -e
+      block c_api/openfoam/README.md sh 1; } >"$dir/openfoam.sh"
+    sh "$dir/openfoam.sh" >"$dir/out" 2>&1 && grep -q '[-]o [^ ]*/libharmorphMotionSolver.so' "$dir/out"
+}
+check "the lines that build the motion solver for OpenFOAM" openfoam_lines
 
 # Lines that no example has, inside programs that declare what the lines name.
 lines_of_c() {
@@ -114,6 +122,13 @@ lines_of_fortran_77() {
     [ "$(grep -c . "$dir/shown")" = "$(grep -c CALL "$dir/readme_77.inc")" ] &&
         ! grep -vxF -f "$dir/known" "$dir/shown"
 }
+lines_of_code_saturne() {   # as they stand in the user source, up to indentation
+    page=fortran/examples/code_saturne/README.md
+    sed 's/^ *//' fortran/examples/code_saturne/cs_user_boundary_conditions_ale.f90 >"$dir/known"
+    block "$page" fortran 1 >"$dir/shown"
+    grep -q follow_wall "$dir/shown" && ! grep -vxF -f "$dir/known" "$dir/shown"
+}
+check "the lines of code_saturne are those of the user source" lines_of_code_saturne
 check "lines of C on other pages compile" lines_of_c
 check "lines of Fortran on other pages compile" lines_of_fortran
 check "lines of FORTRAN 77 have the arguments of what they call" lines_of_fortran_77
