@@ -245,7 +245,8 @@ Outcome run_files(Input& input) {
         if (what == 3) cli::Basis(path, square.mesh);
         static Scratch const whole;
         static cli::Basis const basis(whole.write(square.basis_text), square.mesh);
-        if (what == 2) cli::read_moves(path, basis, square.mesh);
+        if (what == 2)
+            cli::read_moves({cli::text_of_moves(path)}, cli::movable_of(basis), square.mesh);
     } catch (cli::Failure const& failure) {
         expect(std::string(failure.what()).find(path) != std::string::npos,
                std::string("no name: ") + failure.what());
