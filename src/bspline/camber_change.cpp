@@ -9,7 +9,7 @@
 namespace harmorph {
 namespace {
 
-constexpr Index n_stations = 33, n_rounds = 6;
+constexpr Index n_places = 33, n_rounds = 6;
 constexpr Real largest_metal_angle = 85;  // degrees from the chord
 constexpr Index max_values = 2 * Variables::max_count;
 
@@ -41,12 +41,12 @@ Status CamberLine::measure(Section const& section, Fault& fault) noexcept {
     across.has_fixed_chord = true;
     for (Index round = 0; round < n_rounds; ++round) {
         Real matrix[n * n] = {}, right[n] = {};
-        for (Index k = 0; k < n_stations; ++k) {
+        for (Index k = 0; k < n_places; ++k) {
             // The stations are dense at both ends.
-            Real const s = 0.5 * (1 - turn_by(180.0 * (k + 1) / (n_stations + 1)).x);
+            Real const s = 0.5 * (1 - turn_by(180.0 * (k + 1) / (n_places + 1)).x);
             Real c[3];
             evaluate(s, c);
-            Vec2 const foot{s, c[0]}, tangent = direction({1, c[1]});
+            Vec2 const foot{s, c[0]}, tangent = direction(Vec2{1, c[1]});
             Vec2 const chord = section.chord();
             Vec2 const through = section.leading_edge + turned(foot, chord);
             across.leading_edge = through - 0.5 * turned(tangent, chord);
@@ -170,7 +170,7 @@ void CamberChange::write(Vec2 point, bool upper, Real* pairs) const noexcept {
     Real const s = line_.station_of(in), sign = upper ? 1 : -1;
     Real c[3];
     line_.evaluate(s, c);
-    auto const tangent_of = [](Real slope) { return direction({1, slope}); };
+    auto const tangent_of = [](Real slope) { return direction(Vec2{1, slope}); };
     Vec2 const foot{s, c[0]}, tangent = tangent_of(c[1]);
     Real const along = dot(in - foot, tangent), offset = cross(tangent, in - foot);
     Change const change = change_at(s, by);

@@ -261,7 +261,9 @@ TEST_CASE("parcels out of order, of other lists or problems, or truncated are re
     parcel.pop_back();
     CHECK(unpack(rows, parcel) == HM_BAD_BASIS);
     CHECK(unpack(rows, {1.0, 2.0}) == HM_BAD_BASIS);
-    CHECK(unpack(rows, std::vector<double>(40, 1.0)) == HM_BAD_BASIS);
+    CHECK(unpack(rows, std::vector<double>(40, 1.0), &error) == HM_BAD_BASIS);
+    CHECK(std::string(error.text) ==
+          "the data are not a parcel of rows: the mark at their start is missing");
     CHECK(unpack(rows, first.parcel(points)) == HM_OK);
     CHECK(info_of(rows.basis).solved == 0);
     CHECK(unpack(rows, first.parcel(points)) == HM_BAD_BASIS);  // twice

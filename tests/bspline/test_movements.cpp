@@ -343,6 +343,11 @@ TEST_CASE("movements that cannot be made are refused, and the outputs stay") {
         {set, {movement(HM_BLADE)}, {0, 90, 0}, HM_BAD_ARGUMENT, "value 1 of the movements is 90"},
         {set, {movement(HM_PARSEC)}, back, HM_BAD_ARGUMENT, "value 1 of"},
         {set, {movement(HM_PARSEC)}, flat, HM_BAD_ARGUMENT, "value 0 of"},
+        {set,
+         {movement(HM_SHIFT), movement(HM_SHIFT)},
+         {9e99, 0, 9e99, 0},
+         HM_BAD_ARGUMENT,
+         "the values move control point"},
         {ring, {movement(HM_PARSEC)}, back, HM_BAD_CURVE, "no trailing edge"}};
     for (Refused const& one : table) {
         INFO(one.text);
