@@ -69,11 +69,13 @@ Real least_value_of(const Real* numbers, Index n) noexcept {
     return overall;
 }
 
-// Replaces the numbers of odd cells, so that they count nothing.
-void clear_odd_cells(CellList const& cells, SmoothList& list, bool quality, bool area) noexcept {
+// Replaces the numbers of odd cells, so that they count nothing. Returns the number of these cells.
+Index clear_odd_cells(CellList const& cells, SmoothList& list, bool quality, bool area) noexcept {
+    Index n = 0;
     for (std::uint64_t left = list.odd; left != 0; left &= left - 1) {
         Index const i = static_cast<Index>(__builtin_ctzll(left));
-        if (i >= cells.n) return;
+        if (i >= cells.n) break;
+        ++n;
         if (quality) {
             list.quality[i] = infinity;
             list.quality_weight[i] = 0;
@@ -83,6 +85,7 @@ void clear_odd_cells(CellList const& cells, SmoothList& list, bool quality, bool
             list.area_weight[i] = 0;
         }
     }
+    return n;
 }
 
 template <Index width, bool unit>
@@ -119,8 +122,9 @@ void BoundPass::add_batches(CellBatches const& batches, const Index* numbers,
         SmoothList& list = lists[kind];
         if (given.n == 0) continue;
         bool const is_triangle = kind == 0;
-        if (list.odd != 0) clear_odd_cells(given, list, request.quality, request.area);
-        Index const n_regular = given.n - __builtin_popcountll(list.odd);
+        Index n_odd = 0;
+        if (list.odd != 0) n_odd = clear_odd_cells(given, list, request.quality, request.area);
+        Index const n_regular = given.n - n_odd;
         if (request.quality) {
             least_quality = min(least_quality, least_value_of(list.quality, given.n));
             chunk.quality.sum += sum_of_weights(list.quality_weight, given.n);
