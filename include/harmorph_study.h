@@ -78,8 +78,8 @@ enum {
      * paper */
     HM_CYCLE_PAPER = 0,
     /* W-cycles; a step of Jacobi's method smooths each correction, and the length of the correction
-     * minimises the energy of the error: a quarter of the
-     * cycles and a third of the work in the cases of the paper (`make paper`) */
+     * minimises the energy of the error: a quarter of the cycles and a third of the work in the
+     * cases of the paper (`make paper`) */
     HM_CYCLE_IMPROVED = 1
 };
 /* start of HM_FAS */
