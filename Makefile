@@ -33,6 +33,9 @@
 #   make demo             fits, solves and morphs the shipped airfoil mesh; leaves pictures and a page
 #   make paper            the paper's cases: figures and a table of engines on a page; MESHES=directory: of its SU2 files, too
 #   make manual           build/harmorph.1, the manual page of the program
+#   make html             the browsable manual of all pages and headers in build/html; PYTHON needs Sphinx and MyST
+#   make fpm              build/fpm, a package for the Fortran package manager
+#   make test-packages    the Debian packages and the fpm package: built, checked and used, where Debian's tools are installed
 #   make dist             build/harmorph-VERSION.tar.gz, the same bytes wherever it is made
 #   make install          headers, library, program, manual page, Fortran source, harmorph.pc, CMake config
 #   make install-library  headers, library, harmorph.pc and CMake config alone; the program is not built
@@ -51,7 +54,7 @@
 	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
 	test-openfoam test-saturne \
-	amalgamation compilers cross shared install-shared install-library abi manual dist
+	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages dist
 
 BUILD = build
 # PREFIX is /usr/local if it is not given; DESTDIR is empty. Both come from the environment of the recipes, where make
@@ -175,6 +178,15 @@ abi: all
 
 manual: all
 	@new=$(BUILD)/harmorph.1.$$$$; sh c_api/cli/manual.sh $(PROGRAM) $(VERSION) $$new && mv -f $$new $(BUILD)/harmorph.1
+
+html: checked
+	@PYTHON='$(PYTHON)' HARMORPH_VERSION=$(VERSION) sh c_api/packaging/html.sh $(BUILD)
+
+fpm: rules amalgamation
+	@HARMORPH_VERSION=$(VERSION) sh c_api/packaging/fpm.sh $(BUILD)
+
+test-packages: checked
+	@$(SCRIPT_JOBS); MAKE='$(MAKE)' FC='$(FC)' sh tests/packages.sh $(BUILD)
 
 dist:
 	@mkdir -p $(BUILD)

@@ -15,4 +15,5 @@ tar xzf "harmorph_$version.orig.tar.gz"
 cd "harmorph-$version"
 cp -r c_api/packaging/debian .
 unset MAKEFLAGS MFLAGS MAKELEVEL CXXFLAGS CFLAGS LDFLAGS BUILD
-dpkg-buildpackage -us -uc -F -j"${JOBS:-2}"
+# The tools of Debian, and no others that come first in the path.
+PATH=${DEBIAN_PATH:-/usr/sbin:/usr/bin:/sbin:/bin} dpkg-buildpackage -us -uc -F -j"${JOBS:-2}"
