@@ -74,7 +74,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Semantic version; before 1.0.0 any minor version may change the interface. */
+/* Semantic version: every 1.x runs programs that were compiled with 1.0.0. */
 #define HM_VERSION "1.0.0"
 #define HM_VERSION_MAJOR 1
 #define HM_VERSION_MINOR 0

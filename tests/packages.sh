@@ -14,18 +14,18 @@ rm -rf "$dir"
 mkdir -p "$dir/root" "$dir/tmp"
 
 # fpm compiles each source into a folder, joins the objects to one library, and links by the Fortran compiler.
-by_fpm() {
-    cd "$build/fpm" || return 1
+by_fpm() (
+    cd "$build/fpm" || exit 1
     mkdir -p build
     sed -n 's/^    fpm build .*--cxx-flag "\(.*\)"$/\1/p' README.md >build/flags
-    [ -s build/flags ] || return 1
+    [ -s build/flags ] || exit 1
     g++ $(cat build/flags) -Iinclude -c src/harmorph.cpp -o build/harmorph.cpp.o &&
         $FC -O1 -Jbuild -Ibuild -c src/harmorph.f90 -o build/harmorph.f90.o &&
         $FC -O1 -Jbuild -Ibuild -c src/harmorph77.f90 -o build/harmorph77.f90.o &&
         ar rcs build/libharmorph.a build/*.o &&
         $FC -O1 -Ibuild -c example/morph.f90 -o build/example.o &&
         $FC build/example.o build/libharmorph.a -o build/morph && build/morph | grep '^0 inverted cells'
-}
+)
 check "make fpm" $MAKE -s BUILD="$build" fpm
 check "the package for fpm: compiled, linked without the run-time library of C++, run" by_fpm
 
