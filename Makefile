@@ -180,10 +180,10 @@ manual: all
 	@new=$(BUILD)/harmorph.1.$$$$; sh c_api/cli/manual.sh $(PROGRAM) $(VERSION) $$new && mv -f $$new $(BUILD)/harmorph.1
 
 html: checked
-	@PYTHON='$(PYTHON)' HARMORPH_VERSION=$(VERSION) sh c_api/packaging/html.sh $(BUILD)
+	@PYTHON='$(PYTHON)' sh c_api/packaging/html.sh $(BUILD)
 
 fpm: rules amalgamation
-	@HARMORPH_VERSION=$(VERSION) sh c_api/packaging/fpm.sh $(BUILD)
+	@sh c_api/packaging/fpm.sh $(BUILD)
 
 test-packages: checked
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' FC='$(FC)' sh tests/packages.sh $(BUILD)

@@ -1,8 +1,9 @@
 #!/bin/sh
-# usage: fpm.sh BUILD   (HARMORPH_VERSION from the environment)
+# usage: fpm.sh BUILD
 # Writes BUILD/fpm, a package for the Fortran package manager: the library as one C++ source, the Fortran modules, the
 # C headers, and the program of the README as an example. `make amalgamation` and the Fortran sources come first.
 set -e
+version=$(sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' include/harmorph.h)
 to=$1/fpm
 rm -rf "$to"
 mkdir -p "$to/src" "$to/include" "$to/example"
@@ -12,7 +13,7 @@ cp fortran/examples/morph.f90 "$to/example/"
 cp LICENSE "$to/"
 cat >"$to/fpm.toml" <<END
 name = "harmorph"
-version = "$HARMORPH_VERSION"
+version = "$version"
 license = "MIT"
 description = "Morphs an airfoil and its CFD mesh together"
 
