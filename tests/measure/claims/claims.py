@@ -24,7 +24,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-COMMAND = re.compile(r"`([^`]*(?:make (?:deform|compare|paper|bench[a-z-]*|coverage|mutate)|"
+COMMAND = re.compile(r"`([^`]*(?:make (?:deform|compare|paper|bench[a-z-]*)|"
                      r"sh tests/measure/)[^`]*)`")
 # A number of a measurement; numbers inside words, code, dates and versions are not.
 NUMBER = re.compile(r"(?<![\w.,-])\d*\.?\d+(?![\w-])")
