@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: packages.sh BUILD   (MAKE, FC from the environment)
-# The packages of c_api/packaging: the folder for fpm, compiled by the commands that fpm runs; the Debian packages, built
-# from the tarball, judged by lintian, unpacked and used as the tests of the packages do (debian/tests).
+# The packages of c_api/packaging: the folder for fpm, compiled by the commands that fpm runs; the Debian packages,
+# built from the tarball, judged by lintian, unpacked and used as the tests of the packages do (debian/tests).
 : "${MAKE:=make}" "${FC:=gfortran}"
 mkdir -p "$1"
 build=$(cd "$1" && pwd)
@@ -17,7 +17,7 @@ mkdir -p "$dir/root" "$dir/tmp"
 by_fpm() (
     cd "$build/fpm" || exit 1
     mkdir -p build
-    sed -n 's/^    fpm build .*--cxx-flag "\(.*\)"$/\1/p' README.md >build/flags
+    sed -n 's/^    export FPM_CXXFLAGS="\(.*\)"$/\1/p' README.md >build/flags
     [ -s build/flags ] || exit 1
     g++ $(cat build/flags) -Iinclude -c src/harmorph.cpp -o build/harmorph.cpp.o &&
         $FC -O1 -Jbuild -Ibuild -c src/harmorph.f90 -o build/harmorph.f90.o &&

@@ -27,11 +27,12 @@ END
 cat >"$to/README.md" <<'END'
 # harmorph for fpm
 
-The library has one source in C++17, which needs no run-time library of C++, and modules in Fortran 2008. Choose the
-compilers and give the flags of C++, as fpm has none for this language:
+The library has one source in C++17, which needs no run-time library of C++, and modules in Fortran 2008. fpm takes the
+flags of C++ from the environment:
 
-    fpm build --flag "-O2" --cxx-flag "-std=c++17 -O2 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off -fno-threadsafe-statics"
-    fpm run --example morph --flag "-O2" --cxx-flag "-std=c++17 -O2 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off -fno-threadsafe-statics"
+    export FPM_CXXFLAGS="-std=c++17 -O2 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off"
+    export FPM_FFLAGS="-O2"
+    fpm run --example morph
 
 Another project names this folder as a dependency: `harmorph = { path = "../harmorph/build/fpm" }`.
 END

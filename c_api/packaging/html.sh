@@ -4,7 +4,8 @@
 # an error. Needs Sphinx and the MyST parser (Debian's python3-sphinx and python3-myst-parser).
 : "${PYTHON:=/usr/bin/python3}"
 $PYTHON -c 'import sphinx, myst_parser' 2>/dev/null || {
-    echo "make html needs Sphinx and the MyST parser for $PYTHON: install Debian's python3-sphinx and python3-myst-parser"
+    echo "make html needs Sphinx and the MyST parser for $PYTHON:"
+    echo "install Debian's python3-sphinx and python3-myst-parser"
     exit 1
 }
 HARMORPH_VERSION=$(sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' include/harmorph.h)

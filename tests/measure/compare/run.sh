@@ -1,7 +1,7 @@
 #!/bin/sh
-# `make compare`: methods that deform meshes, on the shipped meshes, on a generated one, and on others where these are given
-# (MESHES="FILE:MARKER ..."): quality, validity, time for the set-up and for one movement, memory. It needs Eigen. The
-# moving-mesh solvers of OpenFOAM stand beside harmorph's in `make test-openfoam`.
+# `make compare`: methods that deform meshes, on the shipped meshes, on a generated one, and on others where these are
+# given (MESHES="FILE:MARKER ..."): quality, validity, time for the set-up and for one movement, memory. It needs Eigen.
+# The moving-mesh solvers of OpenFOAM stand beside harmorph's in `make test-openfoam`.
 : "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS:=-O3}"
 if ! echo '#include <Eigen/Sparse>' | $CXX -I/usr/include/eigen3 -x c++ -E - >/dev/null 2>&1; then
     echo "the comparison with other methods is skipped: it needs Eigen (Debian's libeigen3-dev)"
