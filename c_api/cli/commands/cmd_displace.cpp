@@ -187,7 +187,7 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Displacemen
         for (std::size_t point = 0; point < found.by.x.size(); ++point) {
             data.values.insert(data.values.end(), {found.by.x[point], found.by.y[point], 0.0});
         }
-        write_vtu(files.add(arguments.text("--vtu")), mesh, found.moved.x, found.moved.y, data);
+        write_vtu(files.add(arguments.text("--vtu")), mesh, found.moved.x, found.moved.y, {data});
     }
 }
 

@@ -147,7 +147,7 @@ void run_export(const Arguments& arguments) {
         if (arguments.has("--csv")) write_csv(files.add(arguments.text("--csv")), mesh, columns);
         if (arguments.has("--vtu"))
             write_vtu(files.add(arguments.text("--vtu")), mesh, mesh.x, mesh.y,
-                      point_data(columns));
+                      {point_data(columns)});
     }
     if (arguments.has("--svg") || arguments.has("--contour-csv"))
         write_pictures(arguments, mesh, basis, files);

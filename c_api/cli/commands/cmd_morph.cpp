@@ -59,7 +59,7 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
         write_moves(files.add(companions.reached), morph.moves, basis, mesh);
     if (arguments.has("--vtu")) {
         write_vtu(files.add(arguments.text("--vtu")), mesh, moved.x, moved.y,
-                  displacement_data(morph.displacement));
+                  {displacement_data(morph.displacement)});
     }
     if (arguments.has("--svg")) {
         files.add(arguments.text("--svg"))

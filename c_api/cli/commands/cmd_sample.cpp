@@ -224,7 +224,7 @@ private:
             for (std::size_t k = 0; k < mesh_.x.size(); ++k)
                 displacement.values.insert(displacement.values.end(),
                                            {moved.x[k] - mesh_.x[k], moved.y[k] - mesh_.y[k], 0.0});
-            write_vtu(files.add(folder_.vtk_of(number)), mesh_, moved.x, moved.y, displacement);
+            write_vtu(files.add(folder_.vtk_of(number)), mesh_, moved.x, moved.y, {displacement});
         }
         files.commit();
     }

@@ -14,9 +14,10 @@ namespace cli {
 namespace {
 
 const Command* const commands[] = {
-    &fit_command,    &solve_command,     &morph_command,    &displace_command, &adjoint_command,
-    &export_command, &check_command,     &transfer_command, &explore_command,  &convert_command,
-    &curve_command,  &variables_command, &sample_command,   &demo_command};
+    &fit_command,     &solve_command,       &morph_command, &displace_command,
+    &adjoint_command, &export_command,      &check_command, &transfer_command,
+    &explore_command, &convert_command,     &curve_command, &variables_command,
+    &sample_command,  &interpolate_command, &align_command, &demo_command};
 
 constexpr const char* introduction =
     "harmorph morphs an airfoil and its mesh together: the airfoil is a B-spline, "

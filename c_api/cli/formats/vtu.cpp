@@ -43,37 +43,39 @@ void write_cells(std::ostream& out, const Mesh& mesh) {
     out << "</DataArray>\n</Cells>\n";
 }
 
-void write_point_data(std::ostream& out, const PointData& data) {
-    out << "<PointData " << (data.components == 3 ? "Vectors" : "Scalars") << "=\"" << data.name
+void write_point_data(std::ostream& out, const std::vector<PointData>& arrays) {
+    const PointData& shown = arrays[0];
+    out << "<PointData " << (shown.components == 3 ? "Vectors" : "Scalars") << "=\"" << shown.name
         << "\">\n";
-    begin_array(out, "Float64", data.name, data.components);
-    for (std::size_t i = 0; i < data.values.size(); ++i) {
-        out << exact(data.values[i]) << ((i + 1) % data.components == 0 ? '\n' : ' ');
+    for (const PointData& data : arrays) {
+        begin_array(out, "Float64", data.name, data.components);
+        for (std::size_t i = 0; i < data.values.size(); ++i) {
+            out << exact(data.values[i]) << ((i + 1) % data.components == 0 ? '\n' : ' ');
+        }
+        out << "</DataArray>\n";
     }
-    out << "</DataArray>\n</PointData>\n";
+    out << "</PointData>\n";
 }
 
 void write_grid(std::ostream& out, const Mesh& mesh, const std::vector<double>& x,
-                const std::vector<double>& y, const PointData* data) {
+                const std::vector<double>& y, const std::vector<PointData>& data) {
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
            "byte_order=\"LittleEndian\">\n"
         << "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << mesh.points() << "\" NumberOfCells=\""
         << mesh.cells() << "\">\n";
     write_points(out, x, y);
     write_cells(out, mesh);
-    if (data) write_point_data(out, *data);
+    if (!data.empty()) write_point_data(out, data);
     out << "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
 }  // namespace
 
-void write_vtu(std::ostream& out, const Mesh& mesh) {
-    write_grid(out, mesh, mesh.x, mesh.y, nullptr);
-}
+void write_vtu(std::ostream& out, const Mesh& mesh) { write_grid(out, mesh, mesh.x, mesh.y, {}); }
 
 void write_vtu(std::ostream& out, const Mesh& mesh, const std::vector<double>& x,
-               const std::vector<double>& y, const PointData& data) {
-    write_grid(out, mesh, x, y, &data);
+               const std::vector<double>& y, const std::vector<PointData>& data) {
+    write_grid(out, mesh, x, y, data);
 }
 
 }  // namespace cli

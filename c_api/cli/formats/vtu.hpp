@@ -19,6 +19,6 @@ void write_vtu(std::ostream& out, const Mesh& mesh);
 
 // Writes the cells of the mesh, with points at x, y and values at the points.
 void write_vtu(std::ostream& out, const Mesh& mesh, const std::vector<double>& x,
-               const std::vector<double>& y, const PointData& data);
+               const std::vector<double>& y, const std::vector<PointData>& data);
 
 }  // namespace cli

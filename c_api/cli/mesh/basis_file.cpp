@@ -29,6 +29,16 @@ Block read_block(const std::string& path) {
     return block;
 }
 
+// The bytes that the file of a basis would have.
+Block as_file(const hm_basis* basis, const Mesh& mesh) {
+    std::ostringstream out;
+    write_basis(out, basis, mesh);
+    const std::string bytes = out.str();
+    Block block(bytes.size());
+    std::copy(bytes.begin(), bytes.end(), block.data());
+    return block;
+}
+
 // Attaches the basis. The library names blocks in its errors; a file that is cut off is named here.
 bool attach(const hm_basis** basis, const Block& block, const hm_mesh* mesh,
             const std::string& path) {
@@ -141,9 +151,14 @@ void refuse_other_functions(const hm_basis_info& info, const std::string& path) 
 
 }  // namespace
 
-Basis::Basis(const std::string& path, const Mesh& mesh)
+Basis::Basis(const std::string& path, const Mesh& mesh) : Basis(read_block(path), path, mesh) {}
+
+Basis::Basis(const hm_basis* solved, const Mesh& mesh)
+    : Basis(as_file(solved, mesh), mesh.file.path(), mesh) {}
+
+Basis::Basis(Block block, const std::string& path, const Mesh& mesh)
     : path_(path),
-      block_(read_block(path)),
+      block_(std::move(block)),
       info_(sized<hm_basis_info>()),
       curves_(sized<hm_curves>()),
       moved_curves_(sized<hm_curves>()) {

@@ -16,12 +16,13 @@
 
 namespace cli {
 
-// A basis that is read from a file and attached to its mesh. Refuses a file without names, a mesh
-// with other markers, conditions on markers that the mesh does not have, and functions of design
-// variables.
+// A basis that is read from a file, or copied from a solution, and attached to its mesh. Refuses a
+// file without names, a mesh with other markers, conditions on markers that the mesh does not have,
+// and functions of design variables.
 class Basis {
 public:
     Basis(const std::string& path, const Mesh& mesh);
+    Basis(const hm_basis* solved, const Mesh& mesh);
     Basis(const Basis&) = delete;
 
     const std::string& path() const { return path_; }
@@ -52,6 +53,7 @@ public:
     std::vector<double> values(std::int32_t function, std::int32_t number, const Mesh& mesh) const;
 
 private:
+    Basis(Block block, const std::string& path, const Mesh& mesh);
     void find_curves(const Mesh& mesh);
     void find_slip_curves();
 

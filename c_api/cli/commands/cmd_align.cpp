@@ -1,0 +1,162 @@
+// harmorph align: moves a mesh until its body has the shape of the body of a reference mesh, and
+// brings the fields of the mesh to the points of the reference mesh.
+#include <harmorph_design.h>
+
+#include "basics/json.hpp"
+#include "basics/numbers.hpp"
+#include "basics/print.hpp"
+#include "commands/commands.hpp"
+#include "commands/morph.hpp"
+#include "commands/solver.hpp"
+#include "commands/task.hpp"
+#include "curves/to_airfoil.hpp"
+#include "mesh/mesh_analysis.hpp"
+#include "mesh/mesh_fields.hpp"
+
+#include <memory>
+
+namespace cli {
+
+namespace {
+
+// The ordered boundary points of a marker.
+Section outline(const Mesh& mesh, const std::string& marker) {
+    const BoundaryPiece piece = MeshAnalysis(mesh).boundary(mesh.find_markers(marker));
+    Section section;
+    section.is_loop = piece.is_loop;
+    for (const std::int32_t point : piece.points) {
+        section.x.push_back(mesh.x[static_cast<std::size_t>(point)]);
+        section.y.push_back(mesh.y[static_cast<std::size_t>(point)]);
+    }
+    return section;
+}
+
+Curves fitted(const Mesh& mesh, const Section& section, std::int32_t control_points) {
+    auto options = sized<hm_fit_options>();
+    options.n_control = control_points;
+    options.closed = HM_CLOSED_AUTO;
+    const auto n = static_cast<std::int32_t>(section.x.size());
+    std::size_t bytes = 0;
+    call(mesh, hm_fit_size, n, &options, &bytes);
+    Block block(bytes);
+    const hm_curves* curves = nullptr;
+    const hm_points points = {section.x.data(), section.y.data(), 1};
+    call(mesh, hm_fit, &curves, static_cast<void*>(block.data()), bytes, &points, n,
+         std::int32_t{section.is_loop}, &options, nullptr);
+    return copied(*curves);
+}
+
+Task task_on(const Mesh& mesh, const std::string& marker, const Curves& curves) {
+    Task task;
+    task.curves = curves;
+    for (const std::int32_t number : mesh.find_markers(marker)) {
+        auto condition = sized<hm_condition>();
+        condition.marker = number;
+        condition.kind = HM_ON_CURVE;
+        condition.n_curves = static_cast<std::int32_t>(curves.curves.size());
+        task.conditions.push_back(condition);
+    }
+    return task;
+}
+
+// The columns of --fields, and the coordinates of the points before the mesh moved.
+std::vector<Column> fields_to_bring(const Arguments& arguments, const Mesh& mesh) {
+    std::vector<Column> fields;
+    if (arguments.has("--fields"))
+        fields = read_fields(arguments.text("--fields"), arguments.all("--field"), mesh);
+    fields.push_back({"from_x", mesh.x});
+    fields.push_back({"from_y", mesh.y});
+    return fields;
+}
+
+void report(const Arguments& arguments, const Morph& morph, const ToAirfoil& airfoil) {
+    if (arguments.has("--json")) {
+        JsonObject object;
+        object.add("steps", morph.safe.steps).add("min_quality", morph.quality.min_quality);
+        object.add("max_distance", airfoil.max_error).add("rms_distance", airfoil.rms_error);
+        print("%s\n", object.text().c_str());
+        return;
+    }
+    print("steps            %d, smallest quality %s\n", morph.safe.steps,
+          brief(morph.quality.min_quality).c_str());
+    print("distance         %s chord at most between the moved curve and the reference's points\n",
+          brief(airfoil.max_error / airfoil.chord).c_str());
+}
+
+void run_align(const Arguments& arguments) {
+    const std::string &to = arguments.text("--to"), &marker = arguments.text("--marker");
+    if (arguments.has("--fields") && !arguments.has("--fields-out"))
+        arguments.refuse("--fields needs --fields-out");
+    if (!arguments.has("-o") && !arguments.has("--fields-out"))
+        arguments.refuse("-o or --fields-out is required");
+    const Mesh mesh = read_mesh(arguments, 0), reference = read_mesh(to);
+    const std::vector<Column> fields = fields_to_bring(arguments, mesh);
+    const Section target =
+        outline(reference, arguments.has("--to-marker") ? arguments.text("--to-marker") : marker);
+    const Threads threads(threads_of(arguments));
+    const Curves curves =
+        fitted(mesh, outline(mesh, marker), arguments.whole("--points", 20, 4, INT32_MAX));
+    const Task task = task_on(mesh, marker, curves);
+    Solver solver(mesh, task, threads);
+    solver.run();
+    const Basis basis(solver.basis(), mesh);
+    const ToAirfoil airfoil = moves_to_airfoil(basis, 0, target, to, false);
+    const Morph morph(basis, mesh, airfoil.moves, sized<hm_safe_options>(),
+                      basis.info().operator_kind, threads);
+    if (!morph.valid() || !morph.refusal.empty()) {
+        throw Failure(exit_unusable, mesh.file.path() + " cannot be moved to the shape of " + to +
+                                         ": " + morph.refusal);
+    }
+    OutputFiles files;
+    if (arguments.has("-o"))
+        write_moved(files.add(moved_file(mesh, arguments.text("-o"))), mesh, morph.moved.x.data(),
+                    morph.moved.y.data());
+    if (arguments.has("--fields-out")) {
+        const Interpolated found = interpolated(mesh, morph.moved, fields, reference, threads);
+        judge_outside(arguments, found, mesh.file.path(), to);
+        write_fields(files, arguments.text("--fields-out"), reference, found.fields);
+    }
+    files.commit();
+    report(arguments, morph, airfoil);
+}
+
+}  // namespace
+
+const Command align_command = {
+    "align",
+    {{"MESH", FileUse::mesh}},
+    "Moves a mesh to the shape of a reference mesh, and brings its fields there",
+    "Fits a B-spline to the marker of MESH, solves, and moves the mesh until the curve is as near "
+    "as possible (least\n"
+    "squares) to the points of the marker of REFERENCE, in several steps where one is not enough. "
+    "Then the fields of MESH\n"
+    "are interpolated from the moved mesh to the points of REFERENCE, so that all shapes of a set "
+    "have their fields on one\n"
+    "mesh. The columns from_x and from_y say where each point of REFERENCE lies in MESH before the "
+    "movement. The inverse map\n"
+    "for values that a model predicts on REFERENCE: `harmorph interpolate REFERENCE VALUES "
+    "ALIGNED`, where ALIGNED is the\n"
+    "file of -o, whose points have the numbers of MESH.\n",
+    {{"--to", "REFERENCE", "the reference mesh (required)", FileUse::mesh},
+     {"--marker", "A[,B..]", "markers of the body (required)"},
+     {"--to-marker", "A[,B..]", "markers of the body in REFERENCE (default: as --marker)"},
+     {"--points", "N", "number of control points (default 20)"},
+     {"--fields", "FILE", "fields at the points of MESH, as `harmorph interpolate` reads them",
+      FileUse::input},
+     {"--field", "NAME", "a column of --fields; may be repeated (default: all columns)"},
+     {"-o", "MESH", "the moved mesh, a file like MESH", FileUse::output},
+     {"--fields-out", "FILE",
+      "the fields at the points of REFERENCE, with from_x and from_y: .vtu, or else a CSV table",
+      FileUse::output},
+     max_outside_option,
+     format_option,
+     zone_option,
+     threads_option,
+     {"--json", nullptr,
+      "print one JSON object: steps, min_quality, max_distance, rms_distance (in the mesh's "
+      "unit)"}},
+    "  harmorph align design7.su2 --to reference.su2 --marker airfoil --fields flow7.csv "
+    "--fields-out aligned7.csv\n",
+    run_align};
+
+}  // namespace cli

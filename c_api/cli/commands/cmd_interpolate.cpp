@@ -1,0 +1,70 @@
+// harmorph interpolate: fields of one mesh at the points of another mesh.
+#include "commands/commands.hpp"
+
+#include "basics/json.hpp"
+#include "basics/numbers.hpp"
+#include "basics/print.hpp"
+#include "mesh/mesh_fields.hpp"
+
+namespace cli {
+
+namespace {
+
+void run_interpolate(const Arguments& arguments) {
+    const std::string& path = arguments.text("-o");
+    const Mesh from = read_mesh(arguments, 0), to = read_mesh(arguments.operand(2));
+    const std::vector<Column> fields =
+        read_fields(arguments.operand(1), arguments.all("--field"), from);
+    Field at(0);
+    at.x = from.x;
+    at.y = from.y;
+    const Threads threads(threads_of(arguments));
+    const Interpolated found = interpolated(from, at, fields, to, threads);
+    judge_outside(arguments, found, from.file.path(), to.file.path());
+    OutputFiles files;
+    write_fields(files, path, to, found.fields);
+    files.commit();
+    if (arguments.has("--json")) {
+        JsonObject object;
+        object.add("fields", static_cast<std::int32_t>(fields.size())).add("points", to.points());
+        object.add("outside", found.report.outside).add("max_distance", found.report.max_distance);
+        print("%s\n", object.text().c_str());
+        return;
+    }
+    print("%s from %s to %s, %d of them outside\n",
+          plural(static_cast<std::int64_t>(fields.size()), "field").c_str(),
+          plural(from.points(), "point").c_str(), plural(to.points(), "point").c_str(),
+          found.report.outside);
+    print("written  %s\n", path.c_str());
+}
+
+}  // namespace
+
+const Command interpolate_command = {
+    "interpolate",
+    {{"FROM", FileUse::mesh}, {"FIELDS", FileUse::input}, {"TO", FileUse::mesh}},
+    "Fields of one mesh at the points of another mesh",
+    "Values are linear inside triangles and the mean of both divisions in quadrilaterals: linear "
+    "fields are exact but for\n"
+    "rounding. A point outside FROM gets the value of the nearest place of the boundary, linear by "
+    "arc length.\n"
+    "FIELDS is a file with one row for each point of FROM: a CSV file with the names of columns in "
+    "the first line, a table\n"
+    "\"point value value\", a binary restart file of SU2, a file .vtk or .vtu with arrays at the "
+    "points, or a\n"
+    "pointVectorField of OpenFOAM. Rows are matched as in `harmorph adjoint`.\n",
+    {{"--field", "NAME", "a column of FIELDS; may be repeated (default: all columns)"},
+     {"-o", "FILE",
+      "file to write (required): .vtu, with the mesh TO, or else a CSV table with the columns "
+      "point, x, y and\nthe fields",
+      FileUse::output},
+     max_outside_option,
+     format_option,
+     zone_option,
+     threads_option,
+     {"--json", nullptr, "print one JSON object: fields, points, outside, max_distance"}},
+    "  harmorph interpolate fine.su2 flow.vtu coarse.su2 -o coarse.vtu\n"
+    "  harmorph interpolate fine.su2 flow.csv coarse.su2 --field Pressure -o pressure.csv\n",
+    run_interpolate};
+
+}  // namespace cli

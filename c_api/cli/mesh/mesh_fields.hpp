@@ -1,0 +1,42 @@
+// Numbers at the points of a mesh, such as the results of a flow solver, and their interpolation to
+// another mesh.
+#pragma once
+
+#include "basics/csv.hpp"
+#include "basics/field.hpp"
+#include "basics/output_file.hpp"
+#include "basics/threads.hpp"
+
+#include <harmorph_fields.h>
+
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// Reads the columns of a table of point_table.hpp that have these names; no names: all columns
+// except numbers and coordinates of points. Each point of the mesh must have one row.
+std::vector<Column> read_fields(const std::string& path, const std::vector<std::string>& names,
+                                const Mesh& mesh);
+
+// Writes a .vtu file, or else a table with the columns point, x, y and those of the fields. This
+// function does not commit the file.
+void write_fields(OutputFiles& files, const std::string& path, const Mesh& mesh,
+                  const std::vector<Column>& fields);
+
+struct Interpolated {
+    std::vector<Column> fields;
+    hm_interpolation_report report;
+};
+
+// The fields of `from`, whose points are at `at`, at the points of `to`.
+Interpolated interpolated(const Mesh& from, const Field& at, const std::vector<Column>& fields,
+                          const Mesh& to, const Threads& threads);
+
+// Refuses points that are farther than --max-outside from the mesh with the fields; otherwise warns
+// of points outside.
+void judge_outside(const Arguments& arguments, const Interpolated& found, const std::string& from,
+                   const std::string& to);
+extern const Option max_outside_option;
+
+}  // namespace cli
