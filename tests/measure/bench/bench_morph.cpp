@@ -1,6 +1,6 @@
 // The product and its transpose against OpenBLAS's dgemm and the machine's read bandwidth;
 // admissible step and quality.
-#include <harmorph_design.h>
+#include <harmorph_bases.h>
 #include <harmorph_study.h>
 #include "clock.hpp"
 #include "ours.hpp"
