@@ -4,6 +4,7 @@
 
 #include "base/arena.hpp"
 #include "fault_text.hpp"
+#include "harmorph_bases.h"
 #include "harmorph_design.h"
 #include "harmorph_parts.h"
 #include "harmorph_quality.h"

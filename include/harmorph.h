@@ -8,7 +8,8 @@
  * functions for the concurrent shape and mesh morphing of airfoils".)
  *
  * This header suffices for a solver on one process. The other headers contain, by topic:
- *   harmorph_design.h  evaluation, refinement and measures of curves, variables, derived bases
+ *   harmorph_design.h  evaluation, refinement and measures of curves, variables, slipping points
+ *   harmorph_bases.h   bases made from another one: single precision, combined, finer, by table
  *   harmorph_study.h   diagnostics, and the schemes and engines of the paper
  *   harmorph_fields.h  swept areas, wall distances, coarse levels, interpolation of fields
  *   harmorph_space.h   meshes one cell thick, blocks in arrays of their own, meshes given as edges
@@ -452,9 +453,8 @@ typedef struct hm_problem {
  *   HM_LAPLACE, HM_WEIGHTED   HM_DIRECT, HM_MULTIGRID      all             real
  *
  * The weight of an operator is k = 1 / d^q. d is the distance from the barycentre of a cell to the
- * nearest face on a curve or a rigid body (or on the periodic or rotated image of one), divided by
- * the extent of these faces. Cells near the moving boundary are stiff and preserve their shape;
- * cells far away deform. */
+ * nearest face on a curve or rigid body (or on a periodic or rotated image), divided by the extent
+ * of these faces. Cells near the moving boundary are stiff and keep their shape; others deform. */
 
 /* hm_options.operator_kind */
 enum {

@@ -2,6 +2,7 @@
  * struct with a struct_size begun by HM_INIT, every kind of constant used, and the sizes and places
  * that other languages rely on. */
 #include <harmorph.h>
+#include <harmorph_bases.h>
 #include <harmorph_design.h>
 #include <harmorph_fields.h>
 #include <harmorph_parts.h>

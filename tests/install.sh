@@ -18,6 +18,7 @@ listing() { (cd "$1" && find . -type f | sort); }
 cat >"$dir/expected" <<END
 ./bin/harmorph
 ./include/harmorph.h
+./include/harmorph_bases.h
 ./include/harmorph_design.h
 ./include/harmorph_fields.h
 ./include/harmorph_mpi.h

@@ -2,6 +2,7 @@
  * each struct with the size of the struct and the offsets of all members, and case 0 with the
  * values of the constants. */
 #include <harmorph.h>
+#include <harmorph_bases.h>
 #include <harmorph_design.h>
 #include <harmorph_fields.h>
 #include <harmorph_parts.h>

@@ -40,9 +40,8 @@ static part make_part(int32_t n_points) {
     }
     out.n_own = out.n;
     for (k = 0; k < n_points; ++k) {
-        const uint32_t its_number = scrambled((uint32_t)k);
-        if ((int)(its_number % (uint32_t)size) != rank && its_number / 1000 % 7 == 0)
-            out.points[out.n++] = k;
+        const uint32_t key = scrambled((uint32_t)k);
+        if ((int)(key % (uint32_t)size) != rank && key / 1000 % 7 == 0) out.points[out.n++] = k;
     }
     return out;
 }

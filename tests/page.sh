@@ -191,7 +191,7 @@ axe=${AXE:-$(npm root -g 2>/dev/null)/axe-core/axe.min.js}
 scripted use whole tests/page_use.js
 "$harmorph" curve "$tmp/airfoil.curve" --json >"$tmp/section.json"
 of_curve() { sed -n "s/.*\"$1\": \([^,}]*\).*/\1/p" "$tmp/section.json"; }
-for name in nose_radius edge_angle; do
+for name in leading_edge_radius trailing_edge_angle; do
     if awk -v a="$(value $name)" -v b="$(of_curve $name)" \
         'BEGIN { exit !(a != "" && b > 0 && (a - b) ^ 2 <= 1e-6 * b * b) }'; then ok; else
         fail "$name: $(value $name) on the page, $(of_curve $name) by the program"

@@ -169,7 +169,7 @@
             [end_x, end_y] = app.curves.control0,
             farthest = all.reduce((a, b) =>
                 Math.hypot(a.x - end_x, a.y - end_y) > Math.hypot(b.x - end_x, b.y - end_y) ? a : b),
-            ratio = Math.abs(farthest.curvature) * app.sections[0].now.nose_radius;
+            ratio = Math.abs(farthest.curvature) * app.sections[0].now.leading_edge_radius;
         check("the tooth at the leading edge has its radius", near(ratio, 1, 0.05), ratio);
         element("comb").click();
         frame();

@@ -189,7 +189,7 @@
 
     const section = () => {
         const { now } = app.sections[0];
-        for (const name of ["nose_radius", "edge_angle"]) lines.push(`value ${name} ${now[name]}`);
+        for (const name of ["leading_edge_radius", "trailing_edge_angle"]) lines.push(`value ${name} ${now[name]}`);
         lines.push("section", app.sections[0].text().trimEnd(), "end");
         const caption = element("section_name");
         check("the table says of which section, if there are several", caption.hidden === (app.sections.length === 1) &&

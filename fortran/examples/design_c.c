@@ -3,6 +3,7 @@
  * a higher incidence is wanted, with 12 CST variables; area, thickness and the quality of the mesh
  * are constraints. The same loop without the mesh constraint ends in a refused morph. Lines with
  * names that begin with hm_ or HM_ touch harmorph. */
+#include <harmorph_bases.h>
 #include <harmorph_design.h>
 #include <harmorph_quality.h>
 #include <math.h>

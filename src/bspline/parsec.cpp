@@ -10,7 +10,7 @@ namespace harmorph {
 namespace {
 
 enum Parameter : Index {
-    nose_radius = 0,
+    leading_edge_radius = 0,
     crest = 1,  // station, height, second derivative; the same of the lower side follow
     edge_height = 7,
     edge_thickness = 8,
@@ -92,7 +92,7 @@ Index ParsecSection::solve() noexcept {
     for (Index j = 0; j < n_parameters; ++j) {
         if (!is_at_most(parameter[j], 1e6)) return j;
     }
-    if (!(parameter[nose_radius] > 0)) return nose_radius;
+    if (!(parameter[leading_edge_radius] > 0)) return leading_edge_radius;
     Index const bad = solve_side(0);
     return bad != none ? bad : solve_side(1);
 }
@@ -120,16 +120,17 @@ Index ParsecSection::solve_side(Index side) noexcept {
         return solve_small(n, matrix, width, right);
     };
     Real* const own = a[side];
-    own[0] = sign * sqrt(2 * parameter[nose_radius]);
+    own[0] = sign * sqrt(2 * parameter[leading_edge_radius]);
     Real const wanted[n] = {at_crest[1], 0, at_crest[2], height, slope};
     Real right[n * n_parameters];
     for (Index i = 0; i < n; ++i) right[i] = wanted[i] - own[0] * rows[i][0];
     if (!solve_for(1, right)) return first;
     for (Index i = 0; i < n; ++i) own[i + 1] = right[i];
 
-    Real const by_radius = sign / sqrt(2 * parameter[nose_radius]);
+    Real const by_radius = sign / sqrt(2 * parameter[leading_edge_radius]);
     for (Real& entry : right) entry = 0;
-    for (Index i = 0; i < n; ++i) right[i * n_parameters + nose_radius] = -by_radius * rows[i][0];
+    for (Index i = 0; i < n; ++i)
+        right[i * n_parameters + leading_edge_radius] = -by_radius * rows[i][0];
     for (Index d = 0; d < 3; ++d) {
         Real next[n_powers];
         powers(t, d + 1, next);
@@ -143,7 +144,7 @@ Index ParsecSection::solve_side(Index side) noexcept {
     right[4 * n_parameters + edge_wedge] = -0.5 * sign * by_angle;
     solve_for(n_parameters, right);
     for (Index j = 0; j < n_parameters; ++j) {
-        by[side][j][0] = j == nose_radius ? by_radius : 0;
+        by[side][j][0] = j == leading_edge_radius ? by_radius : 0;
         for (Index i = 0; i < n; ++i) by[side][j][i + 1] = right[i * n_parameters + j];
     }
     return none;
@@ -161,7 +162,7 @@ Status ParsecChange::measure(Section const& section, Fault& fault) noexcept {
         return fault.refuse(Status::bad_curve, "PARSEC needs a section with a round leading edge");
     InFrame const nose(section, section.leading_edge_place);
     Real const speed = length(nose.first);
-    p[nose_radius] = speed * speed * speed / abs(cross(nose.first, nose.second));
+    p[leading_edge_radius] = speed * speed * speed / abs(cross(nose.first, nose.second));
     for (Index side = 0; side < 2; ++side) {
         CurvePlace const place = find_crest(section, side == 0 ? 1 : -1);
         Real const station = place.curve == nullptr ? 0 : InFrame(section, place).at.x;

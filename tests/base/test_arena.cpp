@@ -55,10 +55,10 @@ TEST_CASE("an arena of the counted size holds aligned arrays at any address with
             unsigned char const* const begin = reinterpret_cast<unsigned char const*>(span.data());
             CHECK(reinterpret_cast<std::uintptr_t>(begin) % Arena::alignment == 0);
             CHECK(begin >= end);
-            unsigned char const* const its_end = begin + size * sizeof(*span.data());
-            CHECK(its_end <= block.data() + block.size());
+            unsigned char const* const span_end = begin + size * sizeof(*span.data());
+            CHECK(span_end <= block.data() + block.size());
             std::memset(span.data(), 1, size * sizeof(*span.data()));
-            return its_end;
+            return span_end;
         };
         end = check(layout.a, layout.sizes[0]);
         end = check(layout.b, layout.sizes[1]);

@@ -143,21 +143,21 @@ TEST_CASE("a basis with a valid checksum but indices out of range or infinite nu
         Index wrong;
         bool is_refused;
     };
-    for (Joined const& its_case : {Joined{slot, -1, true},
-                                   {slot, n_wall, true},
-                                   {slot, 0x7FFFFFFF, true},
-                                   {slot, n_wall - 1, false},
-                                   {slot, 0, false},
-                                   {point, -1, true},
-                                   {point, n_points, true},
-                                   {point, 0x7FFFFFFF, true},
-                                   {point, n_points - 1, false}}) {
-        Index const right = its_case.number;
-        its_case.number = its_case.wrong;
+    for (Joined const& damage : {Joined{slot, -1, true},
+                                 {slot, n_wall, true},
+                                 {slot, 0x7FFFFFFF, true},
+                                 {slot, n_wall - 1, false},
+                                 {slot, 0, false},
+                                 {point, -1, true},
+                                 {point, n_points, true},
+                                 {point, 0x7FFFFFFF, true},
+                                 {point, n_points - 1, false}}) {
+        Index const right = damage.number;
+        damage.number = damage.wrong;
         joined.header->checksum = harmorph::checksum_of(*joined.header);
-        CHECK(cut_copy.attach() == (its_case.is_refused ? HM_BAD_BASIS : HM_OK));
-        if (its_case.is_refused) CHECK(cut_copy.says("data of its wall points"));
-        its_case.number = right;
+        CHECK(cut_copy.attach() == (damage.is_refused ? HM_BAD_BASIS : HM_OK));
+        if (damage.is_refused) CHECK(cut_copy.says("data of its wall points"));
+        damage.number = right;
     }
     spoils(basis.knots[4], std::nan(""), "data of its curves");
     spoils(basis.control[4], std::nan(""), "data of its curves");

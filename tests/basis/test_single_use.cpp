@@ -1,6 +1,6 @@
 // Bases in single storage as blocks: copied, attached, damaged; what they do not hold, and what
 // refuses them.
-#include <harmorph_design.h>
+#include <harmorph_bases.h>
 #include <harmorph_parts.h>
 
 #include <fixtures/single.hpp>

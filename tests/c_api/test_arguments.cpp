@@ -1,6 +1,7 @@
 // Every argument of every call is looked at: NULL is refused by the argument's name, a struct
 // without its size, coordinates without an array or with a negative stride, and a block that is one
 // byte too short are refused, too.
+#include <harmorph_bases.h>
 #include <harmorph_design.h>
 #include <harmorph_fields.h>
 #include <harmorph_space.h>

@@ -248,11 +248,11 @@ TEST_CASE("bad boundaries") {
     // Lists of points, counted from 0 here.
     static std::vector<std::int32_t> starts, points;
     static std::int32_t const markers[] = {bottom, right};
-    auto const lists = [](std::vector<std::int32_t> const& its_starts,
-                          std::vector<std::int32_t> const& its_points) {
+    auto const lists = [](std::vector<std::int32_t> const& new_starts,
+                          std::vector<std::int32_t> const& new_points) {
         return [=](hm_mesh& m) {
-            starts = its_starts;
-            points = its_points;
+            starts = new_starts;
+            points = new_points;
             for (std::int32_t& start : starts) start += m.index_base;
             for (std::int32_t& point : points) point += m.index_base;
             m.n_lists = static_cast<std::int32_t>(starts.size()) - 1;

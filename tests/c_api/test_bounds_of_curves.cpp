@@ -247,12 +247,12 @@ TEST_CASE("curves: each field of the set and of a curve") {
     setup.curves.add(ring(3, 8, 1, 1));
     hm_problem problem = setup.problem();
     hm_curves two = *problem.curves;
-    std::vector<hm_curve> its_curves(two.curve, two.curve + 2);
-    two.curve = its_curves.data();
+    std::vector<hm_curve> both_curves(two.curve, two.curve + 2);
+    two.curve = both_curves.data();
     problem.curves = &two;
     for (bool const has_size : {false, true}) {
-        if (has_size) its_curves[1].struct_size = sizeof(hm_curve), its_curves[1].knots = nullptr;
-        else its_curves[1].struct_size = 0;
+        if (has_size) both_curves[1].struct_size = sizeof(hm_curve), both_curves[1].knots = nullptr;
+        else both_curves[1].struct_size = 0;
         std::string const text =
             has_size ? "the array of knots of curve 1 is NULL"
                      : "struct_size of curve 1 is not the size of an hm_curve; begin with HM_INIT";

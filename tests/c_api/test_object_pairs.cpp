@@ -1,6 +1,7 @@
 // Tables state which kinds of bases each call takes, and which two bases go together in one call;
 // the cells are the expected statuses. A refused call changes neither basis, and a call that
 // succeeds changes only what it fills.
+#include <harmorph_bases.h>
 #include <harmorph_design.h>
 #include <harmorph_space.h>
 #include <harmorph_parts.h>

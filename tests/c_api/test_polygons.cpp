@@ -1,6 +1,6 @@
 // Meshes of polygons with hanging nodes through the whole interface: linear fields are exact, every
 // engine and derived basis takes these meshes, and meshes that are none are refused.
-#include <harmorph_design.h>
+#include <harmorph_bases.h>
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
 #include <doctest/doctest.h>

@@ -91,7 +91,7 @@ void check_promises(Case& setup, Options const& options, std::vector<double> con
     double size = 0, way = 0;
     for (std::size_t k = 0; k < n; ++k)
         size = std::max({size, std::fabs(moved.x[k]), std::fabs(moved.y[k])});
-    for (double const its_move : move) way = std::max(way, std::fabs(its_move));
+    for (double const component : move) way = std::max(way, std::fabs(component));
 
     std::vector<double> dx(n), dy(n);
     REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) ==

@@ -1,5 +1,6 @@
 // Calls with a plan or a basis refuse wrong arguments with a whole sentence: room in arrays,
 // numbers out of range, objects that do not belong together, steps in the wrong order.
+#include <harmorph_bases.h>
 #include <harmorph_design.h>
 #include <harmorph_parts.h>
 #include <harmorph_study.h>

@@ -5,7 +5,7 @@
  *     morphs save FILE       writes a basis in single precision
  *     morphs attach FILE     attaches a basis that another machine wrote: the checksum of its use,
  * or the refusal */
-#include <harmorph_design.h>
+#include <harmorph_bases.h>
 #include <harmorph_study.h>
 #include "case.h"
 

@@ -14,8 +14,8 @@ contains
         real(dp), target :: x_new(n_points), y_new(n_points)
         real(dp) :: block_x(around, rings), block_y(around, rings)
         type(hm_mesh) :: moved
-        type(hm_step_report) :: step, its_step
-        type(hm_quality_report) :: quality, its_quality
+        type(hm_step_report) :: step, new_step
+        type(hm_quality_report) :: quality, new_quality
         integer :: stat
         move = 5 * some_move()
         call basis%displacement(move, dx, dy)
@@ -25,25 +25,25 @@ contains
         call moved%faces(faces, markers)
         call basis%assess(mesh, dx, dy, step)
         call basis%assess(moved, quality, x, y)
-        call basis%assess(mesh, dx, dy, its_step, its_quality)
-        call compare_assessment(step, its_step, quality, its_quality)
-        call check(its_step%cell == step%cell .and. its_quality%min_quality_cell == quality%min_quality_cell, "where")
-        call basis%assess(moved, its_quality, reshape(x, shape(block_x)), reshape(y, shape(block_y)))
-        call compare_assessment(step, its_step, quality, its_quality)
-        call basis%assess(moved, its_quality, real(x, c_float), real(y, c_float))
-        call compare_assessment(step, its_step, quality, its_quality)
-        call basis%assess(moved, its_quality)
-        call check(its_quality%inverted == quality%inverted .and. its_quality%mean_quality > quality%mean_quality, &
+        call basis%assess(mesh, dx, dy, new_step, new_quality)
+        call compare_assessment(step, new_step, quality, new_quality)
+        call check(new_step%cell == step%cell .and. new_quality%min_quality_cell == quality%min_quality_cell, "where")
+        call basis%assess(moved, new_quality, reshape(x, shape(block_x)), reshape(y, shape(block_y)))
+        call compare_assessment(step, new_step, quality, new_quality)
+        call basis%assess(moved, new_quality, real(x, c_float), real(y, c_float))
+        call compare_assessment(step, new_step, quality, new_quality)
+        call basis%assess(moved, new_quality)
+        call check(new_quality%inverted == quality%inverted .and. new_quality%mean_quality > quality%mean_quality, &
             "without reference the sizes of the cells do not count")
         block_x = reshape(dx, shape(block_x))
         block_y = reshape(dy, shape(block_y))
-        call basis%assess(mesh, block_x, block_y, its_step, its_quality, executor=hm_openmp(2))
-        call compare_assessment(step, its_step, quality, its_quality)
-        call basis%assess(mesh, real(dx, c_float), real(dy, c_float), its_step, its_quality)
-        call compare_assessment(step, its_step, quality, its_quality)
-        call basis%assess(mesh, real(block_x, c_float), real(block_y, c_float), its_step, its_quality)
-        call compare_assessment(step, its_step, quality, its_quality)
-        call basis%assess(mesh, dx(2:), dy(2:), its_step, its_quality, stat=stat)
+        call basis%assess(mesh, block_x, block_y, new_step, new_quality, executor=hm_openmp(2))
+        call compare_assessment(step, new_step, quality, new_quality)
+        call basis%assess(mesh, real(dx, c_float), real(dy, c_float), new_step, new_quality)
+        call compare_assessment(step, new_step, quality, new_quality)
+        call basis%assess(mesh, real(block_x, c_float), real(block_y, c_float), new_step, new_quality)
+        call compare_assessment(step, new_step, quality, new_quality)
+        call basis%assess(mesh, dx(2:), dy(2:), new_step, new_quality, stat=stat)
         call check(stat == hm_bad_argument, "a displacement too few")
         call starts_elsewhere(dx, dy, step, quality)
     end subroutine
@@ -55,33 +55,33 @@ contains
         type(hm_quality_report), intent(in) :: quality
         real(dp), target :: x_now(n_points), y_now(n_points)
         type(hm_mesh) :: elsewhere
-        type(hm_step_report) :: its_step
-        type(hm_quality_report) :: its_quality
+        type(hm_step_report) :: new_step
+        type(hm_quality_report) :: new_quality
         integer :: stat
         x_now = x + 0.5_dp * step%admissible * dx
         y_now = y + 0.5_dp * step%admissible * dy
         call elsewhere%points(x_now, y_now)
         call elsewhere%cells(cells)
         call elsewhere%faces(faces, markers)
-        call basis%assess(elsewhere, dx, dy, its_step, x=x, y=y)
-        call check(abs(its_step%admissible - step%admissible) <= 0, "the step from other coordinates")
-        call basis%assess(elsewhere, dx, dy, its_step, its_quality, x, y)
-        call check(abs(its_step%admissible - step%admissible) <= 0, "the assessed step from other coordinates")
-        call compare_assessment(step, its_step, quality, its_quality)
-        call basis%assess(elsewhere, dx, dy, its_step)
-        call check(abs(its_step%admissible - 0.5_dp * step%admissible) < 1e-9_dp * step%admissible, &
+        call basis%assess(elsewhere, dx, dy, new_step, x=x, y=y)
+        call check(abs(new_step%admissible - step%admissible) <= 0, "the step from other coordinates")
+        call basis%assess(elsewhere, dx, dy, new_step, new_quality, x, y)
+        call check(abs(new_step%admissible - step%admissible) <= 0, "the assessed step from other coordinates")
+        call compare_assessment(step, new_step, quality, new_quality)
+        call basis%assess(elsewhere, dx, dy, new_step)
+        call check(abs(new_step%admissible - 0.5_dp * step%admissible) < 1e-9_dp * step%admissible, &
             "the step from the mesh's own coordinates")
-        call basis%assess(elsewhere, dx, dy, its_step, x=x, stat=stat)
+        call basis%assess(elsewhere, dx, dy, new_step, x=x, stat=stat)
         call check(stat == hm_bad_argument, "x without y")
-        call basis%assess(elsewhere, dx, dy, its_step, its_quality, x(2:), y(2:), stat=stat)
+        call basis%assess(elsewhere, dx, dy, new_step, new_quality, x(2:), y(2:), stat=stat)
         call check(stat == hm_bad_argument, "a start of one point too few")
     end subroutine
 
-    subroutine compare_assessment(step, its_step, quality, its_quality)
-        type(hm_step_report), intent(in) :: step, its_step
-        type(hm_quality_report), intent(in) :: quality, its_quality
-        call check(abs(its_step%admissible / step%admissible - 1) < 1e-4_dp .and. &
-            abs(its_quality%mean_quality - quality%mean_quality) < 1e-5_dp .and. &
-            its_quality%inverted == quality%inverted, "assessment")
+    subroutine compare_assessment(step, new_step, quality, new_quality)
+        type(hm_step_report), intent(in) :: step, new_step
+        type(hm_quality_report), intent(in) :: quality, new_quality
+        call check(abs(new_step%admissible / step%admissible - 1) < 1e-4_dp .and. &
+            abs(new_quality%mean_quality - quality%mean_quality) < 1e-5_dp .and. &
+            new_quality%inverted == quality%inverted, "assessment")
     end subroutine
 end module

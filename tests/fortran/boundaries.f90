@@ -31,7 +31,7 @@ contains
     ! Types of points make the faces that the mesh was given before.
     subroutine types_of_points()
         integer :: types(n_points), block_types(7, 5), k, wrong
-        integer(c_int32_t), allocatable :: its_faces(:, :), its_markers(:)
+        integer(c_int32_t), allocatable :: found_faces(:, :), found_markers(:)
         real(dp), target :: bx(7, 5), by(7, 5)
         type(hm_mesh) :: mesh, block
         type(hm_plan) :: plan
@@ -43,12 +43,12 @@ contains
         types = 0
         types(:around) = body
         types(n_points - around + 1:) = far_field
-        call hm_faces_of_types(int(cells, c_int32_t), int(types, c_int32_t), its_faces, its_markers)
-        call check(size(its_markers) == 2 * around, "each boundary edge is a face")
+        call hm_faces_of_types(int(cells, c_int32_t), int(types, c_int32_t), found_faces, found_markers)
+        call check(size(found_markers) == 2 * around, "each boundary edge is a face")
         wrong = 0
         do k = 1, 2 * around
-            if (.not. any(minval(faces, 1) == its_faces(1, k) .and. maxval(faces, 1) == its_faces(2, k) .and. &
-                markers == its_markers(k))) wrong = wrong + 1
+            if (.not. any(minval(faces, 1) == found_faces(1, k) .and. maxval(faces, 1) == found_faces(2, k) .and. &
+                markers == found_markers(k))) wrong = wrong + 1
         end do
         call check(wrong == 0, "with its points and its marker")
         call mesh%points(x, y)

@@ -11,7 +11,7 @@ contains
     ! A rigid hole in a channel; left and right are a periodic pair, the ceiling slips, the floor is fixed.
     subroutine conditions()
         real(dp), target :: cx(231), cy(231)
-        integer(c_int32_t), target :: its_cells(4, 200), its_faces(2, 100), its_markers(100)
+        integer(c_int32_t), target :: channel_cells(4, 200), channel_faces(2, 100), channel_markers(100)
         type(hm_mesh) :: channel
         type(hm_plan) :: plan
         type(hm_basis) :: own, again
@@ -22,10 +22,10 @@ contains
         integer :: cell_count, face_count, k
         integer, allocatable :: hole(:), below(:), above(:), left(:), right(:)
         integer :: stat
-        call make_channel(cx, cy, its_cells, cell_count, its_faces, its_markers, face_count)
+        call make_channel(cx, cy, channel_cells, cell_count, channel_faces, channel_markers, face_count)
         call channel%points(cx, cy)
-        call channel%cells(its_cells(:, :cell_count))
-        call channel%faces(its_faces(:, :face_count), its_markers(:face_count))
+        call channel%cells(channel_cells(:, :cell_count))
+        call channel%faces(channel_faces(:, :face_count), channel_markers(:face_count))
         call plan%analyse(channel, conditions=[hm_condition(5, hm_rigid, x=10._dp, y=5._dp), hm_condition(3, hm_slip), &
             hm_condition(4, hm_periodic_pair, partner=2)])
         call plan%boundary([5], hole)
@@ -87,8 +87,8 @@ contains
             cy(k) = 2 + s * sin(c)
         end do
         call channel%points(cx, cy)
-        call channel%cells(its_cells(:, :cell_count))
-        call channel%faces(its_faces(:, :face_count), its_markers(:face_count))
+        call channel%cells(channel_cells(:, :cell_count))
+        call channel%faces(channel_faces(:, :face_count), channel_markers(:face_count))
         call plan%analyse(channel, conditions=[hm_condition(5, hm_rigid, x=30._dp, y=5._dp), &
             hm_condition(4, hm_rotation_pair, partner=2, x=1._dp, y=2._dp)])
         call plan%factor()

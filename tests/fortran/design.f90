@@ -120,7 +120,7 @@ contains
         complex(dp), allocatable :: map(:, :)
         real(dp), allocatable :: v(:, :), move(:, :), gradients(:, :, :), of_few(:, :), of_all(:, :)
         real(dp) :: values(3), at(2, 3), up(3), down(3), xy_u(2, 0:0), same_u(2, 0:0), difference
-        real(dp), dimension(n_points) :: dx, dy, its_dx, its_dy
+        real(dp), dimension(n_points) :: dx, dy, basis_dx, basis_dy
         real(dp), parameter :: eps = 1e-5_dp
         type(hm_error) :: err
         integer :: stat
@@ -178,8 +178,8 @@ contains
         move(1, :) = real(matmul(map, cmplx(v(1, :), v(2, :), dp)), dp)
         move(2, :) = aimag(matmul(map, cmplx(v(1, :), v(2, :), dp)))
         call few%displacement(v, dx, dy)
-        call basis%displacement(move, its_dx, its_dy)
-        call check(maxval(abs(dx - its_dx)) < 1e-15_dp .and. maxval(abs(dy - its_dy)) < 1e-15_dp, &
+        call basis%displacement(move, basis_dx, basis_dy)
+        call check(maxval(abs(dx - basis_dx)) < 1e-15_dp .and. maxval(abs(dy - basis_dy)) < 1e-15_dp, &
             "they move the mesh alike")
         call few%adjoint(dx, dy, of_few)
         call basis%adjoint(dx, dy, of_all)

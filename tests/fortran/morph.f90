@@ -73,7 +73,7 @@ contains
         integer(c_int32_t), target :: list(2 * around + 2), list_start(3), list_markers(2)
         type(hm_mesh) :: other
         type(hm_basis) :: own
-        type(hm_step_report) :: step, its_step
+        type(hm_step_report) :: step, own_step
         integer :: k
         move = some_move()
         call basis%morph_to(move, x, y, x_new, y_new)
@@ -105,8 +105,8 @@ contains
         call solve(other, own)
         call own%displacement(move, x_new, y_new)
         call check(same(x_new, dx) .and. same(y_new, dy), "a mesh of xy(2,:)")
-        call own%assess(other, x_new, y_new, its_step)
-        call check(same([its_step%admissible], [step%admissible]) .and. its_step%cell == step%cell, "its step")
+        call own%assess(other, x_new, y_new, own_step)
+        call check(same([own_step%admissible], [step%admissible]) .and. own_step%cell == step%cell, "its step")
 
         start = 1 + 4 * [(k, k = 0, n_cells)]
         rows = reshape(cells, shape(rows))
@@ -131,8 +131,8 @@ contains
         call solve(other, own, first=0)
         call own%displacement(move, x_new, y_new)
         call check(same(x_new, dx) .and. same(y_new, dy), "a mesh counted from 0")
-        call own%assess(other, x_new, y_new, its_step)
-        call check(its_step%cell == step%cell - 1, "and reports as well")
+        call own%assess(other, x_new, y_new, own_step)
+        call check(own_step%cell == step%cell - 1, "and reports as well")
 
         do k = 1, n_cells
             triangles(:, 2 * k - 1) = cells([1, 2, 3], k)

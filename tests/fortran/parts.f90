@@ -16,12 +16,12 @@ contains
         type(hm_curves) :: curves
         type(hm_basis) :: shares(parts), rows, some
         real(dp) :: move(2, n_control), gradient(2, n_control), expected(2, n_control)
-        real(dp), dimension(n_points) :: dx, dy, its_dx, its_dy
+        real(dp), dimension(n_points) :: dx, dy, part_dx, part_dy
         real(c_float) :: gradient4(2, n_control)
         real(dp), allocatable, target :: parcel(:), work(:)
-        integer(c_int64_t) :: sums(4 * 2 * n_control), its_sums(4 * 2 * n_control)
+        integer(c_int64_t) :: sums(4 * 2 * n_control), part_sums(4 * 2 * n_control)
         integer, allocatable :: points(:)
-        integer :: part, k, first, n, done, scale, its_scale
+        integer :: part, k, first, n, done, scale, part_scale
         integer :: stat
         call basis%curves(curves)
         call plan%analyse(mesh, curves, [hm_condition(body)])
@@ -63,13 +63,13 @@ contains
                 call shares(k)%pack(points, parcel)
                 call rows%unpack(parcel)
             end do
-            call rows%displacement(move, its_dx(:size(points)), its_dy(:size(points)))
-            call check(same(its_dx(:size(points)), dx(points)) .and. same(its_dy(:size(points)), dy(points)), &
+            call rows%displacement(move, part_dx(:size(points)), part_dy(:size(points)))
+            call check(same(part_dx(:size(points)), dx(points)) .and. same(part_dy(:size(points)), dy(points)), &
                 "rows of a part move its points as the whole basis does")
-            call rows%adjoint_scale(dx(points), dy(points), its_scale)
-            call check(its_scale <= scale, "the largest scale is that of all points")
-            call rows%adjoint_sums(dx(points), dy(points), scale, its_sums)
-            sums = sums + its_sums
+            call rows%adjoint_scale(dx(points), dy(points), part_scale)
+            call check(part_scale <= scale, "the largest scale is that of all points")
+            call rows%adjoint_sums(dx(points), dy(points), scale, part_sums)
+            sums = sums + part_sums
         end do
         call rows%adjoint_finish(scale, sums, gradient)
         call check(maxval(abs(gradient - expected)) <= 0, "the gradient of all parts: the same bits")
@@ -78,34 +78,34 @@ contains
         call check(maxval(abs(gradient4 - real(expected, c_float))) <= 0, "in default reals")
         call rows%unpack(parcel, stat)
         call check(stat < 0, "a parcel too many")
-        call rows%adjoint_sums(dx(points), dy(points), scale, its_sums(2:), stat=stat)
+        call rows%adjoint_sums(dx(points), dy(points), scale, part_sums(2:), stat=stat)
         call check(stat == hm_bad_argument, "sums that are too short")
-        call rows%adjoint_sums(dx(points), dy(points), its_scale - 1, its_sums, stat=stat)
+        call rows%adjoint_sums(dx(points), dy(points), part_scale - 1, part_sums, stat=stat)
         call check(stat == hm_bad_argument, "a scale that is too small")
 
         ! Any layout; from the whole basis in one step.
         deallocate(work)
         allocate(work(basis%extract_words(size(points))))
         call basis%extract(points, some, work)
-        call some%displacement(move, its_dx(:size(points)), its_dy(:size(points)))
-        call check(same(its_dx(:size(points)), dx(points)), "rows of the whole basis")
+        call some%displacement(move, part_dx(:size(points)), part_dy(:size(points)))
+        call check(same(part_dx(:size(points)), dx(points)), "rows of the whole basis")
         call basis%extract(points, some, work(2:), stat)
         call check(stat == hm_block_too_small, "work of rows 8 bytes too small")
         call basis%extract([n_points + 1], some, stat=stat)
         call check(stat == hm_bad_argument, "a point that does not exist")
         call basis%adjoint_sums(dx, dy, scale, sums)
-        call basis%adjoint_scale(reshape(dx, [around, rings]), reshape(dy, [around, rings]), its_scale)
-        call basis%adjoint_sums(reshape(dx, [around, rings]), reshape(dy, [around, rings]), scale, its_sums, &
+        call basis%adjoint_scale(reshape(dx, [around, rings]), reshape(dy, [around, rings]), part_scale)
+        call basis%adjoint_sums(reshape(dx, [around, rings]), reshape(dy, [around, rings]), scale, part_sums, &
             executor=hm_openmp(2))
-        call check(its_scale == scale .and. all(sums == its_sums), "sums of a block, on threads")
-        call basis%adjoint_scale(real(dx, c_float), real(dy, c_float), its_scale)
-        call basis%adjoint_sums(real(dx, c_float), real(dy, c_float), its_scale, sums)
+        call check(part_scale == scale .and. all(sums == part_sums), "sums of a block, on threads")
+        call basis%adjoint_scale(real(dx, c_float), real(dy, c_float), part_scale)
+        call basis%adjoint_sums(real(dx, c_float), real(dy, c_float), part_scale, sums)
         call basis%adjoint_scale(reshape(real(dx, c_float), [around, rings]), &
-            reshape(real(dy, c_float), [around, rings]), its_scale)
+            reshape(real(dy, c_float), [around, rings]), part_scale)
         call basis%adjoint_sums(reshape(real(dx, c_float), [around, rings]), &
-            reshape(real(dy, c_float), [around, rings]), its_scale, its_sums)
-        call basis%adjoint_finish(its_scale, its_sums, gradient)
-        call check(all(sums == its_sums) .and. maxval(abs(gradient - expected)) < 1e-5_dp * maxval(abs(expected)), &
+            reshape(real(dy, c_float), [around, rings]), part_scale, part_sums)
+        call basis%adjoint_finish(part_scale, part_sums, gradient)
+        call check(all(sums == part_sums) .and. maxval(abs(gradient - expected)) < 1e-5_dp * maxval(abs(expected)), &
             "sums in default reals")
     end subroutine
 end module

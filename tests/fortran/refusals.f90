@@ -11,20 +11,20 @@ contains
     ! Numbers in texts and items count from 1, whatever C says.
     subroutine numbers_in_errors()
         type(hm_curves) :: curves, copy
-        real(dp) :: move(2, n_control), its_x(around), its_y(around), all_x(n_points), nan
+        real(dp) :: move(2, n_control), bad_x(around), bad_y(around), all_x(n_points), nan
         type(hm_error) :: err
         integer :: stat
         nan = transfer(9221120237041090560_c_int64_t, nan)
-        its_x = x(:around)
-        its_y = y(:around)
-        its_x(1) = nan
-        call curves%fit(its_x, its_y, .true., stat=stat, err=err)
+        bad_x = x(:around)
+        bad_y = y(:around)
+        bad_x(1) = nan
+        call curves%fit(bad_x, bad_y, .true., stat=stat, err=err)
         call check(err%item == 1, "the first point of a fit")
         call check(err%text == "point 1 has a coordinate that is not finite", "in words: " // err%text)
-        its_x = x(:around)
-        its_x(11) = its_x(10)
-        its_y(11) = its_y(10)
-        call curves%fit(its_x, its_y, .true., stat=stat, err=err)
+        bad_x = x(:around)
+        bad_x(11) = bad_x(10)
+        bad_y(11) = bad_y(10)
+        call curves%fit(bad_x, bad_y, .true., stat=stat, err=err)
         call check(err%text == "the consecutive points 10 and 11 are equal", "two points of a fit: " // err%text)
         call check(err%item == 10, "the first of them")
         call curves%set(reshape([0, 0, 1, 0, 2, 1, 3, 0] * 1._dp, [2, 4]))

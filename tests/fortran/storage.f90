@@ -84,7 +84,7 @@ contains
         type(hm_plan) :: plan
         type(hm_curves) :: curves
         real(dp) :: move(2, n_control), gradient(2, n_control)
-        real(dp), dimension(n_points) :: dx, dy, its_dx, its_dy
+        real(dp), dimension(n_points) :: dx, dy, new_dx, new_dy
         real(dp), allocatable, target :: work(:)
         integer :: stat
         move = some_move()
@@ -94,27 +94,27 @@ contains
         call narrow%info(info)
         call check(info%storage == hm_single .and. whole%storage == hm_double .and. info%solved .and. &
             2 * info%bytes < whole%bytes + whole%bytes / 2, "a basis in single precision is smaller")
-        call narrow%displacement(move, its_dx, its_dy)
-        call check(same(its_dx(info%curve_point), dx(info%curve_point)), "the wall moves bit by bit as before")
-        call check(maxval(abs(its_dx - dx)) > 0 .and. &
-            maxval(abs(its_dx - dx)) < 1e-7_dp * maxval(abs(move)) * n_control, &
+        call narrow%displacement(move, new_dx, new_dy)
+        call check(same(new_dx(info%curve_point), dx(info%curve_point)), "the wall moves bit by bit as before")
+        call check(maxval(abs(new_dx - dx)) > 0 .and. &
+            maxval(abs(new_dx - dx)) < 1e-7_dp * maxval(abs(move)) * n_control, &
             "the rest nearly so")
-        call narrow%adjoint(its_dx, its_dy, gradient)
-        call check(abs(sum(gradient * move) / (sum(its_dx**2) + sum(its_dy**2)) - 1) < 1e-13_dp, "and its transpose")
+        call narrow%adjoint(new_dx, new_dy, gradient)
+        call check(abs(sum(gradient * move) / (sum(new_dx**2) + sum(new_dy**2)) - 1) < 1e-13_dp, "and its transpose")
         allocate(work(basis%single_words()))
         call basis%single(again, work(2:), stat)
         call check(stat == hm_block_too_small, "work 8 bytes too small")
         call basis%single(again, work)
         call again%displacement(move, dx, dy)
-        call check(same(dx, its_dx) .and. same(dy, its_dy), "in work")
+        call check(same(dx, new_dx) .and. same(dy, new_dy), "in work")
         call check(narrow%single_words() == 0, "single precision twice: no size")
         call narrow%single(again, stat=stat)
         call check(stat == hm_unsupported, "single precision twice")
         call basis%curves(curves)
         call plan%analyse(mesh, curves, [hm_condition(body)])
         call plan%factor()
-        its_dx = dx
+        new_dx = dx
         call plan%morph_safe(narrow, move, dx, dy, stat=stat)
-        call check(stat == hm_unsupported .and. same(dx, its_dx), "a safe morph needs double precision")
+        call check(stat == hm_unsupported .and. same(dx, new_dx), "a safe morph needs double precision")
     end subroutine
 end module

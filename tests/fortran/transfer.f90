@@ -12,7 +12,7 @@ contains
     subroutine transfers()
         integer, parameter :: n = around / 2, m = (rings + 1) / 2
         real(dp), target :: cx(n * m), cy(n * m)
-        integer(c_int32_t), target :: its_cells(4, n * (m - 1)), its_faces(2, 2 * n), its_markers(2 * n)
+        integer(c_int32_t), target :: coarse_cells(4, n * (m - 1)), coarse_faces(2, 2 * n), coarse_markers(2 * n)
         type(hm_mesh) :: coarse_mesh
         type(hm_basis) :: coarse, fine, again
         type(hm_plan) :: plan
@@ -27,17 +27,17 @@ contains
             next = modulo(i + 1, n)
             do j = 0, m - 1
                 call place(2 * i, 2 * j, cx(1 + i + n * j), cy(1 + i + n * j))
-                if (j < m - 1) its_cells(:, 1 + i + n * j) = 1 + [i + n * j, i + n * (j + 1), next + n * (j + 1), &
+                if (j < m - 1) coarse_cells(:, 1 + i + n * j) = 1 + [i + n * j, i + n * (j + 1), next + n * (j + 1), &
                     next + n * j]
             end do
-            its_faces(:, 1 + i) = 1 + [i, next]
-            its_faces(:, 1 + n + i) = 1 + n * (m - 1) + [i, next]
+            coarse_faces(:, 1 + i) = 1 + [i, next]
+            coarse_faces(:, 1 + n + i) = 1 + n * (m - 1) + [i, next]
         end do
-        its_markers(:n) = body
-        its_markers(n + 1:) = far_field
+        coarse_markers(:n) = body
+        coarse_markers(n + 1:) = far_field
         call coarse_mesh%points(cx, cy)
-        call coarse_mesh%cells(its_cells)
-        call coarse_mesh%faces(its_faces, its_markers)
+        call coarse_mesh%cells(coarse_cells)
+        call coarse_mesh%faces(coarse_faces, coarse_markers)
         call basis%curves(curves)
         call plan%analyse(coarse_mesh, curves, [hm_condition(body)])
         call plan%factor()

@@ -1,6 +1,6 @@
 // The functions of a solution: finite, solutions of their equation, basis functions on curves; and
 // derived bases.
-#include <harmorph_design.h>
+#include <harmorph_bases.h>
 #include <harmorph_parts.h>
 #include <harmorph_study.h>
 #include "solution_check.hpp"

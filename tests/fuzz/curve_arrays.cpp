@@ -53,10 +53,10 @@ bool CurveArrays::add_fit(std::vector<Point> const& points, bool is_loop, Input&
     control.insert(control.end(), fitted->control, fitted->control + 2 * fitted->n_control);
     for (std::int32_t c = 0; c < fitted->n_curves; ++c) {
         hm_curve const& made = fitted->curve[c];
-        std::vector<std::int32_t> its_indices;
+        std::vector<std::int32_t> curve_indices;
         for (std::int32_t k = 0; k < made.n_indices; ++k)
-            its_indices.push_back(first + (made.indices != nullptr ? made.indices[k] : k));
-        add_curve(made.degree, its_indices,
+            curve_indices.push_back(first + (made.indices != nullptr ? made.indices[k] : k));
+        add_curve(made.degree, curve_indices,
                   {made.knots, made.knots + made.n_indices + made.degree + 1});
     }
     return true;
@@ -64,27 +64,27 @@ bool CurveArrays::add_fit(std::vector<Point> const& points, bool is_loop, Input&
 
 void CurveArrays::add_polygon(std::vector<Point> const& points, bool is_loop) {
     std::int32_t const first = static_cast<std::int32_t>(control.size() / 2);
-    std::vector<std::int32_t> its_indices;
+    std::vector<std::int32_t> curve_indices;
     for (Point const& point : points) {
-        its_indices.push_back(first + static_cast<std::int32_t>(its_indices.size()));
+        curve_indices.push_back(first + static_cast<std::int32_t>(curve_indices.size()));
         control.insert(control.end(), {point.x, point.y});
     }
-    if (is_loop) its_indices.push_back(first);
-    std::vector<double> its_knots{0};
-    for (std::size_t k = 0; k < its_indices.size(); ++k)
-        its_knots.push_back(static_cast<double>(k));
-    its_knots.push_back(its_knots.back());
-    add_curve(1, its_indices, its_knots);
+    if (is_loop) curve_indices.push_back(first);
+    std::vector<double> curve_knots{0};
+    for (std::size_t k = 0; k < curve_indices.size(); ++k)
+        curve_knots.push_back(static_cast<double>(k));
+    curve_knots.push_back(curve_knots.back());
+    add_curve(1, curve_indices, curve_knots);
 }
 
-void CurveArrays::add_curve(std::int32_t degree, std::vector<std::int32_t> const& its_indices,
-                            std::vector<double> const& its_knots) {
+void CurveArrays::add_curve(std::int32_t degree, std::vector<std::int32_t> const& curve_indices,
+                            std::vector<double> const& curve_knots) {
     hm_curve made{};
     made.struct_size = sizeof made;
     made.degree = degree;
-    made.n_indices = static_cast<std::int32_t>(its_indices.size());
-    indices.push_back(its_indices);
-    knots.push_back(its_knots);
+    made.n_indices = static_cast<std::int32_t>(curve_indices.size());
+    indices.push_back(curve_indices);
+    knots.push_back(curve_knots);
     curve.push_back(made);
 }
 

@@ -28,8 +28,8 @@ struct CurveArrays {
 private:
     bool add_fit(std::vector<Point> const& points, bool is_loop, Input& input);
     void add_polygon(std::vector<Point> const& points, bool is_loop);
-    void add_curve(std::int32_t degree, std::vector<std::int32_t> const& its_indices,
-                   std::vector<double> const& its_knots);
+    void add_curve(std::int32_t degree, std::vector<std::int32_t> const& curve_indices,
+                   std::vector<double> const& curve_knots);
 };
 
 }  // namespace fuzz

@@ -2,6 +2,7 @@
 // that takes a basis. Either any bytes are changed, or one number of one of the arrays of indices,
 // which are few among the values. A damaged block is refused by its checksum; half of them are
 // sealed again by the library's own checksum, so that what lies behind it is tested, too.
+#include <harmorph_bases.h>
 #include <harmorph_design.h>
 #include <harmorph_parts.h>
 #include <harmorph_study.h>

@@ -1,7 +1,7 @@
 // Displacements that are given at points of the wall: fields, their transpose, modes as functions
 // of a second basis, and the safe way. Lists of points, fields and memory are right or wrong; what
 // succeeds has the given bits at the wall, is linear, and is the transpose of the transpose.
-#include <harmorph_design.h>
+#include <harmorph_bases.h>
 #include "describe.hpp"
 #include "exceptions.hpp"
 #include "reference.hpp"

@@ -3,7 +3,7 @@
 // equations are those of Laplace's operator on the triangles of all cells, also of polygons, whose
 // division is found independently. Whatever the library says that it has done, the numbers of its
 // bases, and what they move, have to be those of the tables.
-#include <harmorph_design.h>
+#include <harmorph_bases.h>
 #include <harmorph_parts.h>
 #include <harmorph_study.h>
 #include "describe.hpp"

@@ -4,6 +4,7 @@
 // a reason and writes nothing, or succeeds. Calls that need something that an object lacks must
 // refuse it.
 #include <harmorph_space.h>
+#include <harmorph_bases.h>
 #include <harmorph_design.h>
 #include <harmorph_parts.h>
 #include <harmorph_study.h>

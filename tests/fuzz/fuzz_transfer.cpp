@@ -2,7 +2,7 @@
 // side, and a quadrilateral another one inside. The new points of sides are half way between two
 // coarse points, so that the transferred functions have to be half way, too, up to the correction
 // of the wall; curve points have the basis functions.
-#include <harmorph_design.h>
+#include <harmorph_bases.h>
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
 #include "describe.hpp"

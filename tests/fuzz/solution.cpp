@@ -20,7 +20,8 @@ void Solution::expect_intact() const {
     for (Block const& block : blocks_) block.expect_intact();
 }
 
-Solution::Solution(Problem const& its_problem, Input& input) : problem(its_problem), input_(input) {
+Solution::Solution(Problem const& given_problem, Input& input)
+    : problem(given_problem), input_(input) {
     auto const make = [&](auto const& size, auto const& init) {
         status = make_object([this](std::size_t bytes) -> Block& { return block(bytes); }, error,
                              size, init);

@@ -69,6 +69,6 @@ TEST_CASE("a point without an unknown is left out") {
     harmorph::Mesh const& mesh = seen->problem().mesh;
     volumes.measure(seen->topology(), mesh.points, front.matrix.rows_of_dofs());
     // Hexagons of six halves of squares.
-    for (double const its_area : area) CHECK(its_area == doctest::Approx(1.0 / 16));
+    for (double const volume : area) CHECK(volume == doctest::Approx(1.0 / 16));
     CHECK(area.size() == 9);
 }

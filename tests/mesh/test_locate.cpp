@@ -170,12 +170,12 @@ TEST_CASE("a continuous field depends neither on the hint nor on the numbering")
         reverse_some(other, 22);
         rotate_starts(other, 23);
         std::vector<std::int32_t> const new_of = renumber_points(other, 24);
-        Finder const finder(mesh), its_finder(other);
+        Finder const finder(mesh), other_finder(other);
         std::mt19937 random(25);
-        std::vector<double> field, its_field(mesh.x.size());
+        std::vector<double> field, other_field(mesh.x.size());
         for (std::size_t k = 0; k < mesh.x.size(); ++k) field.push_back(uniform(random));
         for (std::size_t k = 0; k < mesh.x.size(); ++k)
-            its_field[std::size_t(new_of[k])] = field[k];
+            other_field[std::size_t(new_of[k])] = field[k];
         for (int k = 0; k < 300; ++k) {
             double const r = 0.52 + 1.43 * uniform(random), angle = 7 * uniform(random);
             Vec2 const p{r * std::cos(angle), r * std::sin(angle)};
@@ -187,7 +187,7 @@ TEST_CASE("a continuous field depends neither on the hint nor on the numbering")
                       doctest::Approx(value).epsilon(1e-12));
             };
             same(finder.locate(p, hint), field);
-            same(its_finder.locate(p, hint), its_field);
+            same(other_finder.locate(p, hint), other_field);
         }
     }
 }

@@ -84,8 +84,8 @@ TEST_CASE("a gradient times a power of two has the same bits times this power") 
     Numbers const expected = adjoint(solved.basis, g);
     for (int const e : {-900, -40, 1, 60, 1000}) {
         Gradient scaled = g;
-        for (Numbers* const its_numbers : {&scaled.x, &scaled.y})
-            for (double& value : *its_numbers) value = std::ldexp(value, e);
+        for (Numbers* const list : {&scaled.x, &scaled.y})
+            for (double& value : *list) value = std::ldexp(value, e);
         Numbers found = adjoint(solved.basis, scaled);
         for (double& value : found) value = std::ldexp(value, -e);
         CHECK(same_bits(found, expected));

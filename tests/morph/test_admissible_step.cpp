@@ -16,8 +16,8 @@ struct Displaced {
     std::vector<double> dx, dy;
     mutable std::vector<std::uint8_t> reversed;
 
-    explicit Displaced(Mesh const& its_mesh)
-        : mesh(its_mesh),
+    explicit Displaced(Mesh const& given_mesh)
+        : mesh(given_mesh),
           dx(mesh.x.size(), 0.0),
           dy(dx),
           reversed(static_cast<std::size_t>(mesh.n_cells()), 0) {}

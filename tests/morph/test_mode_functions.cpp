@@ -1,4 +1,5 @@
 // Functions by table: solved as hm_displace solves, used as any function.
+#include <harmorph_bases.h>
 #include <harmorph_design.h>
 #include "fixtures/options.hpp"
 #include <doctest/doctest.h>

@@ -67,8 +67,8 @@ TEST_CASE("the sum moves points as its parts do by the movements times their wei
                 weighted[2 * i + 1] = by.imag();
             }
             add_weighted(sum.view, view_of(*part), {weight.data(), weight.size()}, {});
-            Field const its_part = displacement(*part, weighted);
-            for (std::size_t k = 0; k < expected.size(); ++k) expected[k] += its_part[k];
+            Field const part_sum = displacement(*part, weighted);
+            for (std::size_t k = 0; k < expected.size(); ++k) expected[k] += part_sum[k];
         }
         CHECK(largest_difference(sum.displacement(move), expected) < 1e-13);
     }

@@ -357,8 +357,8 @@ struct HandMadeRows {
     std::vector<std::uint8_t> faces;
     harmorph::SymmetricRows rows;
 
-    HandMadeRows(std::vector<double> const& its_diagonal, std::vector<Coupling> couplings)
-        : diagonal(its_diagonal) {
+    HandMadeRows(std::vector<double> const& given_diagonal, std::vector<Coupling> couplings)
+        : diagonal(given_diagonal) {
         row_sum.assign(diagonal.size(), 0.0);
         for (Coupling& one : couplings)
             if (one.b < one.a) std::swap(one.a, one.b);

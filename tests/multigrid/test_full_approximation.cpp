@@ -109,13 +109,13 @@ TEST_CASE("with one level an iteration is one Runge-Kutta step of the flux balan
     harmorph::Analysis const& analysis = *parts.seen.operator->();
     harmorph::Matrix const& matrix = parts.front.matrix;
     for (Index slot = 0; slot < analysis.wall().count; ++slot) {
-        harmorph::CurveBasis const its_basis =
+        harmorph::CurveBasis const wall_basis =
             curve_basis(analysis.curves()[analysis.wall().curve[slot]], analysis.wall().u[slot], 0);
-        for (Index k = 0; k < its_basis.order; ++k)
+        for (Index k = 0; k < wall_basis.order; ++k)
             for (Index c = matrix.coupling_start[slot];
-                 its_basis.control[k] == function && c < matrix.coupling_start[slot + 1]; ++c)
+                 wall_basis.control[k] == function && c < matrix.coupling_start[slot + 1]; ++c)
                 b[static_cast<std::size_t>(matrix.coupling_row[c])] -=
-                    matrix.coupling_value[c] * its_basis.value[0][k];
+                    matrix.coupling_value[c] * wall_basis.value[0][k];
     }
     constexpr int steps = 4;
     for (int k = 0; k < steps; ++k) {

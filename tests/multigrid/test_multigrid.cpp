@@ -331,9 +331,9 @@ TEST_CASE("the levels of a plan can be read, and coarser cells are unions of fin
         for (std::size_t k = 0; k < n; ++k) {
             CHECK((cells[k] == -1) == (finer[k] == -1));
             if (finer[k] < 0) continue;
-            std::int32_t& its_coarse = coarse_of[static_cast<std::size_t>(finer[k])];
-            CHECK((its_coarse == -2 || its_coarse == cells[k]));
-            its_coarse = cells[k];
+            std::int32_t& coarse_cell = coarse_of[static_cast<std::size_t>(finer[k])];
+            CHECK((coarse_cell == -2 || coarse_cell == cells[k]));
+            coarse_cell = cells[k];
         }
     }
     hm_error error{};

@@ -185,8 +185,8 @@ TEST_CASE("linear fields are reproduced, at an aspect ratio of 10^4 as well") {
 
 TEST_CASE("the first edge with a triangle of no area is returned") {
     Case setup = ring_case(6, 20, 0.5, 2);
-    Bounded const its_operator(setup);
-    harmorph::Mesh const& mesh = its_operator.core().problem().mesh;
+    Bounded const equations(setup);
+    harmorph::Mesh const& mesh = equations.core().problem().mesh;
     std::vector<double> x, y;
     for (Index k = 0; k < mesh.n_points; ++k) {
         x.push_back(mesh.points[k].x);
@@ -198,22 +198,22 @@ TEST_CASE("the first edge with a triangle of no area is returned") {
         return (x[j] - x[i]) * (y[k] - y[i]) - (y[j] - y[i]) * (x[k] - x[i]);
     };
     for (std::size_t const chosen :
-         {std::size_t{0}, its_operator.edges.size() / 2, its_operator.edges.size() - 1}) {
-        DelaunayEdge const edge = its_operator.edges[chosen];
+         {std::size_t{0}, equations.edges.size() / 2, equations.edges.size() - 1}) {
+        DelaunayEdge const edge = equations.edges[chosen];
         std::size_t const apex = static_cast<std::size_t>(edge.left),
                           end = static_cast<std::size_t>(edge.end);
         double const right_x = x[apex], right_y = y[apex];
         x[apex] = x[end];
         y[apex] = y[end];
         Index first = 0;
-        for (DelaunayEdge const& one : its_operator.edges) {
+        for (DelaunayEdge const& one : equations.edges) {
             if (!(area(one.begin, one.end, one.left) > 0)) break;
             if (one.right != harmorph::none && !(area(one.end, one.begin, one.right) > 0)) break;
             ++first;
         }
         CHECK(first <= static_cast<Index>(chosen));
-        CHECK(assemble_bounded(span(its_operator.edges), {x.data(), y.data(), 1}, {},
-                               its_operator.sparse->matrix) == first);
+        CHECK(assemble_bounded(span(equations.edges), {x.data(), y.data(), 1}, {},
+                               equations.sparse->matrix) == first);
         x[apex] = right_x;
         y[apex] = right_y;
     }

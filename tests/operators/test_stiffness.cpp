@@ -56,24 +56,24 @@ TEST_CASE("the matrix is the sum of the cotangents of all triangles and of both 
             std::mt19937 random(3);
             std::vector<double> k(static_cast<std::size_t>(mesh.n_cells));
             for (double& one : k) one = std::exp(uniform(random));
-            AssembledMatrix its_matrix(*seen.operator->());
+            AssembledMatrix assembled(*seen.operator->());
             Index const bad = assemble_stiffness(seen->topology(), mesh.points, span(k), false,
-                                                 its_matrix.matrix, {});
+                                                 assembled.matrix, {});
             REQUIRE(bad == harmorph::none);
-            DenseMatrix const expected = of_finite_elements(mesh, k), found = its_matrix.unknowns();
+            DenseMatrix const expected = of_finite_elements(mesh, k), found = assembled.unknowns();
             Wrong entries, sums;
-            for (std::size_t i = 0; i < its_matrix.size(); ++i) {
+            for (std::size_t i = 0; i < assembled.size(); ++i) {
                 std::size_t const p =
-                    static_cast<std::size_t>(its_matrix.point_at(static_cast<Index>(i)));
+                    static_cast<std::size_t>(assembled.point_at(static_cast<Index>(i)));
                 double const scale = expected.at(p, p);
                 double known = 0;  // the row sum is what the columns of known values take
                 for (std::size_t q = 0; q < static_cast<std::size_t>(mesh.n_points); ++q)
                     known -= seen->graph().unknown[q] == harmorph::none ? expected.at(p, q) : 0;
-                double const sum = its_matrix.matrix.row_sum[i];
+                double const sum = assembled.matrix.row_sum[i];
                 sums.add(std::fabs(sum - known) > 1e-13 * scale, static_cast<Index>(i), sum);
-                for (std::size_t j = 0; j < its_matrix.size(); ++j) {
+                for (std::size_t j = 0; j < assembled.size(); ++j) {
                     std::size_t const q =
-                        static_cast<std::size_t>(its_matrix.point_at(static_cast<Index>(j)));
+                        static_cast<std::size_t>(assembled.point_at(static_cast<Index>(j)));
                     double const error = std::fabs(found.at(i, j) - expected.at(p, q));
                     entries.add(error > 1e-13 * scale, static_cast<Index>(i), error);
                 }
@@ -88,7 +88,7 @@ TEST_CASE("the first cell without positive area is returned, wherever it lies am
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Case setup = square_on_curve(7, kind, 0.1, 5);
         Analysed const seen(setup);
-        AssembledMatrix its_matrix(*seen.operator->());
+        AssembledMatrix assembled(*seen.operator->());
         std::size_t n_inverted = 0;
         for (std::size_t point = 0; point < setup.mesh.x.size(); ++point) {
             double const before = setup.mesh.x[point];
@@ -99,8 +99,8 @@ TEST_CASE("the first cell without positive area is returned, wherever it lies am
                     return is_inverted(harmorph::CellShape(cell, mesh.points, false));
                 });
                 n_inverted += first != harmorph::none ? 1 : 0;
-                CHECK(assemble_stiffness(seen->topology(), mesh.points, {}, false,
-                                         its_matrix.matrix, {}) == first);
+                CHECK(assemble_stiffness(seen->topology(), mesh.points, {}, false, assembled.matrix,
+                                         {}) == first);
             }
             setup.mesh.x[point] = before;
         }
@@ -111,7 +111,7 @@ TEST_CASE("the first cell without positive area is returned, wherever it lies am
 TEST_CASE("of several inverted cells the first is returned, for any number of threads") {
     Case setup = square_on_curve(131, Cells::hybrid, 0.1, 5);  // four ranges of rows
     Analysed const seen(setup);
-    AssembledMatrix its_matrix(*seen.operator->());
+    AssembledMatrix assembled(*seen.operator->());
     std::size_t const n = setup.mesh.x.size();
     for (std::size_t const first : {n / 9, n / 2, n - n / 9}) {
         for (std::size_t const second : {n / 7, n - n / 7}) {
@@ -126,7 +126,7 @@ TEST_CASE("of several inverted cells the first is returned, for any number of th
             for (Index const threads : {1, 2, 3, 4}) {
                 Backwards order;
                 harmorph::Executor const executor{Backwards::run, &order, threads};
-                harmorph::Matrix const& matrix = its_matrix.matrix;
+                harmorph::Matrix const& matrix = assembled.matrix;
                 Index const found =
                     assemble_stiffness(seen->topology(), mesh.points, {}, false, matrix, executor);
                 INFO(threads << " threads, points " << first << " and " << second);

@@ -1,7 +1,7 @@
 // Parts of meshes, divided in any way, together have the equations of the whole mesh and its
 // functions.
 
-#include <harmorph_design.h>
+#include <harmorph_bases.h>
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
 #include <fixtures/parted_agreement.hpp>

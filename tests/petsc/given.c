@@ -1,5 +1,5 @@
 /* Given displacements, modes and combined functions on parts are those of the whole mesh. */
-#include <harmorph_design.h>
+#include <harmorph_bases.h>
 #include <harmorph_study.h>
 #include "check.h"
 

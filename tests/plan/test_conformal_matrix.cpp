@@ -41,11 +41,11 @@ public:
         }
         for (Index wall = 0; wall + 1 < m.coupling_start.count(); ++wall)
             for (Index c = m.coupling_start[wall]; c < m.coupling_start[wall + 1]; ++c) {
-                Index const its_line =
+                Index const coupling_line =
                     components * a.wall().point[wall / components] + wall % components;
                 Complex const value{m.coupling_value[c],
                                     m.is_complex() ? m.coupling_imaginary[c] : 0};
-                add(line(m.coupling_row[c]), its_line, components, value);
+                add(line(m.coupling_row[c]), coupling_line, components, value);
             }
     }
     Complex at(std::size_t i, std::size_t j) const { return entries_[i * n + j]; }
@@ -135,14 +135,14 @@ TEST_CASE("the conformal matrix is that of the integral of k |f_x + i f_y|^2, ce
         for (Index c = 0; c < mesh.n_cells; ++c) {
             harmorph::Cell const cell = mesh.cell(c);
             const Index* const q = cell.point;
-            double const its_k = k[static_cast<std::size_t>(c)];
+            double const conductivity = k[static_cast<std::size_t>(c)];
             if (cell.n == 3) {
-                expected += its_k * energy(setup.mesh, f, {q[0], q[1], q[2]});
+                expected += conductivity * energy(setup.mesh, f, {q[0], q[1], q[2]});
                 continue;
             }
             for (int i = 0; i < 4; ++i)
-                expected +=
-                    0.5 * its_k * energy(setup.mesh, f, {q[i], q[(i + 1) % 4], q[(i + 2) % 4]});
+                expected += 0.5 * conductivity *
+                            energy(setup.mesh, f, {q[i], q[(i + 1) % 4], q[(i + 2) % 4]});
         }
         CHECK(std::fabs(form.imag()) < 1e-13 * expected);
         CHECK(form.real() == doctest::Approx(expected).epsilon(1e-13));

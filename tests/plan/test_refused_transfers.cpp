@@ -1,7 +1,7 @@
 // Transfers that are refused: other domains, curves, operators and meshes, and blocks that are too
 // small.
 #include <harmorph_parts.h>
-#include <harmorph_design.h>
+#include <harmorph_bases.h>
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
 #include <doctest/doctest.h>

@@ -56,13 +56,13 @@ std::vector<double> combined(hm_basis const* basis, std::vector<double> const& a
 
 TEST_CASE("a transfer from a mesh to the same mesh keeps every number, for each kind of values") {
     Options const options = options_of(HM_CONFORMAL);
-    for (Options const* its_options : {static_cast<Options const*>(nullptr), &options}) {
+    for (Options const* given_options : {static_cast<Options const*>(nullptr), &options}) {
         for (int which = 0; which < 4; ++which) {
             Case setup = which == 0   ? two_body_case()
                          : which == 1 ? airfoil_case(20)
                                       : slip_channel(12, which == 3);
-            Solved const solved(setup, its_options);
-            Transferred const same(setup, solved, setup.mesh_view(), its_options);
+            Solved const solved(setup, given_options);
+            Transferred const same(setup, solved, setup.mesh_view(), given_options);
             CHECK(largest_difference(all_numbers(same.basis), all_numbers(solved.basis)) <= 1e-15);
             CHECK(same.transfer.outside == 0);
             CHECK(same.transfer.max_distance_point == -1);

@@ -72,7 +72,7 @@ TEST_CASE("the wall moves as the B-spline does, exactly; fixed points do not mov
 }
 
 TEST_CASE("cuts and seams: both sides get the same bits") {
-    auto const its_case = [](Mesh const& mesh) {
+    auto const case_on = [](Mesh const& mesh) {
         Case out = airfoil_case(24);
         out.mesh = mesh;
         return out;
@@ -80,7 +80,7 @@ TEST_CASE("cuts and seams: both sides get the same bits") {
     Outline const rough = naca4({}, 24), dense = naca4({}, 40);
     CMesh const c_coarse = c_mesh(rough, 10, 3, stretched(2e-3, 5, 20)),
                 c_fine = c_mesh(dense, 30, 3, stretched(1e-3, 5, 40));
-    Case coarse = its_case(c_coarse.mesh), fine = its_case(c_fine.mesh);
+    Case coarse = case_on(c_coarse.mesh), fine = case_on(c_fine.mesh);
     Transferred const transferred(fine, coarse);
     std::int32_t const last = c_fine.ni - 1;
     for (std::int32_t function = 0; function < fine.curves.n_control(); ++function) {
@@ -158,13 +158,13 @@ TEST_CASE("the correction at a wall that meets a slip line does not push points 
 }
 
 TEST_CASE("rigid bodies: points on them move rigidly") {
-    auto const its_case = [](int m, int n_r) {
+    auto const case_on = [](int m, int n_r) {
         Case out = two_body_case(Cells::quads, m, n_r);
         out.conditions.pop_back();
         out.set_rigid(second_body, 1.5, 0.5);
         return out;
     };
-    Case coarse = its_case(8, 6), fine = its_case(20, 14);
+    Case coarse = case_on(8, 6), fine = case_on(20, 14);
     Transferred const transferred(fine, coarse);
     std::vector<double> move(2 * (20 + 2), 0.0);
     move[40] = 0.1;

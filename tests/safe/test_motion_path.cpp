@@ -249,9 +249,10 @@ TEST_CASE("weights are the derivative by the target with the similarities held")
             changed.drift = span(drift);
             std::vector<double> moved(40);
             changed.at(t, span(moved));
-            std::size_t const its_place = std::size_t(i);
+            std::size_t const from_place = std::size_t(i);
             Complex const found =
-                (Complex(moved[2 * its_place], moved[2 * its_place + 1]) - before[its_place]) / by;
+                (Complex(moved[2 * from_place], moved[2 * from_place + 1]) - before[from_place]) /
+                by;
             CHECK(std::abs(found - number(path.path.weight(i, t))) < 1e-13);
         }
     }

@@ -26,8 +26,8 @@ struct System {
     harmorph::NewtonSystem newton;
 
     // Inner points are thrown about by up to `reach`; the whole mesh is the region.
-    System(Mesh const& its_mesh, double reach)
-        : mesh(its_mesh),
+    System(Mesh const& given_mesh, double reach)
+        : mesh(given_mesh),
           view(core_mesh(mesh)),
           held(mesh.x.size(), 0),
           at(mesh.x.size()),

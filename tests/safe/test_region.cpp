@@ -23,8 +23,8 @@ struct Grown {
     harmorph::Tangle tangle;
     Region region;
 
-    explicit Grown(Mesh const& its_mesh)
-        : mesh(its_mesh), view(core_mesh(mesh)), held(mesh.x.size(), 0), analysed(mesh) {
+    explicit Grown(Mesh const& given_mesh)
+        : mesh(given_mesh), view(core_mesh(mesh)), held(mesh.x.size(), 0), analysed(mesh) {
         for (std::int32_t const point : mesh.faces) held[std::size_t(point)] = 1;
         auto const counts = harmorph::RegionCounts::of(analysed->topology());
         harmorph::Arena query;

@@ -219,9 +219,9 @@ TEST_CASE("the two sides of the wake stay one when an airfoil in a C-mesh moves 
         std::map<std::pair<double, double>, std::size_t>
             first;  // points at one place stay at one place
         for (std::size_t k = 0; k < mesh.x.size(); ++k) {
-            std::size_t const its_first = first.insert({{mesh.x[k], mesh.y[k]}, k}).first->second;
-            CHECK(safe.x[k] == safe.x[its_first]);
-            CHECK(safe.y[k] == safe.y[its_first]);
+            std::size_t const first_point = first.insert({{mesh.x[k], mesh.y[k]}, k}).first->second;
+            CHECK(safe.x[k] == safe.x[first_point]);
+            CHECK(safe.y[k] == safe.y[first_point]);
         }
     }
     CHECK(by_strategy[HM_STRATEGY_LINEAR] > 10);

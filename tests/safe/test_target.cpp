@@ -15,8 +15,8 @@ namespace {
 
 // The target positions of the boundary of a case; inner points stay, and their target is not known.
 struct Aim {
-    explicit Aim(Case its_case)
-        : setup(its_case), attempt(setup.problem()), x(setup.mesh.x), y(setup.mesh.y) {
+    explicit Aim(Case wanted)
+        : setup(wanted), attempt(setup.problem()), x(setup.mesh.x), y(setup.mesh.y) {
         REQUIRE(attempt.status == HM_OK);
         harmorph::Analysis const& analysis = inside(attempt.analysis);
         for (Index k = 0; k < Index(x.size()); ++k) {

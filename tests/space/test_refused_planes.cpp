@@ -83,9 +83,9 @@ TEST_CASE("arguments of the plane that are NULL, out of range or of another mesh
     auto refused = [&](hm_status status, const char* text, auto change) {
         hm_space_mesh changed = good.view();
         change(changed);
-        Plane const its_plane(changed);
-        CHECK(its_plane.status == status);
-        CHECK(std::string(its_plane.error.text) == text);
+        Plane const refused_plane(changed);
+        CHECK(refused_plane.status == status);
+        CHECK(std::string(refused_plane.error.text) == text);
     };
     auto const bad_argument = [&](const char* text, auto change) {
         refused(HM_BAD_ARGUMENT, text, change);

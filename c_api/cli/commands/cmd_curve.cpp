@@ -81,8 +81,8 @@ std::vector<Wanted> wanted_of(const Arguments& arguments, const std::vector<doub
         {"chord_angle", "angle of the chord", quantity_of(HM_TWIST)},
         {"max_thickness", "largest thickness", quantity_of(HM_MAX_THICKNESS)},
         {"max_camber", "largest camber", quantity_of(HM_MAX_CAMBER)},
-        {"nose_radius", "leading-edge radius", quantity_of(HM_LEADING_EDGE_RADIUS)},
-        {"edge_angle", "trailing-edge angle", quantity_of(HM_TRAILING_EDGE_ANGLE)},
+        {"leading_edge_radius", "leading-edge radius", quantity_of(HM_LEADING_EDGE_RADIUS)},
+        {"trailing_edge_angle", "trailing-edge angle", quantity_of(HM_TRAILING_EDGE_ANGLE)},
         {"edge_gap", "trailing-edge gap", quantity_of(HM_TRAILING_EDGE_GAP)},
         {"min_radius", "smallest radius", quantity_of(HM_MIN_RADIUS)},
         {"curvature_variation", "curvature variation", quantity_of(HM_CURVATURE_VARIATION)}};

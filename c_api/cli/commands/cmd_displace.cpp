@@ -1,53 +1,22 @@
 // harmorph displace: moves the points of a wall as a file says, and the mesh with them; no curves
 // are needed.
-#include "commands/commands.hpp"
-#include "commands/engine.hpp"
-#include "formats/format.hpp"
-#include "basics/json.hpp"
-#include "commands/morph.hpp"
-#include "curves/moves_file.hpp"
 #include "basics/numbers.hpp"
-#include "basics/print.hpp"
 #include "basics/output_file.hpp"
-#include "commands/safe_way.hpp"
+#include "basics/print.hpp"
+#include "commands/commands.hpp"
+#include "commands/displacement.hpp"
+#include "commands/engine.hpp"
 #include "commands/solver.hpp"
-#include "commands/task.hpp"
-#include "formats/vtu.hpp"
-#include "page/page_data.hpp"
-#include "mesh/wall_field.hpp"
+#include "curves/moves_file.hpp"
+#include "formats/format.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
-#include <ostream>
 
 namespace cli {
 
 namespace {
 
-// The given displacements of wall points, and the moves of control points and rigid bodies.
-struct Movement {
-    std::string path;
-    WallField wall;
-    std::vector<double> moves;  // [2*functions]
-};
-
-struct Displacement {
-    Field by, moved;
-    hm_step_report step = sized<hm_step_report>();
-    hm_quality_report quality = sized<hm_quality_report>();
-    double factor_seconds = 0, displace_seconds = 0;  // displace_seconds: the median of all repeats
-    std::optional<hm_safe_report> safe;
-    std::string refusal, warning;       // set by the safe displacement
-    std::vector<OperatorTrial> trials;  // the operators that were compared
-    hm_basis_info info = sized<hm_basis_info>();
-    std::vector<std::int32_t> curve_points;  // mesh points on curves
-
-    explicit Displacement(const Mesh& mesh) : by(mesh.x.size()), moved(mesh.x.size()) {}
-    bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
-};
-
-void displace(Solver& solver, const Movement& movement, const hm_points* from, Field& to,
+void displace(Solver& solver, const WallMovement& movement, const hm_points* from, Field& to,
               Block& work) {
     const hm_points given = movement.wall.read();
     const hm_points_out result = to.write();
@@ -56,7 +25,7 @@ void displace(Solver& solver, const Movement& movement, const hm_points* from, F
 }
 
 // Computes the displacements of the mesh by control points and bodies alone, if there are any.
-void displace_by_moves(const Mesh& mesh, const Solver& solver, const Movement& movement,
+void displace_by_moves(const Mesh& mesh, const Solver& solver, const WallMovement& movement,
                        const Threads& threads, Field& to) {
     if (movement.moves.empty()) return;
     const hm_points_out result = to.write();
@@ -66,7 +35,7 @@ void displace_by_moves(const Mesh& mesh, const Solver& solver, const Movement& m
 
 // The given walls start from where control points and bodies have moved the mesh: whether the
 // boundary crosses itself is judged where everything has moved.
-void at_once(const Mesh& mesh, Solver& solver, const Movement& movement, std::int32_t repeats,
+void at_once(const Mesh& mesh, Solver& solver, const WallMovement& movement, std::int32_t repeats,
              const Threads& threads, Displacement& found) {
     std::size_t bytes = 0;
     call(mesh, hm_displace_size, solver.plan(), 1, &bytes);
@@ -92,7 +61,7 @@ void at_once(const Mesh& mesh, Solver& solver, const Movement& movement, std::in
     }
 }
 
-void safely(const Mesh& mesh, Solver& solver, const Movement& movement,
+void safely(const Mesh& mesh, Solver& solver, const WallMovement& movement,
             const hm_safe_options& options, Displacement& found) {
     std::size_t bytes = 0;
     call(mesh, hm_displace_safe_size, solver.plan(), solver.basis(), &bytes);
@@ -118,7 +87,7 @@ void safely(const Mesh& mesh, Solver& solver, const Movement& movement,
 }
 
 Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solver& solver,
-                             const Movement& movement, const Threads& threads) {
+                             const WallMovement& movement, const Threads& threads) {
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
     Displacement found(mesh);
     const Stopwatch whole;
@@ -151,93 +120,8 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
     return found;
 }
 
-// Returns the largest distance of a given wall point from where its displacement leads.
-double distance_from_targets(const Mesh& mesh, const Movement& movement,
-                             const Displacement& found) {
-    double largest = 0;
-    for (std::size_t k = 0; k < movement.wall.points.size(); ++k) {
-        const auto point = static_cast<std::size_t>(movement.wall.points[k]);
-        largest = std::max(largest,
-                           std::hypot(found.moved.x[point] - mesh.x[point] - movement.wall.x[k],
-                                      found.moved.y[point] - mesh.y[point] - movement.wall.y[k]));
-    }
-    return largest;
-}
-
-void write_report(std::ostream& out, const Mesh& mesh, const Task& task, const Movement& movement,
-                  const Displacement& found) {
-    const CurvesView curves(task.curves);
-    std::vector<std::int32_t> body = found.curve_points;
-    body.insert(body.end(), movement.wall.points.begin(), movement.wall.points.end());
-    const auto no_way = sized<hm_safe_report>();
-    write_report(out, mesh, {"", found.info, *curves.get(), task.conditions}, body,
-                 {found.by, movement.moves, found.step, found.quality,
-                  distance_from_targets(mesh, movement, found),
-                  "largest distance of given points from their targets", found.safe.has_value(),
-                  found.safe ? *found.safe : no_way, found.refusal});
-}
-
-void write_files(const Arguments& arguments, const Mesh& mesh, const Displacement& found,
-                 OutputFiles& files) {
-    if (arguments.has("-o"))
-        write_moved(files.add(moved_file(mesh, arguments.text("-o"))), mesh, found.moved.x.data(),
-                    found.moved.y.data());
-    if (arguments.has("--vtu")) {
-        PointData data = {"displacement", 3, {}};
-        for (std::size_t point = 0; point < found.by.x.size(); ++point) {
-            data.values.insert(data.values.end(), {found.by.x[point], found.by.y[point], 0.0});
-        }
-        write_vtu(files.add(arguments.text("--vtu")), mesh, found.moved.x, found.moved.y, {data});
-    }
-}
-
-void print_json(const Displacement& found) {
-    JsonObject object;
-    object.add("inverted", found.quality.inverted);
-    if (!found.safe) object.add("admissible_step", valid_fraction(found.step));
-    object.add("self_crossing", found.quality.self_crossing != 0);
-    object.add("min_quality", found.quality.min_quality)
-        .add("mean_quality", found.quality.mean_quality);
-    object.add("factor_seconds", found.factor_seconds)
-        .add("displace_seconds", found.displace_seconds);
-    if (found.safe) add_safe(object, *found.safe, found.warning, nullptr);
-    add_trials(object, found.trials);
-    print("%s\n", object.text().c_str());
-}
-
-void print_for_people(const Displacement& found) {
-    print_trials(found.trials);
-    if (found.safe) print_target(*found.safe);
-    print("inverted cells   %d\n", found.quality.inverted);
-    if (!found.safe) {
-        const double step = valid_fraction(found.step);
-        const std::string text = std::isinf(step) ? "unlimited" : brief(step) + " of this one";
-        print("admissible step  %s\n", text.c_str());
-    }
-    print(
-        "quality          %s at least, %s on average (size and skew, relative to the mesh as it "
-        "was)\n",
-        brief(found.quality.min_quality).c_str(), brief(found.quality.mean_quality).c_str());
-    if (found.safe) print_worst_cells(*found.safe);
-    print("seconds          %s for analysis and factor, %s for the displacement\n",
-          brief(found.factor_seconds).c_str(), brief(found.displace_seconds).c_str());
-}
-
-std::string reason(const Displacement& found, const Mesh& mesh) {
-    std::string text = plural(found.quality.inverted, "inverted cell");
-    if (found.step.cell >= 0) {
-        const std::size_t line = mesh.cell_offset[static_cast<std::size_t>(found.step.cell)];
-        text += ": " + brief(found.step.admissible) +
-                " of this displacement is admissible, limited by cell " +
-                std::to_string(found.step.cell) + " (" + mesh.file.place(line) + ")";
-    }
-    return found.quality.inverted > 0
-               ? text
-               : "the boundary crosses itself once it is rounded to the file's digits";
-}
-
-Movement movement_of(const Arguments& arguments, const Mesh& mesh, const Task& task) {
-    Movement movement = {
+WallMovement movement_of(const Arguments& arguments, const Mesh& mesh, const Task& task) {
+    WallMovement movement = {
         arguments.text("--wall"), read_wall_field(arguments.text("--wall"), mesh), {}};
     const CurvesView curves(task.curves);
     Movable movable = {static_cast<std::int32_t>(task.curves.control.size() / 2), 0, 0,
@@ -257,7 +141,7 @@ Movement movement_of(const Arguments& arguments, const Mesh& mesh, const Task& t
 // By one operator; by the better one of two, where they are compared or the own one does not reach
 // the target safely.
 Displacement best_displacement(const Arguments& arguments, const Mesh& mesh, const Task& task,
-                               const Movement& movement, const Threads& threads) {
+                               const WallMovement& movement, const Threads& threads) {
     const std::int32_t own = task.options.operator_kind;
     std::vector<OperatorTrial> trials;
     const auto run = [&](std::int32_t kind, OperatorTrial& trial) {
@@ -291,23 +175,20 @@ void run_displace(const Arguments& arguments) {
         arguments.refuse(
             "--exponent cannot be used with --operator auto, which compares operators");
     const Task task = task_of(arguments, mesh);
-    const Movement movement = movement_of(arguments, mesh, task);
+    const WallMovement movement = movement_of(arguments, mesh, task);
     const Threads threads(threads_of(arguments));
     const Displacement found = best_displacement(arguments, mesh, task, movement, threads);
     if (found.safe) warn_of_heights(arguments, *found.safe, found.valid());
     const bool strict = arguments.has("--strict") && !found.warning.empty();
     const bool reached = found.valid() && found.refusal.empty() && !strict;
     OutputFiles files;  // the report is written for invalid meshes, too
-    if (reached || arguments.has("--force")) write_files(arguments, mesh, found, files);
+    if (reached || arguments.has("--force")) write_displacement(arguments, mesh, found, files);
     if (arguments.has("--report"))
-        write_report(files.add(arguments.text("--report")), mesh, task, movement, found);
+        write_displacement_page(files.add(arguments.text("--report")), mesh, task, movement, found);
     files.commit();
-    if (arguments.has("--json")) {
-        print_json(found);
-    } else {
-        print_for_people(found);
-    }
-    if (!found.valid()) throw Failure(exit_unusable, reason(found, mesh));
+    if (arguments.has("--json")) print_json(found);
+    else print_displacement(found);
+    if (!found.valid()) throw Failure(exit_unusable, why_invalid(found, mesh));
     if (!reached)
         throw Failure(exit_unusable, found.refusal.empty() ? found.warning : found.refusal);
     if (!found.warning.empty()) warn(found.warning);

@@ -1,6 +1,4 @@
 // harmorph sample: many designs of one mesh, for surrogate models.
-#include "basics/json.hpp"
-#include "basics/numbers.hpp"
 #include "basics/output_file.hpp"
 #include "basics/print.hpp"
 #include "basics/progress_bar.hpp"
@@ -8,8 +6,7 @@
 #include "commands/commands.hpp"
 #include "commands/used_files.hpp"
 #include "formats/format.hpp"
-#include "formats/vtu.hpp"
-#include "sampling/crc32.hpp"
+#include "sampling/design_files.hpp"
 #include "sampling/sample_pages.hpp"
 #include "sampling/sample_shard.hpp"
 #include "sampling/sample_splits.hpp"
@@ -25,33 +22,12 @@ namespace {
 constexpr const char* final_files[] = {"set.txt", "designs.csv", "index.html", "README.md",
                                        "vtk/series.pvd"};
 
-// Options that do not change the files of the set.
-bool is_incidental(const std::string& option) {
-    return option == "-o" || option == "--threads" || option == "--json";
-}
-
-// The text of set.txt: two calls with the same text make the same files.
-std::string settings_of(const Arguments& arguments, const std::vector<Option>& options) {
-    std::string text = std::string("harmorph ") + hm_version() + " sample\n";
-    for (const NamedFile& file : arguments.files()) {
-        const TextFile content(mesh_file(file.path));
-        text += "file " + file.name + " " + std::to_string(content.text().size()) + " bytes " +
-                std::to_string(crc32_of(0, content.text().data(), content.text().size())) + "\n";
-    }
-    for (const Option& option : options) {
-        if (is_incidental(option.name) || option.use != FileUse::none) continue;
-        for (const std::string& value : arguments.all(option.name))
-            text += std::string("option ") + option.name + (option.value ? " " + value : "") + "\n";
-    }
-    return text;
-}
-
 class Sampling {
 public:
     Sampling(const Arguments& arguments, const std::vector<Option>& options)
         : arguments_(arguments),
           folder_(arguments.text("-o")),
-          settings_(settings_of(arguments, options)),
+          settings_(settings_of_set(arguments, options)),
           mesh_(read_mesh(arguments, 0)),
           basis_(arguments.operand(1), mesh_),
           space_(arguments, basis_),
@@ -64,15 +40,11 @@ public:
           morpher_(mesh_, basis_, threads_, arguments.real("--min-quality", .05, 0, 1),
                    arguments.has("--step")),
           per_shard_(arguments.whole("--shard", 1000, 1, 1000000)),
-          has_meshes_(arguments.has("--meshes")),
-          has_vtk_(arguments.has("--vtk")) {
+          files_(arguments, mesh_) {
         if (basis_.mesh_has_moved())
             throw Failure(exit_unusable, arguments.operand(0) +
                                              ": the mesh is not where it was when the basis was "
                                              "solved; solve again on this mesh");
-        const bool is_folder = mesh_file(arguments.operand(0)) != arguments.operand(0);
-        if (has_meshes_ && is_folder)
-            arguments.refuse("--meshes: a mesh in a folder cannot be written many times");
         for (const char* const name : final_files)
             refuse_overwriting(arguments, {FileUse::output, "a file of -o,", folder_.file(name)});
         if (arguments.has("--wall")) walls_ = std::make_unique<WallChains>(mesh_, moving_markers());
@@ -81,7 +53,7 @@ public:
     }
 
     void run() {
-        folder_.open(settings_, has_meshes_, has_vtk_);
+        folder_.open(settings_, files_.has_meshes(), files_.has_vtk());
         shards_ = folder_.complete_shards();
         std::int64_t next = 0;
         if (shards_ > 0) {
@@ -190,7 +162,7 @@ private:
         row.way = result.way;
         if (space_.has_files()) row.section = space_.file(number);
         if (row.is_accepted()) row.split = splits_.split(number, row.numbers);
-        if (row.is_accepted()) write_meshes(result, number);
+        if (row.is_accepted()) files_.write(folder_, result, number);
         shard.add(row, result);
     }
 
@@ -202,31 +174,6 @@ private:
         optimist.measures = result.measures;
         std::vector<double> numbers = table_.numbers_of(optimist);
         result.refusal = limits_.refusal_from(numbers, table_.first_measure());
-    }
-
-    void write_meshes(const MorphedDesign& result, std::int64_t number) const {
-        if (!has_meshes_ && !has_vtk_) return;
-        Field moved(mesh_.x.size());
-        for (std::size_t k = 0; k < mesh_.x.size(); ++k) {
-            moved.x[k] = result.coordinates[2 * k];
-            moved.y[k] = result.coordinates[2 * k + 1];
-        }
-        OutputFiles files;
-        if (has_meshes_) {
-            const std::string path = arguments_.operand(0);
-            const std::size_t name = path.find_last_of('/') + 1, dot = path.find('.', name);
-            const std::string ending = dot == std::string::npos ? "" : path.substr(dot);
-            write_moved(files.add(folder_.mesh_of(number, ending)), mesh_, moved.x.data(),
-                        moved.y.data());
-        }
-        if (has_vtk_) {
-            PointData displacement = {"displacement", 3, {}};
-            for (std::size_t k = 0; k < mesh_.x.size(); ++k)
-                displacement.values.insert(displacement.values.end(),
-                                           {moved.x[k] - mesh_.x[k], moved.y[k] - mesh_.y[k], 0.0});
-            write_vtu(files.add(folder_.vtk_of(number)), mesh_, moved.x, moved.y, {displacement});
-        }
-        files.commit();
     }
 
     void draw(std::int64_t next) {
@@ -242,7 +189,7 @@ private:
         SampleSummary summary;
         std::ostream& csv = files.add(folder_.file("designs.csv"));
         std::ostream* const series =
-            has_vtk_ ? &files.add(folder_.file("vtk/series.pvd")) : nullptr;
+            files_.has_vtk() ? &files.add(folder_.file("vtk/series.pvd")) : nullptr;
         if (series != nullptr)
             *series << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n"
                        "<Collection>\n";
@@ -264,34 +211,9 @@ private:
             space_, table_, summary);
         bar_.wipe();
         files.commit();
-        report(summary);
-    }
-
-    void report(const SampleSummary& summary) const {
-        const auto made = double(space_.count() - begin_);
-        if (arguments_.has("--json")) {
-            JsonObject object;
-            object.add("designs", summary.designs).add("accepted", summary.accepted);
-            object.add("shards", shards_).add("continued_at", begin_);
-            object.add("seconds", watch_.seconds());
-            for (const char* const way : {"linear", "other", "substeps", "untangled", "improved"}) {
-                const auto found = summary.ways.find(way);
-                object.add(way, found == summary.ways.end() ? std::int64_t{0} : found->second);
-            }
-            return print("%s\n", object.text().c_str());
-        }
-        print("designs          %lld, of which %lld are accepted, in %s\n",
-              static_cast<long long>(summary.designs), static_cast<long long>(summary.accepted),
-              plural(shards_, "shard").c_str());
-        for (const auto& one : summary.ways)
-            print("%-16s %s\n", one.first.c_str(), plural(one.second, "design").c_str());
-        for (const auto& one : summary.reasons)
-            print("rejected         %lld: %s\n", static_cast<long long>(one.second),
-                  one.first.c_str());
-        if (made > 0)
-            print("time             %s s, %s designs a second\n", brief(watch_.seconds()).c_str(),
-                  brief(made / watch_.seconds()).c_str());
-        if (summary.accepted == 0) warn("no design is accepted: designs.csv has the reasons");
+        const SampleRun run = {shards_, begin_, space_.count() - begin_, watch_.seconds()};
+        if (arguments_.has("--json")) print_json(summary, run);
+        else print_summary(summary, run);
     }
 
     const Arguments& arguments_;
@@ -307,7 +229,7 @@ private:
     Threads threads_;
     DesignMorpher morpher_;
     std::int64_t per_shard_, shards_ = 0, begin_ = 0;
-    bool has_meshes_, has_vtk_;
+    DesignFiles files_;
     std::unique_ptr<WallChains> walls_;
     std::unique_ptr<WallDistances> distances_;
     ProgressBar bar_;
@@ -366,7 +288,7 @@ const Command sample_command = {
     "  harmorph sample naca0012.su2 airfoil.basis --naca --count 1000 -o naca\n"
     "  harmorph sample naca0012.su2 airfoil.basis --variables map --range=-0.01,0.01 --count 5000 "
     "\\\n"
-    "      --min area=0.07 --min nose_radius=0.005 --wall -o set\n",
+    "      --min area=0.07 --min leading_edge_radius=0.005 --wall -o set\n",
     run_sample};
 
 }  // namespace cli

@@ -1,5 +1,5 @@
 // harmorph solve: solves the basis, the harmonic functions of all control points on a mesh.
-#include <harmorph_design.h>
+#include <harmorph_bases.h>
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
 #include "commands/engine.hpp"

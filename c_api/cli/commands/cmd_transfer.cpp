@@ -1,5 +1,5 @@
 // harmorph transfer: interpolates functions from one mesh to a denser mesh of the same domain.
-#include <harmorph_design.h>
+#include <harmorph_bases.h>
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
 #include "basics/json.hpp"

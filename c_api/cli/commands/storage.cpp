@@ -1,4 +1,4 @@
-#include <harmorph_design.h>
+#include <harmorph_bases.h>
 #include "commands/storage.hpp"
 
 namespace cli {

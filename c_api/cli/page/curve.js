@@ -64,11 +64,11 @@ class Curves {
         const [a, b, c] = [low - small, low, low + small].map((u) => this.point(curve, u)),
             [ab, bc, ca] = [minus(b, a), minus(c, b), minus(a, c)],
             twice_area = Math.abs(ab[0] * bc[1] - ab[1] * bc[0]),
-            nose_radius = (Math.hypot(...ab) * Math.hypot(...bc) * Math.hypot(...ca)) / (2 * twice_area);
+            leading_edge_radius = (Math.hypot(...ab) * Math.hypot(...bc) * Math.hypot(...ca)) / (2 * twice_area);
         const ahead = minus(this.point(curve, first + small), begin),
             behind = minus(this.point(curve, last - small), end),
-            edge_angle = (Math.abs(turn_between(...ahead, ...behind)) * 180) / Math.PI;
-        return { nose_radius, edge_angle };
+            trailing_edge_angle = (Math.abs(turn_between(...ahead, ...behind)) * 180) / Math.PI;
+        return { leading_edge_radius, trailing_edge_angle };
     }
 
     point(curve, u) {

@@ -80,8 +80,11 @@ class Panel {
                 ["Twist", now.twist, start.twist, "°"],
                 ["Area", now.area, start.area, ""],
             ];
-        if (now.nose_radius) rows.push(["Leading-edge radius", now.nose_radius, start.nose_radius, ""]);
-        if (now.edge_angle) rows.push(["Trailing-edge angle", now.edge_angle, start.edge_angle, "°"]);
+        for (const [name, text, unit] of [
+            ["leading_edge_radius", "Leading-edge radius", ""],
+            ["trailing_edge_angle", "Trailing-edge angle", "°"],
+        ])
+            if (now[name]) rows.push([text, now[name], start[name], unit]);
         const body = element("section").tBodies[0];
         while (body.rows.length < rows.length) {
             const row = body.insertRow(),

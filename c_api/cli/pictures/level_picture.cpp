@@ -97,8 +97,8 @@ public:
     }
 
 private:
-    std::size_t shade_of(std::int32_t its_owner) const {
-        return its_owner < 0 ? known_shade : shade_[place(its_owner)];
+    std::size_t shade_of(std::int32_t cell_owner) const {
+        return cell_owner < 0 ? known_shade : shade_[place(cell_owner)];
     }
 
     void paint_shapes() {

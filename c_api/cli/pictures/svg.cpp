@@ -25,18 +25,23 @@ std::string short_decimal(std::int64_t hundredths) {
     return text;
 }
 
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : readable(text))
-        result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-    return result;
-}
-
 std::string attribute(const char* name, double value) {
     return std::string(" ") + name + "=\"" + pixels(value) + "\"";
 }
 
 }  // namespace
+
+std::string escaped(const std::string& text) {
+    std::string result;
+    for (const char c : readable(text)) {
+        if (c == '<') result += "&lt;";
+        else if (c == '>') result += "&gt;";
+        else if (c == '&') result += "&amp;";
+        else if (c == '"') result += "&quot;";
+        else result += c;
+    }
+    return result;
+}
 
 SvgPath::Grid SvgPath::rounded(Point pixel) { return {hundredths(pixel.x), hundredths(pixel.y)}; }
 
@@ -101,8 +106,8 @@ void Svg::text(Point at, const std::string& text, const std::string& attributes)
              escaped(text) + "</text>\n";
 }
 
-std::string Svg::document(double its_height) const {
-    const std::string width = pixels(width_), height = pixels(its_height);
+std::string Svg::document(double document_height) const {
+    const std::string width = pixels(width_), height = pixels(document_height);
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
            "\" viewBox=\"0 0 " + width + " " + height +
            "\" role=\"img\" font-family=\"Helvetica, Arial, sans-serif\">\n<title>" +

@@ -8,6 +8,9 @@
 
 namespace cli {
 
+// Returns the text for markup of SVG and HTML, quoted attributes included: readable, on one line.
+std::string escaped(const std::string& text);
+
 // The data of a path element are steps from point to point in hundredths of pixels, which are
 // short.
 class SvgPath {

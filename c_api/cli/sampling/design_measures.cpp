@@ -37,8 +37,8 @@ SectionMeasures::SectionMeasures(const Arguments& arguments, const hm_curves& cu
     add("chord", HM_CHORD);
     add("max_thickness", HM_MAX_THICKNESS);
     add("max_camber", HM_MAX_CAMBER);
-    add("nose_radius", HM_LEADING_EDGE_RADIUS);
-    add("edge_angle", HM_TRAILING_EDGE_ANGLE);
+    add("leading_edge_radius", HM_LEADING_EDGE_RADIUS);
+    add("trailing_edge_angle", HM_TRAILING_EDGE_ANGLE);
     if (!arguments.has("--stations")) return;
     for (const double station : number_list(arguments, "--stations")) {
         if (!(station > 0 && station < 1))
@@ -116,8 +116,9 @@ std::vector<Option> measure_options() {
             {"--min", "NAME=NUMBER",
              "rejects designs of which a column is smaller: area, chord, max_thickness, "
              "max_camber,\n"
-             "nose_radius, edge_angle, thickness_S, camber_S, min_quality, mean_quality,\n"
-             "fit_error (of sections), admissible_step (with --step); may be repeated"},
+             "leading_edge_radius, trailing_edge_angle, thickness_S, camber_S, min_quality,\n"
+             "mean_quality, fit_error (of sections), admissible_step (with --step); may be "
+             "repeated"},
             {"--max", "NAME=NUMBER", "rejects designs of which a column is larger"}};
 }
 

@@ -3,6 +3,8 @@
 #include "basics/failure.hpp"
 #include "basics/output_file.hpp"
 #include "basics/text_file.hpp"
+#include "formats/format.hpp"
+#include "sampling/crc32.hpp"
 
 #include <cstdio>
 #include <filesystem>
@@ -19,7 +21,27 @@ std::string numbered(std::int64_t number, int digits) {
     return text;
 }
 
+// Options that do not change the files of the set.
+bool is_incidental(const std::string& option) {
+    return option == "-o" || option == "--threads" || option == "--json";
+}
+
 }  // namespace
+
+std::string settings_of_set(const Arguments& arguments, const std::vector<Option>& options) {
+    std::string text = std::string("harmorph ") + hm_version() + " sample\n";
+    for (const NamedFile& file : arguments.files()) {
+        const TextFile content(mesh_file(file.path));
+        text += "file " + file.name + " " + std::to_string(content.text().size()) + " bytes " +
+                std::to_string(crc32_of(0, content.text().data(), content.text().size())) + "\n";
+    }
+    for (const Option& option : options) {
+        if (is_incidental(option.name) || option.use != FileUse::none) continue;
+        for (const std::string& value : arguments.all(option.name))
+            text += std::string("option ") + option.name + (option.value ? " " + value : "") + "\n";
+    }
+    return text;
+}
 
 std::string SampleFolder::shard_file(std::int64_t shard, const char* ending) const {
     return file("shards/" + numbered(shard, 5) + ending);

@@ -10,10 +10,16 @@
 // A shard is complete when its .npz has its name, which it gets behind its table.
 #pragma once
 
+#include "basics/arguments.hpp"
+
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace cli {
+
+// Returns the text of set.txt: two calls with the same text make the same files.
+std::string settings_of_set(const Arguments& arguments, const std::vector<Option>& options);
 
 class SampleFolder {
 public:

@@ -3,6 +3,7 @@
 #include "basics/library.hpp"
 #include "basics/numbers.hpp"
 #include "basics/readable.hpp"
+#include "pictures/svg.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,17 +15,6 @@ namespace {
 
 constexpr std::size_t most_thumbnails = 40, most_columns = 6;
 constexpr double plot_side = 180, plot_margin = 34;  // of a scatter plot [pixels]
-
-std::string in_markup(const std::string& text) {
-    std::string out;
-    for (const char c : readable(text, false)) {
-        if (c == '<') out += "&lt;";
-        else if (c == '&') out += "&amp;";
-        else if (c == '"') out += "&quot;";
-        else out += c;
-    }
-    return out;
-}
 
 std::string outline_of(const hm_curves& curves, const std::vector<double>& control, double* box) {
     hm_curves moved = curves;
@@ -75,7 +65,7 @@ void write_thumbnails(std::ostream& out, const Basis& basis, const DesignSpace& 
     out << "<h2>Sections</h2>\n<div class=\"all\">\n";
     for (const Thumbnail& one : all)
         out << "<figure><svg viewBox=\"" << view << "\"><path d=\"" << one.path
-            << "\"/></svg><figcaption>" << in_markup(one.text) << "</figcaption></figure>\n";
+            << "\"/></svg><figcaption>" << escaped(one.text) << "</figcaption></figure>\n";
     out << "</div>\n";
 }
 
@@ -92,7 +82,7 @@ void write_scatter(std::ostream& out, const SampleTable& table, const SampleSumm
         << "\" width=\"" << plot_side << "\" height=\"" << plot_side << "\"/>";
     const auto text = [&](double at_x, double at_y, const char* anchor, const std::string& what) {
         out << "<text x=\"" << at_x << "\" y=\"" << at_y << "\" text-anchor=\"" << anchor << "\">"
-            << in_markup(what) << "</text>";
+            << escaped(what) << "</text>";
     };
     text(plot_margin, plot_side + plot_margin + 14, "start", brief(x_low));
     text(plot_side + plot_margin, plot_side + plot_margin + 14, "end", brief(x_high));
@@ -158,7 +148,7 @@ void write_sample_index(std::ostream& out, const Basis& basis, const DesignSpace
            ".plot text { font-size: 11px; } .plot rect { fill: none; stroke: #999; }\n"
            ".train { fill: #1f6fb4; } .test { fill: #e07b00; } .out { fill: #888; }\n"
            "</style></head>\n<body>\n<h1>Sampled designs</h1>\n<p>"
-        << in_markup(space.description()) << summary.accepted << " of " << summary.designs
+        << escaped(space.description()) << summary.accepted << " of " << summary.designs
         << " designs are accepted. <a href=\"designs.csv\">designs.csv</a> lists all of them, and "
            "<a href=\"README.md\">README.md</a> describes the files.</p>\n";
     if (summary.rows.empty()) {

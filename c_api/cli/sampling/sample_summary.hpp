@@ -25,4 +25,13 @@ private:
     std::int64_t stride_ = 1;  // one of so many accepted rows is kept
 };
 
+// One call of the program, which may continue an earlier one.
+struct SampleRun {
+    std::int64_t shards, first, designs;  // shards of the whole set, designs of this call
+    double seconds;
+};
+
+void print_summary(const SampleSummary& summary, const SampleRun& run);
+void print_json(const SampleSummary& summary, const SampleRun& run);
+
 }  // namespace cli

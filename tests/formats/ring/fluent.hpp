@@ -75,9 +75,9 @@ inline std::string fluent(bool tight, bool binary = false) {
                     hexadecimal(left);
             ++count;
         });
-        const std::string its_head = head({zone, face + 1, face + count, type, mixed ? 0 : 2});
-        if (binary) binary_section(2013, its_head, numbers.text);
-        else out += "(13 " + its_head + "(" + body + line + "))\r\n";
+        const std::string zone_head = head({zone, face + 1, face + count, type, mixed ? 0 : 2});
+        if (binary) binary_section(2013, zone_head, numbers.text);
+        else out += "(13 " + zone_head + "(" + body + line + "))\r\n";
         face += count;
     };
     faces(3, 2, false, [&](const auto& face_of) {  // between cells

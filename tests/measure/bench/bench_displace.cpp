@@ -25,7 +25,7 @@ constexpr Operator operators[] = {{"laplace", HM_LAPLACE, 0.12}, {"conformal", H
 // An analysis and a plan with one condition on the body.
 class Plan {
 public:
-    Plan(Case const& its_case, Workspace& workspace, Settings const& settings, Index operator_kind,
+    Plan(Case const& mesh_case, Workspace& workspace, Settings const& settings, Index operator_kind,
          hm_curves const* curves)
         : workspace_(workspace) {
         hm_condition condition{};
@@ -33,7 +33,7 @@ public:
         condition.marker = fixtures::body;
         condition.kind = curves != nullptr ? HM_ON_CURVE : HM_GIVEN;
         condition.n_curves = curves != nullptr ? curves->n_curves : 0;
-        hm_mesh const mesh = its_case.mesh.view();
+        hm_mesh const mesh = mesh_case.mesh.view();
         hm_problem problem{};
         problem.struct_size = sizeof problem;
         problem.mesh = &mesh;
@@ -83,13 +83,13 @@ private:
 // A flexible trailing edge, a tenth of the chord up; and the arrays of all calls.
 class Movement {
 public:
-    Movement(Case const& its_case, Plan& plan)
+    Movement(Case const& mesh_case, Plan& plan)
         : plan_(plan.get()),
           points_(plan.given_points()),
-          n_(its_case.mesh.x.size()),
+          n_(mesh_case.mesh.x.size()),
           fields_(2 * n_ * several) {
         for (Index const point : points_) {
-            double const x = its_case.mesh.x[at(point)];
+            double const x = mesh_case.mesh.x[at(point)];
             wall_.push_back(0);
             wall_.push_back(x > 0.6 ? 0.1 * (x - 0.6) * (x - 0.6) / 0.16 : 0);
         }
@@ -158,27 +158,27 @@ void bench_displace(Settings const& settings, Report& report) {
     Others others;
     for (std::string const& kind : settings.kinds)
         for (Index const size : settings.sizes) {
-            Case const its_case = make_case(kind, size);
-            double const nodes = its_case.mesh.n_points();
+            Case const mesh_case = make_case(kind, size);
+            double const nodes = mesh_case.mesh.n_points();
             for (Operator const& chosen : operators) {
-                say(its_case.name() + ": " + chosen.name);
+                say(mesh_case.name() + ": " + chosen.name);
                 Workspace workspace;
-                Fit const fit(its_case, functions);
+                Fit const fit(mesh_case, functions);
                 double factor = 0, solve = 0;
                 {
-                    Plan curves(its_case, workspace, settings, chosen.number, &fit.curves());
+                    Plan curves(mesh_case, workspace, settings, chosen.number, &fit.curves());
                     factor = time_of([&] { curves.factor(); });
                     solve = time_of([&] { curves.solve(); });
                 }
-                Plan plan(its_case, workspace, settings, chosen.number, nullptr);
+                Plan plan(mesh_case, workspace, settings, chosen.number, nullptr);
                 plan.factor();
-                Movement movement(its_case, plan);
+                Movement movement(mesh_case, plan);
                 double const one = time_of([&] { movement.displace(1); });
                 double const adjoint = time_of([&] { movement.adjoint(1); });
                 double const many = time_of([&] { movement.displace(several); });
                 double& per_node = first[kind + chosen.name];
                 if (per_node == 0) per_node = one / nodes;
-                ours.add({its_case.name(),
+                ours.add({mesh_case.name(),
                           chosen.name,
                           seconds(factor),
                           seconds(solve),
@@ -191,8 +191,8 @@ void bench_displace(Settings const& settings, Report& report) {
                           ratio(one / nodes / per_node)});
                 if (chosen.number != HM_LAPLACE || size > settings.elasticity) continue;
                 ElasticTimes const elastic =
-                    solve_elasticity(its_case, movement.points(), movement.wall());
-                against.add({its_case.name(), seconds(elastic.set_up), count(elastic.iterations),
+                    solve_elasticity(mesh_case, movement.points(), movement.wall());
+                against.add({mesh_case.name(), seconds(elastic.set_up), count(elastic.iterations),
                              seconds(elastic.solve), seconds(factor), seconds(one),
                              ratio(elastic.solve / one),
                              ratio((elastic.set_up + elastic.solve) / (factor + one))});

@@ -45,14 +45,14 @@ void bench_iterative(Settings const& settings, Report& report) {
     Index const functions = settings.functions[0];
     for (std::string const& kind : settings.kinds) {
         for (Index const size : settings.sizes) {
-            Case const its_case = make_case(kind, size);
-            double const points = its_case.mesh.n_points();
+            Case const mesh_case = make_case(kind, size);
+            double const points = mesh_case.mesh.n_points();
             Workspace workspace;
-            Ours direct(its_case, workspace, functions, settings.executor, settings.kernel);
+            Ours direct(mesh_case, workspace, functions, settings.executor, settings.kernel);
             for (Engine const& engine : engines) {
                 if (engine.number == HM_FAS && points > most_points_of_fas) continue;
-                say(its_case.name() + ": " + engine.name);
-                Ours iterative(its_case, workspace, functions, settings.executor, settings.kernel,
+                say(mesh_case.name() + ": " + engine.name);
+                Ours iterative(mesh_case, workspace, functions, settings.executor, settings.kernel,
                                engine.number);
                 Ours& ours = engine.number == HM_DIRECT ? direct : iterative;
                 Phases const once = ours.run();
@@ -60,8 +60,8 @@ void bench_iterative(Settings const& settings, Report& report) {
                 double const apart = engine.number == HM_DIRECT
                                          ? 0
                                          : difference(direct.basis(), ours.basis(), functions,
-                                                      its_case.mesh.x.size());
-                table.add({its_case.name(), count(functions), engine.name, count(measured.levels),
+                                                      mesh_case.mesh.x.size());
+                table.add({mesh_case.name(), count(functions), engine.name, count(measured.levels),
                            count(measured.iterations), count(measured.work), seconds(once.engine()),
                            count(ours.plan_bytes() / points), residual(measured.residual),
                            residual(apart)});

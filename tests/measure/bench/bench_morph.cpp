@@ -1,6 +1,6 @@
 // The product and its transpose against OpenBLAS's dgemm and the machine's read bandwidth;
 // admissible step and quality.
-#include <harmorph_design.h>
+#include <harmorph_bases.h>
 #include <harmorph_study.h>
 #include "clock.hpp"
 #include "ours.hpp"
@@ -24,20 +24,20 @@ constexpr Operator laplace{"Laplace", HM_LAPLACE, 1}, conformal{"conformal", HM_
 class Product {
 public:
     // All arrays are in the same kind of pages.
-    Product(Case const& its_case, hm_basis const* basis, Index functions,
+    Product(Case const& mesh_case, hm_basis const* basis, Index functions,
             hm_executor const* executor, Pages pages = Pages::huge,
             Operator const& chosen = laplace)
-        : case_(its_case),
+        : case_(mesh_case),
           operator_(chosen),
           basis_(basis),
           executor_(executor),
           m_(at(functions)),
-          n_(its_case.mesh.x.size()),
+          n_(mesh_case.mesh.x.size()),
           pages_(pages),
           xy_(pages) {
         x_ = xy_.numbers(2 * n_);
-        std::copy(its_case.mesh.x.begin(), its_case.mesh.x.end(), x_);
-        std::copy(its_case.mesh.y.begin(), its_case.mesh.y.end(), y());
+        std::copy(mesh_case.mesh.x.begin(), mesh_case.mesh.x.end(), x_);
+        std::copy(mesh_case.mesh.y.begin(), mesh_case.mesh.y.end(), y());
         for (std::size_t k = 0; k < 2 * m_; ++k) move_.push_back(1e-9 * static_cast<double>(k % 7));
         gradient_.assign(2 * m_, 0);
     }
@@ -172,11 +172,11 @@ private:
     }
 };
 
-void add_products(Case const& its_case, Operator const& chosen, Settings const& settings,
+void add_products(Case const& mesh_case, Operator const& chosen, Settings const& settings,
                   Limits const& limits, Table& table) {
     for (Index const functions : settings.functions) {
         Workspace workspace;
-        Ours ours(its_case, workspace, functions, settings.executor, settings.kernel, HM_DIRECT,
+        Ours ours(mesh_case, workspace, functions, settings.executor, settings.kernel, HM_DIRECT,
                   HM_DOUBLE, chosen.kind);
         ours.run();
         for (Pages const pages : {Pages::plain, Pages::huge}) {
@@ -189,7 +189,7 @@ void add_products(Case const& its_case, Operator const& chosen, Settings const& 
             hm_basis const* basis = nullptr;
             require(hm_basis_attach(&basis, block.give(0), info.bytes, nullptr, &error), error,
                     "hm_basis_attach");
-            Product product(its_case, basis, functions, settings.executor, pages, chosen);
+            Product product(mesh_case, basis, functions, settings.executor, pages, chosen);
             Product::Pairs pairs{{not_measured, not_measured}, {not_measured, not_measured}};
             if (blas() != nullptr && chosen.numbers == 1) pairs = product.against(*blas());
             product.add_row(
@@ -203,11 +203,11 @@ void add_products(Case const& its_case, Operator const& chosen, Settings const& 
 }
 
 // Compares functions in single and in double precision, call by call in turn.
-void add_storage(Case const& its_case, Settings const& settings, Limits const& limits,
+void add_storage(Case const& mesh_case, Settings const& settings, Limits const& limits,
                  Table& table) {
     for (Index const functions : settings.functions) {
         Workspace workspace;
-        Ours ours(its_case, workspace, functions, settings.executor, settings.kernel);
+        Ours ours(mesh_case, workspace, functions, settings.executor, settings.kernel);
         ours.run();
         hm_error error{};
         std::size_t bytes = 0;
@@ -216,23 +216,23 @@ void add_storage(Case const& its_case, Settings const& settings, Limits const& l
         require(hm_single_size(ours.basis(), &bytes, &error), error, "hm_single_size");
         require(hm_single_init(&single, block.give(bytes), bytes, ours.basis(), &error), error,
                 "hm_single_init");
-        Product wide(its_case, ours.basis(), functions, settings.executor),
-            narrow(its_case, single, functions, settings.executor);
-        auto row = [&](char const* what, double its_bytes, auto const& of_wide,
+        Product wide(mesh_case, ours.basis(), functions, settings.executor),
+            narrow(mesh_case, single, functions, settings.executor);
+        auto row = [&](char const* what, double bytes_read, auto const& of_wide,
                        auto const& of_narrow) {
             auto const both = in_turn(of_wide, of_narrow);
             double const first = least(both.first), second = least(both.second);
             auto const with_reading = in_turn(of_narrow, [&] { limits.read_once(single, bytes); });
             double const reading = static_cast<double>(bytes) / least(with_reading.second);
             table.add({what,
-                       its_case.name(),
+                       mesh_case.name(),
                        count(functions),
                        milliseconds(first),
                        milliseconds(second),
                        ratio(first / second),
-                       {1e-9 * its_bytes / second, "%.1f"},
+                       {1e-9 * bytes_read / second, "%.1f"},
                        {1e-9 * reading, "%.1f"},
-                       percent(its_bytes / least(with_reading.first) / reading)});
+                       percent(bytes_read / least(with_reading.first) / reading)});
         };
         row(
             "morph", narrow.morph_bytes(4), [&] { wide.morph(); }, [&] { narrow.morph(); });
@@ -241,16 +241,16 @@ void add_storage(Case const& its_case, Settings const& settings, Limits const& l
     }
 }
 
-void add_step(Case const& its_case, Settings const& settings, Table& table) {
+void add_step(Case const& mesh_case, Settings const& settings, Table& table) {
     Workspace workspace;
-    Ours ours(its_case, workspace, 20, settings.executor, settings.kernel);
+    Ours ours(mesh_case, workspace, 20, settings.executor, settings.kernel);
     ours.run();
-    Product product(its_case, ours.basis(), ours.functions(), settings.executor);
+    Product product(mesh_case, ours.basis(), ours.functions(), settings.executor);
     hm_basis const* const basis = ours.basis();
     hm_executor const* const executor = settings.executor;
     hm_error error{};
-    hm_mesh const mesh = its_case.mesh.view();
-    std::vector<double> dx(its_case.mesh.x.size()), dy = dx, move(40, 1e-3);
+    hm_mesh const mesh = mesh_case.mesh.view();
+    std::vector<double> dx(mesh_case.mesh.x.size()), dy = dx, move(40, 1e-3);
     hm_points const displacement{dx.data(), dy.data(), 1};
     hm_points_out const to{dx.data(), dy.data(), 1};
     require(hm_morph(basis, move.data(), nullptr, &to, executor, &error), error, "hm_morph");
@@ -279,13 +279,13 @@ void add_step(Case const& its_case, Settings const& settings, Table& table) {
     };
     auto const in_turns = in_turn([&] { product.morph(); }, assess);
     double const morph = least(in_turns.first), both = least(in_turns.second);
-    table.add({its_case.name(),
-               count(its_case.mesh.n_cells()),
+    table.add({mesh_case.name(),
+               count(mesh_case.mesh.n_cells()),
                milliseconds(morph),
                milliseconds(step),
                milliseconds(quality),
                milliseconds(both),
-               {1e9 * both / its_case.mesh.n_cells(), "%.2f"},
+               {1e9 * both / mesh_case.mesh.n_cells(), "%.2f"},
                ratio(both / morph)});
 }
 
@@ -315,16 +315,16 @@ void bench_morph(Settings const& settings, Limits const& limits, Report& report)
     Others others;
     for (std::string const& kind : settings.kinds) {
         say(kind + " " + std::to_string(largest) + ": morph");
-        Case const its_case = make_case(kind, largest);
+        Case const mesh_case = make_case(kind, largest);
         if (kind == settings.kinds[0]) {
             Case const small = make_case(kind, 5000);
             for (Operator const& chosen : {laplace, conformal})
                 add_products(small, chosen, settings, limits, products);
             for (Operator const& chosen : {laplace, conformal})
-                add_products(its_case, chosen, settings, limits, products);
-            add_storage(its_case, settings, limits, storage);
+                add_products(mesh_case, chosen, settings, limits, products);
+            add_storage(mesh_case, settings, limits, storage);
         }
-        add_step(its_case, settings, steps);
+        add_step(mesh_case, settings, steps);
     }
     if (blas() == nullptr) products.notes.push_back("OpenBLAS: not installed (libopenblas-dev)");
     products.notes.push_back(

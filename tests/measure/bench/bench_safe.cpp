@@ -15,8 +15,8 @@ constexpr Index functions = 20, wanted_resolves = 4;
 
 class SafeCase {
 public:
-    SafeCase(Case const& its_case, Settings const& settings)
-        : case_(its_case), fit_(its_case, functions), x_(its_case.mesh.x.size()), y_(x_.size()) {
+    SafeCase(Case const& mesh_case, Settings const& settings)
+        : case_(mesh_case), fit_(mesh_case, functions), x_(mesh_case.mesh.x.size()), y_(x_.size()) {
         options_.executor = settings.executor;
         options_.kernel = settings.kernel;
         safe_.struct_size = sizeof safe_;
@@ -95,9 +95,9 @@ void bench_safe(Settings const& settings, Report& report) {
     Others others;
     for (std::string const& kind : settings.kinds)
         for (Index const size : settings.sizes) {
-            Case const its_case = make_case(kind, size);
-            say(its_case.name() + ": safe");
-            SafeCase safe_case(its_case, settings);
+            Case const mesh_case = make_case(kind, size);
+            say(mesh_case.name() + ": safe");
+            SafeCase safe_case(mesh_case, settings);
             safe_case.solve();
             double height = 0.2;
             for (; height < 2; height += 0.1) {
@@ -106,13 +106,13 @@ void bench_safe(Settings const& settings, Report& report) {
                 if (safe_case.has_wanted_resolves()) break;
             }
             if (!safe_case.has_wanted_resolves())
-                throw std::runtime_error(its_case.name() + ": no movement takes four solutions");
+                throw std::runtime_error(mesh_case.name() + ": no movement takes four solutions");
             auto const whole = in_turn([&] { safe_case.solve(); }, [&] { safe_case.morph(); });
             auto const again =
                 in_turn([&] { safe_case.solve(); }, [&] { safe_case.solve_again(); });
             double const solution = least(whole.first), safe = least(whole.second),
                          part = least(again.second);
-            table.add({its_case.name(),
+            table.add({mesh_case.name(),
                        {height, "%.2f"},
                        count(safe_case.report().steps),
                        {safe_case.report().min_quality, "%.3f"},

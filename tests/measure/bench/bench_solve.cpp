@@ -11,13 +11,13 @@ namespace {
 // Time per node from each size to the next of the same kind.
 class Growth {
 public:
-    void add(Comparison const& comparison, Case const& its_case, Table& table) {
+    void add(Comparison const& comparison, Case const& mesh_case, Table& table) {
         for (std::size_t set = 0; set < comparison.sets(); ++set) {
             Index const functions = comparison.functions(set);
             double const per_node = comparison.our_seconds(set) / comparison.points();
-            std::string const key = its_case.kind + " " + std::to_string(functions);
+            std::string const key = mesh_case.kind + " " + std::to_string(functions);
             double const before = last_.count(key) > 0 ? last_[key] : not_measured;
-            table.add({its_case.name(),
+            table.add({mesh_case.name(),
                        count(functions),
                        {1e6 * per_node, "%.3f"},
                        ratio(per_node / before)});
@@ -60,14 +60,14 @@ void bench_solve(Settings const& settings, Report& report) {
     for (std::string const& kind : settings.kinds) {
         for (Index const size : settings.sizes) {
             say(kind + " " + std::to_string(size) + ": mesh");
-            Case const its_case = make_case(kind, size);
-            say(its_case.name() + ": solvers");
-            Comparison comparison(its_case, settings);
+            Case const mesh_case = make_case(kind, size);
+            say(mesh_case.name() + ": solvers");
+            Comparison comparison(mesh_case, settings);
             comparison.run();
             comparison.report_against(against);
             comparison.report_phases(phases);
             comparison.report_trials(trials);
-            grown.add(comparison, its_case, growth);
+            grown.add(comparison, mesh_case, growth);
             disturbed += comparison.disturbed();
         }
     }

@@ -52,11 +52,11 @@ void bench_threads(Settings const& settings, Report& report) {
     Others others;
     for (std::string const& kind : settings.kinds) {
         for (Index const size : settings.sizes) {
-            Case const its_case = make_case(kind, size);
+            Case const mesh_case = make_case(kind, size);
             for (Index const functions : settings.functions) {
                 Workspace workspace;  // in turn, so that both have the same memory
-                Ours one(its_case, workspace, functions, alone.executor(), settings.kernel),
-                    all(its_case, workspace, functions, settings.executor, settings.kernel);
+                Ours one(mesh_case, workspace, functions, alone.executor(), settings.kernel),
+                    all(mesh_case, workspace, functions, settings.executor, settings.kernel);
                 Least least[2], warm;
                 run_once(one, warm);
                 run_once(all, warm);
@@ -68,7 +68,8 @@ void bench_threads(Settings const& settings, Report& report) {
                 }
                 for (int several = 0; several < 2; ++several) {
                     Phases const& p = least[several].phases;
-                    table.add({its_case.name(), count(static_cast<double>(its_case.mesh.x.size())),
+                    table.add({mesh_case.name(),
+                               count(static_cast<double>(mesh_case.mesh.x.size())),
                                count(functions), count(several == 0 ? 1 : settings.threads),
                                milliseconds(p.structure), milliseconds(p.ordering),
                                milliseconds(p.symbolic), milliseconds(p.assembly),

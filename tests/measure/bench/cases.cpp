@@ -78,12 +78,12 @@ std::string Case::name() const {
     return text;
 }
 
-Fit::Fit(Case const& its_case, Index n_control) {
+Fit::Fit(Case const& mesh_case, Index n_control) {
     // Faces run clockwise round the body, one from each of its points: in order also where points
     // are shuffled.
-    fixtures::Mesh const& mesh = its_case.mesh;
+    fixtures::Mesh const& mesh = mesh_case.mesh;
     std::vector<double> x, y;
-    for (Index face = its_case.wall_points; face-- > 0;) {
+    for (Index face = mesh_case.wall_points; face-- > 0;) {
         std::size_t const from = at(mesh.faces[2 * at(face) + 1]);
         x.push_back(mesh.x[from]);
         y.push_back(mesh.y[from]);
@@ -95,15 +95,15 @@ Fit::Fit(Case const& its_case, Index n_control) {
     options.n_control = n_control;
     hm_error error{};
     std::size_t bytes = 0;
-    require(hm_fit_size(its_case.wall_points, &options, &bytes, &error), error, "hm_fit_size");
+    require(hm_fit_size(mesh_case.wall_points, &options, &bytes, &error), error, "hm_fit_size");
     block_.reset(new unsigned char[bytes]);
     hm_points const wall{x.data(), y.data(), 1};
-    hm_status const status = hm_fit(&curves_, block_.get(), bytes, &wall, its_case.wall_points, 1,
+    hm_status const status = hm_fit(&curves_, block_.get(), bytes, &wall, mesh_case.wall_points, 1,
                                     &options, nullptr, &error);
     require(status, error, "hm_fit");
 }
 
-Problem::Problem(Case const& its_case, Fit const& fit) : mesh(its_case.mesh.view()) {
+Problem::Problem(Case const& mesh_case, Fit const& fit) : mesh(mesh_case.mesh.view()) {
     condition.struct_size = sizeof condition;
     condition.marker = fixtures::body;
     condition.kind = HM_ON_CURVE;

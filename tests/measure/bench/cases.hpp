@@ -35,7 +35,7 @@ Case make_case(std::string const& kind, Index size);
 // A fit through the airfoil's points, in its own memory.
 class Fit {
 public:
-    Fit(Case const& its_case, Index n_control);
+    Fit(Case const& mesh_case, Index n_control);
     hm_curves const& curves() const { return *curves_; }
 
 private:
@@ -46,7 +46,7 @@ private:
 // The airfoil moves with the fit's control points, the far field stays. `given` refers to the other
 // members and to both arguments.
 struct Problem {
-    Problem(Case const& its_case, Fit const& fit);
+    Problem(Case const& mesh_case, Fit const& fit);
     Problem(Problem const&) = delete;
 
     hm_condition condition{};

@@ -21,11 +21,11 @@ double median_of(Runs const& runs, Value value) {
 
 }  // namespace
 
-Comparison::Comparison(Case const& its_case, Settings const& settings)
-    : case_(its_case), settings_(settings), matrix_(its_case.mesh) {
+Comparison::Comparison(Case const& mesh_case, Settings const& settings)
+    : case_(mesh_case), settings_(settings), matrix_(mesh_case.mesh) {
     for (Index const functions : settings.functions) {
         if (functions > 20 && points() > largest_for_many) continue;
-        ours_.push_back(std::make_unique<Ours>(its_case, workspace_, functions, settings.executor,
+        ours_.push_back(std::make_unique<Ours>(mesh_case, workspace_, functions, settings.executor,
                                                settings.kernel, HM_DIRECT, settings.precision));
         Ours& ours = *ours_.back();
         ours.run();

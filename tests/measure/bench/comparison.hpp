@@ -10,7 +10,7 @@ namespace bench {
 class Comparison {
 public:
     // Our first runs, which are the warm-up and give the right-hand sides, are made here.
-    Comparison(Case const& its_case, Settings const& settings);
+    Comparison(Case const& mesh_case, Settings const& settings);
     void run();
 
     void report_phases(Table& table) const;

@@ -93,14 +93,14 @@ private:
 
 }  // namespace
 
-ElasticTimes solve_elasticity(Case const& its_case, std::vector<Index> const& points,
+ElasticTimes solve_elasticity(Case const& mesh_case, std::vector<Index> const& points,
                               std::vector<double> const& displacement) {
-    std::vector<double> known(2 * its_case.mesh.x.size(), 0);
+    std::vector<double> known(2 * mesh_case.mesh.x.size(), 0);
     for (std::size_t k = 0; k < points.size(); ++k)
         for (std::size_t i = 0; i < 2; ++i) known[2 * at(points[k]) + i] = displacement[2 * k + i];
     ElasticTimes times{};
     Stopwatch watch;
-    Elasticity elasticity(its_case.mesh);
+    Elasticity elasticity(mesh_case.mesh);
     elasticity.assemble(known);
     // The natural order of the mesh, as flow solvers keep it.
     using Preconditioner =

@@ -17,7 +17,7 @@ constexpr int most_elastic_iterations = 5000;
 
 // Linear elements (a quad is split), Young's modulus 1/area of each cell, Poisson's ratio 0.3;
 // displacements x,y of the points of the body, 0 on the far field.
-ElasticTimes solve_elasticity(Case const& its_case, std::vector<Index> const& points,
+ElasticTimes solve_elasticity(Case const& mesh_case, std::vector<Index> const& points,
                               std::vector<double> const& displacement);
 std::string elasticity_note();
 

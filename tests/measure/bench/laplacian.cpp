@@ -98,10 +98,10 @@ Laplacian::Laplacian(Mesh const& mesh) : unknown_of(mesh.x.size(), 0) {
     std::vector<std::size_t> const begin = filled;
     column.resize(sum);
     value.resize(sum);
-    auto put = [&](Index row, Index its_column, double its_value) {
+    auto put = [&](Index row, Index to_column, double entry) {
         std::size_t const place = filled[at(row)]++;
-        column[place] = its_column;
-        value[place] = its_value;
+        column[place] = to_column;
+        value[place] = entry;
     };
     for (Weight const& w : weights)
         if (w.b >= 0) put(w.a, w.b, w.value);

@@ -33,9 +33,10 @@ struct Ours::Clock {
     }
 };
 
-Ours::Ours(Case const& its_case, Workspace& workspace, Index functions, hm_executor const* executor,
-           int kernel, Index engine, Index precision, Index operator_kind)
-    : case_(its_case),
+Ours::Ours(Case const& mesh_case, Workspace& workspace, Index functions,
+           hm_executor const* executor, int kernel, Index engine, Index precision,
+           Index operator_kind)
+    : case_(mesh_case),
       workspace_(workspace),
       functions_(functions),
       executor_(executor),
@@ -43,7 +44,7 @@ Ours::Ours(Case const& its_case, Workspace& workspace, Index functions, hm_execu
       engine_(engine),
       precision_(precision),
       operator_kind_(operator_kind),
-      fit_(its_case, functions) {}
+      fit_(mesh_case, functions) {}
 
 Phases Ours::run() {
     Problem const problem(case_, fit_);

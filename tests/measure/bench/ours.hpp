@@ -62,7 +62,7 @@ class Ours {
 public:
     // precision: of the direct engine's factor. Engines that iterate: functions in blocks of 4.
     // Their report may say that they have not converged.
-    Ours(Case const& its_case, Workspace& workspace, Index functions, hm_executor const* executor,
+    Ours(Case const& mesh_case, Workspace& workspace, Index functions, hm_executor const* executor,
          int kernel, Index engine = HM_DIRECT, Index precision = HM_DOUBLE,
          Index operator_kind = HM_LAPLACE);
     Ours(Ours const&) = delete;

@@ -49,10 +49,8 @@ void print_columns(Table const& table, std::vector<std::size_t> const& width,
 
 }  // namespace
 
-Value::Value(double its_number, const char* how)
-    : text(std::isfinite(its_number) ? format(how, its_number) : "-"),
-      number(its_number),
-      is_number(true) {}
+Value::Value(double shown, const char* how)
+    : text(std::isfinite(shown) ? format(how, shown) : "-"), number(shown), is_number(true) {}
 
 void Table::begin() {
     constexpr std::size_t narrowest = 10;  // rows that are not known yet may be as wide

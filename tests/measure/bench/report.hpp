@@ -13,9 +13,9 @@ struct Value {
     double number = 0;
     bool is_number = false;
 
-    Value(std::string its_text) : text(std::move(its_text)) {}
-    Value(const char* its_text) : text(its_text) {}
-    Value(double its_number, const char* format);
+    Value(std::string shown) : text(std::move(shown)) {}
+    Value(const char* shown) : text(shown) {}
+    Value(double shown, const char* format);
 };
 
 inline Value seconds(double s) { return {s, s < 0.01 ? "%.5f" : s < 10 ? "%.4f" : "%.2f"}; }

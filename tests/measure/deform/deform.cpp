@@ -198,20 +198,19 @@ int airfoil(const std::string& folder, const std::string& path, const std::strin
         "functions", "camber", "rotation", "bump", "thickness", "shift", "solve time / laplace");
     double laplace_seconds = 0;
     std::unique_ptr<Case> usual;
-    for (const Operator& its_operator : operators) {
+    for (const Operator& method : operators) {
         cli::Task task;
         task.curves = cli::read_curves(curve_path);
         auto condition = cli::sized<hm_condition>();
         condition.marker = mesh.find_markers(marker)[0];
         condition.n_curves = static_cast<std::int32_t>(task.curves.curves.size());
         task.conditions = {condition};
-        task.options.operator_kind = its_operator.kind;
-        task.options.exponent_quarters = its_operator.exponent_quarters;
+        task.options.operator_kind = method.kind;
+        task.options.exponent_quarters = method.exponent_quarters;
         auto setup = std::make_unique<Case>(mesh, task, threads, stem + ".basis");
         if (laplace_seconds == 0) laplace_seconds = setup->seconds();
-        print_limits(its_operator.name, *setup, movements, laplace_seconds);
-        if (its_operator.kind == HM_CONFORMAL && its_operator.exponent_quarters == 6)
-            usual = std::move(setup);
+        print_limits(method.name, *setup, movements, laplace_seconds);
+        if (method.kind == HM_CONFORMAL && method.exponent_quarters == 6) usual = std::move(setup);
     }
     return safe_targets(*usual, movements, stem);
 }

@@ -68,11 +68,11 @@ private:
 
     static std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
-    void note(double best, double its_angle, std::size_t its_point) {
+    void note(double best, double at_angle, std::size_t at_point) {
         if (best >= quality) return;
         quality = best;
-        angle = its_angle;
-        point = its_point;
+        angle = at_angle;
+        point = at_point;
     }
 
     void find_cells(const std::vector<int>& cell_start, const std::vector<int>& cell_points,

@@ -1,0 +1,50 @@
+// What `harmorph displace` asks for, what it finds, and how it writes and prints what it finds.
+#pragma once
+
+#include "basics/field.hpp"
+#include "basics/output_file.hpp"
+#include "commands/morph.hpp"
+#include "commands/safe_way.hpp"
+#include "commands/task.hpp"
+#include "mesh/wall_field.hpp"
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// The given displacements of wall points, and the moves of control points and rigid bodies.
+struct WallMovement {
+    std::string path;
+    WallField wall;
+    std::vector<double> moves;  // [2*functions]
+};
+
+struct Displacement {
+    Field by, moved;
+    hm_step_report step = sized<hm_step_report>();
+    hm_quality_report quality = sized<hm_quality_report>();
+    double factor_seconds = 0, displace_seconds = 0;  // displace_seconds: the median of all repeats
+    std::optional<hm_safe_report> safe;
+    std::string refusal, warning;       // set by the safe displacement
+    std::vector<OperatorTrial> trials;  // the operators that were compared
+    hm_basis_info info = sized<hm_basis_info>();
+    std::vector<std::int32_t> curve_points;  // mesh points on curves
+
+    explicit Displacement(const Mesh& mesh) : by(mesh.x.size()), moved(mesh.x.size()) {}
+    bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
+};
+
+// Writes the moved mesh and the file for ParaView, as far as the command line asks for them.
+void write_displacement(const Arguments& arguments, const Mesh& mesh, const Displacement& found,
+                        OutputFiles& files);
+void write_displacement_page(std::ostream& out, const Mesh& mesh, const Task& task,
+                             const WallMovement& movement, const Displacement& found);
+void print_json(const Displacement& found);
+void print_displacement(const Displacement& found);
+// Returns the sentence that says why the moved mesh is not valid.
+std::string why_invalid(const Displacement& found, const Mesh& mesh);
+
+}  // namespace cli

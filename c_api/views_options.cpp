@@ -1,0 +1,215 @@
+// Views of options. They are apart from the other views so that a program that only moves meshes
+// does not link them.
+#include "base/range.hpp"
+#include "views.hpp"
+
+namespace harmorph {
+namespace {
+
+// Checks operator, scheme and engine against the tables of basis/options.hpp, which also contain
+// the sentences for combinations that are not available.
+Status check_combination(hm_options const& o, hm_study_options const& study,
+                         Fault& fault) noexcept {
+    if (!has_row(operator_traits, o.operator_kind)) {
+        return fault.refuse(
+            Status::unsupported,
+            "options.operator_kind is #, but it must be HM_CONFORMAL, HM_LAPLACE or HM_WEIGHTED",
+            plain(o.operator_kind));
+    }
+    if (!has_row(scheme_traits, study.scheme)) {
+        return fault.refuse(Status::unsupported,
+                            "options.study.scheme is #, but it must be HM_COMPACT, HM_BOUNDED, "
+                            "HM_NODAL_GRADIENT or HM_NODAL_GRADIENT_PLAIN",
+                            plain(study.scheme));
+    }
+    if (!has_row(engine_traits, o.engine)) {
+        return fault.refuse(Status::unsupported,
+                            "options.engine is #, but it must be HM_DIRECT, HM_MULTIGRID or HM_FAS",
+                            plain(o.engine));
+    }
+    OperatorTraits const& of_operator = operator_traits[o.operator_kind];
+    SchemeTraits const& of_scheme = scheme_traits[study.scheme];
+    const char* const wrong = !contains(of_operator.schemes, study.scheme)
+                                  ? of_operator.other_schemes
+                              : !contains(of_operator.engines, o.engine) ? of_operator.other_engines
+                              : !contains(of_scheme.engines, o.engine)   ? of_scheme.other_engines
+                                                                         : nullptr;
+    return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
+}
+
+// Reads operator, weight, scheme and engine.
+Status view_operator(hm_options const& o, hm_study_options const& study, Method& method,
+                     Fault& fault) noexcept {
+    HARMORPH_TRY(check_combination(o, study, fault));
+    if (o.exponent_quarters < HM_NO_WEIGHT || o.exponent_quarters > 16) {
+        return fault.refuse(Status::bad_argument,
+                            "options.exponent_quarters must be between -1 and 16, not #",
+                            plain(o.exponent_quarters));
+    }
+    method.operator_kind = static_cast<Operator>(o.operator_kind);
+    method.scheme = static_cast<Scheme>(study.scheme);
+    method.engine = static_cast<Engine>(o.engine);
+    if (!method.operator_row().has_weight && o.exponent_quarters > 0) {
+        return fault.refuse(Status::unsupported,
+                            "options.exponent_quarters must be 0 or HM_NO_WEIGHT for HM_LAPLACE, "
+                            "which has no weight; HM_WEIGHTED has one");
+    }
+    if (o.offset_correction < 0 || o.offset_correction > 1) {
+        return fault.refuse(Status::bad_argument, "options.offset_correction must be 0 or 1, not #",
+                            plain(o.offset_correction));
+    }
+    if (o.offset_correction != 0 && !method.operator_row().takes_offset_correction) {
+        return fault.refuse(
+            Status::unsupported,
+            "options.offset_correction must be 0 unless the operator is HM_CONFORMAL");
+    }
+    method.exponent_quarters = o.exponent_quarters == 0
+                                   ? method.operator_row().default_exponent_quarters
+                                   : max(o.exponent_quarters, Index{0});
+    method.offset_correction = o.offset_correction;
+    return Status::ok;
+}
+
+// Refuses options that the engine does not have, which would otherwise be ignored silently.
+Status check_engine(hm_options const& o, hm_study_options const& study, Fault& fault) noexcept {
+    const char* wrong = nullptr;
+    if (o.engine == HM_DIRECT) {
+        if (study.levels != 0)
+            wrong = "options.study.levels must be 0 for HM_DIRECT, which has no levels";
+        if (study.agglomeration != HM_AGGLOMERATE_AUTO) {
+            wrong = "options.study.agglomeration must be 0 for HM_DIRECT, which merges no cells";
+        }
+        if (study.block_width != 0)
+            wrong =
+                "options.study.block_width must be 0 unless the engine is HM_MULTIGRID or HM_FAS";
+        if (study.max_iterations != 0)
+            wrong =
+                "options.study.max_iterations must be 0 unless the engine is HM_MULTIGRID or "
+                "HM_FAS";
+        if (study.history_length != 0)
+            wrong =
+                "options.study.history_length must be 0 unless the engine is HM_MULTIGRID or "
+                "HM_FAS";
+    } else if (o.precision != HM_DOUBLE) {
+        wrong = "options.precision must be HM_DOUBLE unless the engine is HM_DIRECT";
+    }
+    if (o.engine != HM_FAS && study.start != HM_START_COARSEST)
+        wrong = "options.study.start must be HM_START_COARSEST unless the engine is HM_FAS";
+    if (o.engine != HM_FAS && study.cycle != HM_CYCLE_PAPER)
+        wrong = "options.study.cycle must be HM_CYCLE_PAPER unless the engine is HM_FAS";
+    return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
+}
+
+Status view_iteration(hm_study_options const& study, Iteration& iteration, Fault& fault) noexcept {
+    if (study.levels < 0 || study.levels > Agglomeration::max_levels) {
+        return fault.refuse(Status::bad_argument,
+                            "options.study.levels must be between 0 and 20, not #",
+                            plain(study.levels));
+    }
+    if (study.agglomeration < HM_AGGLOMERATE_AUTO ||
+        study.agglomeration > HM_AGGLOMERATE_DIRECTIONAL) {
+        return fault.refuse(Status::bad_argument,
+                            "options.study.agglomeration is #, but it must be one of the constants "
+                            "HM_AGGLOMERATE_...",
+                            plain(study.agglomeration));
+    }
+    if (study.block_width != 0 && !Iteration::has_width(study.block_width)) {
+        return fault.refuse(Status::bad_argument,
+                            "options.study.block_width must be 0, 4, 8 or 16, not #",
+                            plain(study.block_width));
+    }
+    if (study.max_iterations < 0) {
+        return fault.refuse(Status::bad_argument,
+                            "options.study.max_iterations must be at least 0, not #",
+                            plain(study.max_iterations));
+    }
+    if (study.history_length < 0) {
+        return fault.refuse(Status::bad_argument,
+                            "options.study.history_length must be at least 0, not #",
+                            plain(study.history_length));
+    }
+    if (study.history_length > 0 && study.history == nullptr) {
+        return fault.refuse(Status::bad_argument,
+                            "options.study.history is NULL, but history_length is #",
+                            plain(study.history_length));
+    }
+    if (study.start < HM_START_COARSEST || study.start > HM_START_ZERO) {
+        return fault.refuse(
+            Status::bad_argument,
+            "options.study.start is #, but it must be HM_START_COARSEST or HM_START_ZERO",
+            plain(study.start));
+    }
+    if (study.cycle < HM_CYCLE_PAPER || study.cycle > HM_CYCLE_IMPROVED) {
+        return fault.refuse(
+            Status::bad_argument,
+            "options.study.cycle is #, but it must be HM_CYCLE_PAPER or HM_CYCLE_IMPROVED",
+            plain(study.cycle));
+    }
+    iteration.has_improved_cycle = study.cycle == HM_CYCLE_IMPROVED;
+    iteration.starts_from_zero = study.start == HM_START_ZERO;
+    iteration.merging = {static_cast<Merging>(study.agglomeration), study.levels};
+    if (study.block_width != 0) iteration.block_width = study.block_width;
+    iteration.max_iterations = study.max_iterations;
+    iteration.history = {study.history, static_cast<Size>(study.history_length)};
+    return Status::ok;
+}
+
+}  // namespace
+
+Status view_options(const hm_options* given, Problem& problem, Fault& fault) noexcept {
+    Method& method = problem.method;
+    method = Method{};
+    problem.iteration = Iteration{};
+    problem.executor = Executor{};
+    problem.progress = Progress{};
+    hm_options o = {};
+    if (given != nullptr && !read_struct(given, o)) {
+        return fault.refuse(
+            Status::bad_argument,
+            "options.struct_size is not the size of an hm_options; begin with HM_INIT(options)");
+    }
+    if (given != nullptr && asks_for_more(given)) {
+        return fault.refuse(Status::unsupported,
+                            "options contains fields that are set but unknown to this version of "
+                            "the library; use the header of this version");
+    }
+    hm_study_options study = {};
+    if (o.study != nullptr && !read_struct(o.study, study)) {
+        return fault.refuse(
+            Status::bad_argument,
+            "options.study.struct_size is not the size of an hm_study_options; begin with HM_INIT");
+    }
+    if (o.study != nullptr && asks_for_more(o.study)) {
+        return fault.refuse(Status::unsupported,
+                            "options.study contains fields that are set but unknown to this "
+                            "version of the library; use the header of this version");
+    }
+    HARMORPH_TRY(view_operator(o, study, method, fault));
+    HARMORPH_TRY(view_iteration(study, problem.iteration, fault));
+    if (!is_finite(o.tolerance) || o.tolerance < 0 || o.tolerance >= 1) {
+        return fault.refuse(Status::bad_argument,
+                            "options.tolerance must be at least 0 and below 1, not ~", {}, {},
+                            o.tolerance);
+    }
+    if (o.kernel < HM_KERNEL_AUTO || o.kernel > HM_KERNEL_NEON ||
+        !has_kernel(static_cast<Kernel>(o.kernel))) {
+        return fault.refuse(Status::unsupported,
+                            "options.kernel is #, which is unknown or not a kernel of this "
+                            "processor; HM_KERNEL_AUTO always works",
+                            plain(o.kernel));
+    }
+    method.kernel = static_cast<Kernel>(o.kernel);
+    if (o.precision < HM_DOUBLE || o.precision > HM_SINGLE) {
+        return fault.refuse(Status::unsupported,
+                            "options.precision is #, but it must be HM_DOUBLE or HM_SINGLE",
+                            plain(o.precision));
+    }
+    method.precision = static_cast<Precision>(o.precision);
+    HARMORPH_TRY(check_engine(o, study, fault));
+    if (o.tolerance > 0) method.tolerance = o.tolerance;
+    problem.iteration.tolerance = method.tolerance;
+    problem.progress = {o.progress, o.progress_user};
+    return view_executor(o.executor, problem.executor, fault);
+}
+
+}  // namespace harmorph
