@@ -29,6 +29,12 @@ constexpr Block operator-(Block p, Block q) noexcept {
 }
 constexpr Block transpose(Block p) noexcept { return {p.a, p.c, p.b, p.d}; }
 
+// Returns the block that maps v, as a complex number, to t v + c conj(v). The block is symmetric if
+// t is real.
+constexpr Block complex_block(Vec2 t, Vec2 c) noexcept {
+    return {t.x + c.x, c.y - t.y, c.y + t.y, t.x - c.x};
+}
+
 // For a block that is a sum of products u v^T, these functions return the block in which each u, or
 // each v, is turned, which is a multiplication by a complex number.
 constexpr Block turned_rows(Vec2 turn, Block p) noexcept {

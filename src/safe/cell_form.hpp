@@ -3,37 +3,9 @@
 #pragma once
 
 #include "mesh/mesh.hpp"
-#include "safe/block.hpp"
-#include "safe/corner_map.hpp"
+#include "safe/corner_form.hpp"
 
 namespace harmorph {
-
-// The derivatives of the energy of a corner with the points p0, p1, p2, by the sides p1 - p0 and p2
-// - p1. These are fewer numbers than the derivatives by the three points.
-struct CornerForm {
-    Vec2 by_side, by_next;
-    // The Hessian, by the first and by the second side.
-    Block side_side, side_next, next_next;
-
-    // Adds a term in the form that CornerMap::differentiate() gives.
-    void add(const Vec2 (&gradient)[3], const CornerMode (&mode)[4]) noexcept {
-        by_side = by_side - gradient[0];
-        by_next = by_next + gradient[2];
-        for (CornerMode const& corner_mode : mode) {
-            Vec2 const side = -1 * corner_mode.at[0], next = corner_mode.at[2];
-            side_side.add(corner_mode.curvature, side, side);
-            side_next.add(corner_mode.curvature, side, next);
-            next_next.add(corner_mode.curvature, next, next);
-        }
-    }
-    // Turns derivatives by a side that is turned into derivatives by the side itself.
-    void turn_back_side(Vec2 turn) noexcept {
-        if (turn.x == 1) return;
-        by_side = product(turn, by_side);
-        side_side = turned_columns(turn, turned_rows(turn, side_side));
-        side_next = turned_rows(turn, side_next);
-    }
-};
 
 // The derivatives of the energy of a cell with n points; the Hessian is symmetric.
 template <Index n>

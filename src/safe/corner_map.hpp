@@ -1,8 +1,8 @@
 // The linear map that deforms a corner of a cell, and derivatives of energies of that map by the
-// three points of the corner.
+// two sides of the corner.
 #pragma once
 
-#include "base/vec2.hpp"
+#include "safe/corner_form.hpp"
 
 namespace harmorph {
 
@@ -14,43 +14,30 @@ struct Triangle {
     constexpr Real twice_area() const noexcept { return cross(at[1] - at[0], at[2] - at[1]); }
 };
 
-// One direction of a Hessian in the space of the three points; the term of the Hessian is curvature
-// * (at at^T).
-struct CornerMode {
-    Real curvature;
-    Vec2 at[3];
+// The sizes of a map J with p and q as in CornerMap: energies of corners are functions of these.
+struct MapSizes {
+    Real determinant;  // p - q
+    Real s;            // p + q = |J|^2 / 2
+    Real twice_area;   // of the reference triangle
 };
 
 // The derivatives of an energy by p = |z|^2 and q = |w|^2.
 struct DensityDerivatives {
     Real by_p, by_q, by_pp, by_qq, by_pq;
+    Real unit;  // the curvature that the lower bound of curvatures is measured in
+};
+
+// The Hessian of an energy by z and w in its own axes: turning z, turning w, and the two changes of
+// |z| and |w| along (cos a, sin a) and (-sin a, cos a).
+struct Curvatures {
+    Real value[4];
+    Real cosine = 1, sine = 0;  // of 2 a
 };
 
 constexpr Vec2 times_i(Vec2 a) noexcept { return {-a.y, a.x}; }
 constexpr Vec2 direction_or_x(Vec2 a, Real size) noexcept {
     return size > 0 ? 1 / size * a : Vec2{1, 0};
 }
-inline Vec2 direction_or_x(Vec2 a) noexcept { return direction_or_x(a, length(a)); }
-
-// The eigenvalues of a symmetric 2 x 2 matrix, and the direction of the first one.
-struct Eigen {
-    Real value[2];
-    Vec2 axis;
-
-    Eigen(Real a, Real b, Real c) noexcept {  // the matrix is (a, b; b, c)
-        Real const mean = 0.5 * (a + c), whole = 0.5 * (a - c);
-        // Derivatives of cells that have nearly collapsed are so large that their squares would
-        // overflow.
-        bool const is_large = max(abs(whole), abs(b)) > 0x1p500;
-        Real const unit = is_large ? 0x1p512 : 1, per_unit = is_large ? 0x1p-512 : 1;
-        Real const half = per_unit * whole, part = per_unit * b,
-                   radius = sqrt(half * half + part * part);
-        value[0] = mean + unit * radius;
-        value[1] = mean - unit * radius;
-        axis = half >= 0 ? direction_or_x({half + radius, part})
-                         : direction_or_x({part, radius - half});
-    }
-};
 
 // The linear map J from the reference triangle to another one, in complex numbers: J dX = z dX + w
 // conj(dX), so that |J|^2 = 2 p + 2 q and det J = p - q with p = |z|^2 and q = |w|^2. An energy
@@ -68,14 +55,18 @@ public:
         return product(conjugate(first_), now.at[1] - now.at[0]) +
                product(conjugate(second_), now.at[2] - now.at[1]);
     }
-    // Finds the derivatives by the three points. The Hessian is the sum of the modes, which are
-    // orthogonal as changes of J. Curvatures below `least` are raised to `least`.
+    MapSizes sizes(Triangle const& now) const noexcept {
+        return {determinant(now), square(z(now)) + square(w(now)), twice_area_};
+    }
+    // Finds the Hessian of the energy by z and w, with curvatures raised to `least` units.
+    Curvatures curvatures(Triangle const& now, DensityDerivatives const& by,
+                          Real least) const noexcept;
+    // Adds the derivatives by the sides now.at[1] - now.at[0] and now.at[2] - now.at[1] to `form`,
+    // with curvatures raised to `least` units.
     void differentiate(Triangle const& now, DensityDerivatives const& by, Real least,
-                       Vec2 (&gradient)[3], CornerMode (&mode)[4]) const noexcept;
+                       CornerForm& form) const noexcept;
 
 private:
-    void pull_back(Vec2 by_z, Vec2 by_w, Vec2 (&at)[3]) const noexcept;
-
     Vec2 first_, second_;  // z = first_ * (at[1] - at[0]) + second_ * (at[2] - at[1]); w the same
                            // with their conjugates
     Real twice_area_;
@@ -89,34 +80,70 @@ inline CornerMap::CornerMap(Triangle const& reference) noexcept
     second_ = -half * times_i(conjugate(side));
 }
 
-// Turns a change by z and w into a change by the points: this is the transpose of the map from
-// points to z and w.
-inline void CornerMap::pull_back(Vec2 by_z, Vec2 by_w, Vec2 (&at)[3]) const noexcept {
-    Vec2 const by_side = product(conjugate(first_), by_z) + product(first_, by_w);
-    Vec2 const by_next = product(conjugate(second_), by_z) + product(second_, by_w);
-    at[0] = -1 * by_side;
-    at[1] = by_side - by_next;
-    at[2] = by_next;
+// Turning z or w changes neither p nor q, and scaling couples the two.
+inline Curvatures CornerMap::curvatures(Triangle const& now, DensityDerivatives const& by,
+                                        Real least) const noexcept {
+    Real const p = square(z(now)), q = square(w(now));
+    Real const a = 2 * by.by_p + 4 * p * by.by_pp, b = 4 * sqrt(p) * sqrt(q) * by.by_pq,
+               c = 2 * by.by_q + 4 * q * by.by_qq;
+    Real const mean = 0.5 * (a + c), whole = 0.5 * (a - c);
+    // Derivatives of cells that have nearly collapsed are so large that their squares would
+    // overflow.
+    bool const is_large = max(abs(whole), abs(b)) > 0x1p500;
+    Real const unit = is_large ? 0x1p512 : 1, per_unit = is_large ? 0x1p-512 : 1;
+    Real const half = per_unit * whole, part = per_unit * b,
+               radius = sqrt(half * half + part * part);
+    Curvatures out{{2 * by.by_p, 2 * by.by_q, mean + unit * radius, mean - unit * radius}};
+    for (Real& value : out.value) value = max(value, least * by.unit);
+    if (radius > 0) {
+        Real const per_radius = 1 / radius;
+        out.cosine = per_radius * half;
+        out.sine = per_radius * part;
+    }
+    return out;
 }
 
+// With the changes s and n of the two sides, and with f = first_ and g = second_, the change of z
+// is f s + g n and that of w is conj(f) s + conj(g) n. The Hessian by z maps v to a v + b conj(v),
+// as do its other parts (see complex_block()); a product with such a map from both sides is one
+// again.
 inline void CornerMap::differentiate(Triangle const& now, DensityDerivatives const& by, Real least,
-                                     Vec2 (&gradient)[3], CornerMode (&mode)[4]) const noexcept {
+                                     CornerForm& form) const noexcept {
+    Vec2 const f = first_, g = second_, conj_f = conjugate(f), conj_g = conjugate(g);
     Vec2 const z_now = z(now), w_now = w(now);
-    Real const p = square(z_now), q = square(w_now);
-    pull_back(2 * by.by_p * z_now, 2 * by.by_q * w_now, gradient);
+    Vec2 const by_z = 2 * by.by_p * z_now, by_w = 2 * by.by_q * w_now;
+    form.by_side = form.by_side + product(conj_f, by_z) + product(f, by_w);
+    form.by_next = form.by_next + product(conj_g, by_z) + product(g, by_w);
 
-    // Turning z or w changes neither p nor q, and scaling couples the two.
-    Real const size_of_z = sqrt(p), size_of_w = sqrt(q);
-    Vec2 const along_z = direction_or_x(z_now, size_of_z),
-               along_w = direction_or_x(w_now, size_of_w);
-    Eigen const growth(2 * by.by_p + 4 * p * by.by_pp, 4 * size_of_z * size_of_w * by.by_pq,
-                       2 * by.by_q + 4 * q * by.by_qq);
-    Real const curvature[4] = {2 * by.by_p, 2 * by.by_q, growth.value[0], growth.value[1]};
-    for (Index k = 0; k < 4; ++k) mode[k].curvature = max(curvature[k], least);
-    pull_back(times_i(along_z), {}, mode[0].at);
-    pull_back({}, times_i(along_w), mode[1].at);
-    pull_back(growth.axis.x * along_z, growth.axis.y * along_w, mode[2].at);
-    pull_back(-growth.axis.y * along_z, growth.axis.x * along_w, mode[3].at);
+    Curvatures const hessian = curvatures(now, by, least);
+    Real const mean = 0.5 * (hessian.value[2] + hessian.value[3]),
+               difference = 0.5 * (hessian.value[2] - hessian.value[3]);
+    Real const scaling_z = mean + difference * hessian.cosine,
+               scaling_w = mean - difference * hessian.cosine,
+               coupling = 0.5 * difference * hessian.sine;
+    Vec2 const along_z = direction_or_x(z_now, length(z_now)),
+               along_w = direction_or_x(w_now, length(w_now));
+    Real const a_z = 0.5 * (scaling_z + hessian.value[0]),
+               a_w = 0.5 * (scaling_w + hessian.value[1]);
+    Vec2 const b_z = 0.5 * (scaling_z - hessian.value[0]) * product(along_z, along_z);
+    Vec2 const b_w = 0.5 * (scaling_w - hessian.value[1]) * product(along_w, along_w);
+    Vec2 const a_zw = coupling * product(along_z, conjugate(along_w));
+    Vec2 const b_zw = coupling * product(along_z, along_w);
+
+    Vec2 const ff = product(f, f), gg = product(g, g), fg = product(f, g),
+               f_to_g = product(conj_f, g);
+    Real const f2 = square(f), g2 = square(g), a = a_z + a_w;
+    auto const twice_real = [&](Vec2 square_of_conj) { return 2 * dot(a_zw, square_of_conj); };
+    form.side_side = form.side_side +
+                     complex_block({a * f2 + twice_real(ff), 0},
+                                   product(b_z, conjugate(ff)) + product(b_w, ff) + 2 * f2 * b_zw);
+    form.next_next = form.next_next +
+                     complex_block({a * g2 + twice_real(gg), 0},
+                                   product(b_z, conjugate(gg)) + product(b_w, gg) + 2 * g2 * b_zw);
+    Vec2 const turned = a_z * f_to_g + a_w * conjugate(f_to_g);
+    form.side_next = form.side_next + complex_block({turned.x + twice_real(fg), turned.y},
+                                                    product(b_z, conjugate(fg)) + product(b_w, fg) +
+                                                        2 * f_to_g.x * b_zw);
 }
 
 }  // namespace harmorph

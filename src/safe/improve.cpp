@@ -131,18 +131,14 @@ Improvement::Score Improvement::score() const noexcept {
 void Improvement::assemble(Index power) const noexcept {
     constexpr Real floor = QualityEnergy::least_curvature;
     system.assemble(
-        tangle, region, executor, [&](Index cell, CornerPoints const& point, auto const& add) {
-            Vec2 gradient[3];
-            CornerMode mode[4];
+        tangle, region, executor, [&](Index cell, CornerPoints const& point, CornerForm& form) {
             Triangle const triangle = triangle_of(point, as_points(now));
             Real const share = targets.share(cell), least = targets.cell[cell].least;
             QualityEnergy const relative(targets.of(cell, point, triangle));
-            relative.differentiate(triangle, share, floor, gradient, mode);
-            add(gradient, mode);
+            relative.differentiate(triangle, share, floor, form);
             if (power == 0) return;
             QualityEnergy const measure(targets.ideal(cell, point, triangle), power, least * least);
-            measure.differentiate(triangle, share, floor, gradient, mode);
-            add(gradient, mode);
+            measure.differentiate(triangle, share, floor, form);
         });
 }
 
@@ -157,13 +153,12 @@ Real Improvement::energy_of(Span<const Vec2> points, Index power) const noexcept
                        CornerPoints const& point = corners.point[corner];
                        if (!region.can_move(point)) continue;
                        Triangle const triangle = triangle_of(point, as_points(points));
-                       sum.value +=
-                           share *
-                           QualityEnergy(targets.of(cell, point, triangle)).energy(triangle);
+                       sum.value += share * QualityEnergy::energy(
+                                                targets.sizes(cell, point, triangle), 1, 1);
                        if (power == 0) continue;
-                       QualityEnergy const measure(targets.ideal(cell, point, triangle), power,
-                                                   least * least);
-                       sum.value += share * measure.energy(triangle);
+                       sum.value +=
+                           share * QualityEnergy::energy(targets.ideal_sizes(cell, point, triangle),
+                                                         power, least * least);
                    }
                })
         .value;

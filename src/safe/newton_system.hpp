@@ -29,9 +29,8 @@ struct NewtonSystem {
     Span<Vec2> rest, search, image;  // [n] vectors of the conjugate gradients
 
     void lay_out(Arena& arena, RegionCounts const& counts) noexcept;
-    // The function visit(cell, points, add) calls add(gradient, mode) for each term of the energy
-    // of a corner: `cell` is the cell of the corner, `points` are the numbers of its three points,
-    // and gradient and mode are those of CornerMap::differentiate().
+    // The function visit(cell, points, form) adds the derivatives of the energy of a corner to
+    // `form`: `cell` is the cell of the corner, and `points` are the numbers of its three points.
     template <class Visit>
     void assemble(Tangle const& tangle, Region const& region, Executor const& executor,
                   Visit const& visit) const noexcept;
@@ -118,8 +117,7 @@ void NewtonSystem::add_cell_of(Tangle const& tangle, Region const& region, Index
         if (!wanted[before] && !wanted[k] && !wanted[after]) continue;
         CornerForm corner;
         CornerPoints const point{{cell.point[before], cell.point[k], cell.point[after]}, turn};
-        visit(i, point,
-              [&](const Vec2(&by)[3], const CornerMode(&mode)[4]) { corner.add(by, mode); });
+        visit(i, point, corner);
         corner.turn_back_side(turn);
         sum.add(before, k, after, corner);
     }

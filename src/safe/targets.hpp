@@ -57,6 +57,10 @@ struct Targets {
     // equilateral triangle, or of a rectangle. A corner that is this one, turned, has the size-skew
     // quality 1.
     Triangle ideal(Index number, CornerPoints const& points, Triangle const& now) const noexcept;
+    // Return the sizes of the maps from these targets to `now`, by fewer operations.
+    MapSizes sizes(Index number, CornerPoints const& points, Triangle const& now) const noexcept;
+    MapSizes ideal_sizes(Index number, CornerPoints const& points,
+                         Triangle const& now) const noexcept;
     // Returns the size-skew quality as measure_quality() defines it; for parts of polygons it is
     // relative to the reference and at most 1.
     Real quality(Index number, CellShape const& now) const noexcept;
@@ -65,6 +69,9 @@ private:
     void find_stretch(Cell& target, CellShape const& shape, FaceDistance const& walls, Points now,
                       Index& group) const noexcept;
 };
+
+// The height of an equilateral triangle with sides of length 1.
+inline constexpr Real equilateral_height = 0.8660254037844386;
 
 // Returns the target with sides in the ratio of those of `now`: the area stays, and |J|^2 of the
 // map from this target to `now` is the smallest for all ratios. Therefore the derivatives of |J|^2
@@ -89,8 +96,6 @@ inline Triangle Targets::of(Index number, CornerPoints const& points,
 
 inline Triangle Targets::ideal(Index number, CornerPoints const& points,
                                Triangle const& now) const noexcept {
-    constexpr Real height =
-        0.8660254037844386;  // the height of an equilateral triangle with sides of length 1
     Triangle const before = triangle_of(points, reference);
     if (cell[number].is_part) return before;
     Real const twice_area = before.twice_area();
@@ -98,8 +103,37 @@ inline Triangle Targets::ideal(Index number, CornerPoints const& points,
         Real const side = sqrt(twice_area);
         return with_ratio_of(now, {side, 0}, {0, side});
     }
-    Real const side = sqrt(twice_area / height);
-    return {{{0, 0}, {side, 0}, {0.5 * side, height * side}}};
+    Real const side = sqrt(twice_area / equilateral_height);
+    return {{{0, 0}, {side, 0}, {0.5 * side, equilateral_height * side}}};
+}
+
+// With the sides a and b of the target, c and d of `now`, and the area A of the target's
+// parallelogram, p + q is (|a|^2 |d|^2 + |b|^2 |c|^2 - 2 (a b) (c d)) / 2 A^2. The ratio of
+// with_ratio_of() makes the first two terms equal.
+inline MapSizes Targets::sizes(Index number, CornerPoints const& points,
+                               Triangle const& now) const noexcept {
+    if (!cell[number].any_ratio) return CornerMap(of(number, points, now)).sizes(now);
+    Triangle const triangle = triangle_of(points, reference);
+    Vec2 const a = triangle.at[1] - triangle.at[0], b = triangle.at[2] - triangle.at[1],
+               c = now.at[1] - now.at[0], d = now.at[2] - now.at[1];
+    Real const twice_area = cross(a, b), per_area = 1 / twice_area;
+    Real const lengths = sqrt((per_area * square(a)) * (per_area * square(b))) *
+                         sqrt((per_area * square(c)) * (per_area * square(d)));
+    return {per_area * cross(c, d), lengths - (per_area * dot(a, b)) * (per_area * dot(c, d)),
+            twice_area};
+}
+
+// Here a and b are perpendicular, or sides of an equilateral triangle.
+inline MapSizes Targets::ideal_sizes(Index number, CornerPoints const& points,
+                                     Triangle const& now) const noexcept {
+    Triangle const triangle = triangle_of(points, reference);
+    if (cell[number].is_part) return CornerMap(triangle).sizes(now);
+    Vec2 const c = now.at[1] - now.at[0], d = now.at[2] - now.at[1];
+    Real const twice_area = triangle.twice_area(), per_area = 1 / twice_area;
+    Real const s = cell[number].is_quad ? sqrt((per_area * square(c)) * (per_area * square(d)))
+                                        : 0.25 / equilateral_height * per_area *
+                                              (square(c) + square(d) + square(c + d));
+    return {per_area * cross(c, d), s, twice_area};
 }
 
 }  // namespace harmorph

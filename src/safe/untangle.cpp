@@ -120,15 +120,11 @@ void Untangling::repair_region(UntangleOptions const& options, Index most_iterat
 
 void Untangling::assemble(Real softness) const noexcept {
     Points const at = as_points(now);
-    system.assemble(tangle, region, executor,
-                    [&](Index, CornerPoints const& point, auto const& add) {
-                        Vec2 gradient[3];
-                        CornerMode mode[4];
-                        Distortion const distortion(triangle_of(point, tangle.reference));
-                        distortion.differentiate(triangle_of(point, at), softness, least_curvature,
-                                                 gradient, mode);
-                        add(gradient, mode);
-                    });
+    system.assemble(
+        tangle, region, executor, [&](Index, CornerPoints const& point, CornerForm& form) {
+            Distortion const distortion(triangle_of(point, tangle.reference));
+            distortion.differentiate(triangle_of(point, at), softness, least_curvature, form);
+        });
 }
 
 // Halves the step until the energy falls enough (Armijo's rule). Returns the energy; if no step

@@ -8,8 +8,7 @@ Real Distortion::energy(Triangle const& now, Real softness) const noexcept {
     return (2 * (square(map_.z(now)) + square(map_.w(now))) + size_weight * (d * d + 1)) / chi;
 }
 
-void Distortion::differentiate(Triangle const& now, Real softness, Real least, Vec2 (&gradient)[3],
-                               CornerMode (&mode)[4]) const noexcept {
+DensityDerivatives Distortion::derivatives(Triangle const& now, Real softness) const noexcept {
     Real const p = square(map_.z(now)), q = square(map_.w(now)), d = determinant(now);
     Real const root = sqrt(softness * softness + d * d);
     Real const numerator = 2 * (p + q) + size_weight * (d * d + 1);
@@ -24,7 +23,8 @@ void Distortion::differentiate(Triangle const& now, Real softness, Real least, V
     by.by_pp = 2 * size_weight * scale + 2 * grow * slope + numerator * bend;
     by.by_qq = 2 * size_weight * scale - 2 * shrink * slope + numerator * bend;
     by.by_pq = -2 * size_weight * scale - 4 * size_weight * d * slope - numerator * bend;
-    map_.differentiate(now, by, least * 4 * scale, gradient, mode);
+    by.unit = 4 * scale;
+    return by;
 }
 
 }  // namespace harmorph

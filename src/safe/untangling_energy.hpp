@@ -26,10 +26,15 @@ struct Distortion {
 
     Real determinant(Triangle const& now) const noexcept { return map_.determinant(now); }
     Real energy(Triangle const& now, Real softness) const noexcept;
-    // Finds the derivatives by the three points; see CornerMap. Curvatures below `least` times that
-    // of |J|^2 / chi are raised to it, so that with least >= 0 no mode is negative.
-    void differentiate(Triangle const& now, Real softness, Real least, Vec2 (&gradient)[3],
-                       CornerMode (&mode)[4]) const noexcept;
+    // Returns the derivatives of the energy. Their unit is the curvature of |J|^2 / chi, so that
+    // with least >= 0 no curvature is negative; see CornerMap.
+    DensityDerivatives derivatives(Triangle const& now, Real softness) const noexcept;
+    // Adds the derivatives by the sides to `form`; see CornerMap.
+    void differentiate(Triangle const& now, Real softness, Real least,
+                       CornerForm& form) const noexcept {
+        map_.differentiate(now, derivatives(now, softness), least, form);
+    }
+    CornerMap const& map() const noexcept { return map_; }
 
 private:
     CornerMap map_;

@@ -10,7 +10,6 @@
 using harmorph::Block;
 using harmorph::CellForm;
 using harmorph::CornerForm;
-using harmorph::CornerMode;
 using harmorph::Index;
 using harmorph::Vec2;
 
@@ -26,15 +25,32 @@ void make_derivative(std::mt19937& random, Vec2 (&at)[3]) {
     at[1] = -1 * (at[0] + at[2]);
 }
 
+// One direction of a Hessian by the three points of a corner, whose term is curvature * (at at^T).
+struct Mode {
+    double curvature;
+    Vec2 at[3];
+};
+
+// The gradient and the Hessian of one energy of a corner.
 struct Term {
     Vec2 gradient[3];
-    CornerMode mode[4];
+    Mode mode[4];
 
     explicit Term(std::mt19937& random) {
         make_derivative(random, gradient);
-        for (CornerMode& one : mode) {
+        for (Mode& one : mode) {
             make_derivative(random, one.at);
             one.curvature = 1 + random_number(random);
+        }
+    }
+    void add_to(CornerForm& form) const {
+        form.by_side = form.by_side - gradient[0];
+        form.by_next = form.by_next + gradient[2];
+        for (Mode const& one : mode) {
+            Vec2 const side = -1 * one.at[0], next = one.at[2];
+            form.side_side.add(one.curvature, side, side);
+            form.side_next.add(one.curvature, side, next);
+            form.next_next.add(one.curvature, next, next);
         }
     }
 };
@@ -84,8 +100,8 @@ void check(Vec2 turn, bool is_passage, unsigned seed) {
         for (int terms = 0; terms < 2; ++terms) {
             Term const term(random);
             add(0, term.gradient, true);
-            for (CornerMode const& one : term.mode) add(one.curvature, one.at, false);
-            corner.add(term.gradient, term.mode);
+            for (Mode const& one : term.mode) add(one.curvature, one.at, false);
+            term.add_to(corner);
         }
         corner.turn_back_side(turn);
         form.add(point[0], own, point[2], corner);

@@ -56,13 +56,11 @@ struct System {
     }
     void assemble(double softness) {
         newton.assemble(
-            tangle, region, {}, [&](Index, harmorph::CornerPoints const& point, auto const& add) {
-                Vec2 gradient[3];
-                harmorph::CornerMode mode[4];
+            tangle, region, {},
+            [&](Index, harmorph::CornerPoints const& point, harmorph::CornerForm& form) {
                 harmorph::Distortion const distortion(triangle_of(point, tangle.reference));
                 distortion.differentiate(triangle_of(point, harmorph::as_points(span(at))),
-                                         softness, 0.1, gradient, mode);
-                add(gradient, mode);
+                                         softness, 0.1, form);
             });
     }
     double energy(double softness) const {

@@ -5,6 +5,8 @@
 #include "morph/quality.hpp"
 #include "safe/quality_energy.hpp"
 
+#include "safe/cell_form.hpp"
+
 #include <cmath>
 #include <random>
 
@@ -28,23 +30,21 @@ Triangle random_triangle(std::mt19937& random) {
 double& coordinate(Triangle& triangle, int k) {
     return k % 2 == 0 ? triangle.at[k / 2].x : triangle.at[k / 2].y;
 }
-double component(const Vec2* vectors, int k) {
-    return k % 2 == 0 ? vectors[k / 2].x : vectors[k / 2].y;
-}
+double component(Vec2 v, int k) { return k % 2 == 0 ? v.x : v.y; }
 
 struct Derivatives {
-    Vec2 gradient[3];
-    harmorph::CornerMode mode[4];
+    harmorph::CellForm<3> form;
 
     Derivatives(Triangle const& target, Triangle const& now, Index power, double weight,
                 double least) {
-        QualityEnergy(target, power).differentiate(now, weight, least, gradient, mode);
+        harmorph::CornerForm corner;
+        QualityEnergy(target, power).differentiate(now, weight, least, corner);
+        form.add(0, 1, 2, corner);
     }
+    double gradient(int i) const { return component(form.by[i / 2], i); }
     double hessian(int i, int j) const {
-        double sum = 0;
-        for (harmorph::CornerMode const& one : mode)
-            sum += one.curvature * component(one.at, i) * component(one.at, j);
-        return sum;
+        harmorph::Block const& block = form.hessian[i / 2][j / 2];
+        return i % 2 == 0 ? component({block.a, block.b}, j) : component({block.c, block.d}, j);
     }
 };
 
@@ -63,7 +63,7 @@ TEST_CASE("the gradient is that of the quality energy; the exact Hessian that of
         Derivatives const here(target, now, power, weight, exact);
         double slopes = 0, bends = 0;
         for (int i = 0; i < 6; ++i) {
-            slopes = std::fmax(slopes, std::fabs(component(here.gradient, i)));
+            slopes = std::fmax(slopes, std::fabs(here.gradient(i)));
             for (int j = 0; j < 6; ++j) bends = std::fmax(bends, std::fabs(here.hessian(i, j)));
         }
         for (int i = 0; i < 6; ++i) {
@@ -71,13 +71,11 @@ TEST_CASE("the gradient is that of the quality energy; the exact Hessian that of
             coordinate(ahead, i) += h;
             coordinate(behind, i) -= h;
             double const rise = weight * (energy.energy(ahead) - energy.energy(behind));
-            CHECK(std::fabs(component(here.gradient, i) - rise / (2 * h)) <
-                  1e-6 * (slopes + bends));
+            CHECK(std::fabs(here.gradient(i) - rise / (2 * h)) < 1e-6 * (slopes + bends));
             Derivatives const after(target, ahead, power, weight, exact),
                 before(target, behind, power, weight, exact);
             for (int j = 0; j < 6; ++j) {
-                double const bend =
-                    (component(after.gradient, j) - component(before.gradient, j)) / (2 * h);
+                double const bend = (after.gradient(j) - before.gradient(j)) / (2 * h);
                 CHECK(std::fabs(here.hessian(i, j) - bend) < 1e-5 * bends);
             }
         }
@@ -90,12 +88,15 @@ TEST_CASE("curvatures of the quality energy are raised to 4 power energy and nev
     for (int trial = 0; trial < 100; ++trial) {
         Triangle const target = random_triangle(random), now = random_triangle(random);
         Index const power = 1 + trial % 3;
-        Derivatives const free(target, now, power, 1, exact), convex(target, now, power, 1, 0.25);
-        double const floor = 0.25 * 4 * power * QualityEnergy(target, power).energy(now);
+        QualityEnergy const energy(target, power);
+        harmorph::DensityDerivatives const by = energy.derivatives(now, 1);
+        harmorph::Curvatures const free = energy.map().curvatures(now, by, exact),
+                                   convex = energy.map().curvatures(now, by, 0.25);
+        double const floor = 0.25 * 4 * power * energy.energy(now);
         for (int k = 0; k < 4; ++k) {
-            raised += free.mode[k].curvature < floor;
-            CHECK(convex.mode[k].curvature ==
-                  doctest::Approx(std::fmax(free.mode[k].curvature, floor)).epsilon(1e-13));
+            raised += free.value[k] < floor;
+            CHECK(convex.value[k] ==
+                  doctest::Approx(std::fmax(free.value[k], floor)).epsilon(1e-13));
         }
     }
     CHECK(raised > 20);
@@ -115,7 +116,7 @@ TEST_CASE("the quality energy is 1 at the turned target and infinite when invert
         for (Index const power : {1, 2, 4, 8}) {
             CHECK(QualityEnergy(target, power).energy(now) == doctest::Approx(1).epsilon(1e-12));
             Derivatives const here(target, now, power, 1, exact);
-            for (int k = 0; k < 6; ++k) CHECK(std::fabs(component(here.gradient, k)) < 1e-10);
+            for (int k = 0; k < 6; ++k) CHECK(std::fabs(here.gradient(k)) < 1e-10);
         }
         for (int k = 0; k < 20; ++k) {
             Triangle const other = random_triangle(random);
@@ -162,7 +163,7 @@ TEST_CASE("derivatives of the quality energy are finite where the energy is") {
                         ++finite;
                         Derivatives const by(target, now, power, 1, 0.02);
                         for (int i = 0; i < 6; ++i) {
-                            CHECK(std::isfinite(component(by.gradient, i)));
+                            CHECK(std::isfinite(by.gradient(i)));
                             for (int j = 0; j < 6; ++j) CHECK(std::isfinite(by.hessian(i, j)));
                         }
                     }

@@ -4,6 +4,8 @@
 
 #include "safe/untangling_energy.hpp"
 
+#include "safe/cell_form.hpp"
+
 #include <cmath>
 #include <random>
 
@@ -31,22 +33,20 @@ struct Pair {
 double& coordinate(Triangle& triangle, int k) {
     return k % 2 == 0 ? triangle.at[k / 2].x : triangle.at[k / 2].y;
 }
-double component(const Vec2* vectors, int k) {
-    return k % 2 == 0 ? vectors[k / 2].x : vectors[k / 2].y;
-}
+double component(Vec2 v, int k) { return k % 2 == 0 ? v.x : v.y; }
 
 struct Derivatives {
-    Vec2 gradient[3];
-    harmorph::CornerMode mode[4];
+    harmorph::CellForm<3> form;
 
     Derivatives(Pair const& pair, double softness, double least) {
-        Distortion(pair.reference).differentiate(pair.now, softness, least, gradient, mode);
+        harmorph::CornerForm corner;
+        Distortion(pair.reference).differentiate(pair.now, softness, least, corner);
+        form.add(0, 1, 2, corner);
     }
+    double gradient(int i) const { return component(form.by[i / 2], i); }
     double hessian(int i, int j) const {
-        double sum = 0;
-        for (harmorph::CornerMode const& one : mode)
-            sum += one.curvature * component(one.at, i) * component(one.at, j);
-        return sum;
+        harmorph::Block const& block = form.hessian[i / 2][j / 2];
+        return i % 2 == 0 ? component({block.a, block.b}, j) : component({block.c, block.d}, j);
     }
 };
 
@@ -65,7 +65,7 @@ TEST_CASE("the gradient is that of the untangling energy, and the Hessian that o
         Derivatives const here(pair, softness, exact);
         double scale = 0, scale_of_hessian = 0;
         for (int i = 0; i < 6; ++i) {
-            scale = std::fmax(scale, std::fabs(component(here.gradient, i)));
+            scale = std::fmax(scale, std::fabs(here.gradient(i)));
             for (int j = 0; j < 6; ++j)
                 scale_of_hessian = std::fmax(scale_of_hessian, std::fabs(here.hessian(i, j)));
         }
@@ -76,12 +76,10 @@ TEST_CASE("the gradient is that of the untangling energy, and the Hessian that o
             coordinate(behind.now, i) -= h;
             double const rise =
                 distortion.energy(ahead.now, softness) - distortion.energy(behind.now, softness);
-            CHECK(std::fabs(component(here.gradient, i) - rise / (2 * h)) <
-                  1e-6 * (scale + scale_of_hessian));
+            CHECK(std::fabs(here.gradient(i) - rise / (2 * h)) < 1e-6 * (scale + scale_of_hessian));
             Derivatives const after(ahead, softness, exact), before(behind, softness, exact);
             for (int j = 0; j < 6; ++j) {
-                double const bend =
-                    (component(after.gradient, j) - component(before.gradient, j)) / (2 * h);
+                double const bend = (after.gradient(j) - before.gradient(j)) / (2 * h);
                 CHECK(std::fabs(here.hessian(i, j) - bend) < 1e-5 * scale_of_hessian);
             }
         }
@@ -95,14 +93,17 @@ TEST_CASE("curvatures are raised to a multiple of the energy's own and never low
     int raised = 0;
     for (int trial = 0; trial < 200; ++trial) {
         Pair const pair(random);
-        Derivatives const free(pair, 0.1, exact), convex(pair, 0.1, 0.25);
+        Distortion const distortion(pair.reference);
+        harmorph::DensityDerivatives const by = distortion.derivatives(pair.now, 0.1);
+        harmorph::Curvatures const free = distortion.map().curvatures(pair.now, by, exact),
+                                   convex = distortion.map().curvatures(pair.now, by, 0.25);
         double const floor =
-            0.25 * 4 / harmorph::regularised(Distortion(pair.reference).determinant(pair.now), 0.1);
+            0.25 * 4 / harmorph::regularised(distortion.determinant(pair.now), 0.1);
         for (int k = 0; k < 4; ++k) {
-            raised += free.mode[k].curvature < floor;
-            CHECK(convex.mode[k].curvature ==
-                  doctest::Approx(std::fmax(free.mode[k].curvature, floor)).epsilon(1e-14));
-            CHECK(convex.mode[k].curvature > 0);
+            raised += free.value[k] < floor;
+            CHECK(convex.value[k] ==
+                  doctest::Approx(std::fmax(free.value[k], floor)).epsilon(1e-14));
+            CHECK(convex.value[k] > 0);
         }
     }
     CHECK(raised > 20);
@@ -122,8 +123,10 @@ TEST_CASE("the energy is smallest where the triangle is its reference, turned an
         CHECK(distortion.determinant(pair.now) == doctest::Approx(1));
         CHECK(distortion.energy(pair.now, 0) == doctest::Approx(least).epsilon(1e-12));
         Derivatives const here(pair, 0, exact);
-        for (int k = 0; k < 6; ++k) CHECK(std::fabs(component(here.gradient, k)) < 1e-12);
-        for (harmorph::CornerMode const& mode : here.mode) CHECK(mode.curvature > -1e-11);
+        for (int k = 0; k < 6; ++k) CHECK(std::fabs(here.gradient(k)) < 1e-12);
+        harmorph::Curvatures const free =
+            distortion.map().curvatures(pair.now, distortion.derivatives(pair.now, 0), exact);
+        for (double const value : free.value) CHECK(value > -1e-11);
         for (int k = 0; k < 20; ++k) {
             Triangle other = pair.now;
             for (Vec2& point : other.at) point = point + 0.3 * random_point(random);
