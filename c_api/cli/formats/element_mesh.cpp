@@ -1,6 +1,8 @@
 // The mesh has the corners of elements of second order. The other nodes move with the corners: the
 // middle of an edge keeps its distance from the straight edge, relative to the length and direction
-// of the edge; the middle of a cell moves by the mean of the corners.
+// of the edge; the middle of a cell moves by the mean of the corners. In meshes one cell thick, the
+// middle of an edge across moves with the point of the plane, and the middle of a face across moves
+// as the middle of the edge in the plane.
 #include "formats/element_mesh.hpp"
 
 #include "formats/tidy.hpp"
@@ -21,7 +23,7 @@ public:
 
 private:
     using Element = Elements::Element;
-    enum Kind : std::int32_t { middle = -1, unused = -2, is_corner = -3 };
+    enum Kind : std::int32_t { middle = -1, unused = -2, is_corner = -3, middle_added = -4 };
 
     std::size_t node(const Element& element, std::size_t k) const {
         return place(all_.nodes[element.first + k]);
@@ -34,16 +36,17 @@ private:
     void find_points();
     void add_flat();
     void add_solid();
-    void add_between();
+    template <class Add>
+    void for_each_middle(const Add& add);
+    void remark_middles(std::size_t n);
     template <class Add>
     void for_each_marker(const Element& element, const Add& add);
 
     Mesh& mesh_;
     const Elements& all_;
     int dimension_ = 0;
-    SpacePoints points_;  // corners
-    std::vector<std::int32_t>
-        point_of_;  // the point of each node; before find_points() ends, its Kind
+    SpacePoints points_;                  // corners
+    std::vector<std::int32_t> point_of_;  // the point of each node, or its Kind
 };
 
 void ElementMesh::find_dimension() {
@@ -72,9 +75,11 @@ void ElementMesh::find_points() {
                                                                : kind;
         }
     }
+    points_.n_in_file = all_.points.points();
     for (std::size_t i = 0; i < point_of_.size(); ++i) {
         if (point_of_[i] != is_corner) continue;
         point_of_[i] = points_.points();
+        points_.number.push_back(static_cast<std::int32_t>(i));
         for (std::size_t d = 0; d < 3; ++d) {
             points_.x[d].push_back(all_.points.x[d][i]);
             points_.offset[d].push_back(all_.points.offset[d][i]);
@@ -113,7 +118,21 @@ void ElementMesh::add_flat() {
             });
         }
     }
-    add_between();
+    for_each_middle([&](std::size_t middle_node, const std::vector<std::int32_t>& of) {
+        const std::size_t* const axes = mesh_.in_file.axes;
+        Between between = {{}, static_cast<std::int32_t>(of.size()), 0, 0};
+        std::copy(of.begin(), of.end(), between.corners.begin());
+        between.x = all_.points.x[axes[0]][middle_node];
+        between.y = all_.points.x[axes[1]][middle_node];
+        const auto point = static_cast<std::int32_t>(mesh_.x.size() + mesh_.in_file.between.size());
+        mesh_.in_file.between.push_back(between);
+        for (const std::size_t axis : {0u, 1u}) {
+            mesh_.in_file.slots.push_back(
+                {all_.points.offset[axes[axis]][middle_node], point, axis == 0 ? takes_x : takes_y,
+                 static_cast<std::int64_t>(3 * middle_node + axes[axis])});
+        }
+    });
+    remark_middles(mesh_.in_file.between.size());
 }
 
 void ElementMesh::add_solid() {
@@ -121,12 +140,6 @@ void ElementMesh::add_solid() {
     std::vector<std::int32_t> corners;
     for (const Element& element : all_.elements) {
         if (!is_read(element)) continue;
-        if (element.shape.nodes > element.shape.corners) {
-            mesh_.file.fail(
-                element.offset,
-                "a mesh one cell thick of second order is not read: save elements of first "
-                "order (Gmsh: Mesh.ElementOrder = 1)");
-        }
         const auto n = static_cast<std::size_t>(element.shape.corners);
         corners.clear();
         for (std::size_t k = 0; k < n; ++k) corners.push_back(corner(element, k));
@@ -138,43 +151,46 @@ void ElementMesh::add_solid() {
             });
         }
     }
+    std::size_t n_middles = 0;
+    for_each_middle([&](std::size_t middle_node, const std::vector<std::int32_t>& of) {
+        SpaceMiddle added = {of, {}, {}, static_cast<std::int32_t>(middle_node)};
+        for (std::size_t d = 0; d < 3; ++d) {
+            added.x[d] = all_.points.x[d][middle_node];
+            added.offset[d] = all_.points.offset[d][middle_node];
+        }
+        solid.add_middle(std::move(added));
+        ++n_middles;
+    });
     solid.finish();
+    remark_middles(n_middles);
 }
 
-void ElementMesh::add_between() {
+// Calls add(node, points) once for each node that is no corner of any element; `points` are the
+// corners of which the node is the middle.
+template <class Add>
+void ElementMesh::for_each_middle(const Add& add) {
+    std::vector<std::int32_t> of;
     for (const Element& element : all_.elements) {
         if (!is_read(element)) continue;
-        const auto corners = static_cast<std::size_t>(element.shape.corners);
-        for (auto k = corners; k < static_cast<std::size_t>(element.shape.nodes); ++k) {
-            const std::size_t middle_node = node(element, k);
-            if (point_of_[middle_node] != middle)
-                continue;  // a corner of another element, or already added
-            Between between = {{}, 2, 0, 0};
-            const std::size_t edge = k - corners,
-                              n_edges = element.shape.dimension == 1 ? 1 : corners;
-            if (edge < n_edges) {
-                between.corners = {corner(element, edge), corner(element, (edge + 1) % corners)};
-            } else {
-                between.n_corners = static_cast<std::int32_t>(corners);
-                for (std::size_t i = 0; i < corners; ++i) between.corners[i] = corner(element, i);
-            }
-            const auto number =
-                static_cast<std::int32_t>(mesh_.x.size() + mesh_.in_file.between.size());
-            const std::size_t* const axes = mesh_.in_file.axes;
-            between.x = all_.points.x[axes[0]][middle_node];
-            between.y = all_.points.x[axes[1]][middle_node];
-            mesh_.in_file.between.push_back(between);
-            mesh_.in_file.slots.push_back(
-                {all_.points.offset[axes[0]][middle_node], number, takes_x});
-            mesh_.in_file.slots.push_back(
-                {all_.points.offset[axes[1]][middle_node], number, takes_y});
-            point_of_[middle_node] = number;
+        const char* corners = element.shape.middles;
+        for (int k = element.shape.corners; k < element.shape.nodes; ++k) {
+            of.clear();
+            for (; *corners && *corners != ' '; ++corners)
+                of.push_back(corner(element, static_cast<std::size_t>(*corners - '0')));
+            if (*corners) ++corners;
+            const std::size_t middle_node = node(element, static_cast<std::size_t>(k));
+            if (point_of_[middle_node] != middle) continue;
+            add(middle_node, of);
+            point_of_[middle_node] = middle_added;
         }
     }
-    if (mesh_.in_file.between.empty()) return;
+}
+
+void ElementMesh::remark_middles(std::size_t n) {
+    if (n == 0) return;
     mesh_.remark(
         "the mesh has the corners of quadratic elements; the nodes between move with them (" +
-        plural(static_cast<std::int64_t>(mesh_.in_file.between.size()), "point") + ")");
+        plural(static_cast<std::int64_t>(n), "point") + ")");
 }
 
 }  // namespace

@@ -8,10 +8,17 @@
 
 namespace cli {
 
+// The nodes of an element are the corners and, in second order, middles of edges, faces and the
+// cell.
 struct ElementShape {
-    int dimension, corners,
-        nodes;  // the nodes are the corners, and in second order the middles of edges and of the
-                // cell
+    int dimension, corners, nodes;
+    const char* middles;  // the nodes behind the corners: "01 12 012" are the middles of two edges
+                          // and of the triangle, each by its corners
+
+    constexpr ElementShape(int dimension_, int corners_, const char* middles_ = "")
+        : dimension(dimension_), corners(corners_), nodes(corners_), middles(middles_) {
+        for (const char* c = middles; *c; ++c) nodes += c == middles || c[-1] == ' ' ? 1 : 0;
+    }
 };
 
 struct Elements {

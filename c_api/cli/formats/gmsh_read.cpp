@@ -1,6 +1,7 @@
 // Reads Gmsh files: the sections of versions 2.0 to 2.2 and 4.1, in any order.
 #include "formats/gmsh_read.hpp"
 
+#include "formats/gmsh_elements.hpp"
 #include "formats/gmsh_groups.hpp"
 #include "formats/gmsh_nodes.hpp"
 #include "formats/number_reader.hpp"
@@ -11,15 +12,6 @@
 namespace cli {
 
 namespace {
-
-struct GmshElementType {
-    int number;
-    ElementShape shape;
-};
-constexpr GmshElementType element_types[] = {{15, {0, 1, 1}}, {1, {1, 2, 2}},  {8, {1, 2, 3}},
-                                             {2, {2, 3, 3}},  {9, {2, 3, 6}},  {3, {2, 4, 4}},
-                                             {16, {2, 4, 8}}, {10, {2, 4, 9}}, {4, {3, 4, 4}},
-                                             {5, {3, 8, 8}},  {6, {3, 6, 6}},  {7, {3, 5, 5}}};
 
 class GmshReader {
 public:
@@ -219,13 +211,10 @@ void GmshReader::read_nodes_4() {
 }
 
 const ElementShape& GmshReader::element_shape(std::int64_t number) {
-    for (const GmshElementType& type : element_types) {
-        if (type.number == number) return type.shape;
-    }
-    numbers_.fail(
-        "element type " + std::to_string(number) +
-        " is not read: save triangles and quadrilaterals of first or second order, or a mesh one "
-        "cell thick of first order (in Gmsh: -order 2, -order 1)");
+    if (const ElementShape* const shape = gmsh_element(number)) return *shape;
+    numbers_.fail("element type " + std::to_string(number) +
+                  " is not read: save elements of first or second order (in Gmsh: -order 1 or "
+                  "-order 2)");
 }
 
 void GmshReader::read_element(const ElementShape& shape, std::int32_t group, std::size_t offset) {

@@ -14,20 +14,35 @@ struct VtkShape {
     int type;
     ElementShape shape;
 };
-constexpr VtkShape vtk_shapes[] = {{vtk_line, {1, 2, 2}},
-                                   {vtk_triangle, {2, 3, 3}},
-                                   {vtk_pixel, {2, 4, 4}},
-                                   {vtk_quad, {2, 4, 4}},
-                                   {vtk_tetrahedron, {3, 4, 4}},
-                                   {vtk_voxel, {3, 8, 8}},
-                                   {vtk_hexahedron, {3, 8, 8}},
-                                   {vtk_wedge, {3, 6, 6}},
-                                   {vtk_pyramid, {3, 5, 5}},
-                                   {vtk_quadratic_edge, {1, 2, 3}},
-                                   {vtk_quadratic_triangle, {2, 3, 6}},
-                                   {vtk_quadratic_quad, {2, 4, 8}},
-                                   {vtk_biquadratic_quad, {2, 4, 9}},
-                                   {vtk_biquadratic_triangle, {2, 3, 7}}};
+constexpr VtkShape vtk_shapes[] = {
+    {vtk_line, {1, 2}},
+    {vtk_triangle, {2, 3}},
+    {vtk_pixel, {2, 4}},
+    {vtk_quad, {2, 4}},
+    {vtk_tetrahedron, {3, 4}},
+    {vtk_voxel, {3, 8}},
+    {vtk_hexahedron, {3, 8}},
+    {vtk_wedge, {3, 6}},
+    {vtk_pyramid, {3, 5}},
+    {21, {1, 2, "01"}},                                   // QUADRATIC_EDGE
+    {22, {2, 3, "01 12 20"}},                             // QUADRATIC_TRIANGLE
+    {34, {2, 3, "01 12 20 012"}},                         // BIQUADRATIC_TRIANGLE
+    {23, {2, 4, "01 12 23 30"}},                          // QUADRATIC_QUAD
+    {28, {2, 4, "01 12 23 30 0123"}},                     // BIQUADRATIC_QUAD
+    {30, {2, 4, "01 23"}},                                // QUADRATIC_LINEAR_QUAD
+    {24, {3, 4, "01 12 20 03 13 23"}},                    // QUADRATIC_TETRA
+    {25, {3, 8, "01 12 23 30 45 56 67 74 04 15 26 37"}},  // _HEXAHEDRON
+    {33, {3, 8, "01 12 23 30 45 56 67 74 04 15 26 37 0473 1265 0154 2376"}},  // BIQUADRATIC_...
+    {29,
+     {3, 8,
+      "01 12 23 30 45 56 67 74 04 15 26 37 0473 1265 0154 2376 0321 4567 "
+      "01234567"}},                                                     // TRIQUADRATIC_HEXAHEDRON
+    {31, {3, 6, "01 12 20 34 45 53"}},                                  // QUADRATIC_LINEAR_WEDGE
+    {26, {3, 6, "01 12 20 34 45 53 03 14 25"}},                         // QUADRATIC_WEDGE
+    {32, {3, 6, "01 12 20 34 45 53 03 14 25 0143 1254 2035"}},          // BIQUADRATIC_..._WEDGE
+    {27, {3, 5, "01 12 23 30 04 14 24 34"}},                            // QUADRATIC_PYRAMID
+    {37, {3, 5, "01 12 23 30 04 14 24 34 0321 014 124 234 304 01234"}}  // TRIQUADRATIC_PYRAMID
+};
 constexpr std::int64_t vertex = 1, several_vertices = 2,
                        several_lines = 4;  // these are no part of the mesh
 
@@ -37,11 +52,11 @@ bool is_passed_over(std::int64_t type) {
 
 // Returns the shape of a cell; the dimension is 0 if the cell is no element of a mesh.
 ElementShape shape_of(std::int64_t type, std::int64_t n) {
-    if (type == vtk_polygon && n >= 3) return {2, static_cast<int>(n), static_cast<int>(n)};
+    if (type == vtk_polygon && n >= 3) return {2, static_cast<int>(n)};
     for (const VtkShape& known : vtk_shapes) {
         if (known.type == type && known.shape.nodes == n) return known.shape;
     }
-    return {0, 0, 0};
+    return {0, 0};
 }
 
 // Pixels and voxels list their corners line by line, and not round their faces.
@@ -111,7 +126,7 @@ bool add_vtk_blocks(const std::int64_t (&size)[3], std::int32_t first_point, Ele
         for (std::int64_t j = 0; j < cells(1); ++j) {
             for (std::int64_t i = 0; i < cells(0); ++i) {
                 const std::int64_t first = first_point + i + j * step[1] + k * step[2];
-                elements.add(n == 3 ? ElementShape{3, 8, 8} : ElementShape{2, 4, 4}, -1,
+                elements.add(n == 3 ? ElementShape{3, 8} : ElementShape{2, 4}, -1,
                              elements.points.offset[0][static_cast<std::size_t>(first)]);
                 for (std::size_t corner = 0; corner < (n == 3 ? 8 : 4); ++corner) {
                     elements.nodes.push_back(static_cast<std::int32_t>(

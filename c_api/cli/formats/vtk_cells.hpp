@@ -15,12 +15,7 @@ enum VtkCellType {
     vtk_voxel,
     vtk_hexahedron,
     vtk_wedge,
-    vtk_pyramid,
-    vtk_quadratic_edge = 21,
-    vtk_quadratic_triangle,
-    vtk_quadratic_quad,
-    vtk_biquadratic_quad = 28,
-    vtk_biquadratic_triangle = 34
+    vtk_pyramid
 };
 
 // Returns the type of a triangle, a quadrilateral or a polygon.

@@ -27,6 +27,7 @@ public:
     // the planes, and refuses other faces of more than 4 points.
     void add_side(const std::int32_t* points, std::size_t n, std::int32_t marker,
                   std::size_t offset);
+    void add_middle(SpaceMiddle middle) { space_.middles.push_back(std::move(middle)); }
     void add_copy(const SpaceCopy& copy) { space_.copies.push_back(copy); }
     const SpacePoints& points() const { return space_.points; }
 

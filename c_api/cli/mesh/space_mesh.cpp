@@ -15,7 +15,7 @@ namespace cli {
 namespace {
 
 // Collects the coordinates of the file that move: a number moves by dx along[0] + dy along[1] if
-// its point of the plane moves by dx, dy.
+// its point of the plane, or the point between points of the plane, moves by dx, dy.
 class Slots {
 public:
     explicit Slots(Mesh& mesh) : mesh_(mesh) {}
@@ -23,11 +23,14 @@ public:
     void add(std::size_t offset, double value, std::int32_t point, const Direction& direction,
              std::int64_t number) {
         const auto p = static_cast<std::size_t>(point);
+        const bool is_between = p >= mesh_.x.size();
         std::int32_t rule = 0;
         if (direction.along[0] == 0 && direction.along[1] == 0) return;
-        if (direction.along[0] == 1 && direction.along[1] == 0 && same(value, mesh_.x[p])) {
+        if (direction.along[0] == 1 && direction.along[1] == 0 &&
+            (is_between || same(value, mesh_.x[p]))) {
             rule = takes_x;
-        } else if (direction.along[0] == 0 && direction.along[1] == 1 && same(value, mesh_.y[p])) {
+        } else if (direction.along[0] == 0 && direction.along[1] == 1 &&
+                   (is_between || same(value, mesh_.y[p]))) {
             rule = takes_y;
         } else {
             std::vector<Direction>& directions = mesh_.in_file.directions;
@@ -82,6 +85,42 @@ void add_axis(Mesh& mesh) {
     }
 }
 
+// Adds the middle of corners that follow one point of the plane or several.
+void add_middle(Mesh& mesh, const hm_plane_info& info, const SpaceMiddle& middle,
+                Slots& slots_of_file) {
+    Between between = {{}, 0, 0, 0};
+    for (const std::int32_t corner : middle.corners) {
+        const std::int32_t point = info.follows[corner];
+        std::int32_t* const end = between.corners.data() + between.n_corners;
+        const bool is_new = std::find(between.corners.data(), end, point) == end;
+        if (is_new && static_cast<std::size_t>(between.n_corners) < between.corners.size())
+            between.corners[static_cast<std::size_t>(between.n_corners++)] = point;
+    }
+    double radius = 0, radial[3] = {};  // from the axis of a wedge
+    for (std::size_t d = 0; d < 3; ++d) {
+        between.x += (middle.x[d] - info.origin[d]) * info.x_direction[d];
+        between.y += (middle.x[d] - info.origin[d]) * info.y_direction[d];
+    }
+    for (std::size_t d = 0; d < 3 && info.kind == HM_WEDGE; ++d) {
+        radial[d] = middle.x[d] - info.origin[d] - between.x * info.x_direction[d];
+        radius += radial[d] * radial[d];
+    }
+    radius = std::sqrt(radius);
+    // The middle of an edge across a wedge keeps its place between the arc and the chord.
+    const double at = mesh.y[static_cast<std::size_t>(between.corners[0])],
+                 scale = between.n_corners == 1 && at > 0 ? at : radius;
+    if (info.kind == HM_WEDGE) between.y = radius;
+    const auto point = static_cast<std::int32_t>(mesh.x.size() + mesh.in_file.between.size());
+    mesh.in_file.between.push_back(between);
+    for (std::size_t d = 0; d < 3; ++d) {
+        const double outwards = scale > 0 ? radial[d] / scale : 0;
+        slots_of_file.add(
+            middle.offset[d], middle.x[d], point,
+            {{info.x_direction[d], info.kind == HM_WEDGE ? outwards : info.y_direction[d]}},
+            3 * std::int64_t{middle.number} + static_cast<std::int64_t>(d));
+    }
+}
+
 }  // namespace
 
 void take_flat(Mesh& mesh, const SpacePoints& points, const std::vector<SpaceCopy>& copies) {
@@ -112,14 +151,14 @@ void take_flat(Mesh& mesh, const SpacePoints& points, const std::vector<SpaceCop
     mesh.x = points.x[axes[0]];
     mesh.y = points.x[axes[1]];
     mesh.point_offset = points.offset[axes[0]];
-    mesh.in_file.n_points = static_cast<std::int64_t>(points.x[0].size());
+    mesh.in_file.n_points = points.all_points();
     Slots slots(mesh);
     for (const std::size_t axis : {0u, 1u}) {
         const Direction direction = {{axis == 0 ? 1.0 : 0.0, axis == 0 ? 0.0 : 1.0}};
         const std::size_t d = axes[axis];
         for (std::size_t k = 0; k < points.x[d].size(); ++k) {
             slots.add(points.offset[d][k], points.x[d][k], static_cast<std::int32_t>(k), direction,
-                      static_cast<std::int64_t>(3 * k + d));
+                      3 * points.number_of(k) + static_cast<std::int64_t>(d));
         }
         for (const SpaceCopy& copy : copies)
             slots.add(copy.offset[d], copy.x[d], copy.original, direction, -1);
@@ -193,12 +232,13 @@ void take_plane(Mesh& mesh, const SpaceMesh& space) {
         slots.add(offset, value, info.follows[k], {{steps[0][d * n + k], steps[1][d * n + k]}},
                   number);
     };
-    mesh.in_file.n_points = static_cast<std::int64_t>(n);
+    mesh.in_file.n_points = space.points.all_points();
     for (std::size_t k = 0; k < n; ++k) {
         for (std::size_t d = 0; d < 3; ++d)
             add(k, d, space.points.offset[d][k], space.points.x[d][k],
-                static_cast<std::int64_t>(3 * k + d));
+                3 * space.points.number_of(k) + static_cast<std::int64_t>(d));
     }
+    for (const SpaceMiddle& middle : space.middles) add_middle(mesh, info, middle, slots);
     for (const SpaceCopy& copy : space.copies) {
         for (std::size_t d = 0; d < 3; ++d)
             add(static_cast<std::size_t>(copy.original), d, copy.offset[d], copy.x[d], -1);

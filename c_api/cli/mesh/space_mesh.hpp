@@ -10,12 +10,18 @@
 
 namespace cli {
 
-// All points of a file, in its order.
+// The points of a file that are corners of cells, in its order.
 struct SpacePoints {
     std::array<std::vector<double>, 3> x;            // x, y, z
     std::array<std::vector<std::size_t>, 3> offset;  // the places of the coordinates in the file
+    std::vector<std::int32_t> number;  // among all points of the file; empty: these are all
+    std::int32_t n_in_file = 0;        // all points of the file, if `number` is not empty
 
     std::int32_t points() const { return static_cast<std::int32_t>(x[0].size()); }
+    std::int64_t number_of(std::size_t point) const {
+        return number.empty() ? static_cast<std::int64_t>(point) : number[point];
+    }
+    std::int64_t all_points() const { return number.empty() ? points() : n_in_file; }
 };
 
 // A point of the file at the place of another point, which the cells use instead.
@@ -25,8 +31,17 @@ struct SpaceCopy {
     std::array<std::size_t, 3> offset;
 };
 
+// A node of an element of second order that is no corner.
+struct SpaceMiddle {
+    std::vector<std::int32_t> corners;  // points of which the node is the middle
+    std::array<double, 3> x;
+    std::array<std::size_t, 3> offset;
+    std::int32_t number;  // among all points of the file
+};
+
 struct SpaceMesh {
     SpacePoints points;
+    std::vector<SpaceMiddle> middles;
     std::vector<SpaceCopy> copies;  // copies move as their originals
     std::vector<std::int32_t> face_start = {0},
                               face_points;  // of one symmetry plane; counted from 0
