@@ -115,10 +115,10 @@ wall() {
             for (i = 0; i < n; ++i) print line[i]
         }'
 }
-# design STEP LIFT_OFF AREA_OFF: reads the gradients and the smoothed gradients of drag, lift and area (files gradients, smooth)
-# and the movements so far (moves); writes the next movements. To first order, the direction -(s_drag - a s_lift - b
-# s_area) of smoothed gradients s changes neither lift nor area. Another movement takes away what they are off. The
-# largest movement of a control point along the direction becomes smaller from step to step.
+# design STEP LIFT_OFF AREA_OFF: reads the gradients and the smoothed gradients of drag, lift and area (files gradients
+# and smooth) and the movements so far (moves), and writes the next movements. To first order, the direction -(s_drag -
+# a s_lift - b s_area) of smoothed gradients s changes neither lift nor area. A second movement corrects the errors of
+# lift and area. The largest movement of a control point along the direction becomes smaller from step to step.
 design() {
     awk -v step="$1" -v lift_off="$2" -v area_off="$3" -v n=$control '
         FNR == 1 { ++file; objective = 0 }

@@ -39,4 +39,15 @@ fi
 sh "$here/cylinder.sh" "$dir/cylinder" 2 >"$dir/cylinder.out" 2>&1
 passes "the free cylinder" $? "$dir/cylinder.out"
 cat "$dir/cylinder.out"
+
+if command -v adjointOptimisationFoam >/dev/null 2>&1; then
+    sh "$here/adjoint.sh" "$dir/adjoint" "$(dirname "$dir")/harmorph" >"$dir/adjoint.out" 2>&1
+    passes "shape optimisation" $? "$dir/adjoint.out"
+    cat "$dir/adjoint.out"
+    check "shape optimisation: less drag at constant lift and area" awk '
+        { line = $0 } END { gsub(/[,a-z]/, " ", line); split(line, left)
+            exit !(left[1] < 0.99 && (left[2] - 1)^2 < 1e-6 && (left[3] - 1)^2 < 1e-8) }' "$dir/adjoint.out"
+else
+    skip "shape optimisation" "the program adjointOptimisationFoam is not installed"
+fi
 finish
