@@ -1,9 +1,9 @@
 #!/bin/sh
 # usage: cylinder.sh FOLDER [END]   (the library of the motion solver is found by LD_LIBRARY_PATH)
 # A free cylinder in a channel: blockMesh makes the mesh, pimpleFoam computes the flow, and the body of
-# sixDoFRigidBodyDisplacement moves across the channel on a spring until END, 1 by default, a multiple of 0.2. Prints the
-# last report of the mesh and the last place of the body. A run that is interrupted at half the time must end with the
-# same bits of the points and of the body.
+# sixDoFRigidBodyDisplacement moves across the channel on a spring until END, a multiple of 0.2, 1 by default. Prints
+# the last report of the mesh. A run that is interrupted at half the time must end with the same bits of the points and
+# of the body.
 set -e
 folder=$1 end=${2:-1}
 . "$(dirname "$0")/case.sh"

@@ -20,6 +20,14 @@ sh "$here/motions.sh" "$dir/motions" >"$dir/motions.out" 2>&1
 passes "motions on small meshes" $? "$dir/motions.out"
 tail -n 1 "$dir/motions.out"
 
+# The second program of the page, in an empty folder.
+first_case() (
+    rm -rf "$dir/first" && mkdir "$dir/first" &&
+        awk '/^```/ { inside = 0 } inside { print } /^```sh/ { inside = ++n == 2 }' "$here/../README.md" \
+            >"$dir/first.sh" && cd "$dir/first" && sh -e "$dir/first.sh" && test -s case/20/polyMesh/points
+)
+if [ -d /usr/share/doc/openfoam-examples/examples ]; then check "the first case of the page" first_case; fi
+
 if [ -d "${FOAM_TUTORIALS:-/usr/share/doc/openfoam-examples/examples}/incompressible/simpleFoam/airFoil2D" ]; then
     sh "$here/pitching.sh" "$dir/pitching" "${STEP:-2}" "${END:-180}" harmorph harmorph-one static \
         laplacian-inverseDistance laplacian-quadratic SBRStress-inverseDistance SBRStress-quadratic \
