@@ -210,7 +210,7 @@ test-openfoam: all
 	@MAKE='$(MAKE)' FOAM_SRC='$(FOAM_SRC)' sh c_api/openfoam/tutorials/run.sh $(BUILD)
 
 test-saturne: all
-	@FC='$(FC)' sh fortran/examples/code_saturne/run.sh $(BUILD)
+	@MAKE='$(MAKE)' FC='$(FC)' sh fortran/examples/code_saturne/run.sh $(BUILD)
 
 bench-petsc: all
 	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/measure/bench/petsc.sh
@@ -266,7 +266,8 @@ install: manual
 	cp $(BUILD)/harmorph*.f90 $(BUILD)/harmorph_mpi.c $(BUILD)/harmorph_petsc.c fortran/*.f90 \
 	    c_api/examples/read_su2.c c_api/examples/read_su2.h tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
 	cp c_api/openfoam/*.cpp c_api/openfoam/*.hpp c_api/openfoam/Makefile "$$to/share/harmorph/openfoam/"; \
-	cp fortran/examples/code_saturne/*.f90 "$$to/share/harmorph/code_saturne/"; \
+	cp fortran/examples/code_saturne/*.f90 fortran/examples/code_saturne/mesh.awk \
+	    fortran/examples/code_saturne/cs_user_scripts.py "$$to/share/harmorph/code_saturne/"; \
 	echo "harmorph $$version is in $$to"
 
 install-library: library-only

@@ -41,7 +41,7 @@ done >"$dir/shared"
 {
     cat "$dir/shared"
     for file in c_api/openfoam/*.[ch]pp c_api/openfoam/Makefile; do echo "./share/harmorph/openfoam/${file##*/}"; done
-    for file in fortran/examples/code_saturne/*.f90; do echo "./share/harmorph/code_saturne/${file##*/}"; done
+    for file in fortran/examples/code_saturne/*.[fpa]*; do echo "./share/harmorph/code_saturne/${file##*/}"; done
 } | sort >>"$dir/expected"
 rm "$dir/shared"
 echo ./share/man/man1/harmorph.1 >>"$dir/expected"
