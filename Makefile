@@ -28,11 +28,18 @@
 #                         are there; see tests/measure/bench/run.sh
 #   make bench-rows       measures what tests/measure/bench/README.md says about speed, and prints the rows of its tables
 #   make deform           how far meshes follow large movements: tables and figures on a page; see tests/measure/deform/run.sh
+#   make compare          harmorph, elasticity, radial basis functions, inverse distances on the same movements: quality,
+#                         time, memory, on a page; MESHES="FILE:MARKER ..."; see tests/measure/compare/run.sh
+#   make claims           measures the numbers that README and the pages state with a command beside them (hours of
+#                         processor time); NAMES="deform compare": those commands only; see tests/measure/claims/claims.py
 #   make bench-petsc      functions by PETSc on parts of the mesh: time, iterations, memory, beside harmorph_mpi
 #   make bench-mpi        solve and morph on 1 and 2 processes
 #   make demo             fits, solves and morphs the shipped airfoil mesh; leaves pictures and a page
 #   make paper            the paper's cases: figures and a table of engines on a page; MESHES=directory: of its SU2 files, too
 #   make manual           build/harmorph.1, the manual page of the program
+#   make html             the browsable manual of all pages and headers in build/html; PYTHON needs Sphinx and MyST
+#   make fpm              build/fpm, a package for the Fortran package manager
+#   make test-packages    the Debian packages and the fpm package: built, checked and used, where Debian's tools are installed
 #   make dist             build/harmorph-VERSION.tar.gz, the same bytes wherever it is made
 #   make install          headers, library, program, manual page, Fortran source, harmorph.pc, CMake config
 #   make install-library  headers, library, harmorph.pc and CMake config alone; the program is not built
@@ -51,7 +58,7 @@
 	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
 	test-openfoam test-saturne \
-	amalgamation compilers cross shared install-shared install-library abi manual dist
+	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist
 
 BUILD = build
 # PREFIX is /usr/local if it is not given; DESTDIR is empty. Both come from the environment of the recipes, where make
@@ -176,6 +183,15 @@ abi: all
 manual: all
 	@new=$(BUILD)/harmorph.1.$$$$; sh c_api/cli/manual.sh $(PROGRAM) $(VERSION) $$new && mv -f $$new $(BUILD)/harmorph.1
 
+html: checked
+	@PYTHON='$(PYTHON)' sh c_api/packaging/html.sh $(BUILD)
+
+fpm: rules amalgamation
+	@sh c_api/packaging/fpm.sh $(BUILD)
+
+test-packages: checked
+	@$(SCRIPT_JOBS); MAKE='$(MAKE)' FC='$(FC)' sh tests/packages.sh $(BUILD)
+
 dist:
 	@mkdir -p $(BUILD)
 	@sh c_api/packaging/dist.sh harmorph-$(VERSION) >$(BUILD)/harmorph-$(VERSION).tar.gz
@@ -226,6 +242,13 @@ bench-rows: all
 deform: deform-driver
 	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' SEEDS='$(SEEDS)' sh tests/figures.sh '$(BUILD)/deform' 'Large movements of meshes' \
 	    sh tests/measure/deform/run.sh
+
+compare: all
+	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' sh tests/figures.sh '$(BUILD)/compare' \
+	    'Methods that deform meshes' sh tests/measure/compare/run.sh
+
+claims: all
+	@$(SCRIPT_JOBS); $(PYTHON) tests/measure/claims/claims.py $(BUILD) $(NAMES)
 
 paper: all
 	@BUILD='$(BUILD)' CXX='$(CXX)' CC='$(CC)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' \

@@ -74,10 +74,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Semantic version; before 1.0.0 any minor version may change the interface. */
-#define HM_VERSION "0.2.0"
-#define HM_VERSION_MAJOR 0
-#define HM_VERSION_MINOR 2
+/* Semantic version: every 1.x runs programs that were compiled with 1.0.0. */
+#define HM_VERSION "1.0.0"
+#define HM_VERSION_MAJOR 1
+#define HM_VERSION_MINOR 0
 #define HM_VERSION_PATCH 0
 /* hm_abi_version() returns this value if header and library belong together. The name of the
  * shared library contains this number: libharmorph.so.HM_ABI. */

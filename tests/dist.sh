@@ -10,6 +10,18 @@ topic=distribution log=$dir/log
 rm -rf "$dir"
 mkdir -p "$dir/first" "$dir/second"
 name=harmorph-$(sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' include/harmorph.h)
+other_versions() {   # files of a release whose version is not that of the header
+    packaging=c_api/packaging
+    sed -n 's/^## \([0-9.]*\).*/CHANGELOG.md \1/p' $packaging/CHANGELOG.md | head -1
+    sed -n 's/^version: /CITATION.cff /p' $packaging/CITATION.cff
+    sed -n '1s/harmorph (\(.*\)-.*/debian \1/p' $packaging/debian/changelog
+    sed -n 's/^    version("\(.*\)").*/spack \1/p' $packaging/spack/package.py
+    sed -n 's/^    version = "\(.*\)"/conan \1/p' $packaging/conan/conanfile.py
+    sed -n 's/.*"version": "\(.*\)".*/vcpkg \1/p' $packaging/vcpkg/vcpkg.json
+    sed -n 's/^  version: /conda /p' $packaging/conda/meta.yaml
+}
+is_empty "the version of the release elsewhere" "$(other_versions | grep -vx ".* ${name#harmorph-}")"
+check "files that name the version" test "$(other_versions | wc -l)" = 7
 if tar --version 2>/dev/null | grep -q GNU; then
     check "make dist" $MAKE -s BUILD="$dir/first" dist
     check "make dist, at another time and by another mask of permissions" sh -c 'umask 077; sleep 1; exec "$@"' sh \

@@ -82,6 +82,10 @@ steps() {
     elif [ $doing = telling ]; then
         echo "== Python: $PYTHON has no numpy, cffi, pytest or setuptools (Debian's python3-...), its tests are SKIPPED"
     fi
+    if $PYTHON -c 'import sphinx, myst_parser' 2>/dev/null; then step 2 "browsable manual" sh tests/html.sh "$BUILD"
+    elif [ $doing = telling ]; then
+        echo "== browsable manual: python3-sphinx or python3-myst-parser is not installed, its tests are SKIPPED"
+    fi
     step 2 "program" sh tests/cli/run.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
     step 2 "faults of files" sh tests/faults.sh "$BUILD/harmorph" tests/meshes "$BUILD/faults"
     step 2 "given displacements on meshes" env CXX="$CXX" CXXFLAGS="$CXXFLAGS" MESHES="$MESHES" \

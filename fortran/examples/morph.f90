@@ -33,8 +33,7 @@ program morph
     call plan%solve(basis)
     call plan%free()
 
-    ! The upper control points go up. The displacements are computed and judged first: how far the mesh could follow,
-    ! and how good the cells will be. Then the mesh moves.
+    ! The upper control points go up. The displacements are judged before the mesh moves.
     move = 0
     where (curves%control(2, :) > 0) move(2, :) = 0.1_dp
     call basis%displacement(move, dx, dy)

@@ -12,8 +12,7 @@ mesh = harmorph.Mesh.structured(points, j_min="wall", j_max="far")
 curves = harmorph.Curves.fit(mesh, "wall", n_control=12, closed="periodic")
 morph = harmorph.Morph(mesh, curves)
 
-# The upper control points go up. The displacements are computed and judged first: how far the mesh
-# could follow, and how good the cells will be. Then the mesh moves.
+# The upper control points go up. The displacements are judged before the mesh moves.
 move = np.zeros((12, 2))
 move[curves.control[:, 1] > 0, 1] = 0.1
 step, quality = morph.assess(morph.displacement(move))

@@ -1,6 +1,6 @@
-// The comparison of `make deform`: the safe morph against linear elasticity, radial basis functions
-// and inverse distances, on the same movements by the same measures. Built only where Eigen is
-// installed.
+// `make compare`: harmorph in one step and with --safe --heights --improve, linear elasticity,
+// radial basis functions and inverse distances, on the same movements by the same measures. Built
+// only where Eigen is installed.
 //   compare FOLDER MESH:MARKER ...      airfoils of chord 1 from x = 0 to 1; the block of
 //   tests/meshes comes always
 #include "commands/commands.hpp"
@@ -14,23 +14,20 @@
 #include "bars.hpp"
 #include "elasticity.hpp"
 #include "inverse_distance.hpp"
-#include "measures.hpp"
-#include "movements.hpp"
 #include "radial_basis.hpp"
-#include "task.hpp"
+#include "row.hpp"
+#include "../deform/movements.hpp"
+#include "../deform/task.hpp"
 
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <set>
 
-namespace deform {
+namespace compare {
 namespace {
 
-constexpr int most_steps = 10;
-
-// Processor time: the machine may have other things to do.
-double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+using deform::Movements;
+using deform::task_on;
 
 Motion motion_of(const cli::Mesh& mesh, std::int32_t wall) {
     Motion out;
@@ -61,32 +58,9 @@ Motion motion_of(const cli::Mesh& mesh, std::int32_t wall) {
     return out;
 }
 
-struct Row {
-    std::string name;
-    bool valid = false;
-    int steps = 1;
-    double seconds = 0;
-    Measures measures;
-};
-
-// In one step, or if that inverts cells in many on the mesh as it moves.
-template <class Method>
-Row run(const char* name, const Motion& motion) {
-    Row row;
-    row.name = name;
-    std::vector<Point> at;
-    for (row.steps = 1; row.steps <= most_steps; row.steps *= most_steps) {
-        const double begin = seconds();
-        at = motion.start;
-        for (int step = 1; step <= row.steps; ++step)
-            at = Method::step(motion, at, motion.wall_at(1.0 * step / row.steps));
-        row.seconds += seconds() - begin;
-        row.valid = motion.is_valid(at);
-        if (row.valid || row.steps == most_steps) break;
-    }
-    row.measures = measure(motion, at);
-    return row;
-}
+// The rows of a table, in order. The last row is that of harmorph's safe morph.
+const char* const methods[] = {"elasticity 1/area", "RBF Wendland C2", "inverse distance",
+                               "harmorph, one step", "harmorph --safe"};
 
 void print(const std::vector<Row>& rows) {
     double min_quality = 0, mean_quality = 0, angle = 1e300, height = 1e300;
@@ -98,17 +72,18 @@ void print(const std::vector<Row>& rows) {
         height = std::min(height, row.measures.height_error);
     }
     // Within 2 % of the best: of quality, of a radian, and of the height.
-    for (const Row& row : rows) {
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const Row& row = rows[k];
         const Measures& measures = row.measures;
         const auto mark = [&](bool good) { return row.valid && good ? '*' : ' '; };
-        std::printf("  %-17s  %5d  %8s  %8.3f%c  %8.3f%c", row.name.c_str(), row.steps,
+        std::printf("  %-18s  %5d  %8s  %8.3f%c  %8.3f%c", methods[k], row.steps,
                     row.valid ? "valid" : "inverted", measures.min_quality,
                     mark(measures.min_quality >= .98 * min_quality), measures.mean_quality,
                     mark(measures.mean_quality >= .98 * mean_quality));
-        std::printf("  %7.2f%c  %6.3f  %6.3f  %7.4f%c  %7.2f\n", measures.angle,
+        std::printf("  %7.2f%c  %6.3f  %6.3f  %7.4f%c  %8.4f  %8.5f  %6.1f\n", measures.angle,
                     mark(measures.angle <= angle + 1.15), measures.min_height, measures.max_height,
-                    measures.height_error, mark(measures.height_error <= height + .02),
-                    row.seconds);
+                    measures.height_error, mark(measures.height_error <= height + .02), row.setup,
+                    row.movement, row.memory);
     }
 }
 
@@ -117,11 +92,9 @@ class Comparison {
 public:
     Comparison(const cli::Mesh& mesh, const cli::Task& task, std::int32_t wall,
                const cli::Threads& threads, const std::string& path)
-        : mesh_(mesh), motion_(motion_of(mesh, wall)), threads_(threads) {
+        : mesh_(mesh), task_(task), motion_(motion_of(mesh, wall)), threads_(threads) {
         cli::Solver solver(mesh, task, threads);
-        const double begin = seconds();
         solver.run();
-        seconds_ = seconds() - begin;
         cli::OutputFiles files;
         cli::write_basis(files.add(path), solver.basis(), mesh);
         files.commit();
@@ -137,30 +110,18 @@ public:
             return out;
         };
         std::printf("  %s\n", what.c_str());
-        std::vector<Row> rows = {run<Elasticity>("elasticity 1/area", motion_),
-                                 run<RadialBasis>("RBF Wendland C2", motion_),
-                                 run<InverseDistance>("inverse distance", motion_)};
-        Row own;
-        own.name = "harmorph --safe";
-        const double begin = seconds();
-        auto options = cli::sized<hm_safe_options>();
-        options.heights = 1;
-        cli::Morph morph(*basis_, mesh_, moves(1), options, basis_->info().operator_kind, threads_);
-        if (morph.valid()) morph.improve(*basis_, mesh_, threads_);
-        own.seconds = seconds() - begin + seconds_;
-        own.steps = morph.safe.steps;
-        own.valid = morph.valid() && morph.refusal.empty();
-        std::vector<Point> at;
-        for (std::size_t k = 0; k < mesh_.x.size(); ++k)
-            at.emplace_back(morph.moved.x[k], morph.moved.y[k]);
-        own.measures = measure(motion_, at);
-        rows.push_back(own);
+        const std::vector<Row> rows = {
+            alone([&] { return moved_by<Elasticity>(motion_); }),
+            alone([&] { return moved_by<RadialBasis>(motion_); }),
+            alone([&] { return moved_by<InverseDistance>(motion_); }),
+            alone([&] { return by_one_step(moves(1)); }),
+            alone([&] { return by_safe_morph(moves(1)); }),
+        };
         print(rows);
         count(rows);
         bars_.groups.push_back({what, {}, {}});
-        bars_.methods.clear();
+        bars_.methods.assign(std::begin(methods), std::end(methods));
         for (const Row& row : rows) {
-            bars_.methods.push_back(row.name);
             bars_.groups.back().least.push_back(row.valid ? row.measures.min_quality : 0);
             bars_.groups.back().mean.push_back(row.valid ? row.measures.mean_quality : 0);
         }
@@ -180,6 +141,41 @@ public:
     static int best, columns;  // of the safe morph
 
 private:
+    double time_of_solution() const {
+        const double begin = seconds();
+        cli::Solver solver(mesh_, task_, threads_);
+        solver.run();
+        return seconds() - begin;
+    }
+    Row by_one_step(const std::vector<double>& moves) const {
+        Row row;
+        row.setup = time_of_solution();
+        const double begin = seconds();
+        const cli::Field field = cli::displacement(*basis_, mesh_, moves, threads_);
+        row.movement = seconds() - begin;
+        std::vector<Point> at = motion_.start;
+        for (std::size_t k = 0; k < at.size(); ++k) at[k] += Point(field.x[k], field.y[k]);
+        row.valid = motion_.is_valid(at);
+        row.measures = measure(motion_, at);
+        return row;
+    }
+    Row by_safe_morph(const std::vector<double>& moves) const {
+        Row row;
+        row.setup = time_of_solution();
+        const double begin = seconds();
+        auto options = cli::sized<hm_safe_options>();
+        options.heights = 1;
+        cli::Morph morph(*basis_, mesh_, moves, options, basis_->info().operator_kind, threads_);
+        if (morph.valid()) morph.improve(*basis_, mesh_, threads_);
+        row.movement = seconds() - begin;
+        row.steps = morph.safe.steps;
+        row.valid = morph.valid() && morph.refusal.empty();
+        std::vector<Point> at;
+        for (std::size_t k = 0; k < mesh_.x.size(); ++k)
+            at.emplace_back(morph.moved.x[k], morph.moved.y[k]);
+        row.measures = measure(motion_, at);
+        return row;
+    }
     static void count(const std::vector<Row>& rows) {
         const Measures& own = rows.back().measures;
         bool within[4] = {true, true, true, true};
@@ -198,9 +194,9 @@ private:
     }
 
     const cli::Mesh& mesh_;
+    const cli::Task task_;
     Motion motion_;
     const cli::Threads& threads_;
-    double seconds_ = 0;
     std::unique_ptr<cli::Basis> basis_;
     Bars bars_;
 };
@@ -215,10 +211,12 @@ void begin_table(const std::string& mesh, const char* remark) {
         "change [degrees] "
         "between the wall and the first-layer edges; heights are ratios of first-layer heights, "
         "error the mean of "
-        "|ratio - 1|; a star: the best, or within 2 %% of the best valid one\n",
+        "|ratio - 1|; a star: the best, or within 2 %% of the best valid one; seconds of processor "
+        "time for what is done once for a mesh, and for this movement; memory [MB]\n",
         mesh.c_str(), remark);
-    std::printf("  %-17s  %5s  %8s  %9s  %9s  %8s  %6s  %6s  %8s  %7s\n", "method", "steps",
-                "cells", "min q", "mean q", "angle", "lowest", "highest", "error", "seconds");
+    std::printf("  %-18s  %5s  %8s  %9s  %9s  %8s  %6s  %6s  %8s  %8s  %8s  %6s\n", "method",
+                "steps", "cells", "min q", "mean q", "angle", "lowest", "highest", "error",
+                "set-up", "movement", "memory");
 }
 
 void airfoil(const std::string& folder, const std::string& path, const std::string& marker,
@@ -270,7 +268,7 @@ void block(const std::string& folder, const cli::Threads& threads) {
 }
 
 }  // namespace
-}  // namespace deform
+}  // namespace compare
 
 int main(int argc, char** argv) {
     try {
@@ -278,16 +276,16 @@ int main(int argc, char** argv) {
         const std::string folder = argc > 1 ? argv[1] : ".";
         std::filesystem::create_directories(folder);
         const cli::Threads threads(1);
-        deform::block(folder, threads);
+        compare::block(folder, threads);
         for (int i = 2; i < argc; ++i) {
             const std::string word = argv[i];
             const std::size_t colon = word.rfind(':');
-            deform::airfoil(folder, word.substr(0, colon), word.substr(colon + 1), threads);
+            compare::airfoil(folder, word.substr(0, colon), word.substr(colon + 1), threads);
         }
         std::printf("\nharmorph is best or within 2 %% of the best in %d of %d columns\n",
-                    deform::Comparison::best, deform::Comparison::columns);
+                    compare::Comparison::best, compare::Comparison::columns);
         return 0;
-    } catch (const cli::Failure& failure) {
+    } catch (const std::exception& failure) {
         std::fprintf(stderr, "compare: %s\n", failure.what());
         return 2;
     }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace deform {
+namespace compare {
 
 struct Bars {
     struct Group {
@@ -18,7 +18,7 @@ struct Bars {
     std::vector<Group> groups;
 
     void draw(std::ostream& out) const {
-        const char* const colours[] = {"#0072b2", "#e69f00", "#009e73", "#d55e00"};
+        const char* const colours[] = {"#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00"};
         const double bar = 14, gap = 22, height = 220, left = 46, top = 44;
         const double group_width = bar * static_cast<double>(methods.size()) + gap;
         const double width = left + group_width * static_cast<double>(groups.size()) + 10;
@@ -36,7 +36,7 @@ struct Bars {
         for (std::size_t m = 0; m < methods.size(); ++m) {
             const double x = left + 150 * static_cast<double>(m);
             out << "<rect x=\"" << x << "\" y=\"12\" width=\"12\" height=\"12\" fill=\""
-                << colours[m % 4] << "\"/><text x=\"" << x + 18 << "\" y=\"22\">" << methods[m]
+                << colours[m % 5] << "\"/><text x=\"" << x + 18 << "\" y=\"22\">" << methods[m]
                 << "</text>\n";
         }
         for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -46,7 +46,7 @@ struct Bars {
                 const auto bar_of = [&](double value, const char* style) {
                     out << "<rect x=\"" << at << "\" y=\"" << top + height * (1 - value)
                         << "\" width=\"" << bar - 2 << "\" height=\"" << height * value << "\" "
-                        << style << '"' << colours[m % 4] << "\"/>\n";
+                        << style << '"' << colours[m % 5] << "\"/>\n";
                 };
                 bar_of(groups[g].least[m], "fill=");
                 bar_of(groups[g].mean[m], "fill=\"none\" stroke=");
@@ -58,4 +58,4 @@ struct Bars {
     }
 };
 
-}  // namespace deform
+}  // namespace compare

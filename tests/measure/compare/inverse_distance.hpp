@@ -9,14 +9,19 @@
 #include <algorithm>
 #include <cmath>
 
-namespace deform {
+namespace compare {
 
 class InverseDistance {
 public:
     static constexpr double alpha = 0.25;
 
-    static std::vector<Point> step(const Motion& motion, const std::vector<Point>& at,
-                                   const std::vector<Point>& wall) {
+    // Nothing is prepared: the weights follow from distances to the boundary points.
+    InverseDistance(const Motion& motion, const std::vector<Point>& at)
+        : motion_(motion), at_(at) {}
+    // The mesh for these positions of the wall points.
+    std::vector<Point> moved(const std::vector<Point>& wall) const {
+        const Motion& motion = motion_;
+        const std::vector<Point>& at = at_;
         struct Source {
             Point at, turn, shift;  // goes to turn z + shift
             double length;
@@ -69,6 +74,10 @@ public:
         }
         return now;
     }
+
+private:
+    const Motion& motion_;
+    const std::vector<Point>& at_;
 };
 
-}  // namespace deform
+}  // namespace compare

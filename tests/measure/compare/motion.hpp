@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace deform {
+namespace compare {
 
 struct Cells {
     std::vector<std::int32_t> start, point;  // compressed rows, counted from 0
@@ -44,4 +44,4 @@ struct Motion {
     }
 };
 
-}  // namespace deform
+}  // namespace compare

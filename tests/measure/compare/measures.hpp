@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace deform {
+namespace compare {
 
 struct Measures {
     double min_quality = 1, mean_quality = 0;  // size-skew, relative to the start
@@ -97,4 +97,4 @@ inline Measures measure(const Motion& motion, const std::vector<Point>& now) {
     return out;
 }
 
-}  // namespace deform
+}  // namespace compare

@@ -1,0 +1,154 @@
+"""Measures the numbers that README and the pages state with a command beside them: `make claims`.
+
+usage: claims.py BUILD [NAME ...]      NAME: measures only claims whose command contains this text
+
+The file claims.txt beside this script has one block of lines for each claim:
+
+    page       the page, from the top level
+    text       words of the page, as they stand there, with the claimed number in angle brackets
+    command    what is run, once for all claims that name the command, with BUILD in the environment
+    pattern    a regular expression with one group; its last match in the output is the measured number.
+               With two groups, the ratio of the first to the second number is measured.
+    worse      below or above: a measured number below (above) the claimed one is worse
+    tolerance  how much worse the measured number may be, in per cent of the claimed one
+
+A block with the lines page, text and exempt (the reason) stands for a paragraph whose numbers are
+not measured, as they state a case or the time of one machine.
+
+Three things are failures: a text that the page no longer contains, a paragraph with numbers and a
+measuring command that no claim stands for, and a measured number that is worse by more than the
+tolerance. The last line counts. A command that needs a program that is not installed says so in
+its output with the word "skipped"; claims on it are then skipped.
+"""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+COMMAND = re.compile(r"`([^`]*(?:make (?:deform|compare|paper|bench[a-z-]*)|"
+                     r"sh tests/measure/)[^`]*)`")
+# A number of a measurement; numbers inside words, code, dates and versions are not.
+NUMBER = re.compile(r"(?<![\w.,-])\d*\.?\d+(?![\w-])")
+KEYS = {"page", "text", "command", "pattern", "worse", "tolerance"}
+
+
+def normal(text):
+    return re.sub(r"\s+", " ", text)
+
+
+def claims(path):
+    found = []
+    for block in re.split(r"\n\s*\n", path.read_text(encoding="utf-8")):
+        lines = [line for line in block.split("\n") if line and not line.startswith("#")]
+        if not lines:
+            continue
+        claim = dict(line.split(None, 1) for line in lines)
+        if set(claim) not in (KEYS, {"page", "text", "exempt"}):
+            sys.exit(f"{path}: a claim needs the lines {', '.join(sorted(KEYS))}: {lines[0]}")
+        found.append(claim)
+    return found
+
+
+def paragraphs(page):
+    """Paragraphs and items of lists; a table belongs to the paragraph before it."""
+    text = re.sub(r"^```.*?^```$", "", page, flags=re.M | re.S)
+    out = []
+    for part in re.split(r"\n\s*\n|\n(?=- )", text):
+        if part.lstrip().startswith("|") and out:
+            out[-1] += "\n" + part
+        else:
+            out.append(part)
+    return out
+
+
+def number(text):
+    return float(text.replace(" ", ""))
+
+
+class Count:
+    def __init__(self):
+        self.passed = self.failed = self.skipped = 0
+
+    def judge(self, good, text):
+        self.passed, self.failed = self.passed + good, self.failed + (not good)
+        print(("  " if good else "FAIL claims: ") + text, flush=True)
+
+
+def find_texts(known, count):
+    """All texts of claims stand on their pages."""
+    for claim in known:
+        text = normal(claim["text"]).replace("<", "").replace(">", "")
+        if text not in normal(Path(claim["page"]).read_text(encoding="utf-8")):
+            count.judge(False, f"{claim['page']} does not say: {text}")
+
+
+def find_numbers(known, count):
+    """Each paragraph with a measuring command and numbers has a claim."""
+    pages = subprocess.run(["git", "ls-files", "*.md"], capture_output=True, text=True).stdout.split()
+    for page in pages:
+        for part in paragraphs(Path(page).read_text(encoding="utf-8")):
+            if not COMMAND.search(part):
+                continue
+            numbers = NUMBER.findall(re.sub(r"`[^`]*`|\(?\d{4}-\d\d-\d\d\)?", "", part))
+            stands = [claim for claim in known if claim["page"] == page and
+                      normal(claim["text"]).replace("<", "").replace(">", "") in normal(part)]
+            if numbers:
+                count.judge(bool(stands), f"{page}: {len(stands)} claims for {len(numbers)} numbers of "
+                            f"\"{normal(part)[:60]}...\"")
+
+
+def outputs(build, command):
+    """What a command prints, from an earlier run of today's sources or from a run now."""
+    folder = Path(build, "claims")
+    folder.mkdir(parents=True, exist_ok=True)
+    print(f"running: {command}", flush=True)
+    run = subprocess.run(["sh", "-c", command], env={**os.environ, "BUILD": str(build)},
+                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    name = re.sub(r"\W+", "-", command).strip("-")[:80]
+    (folder / f"{name}.txt").write_text(run.stdout, encoding="utf-8")
+    return run.stdout
+
+
+def measure(known, build, names, count):
+    done = {}
+    for claim in known:
+        if "exempt" in claim:
+            continue
+        command = claim["command"]
+        if names and not any(name in command for name in names):
+            continue
+        if command not in done:
+            done[command] = outputs(build, command)
+        found = re.findall(claim["pattern"], done[command], re.M)
+        claimed = number(re.search("<(.*?)>", claim["text"]).group(1))
+        what = f"{claim['page']}: {claim['text']}"
+        if not found and "skipped" in done[command]:
+            count.skipped += 1
+            print(f"  skipped: {what}")
+        elif not found:
+            count.judge(False, f"{command} prints nothing that matches {claim['pattern']}")
+        else:
+            last = found[-1]
+            measured = number(last[0]) / number(last[1]) if isinstance(last, tuple) else number(last)
+            slack = float(claim["tolerance"]) / 100 * abs(claimed)
+            good = measured >= claimed - slack if claim["worse"] == "below" else \
+                measured <= claimed + slack
+            count.judge(good, f"{what}: measured {measured:.4g}, tolerance {claim['tolerance']} %")
+
+
+def main(build, *names):
+    known = claims(Path(__file__).with_name("claims.txt"))
+    count = Count()
+    find_texts(known, count)
+    find_numbers(known, count)
+    measure(known, build, names, count)
+    if count.skipped:
+        print(f"{count.skipped} skipped")
+    print(f"{count.passed} passed, {count.failed} failed")
+    return count.failed > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
