@@ -226,7 +226,7 @@ test-openfoam: all
 	@MAKE='$(MAKE)' FOAM_SRC='$(FOAM_SRC)' sh c_api/openfoam/tutorials/run.sh $(BUILD)
 
 test-saturne: all
-	@FC='$(FC)' sh fortran/examples/code_saturne/run.sh $(BUILD)
+	@MAKE='$(MAKE)' FC='$(FC)' sh fortran/examples/code_saturne/run.sh $(BUILD)
 
 bench-petsc: all
 	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/measure/bench/petsc.sh
@@ -270,7 +270,7 @@ INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/h
 	lib/libharmorph.a lib/pkgconfig/harmorph.pc \
 	lib/cmake/harmorph/harmorphConfig.cmake lib/cmake/harmorph/harmorphConfigVersion.cmake share/harmorph/*.f90 \
 	share/harmorph/harmorph_mpi.c share/harmorph/harmorph_petsc.c share/harmorph/read_su2.c share/harmorph/read_su2.h \
-	share/harmorph/naca0012.su2
+	share/harmorph/naca0012.su2 share/harmorph/openfoam/* share/harmorph/code_saturne/*
 
 # Copies headers, library, harmorph.pc and the CMake files into the folder $$to.
 INSTALL_LIBRARY = to=$(INSTALLATION); set -e; \
@@ -283,11 +283,14 @@ INSTALL_LIBRARY = to=$(INSTALLATION); set -e; \
 
 install: manual
 	@$(INSTALL_LIBRARY); \
-	mkdir -p "$$to/bin" "$$to/share/man/man1" "$$to/share/harmorph"; \
+	mkdir -p "$$to/bin" "$$to/share/man/man1" "$$to/share/harmorph/openfoam" "$$to/share/harmorph/code_saturne"; \
 	cp $(PROGRAM) "$$to/bin/"; \
 	cp $(BUILD)/harmorph.1 "$$to/share/man/man1/"; \
 	cp $(BUILD)/harmorph*.f90 $(BUILD)/harmorph_mpi.c $(BUILD)/harmorph_petsc.c fortran/*.f90 \
 	    c_api/examples/read_su2.c c_api/examples/read_su2.h tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
+	cp c_api/openfoam/*.cpp c_api/openfoam/*.hpp c_api/openfoam/Makefile "$$to/share/harmorph/openfoam/"; \
+	cp fortran/examples/code_saturne/*.f90 fortran/examples/code_saturne/mesh.awk \
+	    fortran/examples/code_saturne/cs_user_scripts.py "$$to/share/harmorph/code_saturne/"; \
 	echo "harmorph $$version is in $$to"
 
 install-library: library-only
@@ -301,7 +304,7 @@ install-shared: shared
 uninstall:
 	@to=$(INSTALLATION); \
 	for file in $(INSTALLED); do rm -f "$$to"/$$file; done; \
-	rmdir "$$to/lib/cmake/harmorph" "$$to/share/harmorph" 2>/dev/null || :
+	rmdir "$$to/lib/cmake/harmorph" "$$to"/share/harmorph/* "$$to/share/harmorph" 2>/dev/null || :
 
 clean:
 	rm -rf $(BUILD)

@@ -171,7 +171,7 @@ hm_status hm_wall_distance(const hm_walls* walls, int32_t n, const hm_points* po
         };
         threads.for_ranges(n, min_points_of_search, [&](Index begin, Index end) {
             chosen.tree.find_nearest(at, begin, end, hint_of, [&](Index k, Index nearest) {
-                WallFoot const foot = chosen.foot_on(nearest, at[k]);
+                WallFoot const foot = chosen.place_on(nearest, at[k]);
                 distance[k] = foot.distance;
                 if (face != nullptr) face[k] = nearest + chosen.index_base;
                 if (parameter != nullptr) parameter[k] = foot.t;

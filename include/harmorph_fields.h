@@ -39,8 +39,8 @@ HM_API hm_status hm_swept_count(const hm_mesh* mesh, int64_t* n, hm_error* err);
  * (k-1 is the last side for k = 0). The halves of a side inside the mesh cancel between its two
  * cells and may be left out there. For a clockwise cell, both sums change sign. Each sum holds to
  * 4 * 2^-52 times the sum of the absolute areas in it, as each number is computed with twice the
- * precision of doubles and rounded once. A side has exactly opposite areas in its two cells. Lines
- * that do not move have exactly 0. executor NULL: one thread. A refused call leaves the arrays as
+ * precision of doubles and rounded to a double. A side has exactly opposite areas in its two cells.
+ * Lines that do not move have exactly 0. executor NULL: one thread. A refused call leaves the arrays as
  * they were. */
 HM_API hm_status hm_swept_areas(const hm_mesh* mesh, const hm_points* from, const hm_points* to,
                                 double* sides, double* duals, double* halves,

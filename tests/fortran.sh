@@ -156,7 +156,7 @@ check "all of the header is in the module" nothing_missing
 check "harmorph77.f90" quietly $FC $strict $FFLAGS $checks -I"$dir/checked" -J"$dir" -c "$build/harmorph77.f90" \
     -o "$dir/harmorph77.o"
 check "legacy_tools.f" $FC $legacy $FFLAGS $checks -c tests/legacy_tools.f -o "$dir/legacy_tools.o"
-for test in legacy legacy_cells legacy_design; do
+for test in legacy legacy_cells legacy_design legacy_fields; do
     check "$test.f" $FC $legacy $FFLAGS $checks -c tests/$test.f -o "$dir/$test.o"
     check "link of $test" $FC $FFLAGS "$dir/$test.o" "$dir/legacy_tools.o" "$dir/harmorph77.o" \
         "$dir/checked/harmorph.o" "$build/libharmorph.a" -o "$dir/$test"

@@ -101,6 +101,10 @@ openfoam_lines() {   # OpenFOAM's sources are not there: make prints its command
     sh "$dir/openfoam.sh" >"$dir/out" 2>&1 && grep -q '[-]o [^ ]*/libharmorphMotionSolver.so' "$dir/out"
 }
 check "the lines that build the motion solver for OpenFOAM" openfoam_lines
+openfoam_case() { block c_api/openfoam/README.md sh 2 | sh -n; }   # c_api/openfoam/tutorials/run.sh runs the lines
+check "the lines of the first case of OpenFOAM" openfoam_case
+code_saturne_case() { block fortran/examples/code_saturne/README.md sh 1 | sh -n; }   # run.sh there runs the lines
+check "the lines of the first case of code_saturne" code_saturne_case
 
 # Lines that no example has, inside programs that declare what the lines name.
 lines_of_c() {

@@ -126,14 +126,25 @@ struct Eight {
     }
 };
 
-// Finds the group of the nearest face for each of eight points.
+// Finds the nearest face for each of eight points.
 struct EightFeet : Eight {
     using Eight::reaches;
-    Index groups[lanes];
+    Vector faces[vectors];  // numbers, which are exact in doubles
+    Index tried[lanes], n_tried = 0;
 
-    HARMORPH_INLINE EightFeet(const Real* new_x, const Real* new_y, const Index* first) noexcept
+    // Tries the groups `first` of the eight points.
+    HARMORPH_INLINE EightFeet(FaceDistance const& tree, const Real* new_x, const Real* new_y,
+                              const Index* first) noexcept
         : Eight(new_x, new_y, first[0]) {
-        for (Index k = 0; k < lanes; ++k) groups[k] = first[k];
+        for (Index v = 0; v < vectors; ++v) faces[v] = Vector{};
+        for (Index k = 0; k < lanes; ++k) {
+            bool is_new = k == 0 || first[k] != first[k - 1];
+            for (Index j = 0; is_new && j < n_tried; ++j) is_new = tried[j] != first[k];
+            if (!is_new) continue;
+            tried[n_tried++] = first[k];
+            improve(tree.groups[first[k]], first[k]);
+        }
+        set_reach();
     }
     HARMORPH_INLINE bool reaches(FaceDistance::Boxes const& boxes, Index lane,
                                  Real) const noexcept {
@@ -145,35 +156,42 @@ struct EightFeet : Eight {
         }
         return any != 0;
     }
-    HARMORPH_INLINE void try_group(FaceDistance::Segments const& segments, Index tried) noexcept {
-        bool closer = false;
+    HARMORPH_INLINE void try_group(FaceDistance::Segments const& segments, Index number) noexcept {
+        if (improve(segments, number)) set_reach();
+    }
+
+private:
+    // Returns true if a face of the group is closer to one of the points than all faces before.
+    HARMORPH_INLINE bool improve(FaceDistance::Segments const& segments, Index number) noexcept {
+        unsigned closer = 0;
         for (Index v = 0; v < vectors; ++v) {
-            Vector nearest = square_from(segments, 0, x[v], y[v]);
-            for (Index lane = 1; lane < lanes; ++lane)
-                nearest = Registers::min(nearest, square_from(segments, lane, x[v], y[v]));
-            unsigned const is_less = Registers::less(nearest, square[v]),
-                           is_more = Registers::less(square[v], nearest);
+            Vector nearest = square_from(segments, 0, x[v], y[v]), lane_of = Vector{};
+            for (Index lane = 1; lane < lanes; ++lane) {
+                Vector const here = square_from(segments, lane, x[v], y[v]);
+                lane_of = here < nearest ? Vector{} + static_cast<Real>(lane) : lane_of;
+                nearest = Registers::min(nearest, here);
+            }
+            // At equal distances the face with the smallest number counts.
+            Vector const face = lane_of + static_cast<Real>(lanes * number);
+            Vector const at_equal =
+                nearest == square[v] ? Registers::min(face, faces[v]) : faces[v];
+            faces[v] = nearest < square[v] ? face : at_equal;
+            closer |= Registers::less(nearest, square[v]);
             square[v] = Registers::min(nearest, square[v]);
             // A point on a face reaches the other faces at distance 0, too.
             distance[v] = Registers::max(Registers::sqrt(square[v]), Vector{} + min_reach);
-            closer = closer || is_less != 0;
-            // At equal distances the group with the smallest number counts.
-            unsigned const all = (1u << width) - 1;
-            for (unsigned left = is_less | (all & ~is_more); left != 0; left &= left - 1) {
-                unsigned const lane = static_cast<unsigned>(__builtin_ctz(left));
-                Index& own = groups[v * width + static_cast<Index>(lane)];
-                own = (is_less >> lane & 1) != 0 || tried < own ? tried : own;
-            }
         }
-        if (closer) set_reach();
+        return closer != 0;
     }
 };
 
 template <class Searches>
 class Search {
 public:
-    HARMORPH_INLINE Search(FaceDistance const& tree, Searches& searches, Index tried) noexcept
-        : tree_(tree), searches_(searches), tried_(tried) {}
+    // `tried` [n_tried] are groups that the searches have tried already.
+    HARMORPH_INLINE Search(FaceDistance const& tree, Searches& searches, const Index* tried,
+                           Index n_tried) noexcept
+        : tree_(tree), searches_(searches), tried_(tried), n_tried_(n_tried) {}
     HARMORPH_INLINE void run() noexcept { visit(tree_.root_height, 0); }
 
 private:
@@ -190,7 +208,7 @@ private:
         }
         FaceDistance::Chords const& chords = tree_.chords[node];
         Candidates candidates(chords, searches_.centre, searches_.reach);
-        candidates.leave_out(tried_ - lanes * node);
+        for (Index k = 0; k < n_tried_; ++k) candidates.leave_out(tried_[k] - lanes * node);
         while (candidates.next(lane)) {
             if (!searches_.reaches(chords, lane, candidates.square(lane))) continue;
             searches_.try_group(tree_.groups[lanes * node + lane], lanes * node + lane);
@@ -199,7 +217,8 @@ private:
 
     FaceDistance const& tree_;
     Searches& searches_;
-    Index tried_;
+    const Index* tried_;
+    Index n_tried_;
 };
 
 // Returns d^(-exponent_quarters / 4), computed by square roots alone.
@@ -221,7 +240,7 @@ HARMORPH_INLINE Vector weight_of(Vector square, Index exponent_quarters) noexcep
 Real nearest_square(FaceDistance const& tree, Vec2 from, Index& group) noexcept {
     One point(from, group);
     point.try_group(tree.groups[group], group);
-    Search<One>(tree, point, group).run();
+    Search<One>(tree, point, &group, 1).run();
     group = point.group;
     return point.square;
 }
@@ -230,11 +249,11 @@ void weigh_eight(FaceDistance const& tree, Index exponent_quarters, const Real* 
                  Real* k, Index& group) noexcept {
     Eight searches(x, y, group);
     searches.try_group(tree.groups[group], group);
-    Search<Eight>(tree, searches, group).run();
+    Search<Eight>(tree, searches, &group, 1).run();
     group = searches.group;
     for (Index number = 0; number < tree.n_images; ++number) {
         searches.move(x, y, tree.image[number]);
-        Search<Eight>(tree, searches, none).run();
+        Search<Eight>(tree, searches, nullptr, 0).run();
     }
     for (Index v = 0; v < vectors; ++v)
         Registers::store(k + v * width, weight_of(searches.square[v], exponent_quarters));
@@ -242,24 +261,11 @@ void weigh_eight(FaceDistance const& tree, Index exponent_quarters, const Real* 
 
 void nearest_faces(FaceDistance const& tree, const Real* x, const Real* y, const Index* groups,
                    Index* faces) noexcept {
-    EightFeet searches(x, y, groups);
-    for (Index k = 0; k < lanes; ++k) {
-        if (k == 0 || groups[k] != groups[k - 1])
-            searches.try_group(tree.groups[groups[k]], groups[k]);
-    }
-    Search<EightFeet>(tree, searches, none).run();
-    Real square[lanes];
-    for (Index v = 0; v < vectors; ++v) Registers::store(square + v * width, searches.square[v]);
-    for (Index k = 0; k < lanes; ++k) {
-        Vec2 const from{x[k], y[k]};
-        FaceDistance::Segments const& segments = tree.groups[searches.groups[k]];
-        unsigned farther = 0;  // faces that are farther than the nearest one
-        for (Index lane = 0; lane < lanes; lane += width) {
-            farther |= Registers::less(Vector{} + square[k], square_from(segments, lane, from))
-                       << lane;
-        }
-        faces[k] = lanes * searches.groups[k] + __builtin_ctz(~farther);
-    }
+    EightFeet searches(tree, x, y, groups);
+    Search<EightFeet>(tree, searches, searches.tried, searches.n_tried).run();
+    Real nearest[lanes];
+    for (Index v = 0; v < vectors; ++v) Registers::store(nearest + v * width, searches.faces[v]);
+    for (Index k = 0; k < lanes; ++k) faces[k] = static_cast<Index>(nearest[k]);
 }
 
 constexpr DistanceKernels kernels{nearest_square, weigh_eight, nearest_faces};

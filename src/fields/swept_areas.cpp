@@ -7,88 +7,112 @@ namespace {
 
 constexpr Index min_cells_of_task = 2048;
 
-struct ExactVector {
-    DoubleDouble x, y;
-};
-ExactVector operator+(ExactVector a, ExactVector b) noexcept { return {a.x + b.x, a.y + b.y}; }
-ExactVector operator-(ExactVector a, ExactVector b) noexcept { return {a.x - b.x, a.y - b.y}; }
-ExactVector operator*(Real s, ExactVector a) noexcept { return {s * a.x, s * a.y}; }
-DoubleDouble exact_cross(ExactVector a, ExactVector b) noexcept { return a.x * b.y - a.y * b.x; }
+typedef Real Pair __attribute__((vector_size(16)));  // x and y
+using ExactVector = DoubleDoubleOf<Pair>;
+
 ExactVector exact_difference(Vec2 a, Vec2 b) noexcept {
-    return {DoubleDouble::difference(a.x, b.x), DoubleDouble::difference(a.y, b.y)};
+    return ExactVector::difference(Pair{a.x, a.y}, Pair{b.x, b.y});
+}
+// Returns the cross product with an error of a few times 2^-104 of the sum of both its terms.
+DoubleDouble exact_cross(ExactVector a, ExactVector b) noexcept {
+    Pair const high{b.high[1], b.high[0]}, low{b.low[1], b.low[0]};
+    ExactVector const terms = ExactVector::product(a.high, high);
+    Pair const mixed = terms.low + (a.high * low + a.low * high);
+    DoubleDouble const most = DoubleDouble::difference(terms.high[0], terms.high[1]);
+    return normalised(most.high, most.low + (mixed[0] - mixed[1]));
 }
 
-// The mean velocity of a line between two points is (v_a + v_b) / 2, its mean vector (e_from +
-// e_to) / 2, and the area is the cross product of both. This holds exactly, because the end points
-// move linearly in time.
-class CellSweep {
-public:
-    // `point_of(k)` is point k of the cell, which has `width` entries and n different corners.
-    template <class PointOf>
-    static void run(SweptAreas const& areas, Offset first, Index width, Index n, Points from,
-                    Points to, PointOf const& point_of) noexcept {
-        Index const zero = point_of(0);
-        CellSweep const sweep{from, to, from[zero], to[zero]};
-        bool const duals = !areas.duals.empty();
-        ExactVector sum_place, sum_velocity;
-        for (Index k = 0; duals && k < n; ++k) {
-            Corner const corner = sweep.corner(point_of(k), true);
-            sum_place = sum_place + corner.place;
-            sum_velocity = sum_velocity + corner.velocity;
-        }
-        ExactVector const twice_place = 2 * sum_place, twice_velocity = 2 * sum_velocity;
-        Real const corners = static_cast<Real>(n), divisor = 16 * corners * corners;
-        Corner a = sweep.corner(zero, duals);
-        for (Index k = 0; k < width; ++k) {
-            Corner const b = sweep.corner(point_of(k + 1 == width ? 0 : k + 1), duals);
-            // The two cells of a side subtract the same numbers, so that the areas are opposite.
-            ExactVector const side =
-                exact_difference(b.from, a.from) + exact_difference(b.to, a.to);
-            ExactVector const velocity = a.velocity + b.velocity;
-            if (!areas.sides.empty())
-                areas.sides[first + k] = 0.25 * exact_cross(velocity, side).rounded();
-            if (!areas.halves.empty()) {
-                Real* const both = areas.halves.data() + 2 * (first + k);
-                both[0] = 0.0625 * exact_cross(2 * a.velocity + velocity, side).rounded();
-                both[1] = 0.0625 * exact_cross(2 * b.velocity + velocity, side).rounded();
-            }
-            if (duals) {
-                // 2 n times the line from the middle of the side to the mean of the corners, and
-                // 2 n times the sum of the velocities of its ends.
-                ExactVector const line = twice_place - corners * (a.place + b.place);
-                bool const repeats = width > n && k + 1 == n;  // between two equal points
-                areas.duals[first + k] =
-                    repeats ? 0
-                            : (exact_cross(corners * velocity + twice_velocity, line) / divisor)
-                                  .rounded();
-            }
-            a = b;
-        }
-    }
+// The two positions of the points of a mesh.
+struct Movement {
+    Points from, to;
 
-private:
-    struct Corner {
-        Vec2 from, to;
-        ExactVector velocity;
-        ExactVector place;  // the sum of both places, each relative to the first corner
-    };
-    Corner corner(Index point, bool needs_place) const noexcept {
-        Corner out;
-        out.from = from_[point];
-        out.to = to_[point];
-        out.velocity = exact_difference(out.to, out.from);
-        if (needs_place) {
-            out.place =
-                exact_difference(out.from, origin_from_) + exact_difference(out.to, origin_to_);
-        }
-        return out;
+    ExactVector velocity(Index point) const noexcept {
+        return exact_difference(to[point], from[point]);
     }
-    CellSweep(Points from, Points to, Vec2 origin_from, Vec2 origin_to) noexcept
-        : from_(from), to_(to), origin_from_(origin_from), origin_to_(origin_to) {}
-
-    Points from_, to_;
-    Vec2 origin_from_, origin_to_;
+    // The sum of the vectors from one point to another in both positions. Two cells subtract the
+    // same numbers at their common side, so that their areas are opposite.
+    ExactVector line(Index a, Index b) const noexcept {
+        return exact_difference(from[b], from[a]) + exact_difference(to[b], to[a]);
+    }
 };
+
+// A line from one point to another, in both positions together, and the velocities of its ends. The
+// mean velocity of a line is (v_a + v_b) / 2, its mean vector (e_from + e_to) / 2, and the area is
+// the cross product of both. This holds exactly, because the end points move linearly in time.
+struct Side {
+    ExactVector line, velocity_a, velocity_b, sum;  // the sum of the velocities
+
+    void write(SweptAreas const& areas, Offset entry) const noexcept {
+        if (!areas.sides.empty()) areas.sides[entry] = 0.25 * exact_cross(sum, line).rounded();
+        if (areas.halves.empty()) return;
+        Real* const both = areas.halves.data() + 2 * entry;
+        both[0] = 0.0625 * exact_cross(doubled(velocity_a) + sum, line).rounded();
+        both[1] = 0.0625 * exact_cross(doubled(velocity_b) + sum, line).rounded();
+    }
+};
+
+// Computes the areas of a triangle or quadrilateral. A face of the dual runs from the middle of its
+// side to the mean of the corners. Four times its vector in a quadrilateral, or six times in a
+// triangle, is the next side minus the side before. `entry_of(k)` is the entry of side k.
+template <Index n, class EntryOf>
+void sweep(SweptAreas const& areas, Movement const& points, const Index* corner,
+           EntryOf entry_of) noexcept {
+    ExactVector velocity[n];
+    Side side[n];
+    for (Index k = 0; k < n; ++k) velocity[k] = points.velocity(corner[k]);
+    for (Index k = 0; k < n; ++k) {
+        Index const next = (k + 1) % n;
+        side[k] = {points.line(corner[k], corner[next]), velocity[k], velocity[next],
+                   velocity[k] + velocity[next]};
+        side[k].write(areas, entry_of(k));
+    }
+    if (areas.duals.empty()) return;
+    ExactVector const total = side[0].sum + (n == 4 ? side[2].sum : velocity[2]);
+    for (Index k = 0; k < n; ++k) {
+        ExactVector const line = side[(k + 1) % n].line - side[(k + n - 1) % n].line,
+                          twice = doubled(side[k].sum);
+        // 4 or 6 times the sum of the velocities of both ends of the line
+        Real& area = areas.duals[entry_of(k)];
+        if (n == 4) {
+            area = exact_cross(twice + total, line).rounded() / 64;
+        } else {
+            area = exact_cross(twice + side[k].sum + doubled(total), line).rounded() / 144;
+        }
+    }
+}
+
+// Does the same for a polygon of any number n of corners; `point_of(k)` is corner k.
+template <class PointOf>
+void sweep_polygon(SweptAreas const& areas, Movement const& points, Offset first, Index n,
+                   PointOf const& point_of) noexcept {
+    Index const zero = point_of(0);
+    Real const corners = static_cast<Real>(n), divisor = 16 * corners * corners;
+    ExactVector twice_place, twice_velocity;  // sums of all corners, relative to the first one
+    for (Index k = 0; k < n && !areas.duals.empty(); ++k) {
+        twice_place = twice_place + doubled(points.line(zero, point_of(k)));
+        twice_velocity = twice_velocity + doubled(points.velocity(point_of(k)));
+    }
+    for (Index k = 0; k < n; ++k) {
+        Index const a = point_of(k), b = point_of(k + 1 == n ? 0 : k + 1);
+        ExactVector const at_a = points.velocity(a), at_b = points.velocity(b);
+        Side const side{points.line(a, b), at_a, at_b, at_a + at_b};
+        side.write(areas, first + k);
+        if (areas.duals.empty()) continue;
+        // 2 n times the line from the middle of the side to the mean of the corners, and 2 n times
+        // the sum of the velocities of its ends
+        ExactVector const line =
+            twice_place - corners * (points.line(zero, a) + points.line(zero, b));
+        areas.duals[first + k] =
+            (exact_cross(corners * side.sum + twice_velocity, line) / divisor).rounded();
+    }
+}
+
+// A quadrilateral that repeats its last point has no area at the side between the repetitions.
+void clear_entry(SweptAreas const& areas, Offset entry) noexcept {
+    if (!areas.sides.empty()) areas.sides[entry] = 0;
+    if (!areas.duals.empty()) areas.duals[entry] = 0;
+    if (!areas.halves.empty()) areas.halves[2 * entry] = areas.halves[2 * entry + 1] = 0;
+}
 
 // Returns the first entry and the number of entries of a cell.
 struct EntryPlace {
@@ -121,20 +145,27 @@ Offset SweptAreas::count_entries(Mesh const& mesh) noexcept {
 void SweptAreas::compute(Mesh const& mesh, Points from, Points to,
                          Executor const& executor) const noexcept {
     SweptAreas const areas = *this;
+    Movement const points{from, to};
     executor.for_ranges(mesh.n_cells, min_cells_of_task, [&](Index begin, Index end) {
         if (mesh.layout == CellLayout::polygons) {
             for (Index i = begin; i < end; ++i) {
                 EntryPlace const place = place_of_cell(mesh, i);
                 const Index* const corner = mesh.cell_points + place.first;
-                CellSweep::run(areas, place.first, place.width, place.width, from, to,
-                               [&](Index k) { return from_zero(corner[k], mesh.index_base); });
+                sweep_polygon(areas, points, place.first, place.width,
+                              [&](Index k) { return from_zero(corner[k], mesh.index_base); });
             }
             return;
         }
         mesh.for_each_cell(begin, end, [&](Index i, Cell const& cell) {
             EntryPlace const place = place_of_cell(mesh, i);
-            CellSweep::run(areas, place.first, place.width, cell.n, from, to,
-                           [&](Index k) { return cell.point[min(k, cell.n - 1)]; });
+            if (cell.n == 4) {
+                sweep<4>(areas, points, cell.point, [&](Index k) { return place.first + k; });
+                return;
+            }
+            Index const repeated = place.width - 3;
+            if (repeated > 0) clear_entry(areas, place.first + 2);
+            sweep<3>(areas, points, cell.point,
+                     [&](Index k) { return place.first + k + (k == 2 ? repeated : 0); });
         });
     });
 }

@@ -59,35 +59,44 @@ void Walls::move_to(Points at) noexcept {
     tree.build(at);
     for (Index face = 0; face < n_faces(); ++face) {
         FaceDistance::Face const& ends = tree.faces[face];
-        segments[face] = {at[ends.point[0]], at[ends.point[1]]};
+        Vec2 const begin = at[ends.point[0]], end = at[ends.point[1]];
+        Real const size = length(end - begin), inverse = size > 0 ? 1 / size : 0;
+        segments[face] = {begin, end, inverse, inverse * inverse};
     }
 }
 
-WallFoot Walls::foot_on(Index face, Vec2 from) const noexcept {
+WallFoot Walls::place_on(Index face, Vec2 from) const noexcept {
     Segment const& segment = segments[face];
     Vec2 const along = segment.end - segment.begin, off_begin = from - segment.begin,
                off_end = from - segment.end;
     WallFoot out;
     out.face = face;
-    Real const covered = dot(off_begin, along), whole = square(along);
     // Both ends are asked for themselves, so that a foot at an end is exactly this end.
-    bool const at_begin = !(covered > 0), at_end = !at_begin && !(dot(off_end, along) < 0);
-    if (at_begin || at_end) {
-        Vec2 const off = at_begin ? off_begin : off_end;
-        out.t = at_begin ? 0 : 1;
-        out.distance = length(off);
-        if (out.distance > 0) {
-            out.normal = (1 / out.distance) * off;
-            return out;
-        }
+    Real const covered = dot(off_begin, along);
+    if (!(covered > 0)) {
+        out.distance = length(off_begin);
+    } else if (!(dot(off_end, along) < 0)) {
+        out.t = 1;
+        out.distance = length(off_end);
     } else {
-        Real const moment = cross(along, off_begin), size = sqrt(whole);
-        out.t = min(covered / whole, 1.0);
-        out.distance = abs(moment) / size;
-        out.normal = (moment < 0 ? -1 / size : 1 / size) * left_of(along);
-        return out;
+        out.t = min(covered * segment.inverse_square, 1.0);
+        out.distance = abs(cross(along, off_begin)) * segment.inverse_length;
     }
-    out.normal = left_of(direction(along));
+    return out;
+}
+
+WallFoot Walls::foot_on(Index face, Vec2 from) const noexcept {
+    Segment const& segment = segments[face];
+    WallFoot out = place_on(face, from);
+    Vec2 const along = segment.end - segment.begin, off_begin = from - segment.begin,
+               off_end = from - segment.end;
+    bool const at_begin = !(dot(off_begin, along) > 0), at_end = !(dot(off_end, along) < 0);
+    if ((at_begin || at_end) && out.distance > 0) {
+        out.normal = (1 / out.distance) * (at_begin ? off_begin : off_end);
+    } else {
+        Vec2 const left = left_of(direction(along));
+        out.normal = out.distance > 0 && cross(along, off_begin) < 0 ? -1.0 * left : left;
+    }
     return out;
 }
 

@@ -21,6 +21,7 @@ struct WallFoot {
 struct Walls {
     struct Segment {
         Vec2 begin, end;
+        Real inverse_length, inverse_square;  // of the face; 0 without length
     };
     FaceDistance tree;
     FirstLayer layer;
@@ -39,6 +40,8 @@ struct Walls {
     Index n_faces() const noexcept { return segments.count(); }
     // Returns the nearest point of one face.
     WallFoot foot_on(Index face, Vec2 from) const noexcept;
+    // Does the same, except that the normal is not computed.
+    WallFoot place_on(Index face, Vec2 from) const noexcept;
     // Computes the height of the outer end of each first-layer edge above its wall point, in the
     // direction of the normal at `at`; 0 without such an edge.
     void heights(Points at, Span<Real> height) const noexcept;

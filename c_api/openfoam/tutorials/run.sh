@@ -20,6 +20,14 @@ sh "$here/motions.sh" "$dir/motions" >"$dir/motions.out" 2>&1
 passes "motions on small meshes" $? "$dir/motions.out"
 tail -n 1 "$dir/motions.out"
 
+# The second program of the page, in an empty folder.
+first_case() (
+    rm -rf "$dir/first" && mkdir "$dir/first" &&
+        awk '/^```/ { inside = 0 } inside { print } /^```sh/ { inside = ++n == 2 }' "$here/../README.md" \
+            >"$dir/first.sh" && cd "$dir/first" && sh -e "$dir/first.sh" && test -s case/20/polyMesh/points
+)
+if [ -d /usr/share/doc/openfoam-examples/examples ]; then check "the first case of the page" first_case; fi
+
 if [ -d "${FOAM_TUTORIALS:-/usr/share/doc/openfoam-examples/examples}/incompressible/simpleFoam/airFoil2D" ]; then
     sh "$here/pitching.sh" "$dir/pitching" "${STEP:-2}" "${END:-180}" harmorph harmorph-one static \
         laplacian-inverseDistance laplacian-quadratic SBRStress-inverseDistance SBRStress-quadratic \
@@ -39,4 +47,15 @@ fi
 sh "$here/cylinder.sh" "$dir/cylinder" 2 >"$dir/cylinder.out" 2>&1
 passes "the free cylinder" $? "$dir/cylinder.out"
 cat "$dir/cylinder.out"
+
+if command -v adjointOptimisationFoam >/dev/null 2>&1; then
+    sh "$here/adjoint.sh" "$dir/adjoint" "$(dirname "$dir")/harmorph" >"$dir/adjoint.out" 2>&1
+    passes "shape optimisation" $? "$dir/adjoint.out"
+    cat "$dir/adjoint.out"
+    check "shape optimisation: less drag at constant lift and area" awk '
+        { line = $0 } END { gsub(/[,a-z]/, " ", line); split(line, left)
+            exit !(left[1] < 0.99 && (left[2] - 1)^2 < 1e-6 && (left[3] - 1)^2 < 1e-8) }' "$dir/adjoint.out"
+else
+    skip "shape optimisation" "the program adjointOptimisationFoam is not installed"
+fi
 finish

@@ -17,6 +17,7 @@ from ._native import ffi as _ffi, lib as _lib
 from .conditions import Condition
 from .curves import Curve, Curves
 from .errors import Error, HarmorphWarning
+from .fields import Walls, swept_areas
 from .functions import Assessment, rigid
 from .large import Safe
 from .measures import Measures
@@ -41,6 +42,8 @@ __all__ = [
     "Report",
     "Safe",
     "Variables",
+    "Walls",
     "rigid",
+    "swept_areas",
     "__version__",
 ]

@@ -17,6 +17,13 @@ USER=${USER:-user}    # code_saturne needs this name
 export USER DEGREES STEPS MESH_DIR HARMORPH_MODULE HARMORPH_LIBRARY OMPI_ALLOW_RUN_AS_ROOT \
     OMPI_ALLOW_RUN_AS_ROOT_CONFIRM OMPI_MCA_rmaps_base_oversubscribe
 awk -v ni="${NI:-64}" -v nj="${NJ:-32}" -f "$here/mesh.awk" >"$dir/mesh.msh"
+# The program of the page, in an empty folder, with an installation in an empty home.
+first_case() (
+    mkdir -p "$dir/home/first" && ${MAKE:-make} -s -C "$here/../../.." BUILD="$build" PREFIX="$dir/home/opt" install &&
+        cd "$dir/home/first" && awk '/^```/ { inside = 0 } inside { print } /^```sh/ { inside = 1 }' "$here/README.md" \
+            >lines.sh && HOME=$dir/home sh -e lines.sh >out && cat out && grep -q 'mesh at  *38' out
+)
+check "the first case of the page" first_case
 cd "$dir" || exit 2
 code_saturne create -s study -c case >"$log" 2>&1
 cp "$here"/cs_user_*.f90 study/case/SRC/

@@ -1,0 +1,53 @@
+"""Fields of moving meshes: swept areas, distances to walls, heights of the first layer."""
+
+import harmorph
+import numpy as np
+import pytest
+from conftest import ring_mesh
+
+
+def moved(mesh):
+    x, y = mesh.points.T
+    return np.stack([x + 0.02 * np.sin(3 * y), y + 0.03 * x * x], axis=1)
+
+
+def area(points, quads):
+    a, b, c, d = (points[quads[:, k]] for k in range(4))
+    first, second = c - a, d - b
+    return 0.5 * (first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
+
+
+def test_swept_areas_close_each_cell():
+    mesh = ring_mesh(ni=33, nj=9)
+    to = moved(mesh)
+    swept = harmorph.swept_areas(mesh, to)
+    quads = mesh.cell_rows()[1].reshape(-1, 4)
+    growth = np.abs(area(to, quads) - area(mesh.points, quads))
+    assert np.abs(swept.sides.reshape(-1, 4).sum(axis=1)) == pytest.approx(growth, abs=1e-14)
+    assert swept.halves.sum(axis=1) == pytest.approx(swept.sides, abs=1e-15)
+    back = harmorph.swept_areas(mesh, mesh.points, start=to)
+    assert np.array_equal(back.sides, -swept.sides) and np.array_equal(back.duals, -swept.duals)
+
+
+def test_distances_are_those_of_the_nearest_face():
+    mesh = ring_mesh(ni=33, nj=9)
+    walls = harmorph.Walls(mesh, ["wall"])
+    to = moved(mesh)
+    before = walls.distance(mesh.points)
+    walls.move(to)
+    found = walls.distance(to, hint=before.face)
+    assert np.array_equal(found.distance, walls.distance(to).distance)
+    first, second = (to[walls.faces[:, k]] for k in range(2))
+    along = second - first
+    t = ((to[:, None] - first) * along).sum(axis=2) / (along**2).sum(axis=1)
+    off = to[:, None] - first - np.clip(t, 0, 1)[:, :, None] * along
+    assert found.distance == pytest.approx(np.sqrt((off**2).sum(axis=2)).min(axis=1), abs=1e-14)
+    assert not found.distance[walls.points].any()
+    place = (1 - found.parameter)[:, None] * first[found.face] + found.parameter[:, None] * second[found.face]
+    assert np.hypot(*(to - place).T) == pytest.approx(found.distance, abs=1e-14)
+    heights = walls.heights(to)
+    assert heights == pytest.approx(found.distance[walls.layer_points], rel=0.1)
+    with pytest.raises(harmorph.Error, match="no marker 'wing'"):
+        harmorph.Walls(mesh, ["wing"])
+    with pytest.raises(harmorph.Error, match="hint must have the shape"):
+        walls.distance(to, hint=before.face[1:])

@@ -1,0 +1,84 @@
+C     MOVING MESHES WITH THE LEGACY CALLS: SWEPT AREAS CLOSE EACH CELL,
+C     AND DISTANCES AND HEIGHTS ARE THOSE OF THE WALL.
+      PROGRAM LEGFLD
+      INTEGER NA, NR, NP, NC, NF, LW, LWW
+      PARAMETER (NA = 48, NR = 16, NP = NA*NR, NC = NA*(NR - 1))
+      PARAMETER (NF = 2*NA, LW = 500000, LWW = 20000)
+      DOUBLE PRECISION W, WW, X, Y, XN, YN, SIDES, DUALS, HALVES
+      INTEGER CELLS, FACES, MARKS, NEAR, IP
+      COMMON /WORK/ W(LW), WW(LWW)
+      COMMON /MESH/ X(NP), Y(NP), XN(NP), YN(NP), CELLS(4,NC),
+     &              FACES(2,NF), MARKS(NF)
+      COMMON /FIELDS/ SIDES(4,NC), DUALS(4,NC), HALVES(2,4,NC),
+     &                NEAR(NP), IP(NA)
+      DOUBLE PRECISION DIST(NP), AGAIN(NP), HEIGHT(NA), AREA, SUM, ALL
+      DOUBLE PRECISION HALF, BIG
+      INTEGER I, K, NFACE, NWALL, IERR
+      CHARACTER*112 MSG
+      INTEGER NPASS, NFAIL
+      COMMON /COUNTS/ NPASS, NFAIL
+      NPASS = 0
+      NFAIL = 0
+      CALL MAKE (NA, NR, X, Y, CELLS, FACES, MARKS)
+      DO 10 K = 1, NP
+         XN(K) = X(K) + 0.02D0*SIN(3D0*Y(K))
+         YN(K) = Y(K) + 0.05D0*X(K)**2
+   10 CONTINUE
+      CALL HMOPEN (W, LW, IERR, MSG)
+      CALL HMMESH (W, NP, X, Y, 1, NC, 4, CELLS, NF, FACES, MARKS, IERR,
+     &             MSG)
+      CALL HMSWEP (W, X, Y, XN, YN, 1, SIDES, DUALS, HALVES, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'SWEPT AREAS: ', MSG)
+      BIG = 0D0
+      HALF = 0D0
+      DO 30 K = 1, NC
+         SUM = 0D0
+         ALL = 0D0
+         DO 20 I = 1, 4
+            SUM = SUM + SIDES(I,K)
+            ALL = ALL + ABS(SIDES(I,K))
+            HALF = MAX(HALF, ABS(SIDES(I,K) - HALVES(1,I,K)
+     &                 - HALVES(2,I,K)))
+   20    CONTINUE
+         BIG = MAX(BIG, ABS(ABS(SUM) - ABS(AREA(XN, YN, CELLS(1,K))
+     &             - AREA(X, Y, CELLS(1,K)))))
+   30 CONTINUE
+      CALL CHECK (BIG .LT. 1D-14, 'SWEPT AREAS CLOSE THE CELLS', ' ')
+      CALL CHECK (HALF .LT. 1D-16, 'HALVES ARE PARTS OF SIDES', ' ')
+
+      CALL HMWDIS (W, X, Y, 1, NEAR, DIST, IERR, MSG)
+      CALL CHECK (IERR .EQ. -2, 'NO WALLS: ', MSG)
+      CALL HMWALS (W, 1, 7, WW, 10, NFACE, NWALL, IERR, MSG)
+      CALL CHECK (IERR .LT. 0, 'A SMALL ARRAY: ', MSG)
+      CALL HMWALS (W, 1, 7, WW, LWW, NFACE, NWALL, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'WALLS: ', MSG)
+      CALL CHECK (NFACE .EQ. NA .AND. NWALL .EQ. NA, 'FACES', ' ')
+      DO 40 K = 1, NP
+         NEAR(K) = 0
+   40 CONTINUE
+      CALL HMWDIS (W, XN, YN, 1, NEAR, DIST, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'DISTANCES: ', MSG)
+      CALL HMWDIS (W, XN, YN, 1, NEAR, AGAIN, IERR, MSG)
+      BIG = 0D0
+      DO 50 K = 1, NP
+         IF (K .LE. NA) BIG = MAX(BIG, DIST(K))
+         IF (K .GT. NA .AND. DIST(K) .LE. 0D0) BIG = 1D0
+         BIG = MAX(BIG, ABS(AGAIN(K) - DIST(K)))
+   50 CONTINUE
+      CALL CHECK (BIG .LE. 0D0, 'WALL POINTS; WITH HINTS', ' ')
+      CALL HMLAYR (W, XN, YN, 1, IP, HEIGHT, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'HEIGHTS: ', MSG)
+      BIG = 0D0
+      DO 60 K = 1, NWALL
+         BIG = MAX(BIG, ABS(HEIGHT(K)/DIST(IP(K) + NA) - 1D0))
+   60 CONTINUE
+      CALL CHECK (BIG .LT. 0.1D0, 'HEIGHTS ARE NEAR DISTANCES', ' ')
+      CALL RESULT
+      END
+
+      DOUBLE PRECISION FUNCTION AREA (X, Y, CELL)
+      DOUBLE PRECISION X(*), Y(*)
+      INTEGER CELL(4)
+      AREA = 0.5D0*((X(CELL(3)) - X(CELL(1)))*(Y(CELL(4)) - Y(CELL(2)))
+     &       - (X(CELL(4)) - X(CELL(2)))*(Y(CELL(3)) - Y(CELL(1))))
+      END
