@@ -80,6 +80,7 @@ else
     skip "the program in Python" "numpy, cffi, wheel, setuptools or venv is not installed for $PYTHON"
 fi
 check "the lines of C++" path c_api/cpp/README.md 1 "^0 inverted cells; the mesh could follow"
+check "the lines of FORTRAN 77" path fortran/harmorph77/README.md 1 "^ *[1-9][0-9]* passed, *0 failed"
 check "design variables from the command line" path src/bspline/README.md 1 "^inverted cells   0"
 # The first block, where it lies: packages are there, and the tests are those that run.
 first_lines() {
@@ -124,7 +125,7 @@ heads() {   # calls or subroutines, whether continued by & in column 6 or at the
         awk '{ print $1, gsub(/,/, "") + 1 }' | sort -u
 }
 lines_of_fortran_77() {
-    block fortran/README.md fortran 2 >"$dir/readme_77.inc"
+    block fortran/harmorph77/README.md fortran 1 >"$dir/readme_77.inc"
     heads <"$build/harmorph77.f90" >"$dir/known"
     heads <"$dir/readme_77.inc" >"$dir/shown"
     [ "$(grep -c . "$dir/shown")" = "$(grep -c CALL "$dir/readme_77.inc")" ] &&
