@@ -1,9 +1,8 @@
 // The C interface: fields of one mesh at the points of another, and the transpose.
 #include "handles.hpp"
-#include "base/parallel_reduce.hpp"
 #include "fields/interpolation.hpp"
 #include "harmorph_fields.h"
-#include "mesh/cell_shape.hpp"
+#include "valid_cells.hpp"
 
 namespace harmorph {
 namespace {
@@ -27,21 +26,6 @@ Status open_interpolation(const hm_interpolation* handle, const Interpolation*& 
     opened = reinterpret_cast<const Interpolation*>(handle);
     fault.bases.mesh = opened->index_base;
     return Status::ok;
-}
-
-// Refuses a cell that is inverted at the given points.
-Status check_inverted(Topology const& topology, Points at, Executor const& threads,
-                      Fault& fault) noexcept {
-    Index const bad = find_in_ranges(topology.mesh.n_cells, threads, [&](Index begin, Index end) {
-        for (Index i = begin; i < end; ++i) {
-            if (is_inverted(CellShape(topology.cell(i), at, false))) return i;
-        }
-        return none;
-    });
-    if (bad == none) return Status::ok;
-    return fault.refuse(Status::bad_mesh,
-                        "cell # is inverted, so no point can be found in the mesh",
-                        cell_item(topology.mesh.number(bad)));
 }
 
 }  // namespace
@@ -80,7 +64,9 @@ hm_status hm_interpolation_init(hm_interpolation** interpolation, void* block, s
         HARMORPH_TRY(view_executor(executor, threads, fault));
         HARMORPH_TRY(check_range(points, opened->problem().mesh.n_points, fault, threads));
         HARMORPH_TRY(check_range(targets, n, fault, threads));
-        HARMORPH_TRY(check_inverted(opened->topology(), points, threads, fault));
+        HARMORPH_TRY(check_inverted(opened->topology(), points, threads,
+                                    "cell # is inverted, so no point can be found in the mesh",
+                                    fault));
         InBlock<Interpolation> made;
         HARMORPH_TRY(
             place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, *opened, n); }));

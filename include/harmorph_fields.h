@@ -40,8 +40,8 @@ HM_API hm_status hm_swept_count(const hm_mesh* mesh, int64_t* n, hm_error* err);
  * cells and may be left out there. For a clockwise cell, both sums change sign. Each sum holds to
  * 4 * 2^-52 times the sum of the absolute areas in it, as each number is computed with twice the
  * precision of doubles and rounded to a double. A side has exactly opposite areas in its two cells.
- * Lines that do not move have exactly 0. executor NULL: one thread. A refused call leaves the arrays as
- * they were. */
+ * Lines that do not move have exactly 0. executor NULL: one thread. A refused call leaves the
+ * arrays as they were. */
 HM_API hm_status hm_swept_areas(const hm_mesh* mesh, const hm_points* from, const hm_points* to,
                                 double* sides, double* duals, double* halves,
                                 const hm_executor* executor, hm_error* err);
@@ -196,6 +196,52 @@ HM_API hm_status hm_interpolate(const hm_interpolation* interpolation, int32_t n
  * points, from the derivatives to_dj [n_fields * n] by the interpolated values. */
 HM_API hm_status hm_interpolate_adjoint(const hm_interpolation* interpolation, int32_t n_fields,
                                         const double* to_dj, double* from_dj, hm_error* err);
+
+/* ---- Conservative transfer of fields: means over control volumes ---- */
+
+typedef struct hm_remap_report {
+    uint64_t struct_size;
+    int32_t uncovered; /* volumes of `to` that have no area in common with the mesh `from` */
+    int32_t partial;   /* volumes of `to` that are covered, but by less than (1 - 1e-9) of them */
+    double area;       /* [length^2] the area that both meshes have in common */
+} hm_remap_report;
+
+/* The control volume of a point is that of the median dual: in each cell, the quadrilateral of the
+ * point, the middles of both sides at the point, and the mean of the points of the cell. Polygons
+ * count as the triangles and quadrilaterals into which the library divides them. Points that a cut
+ * joins have a volume each. Points that no cell uses have none. */
+
+/* Bytes of working memory of hm_remap with these meshes, number of fields and order. */
+HM_API hm_status hm_remap_size(const hm_analysis* from, const hm_analysis* to, int32_t n_fields,
+                               int32_t order, size_t* bytes, hm_error* err);
+/* Computes the means of n_fields fields over the control volumes of one mesh from the means over
+ * those of another mesh. The common areas of volumes are computed by clipping convex polygons, so
+ * that, but for rounding, the integral over the area that both meshes have in common does not
+ * change:
+ *   sum over j of covered[j] * to_values[j] = integral of the field of `from` over the common area,
+ * which is the sum over i of (area of volume i) * from_values[i] if both meshes cover the same
+ * domain. from, to: analyses of both meshes, with conditions or without; they may be the same.
+ * from_at, to_at [n_points of the mesh]: the coordinates; NULL: those of the mesh.
+ *   order        1: the field is constant in each volume of `from`; no new extremum arises.
+ *                2: the field is linear in each volume, with its mean and a gradient by least
+ *                squares from the means of the volumes around. The means of linear fields are exact
+ *                but for rounding, and errors fall with the square of the size of the cells; new
+ *                extrema may arise.
+ *   from_values  [n_fields * n_points of from] one field after the other
+ *   to_values    [n_fields * n_points of to] 0 where covered is 0; no number in common with
+ *                from_values
+ *   covered      [n_points of to] [length^2] the area that the volume has in common with the mesh
+ *                `from`
+ *   work         [bytes] free afterwards
+ * executor NULL: one thread; report may be NULL. The results are the same bits for any number of
+ * threads. Refused, the outputs unchanged: an inverted cell (HM_BAD_MESH), an order other than 1
+ * and 2, n_fields < 1. The time is proportional to the number of pairs of cells whose bounding
+ * boxes meet. */
+HM_API hm_status hm_remap(const hm_analysis* from, const hm_points* from_at, const hm_analysis* to,
+                          const hm_points* to_at, int32_t n_fields, int32_t order,
+                          const double* from_values, double* to_values, double* covered, void* work,
+                          size_t bytes, const hm_executor* executor, hm_remap_report* report,
+                          hm_error* err);
 
 #ifdef __cplusplus
 }

@@ -1,4 +1,5 @@
-// Keeps items in a balanced tree of bounding boxes, and finds the item nearest to a point.
+// Keeps items in a balanced tree of bounding boxes, and finds the item nearest to a point, or the
+// items near a box.
 #pragma once
 
 #include "base/arena.hpp"
@@ -18,6 +19,10 @@ struct Box {
         include(other.high);
     }
     Vec2 centre() const noexcept { return 0.5 * low + 0.5 * high; }
+    bool meets(Box const& other) const noexcept {
+        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
+               other.low.y <= high.y;
+    }
     Real squared_distance(Vec2 p) const noexcept {
         Real const x = max(max(low.x - p.x, p.x - high.x), 0.0);
         Real const y = max(max(low.y - p.y, p.y - high.y), 0.0);
@@ -72,6 +77,11 @@ struct BoxTree {
     Nearest nearest(Vec2 point, Nearest best,
                     SquaredDistance const& squared_distance) const noexcept;
 
+    // Calls visit(item) for all items whose boxes meet `around`, and for some others, in the order
+    // of the tree.
+    template <class Visit>
+    void for_items_near(Box const& around, Visit const& visit) const noexcept;
+
 private:
     Index begin(Index level, Index node) const noexcept {
         return static_cast<Index>((Offset{n} * node) >> level);
@@ -115,6 +125,25 @@ Nearest BoxTree::nearest(Vec2 point, Nearest best,
         }
     }
     return best;
+}
+
+template <class Visit>
+void BoxTree::for_items_near(Box const& around, Visit const& visit) const noexcept {
+    Index waiting[max_levels + 1];
+    Index const leaves = Index{1} << levels;
+    Index n_waiting = 0;
+    if (n > 0) waiting[n_waiting++] = 1;
+    while (n_waiting > 0) {
+        Index const node = waiting[--n_waiting];
+        if (!box[node].meets(around)) continue;
+        if (node < leaves) {
+            waiting[n_waiting++] = 2 * node + 1;
+            waiting[n_waiting++] = 2 * node;
+            continue;
+        }
+        Index const leaf = node - leaves;
+        for (Index k = begin(levels, leaf); k < begin(levels, leaf + 1); ++k) visit(entry[k].item);
+    }
 }
 
 }  // namespace harmorph

@@ -8,6 +8,7 @@
 #include <fixtures/executors.hpp>
 #include <fixtures/naca0012.hpp>
 #include <fixtures/polygons.hpp>
+#include <fixtures/squares.hpp>
 
 #include <cmath>
 #include <algorithm>
@@ -56,34 +57,6 @@ struct Interpolated {
 
 double linear(double x, double y) { return 0.3 + 2 * x - 0.7 * y; }
 double smooth(double x, double y) { return std::sin(2 * x + 0.3) * std::cos(1.5 * y); }
-
-// A square from 0 to 1, in triangles and quads that are no parallelograms.
-Mesh square_of(int n, double shift) {
-    Mesh mesh;
-    auto const bend = [&](int k) {
-        return static_cast<double>(k) / n + 0.05 * std::sin(2 * std::acos(-1.0) * k / n + shift) -
-               0.05 * std::sin(shift);
-    };
-    for (int j = 0; j <= n; ++j) {
-        for (int i = 0; i <= n; ++i) {
-            double const skew = 0.3 / n * std::sin(std::acos(-1.0) * i / n);
-            mesh.add_point(
-                {bend(i), bend(j) + (j > 0 && j < n ? skew * (i % 2 == 0 ? 1 : -1) : 0)});
-        }
-    }
-    auto const at = [&](int i, int j) { return i + (n + 1) * j; };
-    for (int j = 0; j < n; ++j) {
-        for (int i = 0; i < n; ++i)
-            mesh.add_quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1), (i + j) % 3 == 0);
-    }
-    for (int k = 0; k < n; ++k) {
-        mesh.add_face(at(k, 0), at(k + 1, 0), body);
-        mesh.add_face(at(k + 1, n), at(k, n), body);
-        mesh.add_face(at(0, k + 1), at(0, k), body);
-        mesh.add_face(at(n, k), at(n, k + 1), body);
-    }
-    return mesh;
-}
 
 // The largest error at the points inside.
 template <class Field>

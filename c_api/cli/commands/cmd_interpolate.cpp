@@ -10,20 +10,41 @@ namespace cli {
 
 namespace {
 
-void run_interpolate(const Arguments& arguments) {
-    const std::string& path = arguments.text("-o");
-    const Mesh from = read_mesh(arguments, 0), to = read_mesh(arguments.operand(2));
-    const std::vector<Column> fields =
-        read_fields(arguments.operand(1), arguments.all("--field"), from);
+void write(const Arguments& arguments, const Mesh& to, const std::vector<Column>& fields) {
+    OutputFiles files;
+    write_fields(files, arguments.text("-o"), to, fields);
+    files.commit();
+}
+
+void remap(const Arguments& arguments, const Mesh& from, const std::vector<Column>& fields,
+           const Mesh& to, const Threads& threads) {
+    const Remapped found = remapped(from, fields, to, threads);
+    write(arguments, to, found.fields);
+    const hm_remap_report& report = found.report;
+    if (arguments.has("--json")) {
+        JsonObject object;
+        object.add("fields", static_cast<std::int32_t>(fields.size())).add("points", to.points());
+        object.add("uncovered", report.uncovered).add("partial", report.partial);
+        object.add("area", report.area);
+        print("%s\n", object.text().c_str());
+        return;
+    }
+    print("%s from %s to %s; common area %s\n",
+          plural(static_cast<std::int64_t>(fields.size()), "field").c_str(),
+          plural(from.points(), "control volume").c_str(),
+          plural(to.points(), "control volume").c_str(), brief(report.area).c_str());
+    print("covered  %d volumes not at all, %d in part\n", report.uncovered, report.partial);
+    print("written  %s\n", arguments.text("-o").c_str());
+}
+
+void interpolate(const Arguments& arguments, const Mesh& from, const std::vector<Column>& fields,
+                 const Mesh& to, const Threads& threads) {
     Field at(0);
     at.x = from.x;
     at.y = from.y;
-    const Threads threads(threads_of(arguments));
     const Interpolated found = interpolated(from, at, fields, to, threads);
     judge_outside(arguments, found, from.file.path(), to.file.path());
-    OutputFiles files;
-    write_fields(files, path, to, found.fields);
-    files.commit();
+    write(arguments, to, found.fields);
     if (arguments.has("--json")) {
         JsonObject object;
         object.add("fields", static_cast<std::int32_t>(fields.size())).add("points", to.points());
@@ -35,7 +56,19 @@ void run_interpolate(const Arguments& arguments) {
           plural(static_cast<std::int64_t>(fields.size()), "field").c_str(),
           plural(from.points(), "point").c_str(), plural(to.points(), "point").c_str(),
           found.report.outside);
-    print("written  %s\n", path.c_str());
+    print("written  %s\n", arguments.text("-o").c_str());
+}
+
+void run_interpolate(const Arguments& arguments) {
+    const bool is_conservative = arguments.has("--conservative");
+    if (is_conservative && arguments.has("--max-outside"))
+        arguments.refuse("--conservative and --max-outside exclude each other");
+    if (!arguments.has("-o")) arguments.refuse("-o is required");
+    const Mesh from = read_mesh(arguments, 0), to = read_mesh(arguments.operand(2));
+    const std::vector<Column> fields =
+        read_fields(arguments.operand(1), arguments.all("--field"), from);
+    const Threads threads(threads_of(arguments));
+    (is_conservative ? remap : interpolate)(arguments, from, fields, to, threads);
 }
 
 }  // namespace
@@ -59,10 +92,16 @@ const Command interpolate_command = {
       "point, x, y and\nthe fields",
       FileUse::output},
      max_outside_option,
+     {"--conservative", nullptr,
+      "values are means over control volumes (median dual), of second order; integrals over the "
+      "area that both\nmeshes have in common stay, and the column `covered` has the area of each "
+      "volume that FROM covers"},
      format_option,
      zone_option,
      threads_option,
-     {"--json", nullptr, "print one JSON object: fields, points, outside, max_distance"}},
+     {"--json", nullptr,
+      "print one JSON object: fields, points, outside, max_distance; with --conservative\n"
+      "uncovered, partial (volumes that FROM covers not at all, in part) and area"}},
     "  harmorph interpolate fine.su2 flow.vtu coarse.su2 -o coarse.vtu\n"
     "  harmorph interpolate fine.su2 flow.csv coarse.su2 --field Pressure -o pressure.csv\n",
     run_interpolate};

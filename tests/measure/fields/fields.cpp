@@ -157,6 +157,32 @@ void measure_interpolation(fixtures::Mesh const& from, fixtures::Mesh const& to)
     std::printf("%d points are outside, at most by %g\n", report.outside, report.max_distance);
 }
 
+// Two fields go from the control volumes of one mesh to those of another.
+void measure_remap(fixtures::Mesh const& from, fixtures::Mesh const& to) {
+    hm_error error;
+    Analysed const source(from.view()), target(to.view());
+    std::vector<double> field(from.x), value(2 * to.x.size()), covered(to.x.size());
+    field.insert(field.end(), from.y.begin(), from.y.end());
+    hm_remap_report report;
+    HM_INIT(report);
+    for (std::int32_t const order : {1, 2}) {
+        std::size_t bytes = 0;
+        require(hm_remap_size(source.analysis, target.analysis, 2, order, &bytes, &error), error,
+                "hm_remap_size");
+        std::unique_ptr<char[]> const work(new char[bytes]);
+        std::printf("%-52s %8.1f ms\n",
+                    order == 1 ? "two fields by control volumes, constant in each"
+                               : "two fields by control volumes, linear in each",
+                    fastest(2, [&] {
+                        require(hm_remap(source.analysis, nullptr, target.analysis, nullptr, 2,
+                                         order, field.data(), value.data(), covered.data(),
+                                         work.get(), bytes, nullptr, &report, &error),
+                                error, "hm_remap");
+                    }));
+    }
+    std::printf("%d volumes are not covered, %d in part\n", report.uncovered, report.partial);
+}
+
 }  // namespace
 
 int main(int n_arguments, char** arguments) {
@@ -167,10 +193,12 @@ int main(int n_arguments, char** arguments) {
         std::printf("%s: %d points, %d cells\n",
                     mesh == &quads ? "quads, 1e-5 chords high at the wall" : "triangles",
                     mesh->n_points(), mesh->n_cells());
+        fixtures::Mesh const& other = mesh == &quads ? triangles : quads;
         measure_swept_areas(*mesh);
         measure_distances(*mesh);
         measure_levels(*mesh);
-        measure_interpolation(*mesh, mesh == &quads ? triangles : quads);
+        measure_interpolation(*mesh, other);
+        measure_remap(*mesh, other);
     }
     return 0;
 }

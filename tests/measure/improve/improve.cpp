@@ -1,7 +1,7 @@
 // Prints how long hm_improve takes after one linear morph, in multiples of one solution (analysis,
 // plan, factor and 20 conformal functions), and the quality that it reaches.
-//   improve SIZES KINDS MESH:MARKER ...      SIZES and KINDS: lists with spaces; airfoils have chord
-//   1 from x = 0 to 1
+//   improve SIZES KINDS MESH:MARKER ...      SIZES and KINDS: lists with spaces; airfoils have
+//   chord 1 from x = 0 to 1
 #include "../bench/cases.hpp"
 #include "../deform/movements.hpp"
 #include "basics/field.hpp"
@@ -150,8 +150,8 @@ bench::Case hybrid_case(std::int32_t size) {
     int n = 0;  // points of the wall
     do {
         n += 2;
-        options.layers = static_cast<int>(std::log(2 / (n * options.first)) /
-                                          std::log(options.layer_growth));
+        options.layers =
+            static_cast<int>(std::log(2 / (n * options.first)) / std::log(options.layer_growth));
     } while (n * (options.layers + points_outside * n) < size);
     options.ring_growth = 1 + 4 * std::acos(-1.0) / n;
     const int n_side = n / 2;

@@ -1,5 +1,5 @@
 #!/bin/sh
-# usage: run.sh BUILD   Processor time of hm_improve in multiples of a solution, and the quality that hm_improve reaches,
+# usage: run.sh BUILD   Processor time of hm_improve in multiples of a solution, and the quality of the result,
 # on generated meshes (SIZES points of KINDS) and on the shipped mesh; MESHES: on these, too, words FILE:MARKER.
 build=${1:?usage: run.sh BUILD}
 : "${CXX:=c++}" "${CXXFLAGS:=-O2}" "${SIZES:=5000 20000 60000}" "${KINDS:=iso viscous unstructured hybrid}"
