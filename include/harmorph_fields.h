@@ -70,7 +70,7 @@ typedef struct hm_walls_info {
     uint64_t struct_size;
     int32_t n_faces, n_wall_points;
     /* The arrays are in the block of the walls. Points, and faces in the calls below, are counted
-     * from the index_base of the mesh. */
+     * from the index_base of the mesh. Of points that a cut joins, the first one is named. */
     const int32_t* face_points;  /* [2*n_faces] in order along the boundary, the mesh on the left */
     const int32_t* face_markers; /* [n_faces] */
     const int32_t* wall_points;  /* [n_wall_points] the points of the faces */

@@ -78,8 +78,8 @@ Status check_speed(Section const& section, Fault& fault) noexcept {
 
 }  // namespace
 
-Status leading_edge_radius(Section const& section, Real& radius, ControlGradient const& gradient,
-                           Fault& fault) noexcept {
+Status radius_at_leading_edge(Section const& section, Real& radius, ControlGradient const& gradient,
+                              Fault& fault) noexcept {
     Curvature const at = curvature_at(section.leading_edge_place);
     Real const bend =
         section.sign *

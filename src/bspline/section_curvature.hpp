@@ -9,8 +9,8 @@ namespace harmorph {
 
 // Computes the radius of curvature at the leading edge, which is positive if the outline is convex
 // there. area_moments() and section.find_chord(true) must have been called.
-Status leading_edge_radius(Section const& section, Real& radius, ControlGradient const& gradient,
-                           Fault& fault) noexcept;
+Status radius_at_leading_edge(Section const& section, Real& radius, ControlGradient const& gradient,
+                              Fault& fault) noexcept;
 
 struct SmallestRadius {
     CurvePlace place;

@@ -107,7 +107,7 @@ Status measure_leading_edge(Section& section, ControlGradient const& gradient, M
     HARMORPH_TRY(area_moments(section, moments, fault));  // sets the orientation of the section
     HARMORPH_TRY(section.find_chord(true, fault));
     measured.at = section.leading_edge_place.point();
-    return leading_edge_radius(section, measured.value, gradient, fault);
+    return radius_at_leading_edge(section, measured.value, gradient, fault);
 }
 
 // Measures the angle between the tangents at both ends of the outline, through the inside of the

@@ -11,11 +11,13 @@ namespace {
 constexpr Index points_of_chunk = 4096;
 constexpr Index min_points_of_product = 16384;
 
-// Returns the edge between two points, which may be joined to others, or none. The points of
-// periodic pairs are joined, but have edges of their own.
+// Returns the edge between two points, or none. Points that a cut joins have the edges of their
+// representatives. The points of periodic pairs are joined, too, but have edges of their own, which
+// come first: the edge of the representatives is then a side at the other end of the period.
 Index edge_between(Topology const& topology, Index a, Index b) noexcept {
-    Index const edge = topology.edges.find(topology.representative[a], topology.representative[b]);
-    return edge != none ? edge : topology.edges.find(a, b);
+    Index const edge = topology.edges.find(a, b);
+    if (edge != none) return edge;
+    return topology.edges.find(topology.representative[a], topology.representative[b]);
 }
 
 // Finds the cell of a point by walking on a straight line from a place in a known cell.
@@ -134,6 +136,7 @@ void weigh_precisely(CellShape const& shape, Vec2 to, Real* weight) noexcept {
     for (Index k = 1; k < shape.n; ++k) rest = rest - weight[k] * (shape.at[k] - origin);
     Vec2 const a = shape.at[1] - origin, b = shape.at[2] - origin;
     Real const twice_area = cross(a, b);
+    if (!(abs(twice_area) > 0)) return;  // one side is too short beside the others
     Real const at_1 = cross(rest, b) / twice_area, at_2 = cross(a, rest) / twice_area;
     weight[1] += at_1;
     weight[2] += at_2;

@@ -7,23 +7,23 @@ namespace {
 
 constexpr Index min_cells_of_task = 2048;
 
-typedef Real Pair __attribute__((vector_size(16)));  // x and y
-using ExactVector = DoubleDoubleOf<Pair>;
+typedef Real Xy __attribute__((vector_size(16)));  // x and y
+using ExactVector = DoubleDoubleOf<Xy>;
 
 ExactVector exact_difference(Vec2 a, Vec2 b) noexcept {
-    return ExactVector::difference(Pair{a.x, a.y}, Pair{b.x, b.y});
+    return ExactVector::difference(Xy{a.x, a.y}, Xy{b.x, b.y});
 }
 // Returns the cross product with an error of a few times 2^-104 of the sum of both its terms.
 DoubleDouble exact_cross(ExactVector a, ExactVector b) noexcept {
-    Pair const high{b.high[1], b.high[0]}, low{b.low[1], b.low[0]};
+    Xy const high{b.high[1], b.high[0]}, low{b.low[1], b.low[0]};
     ExactVector const terms = ExactVector::product(a.high, high);
-    Pair const mixed = terms.low + (a.high * low + a.low * high);
+    Xy const mixed = terms.low + (a.high * low + a.low * high);
     DoubleDouble const most = DoubleDouble::difference(terms.high[0], terms.high[1]);
     return normalised(most.high, most.low + (mixed[0] - mixed[1]));
 }
 
 // The two positions of the points of a mesh.
-struct Movement {
+struct LinearMotion {
     Points from, to;
 
     ExactVector velocity(Index point) const noexcept {
@@ -39,7 +39,7 @@ struct Movement {
 // A line from one point to another, in both positions together, and the velocities of its ends. The
 // mean velocity of a line is (v_a + v_b) / 2, its mean vector (e_from + e_to) / 2, and the area is
 // the cross product of both. This holds exactly, because the end points move linearly in time.
-struct Side {
+struct MovingSide {
     ExactVector line, velocity_a, velocity_b, sum;  // the sum of the velocities
 
     void write(SweptAreas const& areas, Offset entry) const noexcept {
@@ -55,10 +55,10 @@ struct Side {
 // side to the mean of the corners. Four times its vector in a quadrilateral, or six times in a
 // triangle, is the next side minus the side before. `entry_of(k)` is the entry of side k.
 template <Index n, class EntryOf>
-void sweep(SweptAreas const& areas, Movement const& points, const Index* corner,
+void sweep(SweptAreas const& areas, LinearMotion const& points, const Index* corner,
            EntryOf entry_of) noexcept {
     ExactVector velocity[n];
-    Side side[n];
+    MovingSide side[n];
     for (Index k = 0; k < n; ++k) velocity[k] = points.velocity(corner[k]);
     for (Index k = 0; k < n; ++k) {
         Index const next = (k + 1) % n;
@@ -83,7 +83,7 @@ void sweep(SweptAreas const& areas, Movement const& points, const Index* corner,
 
 // Does the same for a polygon of any number n of corners; `point_of(k)` is corner k.
 template <class PointOf>
-void sweep_polygon(SweptAreas const& areas, Movement const& points, Offset first, Index n,
+void sweep_polygon(SweptAreas const& areas, LinearMotion const& points, Offset first, Index n,
                    PointOf const& point_of) noexcept {
     Index const zero = point_of(0);
     Real const corners = static_cast<Real>(n), divisor = 16 * corners * corners;
@@ -95,7 +95,7 @@ void sweep_polygon(SweptAreas const& areas, Movement const& points, Offset first
     for (Index k = 0; k < n; ++k) {
         Index const a = point_of(k), b = point_of(k + 1 == n ? 0 : k + 1);
         ExactVector const at_a = points.velocity(a), at_b = points.velocity(b);
-        Side const side{points.line(a, b), at_a, at_b, at_a + at_b};
+        MovingSide const side{points.line(a, b), at_a, at_b, at_a + at_b};
         side.write(areas, first + k);
         if (areas.duals.empty()) continue;
         // 2 n times the line from the middle of the side to the mean of the corners, and 2 n times
@@ -145,7 +145,7 @@ Offset SweptAreas::count_entries(Mesh const& mesh) noexcept {
 void SweptAreas::compute(Mesh const& mesh, Points from, Points to,
                          Executor const& executor) const noexcept {
     SweptAreas const areas = *this;
-    Movement const points{from, to};
+    LinearMotion const points{from, to};
     executor.for_ranges(mesh.n_cells, min_cells_of_task, [&](Index begin, Index end) {
         if (mesh.layout == CellLayout::polygons) {
             for (Index i = begin; i < end; ++i) {

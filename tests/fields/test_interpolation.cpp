@@ -20,7 +20,8 @@ using namespace fixtures;
 namespace {
 
 struct Interpolated {
-    Mesh mesh;
+    Case setup;
+    Mesh const& mesh = setup.mesh;
     Analysed analysed;
     std::unique_ptr<Guarded> block;
     hm_interpolation* object = nullptr;
@@ -29,7 +30,11 @@ struct Interpolated {
 
     Interpolated(Mesh const& from, std::vector<double> const& x, std::vector<double> const& y,
                  const hm_executor* executor = nullptr)
-        : mesh(from), analysed(mesh), distance(x.size(), -1.0) {
+        : Interpolated(alone(from), x, y, executor) {}
+    // The analysis has the conditions of the case.
+    Interpolated(Case from, std::vector<double> const& x, std::vector<double> const& y,
+                 const hm_executor* executor = nullptr)
+        : setup(std::move(from)), analysed(setup), distance(x.size(), -1.0) {
         std::size_t bytes = 0;
         std::int32_t const n = static_cast<std::int32_t>(x.size());
         REQUIRE(hm_interpolation_size(analysed.analysis, n, &bytes, nullptr) == HM_OK);
@@ -45,6 +50,11 @@ struct Interpolated {
                                   distance.data(), executor, &report, &error);
         INFO(error.text);
         REQUIRE(status == HM_OK);
+    }
+    static Case alone(Mesh const& mesh) {
+        Case setup;
+        setup.mesh = mesh;
+        return setup;
     }
     template <class Field>
     std::vector<double> of(Field field) const {
@@ -203,4 +213,29 @@ TEST_CASE("refused interpolations") {
     CHECK(hm_interpolate_adjoint(object, 1, nullptr, field.data(), &error) == HM_BAD_ARGUMENT);
     REQUIRE(hm_interpolate(object, 1, field.data(), &value, nullptr, nullptr) == HM_OK);
     CHECK(std::fabs(value - 1) < 1e-15);
+}
+
+TEST_CASE("the conditions of an analysis change nothing: sides of a periodic pair are boundaries") {
+    Case setup;
+    setup.mesh = square_of(9, 0.4);
+    enum { left = 40, right, walls, moved };
+    for (std::size_t face = 0; face < setup.mesh.face_markers.size(); ++face) {
+        double const x = setup.mesh.x[std::size_t(setup.mesh.faces[2 * face])],
+                     to = setup.mesh.x[std::size_t(setup.mesh.faces[2 * face + 1])];
+        setup.mesh.face_markers[face] = x == to ? (x < 0.5 ? left : right)
+                                        : std::fmin(x, to) > 0.2 && std::fmax(x, to) < 0.8 ? moved
+                                                                                           : walls;
+    }
+    std::mt19937 random(8);
+    std::vector<double> x, y;
+    for (int k = 0; k < 500; ++k) {
+        x.push_back(std::uniform_real_distribution<double>(-0.1, 1.1)(random));
+        y.push_back(std::uniform_real_distribution<double>(-0.1, 1.1)(random));
+    }
+    Interpolated const without(setup.mesh, x, y);
+    setup.set_periodic(right, left);
+    setup.set_given(moved);
+    Interpolated const with(setup, x, y);
+    CHECK(with.of(smooth) == without.of(smooth));
+    CHECK(with.distance == without.distance);
 }

@@ -20,6 +20,8 @@ Outcome run_plane(Input& input);
 Outcome run_transfer(Input& input);
 Outcome run_commands(Input& input);
 Outcome run_model(Input& input);
+Outcome run_fields(Input& input);
+Outcome run_quality(Input& input);
 
 struct Target {
     const char* name;
@@ -29,6 +31,7 @@ inline constexpr Target targets[] = {
     {"problem", run_problem},   {"polygons", run_polygons}, {"basis", run_basis},
     {"given", run_given},       {"parts", run_parts},       {"plane", run_plane},
     {"transfer", run_transfer}, {"sequence", run_sequence}, {"files", run_files},
-    {"shape", run_shape},       {"commands", run_commands}, {"model", run_model}};
+    {"shape", run_shape},       {"commands", run_commands}, {"model", run_model},
+    {"fields", run_fields},     {"quality", run_quality}};
 
 }  // namespace fuzz

@@ -1,0 +1,92 @@
+// The calls of harmorph_fields.h for one random mesh, and their slow references.
+#pragma once
+
+#include <harmorph_fields.h>
+#include "cells_of_mesh.hpp"
+#include "reference.hpp"
+#include "solution.hpp"
+#include "target.hpp"
+
+#include <cmath>
+
+namespace fuzz {
+
+class FieldsModel {
+public:
+    FieldsModel(Problem& problem, Input& input);
+    Outcome run();
+
+private:
+    using Numbers = std::vector<double>;
+
+    // fuzz_fields.cpp
+    void areas();
+    void levels();
+    void volumes_are_connected(std::vector<std::int32_t> const& cells, std::int32_t count) const;
+    void volumes_have_areas(hm_levels const* levels, std::int32_t level,
+                            std::vector<std::int32_t> const& cells, std::int32_t count,
+                            std::vector<Point> const& from, std::vector<Point> const& to);
+
+    // check_fields.cpp
+    void walls();
+    void distances(hm_walls const* walls, std::vector<Face> const& faces,
+                   std::vector<Point> const& mesh);
+    void distance_derivatives(hm_walls const* walls, std::vector<Face> const& faces,
+                              std::vector<Point> const& mesh, std::vector<Point> const& places);
+    void interpolation();
+    void interpolated(hm_interpolation const* interpolation, std::vector<Point> const& places,
+                      Numbers const& distance);
+    void transpose(hm_interpolation const* interpolation, std::size_t n);
+    // The value of a field at a place in the mesh, or false: outside.
+    bool value_in_mesh(Point place, Numbers const& field, Wide& value, Wide& rounding) const;
+    // `beside`: how far, in parts of a triangle, the place may lie outside of the triangle.
+    bool value_in_cells(Point place, Numbers const& field, Wide beside, Wide& value,
+                        Wide& rounding) const;
+
+    // A side of a cell is shorter than a millionth of the mesh: rounding decides which cell has a
+    // place, and how large the volumes beside that cell are.
+    bool has_short_sides() const {
+        for (Cell const& cell : problem_.domain.cells)
+            for (std::size_t k = 0; k < cell.size(); ++k) {
+                Point const a = points_[at(cell[k])], b = points_[at(cell[(k + 1) % cell.size()])];
+                double const side = std::hypot(b.x - a.x, b.y - a.y);
+                if (side > 0 && side < 1e-6 * std::max(extent_, size_)) return true;
+            }
+        return false;
+    }
+
+    static std::size_t at(std::int32_t k) { return static_cast<std::size_t>(k); }
+    static hm_points in(std::vector<Point> const& points) {
+        return {&points[0].x, &points[0].y, 2};
+    }
+    static void untouched(Numbers const& numbers) {
+        for (double const number : numbers) expect(number == 7, "a refused call has written");
+    }
+    void done(hm_status status, const char* what) const {
+        expect_told(status, error_);
+        expect(status >= 0, std::string(what) + ": refused: " + error_.text);
+    }
+    template <class Size, class Init>
+    hm_status in_block(Size const& size, Init const& init) {
+        auto const block = [&](std::size_t bytes) -> Block& {
+            blocks_.emplace_back(bytes, input_.below(64), input_.any_of({0, 0xFF, 0x7F}));
+            return blocks_.back();
+        };
+        return make_object(block, error_, size, init);
+    }
+    // The points of the mesh, each moved by at most a tenth of the extent, or by very little.
+    std::vector<Point> displaced();
+    // Places inside, at points, on faces and far outside.
+    std::vector<Point> places();
+
+    Problem& problem_;
+    Input& input_;
+    Judged judged_;
+    hm_analysis* analysis_ = nullptr;
+    std::vector<Point> points_;
+    double size_ = 0, extent_ = 0;  // the largest coordinate, the width or height of the mesh
+    hm_error error_{};
+    std::deque<Block> blocks_;
+};
+
+}  // namespace fuzz

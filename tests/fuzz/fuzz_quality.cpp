@@ -1,0 +1,342 @@
+// The calls of harmorph_quality.h with random problems: smooth bounds of the quality against their
+// definition in the header, in more digits; their derivatives, and those of the admissible step,
+// against differences and against the areas of corners.
+#include <harmorph_quality.h>
+#include "reference.hpp"
+#include "solution.hpp"
+#include "target.hpp"
+
+#include <cmath>
+
+namespace fuzz {
+namespace {
+
+using Numbers = std::vector<double>;
+
+// The area of a corner, turned if the header says so, at points + s * by, and the rate at which it
+// changes with s.
+struct Area {
+    Wide value = 0, rate = 0;
+    Wide by_point[6] = {};  // derivatives by x and y of the three points
+    Wide rounding = 0;      // what the library may lose: the sides are much longer than high
+};
+
+class Quality {
+public:
+    Quality(Solution& solved, Judged const& judged, Input& input)
+        : solved_(solved), problem_(solved.problem), judged_(judged), input_(input) {
+        start_ = problem_.domain.points;
+        by_.resize(start_.size());
+        Numbers move(2 * static_cast<std::size_t>(problem_.functions()));
+        double const size = problem_.size() * input_.any_of({0.01, 1.0, 10.0});
+        for (double& number : move) number = size * input_.between(-1, 1);
+        hm_points_out const out{&by_[0].x, &by_[0].y, 2};
+        done(hm_morph(solved_.basis, move.data(), nullptr, &out, nullptr, &error_), "a morph");
+        hm_step_report report{};
+        report.struct_size = sizeof report;
+        hm_points const by = in(by_);
+        done(hm_assess(solved_.basis, &problem_.mesh, nullptr, &by, nullptr, nullptr, &report,
+                       nullptr, &error_),
+             "a step");
+        step_ = report.admissible;
+    }
+
+    void run() {
+        if (input_.one_in(2)) bounds();
+        if (step_ > 0) corners();
+        solved_.expect_intact();
+    }
+
+private:
+    static std::size_t at(std::int32_t k) { return static_cast<std::size_t>(k); }
+    static hm_points in(std::vector<Point> const& points) {
+        return {&points[0].x, &points[0].y, 2};
+    }
+    void done(hm_status status, const char* what) const {
+        expect_told(status, error_);
+        expect(status >= 0, std::string(what) + ": refused: " + error_.text);
+    }
+    std::vector<Point> moved(double step) const {
+        std::vector<Point> out = start_;
+        for (std::size_t k = 0; k < out.size(); ++k)
+            out[k] = {out[k].x + step * by_[k].x, out[k].y + step * by_[k].y};
+        return out;
+    }
+
+    static Area area_of(JudgedCorner const& corner, std::vector<Point> const& from,
+                        std::vector<Point> const& by, Wide s) {
+        Point const p = from[at(corner.before)], q = from[at(corner.here)],
+                    r = from[at(corner.after)], u = by[at(corner.before)], v = by[at(corner.here)],
+                    w = by[at(corner.after)];
+        Wide const c = corner.cosine, d = corner.sine;
+        Wide const ux = Wide(v.x) - u.x, uy = Wide(v.y) - u.y, vx = Wide(w.x) - v.x,
+                   vy = Wide(w.y) - v.y;
+        Wide const ax = Wide(q.x) - p.x + s * ux, ay = Wide(q.y) - p.y + s * uy,
+                   bx = Wide(r.x) - q.x + s * vx, by_ = Wide(r.y) - q.y + s * vy;
+        Area out;
+        out.value = c * (ax * by_ - ay * bx) + d * (ax * bx + ay * by_);
+        Wide const by_ax = c * by_ + d * bx, by_ay = -c * bx + d * by_, by_bx = -c * ay + d * ax,
+                   by_by = c * ax + d * ay;
+        out.rate = by_ax * ux + by_ay * uy + by_bx * vx + by_by * vy;
+        Wide const gradient[6] = {-by_ax, -by_ay, by_ax - by_bx, by_ay - by_by, by_bx, by_by};
+        std::copy(gradient, gradient + 6, out.by_point);
+        out.rounding = 0x1p-50L * std::hypot(ax, ay) * std::hypot(bx, by_);
+        return out;
+    }
+
+    // Twice the area of a cell.
+    static Wide area_of(Cell const& cell, std::vector<Point> const& place) {
+        Wide sum = 0;
+        Point const o = place[at(cell[0])];
+        for (std::size_t k = 1; k + 1 < cell.size(); ++k) {
+            Point const p = place[at(cell[k])], q = place[at(cell[k + 1])];
+            sum += (Wide(p.x) - o.x) * (Wide(q.y) - o.y) - (Wide(p.y) - o.y) * (Wide(q.x) - o.x);
+        }
+        return sum;
+    }
+    // The shape of a cell without inverted corners: f of the header.
+    Wide shape(std::size_t number, std::vector<JudgedCorner> const& corners,
+               std::vector<Point> const& place) const {
+        Cell const& cell = problem_.domain.cells[number];
+        Wide inverse = 0, squares = 0, m = 0;
+        for (JudgedCorner const& corner : corners) {
+            Point const p = place[at(corner.before)], q = place[at(corner.here)],
+                        r = place[at(corner.after)];
+            Wide const ax = Wide(q.x) - p.x, ay = Wide(q.y) - p.y, bx = Wide(r.x) - q.x,
+                       by = Wide(r.y) - q.y;
+            squares += ax * ax + ay * ay;
+            if (corner.sine != 0) continue;  // flat or reflex
+            inverse += std::hypot(ax, ay) * std::hypot(bx, by) / (ax * by - ay * bx);
+            m += 1;
+        }
+        if (cell.size() == 3) return 2 * std::sqrt(Wide(3)) * area_of(cell, place) / squares;
+        Wide const pi = std::acos(Wide(-1));
+        return (judged_.is_divided[number] ? m / std::sin(2 * pi / m) : 4) / inverse;
+    }
+
+    struct Values {
+        std::vector<Wide> value;
+        Wide rounding = 0;
+    };
+    // The values of HM_BOUND_QUALITY, _KEPT_QUALITY or _AREA.
+    Values values(std::int32_t kind, std::vector<Point> const& place) const {
+        Values out;
+        std::vector<Point> const rest(start_.size(), {0, 0});
+        std::size_t next = 0;
+        for (std::size_t c = 0; c < problem_.domain.cells.size(); ++c) {
+            Cell const& cell = problem_.domain.cells[c];
+            std::vector<JudgedCorner> own, around;
+            for (; next < judged_.corners.size() && judged_.corners[next].cell == c; ++next)
+                own.push_back(judged_.corners[next]);
+            around.assign(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(cell.size()));
+            for (JudgedCorner const& corner : own) {
+                Area const before = area_of(corner, start_, rest, 0),
+                           after = area_of(corner, place, rest, 0);
+                Wide const lost = after.rounding / std::abs(after.value) +
+                                  before.rounding / std::abs(before.value);
+                Wide const ratio = after.value / before.value;
+                out.rounding = std::max(out.rounding, lost * std::max(Wide(1), ratio));
+                if (kind == HM_BOUND_AREA && (cell.size() > 3 || &corner == &own[0]))
+                    out.value.push_back(ratio);
+            }
+            if (kind == HM_BOUND_AREA) continue;
+            Wide const t = area_of(cell, place) / area_of(cell, start_),
+                       s = std::sqrt(2 * t / (1 + t * t)), f = shape(c, around, place);
+            out.value.push_back(s * f / (kind == HM_BOUND_QUALITY ? 1 : shape(c, around, start_)));
+        }
+        return out;
+    }
+
+    void bounds() {
+        hm_quality* quality = nullptr;
+        hm_points const start = in(start_);
+        bool const is_given = input_.one_in(2);
+        hm_status const made = make_object(
+            [this](std::size_t bytes) -> Block& { return solved_.block(bytes); }, error_,
+            [&](std::size_t* bytes) {
+                return hm_quality_size(solved_.basis, &problem_.mesh, bytes, &error_);
+            },
+            [&](void* memory, std::size_t bytes) {
+                return hm_quality_init(&quality, memory, bytes, solved_.basis, &problem_.mesh,
+                                       is_given ? &start : nullptr, &error_);
+            });
+        expect(made >= 0, std::string("a quality is refused: ") + error_.text);
+        double const most = std::min(1.0, step_);
+        double const step = most * input_.any_of({0.0, 0.1, 0.5, 0.9});
+        std::vector<Point> const place = moved(step);
+        hm_bound bound{};
+        bound.struct_size = sizeof bound;
+        bound.kind = input_.from(-1, 6);
+        bound.sharpness = input_.any_of({0.0, 1.0, 30.0, 1000.0, 1e6});
+        bool const is_wild = input_.one_in(12);
+        if (is_wild) bound.sharpness = input_.any_of({double(NAN), -1.0, 0.5, 1e7, HUGE_VAL});
+        hm_bound_value value{};
+        value.struct_size = sizeof value;
+        value.bound = 7;
+        std::vector<Point> gradient(place.size(), {7, 7});
+        hm_points_out const to{&gradient[0].x, &gradient[0].y, 2};
+        hm_points const coordinates = in(place);
+        hm_status const status = hm_quality_bounds(quality, &coordinates, 1, &bound, &value, &to,
+                                                   problem_.options.executor, &error_);
+        expect_told(status, error_);
+        bool const is_legal = bound.kind >= 0 && bound.kind <= 5 && !is_wild;
+        expect(status < 0 || is_legal, "a bound is computed that does not exist");
+        bool const is_of_layer = bound.kind >= HM_BOUND_HEIGHT;
+        if (status < 0) {
+            expect(!is_legal || is_of_layer, std::string("a bound is refused: ") + error_.text);
+            expect(value.bound == 7, "a refused call has written");
+            for (Point const& p : gradient)
+                expect(p.x == 7 && p.y == 7, "a refused call has written");
+            return;
+        }
+        double const rho = bound.sharpness == 0 ? 200 : bound.sharpness,
+                     sign = bound.kind == HM_BOUND_STRETCH ? -1 : 1;
+        expect(value.count >= 1 && std::isfinite(value.bound), "a bound without values");
+        expect(sign * (value.extreme - value.bound) >= -1e-12 * std::abs(value.bound),
+               "a bound is on the wrong side");
+        double const widest = std::log(double(value.count)) / rho;
+        expect(value.gap >= 0 && value.gap <= widest * (1 + 1e-9) + 1e-15, "a gap is too large");
+        if (!is_of_layer && inverted_cells(judged_, place, 1e-12) == 0) {
+            Values const expected = values(bound.kind, place);
+            expect(at(static_cast<std::int32_t>(value.count)) == expected.value.size(),
+                   "a bound of another number of values");
+            Wide least = HUGE_VALL, sum = 0;
+            for (Wide const each : expected.value) least = std::min(least, each);
+            for (Wide const each : expected.value) sum += std::exp(-rho * (each - least));
+            Wide const within = 1e-11L + 8 * expected.rounding;
+            expect(std::abs(value.extreme - least) <= within * std::max(Wide(1), std::abs(least)),
+                   "the smallest value differs from the reference");
+            expect(std::abs(value.bound - (least - std::log(sum) / rho)) <=
+                       within * std::max(Wide(1), std::abs(least)),
+                   "a bound differs from the reference");
+        }
+        if (most > 0) slope(quality, bound, step, most, gradient);
+    }
+
+    // The derivative along the displacement, against central differences of two lengths, whose
+    // difference says how accurate they are.
+    void slope(hm_quality const* quality, hm_bound const& bound, double step, double most,
+               std::vector<Point> const& gradient) {
+        auto const bound_at = [&](double s) {
+            std::vector<Point> const place = moved(s);
+            hm_points const coordinates = in(place);
+            hm_bound_value value{};
+            value.struct_size = sizeof value;
+            done(hm_quality_bounds(quality, &coordinates, 1, &bound, &value, nullptr, nullptr,
+                                   &error_),
+                 "a bound at a point nearby");
+            return value.bound;
+        };
+        double const rho = std::max(1.0, bound.sharpness), h = most * 1e-3 / std::sqrt(rho);
+        auto const difference = [&](double length) {
+            return (bound_at(step + length) - bound_at(step - length)) / (2 * length);
+        };
+        double const coarse = difference(h), middle = difference(h / 4), fine = difference(h / 16);
+        Wide sum = 0, size = 0;
+        for (std::size_t k = 0; k < gradient.size(); ++k) {
+            Wide const x = Wide(gradient[k].x) * by_[k].x, y = Wide(gradient[k].y) * by_[k].y;
+            sum += x + y;
+            size += std::abs(x) + std::abs(y);
+        }
+        double const known = std::abs(coarse - middle) + std::abs(middle - fine);
+        expect(std::abs(double(sum) - fine) <= 4 * known + 1e-5 * (std::abs(fine) + double(size)),
+               "the derivative of a bound is " + std::to_string(double(sum)) +
+                   ", differences are " + std::to_string(coarse) + " and " + std::to_string(fine));
+    }
+
+    // Corners whose area becomes 0, and the derivatives of the step by the three points.
+    void corners() {
+        hm_points const from = in(start_), by = in(by_);
+        std::vector<hm_step_corner> out(at(input_.from(1, 6)));
+        for (hm_step_corner& corner : out) corner.step = 7;
+        double const closeness =
+            input_.one_in(8) ? input_.any_of({double(NAN), -1.0, 1.1}) : input_.between(0, 1);
+        std::int32_t n = -7;
+        hm_status const status =
+            hm_step_gradient(solved_.basis, &problem_.mesh, input_.one_in(2) ? &from : nullptr, &by,
+                             closeness, static_cast<std::int32_t>(out.size()), out.data(), &n,
+                             problem_.options.executor, &error_);
+        expect_told(status, error_);
+        bool const is_legal = closeness >= 0 && closeness <= 1;
+        expect(status < 0 || is_legal, "a closeness out of range is taken");
+        if (status < 0) {
+            expect(!is_legal || status == HM_BAD_MESH,
+                   std::string("corners of a step are refused: ") + error_.text);
+            for (hm_step_corner const& corner : out)
+                expect(corner.step == 7, "a refused call has written");
+            expect(n == -7, "a refused call has written");
+            return;
+        }
+        expect((n > 0) == std::isfinite(step_), "a step without corners");
+        for (std::size_t k = 0; k < std::min(out.size(), at(n)); ++k) {
+            hm_step_corner const& found = out[k];
+            expect(k > 0 || std::abs(found.step - step_) <= 1e-12 * step_,
+                   "the first corner does not limit the step");
+            expect(k == 0 || found.step >= out[k - 1].step, "corners are not in order");
+            expect(found.step <= (1 + closeness) * step_ * (1 + 1e-12), "a corner is not close");
+            one_of_the_corners(found);
+        }
+    }
+    void one_of_the_corners(hm_step_corner const& found) const {
+        std::int32_t const base = problem_.mesh.index_base;
+        std::int32_t const before = found.points[0] - base, here = found.points[1] - base,
+                           after = found.points[2] - base;
+        bool any = false, is_right = false;
+        std::string why;
+        for (JudgedCorner const& corner : judged_.corners) {
+            bool const is_same = corner.before == before && corner.after == after,
+                       is_reversed = corner.before == after && corner.after == before;
+            if (corner.cell != at(found.cell - base)) continue;
+            // A triangle of a divided cell may be listed from any of its corners.
+            bool const is_rotated =
+                (corner.before == here && corner.here == after && corner.after == before) ||
+                (corner.before == after && corner.here == before && corner.after == here) ||
+                (corner.after == here && corner.here == before && corner.before == after) ||
+                (corner.after == before && corner.here == after && corner.before == here);
+            if (!(corner.here == here && (is_same || is_reversed)) && !is_rotated) continue;
+            any = true;
+            Area const area = area_of(corner, start_, by_, found.step);
+            std::int32_t const own[3] = {corner.before, corner.here, corner.after};
+            Wide error = 0, size = 0;
+            for (int i = 0; i < 3; ++i)
+                for (int j = 0; j < 3; ++j) {
+                    if (found.points[j] - base != own[i]) continue;
+                    for (int axis = 0; axis < 2; ++axis) {
+                        Wide const expected = -area.by_point[2 * i + axis] / area.rate;
+                        error = std::max(error, std::abs(expected - found.by_from[2 * j + axis]));
+                        size = std::max(size, std::abs(expected));
+                    }
+                }
+            // Where two roots nearly meet, or the sides are long, the root itself is inaccurate.
+            Wide const steep = std::abs(area.rate) * found.step;
+            Wide const within = 1e-9L + 1e3L * area.rounding / steep;
+            is_right = is_right || error <= within * size || within > 1e-3L;
+            why = std::to_string(double(error / size));
+        }
+        expect(any, "a corner that the mesh does not have");
+        expect(is_right, "the derivative of a step differs from that of the area by " + why);
+    }
+
+    Solution& solved_;
+    Problem const& problem_;
+    Judged const& judged_;
+    Input& input_;
+    std::vector<Point> start_, by_;
+    double step_ = 0;
+    hm_error error_{};
+};
+
+}  // namespace
+
+Outcome run_quality(Input& input) {
+    std::unique_ptr<Problem> const problem =
+        make_problem(input, input.one_in(3) ? Cells::polygons : Cells::triangles_and_quads);
+    Judged const judged = judge_by_header(problem->domain);
+    if (judged.ambiguous > 0) return Outcome::refused;
+    Solution solution(*problem, input);
+    if (solution.status < 0 || problem->functions() < 1) return Outcome::refused;
+    Quality(solution, judged, input).run();
+    return Outcome::done;
+}
+
+}  // namespace fuzz
