@@ -277,10 +277,9 @@ class Morph(Functions, Large, Displacements):
     def _attached(cls, basis: Basis, mesh: Any, curves: Any, pairs: Any, threads: int) -> "Morph":
         self = cls.__new__(cls)
         info = basis.info
-        is_laplace = info.operator_kind == lib.HM_LAPLACE
         self._options = {
             "operator_kind": info.operator_kind, "engine": info.engine,
-            "exponent_quarters": 0 if is_laplace else info.exponent_quarters,
+            "exponent": info.exponent or -1,
             "offset_correction": info.offset_correction,
         }
         self._own(mesh, curves, pairs, threads)
