@@ -15,7 +15,8 @@ with a reservation is a :class:`harmorph.HarmorphWarning`. Adapters for other co
 
 from ._native import ffi as _ffi, lib as _lib
 from .conditions import Condition
-from .curves import Curve, Curves
+from .curve import Curve
+from .curves import Curves
 from .errors import Error, HarmorphWarning
 from .fields import Walls, swept_areas
 from .functions import Assessment, rigid
@@ -24,25 +25,36 @@ from .measures import Measures
 from .mesh import Mesh
 from .morph import Morph
 from .plane import Plane
+from .quality import Bounds, Corners, Quality
 from .reports import Report
+from .shapes import Moved, Movement
+from .transfer import Interpolation, Remapped, remap
 from .variables import Variables
 
 __version__: str = _ffi.string(_lib.hm_version()).decode()
 __all__ = [
     "Assessment",
+    "Bounds",
     "Condition",
+    "Corners",
     "Curve",
     "Curves",
     "Error",
     "HarmorphWarning",
+    "Interpolation",
     "Measures",
     "Mesh",
     "Morph",
+    "Moved",
+    "Movement",
     "Plane",
+    "Quality",
+    "Remapped",
     "Report",
     "Safe",
     "Variables",
     "Walls",
+    "remap",
     "rigid",
     "swept_areas",
     "__version__",
