@@ -10,8 +10,11 @@ Points and cells, control points, curves and functions are counted from 0. Lengt
 the coordinates, angles are in degrees. Every refusal is a :class:`harmorph.Error`; what can be used
 with a reservation is a :class:`harmorph.HarmorphWarning`. Adapters for other codes are the modules
 ``harmorph.usmesh``, ``harmorph.dvgeo``, ``harmorph.openmdao``, ``harmorph.torch`` and
-``harmorph.jax``, which import their host when they are imported.
+``harmorph.jax``, which are imported, with their host, when they are first used.
 """
+
+import importlib as _importlib
+from typing import Any as _Any
 
 from ._native import ffi as _ffi, lib as _lib
 from .conditions import Condition
@@ -59,3 +62,9 @@ __all__ = [
     "swept_areas",
     "__version__",
 ]
+
+
+def __getattr__(name: str) -> _Any:
+    if name in ("usmesh", "dvgeo", "openmdao", "torch", "jax"):
+        return _importlib.import_module(f"{__name__}.{name}")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
