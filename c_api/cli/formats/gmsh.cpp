@@ -45,14 +45,15 @@ void create_gmsh(std::ostream& out, const Mesh& mesh) {
         out << face + 1 << " 1 2 " << tag << ' ' << tag << ' ' << mesh.face_points[2 * face] + 1
             << ' ' << mesh.face_points[2 * face + 1] + 1 << '\n';
     }
-    write_rows(out, mesh.cell_start.size() - 1, mesh.threads, [&](std::size_t cell, std::string& row) {
-        const std::int32_t begin = mesh.cell_start[cell], end = mesh.cell_start[cell + 1];
-        TextOut to(row);
-        to << n_faces + cell + 1 << (end - begin == 3 ? " 2 2 1 1" : " 3 2 1 1");
-        for (std::int32_t i = begin; i < end; ++i)
-            to << ' ' << mesh.cell_points[static_cast<std::size_t>(i)] + 1;
-        to << '\n';
-    });
+    write_rows(
+        out, mesh.cell_start.size() - 1, mesh.threads, [&](std::size_t cell, std::string& row) {
+            const std::int32_t begin = mesh.cell_start[cell], end = mesh.cell_start[cell + 1];
+            TextOut to(row);
+            to << n_faces + cell + 1 << (end - begin == 3 ? " 2 2 1 1" : " 3 2 1 1");
+            for (std::int32_t i = begin; i < end; ++i)
+                to << ' ' << mesh.cell_points[static_cast<std::size_t>(i)] + 1;
+            to << '\n';
+        });
     out << "$EndElements\n";
 }
 

@@ -7,17 +7,6 @@
 
 namespace cli {
 
-bool PlainRow::whole(std::int32_t& value) {
-    constexpr int most_digits = 9;  // every such number fits
-    const char* const first = at_;
-    std::int32_t read = 0;
-    for (; at_digit() && at_ - first < most_digits; ++at_) read = 10 * read + (*at_ - '0');
-    if (at_ == first || !ends_word()) return false;
-    value = read;
-    over_blanks();
-    return true;
-}
-
 bool PlainRow::real(double& value) {
 #if defined(__cpp_lib_to_chars)
     const auto result = std::from_chars(at_, end_, value);
@@ -30,13 +19,6 @@ bool PlainRow::real(double& value) {
 #endif
     if (!ends_word()) return false;
     over_blanks();
-    return true;
-}
-
-bool PlainRow::end_of_line() {
-    if (at_ < end_ && *at_ == '\r') ++at_;
-    if (at_ == end_ || *at_ != '\n') return false;
-    ++at_;
     return true;
 }
 

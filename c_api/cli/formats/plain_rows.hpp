@@ -15,23 +15,39 @@
 
 namespace cli {
 
-struct TableEnd {  // of the rows that have been read
+struct TableEnd {                      // of the rows that have been read
     std::int64_t rows = 0, items = 0;  // items: numbers that vary from row to row, such as corners
 };
 
 // Walks over the text of one row.
 class PlainRow {
 public:
-    PlainRow(std::string_view text, std::size_t at) : begin_(text.data()), at_(begin_ + at), end_(begin_ + text.size()) {}
+    PlainRow(std::string_view text, std::size_t at)
+        : begin_(text.data()), at_(begin_ + at), end_(begin_ + text.size()) {}
 
     std::size_t offset() const { return static_cast<std::size_t>(at_ - begin_); }
     void over_blanks() {
         while (at_ < end_ && (*at_ == ' ' || *at_ == '\t')) ++at_;
     }
     bool at_digit() const { return at_ < end_ && *at_ >= '0' && *at_ <= '9'; }
-    bool whole(std::int32_t& value);  // digits up to a blank or the end of the line, then blanks
-    bool real(double& value);         // finite; does the same
-    bool end_of_line();               // LF, or CR LF
+    // Reads digits up to a blank or the end of the line, and passes over the blanks.
+    bool whole(std::int32_t& value) {
+        constexpr int most_digits = 9;  // every such number fits
+        const char* const first = at_;
+        std::int32_t read = 0;
+        for (; at_digit() && at_ - first < most_digits; ++at_) read = 10 * read + (*at_ - '0');
+        if (at_ == first || !ends_word()) return false;
+        value = read;
+        over_blanks();
+        return true;
+    }
+    bool real(double& value);  // finite; does the same
+    bool end_of_line() {       // LF, or CR LF
+        if (at_ < end_ && *at_ == '\r') ++at_;
+        if (at_ == end_ || *at_ != '\n') return false;
+        ++at_;
+        return true;
+    }
 
 private:
     bool ends_word() const {
@@ -56,13 +72,17 @@ void read_plain_rows(std::string_view text, std::size_t& at, std::int64_t n, std
         TableEnd from, to;
     };
     const auto behind_line = [text](std::size_t from) {
-        const void* const found = from < text.size() ? std::memchr(text.data() + from, '\n', text.size() - from) : nullptr;
-        return found ? static_cast<std::size_t>(static_cast<const char*>(found) - text.data()) + 1 : text.size();
+        const void* const found = from < text.size()
+                                      ? std::memchr(text.data() + from, '\n', text.size() - from)
+                                      : nullptr;
+        return found ? static_cast<std::size_t>(static_cast<const char*>(found) - text.data()) + 1
+                     : text.size();
     };
     for (bool all_plain = true; all_plain && done.rows < n && at < text.size();) {
         std::vector<Piece> pieces;
         for (std::size_t begin = at; begin < text.size() && pieces.size() < n_pieces;) {
-            const std::size_t end = behind_line(begin + std::min(bytes_of_piece, text.size() - begin) - 1);
+            const std::size_t end =
+                behind_line(begin + std::min(bytes_of_piece, text.size() - begin) - 1);
             pieces.push_back({begin, end, {}, {}});
             begin = end;
         }
@@ -85,7 +105,8 @@ void read_plain_rows(std::string_view text, std::size_t& at, std::int64_t n, std
             Piece& piece = pieces[k];
             PlainRow row(text, piece.begin);
             TableEnd read = piece.from;
-            while (read.rows < std::min(piece.to.rows, n) && table.read(row, read)) piece.begin = row.offset();
+            while (read.rows < std::min(piece.to.rows, n) && table.read(row, read))
+                piece.begin = row.offset();
             piece.from = read;
         });
         for (std::size_t k = 0; k < pieces.size() && all_plain && done.rows < n; ++k) {

@@ -8,6 +8,7 @@
 
 #include "basics/failure.hpp"
 #include "basics/numbers.hpp"
+#include "basics/place.hpp"
 #include "formats/plain_rows.hpp"
 
 #include <algorithm>
@@ -231,6 +232,10 @@ void Su2Reader::read_rows(std::int64_t n, Table table, const ReadRow& read_row) 
 void Su2Reader::read_points(const Heading& heading) {
     only_once(heading);
     const std::int32_t n = count(heading);
+    const std::size_t most = std::min(place(n), mesh_.file.text().size() / 4);  // "0 0" and its end
+    for (auto* const values : {&mesh_.x, &mesh_.y}) values->reserve(most);
+    mesh_.point_offset.reserve(most);
+    mesh_.in_file.slots.reserve(2 * most);
     read_rows(n, PointRows{mesh_}, [&](std::int32_t point) {
         const Words& words = data_line("point", point, n);
         if (words.size() < 2 || words.size() > 4)
@@ -247,6 +252,10 @@ void Su2Reader::read_points(const Heading& heading) {
 void Su2Reader::read_cells(const Heading& heading) {
     only_once(heading);
     const std::int32_t n = count(heading);
+    const std::size_t most = std::min(place(n), mesh_.file.text().size() / 8);  // "5 0 1 2"
+    mesh_.cell_start.reserve(most + 1);
+    mesh_.cell_offset.reserve(most);
+    mesh_.cell_points.reserve(4 * most);
     read_rows(n, CellRows{mesh_}, [&](std::int32_t cell) {
         const Words& words = data_line("element", cell, n);
         std::int32_t type = 0;
