@@ -23,7 +23,7 @@ std::atomic<int> waiting;  // the signal that has come meanwhile, or 0
 constexpr int ending_signals[] = {
     SIGINT,  SIGTERM,
 #ifdef SIGHUP
-    SIGHUP,  SIGQUIT, SIGPIPE,
+    SIGHUP,  SIGQUIT, SIGPIPE, SIGBUS,
 #endif
 #ifdef SIGXCPU
     SIGXCPU, SIGXFSZ,
