@@ -105,7 +105,6 @@ typedef struct hm_bound_value {
     uint64_t struct_size; /* the same in all values of one call */
     double bound;
     double extreme;    /* m: the smallest value (HM_BOUND_STRETCH: the largest) */
-    double gap;        /* |bound - extreme|, between 0 and ln(count) / sharpness */
     int32_t item_kind; /* HM_ITEM_CELL, or HM_ITEM_POINT for the first layer: a wall point */
     int32_t item;      /* the cell, or the wall point, with that value; the first of equal ones */
     int64_t count;     /* N */

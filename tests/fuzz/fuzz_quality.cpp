@@ -196,7 +196,8 @@ private:
         expect(sign * (value.extreme - value.bound) >= -1e-12 * std::abs(value.bound),
                "a bound is on the wrong side");
         double const widest = std::log(double(value.count)) / rho;
-        expect(value.gap >= 0 && value.gap <= widest * (1 + 1e-9) + 1e-15, "a gap is too large");
+        expect(sign * (value.extreme - value.bound) <= widest * (1 + 1e-9) + 1e-15,
+               "a gap is too large");
         if (!is_of_layer && inverted_cells(judged_, place, 1e-12) == 0) {
             Values const expected = values(bound.kind, place);
             expect(at(static_cast<std::int32_t>(value.count)) == expected.value.size(),
