@@ -45,7 +45,6 @@ hm_fit_report report_of(FitReport const& fitted, Index n_pieces) noexcept {
     filled.closed = static_cast<std::int32_t>(fitted.closure);
     filled.first_point = fitted.first_point;
     filled.base_points = fitted.base_points;
-    filled.reason = static_cast<std::int32_t>(fitted.reason);
     filled.corners = fitted.corners;
     filled.backtrack_point = fitted.backtrack_point;
     filled.pieces = n_pieces;

@@ -203,8 +203,7 @@ void choose_options(Problem& problem, Input& input) {
         o.max_iterations = input.from(1, 20);
     }
     if (o.operator_kind == HM_CONFORMAL && input.one_in(3)) o.offset_correction = 1;
-    if (o.operator_kind != HM_LAPLACE && input.one_in(2)) o.exponent_quarters = input.from(-1, 16);
-    if (input.one_in(3)) o.kernel = HM_KERNEL_BASELINE;
+    if (o.operator_kind != HM_LAPLACE && input.one_in(2)) o.exponent = input.from(-1, 16) / 4.0;
     if (!input.one_in(4)) return;
     problem.executor = sized<hm_executor>();
     problem.executor.run = [](void*, std::int32_t n, void (*task)(void*, std::int32_t),

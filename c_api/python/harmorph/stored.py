@@ -5,7 +5,6 @@ from __future__ import annotations
 import copy
 from typing import Any, Dict, Optional, Type, TypeVar
 
-from ._native import lib
 from .basis import Basis
 from .curves import Curves
 from .mesh import Mesh
@@ -64,10 +63,9 @@ class Stored:
     def _attached(cls: Type[Self], basis: Basis, mesh: Any, curves: Any, pairs: Any, threads: int) -> Self:
         self = cls.__new__(cls)
         info = basis.info
-        is_laplace = info.operator_kind == lib.HM_LAPLACE
         self._options = {
             "operator_kind": info.operator_kind, "engine": info.engine,
-            "exponent_quarters": 0 if is_laplace else info.exponent_quarters,
+            "exponent": info.exponent or -1,
             "offset_correction": info.offset_correction,
         }
         self._own(mesh, curves, pairs, threads)
