@@ -110,6 +110,7 @@ private:
             m += 1;
         }
         if (cell.size() == 3) return 2 * std::sqrt(Wide(3)) * area_of(cell, place) / squares;
+        if (m < 3) return 1;
         Wide const pi = std::acos(Wide(-1));
         return (judged_.is_divided[number] ? m / std::sin(2 * pi / m) : 4) / inverse;
     }
@@ -206,7 +207,8 @@ private:
             for (Wide const each : expected.value) sum += std::exp(-rho * (each - least));
             Wide const within = 1e-11L + 8 * expected.rounding;
             expect(std::abs(value.extreme - least) <= within * std::max(Wide(1), std::abs(least)),
-                   "the smallest value differs from the reference");
+                   "the smallest value " + shown(value.extreme) + " differs from the reference " +
+                       shown(double(least)) + " by " + shown(double(value.extreme - least)));
             expect(std::abs(value.bound - (least - std::log(sum) / rho)) <=
                        within * std::max(Wide(1), std::abs(least)),
                    "a bound differs from the reference");
@@ -240,9 +242,12 @@ private:
             size += std::abs(x) + std::abs(y);
         }
         double const known = std::abs(coarse - middle) + std::abs(middle - fine);
-        expect(std::abs(double(sum) - fine) <= 4 * known + 1e-5 * (std::abs(fine) + double(size)),
-               "the derivative of a bound is " + std::to_string(double(sum)) +
-                   ", differences are " + std::to_string(coarse) + " and " + std::to_string(fine));
+        // The bound is rounded to 2^-53 of the values, which are of the order of 1.
+        double const rounded = 0x1p-50 * std::max(1.0, std::abs(bound_at(step))) / h;
+        expect(std::abs(double(sum) - fine) <=
+                   4 * known + rounded + 1e-5 * (std::abs(fine) + double(size)),
+               "the derivative of a bound is " + shown(double(sum)) + ", differences are " +
+                   shown(coarse) + ", " + shown(middle) + " and " + shown(fine));
     }
 
     // Corners whose area becomes 0, and the derivatives of the step by the three points.
@@ -312,7 +317,7 @@ private:
             Wide const steep = std::abs(area.rate) * found.step;
             Wide const within = 1e-9L + 1e3L * area.rounding / steep;
             is_right = is_right || error <= within * size || within > 1e-3L;
-            why = std::to_string(double(error / size));
+            why = shown(double(error / size));
         }
         expect(any, "a corner that the mesh does not have");
         expect(is_right, "the derivative of a step differs from that of the area by " + why);

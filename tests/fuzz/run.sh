@@ -11,8 +11,8 @@ checks="address,undefined,float-cast-overflow"
 followed=-fsanitize-coverage=inline-8bit-counters,pc-table
 # Tables of kernels, unrolled for each set of registers: clang takes many minutes to optimise them with their checks.
 tables="src/dense/dense_table.cpp src/operators/residual_table.cpp"
-targets="problem polygons basis sequence files shape given parts plane transfer commands model"
-each=$((FUZZ_SECONDS / 12 > 0 ? FUZZ_SECONDS / 12 : 1))
+targets="problem polygons basis sequence files shape given parts plane transfer commands model fields quality"
+each=$((FUZZ_SECONDS / 14 > 0 ? FUZZ_SECONDS / 14 : 1))
 flags="-g1 -fno-omit-frame-pointer -fno-sanitize-recover=all"
 executions=0 edges=0 findings=0
 # Blocks that were freed are kept for a while, to see who still uses them: little memory, which stays in the cache.
