@@ -204,12 +204,11 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
     problem.iteration.tolerance = method.tolerance;
     problem.progress = {o.progress, o.progress_user};
     HARMORPH_TRY(view_executor(o.executor, problem.executor, fault));
-    method.kernel = problem.executor.kernel;
-    if (!has_kernel(method.kernel)) {
+    if (!has_kernel(problem.executor.kernel)) {
         return fault.refuse(Status::unsupported,
                             "executor.kernel is #, a kernel that this processor lacks; "
                             "HM_KERNEL_AUTO always works",
-                            plain(static_cast<Index>(method.kernel)));
+                            plain(static_cast<Index>(problem.executor.kernel)));
     }
     return Status::ok;
 }
