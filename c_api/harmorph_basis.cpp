@@ -18,7 +18,7 @@ hm_basis_info info_of(Basis const& basis) noexcept {
     filled.operator_kind = static_cast<std::int32_t>(header.method.operator_kind);
     filled.scheme = static_cast<std::int32_t>(header.method.scheme);
     filled.engine = static_cast<std::int32_t>(header.method.engine);
-    filled.exponent_quarters = header.method.exponent_quarters;
+    filled.exponent = header.method.exponent_quarters / 4.0;
     filled.bodies = header.counts.bodies;
     filled.offset_correction = header.method.offset_correction;
     filled.storage = static_cast<std::int32_t>(header.counts.storage);
@@ -142,7 +142,7 @@ hm_status hm_basis_along(const hm_basis* basis, int32_t condition, hm_curves* ou
         Condition const& kept = b.conditions[condition];
         if (kept.kind != ConditionKind::slip || kept.n_curves == 0) {
             return fault.refuse(Status::bad_argument,
-                                "condition # of the basis has no curves along which points slide",
+                                "condition # of the basis has no curves along which points slip",
                                 condition_item(condition));
         }
         if (capacity < kept.n_curves) {

@@ -64,7 +64,6 @@ hm_bound_value value_of(BoundAsked const& asked, SmoothMinimum const& found,
     hm_bound_value value = {};
     value.bound = sign * bound;
     value.extreme = sign * found.least;
-    value.gap = found.least - bound;
     value.item_kind = asked.is_layer() ? HM_ITEM_POINT : HM_ITEM_CELL;
     value.item = numbered(found.item, index_base);
     value.count = found.count;

@@ -60,8 +60,6 @@ hm_equations_info info_of(PartEquations const& equations) noexcept {
     filled.field_columns = equations.matrix.kind() == MatrixKind::real ? 2 : 1;
     filled.unknown = equations.unknown_number.data();
     filled.own = equations.is_own.data();
-    equations.for_each_entry(0, equations.matrix.n,
-                             [&](Index, Index, Real, Real) { ++filled.entries; });
     return filled;
 }
 

@@ -112,7 +112,7 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     filled.turned_offset = safe.outcome.turned_offset;
     filled.start_quality = safe.start_quality;
     filled.end_point = numbered(safe.end, base);
-    filled.end_leaves = safe.end_leaves;
+    filled.end_distance = safe.end_distance;
     filled.n_worst = safe.n_worst;
     for (Index k = 0; k < safe.n_worst; ++k) {
         WorstCell const& worst = safe.worst[k];

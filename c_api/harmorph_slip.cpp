@@ -6,7 +6,7 @@
 namespace harmorph {
 namespace {
 
-SlipProjection sliding_of(Analysis const& analysis) noexcept {
+SlipProjection slip_of(Analysis const& analysis) noexcept {
     return {analysis.slip_curves(), analysis.slip_followers(), analysis.problem().mesh.n_points};
 }
 
@@ -38,7 +38,7 @@ hm_status hm_slip(const hm_analysis* analysis, const hm_points* from, const hm_p
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(to, "to", after, fault));
         HARMORPH_TRY(check_sliding(opened->slip_curves(), before, fault));
-        sliding_of(*opened).project(before, after);
+        slip_of(*opened).project(before, after);
         return Status::ok;
     });
 }
@@ -54,7 +54,7 @@ hm_status hm_slip_derivative(const hm_analysis* analysis, const hm_points* from,
         HARMORPH_TRY(view_points(d_from, "d_from", velocity, fault));
         HARMORPH_TRY(view_points(d_to, "d_to", after, fault));
         HARMORPH_TRY(check_sliding(opened->slip_curves(), before, fault));
-        sliding_of(*opened).differentiate(before, velocity, after);
+        slip_of(*opened).differentiate(before, velocity, after);
         return Status::ok;
     });
 }
@@ -70,7 +70,7 @@ hm_status hm_slip_adjoint(const hm_analysis* analysis, const hm_points* from, co
         HARMORPH_TRY(view_points(dj, "dj", derivative, fault));
         HARMORPH_TRY(view_points(dj_from, "dj_from", transposed, fault));
         HARMORPH_TRY(check_sliding(opened->slip_curves(), before, fault));
-        sliding_of(*opened).transpose(before, derivative, transposed);
+        slip_of(*opened).transpose(before, derivative, transposed);
         return Status::ok;
     });
 }

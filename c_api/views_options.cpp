@@ -41,18 +41,21 @@ Status check_combination(hm_options const& o, hm_study_options const& study,
 Status view_operator(hm_options const& o, hm_study_options const& study, Method& method,
                      Fault& fault) noexcept {
     HARMORPH_TRY(check_combination(o, study, fault));
-    if (o.exponent_quarters < HM_NO_WEIGHT || o.exponent_quarters > 16) {
+    bool const in_range = is_finite(o.exponent) && o.exponent <= 4;
+    Index const quarters = in_range && o.exponent > 0 ? static_cast<Index>(4 * o.exponent) : 0;
+    if (!in_range || (o.exponent > 0 && quarters != 4 * o.exponent)) {
         return fault.refuse(Status::bad_argument,
-                            "options.exponent_quarters must be between -1 and 16, not #",
-                            plain(o.exponent_quarters));
+                            "options.exponent must be a multiple of 0.25 up to 4, or negative "
+                            "for no weight, not ~",
+                            {}, {}, o.exponent);
     }
     method.operator_kind = static_cast<Operator>(o.operator_kind);
     method.scheme = static_cast<Scheme>(study.scheme);
     method.engine = static_cast<Engine>(o.engine);
-    if (!method.operator_row().has_weight && o.exponent_quarters > 0) {
+    if (!method.operator_row().has_weight && o.exponent > 0) {
         return fault.refuse(Status::unsupported,
-                            "options.exponent_quarters must be 0 or HM_NO_WEIGHT for HM_LAPLACE, "
-                            "which has no weight; HM_WEIGHTED has one");
+                            "options.exponent must not be positive for HM_LAPLACE, which has no "
+                            "weight; HM_WEIGHTED has one");
     }
     if (o.offset_correction < 0 || o.offset_correction > 1) {
         return fault.refuse(Status::bad_argument, "options.offset_correction must be 0 or 1, not #",
@@ -63,9 +66,8 @@ Status view_operator(hm_options const& o, hm_study_options const& study, Method&
             Status::unsupported,
             "options.offset_correction must be 0 unless the operator is HM_CONFORMAL");
     }
-    method.exponent_quarters = o.exponent_quarters == 0
-                                   ? method.operator_row().default_exponent_quarters
-                                   : max(o.exponent_quarters, Index{0});
+    method.exponent_quarters =
+        o.exponent == 0 ? method.operator_row().default_exponent_quarters : quarters;
     method.offset_correction = o.offset_correction;
     return Status::ok;
 }
@@ -190,14 +192,6 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
                             "options.tolerance must be at least 0 and below 1, not ~", {}, {},
                             o.tolerance);
     }
-    if (o.kernel < HM_KERNEL_AUTO || o.kernel > HM_KERNEL_NEON ||
-        !has_kernel(static_cast<Kernel>(o.kernel))) {
-        return fault.refuse(Status::unsupported,
-                            "options.kernel is #, which is unknown or not a kernel of this "
-                            "processor; HM_KERNEL_AUTO always works",
-                            plain(o.kernel));
-    }
-    method.kernel = static_cast<Kernel>(o.kernel);
     if (o.precision < HM_DOUBLE || o.precision > HM_SINGLE) {
         return fault.refuse(Status::unsupported,
                             "options.precision is #, but it must be HM_DOUBLE or HM_SINGLE",
@@ -208,7 +202,14 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
     if (o.tolerance > 0) method.tolerance = o.tolerance;
     problem.iteration.tolerance = method.tolerance;
     problem.progress = {o.progress, o.progress_user};
-    return view_executor(o.executor, problem.executor, fault);
+    HARMORPH_TRY(view_executor(o.executor, problem.executor, fault));
+    if (!has_kernel(problem.executor.kernel)) {
+        return fault.refuse(Status::unsupported,
+                            "executor.kernel is #, a kernel that this processor lacks; "
+                            "HM_KERNEL_AUTO always works",
+                            plain(static_cast<Index>(problem.executor.kernel)));
+    }
+    return Status::ok;
 }
 
 }  // namespace harmorph

@@ -11,7 +11,7 @@
  *   harmorph_design.h  evaluation, refinement and measures of curves, variables, slipping points
  *   harmorph_bases.h   bases made from another one: single precision, combined, finer, by table
  *   harmorph_study.h   diagnostics, and the schemes and engines of the paper
- *   harmorph_fields.h  swept areas, wall distances, coarse levels, interpolation of fields
+ *   harmorph_fields.h  swept areas, wall distances, coarse levels, fields of one mesh on another
  *   harmorph_space.h   meshes one cell thick, blocks in arrays of their own, meshes given as edges
  *   harmorph_parts.h   functions and meshes shared among processes (harmorph_mpi.h, _petsc.h)
  *   harmorph_quality.h smooth bounds of the quality of a mesh, with derivatives, for optimisers
@@ -112,8 +112,8 @@ enum {
      * limits the movement, or the end of a wall that leaves the straight boundary beside it. */
     HM_SHORT = 3,
     HM_BACKTRACKS = 4, /* hm_fit: the curve runs backwards behind the point error.item */
-    /* hm_analysis_init: the point error.item is farther from the curve of its marker (error.value)
-     * than 5 % of the extent of the curve or of all points on curves, or beyond its end. */
+    /* hm_analysis_init: a point (error.item) is far from the curve of its marker, or beyond the end
+     * of the curve, see hm_condition.first_curve. error.value: the distance. */
     HM_FAR_FROM_CURVE = 5,
     /* The mesh is valid and at the target, but cells are poorer, or heights of the first layer
      * changed more, than the options ask for. error.item: the cell, or the wall point. */
@@ -180,7 +180,7 @@ HM_API const char* hm_status_name(hm_status status); /* "HM_OK", ...; "unknown s
 
 /* Kernels for vector instructions. The library contains those of its architecture. */
 enum {
-    HM_KERNEL_AUTO = 0, /* the best kernel of the processor, which the library asks */
+    HM_KERNEL_AUTO = 0, /* the best kernel of the processor, which the library finds out */
     HM_KERNEL_BASELINE = 1,
     HM_KERNEL_AVX2 = 2,
     HM_KERNEL_AVX512 = 3,
@@ -202,9 +202,11 @@ typedef struct hm_executor {
     void* user; /* passed to run */
     /* About how many tasks run at once, 1 .. 256; 0 means 1. The memory of a plan grows with it. */
     int32_t n_threads;
-    /* The result of hm_best_kernel(), which the library does not check. With HM_KERNEL_AUTO each
-     * large call asks the processor, and small calls use the baseline. Calls without hm_options
-     * (morph, adjoint, assess) give the same results with every kernel. */
+    /* The result of hm_best_kernel(); or one kernel for all processors, so that solved functions
+     * have the same bits on each. Calls without hm_options (morph, adjoint, assess) have the same
+     * bits with every kernel. Calls with hm_options refuse a kernel that the processor lacks
+     * (HM_UNSUPPORTED); the other calls do not check. With HM_KERNEL_AUTO each large call asks the
+     * processor, and small calls use the baseline. */
     int32_t kernel;
 } hm_executor;
 
@@ -235,7 +237,7 @@ enum {
     /* No list: point (i,j) is i + ni*j, cell (i,j) is i + (ni-1)*j, i and j from 0. */
     HM_CELLS_STRUCTURED = 3,
     /* Triangles in cell_points [3*(n_cells-n_quads)], then quadrilaterals in quad_points
-       [4*n_quads] */
+     * [4*n_quads] */
     HM_CELLS_MIXED = 4,
     /* No list: structured blocks one after the other, points and cells of each as in
      * HM_CELLS_STRUCTURED. Interfaces of blocks are cuts (see below): their points exist once in
@@ -338,10 +340,10 @@ typedef struct hm_fit_report {
     int32_t closed;      /* the closure used: HM_OPEN, HM_TIED or HM_PERIODIC */
     int32_t first_point; /* where the curve begins: the corner of a loop */
     int32_t base_points; /* points on a blunt base including both ends; 0: no base */
-    int32_t reason;      /* HM_FIT_... of harmorph_design.h: why the curve is closed in this way */
     int32_t corners; /* points where the direction of the outline jumps, ends of curves included */
     int32_t backtrack_point; /* the curve runs backwards from here to the next point; -1: nowhere */
     int32_t pieces;          /* pieces of the boundary that were fitted */
+    int32_t reserved;        /* 0 */
 } hm_fit_report;
 
 HM_API hm_status hm_fit_size(int32_t n, const hm_fit_options* options, size_t* bytes,
@@ -467,8 +469,6 @@ enum {
     /* Minimises the integral of k |grad F|^2. */
     HM_WEIGHTED = 2
 };
-/* hm_options.exponent_quarters: k = 1. Conformal functions are then those of HM_LAPLACE. */
-enum { HM_NO_WEIGHT = -1 };
 /* hm_options.engine */
 enum {
     /* Nested dissection and multifrontal Cholesky factorisation; the fastest engine. Plan and
@@ -499,10 +499,11 @@ typedef struct hm_options {
     int32_t operator_kind; /* default HM_CONFORMAL */
     int32_t engine;        /* default HM_DIRECT */
     int32_t precision;     /* of the factor: default HM_DOUBLE; HM_SINGLE with HM_DIRECT only */
-    /* HM_KERNEL_...: vector instructions of the plan; choose one for equal bits on different
-     * processors. HM_KERNEL_AUTO: executor.kernel, if given, otherwise the best kernel of the
-     * processor. A kernel that the processor lacks is refused (HM_UNSUPPORTED). */
-    int32_t kernel;
+    /* 0 or 1; conformal only. 1: boundary functions N_i + e N_i' / C', e the offset of the mesh
+     * point from the curve, so that the offset rotates with the curve: rigid motions of all control
+     * points then move every wall point rigidly; other motions add e dC' / C'. The correction is
+     * left out at corners and where |e| sum_i |N_i'| >= |C'|. */
+    int32_t offset_correction;
     /* [-] Relative residual above which hm_plan_solve warns; 0 means 1e-10. Iterative engines also
      * continue until the estimated error of the values is about tolerance times the largest value.
      * HM_DIRECT does not warn if the residual of every row is rounding of its fluxes (very thin
@@ -513,13 +514,9 @@ typedef struct hm_options {
     /* NULL: one thread. The struct is copied, but the object that executor.user points to must
      * exist as long as analysis and plan. */
     const hm_executor* executor;
-    /* 4 q of the weight, 1 .. 16, or HM_NO_WEIGHT; 0: 6 for HM_CONFORMAL, 4 for HM_WEIGHTED. */
-    int32_t exponent_quarters;
-    /* 0 or 1; conformal only. 1: boundary functions N_i + e N_i' / C', e the offset of the mesh
-     * point from the curve, so that the offset rotates with the curve: rigid motions of all control
-     * points then move every wall point rigidly; other motions add e dC' / C'. The correction is
-     * left out at corners and where |e| sum_i |N_i'| >= |C'|. */
-    int32_t offset_correction;
+    /* [-] q of the weight: a multiple of 1/4 up to 4; 0: 1.5 for HM_CONFORMAL, 1 for HM_WEIGHTED.
+     * Negative: k = 1; the functions are then those of HM_LAPLACE. */
+    double exponent;
     const struct hm_study_options* study; /* copied; NULL: defaults */
 } hm_options;
 
@@ -600,15 +597,14 @@ typedef struct hm_basis_info {
     /* [curve_points] their curves; curves + b: rigid body b; curves + bodies: HM_GIVEN */
     const int32_t* point_curve;
     const double* point_u;     /* [curve_points] the parameter of each of them */
-    int32_t exponent_quarters; /* 0: no weight */
+    double exponent;           /* q of the weight; 0: no weight */
     int32_t bodies;            /* rigid bodies */
     int32_t offset_correction; /* 0 or 1 */
     int32_t storage;           /* HM_DOUBLE, or HM_SINGLE: see hm_single_init */
     int32_t combined; /* functions of design variables (hm_combine); 0: those of control points */
     /* functions = (combined, or control_points where that is 0) + 2 * bodies + modes */
     int32_t control_points;
-    int32_t modes;    /* functions by table (hm_tabulate) */
-    int32_t reserved; /* 0 */
+    int32_t modes; /* functions by table (hm_tabulate) */
 } hm_basis_info;
 HM_API hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, hm_error* err);
 
@@ -698,7 +694,7 @@ HM_API hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_
  * NULL: in the order of hm_given_points. The list must contain all points of markers with HM_GIVEN
  * that are on no curve and no rigid body. A point, or both sides of a cut, may be in it twice. */
 
-/* The wall points with given displacements, in order along the boundary with the mesh on the left.
+/* Lists the wall points with given displacements in order along the boundary, the mesh on the left.
  * points [capacity]; *n: number of points, also if the capacity is too small (HM_BAD_ARGUMENT). */
 HM_API hm_status hm_given_points(const hm_plan* plan, int32_t* points, int32_t capacity, int32_t* n,
                                  hm_error* err);
@@ -807,7 +803,7 @@ typedef struct hm_safe_report {
     hm_worst_cell worst[5]; /* [n_worst] the cells of lowest quality of `to`, the worst first */
     int32_t end_point; /* the end of a wall that leaves the boundary beside it farthest; -1: none */
     int32_t reserved;  /* 0 */
-    double end_leaves; /* [length] how far that end is from this boundary at the target */
+    double end_distance; /* [length] of that end from this boundary at the target */
 } hm_safe_report;
 
 /* Working memory of hm_morph_safe with a basis like this one; NULL: as hm_basis_init makes it. */
@@ -879,6 +875,7 @@ typedef struct hm_improve_report {
     int32_t min_quality_cell_before, min_quality_cell;
 } hm_improve_report;
 
+/* Working memory of hm_improve. */
 HM_API hm_status hm_improve_size(const hm_plan* plan, size_t* bytes, hm_error* err);
 /* Moves the inner points of a mesh after a movement so that the cells are more like the cells
  * before the movement: target-matrix optimisation (Knupp, Eng. Comput. 28 (2012) 419) by Newton's

@@ -16,8 +16,8 @@ extern "C" {
 HM_API hm_status hm_curves_check(const hm_curves* curves, hm_error* err);
 /* The degree+1 B-spline basis functions (rational ones if there are weights) that are not 0 at u.
  * control [degree+1] receives their control points, values [(n_derivatives+1)*(degree+1)] in row d
- * the d-th derivatives by u; 0 <= n_derivatives <= 5. (Piegl & Tiller, The NURBS Book, A2.3 and eq.
- * 4.8.) */
+ * the d-th derivatives with respect to u; 0 <= n_derivatives <= 5. (Piegl & Tiller, The NURBS Book,
+ * A2.3 and eq. 4.8.) */
 HM_API hm_status hm_curve_basis(const hm_curves* curves, int32_t curve, double u,
                                 int32_t n_derivatives, int32_t* control, double* values,
                                 hm_error* err);
@@ -50,15 +50,6 @@ HM_API hm_status hm_basis_curves(const hm_basis* basis, hm_curves* out, hm_curve
  * finds from the mesh. */
 HM_API hm_status hm_moved_curves(const hm_basis* basis, const double* move, double* control,
                                  hm_curves* out, hm_curve* curve, int32_t capacity, hm_error* err);
-
-/* hm_fit_report.reason: why HM_CLOSED_AUTO chose a closure */
-enum {
-    HM_FIT_ASKED = 0,     /* the options name the closure */
-    HM_FIT_NO_LOOP = 1,   /* open: the points are no loop */
-    HM_FIT_NO_CORNER = 2, /* periodic: no corner was found */
-    HM_FIT_CORNER = 3,    /* tied: there are corners and no blunt base */
-    HM_FIT_BASE = 4       /* open: there is a blunt base */
-};
 
 /* Further options of a fit: hm_fit_options.details. A field that is 0 has no effect. */
 typedef struct hm_fit_details {
@@ -153,23 +144,23 @@ HM_API hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_point
 
 /* ---- Smooth gradients ---- */
 
-/* Smooths a gradient by the control points along the curves, so that an optimiser takes long steps
- * without waves: smoothed s from the gradient g by (I + L^2 D^-1/2 K D^-1/2) s = g, where D_i is
- * the integral of the basis function N_i, and K_ij that of N_i' N_j', by the arc length of the
- * curves. Changes along less than L = length are damped. The matrix is symmetric and positive
- * definite: s . g > 0, so that -s is a direction of descent; L = 0 returns g. gradient and smoothed
- * [2*n_control], x,y pairs in any unit; the arrays may be the same. length [length of the curves]
- * >= 0, at most 1e6 times the extent of the control points. At corners and tied ends both sides are
- * coupled through the control point that they share, and only there; ends that share no control
- * point are independent. A control point that no curve uses keeps its gradient. The gradient of
- * another unit of length (dJ by millimetres) has the same shape. (A. Jameson, J. Sci. Comput. 3
- * (1988) 233.) */
+/* Smooths a gradient with respect to the control points along the curves, so that an optimiser can
+ * take long steps and the shape gets no waves. The smoothed gradient s of the gradient g is the
+ * solution of (I + L^2 D^-1/2 K D^-1/2) s = g, where D_i is the integral of the basis function N_i
+ * over the arc length of the curves, and K_ij that of N_i' N_j'. Changes along less than L = length
+ * are damped. The matrix is symmetric and positive definite: s . g > 0, so that -s is a direction
+ * of descent; L = 0 returns g. gradient and smoothed [2*n_control]: x,y pairs in any unit; the
+ * arrays may be the same. length [length]: 0 .. 1e6 times the extent of the control points. At
+ * corners and tied ends both sides are coupled through the control point that they share, and only
+ * there; ends that share no control point are independent. A control point that no curve uses keeps
+ * its gradient. The shape of s does not depend on the unit of length of g. (A. Jameson, J. Sci.
+ * Comput. 3 (1988) 233.) */
 HM_API hm_status hm_smooth_gradient_size(const hm_curves* curves, size_t* work_bytes,
                                          hm_error* err);
 HM_API hm_status hm_smooth_gradient(const hm_curves* curves, double length, const double* gradient,
                                     double* smoothed, void* work, size_t work_bytes, hm_error* err);
 
-/* ---- Measures of a section, with derivatives by the control points ---- */
+/* ---- Measures of a section, with derivatives with respect to the control points ---- */
 
 /* The curves that form the outline of a section, and its chord. */
 typedef struct hm_section {
@@ -223,7 +214,7 @@ enum {
      * alone, a smooth lower bound. */
     HM_CLEARANCE = 16,
     /* [degrees, -180 .. 180] angle from the x axis to the chord line, counter-clockwise: minus the
-     * twist of an airfoil whose nose turns up */
+     * twist of an airfoil whose leading edge turns up */
     HM_TWIST = 17,
     /* [length] smallest thickness over the stations from `station` to `last_station`. With a
      * sharpness: a smooth lower bound of the thickness at 65 equidistant stations of this range. */
@@ -380,8 +371,8 @@ HM_API hm_status hm_move_section_size(const hm_curves* curves, const hm_section*
  * other. HM_CAMBER_THICKNESS, HM_PARSEC and HM_BLADE may only come first. move [2*n_control]
  * receives the movement of the control points, for hm_morph; control points that no curve of the
  * section uses do not move. derivatives [n * 2*n_control], or NULL: row j contains the exact
- * derivatives of x and y of each control point by value j at these values; their products with a
- * gradient of hm_adjoint are the derivatives by the values.
+ * derivatives of x and y of each control point with respect to value j at these values; their
+ * products with a gradient of hm_adjoint are the derivatives with respect to the values.
  *
  * Turn, shift and scale map control points, and so move the curves exactly. A flap maps control
  * points, too: the curve moves as the map of its points except near the transition, where control

@@ -1,6 +1,6 @@
 /* harmorph for flow solvers on moving meshes: swept areas, wall distances and heights of the first
- * layer, coarse levels of control volumes, interpolation of fields from one mesh to another. The
- * conventions of harmorph.h hold. */
+ * layer, coarse levels of control volumes, interpolation and conservative transfer of fields from
+ * one mesh to another. The conventions of harmorph.h hold. */
 #ifndef HARMORPH_FIELDS_H
 #define HARMORPH_FIELDS_H
 
@@ -105,9 +105,10 @@ HM_API hm_status hm_wall_distance_change(const hm_walls* walls, int32_t n, const
                                          const int32_t* face, const hm_points* point_change,
                                          const hm_points* mesh_change, double* change,
                                          hm_error* err);
-/* The transpose adds the derivatives of an objective by the points to point_dj [n] and those by the
- * mesh points to mesh_dj [n_points]. dj [n]: the derivatives of the objective by the distances.
- * Where the points are the mesh points, both may be the same arrays. NULL: not wanted. */
+/* The transpose: from dj [n], the derivatives of an objective with respect to the distances, it
+ * adds the derivatives with respect to the points to point_dj [n], and those with respect to the
+ * mesh points to mesh_dj [n_points]. Where the points are the mesh points, both may be the same
+ * arrays. NULL: not wanted. */
 HM_API hm_status hm_wall_distance_adjoint(const hm_walls* walls, int32_t n, const hm_points* points,
                                           const int32_t* face, const double* dj,
                                           const hm_points_out* point_dj,
@@ -192,8 +193,9 @@ HM_API hm_status hm_interpolation_init(hm_interpolation** interpolation, void* b
 HM_API hm_status hm_interpolate(const hm_interpolation* interpolation, int32_t n_fields,
                                 const double* from, double* to, const hm_executor* executor,
                                 hm_error* err);
-/* The transpose adds to from_dj [n_fields * n_points] the derivatives by the values at the mesh
- * points, from the derivatives to_dj [n_fields * n] by the interpolated values. */
+/* The transpose: from to_dj [n_fields * n], the derivatives of an objective with respect to the
+ * interpolated values, it adds the derivatives with respect to the values at the mesh points to
+ * from_dj [n_fields * n_points]. */
 HM_API hm_status hm_interpolate_adjoint(const hm_interpolation* interpolation, int32_t n_fields,
                                         const double* to_dj, double* from_dj, hm_error* err);
 

@@ -14,7 +14,7 @@
  * Then analysis, plan, share and the copy of the mesh may be freed. hm_morph(rows, ...) moves the
  * points of this process and needs no communication. Results are bitwise identical to a serial run,
  * for any number of processes and any partition, if all processes use the same kernel (set
- * options.kernel where processors differ).
+ * hm_executor.kernel where processors differ).
  *
  * The calls of this header are collective: all processes of the communicator must make them. Either
  * all processes succeed or all get the same status; the reason is in the hm_error of the process

@@ -178,7 +178,6 @@ typedef struct hm_equations_info {
     const int64_t* unknown;
     /* [unknowns] 1: an own cell of this part has it, so that the part has entries */
     const int32_t* own;
-    int64_t entries; /* number of entries of all unknowns, see hm_equations_entries */
 } hm_equations_info;
 HM_API hm_status hm_equations_info_get(const hm_equations* equations, hm_equations_info* info,
                                        hm_error* err);

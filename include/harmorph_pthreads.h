@@ -21,9 +21,7 @@
  * sleeping thread takes as long as a small task. So a thread without a task asks this many times
  * for a new one, and lets other programs run in between, before it sleeps: a few tenths of a
  * millisecond in all. */
-#ifndef HM_PTHREADS_TURNS
-#define HM_PTHREADS_TURNS 1000
-#endif
+enum { HM_PTHREADS_TURNS = 1000 };
 
 typedef struct hm_pthreads {
     pthread_mutex_t mutex;

@@ -48,8 +48,8 @@ enum {
     /* A lower bound of the smallest quality. There is one value for each cell, Q = f s(t).
      * f is the skew quality of hm_assess: 4 sqrt(3) a / (sum of the squares of the sides) for a
      * triangle of the area a, 4 / (sum of 1 / sin) over the corners of a quadrilateral,
-     * m / (sin(2 pi / m) sum of 1 / sin) over the m convex corners of a polygon, without the upper
-     * limit 1 that hm_assess sets for polygons.
+     * m / (sin(2 pi / m) sum of 1 / sin) over the m convex corners of a polygon (1 if m < 3),
+     * without the upper limit 1 that hm_assess sets for polygons.
      * s is a smooth size term: s(t) = sqrt(2 t / (1 + t^2)), t the area of the cell divided by the
      * area at the start. s(1) = 1, s'(1) = 0, s''(1) = -1/2, s(t) = s(1/t), and s(t) behaves as
      * sqrt(2 t) for small t. The size term sqrt(min(t, 1/t)) of hm_assess has a kink at t = 1,
@@ -105,7 +105,6 @@ typedef struct hm_bound_value {
     uint64_t struct_size; /* the same in all values of one call */
     double bound;
     double extreme;    /* m: the smallest value (HM_BOUND_STRETCH: the largest) */
-    double gap;        /* |bound - extreme|, between 0 and ln(count) / sharpness */
     int32_t item_kind; /* HM_ITEM_CELL, or HM_ITEM_POINT for the first layer: a wall point */
     int32_t item;      /* the cell, or the wall point, with that value; the first of equal ones */
     int64_t count;     /* N */

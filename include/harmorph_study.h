@@ -156,7 +156,7 @@ HM_API hm_status hm_plan_level(const hm_plan* plan, int32_t level, int32_t* cell
  * parameters together restore the problem; hm_basis_along restores `along`, which is NULL here. */
 HM_API hm_status hm_basis_conditions(const hm_basis* basis, hm_condition* out, int32_t capacity,
                                      int32_t* n, hm_error* err);
-/* The curves along which the points of a condition with slip slide: those that its `along` had
+/* The curves along which the points of a condition with slip move: those that its `along` had
  * (index_base 0). condition is counted from 0. curve [capacity >= n_curves of the condition]
  * receives the curves, to which out->curve points; all other arrays are inside the basis.
  * Conditions that had the same `along` get the same arrays: give them one hm_curves again, so that

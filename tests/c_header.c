@@ -122,7 +122,7 @@ int main(void) {
         PLACE(hm_curve, indices, 16);
         PLACE(hm_options, tolerance, 24);
         PLACE(hm_options, progress, 32);
-        PLACE(hm_options, exponent_quarters, 56);
+        PLACE(hm_options, exponent, 56);
         PLACE(hm_condition, x, 32);
     }
 

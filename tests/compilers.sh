@@ -16,7 +16,7 @@ silent() { said=$("$@" 2>&1) && [ -z "$said" ] && return; echo "$said"; return 1
 missing() { skip "$1" "it is not installed"; }
 rm -rf "$dir"
 mkdir -p "$dir"
-sh c_api/packaging/amalgamate.sh >"$dir/harmorph.cpp" && cp include/harmorph.h "$dir/" || exit 1
+sh c_api/packaging/amalgamate.sh >"$dir/harmorph.cpp" && cp include/*.h "$dir/" || exit 1
 for compiler in $COMPILERS; do
     command -v $compiler >/dev/null || { missing $compiler; continue; }
     for level in $LEVELS "-std=c++20 -fsyntax-only"; do

@@ -20,7 +20,7 @@ processor="-mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard -ffreestandin
 strict="-std=c99 -pedantic -Wall -Wextra -Werror -ffp-contract=off -Iinclude"
 rm -rf "$dir"
 mkdir -p "$dir"
-sh c_api/packaging/amalgamate.sh >"$dir/harmorph.cpp" && cp include/harmorph.h "$dir/" || exit 1
+sh c_api/packaging/amalgamate.sh >"$dir/harmorph.cpp" && cp include/*.h "$dir/" || exit 1
 check "the library" $ARM_CXX $processor -std=c++17 -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno \
     -Wall -Wextra -Wconversion -Werror -c -o "$dir/harmorph.o" "$dir/harmorph.cpp"
 # A processor without atomic instructions, for which compilers would call a library: what shares out work among threads.

@@ -39,5 +39,12 @@ check "link of mpi.f90" $MPIFC $FFLAGS -o "$dir/mpi_f" "$dir/mpi_f.o" "$dir/o_me
 for n in 1 2 3 4; do
     for program in mpi_c mpi_f; do start $n "$dir/$program" 2>&1 || fail "$program on $n processes"; done
 done
+# Both operators on one process and on two; each row of ratios ends with that of the bytes.
+measured() {
+    BUILD=$build MPICC=$MPICC MPIRUN=$MPIRUN NI=65 NJ=17 FUNCTIONS=4 sh tests/measure/bench/mpi.sh >"$dir/bench" 2>&1
+    cat "$dir/bench"
+    awk '$1 == "ratio" && $NF > 0 { ++n } END { exit n != 2 }' "$dir/bench"
+}
+check "make bench-mpi" measured
 
 finish "$dir"

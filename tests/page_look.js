@@ -42,6 +42,8 @@
         check("the chosen colours are seen",
             colour(document.querySelector("#colour [aria-checked=true]")) !==
                 colour(document.querySelector("#colour [aria-checked=false]")));
+        check("pressed tools have the reader's colour", colour(document.querySelector(".tools [aria-pressed=true]")) ===
+            colour(document.querySelector("#colour [aria-checked=true]")));
     }
     const result = document.createElement("pre");
     result.textContent = `\nresult begins\nvalue forced ${matchMedia("(forced-colors: active)").matches}\n` +

@@ -151,6 +151,8 @@
         check("the verdict is announced by a live region", element("spoken").getAttribute("role") === "status");
         check("the gauge is a meter", element("gauge").getAttribute("role") === "meter" &&
             Number(element("gauge").getAttribute("aria-valuenow")) > 0);
+        handles.focus({ focusVisible: true });
+        check("the keyboard's focus on the mesh is seen", getComputedStyle(handles).outlineStyle === "solid");
         const nameless = [...document.querySelectorAll("aside input:not([type=file]), button")].filter((node) => {
             const name = node.getAttribute("aria-label") || node.textContent.trim() || node.title ||
                 (node.labels && [...node.labels].map((label) => label.textContent).join(""));

@@ -206,5 +206,11 @@ wrong_links() {
     done
 }
 is_empty "links that lead nowhere" "$(wrong_links)"
+# Measured numbers beside a command have a claim, and texts of claims stand on their pages.
+if command -v "$PYTHON" >/dev/null; then
+    check "numbers beside commands" "$PYTHON" tests/measure/claims/claims.py --pages
+else
+    skip "numbers beside commands" "Python is not installed"
+fi
 
 finish "$dir"

@@ -20,18 +20,16 @@ IOobject reference_file(const polyMesh& mesh) {
                     IOobject::AUTO_WRITE);
 }
 
-// The coefficient exponent as the library has it: four times the exponent.
-std::int32_t exponent_of(const dictionary& coefficients) {
+// The library's default is 0, and no weight a negative exponent.
+scalar exponent_of(const dictionary& coefficients) {
     if (!coefficients.found("exponent")) return 0;
     const scalar exponent = coefficients.get<scalar>("exponent");
-    const label rounded = label(std::lround(4 * exponent));
-    if (exponent == 0) return HM_NO_WEIGHT;
-    if (rounded < 1 || rounded > 16 || rounded != 4 * exponent) {
+    if (exponent < 0 || exponent > 4 || std::fmod(exponent, 0.25) != 0) {
         FatalIOErrorInFunction(coefficients)
             << "The exponent " << exponent << " is not a multiple of 0.25 from 0 to 4."
             << exit(FatalIOError);
     }
-    return rounded;
+    return exponent == 0 ? -1 : exponent;
 }
 
 scalar not_negative(const dictionary& coefficients, const word& name, scalar usual) {
@@ -60,7 +58,7 @@ MotionSettings harmorphMotionSolver::settings() const {
     MotionSettings settings;
     HM_INIT(settings.options);
     settings.options.operator_kind = operators.getOrDefault("operator", coefficients, HM_CONFORMAL);
-    settings.options.exponent_quarters = exponent_of(coefficients);
+    settings.options.exponent = exponent_of(coefficients);
     settings.safe = coefficients.getOrDefault("safe", true);
     settings.improve = not_negative(coefficients, "improve", 0);
     settings.refactor = not_negative(coefficients, "refactor", 2);

@@ -12,7 +12,7 @@ HARMORPH_VERSION=$(sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' include/harmorph
 export HARMORPH_VERSION
 here=$(dirname "$0")
 rm -rf "$1/html" "$1/html-pages"
-mkdir -p "$1/html-pages" && cp "$here/html/conf.py" "$1/html-pages/" &&
+mkdir -p "$1/html-pages" && cp "$here/html/conf.py" "$here/html/captions.css" "$1/html-pages/" &&
     PYTHONDONTWRITEBYTECODE=1 $PYTHON "$here/html/pages.py" . "$1/html-pages" &&
     $PYTHON -m sphinx -q -W --keep-going -E -b html -d "$1/html-pages/.doctrees" "$1/html-pages" "$1/html" &&
     rm -rf "$1/html-pages" "$1/html/.buildinfo" && echo "$1/html/index.html"

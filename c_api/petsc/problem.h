@@ -73,7 +73,7 @@ static uint64_t add_options(uint64_t sum, const hm_options* options) {
         memcpy(&known, options,
                options->struct_size < sizeof known ? (size_t)options->struct_size : sizeof known);
     }
-    sum = add_number(add_number(sum, known.operator_kind), known.exponent_quarters);
+    sum = add_number(add_number(sum, known.operator_kind), (int64_t)(4 * known.exponent));
     return add_bytes(add_number(sum, known.offset_correction), &known.tolerance,
                      sizeof known.tolerance);
 }

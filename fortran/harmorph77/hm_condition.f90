@@ -34,10 +34,7 @@ subroutine hmrigd(w, mark, ibody, xc, yc, ierr, msg)
     real(c_double), intent(inout), target :: w(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
-    type(legacy_call) :: this
-    call this%open(w)
-    call keep_condition(this, hm_c_condition(marker=mark, kind=hm_rigid, body=ibody - 1, x=xc, y=yc))
-    call this%finish(ierr, msg)
+    call add_condition(w, hm_c_condition(marker=mark, kind=hm_rigid, body=ibody - 1, x=xc, y=yc), ierr, msg)
 end subroutine
 
 subroutine hmpair(w, mark, mark2, ierr, msg)
@@ -47,10 +44,7 @@ subroutine hmpair(w, mark, mark2, ierr, msg)
     real(c_double), intent(inout), target :: w(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
-    type(legacy_call) :: this
-    call this%open(w)
-    call keep_condition(this, hm_c_condition(marker=mark, kind=hm_periodic_pair, partner=mark2))
-    call this%finish(ierr, msg)
+    call add_condition(w, hm_c_condition(marker=mark, kind=hm_periodic_pair, partner=mark2), ierr, msg)
 end subroutine
 
 subroutine hmturn(w, mark, mark2, xc, yc, ierr, msg)
@@ -61,10 +55,7 @@ subroutine hmturn(w, mark, mark2, xc, yc, ierr, msg)
     real(c_double), intent(inout), target :: w(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
-    type(legacy_call) :: this
-    call this%open(w)
-    call keep_condition(this, hm_c_condition(marker=mark, kind=hm_rotation_pair, partner=mark2, x=xc, y=yc))
-    call this%finish(ierr, msg)
+    call add_condition(w, hm_c_condition(marker=mark, kind=hm_rotation_pair, partner=mark2, x=xc, y=yc), ierr, msg)
 end subroutine
 
 subroutine hmintf(w, mark, mark2, ierr, msg)
@@ -74,10 +65,7 @@ subroutine hmintf(w, mark, mark2, ierr, msg)
     real(c_double), intent(inout), target :: w(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
-    type(legacy_call) :: this
-    call this%open(w)
-    call keep_condition(this, hm_c_condition(marker=mark, kind=hm_interface, partner=mark2))
-    call this%finish(ierr, msg)
+    call add_condition(w, hm_c_condition(marker=mark, kind=hm_interface, partner=mark2), ierr, msg)
 end subroutine
 
 subroutine hmnear(w, x, y, ierr, msg)

@@ -1,5 +1,5 @@
 
-! ---- Measures of the section, and design variables -------------------------------------------------------------------
+! ---- Measures of the section, smooth gradients, design variables -----------------------------------------------------
 
 subroutine hmsect(w, icurv, ncurv, chord, ierr, msg)
     use harmorph77
@@ -49,6 +49,27 @@ subroutine hmclea(w, npol, poly, dp, value, g, ierr, msg)
     clearance = hm_c_quantity(kind=hm_clearance, n_polygon=npol)
     clearance%polygon = c_loc(poly)
     call measure(this, "HMCLEA", clearance, dp, value, g)
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmsmth(w, alen, g, s, ierr, msg)
+    use harmorph77
+    implicit none
+    real(c_double), intent(in) :: alen, g(2, *)
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(inout) :: s(2, *)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(hm_c_curves) :: set
+    type(hm_c_curve) :: list(most_curves)
+    type(c_ptr) :: work
+    integer(c_size_t) :: bytes
+    call this%open(w)
+    call curves_now(this, set, list)
+    if (this%ok()) call this%told(hm_c_smooth_gradient_size(set, bytes, this%e))
+    call this%room(bytes, work)
+    if (this%ok()) call this%told(hm_c_smooth_gradient(set, alen, g, s, work, bytes, this%e))
     call this%finish(ierr, msg)
 end subroutine
 

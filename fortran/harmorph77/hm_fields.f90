@@ -1,5 +1,5 @@
 
-! ---- Swept areas, distances to the walls -----------------------------------------------------------------------------
+! ---- Swept areas, distances to the walls, fields on another mesh -----------------------------------------------------
 
 subroutine hmswep(w, x0, y0, x1, y1, inc, sides, duals, halves, ierr, msg)
     use harmorph77
@@ -87,5 +87,32 @@ subroutine hmlayr(w, x, y, inc, ip, height, ierr, msg)
         call c_f_pointer(info%wall_points, points, [info%n_wall_points])
         ip(:info%n_wall_points) = points
     end if
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmintp(w, x, y, inc, n, xt, yt, nf, f, ft, dist, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: inc, n, nf
+    real(c_double), intent(inout), target :: w(*), dist(*)
+    real(c_double), intent(in), target :: x(*), y(*), xt(*), yt(*)
+    real(c_double), intent(in) :: f(*)
+    real(c_double), intent(inout) :: ft(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(hm_interpolation_report) :: report
+    type(hm_c_points), target :: at
+    type(c_ptr) :: analysis, interpolation, block
+    integer(c_size_t) :: bytes
+    at = points_of(x, y, inc)
+    report%struct_size = int(c_sizeof(report), c_int64_t)
+    call this%open(w)
+    call analyse(this, .false., analysis)
+    if (this%ok()) call this%told(hm_c_interpolation_size(analysis, int(n, c_int32_t), bytes, this%e))
+    call this%room(bytes, block)
+    if (this%ok()) call this%told(hm_c_interpolation_init(interpolation, block, bytes, analysis, c_loc(at), &
+        int(n, c_int32_t), points_of(xt, yt, inc), c_loc(dist), c_null_ptr, report, this%e))
+    if (this%ok()) call this%told(hm_c_interpolate(interpolation, int(nf, c_int32_t), f, ft, c_null_ptr, this%e))
     call this%finish(ierr, msg)
 end subroutine

@@ -184,3 +184,36 @@ subroutine hmqual(w, x, y, inc, ninv, amin, qmin, ierr, msg)
     end if
     call this%finish(ierr, msg)
 end subroutine
+
+subroutine hmboun(w, kind, rho, xs, ys, x, y, inc, bound, gx, gy, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: kind, inc
+    real(c_double), intent(in) :: rho
+    real(c_double), intent(in), target :: xs(*), ys(*), x(*), y(*)
+    real(c_double), intent(inout), target :: w(*), gx(*), gy(*)
+    real(c_double), intent(inout) :: bound
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(hm_c_points), target :: start, at, gradient
+    type(hm_c_bound) :: wanted
+    type(hm_bound_value) :: found(1)
+    type(c_ptr) :: quality, block
+    integer(c_size_t) :: bytes
+    start = points_of(xs, ys, inc)
+    at = points_of(x, y, inc)
+    gradient = points_of(gx, gy, inc)
+    wanted = hm_c_bound(kind=kind, sharpness=rho)
+    wanted%struct_size = int(c_sizeof(wanted), c_int64_t)
+    found%struct_size = int(c_sizeof(found(1)), c_int64_t)
+    call this%open_solved(w)
+    if (this%ok()) call this%told(hm_c_quality_size(this%kept%basis, this%kept%mesh, bytes, this%e))
+    call this%room(bytes, block)
+    if (this%ok()) call this%told(hm_c_quality_init(quality, block, bytes, this%kept%basis, this%kept%mesh, &
+        c_loc(start), this%e))
+    if (this%ok()) call this%told(hm_c_quality_bounds(quality, c_loc(at), 1_c_int32_t, [wanted], found, &
+        c_loc(gradient), c_null_ptr, this%e))
+    if (this%ok()) bound = found(1)%bound
+    call this%finish(ierr, msg)
+end subroutine

@@ -67,13 +67,11 @@ subroutine hmopt(w, name, ival, ierr, msg)
             case ("OPERATOR")
                 options%operator_kind = value
             case ("EXPONENT")
-                options%exponent_quarters = value
+                options%exponent = value / 4._c_double
             case ("SCHEME")
                 this%kept%study%scheme = value
             case ("ENGINE")
                 options%engine = value
-            case ("KERNEL")
-                options%kernel = value
             case ("OFFSET")
                 options%offset_correction = value
             case ("PRECISION")

@@ -24,7 +24,7 @@ struct BasisCounts {
     // means that there are none.
     Index combined = 0, combination = 0;
     Index modes = 0;           // Functions with values from a table; they follow all others.
-    KeptCurves::Counts along;  // The curves along which points slide.
+    KeptCurves::Counts along;  // The curves along which points slip.
     // The functions whose values are stored here: all of them, or those of one process.
     Index first_stored = 0, stored = 0;
     ValueKind kind = ValueKind::real;

@@ -15,7 +15,7 @@ struct BasisSource {
     Method const& method;
     Demands const& demands;
     Span<const Curve> curves;
-    Span<const Curve> along;  // The curves along which points slide.
+    Span<const Curve> along;  // The curves along which points slip.
     Span<const Condition> conditions;
     Boundary const& boundary;
     Wall const& wall;

@@ -1,4 +1,4 @@
-// Keeps the curves along which boundary points slide in the block of a basis.
+// Keeps the curves along which boundary points slip in the block of a basis.
 // tests/boundary/test_slip_along.cpp covers this file.
 #pragma once
 

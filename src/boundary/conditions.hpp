@@ -61,8 +61,8 @@ inline constexpr ConditionTraits condition_traits[] = {
 struct Condition {
     Index marker = 0;
     ConditionKind kind = ConditionKind::fixed;
-    // The curves on which the points lie (on_curve), or along which they slide (slip). For slip,
-    // the numbers count the curves for sliding, and n_curves may be 0.
+    // The curves on which the points lie (on_curve), or along which they slip (slip). For slip,
+    // the numbers count the curves for slip, and n_curves may be 0.
     Index first_curve = 0, n_curves = 0;
     Index body = 0;     // rigid: the number of the body
     Index partner = 0;  // pairs: the marker onto which this marker is moved or turned
@@ -94,7 +94,7 @@ struct Condition {
 // Collects what all conditions together require; this is known before memory is laid out.
 struct Demands {
     Index bodies = 0;        // the number of rigid bodies
-    Offset slip_curves = 0;  // the number of curves for sliding
+    Offset slip_curves = 0;  // the number of curves for slip
     bool slip = false, free = false, given = false;
     bool translation = false, rotation = false;  // the kinds of periodic pairs
     bool interfaces = false;

@@ -89,6 +89,7 @@ void weigh(FaceDistance const& faces, Index exponent_quarters, Span<Real> k,
 
 Real FaceDistance::distance(Vec2 from) const noexcept {
     if (count == 0) return infinity;
+    if (largest_of(from) > range) return length(from - unit * middle);
     Index group = 0;
     return sqrt(distance_kernels(kernel).nearest_square(*this, inverse_unit * from, group)) /
            inverse_unit;
@@ -96,7 +97,7 @@ Real FaceDistance::distance(Vec2 from) const noexcept {
 
 FaceDistance::Foot FaceDistance::foot(Vec2 from, Index& group) const noexcept {
     if (count == 0) return {};
-    Vec2 const here = inverse_unit * from;
+    Vec2 const here = in_units(from);
     distance_kernels(kernel).nearest_square(*this, here, group);
     Segments const& segments = groups[group];
     Foot best;
@@ -149,7 +150,7 @@ void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points,
         mesh.for_each_cell(begin, end, [&](Index number, Cell const& cell) {
             Vec2 sum = points[cell.point[0]] + points[cell.point[1]] + points[cell.point[2]];
             if (cell.n == 4) sum = sum + points[cell.point[3]];
-            take(number, (cell.n == 4 ? 0.25 * faces.inverse_unit : faces.inverse_unit / 3) * sum);
+            take(number, faces.in_units((cell.n == 4 ? 0.25 : 1.0 / 3) * sum));
         });
     });
 }
@@ -158,7 +159,7 @@ void weigh_edges(FaceDistance const& faces, Span<const DelaunayEdge> edges, Poin
                  Index exponent_quarters, Span<Real> k, Executor const& executor) noexcept {
     weigh(faces, exponent_quarters, k, executor, [&](Index begin, Index end, auto take) {
         for (Index i = begin; i < end; ++i) {
-            take(i, 0.5 * faces.inverse_unit * (points[edges[i].begin] + points[edges[i].end]));
+            take(i, faces.in_units(0.5 * (points[edges[i].begin] + points[edges[i].end])));
         }
     });
 }

@@ -24,8 +24,10 @@ namespace harmorph {
 // the last bit.
 struct FaceDistance {
     static constexpr Index lanes = 8, max_heights = 12;
-    // A place in units that is farther away than every point, and whose square does not overflow.
-    static constexpr Real far_away = 1e100;
+    // Points are at most `farthest` units away in the searches; farther ones are moved to this
+    // distance, from where all faces are equally near. The empty lanes of nodes are `far_away`,
+    // farther than every point, and the square of this distance does not overflow.
+    static constexpr Real farthest = 1e120, far_away = 1e150;
     // A relative margin that is larger than the rounding error of any comparison in this file.
     static constexpr Real slack = 1e-12;
 
@@ -61,6 +63,7 @@ struct FaceDistance {
     Vec2 middle, half_size;  // of the bounding box, in units; half_size is a little larger
     Real unit = 0;           // the largest power of two within the extent; 0 without extent
     Real inverse_unit = 1;   // coordinates in the tree are multiplied by inverse_unit
+    Real range = infinity;   // `farthest`, as a length
     // In a periodic mesh, weights take images of the faces into account; distances do not.
     Translations translations;
     Rotation rotation;
@@ -90,6 +93,11 @@ struct FaceDistance {
     // Returns the distance to the nearest face, or infinity without faces. The rounding error is a
     // few units in the last place of the distance and of the lengths of faces.
     Real distance(Vec2 from) const noexcept;
+    // Returns the place in units from which a point is searched.
+    Vec2 in_units(Vec2 point) const noexcept {
+        Real const size = largest_of(point);
+        return inverse_unit * (size > range ? range / size * point : point);
+    }
     // A foot is the nearest point of the faces: (1 - t) point[0] + t point[1] of a face. Without
     // faces, `face` is none.
     struct Foot {
@@ -158,7 +166,7 @@ void FaceDistance::find_nearest(Points points, Index begin, Index end, Hint hint
         Vec2 point[block];
         Index face[block];
         for (Index k = 0; k < n; ++k) {
-            point[k] = inverse_unit * points[first + k];
+            point[k] = in_units(points[first + k]);
             face[k] = hint(first + k);
         }
         find_nearest(point, n, face);

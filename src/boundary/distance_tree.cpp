@@ -123,6 +123,7 @@ void FaceDistance::find_images(Points points) noexcept {
 void FaceDistance::find_unit(Points points) noexcept {
     extent = unit = 0;
     inverse_unit = 1;
+    range = infinity;
     middle = half_size = {};
     if (count == 0) return;
     Extent all;
@@ -131,7 +132,7 @@ void FaceDistance::find_unit(Points points) noexcept {
     }
     extent = max(all.size().x, all.size().y);
     unit = power_of_two_below(extent);  // is 0 for a denormal extent
-    if (unit > 0) inverse_unit = 1 / unit;
+    if (unit > 0) inverse_unit = 1 / unit, range = farthest * unit;
     constexpr Real margin = 1.0 / 32;
     middle = 0.5 * (inverse_unit * all.low + inverse_unit * all.high);
     half_size = 0.5 * (inverse_unit * all.size()) + Vec2{margin, margin};

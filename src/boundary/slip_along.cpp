@@ -118,7 +118,7 @@ Status SlipAlong::give(Condition const& condition, Index n, bool closed, SlipCur
     if (farthest > max_offset * size) {
         return fault.refuse(
             Status::bad_condition,
-            "point # is ~ away from the curve along which it slides; check the marker of the "
+            "point # is ~ away from the curve along which it slips; check the marker of the "
             "condition",
             point_item(to.point[first + where]), {}, farthest);
     }
@@ -134,7 +134,7 @@ Status SlipAlong::give(Condition const& condition, Index n, bool closed, SlipCur
     if (smooth) return Status::ok;
     return fault.refuse(
         Status::bad_condition,
-        "the curve along which point # and the following points slide has a corner between them",
+        "the curve along which point # and the following points slip has a corner between them",
         point_item(to.point[first]));
 }
 

@@ -1,7 +1,7 @@
-// Finds slip boundaries whose points slide along a given B-spline C, instead of a curve through the
+// Finds slip boundaries whose points slip along a given B-spline C, instead of a curve through the
 // points themselves.
 //
-// The points slide along C(u) + e, where e is the offset of the points from C and varies linearly
+// The points slip along C(u) + e, where e is the offset of the points from C and varies linearly
 // in u between two points. The points therefore lie on this curve at the start. A point at which an
 // open B-spline ends, or a closed one has a corner, is a corner of the boundary.
 #pragma once
@@ -12,7 +12,7 @@
 namespace harmorph {
 
 struct SlipAlong {
-    Span<const Curve> curves;  // the curves for sliding of all conditions; may be empty
+    Span<const Curve> curves;  // the curves for slip of all conditions; may be empty
     WallWork work;             // work.slot is not used
 
     static bool is_along(const Condition* condition) noexcept {

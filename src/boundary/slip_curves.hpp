@@ -1,4 +1,4 @@
-// Stores the smooth curves along which points slide: cubic segments through the points of a curved
+// Stores the smooth curves along which points slip: cubic segments through the points of a curved
 // line of the boundary.
 //
 // The tangent at a point is that of the circle through the point and its two neighbours; at an end
@@ -28,7 +28,7 @@ struct SlipCurves {
     Index count = 0;
     Span<Index> start;  // [count + 1] the first slot of each curve
     Span<Index> point;  // [slots] mesh points in order along the boundary
-    // [slots] The slot itself if its point slides, and none if the point is fixed. At the end of a
+    // [slots] The slot itself if its point slips, and none if the point is fixed. At the end of a
     // closed curve, the first slot stands for the last one.
     Span<Index> own;
     Span<Vec2> at;                // [slots] initial positions; a closed curve repeats the first one
@@ -57,13 +57,13 @@ struct SlipCurves {
     // smoothly from each of these places to the next.
     template <class Along>
     bool give(Along const& along) noexcept;
-    // Lets only points of the kind slip slide.
+    // Lets only points of the kind slip move.
     void keep_sliding(Span<const PointKind> kinds) const noexcept;
     // Returns the fingerprint `others` of the other conditions, combined with the given curves; if
     // there are none, returns `others`.
     std::uint64_t fingerprint_with(std::uint64_t others) const noexcept;
 
-    // Calls visit(slot, point) for the points that slide.
+    // Calls visit(slot, point) for the points that slip.
     template <class Visit>
     void for_each(Visit const& visit) const noexcept {
         for (Index slot = 0; slot < n_slots(); ++slot) {

@@ -62,7 +62,7 @@ Real share_of(Real from_curve, Real from_others, Index exponent_quarters) noexce
 }
 
 // A point that is joined to another point follows like that point, or follows only that point if it
-// slides.
+// slips.
 void follow_representatives(Topology const& topology, Span<const PointKind> kinds,
                             SlipCurves const& curves, SlipFollowers const& followers) noexcept {
     Span<Index> const slot = followers.slot;

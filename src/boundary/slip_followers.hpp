@@ -1,11 +1,11 @@
-// Computes how inner points follow sliding points that are moved back onto their curves. A step of
-// length d along the tangent leaves a sliding point about d^2 / (2 R) away from a curve of radius
-// R. If only the sliding points were moved back, the cells beside them would become thinner with
+// Computes how inner points follow slipping points that are moved back onto their curves. A step of
+// length d along the tangent leaves a slipping point about d^2 / (2 R) away from a curve of radius
+// R. If only the slipping points were moved back, the cells beside them would become thinner with
 // each step. Therefore inner points move by
 //
 //     (o / (s + o))^(q + 1) ((1 - t) c_a + t c_b).
 //
-// Here c_a and c_b are the displacements that move back the sliding points a and b at both ends of
+// Here c_a and c_b are the displacements that move back the slipping points a and b at both ends of
 // the nearest face of a curve; t is the position of the foot on this face, s the distance from the
 // foot, and o the distance from the other boundaries, all on the initial mesh. The power minimises
 // the integral of o^-q (dw/ds)^2 between the two boundaries, as the functions of an operator with
@@ -19,7 +19,7 @@ namespace harmorph {
 
 struct SlipFollowers {
     // [n_points] A point follows this slot and the next one, or does not follow if this is none. A
-    // point that is joined to a sliding point follows only this point.
+    // point that is joined to a slipping point follows only this point.
     Span<Index> slot;
     Span<Real> weight;  // [2 * n_points] the weights of both slots
 

@@ -18,7 +18,7 @@ constexpr Real coordinate_noise = 2e-6;   // the precision of coordinates with s
 constexpr Real flat_turn = 1e-4;
 constexpr Index max_flat_points = 3;
 
-Vec2 normalised(Vec2 a) noexcept { return (1 / length(a)) * a; }
+Vec2 direction_of(Vec2 a) noexcept { return (1 / length(a)) * a; }
 
 struct OutlineBend {
     Real turn = 0;
@@ -33,7 +33,7 @@ OutlineBend bend_at(Outline const& outline, Index point, Real reach) noexcept {
     Vec2 const forth = outline.points[b] - outline.points[point];
     // A reach of the whole loop leads back to the point.
     if (square(back) == 0 || square(forth) == 0) return {infinity, infinity};
-    Real const turn = length(normalised(forth) - normalised(back));
+    Real const turn = length(direction_of(forth) - direction_of(back));
     // On a circle the curvature is exactly 1 / radius if both chords are equal.
     return {turn, 2 * turn / (length(back) + length(forth))};
 }

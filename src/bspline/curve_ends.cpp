@@ -153,19 +153,16 @@ void remove(Span<Index> list, Index n, Index at) noexcept {
 
 Course choose_course(Outline const& outline, Span<const Index> corner, Closure wanted) noexcept {
     Index const n = outline.count();
-    if (!outline.is_loop) return {Closure::open, ClosureReason::no_loop, 0, n, 0};
-    if (wanted == Closure::open) return {Closure::open, ClosureReason::wish, 0, n, 0};
-    if (wanted != Closure::automatic)
-        return {wanted, ClosureReason::wish, sharpest_point(outline, corner), n + 1, 0};
+    if (!outline.is_loop || wanted == Closure::open) return {Closure::open, 0, n, 0};
+    if (wanted != Closure::automatic) return {wanted, sharpest_point(outline, corner), n + 1, 0};
     Index const base = find_base(outline, corner);
     if (base != none) {
         Index const from = corner[base], to = following(corner, base);
         Index const base_points = (to < from ? to + (n - from) : to - from) + 1;
-        return {Closure::open, ClosureReason::base, to, n - base_points + 2, base_points};
+        return {Closure::open, to, n - base_points + 2, base_points};
     }
     Index const first = sharpest_point(outline, corner);
-    if (corner.empty()) return {Closure::periodic, ClosureReason::no_corner, first, n + 1, 0};
-    return {Closure::tied, ClosureReason::corner, first, n + 1, 0};
+    return {corner.empty() ? Closure::periodic : Closure::tied, first, n + 1, 0};
 }
 
 Index drop_facets(Outline const& outline, Span<Index> corner, Index n) noexcept {

@@ -8,20 +8,10 @@ namespace harmorph {
 
 enum class Closure : std::int32_t { automatic = 0, open = 1, tied = 2, periodic = 3 };
 
-// The reason for the choice of the closure.
-enum class ClosureReason : std::int32_t {
-    wish = 0,
-    no_loop = 1,
-    no_corner = 2,
-    corner = 3,
-    base = 4
-};
-
 // The positions 0 .. n_positions - 1 of the curve are the points first, first + 1, ... (mod n). A
 // tied or periodic curve has the first point at both ends.
 struct Course {
     Closure closure = Closure::open;
-    ClosureReason reason = ClosureReason::no_loop;
     Index first = 0;
     Index n_positions = 0;
     // The number of points on the blunt base, for which there is a second curve; both ends count.
@@ -42,11 +32,10 @@ struct Course {
 // A base is a straight side between two consecutive corners, at the end of the section farthest
 // from the leading edge. The outline reverses there: the directions before the first corner and
 // after the second one are nearly opposite, and the outline turns by at least 25 degrees at either
-// corner. At facets of a rounded edge with few points the outline
-// turns less, so they are not bases. The last panel before a
-// trailing edge of one point is no base, nor is the facet across the round nose of a section with
-// few points and a sharp trailing edge. The two ends of a plate are not bases either, because a
-// plate has no leading edge.
+// corner. At facets of a rounded edge with few points the outline turns less, so they are not
+// bases. The last panel before a trailing edge of one point is no base, nor is the facet across the
+// round leading edge of a section with few points and a sharp trailing edge. The two ends of a
+// plate are not bases either, because a plate has no leading edge.
 Course choose_course(Outline const& outline, Span<const Index> corner, Closure wanted) noexcept;
 
 // Removes both corners of each facet of a round edge, a short straight side with less than 60

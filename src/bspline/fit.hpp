@@ -25,7 +25,6 @@ struct FitReport {
     Real max_error = 0, rms_error = 0;  // distances of the points from the curves
     Index max_error_point = none;
     Closure closure = Closure::open;  // never automatic
-    ClosureReason reason = ClosureReason::no_loop;
     Index corners = 0;      // the number of corners of the outline; corners at the ends count
     Index first_point = 0;  // the point at which the first curve begins
     Index base_points = 0;  // the number of points on a blunt base; both ends count

@@ -41,7 +41,6 @@ void Fit::publish(Points points) noexcept {
 void Fit::report_errors(Points points, Index n, FitOptions const& options,
                         FitReport& report) const noexcept {
     report.closure = course_.closure;
-    report.reason = course_.reason;
     report.first_point = course_.first;
     report.base_points = course_.base_points;
     Real sum = 0;

@@ -90,8 +90,10 @@ private:
         if (found.foot.t >= 1) place = end;
         Real const distance = length(to - place);
         if (distance <= Interpolation::on_boundary * length(along)) return found;
-        if (dot(to - place, inner_normal(found.foot)) > 0) {
-            Index const edge = edge_between(topology_, face.point[0], face.point[1]);
+        Index const start = face_before(to - place, found.foot);
+        if (start != none) {
+            FaceDistance::Face const& first = faces_.faces[start];
+            Index const edge = edge_between(topology_, first.point[0], first.point[1]);
             if (edge != none)
                 found.cell = walk(cell_of_side(topology_.edges.first[edge].code), place, to);
         }
@@ -99,14 +101,17 @@ private:
         return found;
     }
 
-    // Returns a vector into the mesh at a foot; at a corner, the sum of the normals of both faces.
-    Vec2 inner_normal(FaceDistance::Foot const& foot) const noexcept {
-        auto const normal = [&](Index face) {
+    // Returns the face at a foot from whose cell a line in the direction `off` begins, or none if
+    // the direction leads out of the mesh. A corner has two faces, and a direction into the mesh
+    // makes an angle of at most 180 degrees with one of them: the walk turns about the corner from
+    // there.
+    Index face_before(Vec2 off, FaceDistance::Foot const& foot) const noexcept {
+        auto const inwards = [&](Index face) {
             FaceDistance::Face const& ends = faces_.faces[face];
-            return left_of(direction(at_[ends.point[1]] - at_[ends.point[0]]));
+            return dot(off, left_of(direction(at_[ends.point[1]] - at_[ends.point[0]])));
         };
-        Vec2 sum = normal(foot.face);
-        if (foot.t > 0 && foot.t < 1) return sum;
+        Real const own = inwards(foot.face);
+        if (foot.t > 0 && foot.t < 1) return own > 0 ? foot.face : none;
         // The faces of the tree are those of the boundary, in the same order.
         Index low = 0, high = boundary_.n_loops;
         while (high - low > 1) {
@@ -114,8 +119,12 @@ private:
             (boundary_.loop_start[middle] <= foot.face ? low : high) = middle;
         }
         Index const first = boundary_.loop_start[low], after = boundary_.loop_start[low + 1];
-        if (foot.t > 0) return sum + normal(foot.face + 1 == after ? first : foot.face + 1);
-        return sum + normal(foot.face == first ? after - 1 : foot.face - 1);
+        Index const next = foot.face + 1 == after ? first : foot.face + 1,
+                    previous = foot.face == first ? after - 1 : foot.face - 1,
+                    other_face = foot.t > 0 ? next : previous;
+        Real const other = inwards(other_face);
+        if (!(own + other > 0)) return none;
+        return other > own ? other_face : foot.face;
     }
 
     Topology const& topology_;
@@ -141,6 +150,18 @@ void weigh_precisely(CellShape const& shape, Vec2 to, Real* weight) noexcept {
     weight[1] += at_1;
     weight[2] += at_2;
     weight[0] -= at_1 + at_2;
+}
+
+// In a cell so thin that rounding decides where the point is, weights can be anything. The point
+// then counts as a place in the cell: a value is never far beyond those of the corners.
+void keep_in_cell(Index n, Real* weight) noexcept {
+    constexpr Real outside = -1e-6;
+    bool is_inside = true;
+    for (Index k = 0; k < n; ++k) is_inside = is_inside && weight[k] >= outside;
+    if (is_inside) return;
+    Real sum = 0;
+    for (Index k = 0; k < n; ++k) sum += weight[k] = weight[k] > 0 ? min(weight[k], 1.0) : 0;
+    for (Index k = 0; k < n; ++k) weight[k] = sum > 0 ? weight[k] / sum : 1.0 / n;
 }
 
 }  // namespace
@@ -210,6 +231,7 @@ Interpolation::Report Interpolation::find(Analysis const& from, Points at, Point
                     Cell const cell = topology.cell(found.cell);
                     for (Index c = 0; c < cell.n; ++c) own_point[c] = cell.point[c];
                     weigh_precisely(walk.shape(found.cell), here, own_weight);
+                    keep_in_cell(cell.n, own_weight);
                     continue;
                 }
                 FaceDistance::Face const& face = boundary_.faces[found.foot.face];

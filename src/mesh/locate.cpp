@@ -37,6 +37,8 @@ void add_barycentric(CellShape const& shape, Vec2 point, Index a, Index b, Index
     Vec2 const ab = shape.at[b] - shape.at[a], ac = shape.at[c] - shape.at[a],
                ap = point - shape.at[a];
     Real const twice_area = cross(ab, ac);
+    // The area of a valid triangle is not 0, but its rounded product may be.
+    if (twice_area == 0) return void(weight[a] += share);
     Real const at_b = cross(ap, ac) / twice_area, at_c = cross(ab, ap) / twice_area;
     weight[a] += share * (1 - at_b - at_c);
     weight[b] += share * at_b;

@@ -49,7 +49,7 @@ struct MovingMesh {
     // Makes a trial step to a time with functions that were solved on the present mesh. Returns
     // which part of that displacement is admissible. Points of walls are placed from the start by
     // the B-spline, the rigid body or the modes together with the carried offsets, and not from
-    // step to step, so that rounding does not accumulate. Points that slide along curves are on
+    // step to step, so that rounding does not accumulate. Points that slip along curves are on
     // their curves.
     AdmissibleStep look_ahead(Plan& plan, Basis const& basis, Basis const& by, Real to) noexcept;
     // Makes the trial step the present mesh.

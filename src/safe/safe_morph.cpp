@@ -166,7 +166,7 @@ void SafeMorph::take_step(Work& work, Basis const& by) noexcept {
     ++work.attempt.steps;
 }
 
-// Turns the derivative of the last trial step at points that slide along curves, which the step
+// Turns the derivative of the last trial step at points that slip along curves, which the step
 // puts back onto their curves.
 void SafeMorph::turn_sliding(Work const& work) const noexcept {
     SlipCurves const& curves = work.plan.slip_curves();

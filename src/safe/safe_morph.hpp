@@ -79,7 +79,7 @@ struct SafeReport {
     // Among the ends of walls that leave the lines beside them, the end that goes farthest from its
     // line, and the distance from the line; none if no end leaves its line.
     Index end = none;
-    Real end_leaves = 0;
+    Real end_distance = 0;
     Index n_worst = 0;
     WorstCell worst[most_worst];  // the worst cell first
 };

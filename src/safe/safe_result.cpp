@@ -134,9 +134,9 @@ void SafeMorph::find_end_that_leaves(Work& work) const noexcept {
         Real const leaves =
             abs(distance(target[end], end, beside) - distance(start[end], end, beside));
         if (!(leaves > least * length(target[end] - start[end]))) return;
-        if (leaves <= work.report.end_leaves) return;
+        if (leaves <= work.report.end_distance) return;
         work.report.end = end;
-        work.report.end_leaves = leaves;
+        work.report.end_distance = leaves;
     };
     BoundaryFaces const faces = work.basis.faces();
     for (Index face = 0; face < faces.count(); ++face) {
@@ -177,7 +177,7 @@ Status SafeMorph::finish(Work& work) noexcept {
             return work.fault.refuse_at(at.x, at.y, Status::short_of_target,
                                         "the wall's end, point # at $, leaves the line beside it "
                                         "by ~: the mesh cannot follow all of that",
-                                        point_item(report.end), {}, report.end_leaves);
+                                        point_item(report.end), {}, report.end_distance);
         }
         Index const cell = work.mesh().number(report.limit.cell);
         Vec2 const at = cell != none ? centre_of(work.mesh(), cell, result()) : Vec2{};

@@ -1,4 +1,4 @@
-// Points that slide along curves while an optimisation moves mesh points: a step moves them along
+// Points that slip along curves while an optimisation moves mesh points: a step moves them along
 // their tangents, and then they are put back onto their curves.
 #pragma once
 

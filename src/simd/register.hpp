@@ -18,9 +18,6 @@ struct Register {
     static HARMORPH_INLINE void store(Of* to, Vector v) noexcept {
         *reinterpret_cast<Stored*>(to) = v;
     }
-    static HARMORPH_INLINE Words load_words(const Word* from) noexcept {
-        return *reinterpret_cast<const StoredWords*>(from);
-    }
     static HARMORPH_INLINE void store_words(Word* to, Words v) noexcept {
         *reinterpret_cast<StoredWords*>(to) = v;
     }

@@ -202,12 +202,12 @@ TEST_CASE("a basis gives back the conditions and options it was solved with") {
     setup.put_on_curves(body, 0);
     setup.set_rigid(second_body, 1.25, 0.75);
     setup.set_slip(far_field);
-    Options options = options_of(HM_CONFORMAL, 5);
+    Options options = options_of(HM_CONFORMAL, 1.25);
     options.offset_correction = 1;
     Solved const solved(setup, &options);
     hm_basis_info const info = solved.info();
     CHECK(info.operator_kind == HM_CONFORMAL);
-    CHECK(info.exponent_quarters == 5);
+    CHECK(info.exponent == 1.25);
     CHECK(info.offset_correction == 1);
     CHECK(info.scheme == HM_COMPACT);
     CHECK(info.engine == HM_DIRECT);
@@ -272,9 +272,9 @@ TEST_CASE("a plan does not solve the basis of another operator, exponent or corr
         REQUIRE(attempt.prepare());
         REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
     };
-    Options const options[] = {options_of(HM_WEIGHTED, 4), options_of(HM_WEIGHTED, 6),
-                               options_of(HM_LAPLACE), options_of(HM_CONFORMAL, 4),
-                               options_of(HM_CONFORMAL, 6)};
+    Options const options[] = {options_of(HM_WEIGHTED, 1), options_of(HM_WEIGHTED, 1.5),
+                               options_of(HM_LAPLACE), options_of(HM_CONFORMAL, 1),
+                               options_of(HM_CONFORMAL, 1.5)};
     for (Options const& of_plan : options)
         for (Options const& of_basis : options) {
             Attempt a, b;

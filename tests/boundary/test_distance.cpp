@@ -177,3 +177,18 @@ TEST_CASE("loops that are moved and turned have the same distances to rounding")
         CHECK(std::fabs(turned_tree.distance(vec(turn(p))) - tree.distance(vec(p))) < 1e-14);
     }
 }
+
+TEST_CASE("faces that are far too small for the distance of a point are found, too") {
+    for (double const size : {1e-90, 1e-30, 0.0}) {
+        FaceLoops loops;
+        loops.add(ellipse_points(37, size, size, {0, 0}));
+        FaceTree const tree(loops);
+        for (double const away : {1e40, 1e90, 1e100}) {
+            CHECK(tree.distance({-away, 0}) == doctest::Approx(away).epsilon(1e-14));
+            Index group = 0;
+            FaceDistance::Foot const foot = tree.foot({-away, away}, group);
+            CHECK(foot.face >= 0);
+            CHECK(foot.face < 37);
+        }
+    }
+}

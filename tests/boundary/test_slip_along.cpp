@@ -145,7 +145,7 @@ TEST_CASE("the conditions of a basis state the number of curves, and need them a
     CHECK(along.off_circle() < 1e-11);
 }
 
-TEST_CASE("a copy of a basis gives back the curves along which points slide") {
+TEST_CASE("a copy of a basis gives back the curves along which points slip") {
     Along along(circle(2, 11));
     along.condition();
     hm_curves const given = *along.setup.conditions[1].along;
@@ -184,7 +184,7 @@ TEST_CASE("a copy of a basis gives back the curves along which points slide") {
     CHECK(std::string(error.text) == "curve has room for 0 curves, but the condition has 1");
     CHECK(hm_basis_along(attached, 0, &found, curve.data(), 1, &error) == HM_BAD_ARGUMENT);
     CHECK(std::string(error.text) ==
-          "condition 0 of the basis has no curves along which points slide");
+          "condition 0 of the basis has no curves along which points slip");
     CHECK(hm_basis_along(attached, 2, &found, curve.data(), 1, &error) == HM_BAD_ARGUMENT);
     CHECK(std::string(error.text) == "condition 2 does not exist; the basis has 2");
 }
@@ -211,7 +211,7 @@ TEST_CASE("curves that do not fit are refused with the point") {
     CHECK(error.code == HM_BAD_CONDITION);
     CHECK(
         std::string(error.text)
-            .find("away from the curve along which it slides; check the marker of the condition") !=
+            .find("away from the curve along which it slips; check the marker of the condition") !=
         std::string::npos);
     CHECK(error.value == doctest::Approx(1));
     CHECK(far.is_outer(std::size_t(error.item)));
@@ -230,9 +230,8 @@ TEST_CASE("curves that do not fit are refused with the point") {
     corners.condition();
     error = refusal(corners);
     CHECK(error.code == HM_BAD_CONDITION);
-    CHECK(
-        std::string(error.text).find("and the following points slide has a corner between them") !=
-        std::string::npos);
+    CHECK(std::string(error.text).find("and the following points slip has a corner between them") !=
+          std::string::npos);
 
     Along along(circle(2, 0));
     along.condition().n_curves = 2;

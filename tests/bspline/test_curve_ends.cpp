@@ -58,11 +58,10 @@ Chosen choose_always(std::vector<Vec2> points) {
                 if (backwards) std::reverse(turned.begin(), turned.end());
                 Course const course = choose(turned, Closure::automatic).course;
                 CHECK(course.closure == plain.course.closure);
-                CHECK(course.reason == plain.course.reason);
                 CHECK(course.base_points == plain.course.base_points);
                 bool const same_place =
                     !backwards || plain.course.base_points == 0;  // a base is left at its other end
-                bool const anywhere = course.reason == ClosureReason::no_corner;
+                bool const anywhere = course.closure == Closure::periodic;
                 auto const first = backwards ? n - 1 - course.first : course.first;
                 if (same_place && !anywhere) CHECK((first + places) % n == plain.course.first);
             }
@@ -223,7 +222,6 @@ TEST_CASE("a facet across a leading edge is no base and no corner, however coars
                 INFO("thickness = " << thickness << ", n_side = " << n_side
                                     << ", longer = " << longer);
                 Chosen const chosen = choose_always(with_leading_facet(thickness, n_side, longer));
-                CHECK(chosen.course.reason == ClosureReason::corner);
                 CHECK(chosen.course.closure == Closure::tied);
                 CHECK(chosen.course.first == 0);
                 CHECK(chosen.corners.empty());
@@ -252,7 +250,7 @@ TEST_CASE("blunt bases of any thickness and slant are found at the end opposite 
                     INFO("height = " << height << ", slant = " << slant << ", n_base = " << n_base
                                      << ", n_side = " << n_side);
                     Chosen const chosen = choose_always(cut_off(height, slant, n_side, n_base));
-                    CHECK(chosen.course.reason == ClosureReason::base);
+                    CHECK(chosen.course.closure == Closure::open);
                     CHECK(chosen.course.base_points == n_base + 1);
                     CHECK(chosen.course.first == n_base);
                     CHECK(chosen.corners.empty());
@@ -263,18 +261,18 @@ TEST_CASE("ends of a plate, a step on a side and chamfers are no base") {
     std::vector<Vec2> const plate =
         fixtures::polygon({{0.5, 0.02}, {-0.5, 0.025}, {-0.48, -0.02}, {0.5, -0.02}}, 8);
     Chosen const chosen = choose_always(plate);
-    CHECK(chosen.course.reason == ClosureReason::corner);
+    CHECK(chosen.course.closure == Closure::tied);
     CHECK(chosen.corners.size() == 3);
     // This section has a step down at half chord, as in a cove, and a sharp trailing edge.
     Chosen const step =
         choose_always(fixtures::polygon({{1, 0}, {0.5, 0.02}, {0.5, 0.06}, {0, 0}}, 10));
     CHECK(step.course.base_points == 0);
     CHECK(step.corners.size() >= 2);
-    CHECK(choose(fixtures::ellipse(60, 0.2), Closure::automatic).course.reason ==
-          ClosureReason::no_corner);
-    CHECK(choose(plate, Closure::tied).course.reason == ClosureReason::wish);
-    CHECK(choose(plate, Closure::open).course.reason == ClosureReason::wish);
-    CHECK(choose(plate, Closure::automatic, false).course.reason == ClosureReason::no_loop);
+    CHECK(choose(fixtures::ellipse(60, 0.2), Closure::automatic).course.closure ==
+          Closure::periodic);
+    CHECK(choose(plate, Closure::periodic).course.closure == Closure::periodic);
+    CHECK(choose(plate, Closure::open).course.closure == Closure::open);
+    CHECK(choose(plate, Closure::automatic, false).course.closure == Closure::open);
 }
 
 // An airfoil with a horn of ice on its upper side: straight, two points across its tip.
@@ -308,7 +306,6 @@ TEST_CASE("the tip of a horn of ice is no base, and the curve begins at the trai
             CHECK(sharp.course.first == 0);
             Chosen const blunt = choose_always(with_horn(degrees, reach, 4));
             CHECK(blunt.course.closure == Closure::open);
-            CHECK(blunt.course.reason == ClosureReason::base);
             CHECK(blunt.course.base_points == 5);
         }
 }
@@ -353,7 +350,6 @@ TEST_CASE("a trailing edge of one point is no base, though the last panel turns 
                                             << ", n_side = " << n_side << ", above = " << above);
                             Chosen const chosen = choose_always(section);
                             CHECK(chosen.course.closure == Closure::tied);
-                            CHECK(chosen.course.reason == ClosureReason::corner);
                             CHECK(chosen.course.first == 0);
                             CHECK(chosen.corners.size() <= 1);  // at the other end of the panel
                             largest = std::fmax(largest, turn);
@@ -404,7 +400,7 @@ TEST_CASE("the facet across the nose of a cusped or sharp section of few points 
                             fixtures::circle_section(thick, camber, wedge, n, 0.8, even);
                         Course const course = course_of(sides);
                         CHECK(course.base_points == 0);
-                        CHECK(course.reason == ClosureReason::corner);
+                        CHECK(course.closure == Closure::tied);
                         CHECK(course.first == 0);
                     }
 }

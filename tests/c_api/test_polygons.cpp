@@ -59,7 +59,7 @@ TEST_CASE("polygons: linear fields are exact") {
             }
             Options options = laplace();
             options.operator_kind = kind;
-            if (kind == HM_WEIGHTED) options.exponent_quarters = HM_NO_WEIGHT;
+            if (kind == HM_WEIGHTED) options.exponent = -1;
             hm_mesh const view = in_polygons(setup.mesh_view());
             Displaced displaced(setup.problem(view), &options);
             Field field;  // of conformal functions z -> a z + b, of others any linear one

@@ -78,23 +78,9 @@ TEST_CASE("numbers of options that are out of range or unknown") {
          {-2, 5},
          "options.engine is #, but it must be HM_DIRECT, HM_MULTIGRID or HM_FAS"},
         {HM_UNSUPPORTED,
-         &Options::kernel,
-         {99},
-         "options.kernel is #, which is unknown or not a kernel of this processor; HM_KERNEL_AUTO "
-         "always works"},
-        {HM_UNSUPPORTED,
          &Options::precision,
          {-1, 3},
          "options.precision is #, but it must be HM_DOUBLE or HM_SINGLE"},
-        {HM_BAD_ARGUMENT,
-         &Options::exponent_quarters,
-         {-2, 17},
-         "options.exponent_quarters must be between -1 and 16, not #"},
-        {HM_UNSUPPORTED,
-         &Options::exponent_quarters,
-         {4},
-         "options.exponent_quarters must be 0 or HM_NO_WEIGHT for HM_LAPLACE, which has no weight; "
-         "HM_WEIGHTED has one"},
         {HM_BAD_ARGUMENT,
          &Options::offset_correction,
          {-1, 2},
@@ -151,6 +137,13 @@ TEST_CASE("numbers of options that are out of range or unknown") {
                             tolerance.words)
                     .c_str(),
                 [&](auto&, auto& o, auto&) { o.tolerance = tolerance.wrong; }}});
+    check({{HM_BAD_ARGUMENT,
+            "options.exponent must be a multiple of 0.25 up to 4, or negative for no weight, not 5",
+            [&](auto&, auto& o, auto&) { o.exponent = 5; }},
+           {HM_UNSUPPORTED,
+            "options.exponent must not be positive for HM_LAPLACE, which has no weight; "
+            "HM_WEIGHTED has one",
+            [&](auto&, auto& o, auto&) { o.exponent = 1; }}});
     auto executor = sized<hm_executor>();
     for (std::int32_t const number : {-1, 257}) {
         executor.n_threads = number;

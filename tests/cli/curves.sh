@@ -31,7 +31,7 @@ check "Selig out: counter-clockwise from and to the trailing edge" awk 'NR == 1 
     $2 == 0; x = $1; y = $2; next }
     { area += x * $2 - $1 * y; x = $1; y = $2 } END { exit !(ok && x == 1 && y == 0 && area > 0) }' "$tmp/foil.dat"
 runs "Selig in" 0 fit "$tmp/foil.dat" -o "$tmp/foil.curve" --json
-check "Selig in: a sharp trailing edge" says '"closed": "tied", "reason": "corner"'
+check "Selig in: a sharp trailing edge" says '"closed": "tied", "corners": 1'
 check "Selig in: the curve again" awk '{ match($0, /"max_error": [^,]*/);
     exit !(substr($0, RSTART + 13, RLENGTH - 13) + 0 < 2e-5) }' "$tmp/out"
 runs "a curve in, for other control points" 0 fit "$tmp/out.curve" --points 9 -o "$tmp/nine.curve"

@@ -68,6 +68,7 @@ static hm_plan* solve(const hm_mesh* mesh, const hm_curves* curves, int method, 
                       void** blocks) {
     hm_condition on_curve;
     hm_problem problem;
+    hm_executor executor;
     hm_options options;
     hm_study_options study;
     hm_analysis* analysis = NULL;
@@ -84,7 +85,9 @@ static hm_plan* solve(const hm_mesh* mesh, const hm_curves* curves, int method, 
     problem.curves = curves;
     problem.n_conditions = 1;
     problem.conditions = &on_curve;
-    options.kernel = HM_KERNEL_BASELINE;
+    HM_INIT(executor);
+    executor.kernel = HM_KERNEL_BASELINE;
+    options.executor = &executor;
     options.operator_kind = methods[method].operator_kind;
     options.engine = methods[method].engine;
     options.precision = methods[method].precision;

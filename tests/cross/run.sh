@@ -39,7 +39,7 @@ c_tests() {   # where, emulator or nothing, compiler...
 for folder in /usr/include /usr/local/include; do
     if [ -e "$folder/doctest/doctest.h" ]; then ln -sfn "$folder/doctest" "$dir/include/doctest"; fi
 done
-sh c_api/packaging/amalgamate.sh >"$dir/harmorph.cpp" && cp include/harmorph.h "$dir/" || exit 1
+sh c_api/packaging/amalgamate.sh >"$dir/harmorph.cpp" && cp include/*.h "$dir/" || exit 1
 archive=$build/libharmorph.a suffix= topic=here
 $CC $strict -o "$dir/morphs" tests/cross/morphs.c "$archive" -lm && "$dir/morphs" >"$dir/sums" &&
     "$dir/morphs" save "$dir/here.basis" && "$dir/morphs" attach "$dir/here.basis" >"$dir/use" || exit 1

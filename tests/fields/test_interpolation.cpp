@@ -81,6 +81,26 @@ double error_of(Interpolated const& from, std::vector<double> const& x,
     return worst;
 }
 
+// Three rings of cells around a thin body with a sharp tip at (1, 0), all turned about the origin.
+Mesh rings_around_a_tip(double turn) {
+    Mesh mesh;
+    std::vector<Point> const outline{{1, 0}, {0, 0.2}, {-1, 0.2}, {-1, -0.2}, {0, -0.2}};
+    int const n = static_cast<int>(outline.size()), rings = 3;
+    double const c = std::cos(turn), s = std::sin(turn);
+    for (int ring = 0; ring <= rings; ++ring)
+        for (Point const& p : outline)
+            mesh.add_point({(ring + 1) * (c * p.x - s * p.y), (ring + 1) * (s * p.x + c * p.y)});
+    for (int k = 0; k < n; ++k) {
+        int const next = (k + 1) % n;
+        for (int ring = 0; ring < rings; ++ring)
+            mesh.add_quad(k + n * ring, k + n * (ring + 1), next + n * (ring + 1), next + n * ring,
+                          k % 2 == 0);
+        mesh.add_face(k, next, body);
+        mesh.add_face(k + n * rings, next + n * rings, far_field);
+    }
+    return mesh;
+}
+
 }  // namespace
 
 TEST_CASE("linear fields are exact between meshes of all kinds, in thin layers too") {
@@ -238,4 +258,20 @@ TEST_CASE("the conditions of an analysis change nothing: sides of a periodic pai
     Interpolated const with(setup, x, y);
     CHECK(with.of(smooth) == without.of(smooth));
     CHECK(with.distance == without.distance);
+}
+
+TEST_CASE("behind a sharp corner of a body, points are found from both faces of the corner") {
+    for (double const turn : {0.0, 0.3, 1.4, 2.0, 3.1, -0.7, -2.2}) {
+        Mesh const mesh = rings_around_a_tip(turn);
+        double const c = std::cos(turn), s = std::sin(turn);
+        int outside = 0;
+        for (double const radius : {1e-3, 0.05, 0.2})
+            for (int k = -14; k <= 14; ++k) {
+                double const px = 1 + radius * std::cos(0.1 * k), py = radius * std::sin(0.1 * k);
+                // Each point is alone, so that the search begins at the boundary.
+                Interpolated const found(mesh, {c * px - s * py}, {s * px + c * py});
+                outside += found.report.outside;
+            }
+        CHECK(outside == 0);
+    }
 }

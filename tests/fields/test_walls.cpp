@@ -269,3 +269,27 @@ TEST_CASE("refused calls with walls") {
     CHECK(hm_wall_distance_adjoint(set.walls, n, &points, face.data(), distance.data(), nullptr,
                                    nullptr, &error) == HM_BAD_ARGUMENT);
 }
+
+TEST_CASE("points may be farther away than 1e100 times the width of the walls") {
+    Mesh mesh = two_bodies(40, 8, {}, Ellipse{0.25, 0.06, 0.4}, Cells::hybrid);
+    for (double const scale : {1.0, 1e-30, 1e-90}) {
+        for (double& x : mesh.x) x *= scale;
+        for (double& y : mesh.y) y *= scale;
+        WallSet const set(mesh, {body, second_body});
+        for (double const away : {1e50, 1e80, 1e100}) {
+            std::vector<double> x, y;
+            for (int k = 0; k < 16; ++k) {
+                x.push_back(away * std::cos(0.4 * k));
+                y.push_back(away * std::sin(0.4 * k));
+            }
+            Distances const found(set, x, y);
+            for (std::size_t k = 0; k < x.size(); ++k) {
+                CHECK(found.face[k] >= 0);
+                CHECK(found.face[k] < set.info.n_faces);
+                CHECK(found.distance[k] == doctest::Approx(away).epsilon(1e-14));
+            }
+        }
+        for (double& x : mesh.x) x /= scale;
+        for (double& y : mesh.y) y /= scale;
+    }
+}

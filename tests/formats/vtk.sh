@@ -1,7 +1,7 @@
 # VTK legacy and XML: bad files, and the files of VTK itself. (A part of tests/formats.sh.)
 sed 's/^9 /12 /' "$tmp/text.vtk" | sed '/^CELL_TYPES/,$s/ 9 / 12 /' >"$tmp/bad.vtk"
 refuses "vtk: three dimensions in earnest" \
-    'is of type 12 with 4 points, which is not read: save triangles and quadrilaterals of first or second' \
+    'is of type 12 with 4 points, which is not read: save polygons, or triangles, quadrilaterals, wedges' \
     "$harmorph" check "$tmp/bad.vtk"
 check "vtk: convert" "$harmorph" convert "$tmp/ring.su2" "$tmp/ring.vtk"
 check "vtk: what convert writes" "$harmorph" check "$tmp/ring.vtk" --json

@@ -24,7 +24,7 @@ contains
         integer :: stat
         call solve(mesh, conformal)
         call conformal%info(info)
-        call check(info%operator_kind == hm_conformal .and. info%exponent_quarters == 6 .and. &
+        call check(info%operator_kind == hm_conformal .and. info%exponent == 1.5_dp .and. &
             info%numbers_per_value == 2 .and. .not. info%offset_correction .and. info%bodies == 0, &
             "the default operator")
         call conformal%values(3, a, number=2)
@@ -40,13 +40,13 @@ contains
         call check(minval(laplace) > -1e-3_dp .and. maxval(laplace) < 1, "the paper's functions")
 
         options%operator_kind = hm_conformal
-        options%exponent_quarters = hm_no_weight
+        options%exponent = -1
         call solve(mesh, other, options=options)
         call other%values(3, a)
         call other%values(3, b, number=2)
         call check(maxval(abs(a - laplace)) < 1e-12_dp .and. maxval(abs(b)) < 1e-12_dp, "conformal, no weight: Laplace")
 
-        options = hm_options(operator_kind=hm_weighted, exponent_quarters=8)
+        options = hm_options(operator_kind=hm_weighted, exponent=2._dp)
         call solve(mesh, other, options=options)
         call other%values(3, a)
         options%precision = hm_single

@@ -116,18 +116,11 @@ void break_conditions(Problem& problem, Input& input) {
 }
 void break_options(Problem& problem, Input& input) {
     Options& o = problem.options;
-    std::int32_t* const numbers[] = {&o.operator_kind,
-                                     &o.scheme,
-                                     &o.engine,
-                                     &o.kernel,
-                                     &o.exponent_quarters,
-                                     &o.offset_correction,
-                                     &o.levels,
-                                     &o.agglomeration,
-                                     &o.block_width,
-                                     &o.precision,
-                                     &o.start};
-    *numbers[input.below(11)] = input.one_in(2) ? input.wild_index() : input.from(-2, 6);
+    std::int32_t* const numbers[] = {&o.operator_kind,     &o.scheme,    &o.engine,
+                                     &o.offset_correction, &o.levels,    &o.agglomeration,
+                                     &o.block_width,       &o.precision, &o.start};
+    if (input.one_in(10)) o.exponent = input.wild();
+    *numbers[input.below(9)] = input.one_in(2) ? input.wild_index() : input.from(-2, 6);
     if (input.one_in(4)) o.tolerance = input.wild();
 }
 void break_given(Problem& problem, Input& input) {

@@ -2,6 +2,7 @@
 // main counts it.
 #pragma once
 
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
@@ -13,6 +14,13 @@ struct Failure : std::runtime_error {
 
 inline void expect(bool holds, std::string const& what) {
     if (!holds) throw Failure(what);
+}
+
+// A number of any size, in six digits.
+inline std::string shown(double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", number);
+    return text;
 }
 
 }  // namespace fuzz

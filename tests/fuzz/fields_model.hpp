@@ -11,6 +11,22 @@
 
 namespace fuzz {
 
+using Quad = __float128;
+
+// The place of a face that is nearest to a point.
+struct Foot {
+    Wide distance, t, x, y;  // x, y: from the foot to the point
+    Wide length;             // of the face
+};
+inline Foot foot_on(Point a, Point b, Point p) {
+    Wide const dx = Wide(b.x) - a.x, dy = Wide(b.y) - a.y, px = Wide(p.x) - a.x,
+               py = Wide(p.y) - a.y, length = std::hypot(dx, dy);
+    Wide const ux = length > 0 ? dx / length : 0, uy = length > 0 ? dy / length : 0;
+    Wide const along = std::max(Wide(0), std::min(length, ux * px + uy * py));
+    Wide const x = px - along * ux, y = py - along * uy;
+    return {std::hypot(x, y), length > 0 ? along / length : 0, x, y, length};
+}
+
 class FieldsModel {
 public:
     FieldsModel(Problem& problem, Input& input);
@@ -19,20 +35,24 @@ public:
 private:
     using Numbers = std::vector<double>;
 
-    // fuzz_fields.cpp
-    void areas();
+    void areas();  // check_swept_areas.cpp
+    void remap();  // check_remap.cpp
+
+    // check_levels.cpp
     void levels();
     void volumes_are_connected(std::vector<std::int32_t> const& cells, std::int32_t count) const;
     void volumes_have_areas(hm_levels const* levels, std::int32_t level,
                             std::vector<std::int32_t> const& cells, std::int32_t count,
                             std::vector<Point> const& from, std::vector<Point> const& to);
 
-    // check_fields.cpp
+    // check_walls.cpp
     void walls();
     void distances(hm_walls const* walls, std::vector<Face> const& faces,
                    std::vector<Point> const& mesh);
     void distance_derivatives(hm_walls const* walls, std::vector<Face> const& faces,
                               std::vector<Point> const& mesh, std::vector<Point> const& places);
+
+    // check_interpolation.cpp
     void interpolation();
     void interpolated(hm_interpolation const* interpolation, std::vector<Point> const& places,
                       Numbers const& distance);
@@ -44,7 +64,7 @@ private:
                         Wide& rounding) const;
 
     // A side of a cell is shorter than a millionth of the mesh: rounding decides which cell has a
-    // place, and how large the volumes beside that cell are.
+    // place.
     bool has_short_sides() const {
         for (Cell const& cell : problem_.domain.cells)
             for (std::size_t k = 0; k < cell.size(); ++k) {
@@ -76,8 +96,14 @@ private:
     }
     // The points of the mesh, each moved by at most a tenth of the extent, or by very little.
     std::vector<Point> displaced();
-    // Places inside, at points, on faces and far outside.
+    // Places inside, at points, on faces and far outside; a wild one may not be a place at all.
     std::vector<Point> places();
+    // The header takes coordinates up to 1e100.
+    static bool has_bad(std::vector<Point> const& places) {
+        for (Point const& p : places)
+            if (!(std::abs(p.x) <= 1e100 && std::abs(p.y) <= 1e100)) return true;
+        return false;
+    }
 
     Problem& problem_;
     Input& input_;

@@ -110,6 +110,7 @@ private:
             m += 1;
         }
         if (cell.size() == 3) return 2 * std::sqrt(Wide(3)) * area_of(cell, place) / squares;
+        if (m < 3) return 1;
         Wide const pi = std::acos(Wide(-1));
         return (judged_.is_divided[number] ? m / std::sin(2 * pi / m) : 4) / inverse;
     }
@@ -195,7 +196,8 @@ private:
         expect(sign * (value.extreme - value.bound) >= -1e-12 * std::abs(value.bound),
                "a bound is on the wrong side");
         double const widest = std::log(double(value.count)) / rho;
-        expect(value.gap >= 0 && value.gap <= widest * (1 + 1e-9) + 1e-15, "a gap is too large");
+        expect(sign * (value.extreme - value.bound) <= widest * (1 + 1e-9) + 1e-15,
+               "a gap is too large");
         if (!is_of_layer && inverted_cells(judged_, place, 1e-12) == 0) {
             Values const expected = values(bound.kind, place);
             expect(at(static_cast<std::int32_t>(value.count)) == expected.value.size(),
@@ -205,7 +207,8 @@ private:
             for (Wide const each : expected.value) sum += std::exp(-rho * (each - least));
             Wide const within = 1e-11L + 8 * expected.rounding;
             expect(std::abs(value.extreme - least) <= within * std::max(Wide(1), std::abs(least)),
-                   "the smallest value differs from the reference");
+                   "the smallest value " + shown(value.extreme) + " differs from the reference " +
+                       shown(double(least)) + " by " + shown(double(value.extreme - least)));
             expect(std::abs(value.bound - (least - std::log(sum) / rho)) <=
                        within * std::max(Wide(1), std::abs(least)),
                    "a bound differs from the reference");
@@ -227,21 +230,26 @@ private:
                  "a bound at a point nearby");
             return value.bound;
         };
-        double const rho = std::max(1.0, bound.sharpness), h = most * 1e-3 / std::sqrt(rho);
-        auto const difference = [&](double length) {
-            return (bound_at(step + length) - bound_at(step - length)) / (2 * length);
-        };
-        double const coarse = difference(h), middle = difference(h / 4), fine = difference(h / 16);
         Wide sum = 0, size = 0;
         for (std::size_t k = 0; k < gradient.size(); ++k) {
             Wide const x = Wide(gradient[k].x) * by_[k].x, y = Wide(gradient[k].y) * by_[k].y;
             sum += x + y;
             size += std::abs(x) + std::abs(y);
         }
+        // Another value becomes the extreme one within a change of the bound of 1 / rho.
+        double const rho = std::max(1.0, bound.sharpness),
+                     h = std::min(most * 1e-3 / std::sqrt(rho), 1e-2 / (rho * double(size)));
+        auto const difference = [&](double length) {
+            return (bound_at(step + length) - bound_at(step - length)) / (2 * length);
+        };
+        double const coarse = difference(h), middle = difference(h / 4), fine = difference(h / 16);
         double const known = std::abs(coarse - middle) + std::abs(middle - fine);
-        expect(std::abs(double(sum) - fine) <= 4 * known + 1e-5 * (std::abs(fine) + double(size)),
-               "the derivative of a bound is " + std::to_string(double(sum)) +
-                   ", differences are " + std::to_string(coarse) + " and " + std::to_string(fine));
+        // The bound is rounded to 2^-53 of the values, which are of the order of 1.
+        double const rounded = 0x1p-50 * std::max(1.0, std::abs(bound_at(step))) / h;
+        expect(std::abs(double(sum) - fine) <=
+                   4 * known + rounded + 1e-5 * (std::abs(fine) + double(size)),
+               "the derivative of a bound is " + shown(double(sum)) + ", differences are " +
+                   shown(coarse) + ", " + shown(middle) + " and " + shown(fine));
     }
 
     // Corners whose area becomes 0, and the derivatives of the step by the three points.
@@ -311,7 +319,7 @@ private:
             Wide const steep = std::abs(area.rate) * found.step;
             Wide const within = 1e-9L + 1e3L * area.rounding / steep;
             is_right = is_right || error <= within * size || within > 1e-3L;
-            why = std::to_string(double(error / size));
+            why = shown(double(error / size));
         }
         expect(any, "a corner that the mesh does not have");
         expect(is_right, "the derivative of a step differs from that of the area by " + why);

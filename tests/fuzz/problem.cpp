@@ -187,6 +187,16 @@ void write_conditions(Problem& problem, Input& input) {
     } else if (outside == 4) {
         add(4, HM_PERIODIC_PAIR).partner = 2;
     }
+    if (!input.one_in(6)) return;
+    auto const some_marker = [&] {
+        std::vector<Face> const& faces = problem.domain.faces;
+        return faces[input.below(static_cast<std::uint32_t>(faces.size()))].marker;
+    };
+    std::int32_t const one = some_marker(), other = some_marker();
+    if (one == other) return;
+    add(one, HM_INTERFACE).partner = other;
+    problem.domain.interface_sides[0] = one;
+    problem.domain.interface_sides[1] = other;
 }
 
 // Rows of the header's table of combinations, mostly.
@@ -203,8 +213,7 @@ void choose_options(Problem& problem, Input& input) {
         o.max_iterations = input.from(1, 20);
     }
     if (o.operator_kind == HM_CONFORMAL && input.one_in(3)) o.offset_correction = 1;
-    if (o.operator_kind != HM_LAPLACE && input.one_in(2)) o.exponent_quarters = input.from(-1, 16);
-    if (input.one_in(3)) o.kernel = HM_KERNEL_BASELINE;
+    if (o.operator_kind != HM_LAPLACE && input.one_in(2)) o.exponent = input.from(-1, 16) / 4.0;
     if (!input.one_in(4)) return;
     problem.executor = sized<hm_executor>();
     problem.executor.run = [](void*, std::int32_t n, void (*task)(void*, std::int32_t),

@@ -43,8 +43,8 @@ TEST_CASE("heights and angles are those of the first layer") {
                 CHECK(found[2].value.bound <= found[2].value.extreme);
                 for (BoundResult const& one : found) {
                     CHECK(one.value.count == change.points);
-                    CHECK(one.value.gap >= 0);
-                    CHECK(one.value.gap <= std::log(n) / sharpness + 1e-13);
+                    CHECK(std::fabs(one.value.bound - one.value.extreme) <=
+                          std::log(n) / sharpness + 1e-13);
                     CHECK(one.value.item_kind == HM_ITEM_POINT);
                 }
             }

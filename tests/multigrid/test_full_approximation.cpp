@@ -292,7 +292,7 @@ TEST_CASE("full approximation that ends early with a small residual has not conv
     setup.mesh = c_mesh(naca4({}, 20), 10, 8, stretched(1e-3, 8, 20)).mesh;
     Options options = fas(), exact = direct();
     options.operator_kind = exact.operator_kind = HM_WEIGHTED;
-    options.exponent_quarters = exact.exponent_quarters = 9;
+    options.exponent = exact.exponent = 2.25;
     options.agglomeration = HM_AGGLOMERATE_ISOTROPIC;
     options.start = HM_START_ZERO;
     options.max_iterations = 400;

@@ -18,15 +18,14 @@ constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 TEST_CASE("without a weight the functions are those of Laplace's equation, and real") {
     for (Cells const kind : kinds) {
         Case setup = two_body_case(kind, 8, 6);
-        Options const conformal = options_of(HM_CONFORMAL, HM_NO_WEIGHT),
-                      paper = options_of(HM_LAPLACE);
+        Options const conformal = options_of(HM_CONFORMAL, -1), paper = options_of(HM_LAPLACE);
         Solved const a(setup, &conformal), b(setup, &paper);
-        CHECK(a.info().exponent_quarters == 0);
+        CHECK(a.info().exponent == 0);
         for (std::int32_t i = 0; i < 20; ++i)
             CHECK(largest_difference(complex_values(a, i), complex_values(b, i)) < 1e-13);
         Options const weighted = options_of(HM_CONFORMAL);  // and with one they are not
         Solved const c(setup, &weighted);
-        CHECK(c.info().exponent_quarters == 6);
+        CHECK(c.info().exponent == 1.5);
         double imaginary = 0;
         for (Complex const f : complex_values(c, 3))
             imaginary = std::fmax(imaginary, std::fabs(f.imag()));
@@ -162,8 +161,8 @@ TEST_CASE("the functions do not depend on the unit of length, from 1e-30 to 1e30
 TEST_CASE("a free boundary is refused with a hint at slip, and so are unknown exponents") {
     Case setup = ring_case(6, 24, 0.5, 2);
     setup.set_free(far_field);
-    for (std::int32_t const exponent_quarters : {0, 6, +HM_NO_WEIGHT}) {
-        Options const options = options_of(HM_CONFORMAL, exponent_quarters);
+    for (double const exponent : {0.0, 1.5, -1.0}) {
+        Options const options = options_of(HM_CONFORMAL, exponent);
         Attempt const attempt(setup.problem(), &options);
         CHECK(attempt.status == HM_UNSUPPORTED);
         CHECK(attempt.reached == "analysis size");
@@ -172,11 +171,11 @@ TEST_CASE("a free boundary is refused with a hint at slip, and so are unknown ex
     Attempt const by_default(setup.problem(), nullptr);
     CHECK(by_default.status == HM_OK);  // the fixture's default is Laplace's operator
     setup.conditions.pop_back();
-    for (std::int32_t const exponent_quarters : {-2, 17, 2147483647}) {
-        Options const options = options_of(HM_CONFORMAL, exponent_quarters);
+    for (double const exponent : {0.1, 3.9999, 4.25, 1e300, HUGE_VAL, -HUGE_VAL, std::nan("")}) {
+        Options const options = options_of(HM_CONFORMAL, exponent);
         CHECK(Attempt(setup.problem(), &options).status == HM_BAD_ARGUMENT);
     }
-    Options options = options_of(HM_LAPLACE, 4);
+    Options options = options_of(HM_LAPLACE, 1);
     CHECK(Attempt(setup.problem(), &options).status == HM_UNSUPPORTED);
     options = options_of(1000);
     CHECK(Attempt(setup.problem(), &options).status == HM_UNSUPPORTED);
@@ -199,8 +198,10 @@ TEST_CASE("any number of threads gives the same bits, and kernels agree to round
     }
     for (std::int32_t const kernel :
          {HM_KERNEL_BASELINE, HM_KERNEL_AVX2, HM_KERNEL_AVX512, HM_KERNEL_NEON}) {
+        auto executor = sized<hm_executor>();
+        executor.kernel = kernel;
         Options options = plain;
-        options.kernel = kernel;
+        options.executor = &executor;
         Attempt const attempt(setup.problem(), &options);
         if (attempt.status == HM_UNSUPPORTED) continue;
         REQUIRE(attempt.status == HM_OK);

@@ -75,18 +75,18 @@ TEST_CASE("the thinner cells are, the more steps; where they are too thin the fa
     int done = 0, refused = 0;
     for (double const first : {1e-2, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9})
         for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL})
-            for (std::int32_t const exponent_quarters : {0, 16}) {
-                if (operator_kind == HM_LAPLACE && exponent_quarters > 0) continue;
+            for (double const exponent : {0, 4}) {
+                if (operator_kind == HM_LAPLACE && exponent > 0) continue;
                 Case setup = airfoil_case(40, 12, Cells::quads);
                 setup.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(first, 60, 40)).mesh;
                 Options in_double = with(operator_kind, HM_DOUBLE),
                         in_single = with(operator_kind, HM_SINGLE);
-                in_double.exponent_quarters = in_single.exponent_quarters = exponent_quarters;
+                in_double.exponent = in_single.exponent = exponent;
                 Solved const exact(setup, &in_double);
                 Attempt const attempt(setup.problem(), &in_single);
-                INFO("first cell " << first << ", operator " << operator_kind << ", "
-                                   << exponent_quarters << " quarters: " << attempt.error.text
-                                   << ", " << attempt.report.refinements << " steps");
+                INFO("first cell " << first << ", operator " << operator_kind << ", exponent "
+                                   << exponent << ": " << attempt.error.text << ", "
+                                   << attempt.report.refinements << " steps");
                 if (first > 5e-6) CHECK(attempt.status == HM_OK);
                 if (attempt.status == HM_OK) {
                     Difference const found = difference_of_all(exact, attempt);
@@ -96,7 +96,7 @@ TEST_CASE("the thinner cells are, the more steps; where they are too thin the fa
                     // The entries of this matrix are beyond the numbers of single precision.
                     bool const beyond = attempt.status == HM_UNSUPPORTED;
                     if (!beyond) CHECK(attempt.status == HM_NOT_POSITIVE);
-                    if (beyond) CHECK(exponent_quarters == 16);
+                    if (beyond) CHECK(exponent == 4);
                     ++refused;
                 }
             }
@@ -128,7 +128,7 @@ TEST_CASE("the plan takes less than two thirds of the memory") {
 // Weights are (unit / d)^4 at the most, and functions of bodies as large as the bodies.
 TEST_CASE("entries and right-hand sides beyond single precision are refused by name") {
     Options options = with(HM_CONFORMAL, HM_SINGLE);
-    options.exponent_quarters = 16;
+    options.exponent = 4;
     Case thin = airfoil_case(40, 12, Cells::quads);
     thin.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-9, 60, 40)).mesh;
     Attempt const entries(thin.problem(), &options);

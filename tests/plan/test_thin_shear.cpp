@@ -202,7 +202,7 @@ TEST_CASE("residuals that are rounding of flows through thin cells are no errors
                 CHECK((h > 1e-8 || solved.report.residual > options.tolerance));
                 if (h < 1e-8) CHECK(solved.report.residual > 1e-10);
                 options.operator_kind = HM_CONFORMAL;  // the same functions, with complex numbers
-                options.exponent_quarters = HM_NO_WEIGHT;
+                options.exponent = -1;
                 if (operator_kind == HM_LAPLACE)
                     CHECK(largest_difference(Solved(setup, &options).all_values(),
                                              solved.all_values()) < 1e-11);

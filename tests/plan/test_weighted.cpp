@@ -34,16 +34,15 @@ double radial(double r, double r0, double r1, double q) {
     return r >= r1 ? 0 : integral(r) / integral(r0);
 }
 
-double rms_error(int refine, Cells kind, std::int32_t exponent_quarters) {
+double rms_error(int refine, Cells kind, double exponent) {
     int const n_r = 8 * refine, n_t = 32 * refine;
     Case setup = ring_case(n_r, n_t, 0.5, 2, kind);
-    Options const options = options_of(HM_WEIGHTED, exponent_quarters);
+    Options const options = options_of(HM_WEIGHTED, exponent);
     Solved const solved(setup, &options);
     std::vector<double> const sum = solved.sum();
     double sum_of_squares = 0;
     for (int i = 0; i <= n_r; ++i) {
-        double const exact =
-            radial(0.5 * std::pow(4, 1.0 * i / n_r), 0.5, 2, 0.25 * exponent_quarters);
+        double const exact = radial(0.5 * std::pow(4, 1.0 * i / n_r), 0.5, 2, exponent);
         for (int k = 0; k < n_t; ++k)
             sum_of_squares += std::pow(sum[static_cast<std::size_t>(i * n_t + k)] - exact, 2);
     }
@@ -52,19 +51,17 @@ double rms_error(int refine, Cells kind, std::int32_t exponent_quarters) {
 
 }  // namespace
 
-TEST_CASE("annulus: the exact radial solution, to second order, with exponents in quarters") {
+TEST_CASE("annulus: the exact radial solution, to second order, for exponents of all kinds") {
     for (Cells const kind : {Cells::quads, Cells::hybrid, Cells::triangles})
-        for (std::int32_t const exponent_quarters : {1, 2, 4, 7, 8}) {
-            double const coarse = rms_error(2, kind, exponent_quarters),
-                         fine = rms_error(4, kind, exponent_quarters);
-            INFO("q = " << 0.25 * exponent_quarters << ": " << coarse << " " << fine);
+        for (double const exponent : {0.25, 0.5, 1.0, 1.75, 2.0}) {
+            double const coarse = rms_error(2, kind, exponent), fine = rms_error(4, kind, exponent);
+            INFO("q = " << exponent << ": " << coarse << " " << fine);
             CHECK(fine < 1e-3);
             // A ring's quads have equal diagonals: which one splits them is chance, and part of the
             // error is, too.
             double const at_best = kind == Cells::quads ? 1.85 : 1.5;
             // F = d^(1 + q): less smooth.
-            CHECK(std::log2(coarse / fine) >
-                  (exponent_quarters < 4 ? 1 + 0.2 * exponent_quarters : at_best));
+            CHECK(std::log2(coarse / fine) > (exponent < 1 ? 1 + 0.8 * exponent : at_best));
         }
 }
 
@@ -87,8 +84,8 @@ TEST_CASE("a constant factor of k is a factor of the matrix: it changes no funct
 
 TEST_CASE("nor does the unit of length, though k has one") {
     Case const origin = airfoil_case(30, 10);
-    for (std::int32_t const exponent_quarters : {1, 4, 6, 16}) {
-        Options const options = options_of(HM_WEIGHTED, exponent_quarters);
+    for (double const exponent : {0.25, 1.0, 1.5, 4.0}) {
+        Options const options = options_of(HM_WEIGHTED, exponent);
         Case setup = origin;
         Solved const reference(setup, &options);
         for (double const unit : {1 / 1024.0, 3.7, 1e20}) {
@@ -101,17 +98,16 @@ TEST_CASE("nor does the unit of length, though k has one") {
 
 TEST_CASE("without a weight: Laplace's functions, bit by bit; the larger q, the more moves along") {
     Case setup = airfoil_case();
-    Options const none_at_all = options_of(HM_WEIGHTED, HM_NO_WEIGHT),
-                  usual = options_of(HM_WEIGHTED);
+    Options const none_at_all = options_of(HM_WEIGHTED, -1), usual = options_of(HM_WEIGHTED);
     Solved const plain(setup), unweighted(setup, &none_at_all), by_default(setup, &usual);
     CHECK(same_bits(unweighted.all_values(), plain.all_values()));
-    CHECK(by_default.info().exponent_quarters == 4);
+    CHECK(by_default.info().exponent == 1);
     std::vector<double> last = plain.sum();
-    for (std::int32_t const exponent_quarters : {2, 4, 6, 8}) {
-        Options const options = options_of(HM_WEIGHTED, exponent_quarters);
+    for (double const exponent : {0.5, 1.0, 1.5, 2.0}) {
+        Options const options = options_of(HM_WEIGHTED, exponent);
         Solved const solved(setup, &options);
-        CHECK(solved.info().exponent_quarters == exponent_quarters);
-        if (exponent_quarters == 4) CHECK(same_bits(solved.all_values(), by_default.all_values()));
+        CHECK(solved.info().exponent == exponent);
+        if (exponent == 1) CHECK(same_bits(solved.all_values(), by_default.all_values()));
         std::vector<double> const sum = solved.sum();
         double mean = 0;
         for (std::size_t k = 0; k < sum.size(); ++k)
@@ -124,8 +120,8 @@ TEST_CASE("without a weight: Laplace's functions, bit by bit; the larger q, the 
 TEST_CASE("a plan without a weight is smaller by one number for each cell") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Case setup = ring_case(8, 32, 0.5, 2, kind);
-        Options const weighted = options_of(HM_WEIGHTED, 4),
-                      none_at_all = options_of(HM_WEIGHTED, HM_NO_WEIGHT);
+        Options const weighted = options_of(HM_WEIGHTED, 1),
+                      none_at_all = options_of(HM_WEIGHTED, -1);
         Solved const with(setup, &weighted), without(setup, &none_at_all), laplace(setup);
         std::size_t const more = with.plan_block->size() - without.plan_block->size();
         CHECK(more == 8 * static_cast<std::size_t>(
@@ -144,7 +140,7 @@ TEST_CASE("rigid bodies count for the distance as curves do, fixed boundaries do
     hm_problem problem = rigid.problem();
     problem.curves = nullptr;
     problem.n_given = 0;
-    Options const options = options_of(HM_WEIGHTED, 6);
+    Options const options = options_of(HM_WEIGHTED, 1.5);
     Solved const a(curve, &options), b(problem, &options);
     // A translation of all: the same data on the wall, so the same displacements if the weights are
     // the same.

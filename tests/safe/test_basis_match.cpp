@@ -31,7 +31,7 @@ TEST_CASE("another operator with the same table is accepted, and one number chan
         Case setup = curve_and_table();
         Options const options = options_of(complex ? HM_CONFORMAL : HM_LAPLACE);
         Options others = options_of(complex ? HM_CONFORMAL : HM_WEIGHTED);
-        others.exponent_quarters = 6;
+        others.exponent = 1.5;
         Attempt const own(setup.problem(), &options);
         REQUIRE(own.status == HM_OK);
         Attempt const other(setup.problem(), &others);

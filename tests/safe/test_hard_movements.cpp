@@ -247,7 +247,7 @@ TEST_CASE("a wall that ends beside a fixed line is stopped there, and the end is
             named += text.find("the wall's end, point") != std::string::npos;
             CHECK(text.find("leaves the line beside it by ") != std::string::npos);
             CHECK(safe.report.end_point == safe.error.item);
-            CHECK(safe.report.end_leaves == doctest::Approx(std::fabs(by.imag())));
+            CHECK(safe.report.end_distance == doctest::Approx(std::fabs(by.imag())));
             CHECK(std::find(wall.begin(), wall.end(), safe.error.item) != wall.end());
             auto const end = std::size_t(safe.error.item);
             CHECK(setup.mesh.x[end] == 1);
@@ -297,7 +297,7 @@ TEST_CASE("points on a slip line make room for the end of a wall that leaves the
             }
             CHECK(safe.run(move) == HM_OK);
             CHECK(safe.is_valid());
-            CHECK(safe.report.end_leaves == doctest::Approx(one.leaves));
+            CHECK(safe.report.end_distance == doctest::Approx(one.leaves));
             CHECK((safe.report.end_point >= 0) == (one.leaves > 0));
             for (std::size_t k = 0; k < n_line; ++k) CHECK(std::fabs(safe.y[k]) < 1e-15);
         }

@@ -118,7 +118,7 @@ TEST_CASE("arguments that do not belong together are refused, and nothing is wri
         CHECK(same_bits(y, setup.mesh.y));
         return status;
     };
-    Options const conformal = options_of(HM_CONFORMAL), sharper = options_of(HM_CONFORMAL, 8);
+    Options const conformal = options_of(HM_CONFORMAL), sharper = options_of(HM_CONFORMAL, 2);
     Options const paper = options_of(HM_LAPLACE);
     Solved const other_exponent(setup, &sharper), other_operator(setup, &paper);
     Case elsewhere = setup;

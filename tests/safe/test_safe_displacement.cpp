@@ -71,7 +71,7 @@ TEST_CASE("a body that turns in steps keeps its shape, and fewer cells suffer") 
 
 TEST_CASE("functions of another operator are solved where one step of the first is not enough") {
     Case setup = given_block();
-    SafeDisplaced safe(setup, options_of(HM_CONFORMAL, 16));
+    SafeDisplaced safe(setup, options_of(HM_CONFORMAL, 4));
     safe.safe_options.skipped_strategies =
         without({HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
     bool helped = false;

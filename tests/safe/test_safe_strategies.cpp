@@ -29,7 +29,7 @@ TEST_CASE("another basis can be the strategy that helps") {
     Safe safe(setup, options_of(HM_LAPLACE));
     std::vector<double> const move = turn_of(setup, 60);
     CHECK(safe.admissible(move) < 1);
-    Solved const useless(setup, options_of(HM_WEIGHTED, 1)),
+    Solved const useless(setup, options_of(HM_WEIGHTED, 0.25)),
         useful(setup, options_of(HM_CONFORMAL));
     const hm_basis* const others[] = {useless.basis, useful.basis};
     safe.safe_options.n_others = 2;
@@ -43,7 +43,7 @@ TEST_CASE("another basis can be the strategy that helps") {
     CHECK(safe.is_valid());
     CHECK(safe.boundary_error(move) < 1e-15);
     Attempt real, derivative;  // a derivative with real values cannot take its complex ones
-    Options const paper = options_of(HM_LAPLACE), sharper = options_of(HM_CONFORMAL, 8);
+    Options const paper = options_of(HM_LAPLACE), sharper = options_of(HM_CONFORMAL, 2);
     REQUIRE(real.run(setup.problem(), &paper));
     CHECK(safe.run(move, real.basis) == HM_SHORT);
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});

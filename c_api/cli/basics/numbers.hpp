@@ -13,6 +13,10 @@ bool parse(std::string_view word, std::int32_t& value);
 bool parse(std::string_view word, std::int64_t& value);
 bool parse(std::string_view word, double& value);
 
+// Appends a number as printf does by "%.*e", "%.*f" or "%.*g" (style e, f, g) with this precision,
+// several times as fast for the numbers of a mesh.
+void append_number(std::string& text, char style, int precision, double value);
+
 std::string exact(double value);  // 17 significant digits, which are read back as the same bits
 std::string scientific(double value);  // 17 digits with a decimal point and an exponent: 1.5E+00
 std::string brief(double value);       // 4 significant digits, for people

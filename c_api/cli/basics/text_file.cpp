@@ -1,40 +1,15 @@
 #include "basics/text_file.hpp"
 
 #include "basics/failure.hpp"
+#include "basics/mapped_file.hpp"
 #include "basics/readable.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <limits>
-#include <memory>
 
 namespace cli {
 
 namespace {
-
-std::string read_whole(const std::string& path) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                               std::fclose);
-    std::string text;
-    std::size_t filled = 0;
-    // The size is only a guess, as pipes have no size.
-    const long size = file && std::fseek(file.get(), 0, SEEK_END) == 0 ? std::ftell(file.get()) : 0;
-    if (file) std::rewind(file.get());
-    while (file && !std::feof(file.get()) && !std::ferror(file.get())) {
-        const bool first = filled == 0 && size > 0 && size < std::numeric_limits<long>::max();
-        text.resize(first ? static_cast<std::size_t>(size) + 1
-                          : std::max<std::size_t>(2 * filled, 1 << 16));
-        filled += std::fread(&text[filled], 1, text.size() - filled, file.get());
-    }
-    if (!file || std::ferror(file.get())) {
-        throw Failure(exit_file, path + ": cannot be read: " + std::strerror(errno));
-    }
-    text.resize(filled);
-    return text;
-}
 
 // The class of each byte for a reader of lines.
 enum : unsigned char { part_of_word, blank, end_of_line };
@@ -51,7 +26,17 @@ unsigned char kind(char c) { return kind_of_byte[static_cast<unsigned char>(c)];
 
 }  // namespace
 
-TextFile::TextFile(const std::string& path) : path_(path), text_(read_whole(path)) {}
+TextFile::TextFile(const std::string& path) : path_(path) {
+    const auto file = std::make_shared<const MappedFile>(path);
+    text_ = {file->data(), file->size()};
+    memory_ = file;
+}
+
+TextFile::TextFile(const std::string& path, std::string text) : path_(path) {
+    const auto own = std::make_shared<const std::string>(std::move(text));
+    text_ = *own;
+    memory_ = own;
+}
 
 std::string TextFile::place(std::size_t offset) const {
     if (name_of_place_) return path_ + ": " + name_of_place_(offset);
@@ -81,8 +66,7 @@ void TextFile::report(std::size_t offset) const {
 
 LineReader::LineReader(const TextFile& file, char comment) : file_(file), comment_(comment) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (std::string_view(file.text()).substr(0, 3) == byte_order_mark)
-        next_ = byte_order_mark.size();
+    if (file.text().substr(0, 3) == byte_order_mark) next_ = byte_order_mark.size();
 }
 
 // One pass over the bytes of a line finds the end of the line, the comment, and the first and the

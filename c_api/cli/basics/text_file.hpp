@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,12 +15,12 @@ namespace cli {
 
 class TextFile {
 public:
-    explicit TextFile(const std::string& path);  // reads the whole file
+    explicit TextFile(const std::string& path);  // maps the whole file, or reads it
     // The given text takes the place of the contents of the file.
-    TextFile(const std::string& path, std::string text) : path_(path), text_(std::move(text)) {}
+    TextFile(const std::string& path, std::string text);
 
     const std::string& path() const { return path_; }
-    const std::string& text() const { return text_; }
+    std::string_view text() const { return text_; }  // copies of a TextFile share the text
     std::string place(std::size_t offset) const;  // "FILE:LINE"; behind binary parts "FILE: byte N"
     // Gives other names to offsets, where the text in memory is not the text of the file.
     void name_places(std::function<std::string(std::size_t)> name) {
@@ -37,7 +38,9 @@ public:
 private:
     void report(std::size_t offset) const;
 
-    std::string path_, text_;
+    std::string path_;
+    std::shared_ptr<const void> memory_;  // of the text
+    std::string_view text_;
     std::function<std::string(std::size_t)> name_of_place_;
     std::function<void(double)> listener_;
     mutable std::size_t next_mark_ = std::numeric_limits<std::size_t>::max();

@@ -148,7 +148,7 @@ Displacement best_displacement(const Arguments& arguments, const Mesh& mesh, con
         Task by = task;
         if (kind != own) {
             by.options.operator_kind = kind;
-            by.options.exponent_quarters = by.options.offset_correction = 0;
+            by.options.exponent = by.options.offset_correction = 0;
         }
         Solver solver(mesh, by, threads);
         Displacement found = displacement_of(arguments, mesh, solver, movement, threads);

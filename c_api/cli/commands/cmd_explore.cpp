@@ -87,7 +87,7 @@ const Command explore_command = {
     "Points on the page are those of `harmorph morph`\n"
     "within 2^-24 sum |F_i| |dP_i|: functions are in single precision there, all else in double "
     "precision.\n"
-    "Points that slide along curves (--slip) move along the tangents on the page; "
+    "Points that slip along curves (--slip) move along the tangents on the page; "
     "`harmorph morph` puts them onto the curves.\n",
     {{"-o", "PAGE", "page to write, HTML (required)", FileUse::output},
      {"--points", "N",

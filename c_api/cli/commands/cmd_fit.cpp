@@ -19,6 +19,7 @@ namespace {
 struct Fit {
     Curves curves;
     hm_fit_report report = sized<hm_fit_report>();
+    bool is_asked = false;  // the closure is that of --closed
 };
 
 // The ordered points of a piece of the boundary of a mesh, or of a file with a section.
@@ -109,6 +110,7 @@ hm_fit_details fit_details(const Arguments& arguments, const std::vector<double>
 // path: the file of the points.
 Fit fit(const std::string& path, const Outline& outline, const hm_fit_options& options) {
     Fit fit;
+    fit.is_asked = options.closed != HM_CLOSED_AUTO;
     std::size_t bytes = 0;
     call(path, hm_fit_size, outline.points(), &options, &bytes);
     Block block(bytes);
@@ -126,24 +128,16 @@ Fit fit(const std::string& path, const Outline& outline, const hm_fit_options& o
     return fit;
 }
 
-const char* reason_name(std::int32_t reason) {
-    static const char* const names[] = {"asked for", "the boundary is not closed", "no corner",
-                                        "corner", "blunt base"};
-    return names[reason];
-}
-
-std::string reason_for_people(const Fit& fit, const Outline& outline) {
+std::string reason_of_closure(const Fit& fit, const Outline& outline) {
+    if (!outline.is_loop) return "the boundary is not closed";
+    if (fit.is_asked) return "asked for";
+    if (fit.report.closed == HM_PERIODIC) return "no corner was found";
     const auto first = static_cast<std::size_t>(fit.report.first_point);
     const std::string at = "x = " + brief(outline.x[first]) + ", y = " + brief(outline.y[first]);
-    switch (fit.report.reason) {
-        case HM_FIT_BASE:
-            return "there is a straight blunt base of " + plural(fit.report.base_points, "point") +
-                   " from " + at;
-        case HM_FIT_CORNER:
-            return plural(fit.report.corners, "corner") + " and no blunt base; it begins at " + at;
-        case HM_FIT_NO_CORNER: return "no corner was found";
-        default: return reason_name(fit.report.reason);
-    }
+    if (fit.report.base_points == 0)
+        return plural(fit.report.corners, "corner") + " and no blunt base; it begins at " + at;
+    return "there is a straight blunt base of " + plural(fit.report.base_points, "point") +
+           " from " + at;
 }
 
 void warn_if_it_backtracks(const Fit& fit, const Outline& outline) {
@@ -163,7 +157,7 @@ void print_for_people(const Fit& fit, const Outline& outline, const std::string&
     print("%s: degree %d, through %s of %s\n", plural(fit.curves.points(), "control point").c_str(),
           fit.curves.curves[0].degree, plural(outline.points(), "point").c_str(), from.c_str());
     print("closed         %s: %s\n", closed_name(fit.report.closed),
-          reason_for_people(fit, outline).c_str());
+          reason_of_closure(fit, outline).c_str());
     print("largest error  %s chord, at x = %s, y = %s\n",
           brief(fit.report.max_error / chord).c_str(), brief(outline.x[worst]).c_str(),
           brief(outline.y[worst]).c_str());
@@ -176,10 +170,8 @@ void print_json(const Fit& fit) {
     JsonObject object;
     object.add("points", fit.curves.points()).add("degree", fit.curves.curves[0].degree);
     object.add("closed", std::string(closed_name(fit.report.closed)));
-    object.add("reason", std::string(reason_name(fit.report.reason)))
-        .add("corners", fit.report.corners);
-    object.add("base_points", fit.report.base_points)
-        .add("backtracks", fit.report.backtrack_point >= 0);
+    object.add("corners", fit.report.corners).add("base_points", fit.report.base_points);
+    object.add("backtracks", fit.report.backtrack_point >= 0);
     object.add("max_error", fit.report.max_error).add("rms_error", fit.report.rms_error);
     print("%s\n", object.text().c_str());
 }
@@ -267,15 +259,15 @@ const Command fit_command = {
       "periodic: smooth all round; tied: both ends are one control point, for a sharp trailing "
       "edge;\n"
       "auto (default): no corner: periodic; a straight blunt base between two corners at the end\n"
-      "away from the nose: open, with a second curve over the base; else tied at the sharpest "
+      "away from the leading edge: open, with a second curve over the base; else tied at the "
+      "sharpest "
       "corner"},
      {"-o", "CURVE", "file to write (required)\n" CURVE_FORMATS, FileUse::output},
      format_option,
      zone_option,
      {"--json", nullptr,
-      "print one JSON object: points, degree, closed (open, tied, periodic), reason (asked for, "
-      "the\n"
-      "boundary is not closed, no corner, corner, blunt base), corners, base_points,\n"
+      "print one JSON object: points, degree, closed (open, tied, periodic), corners, "
+      "base_points,\n"
       "backtracks (the curve runs back between two points), max_error, rms_error"}},
     "  harmorph fit naca0012.su2 --marker airfoil --points 20 -o airfoil.curve\n"
     "  harmorph fit rae2822.dat -o rae2822.curve\n",

@@ -266,7 +266,7 @@ const Command morph_command = {
              "turned_offset (of wall points from the curve, turned with the body beside the "
              "B-spline's movement),\n"
              "start_quality, end_point (of a wall, which leaves the line beside it; -1: none), "
-             "end_leaves, warning, worst_cells (cell, quality, start_quality, x, y); with "
+             "end_distance, warning, worst_cells (cell, quality, start_quality, x, y); with "
              "--to-airfoil\n"
              "airfoil_max_error and airfoil_rms_error (distances of its points from the curve)"}},
     "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg "

@@ -87,7 +87,7 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
     const bool is_own = operator_kind == task.options.operator_kind;
     if (!is_own) {
         task.options.operator_kind = operator_kind;
-        task.options.exponent_quarters = 0;
+        task.options.exponent = 0;
         task.options.offset_correction = 0;
     }
     Solver solver(mesh, task, threads);
@@ -144,7 +144,7 @@ Curves Morph::moved_curves(const Basis& basis) const {
     return curves;
 }
 
-// Puts points that slide along curves onto the curves.
+// Puts points that slip along curves onto the curves.
 void Morph::slide(const Basis& basis, const Mesh& mesh, const Threads& threads) {
     const Task task = task_of(basis);
     if (!slips(task)) return;

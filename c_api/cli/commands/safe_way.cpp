@@ -22,7 +22,7 @@ void add_safe(JsonObject& object, const hm_safe_report& safe, const std::string&
     object.add("last_step_admissible", safe.admissible).add("heights", safe.heights);
     if (reached_moves != nullptr) object.add("reached_moves", *reached_moves);
     object.add("turned_offset", safe.turned_offset).add("start_quality", safe.start_quality);
-    object.add("end_point", safe.end_point).add("end_leaves", safe.end_leaves);
+    object.add("end_point", safe.end_point).add("end_distance", safe.end_distance);
     object.add("warning", warning);
     std::vector<JsonObject> worst(static_cast<std::size_t>(safe.n_worst));
     for (std::size_t i = 0; i < worst.size(); ++i) {
@@ -85,7 +85,7 @@ void print_target(const hm_safe_report& safe) {
           plural(safe.resolves, "new solution").c_str(), strategy_name(safe.strategy));
     if (safe.end_point >= 0) {
         print("end of a wall    point %d leaves the line of the boundary beside it by %s\n",
-              safe.end_point, brief(safe.end_leaves).c_str());
+              safe.end_point, brief(safe.end_distance).c_str());
     }
 }
 

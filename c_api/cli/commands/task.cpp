@@ -1,3 +1,4 @@
+#include <cmath>
 #include <harmorph_study.h>
 #include "commands/task.hpp"
 
@@ -9,17 +10,16 @@ namespace cli {
 
 namespace {
 
-std::int32_t exponent_in_quarters(const Arguments& arguments) {
+// The library's default is 0, and no weight a negative exponent.
+double exponent_of(const Arguments& arguments) {
     if (!arguments.has("--exponent")) return 0;
     double exponent = 0;
     const bool is_number = parse(arguments.text("--exponent"), exponent);
-    const auto in_quarters =
-        is_number && exponent >= 0 && exponent <= 4 ? static_cast<std::int32_t>(4 * exponent) : -1;
-    if (in_quarters < 0 || in_quarters != 4 * exponent) {
+    if (!is_number || !(exponent >= 0 && exponent <= 4) || std::fmod(exponent, 0.25) != 0) {
         arguments.refuse("--exponent expects a number from 0 to 4 in steps of 1/4, not " +
                          in_quotes(arguments.text("--exponent")));
     }
-    return in_quarters == 0 ? HM_NO_WEIGHT : in_quarters;
+    return exponent == 0 ? -1 : exponent;
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
     task.options.tolerance = arguments.positive("--tol", 1e-10);
     task.options.operator_kind =
         compares_operators(arguments) ? HM_CONFORMAL : operator_of(arguments);
-    task.options.exponent_quarters = exponent_in_quarters(arguments);
+    task.options.exponent = exponent_of(arguments);
     task.options.scheme =
         arguments.choice("--scheme", {{"compact", HM_COMPACT},
                                       {"nodal-gradient", HM_NODAL_GRADIENT},
@@ -61,8 +61,7 @@ Task task_of(const Basis& basis) {
     task.options.operator_kind = info.operator_kind;
     task.options.scheme = info.scheme;
     task.options.engine = info.engine;
-    task.options.exponent_quarters =
-        info.exponent_quarters == 0 ? HM_NO_WEIGHT : info.exponent_quarters;
+    task.options.exponent = info.exponent == 0 ? -1 : info.exponent;
     task.options.offset_correction = info.offset_correction;
     task.conditions = basis.conditions();
     task.slip_curves = basis.slip_curves();

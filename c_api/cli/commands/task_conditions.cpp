@@ -222,7 +222,7 @@ std::vector<Option> condition_options() {
          "the\n"
          "point that it is near to) and scales (may be repeated)"},
         {"--slip", "C[,D..][=CURVE]",
-         "markers along which points slide, straight or curved without corners, or along the\n"
+         "markers along which points slip, straight or curved without corners, or along the\n"
          "curves of a file, which BASIS keeps (may be repeated)",
          FileUse::input_after_equals},
         {"--periodic", "E:F",

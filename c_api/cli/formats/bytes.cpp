@@ -14,6 +14,11 @@ void store(char* bytes, Number value, bool swapped) {
     if (swapped) std::reverse(bytes, bytes + sizeof value);
 }
 
+bool is_of_number(char c) {
+    return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+' || c == 'e' || c == 'E' ||
+           c == 'd' || c == 'D';
+}
+
 }  // namespace
 
 std::size_t number_length(const Mesh& mesh, std::size_t offset) {
@@ -22,10 +27,9 @@ std::size_t number_length(const Mesh& mesh, std::size_t offset) {
         case NumberKind::real64: return 8;
         case NumberKind::text: break;
     }
-    const std::string& text = mesh.file.text();
+    const std::string_view text = mesh.file.text();
     std::size_t end = offset;
-    while (end < text.size() && std::strchr("0123456789+-.eEdD", text[end]) && text[end] != '\0')
-        ++end;
+    while (end < text.size() && is_of_number(text[end])) ++end;
     return end - offset;
 }
 

@@ -150,7 +150,7 @@ void FluentMesh::build_solid() {
 
 // The file begins with a bracket and the number of a section.
 bool probe_fluent(const TextFile& file) {
-    const std::string_view start = trimmed(std::string_view(file.text()).substr(0, 64));
+    const std::string_view start = trimmed(file.text().substr(0, 64));
     if (start.substr(0, 1) != "(") return false;
     const std::string_view number = trimmed(start.substr(1));
     return !number.empty() && number[0] >= '0' && number[0] <= '9';

@@ -23,13 +23,13 @@ int bytes_of(const std::string& arch, const std::string& kind, int usual) {
 }  // namespace
 
 bool read_foam_header(const TextFile& file, FoamHeader& header) {
-    const std::string& text = file.text();
+    const std::string_view text = file.text();
     const std::size_t begin = text.find("FoamFile");
     if (begin == std::string::npos || begin > 4096) return false;
     const std::size_t open = text.find('{', begin), close = text.find('}', begin);
     if (open == std::string::npos || close == std::string::npos || close < open) return false;
     header.end = close + 1;
-    const std::string entries = text.substr(open + 1, close - open - 1);
+    const std::string_view entries = text.substr(open + 1, close - open - 1);
     const auto value = [&entries](const std::string& key) {
         for (std::size_t at = entries.find(key); at != std::string::npos;
              at = entries.find(key, at + 1)) {
@@ -43,7 +43,7 @@ bool read_foam_header(const TextFile& file, FoamHeader& header) {
     header.is_binary = value("format") == "binary";
     header.type = value("class");
     const std::size_t arch = entries.find("LSB;");
-    const std::string sizes = arch == std::string::npos ? entries : entries.substr(arch);
+    const std::string sizes(arch == std::string::npos ? entries : entries.substr(arch));
     header.label_bytes = bytes_of(sizes, "label", 4);
     header.scalar_bytes = bytes_of(sizes, "scalar", 8);
     return true;
@@ -56,7 +56,7 @@ FoamReader::FoamReader(const TextFile& file) : file_(file) {
 }
 
 void FoamReader::skip() {
-    const std::string& text = file_.text();
+    const std::string_view text = file_.text();
     for (;;) {
         while (at_ < text.size() && is_blank(text[at_])) ++at_;
         if (text.compare(at_, 2, "//") == 0) {
@@ -72,7 +72,7 @@ void FoamReader::skip() {
 
 std::string_view FoamReader::word() {
     skip();
-    const std::string& text = file_.text();
+    const std::string_view text = file_.text();
     word_ = at_;
     if (at_ < text.size() && is_single(text[at_])) {
         ++at_;
@@ -83,7 +83,7 @@ std::string_view FoamReader::word() {
 }
 
 void FoamReader::expected(std::string_view what) const {
-    const std::string_view found = std::string_view(file_.text()).substr(word_, at_ - word_);
+    const std::string_view found = file_.text().substr(word_, at_ - word_);
     fail("the file needs " + std::string(what) + " here, but " +
          (found.empty() ? "the end of the file" : in_quotes(found)) + " follows");
 }
@@ -107,7 +107,7 @@ bool FoamReader::is_next(std::string_view wanted) {
 
 const char* FoamReader::binary(std::int64_t n, int bytes, const char* what) {
     expect("(");
-    const std::string& text = file_.text();
+    const std::string_view text = file_.text();
     const std::size_t size = static_cast<std::size_t>(n) * static_cast<std::size_t>(bytes),
                       begin = at_;
     if (size > text.size() - begin || text.size() - begin - size < 1 || text[begin + size] != ')') {

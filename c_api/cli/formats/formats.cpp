@@ -42,8 +42,7 @@ const Format& format_of(const TextFile& file) {
     for (const Format* format : formats) {
         if (format->probe(file)) return *format;
     }
-    const std::string_view first =
-        std::string_view(file.text()).substr(0, file.text().find_first_of("\r\n"));
+    const std::string_view first = file.text().substr(0, file.text().find_first_of("\r\n"));
     file.fail(0, (file.text().empty() ? "the file is empty"
                                       : "no known mesh file begins with " + in_quotes(first)) +
                      "; the formats that are read are " + format_names() +

@@ -16,7 +16,7 @@ namespace {
 
 // The section $MeshFormat is the first one, or $Comments.
 bool probe_gmsh(const TextFile& file) {
-    const std::string_view text = trimmed(std::string_view(file.text()).substr(0, 64));
+    const std::string_view text = trimmed(file.text().substr(0, 64));
     return text.size() > 1 && text[0] == '$' && text[1] >= 'A' && text[1] <= 'Z';
 }
 

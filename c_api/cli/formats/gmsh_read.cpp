@@ -82,7 +82,7 @@ void GmshReader::read_format() {
     if (kind != 0 && kind != 1) numbers_.expected("0 (text) or 1 (binary)");
     if (numbers_.whole("8 bytes for a number") != 8) numbers_.expected("8 bytes for a number");
     if (kind == 1) {
-        const std::string& text = mesh_.file.text();
+        const std::string_view text = mesh_.file.text();
         numbers_.jump(std::min(text.find('\n', numbers_.offset()), text.size() - 1) + 1);
         numbers_.is_binary = true;
         mesh_.in_file.kind = NumberKind::real64;

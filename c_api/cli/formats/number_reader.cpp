@@ -15,7 +15,7 @@ bool separates(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ','
 
 // Commas separate numbers in what Fortran's list-directed output and C programs write.
 std::string_view NumberReader::word() {
-    const std::string& text = file_.text();
+    const std::string_view text = file_.text();
     file_.passed(at_);
     while (at_ < end_ && separates(text[at_])) ++at_;
     number_ = at_;
@@ -25,7 +25,7 @@ std::string_view NumberReader::word() {
 }
 
 std::string_view NumberReader::next_line() {
-    const std::string_view text = std::string_view(file_.text()).substr(0, end_);
+    const std::string_view text = file_.text().substr(0, end_);
     while (at_ < text.size()) {
         const std::size_t end = std::min(text.find_first_of("\r\n", at_), text.size());
         const std::string_view line = trimmed(text.substr(at_, end - at_));

@@ -1,5 +1,7 @@
 #include "formats/number_style.hpp"
 
+#include "basics/numbers.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -27,12 +29,17 @@ std::string with_leading_zero(const std::string& text) {
 }  // namespace
 
 void NumberStyle::see(std::string_view word) {
-    const std::size_t e = std::min(word.find_first_of("eEdD"), word.size());
-    std::string_view mantissa = word.substr(0, e);
-    if (!mantissa.empty() && (mantissa[0] == '-' || mantissa[0] == '+')) mantissa.remove_prefix(1);
     int digits = 0, decimals = 0;
-    bool after_point = false;
-    for (const char c : mantissa) {
+    bool after_point = false, has_exponent = false;
+    std::size_t at = !word.empty() && (word[0] == '-' || word[0] == '+') ? 1 : 0;
+    const char first = at < word.size() ? word[at] : 'e';
+    for (; at < word.size(); ++at) {
+        const char c = word[at];
+        if (c == 'e' || c == 'E' || c == 'd' || c == 'D') {
+            has_exponent = true;
+            exponent_ = c;
+            break;
+        }
         if (c == '.') {
             after_point = true;
         } else {
@@ -41,22 +48,32 @@ void NumberStyle::see(std::string_view word) {
         }
     }
     ++words_;
-    if (e < word.size()) {
+    if (has_exponent) {
         ++with_exponent_;
-        exponent_ = word[e];
         // Zero counts as written in both ways.
-        leading_zero_ +=
-            digits == 0 || mantissa.substr(0, 1) == "0" || mantissa.substr(0, 1) == "." ? 1 : 0;
+        leading_zero_ += digits == 0 || first == '0' || first == '.' ? 1 : 0;
     }
     least_decimals_ = std::min(least_decimals_, decimals);
     most_decimals_ = std::max(most_decimals_, decimals);
     most_digits_ = std::max(most_digits_, digits);
 }
 
+void NumberStyle::see(const NumberStyle& later) {
+    if (later.with_exponent_ > 0) exponent_ = later.exponent_;
+    words_ += later.words_;
+    with_exponent_ += later.with_exponent_;
+    leading_zero_ += later.leading_zero_;
+    least_decimals_ = std::min(least_decimals_, later.least_decimals_);
+    most_decimals_ = std::max(most_decimals_, later.most_decimals_);
+    most_digits_ = std::max(most_digits_, later.most_digits_);
+}
+
 bool NumberStyle::fixed() const {
     return with_exponent_ == 0 && least_decimals_ == most_decimals_ &&
            most_decimals_ >= evident_digits;
 }
+
+bool NumberStyle::needs_tolerance() const { return fixed() || digits() < exact_digits; }
 
 bool NumberStyle::scientific() const {
     return with_exponent_ == words_ && most_digits_ >= evident_digits;
@@ -68,34 +85,39 @@ int NumberStyle::digits() const {
     return evident ? most_digits_ : exact_digits;
 }
 
-std::string NumberStyle::print(double value, double tolerance) const {
+void NumberStyle::append(std::string& text, double value, double tolerance) const {
     // Half a unit of the last digit, 0.5 * 10^-decimals, must not be above the tolerance.
-    const double bounded = std::min(std::max(tolerance, 1e-300), 1e300);
-    const int decimals = static_cast<int>(std::ceil(-std::log10(2 * bounded)));
-    char text[512];
+    const auto decimals = [&] {
+        return static_cast<int>(
+            std::ceil(-std::log10(2 * std::min(std::max(tolerance, 1e-300), 1e300))));
+    };
+    const auto magnitude = [&](int of_zero) {
+        return value == 0 ? of_zero
+                          : static_cast<int>(std::floor(std::log10(std::fabs(value)))) + 1;
+    };
     if (fixed()) {
-        const int magnitude =
-            value == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::fabs(value)))) + 1;
-        const int wanted = std::min(decimals, exact_digits - std::min(magnitude, exact_digits));
-        std::snprintf(text, sizeof text, "%.*f", std::min(std::max(most_decimals_, wanted), 40),
-                      value);
-        return text;
+        const int wanted =
+            std::min(decimals(), exact_digits - std::min(magnitude(0), exact_digits));
+        return append_number(text, 'f', std::min(std::max(most_decimals_, wanted), 40), value);
     }
-    const int magnitude =
-        value == 0 ? -400 : static_cast<int>(std::floor(std::log10(std::fabs(value)))) + 1;
-    const int wanted =
-        std::min(std::max(digits(), magnitude + decimals), std::max(digits(), exact_digits));
-    const int significant = std::min(std::max(wanted, 1), 40);
+    int significant = digits();
+    if (significant < exact_digits)
+        significant = std::min(std::max(significant, magnitude(-400) + decimals()), exact_digits);
+    significant = std::min(std::max(significant, 1), 40);
+    const std::size_t begin = text.size();
     if (!scientific()) {
-        std::snprintf(text, sizeof text, "%.*g", significant, value);
+        append_number(text, 'g', significant, value);
     } else {
-        std::snprintf(text, sizeof text, "%.*e", significant - 1, value);
+        append_number(text, 'e', significant - 1, value);
+        if (leading_zero_ == with_exponent_) {
+            const std::string number = with_leading_zero(text.substr(begin));
+            text.resize(begin);
+            text += number;
+        }
     }
-    std::string result =
-        scientific() && leading_zero_ == with_exponent_ ? with_leading_zero(text) : text;
-    const std::size_t e = result.find('e');
-    if (e != std::string::npos) result[e] = exponent_;
-    return result;
+    if (exponent_ == 'e') return;
+    const std::size_t e = text.find('e', begin);
+    if (e != std::string::npos) text[e] = exponent_;
 }
 
 }  // namespace cli

@@ -22,7 +22,7 @@ namespace cli {
 namespace {
 
 bool begins_with_number(const TextFile& file) {
-    const std::string_view text = trimmed(std::string_view(file.text()).substr(0, 256));
+    const std::string_view text = trimmed(file.text().substr(0, 256));
     return !text.empty() &&
            text.find_first_not_of("0123456789+-.eEdD*, \t\r\n") == std::string_view::npos;
 }

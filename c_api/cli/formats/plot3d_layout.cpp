@@ -53,7 +53,7 @@ public:
         }
         if (whole_.size() < 2) return;
         total_ = static_cast<std::int64_t>(end_of_whole_.size());
-        const std::string& text = file.text();
+        const std::string_view text = file.text();
         numbers.jump(end_of_whole_.back());
         bool in_word = false;
         for (std::size_t i = end_of_whole_.back(); i < text.size(); ++i) {
@@ -169,7 +169,7 @@ private:
         return length == length_;
     }
 
-    const std::string& text_;
+    std::string_view text_;
     Plot3dLayout& layout_;
     std::size_t at_ = 0;
     std::int64_t length_ = 0;

@@ -21,7 +21,7 @@ bool is_vtk_legacy(const TextFile& file) {
 }
 
 bool is_vtk_xml(const TextFile& file) {
-    const std::string_view start = std::string_view(file.text()).substr(0, 1024);
+    const std::string_view start = file.text().substr(0, 1024);
     return trimmed(start).substr(0, 1) == "<" && start.find("<VTKFile") != start.npos;
 }
 
@@ -97,7 +97,7 @@ std::vector<double> numbers_of(const TextFile& file, const VtkEncoding& as, cons
             file.fail(array.tag, "the array " + name + " is longer than the file");
         end = begin + static_cast<std::size_t>(length);
     }
-    const TextFile text(file.path(), decoded.empty() ? file.text() : decoded);
+    const TextFile text = decoded.empty() ? file : TextFile(file.path(), std::move(decoded));
     NumberReader reader(text);
     reader.is_binary = is_binary;
     reader.swapped = as.swapped;
@@ -152,7 +152,7 @@ public:
     }
 
     Columns read() {
-        const std::string& text = file_.text();
+        const std::string_view text = file_.text();
         is_binary_ = text.find("\nBINARY") < text.find("\nDATASET");
         jump_behind("\nPOINTS ", 0);
         n_ = numbers_.count("the number of points");
@@ -212,7 +212,7 @@ private:
         const std::size_t begin = numbers_.offset(),
                           end = std::min(file_.text().find('\n', begin), file_.text().size());
         numbers_.jump(end);
-        return std::string(trimmed(std::string_view(file_.text()).substr(begin, end - begin)));
+        return std::string(trimmed(file_.text().substr(begin, end - begin)));
     }
     std::vector<double> array(std::size_t components) {
         return array_of(std::string(numbers_.word()), components);

@@ -20,13 +20,13 @@ constexpr const char* point_name = "PointID";
 constexpr std::int32_t restart_magic = 535532;
 constexpr std::size_t restart_header = 5 * sizeof(std::int32_t), restart_name = 33;
 
-bool is_restart(const std::string& text) {
+bool is_restart(std::string_view text) {
     return text.size() >= restart_header &&
            load<std::int32_t>(text.data(), !little_endian_machine()) == restart_magic;
 }
 
 PointTable read_restart(const std::shared_ptr<const TextFile>& file) {
-    const std::string& text = file->text();
+    const std::string_view text = file->text();
     const auto number = [&](std::size_t at) {
         return load<std::int32_t>(text.data() + at * sizeof(std::int32_t),
                                   !little_endian_machine());

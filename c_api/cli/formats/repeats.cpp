@@ -32,7 +32,7 @@ bool is_part_of_number(char c) {
 }  // namespace
 
 bool expand_repeats(const TextFile& file, std::string& expanded) {
-    const std::string& text = file.text();
+    const std::string_view text = file.text();
     if (std::memchr(text.data(), '*', text.size()) == nullptr) return false;
     if (std::memchr(text.data(), '\0', text.size()) != nullptr) return false;  // binary
     expanded.clear();

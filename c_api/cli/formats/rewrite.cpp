@@ -3,7 +3,8 @@
 
 #include "formats/bytes.hpp"
 #include "formats/number_style.hpp"
-#include "basics/numbers.hpp"
+#include "basics/ordered_output.hpp"
+#include "basics/tasks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,49 +20,77 @@ namespace {
 
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-struct Change {
-    std::size_t offset, length;
-    double value, tolerance;
-};
-
-// All numbers that differ between the file and the moved mesh, in the order of the file.
-class Changes {
+// Writes the numbers of the file that the moved mesh has changed, and the bytes between them.
+class Rewriter {
 public:
-    Changes(const Mesh& mesh, const double* x, const double* y) : mesh_(mesh), x_(x), y_(y) {
-        find_tolerances();
-        const auto n = static_cast<std::size_t>(mesh.points());
-        for (const CoordinateSlot& slot : mesh.in_file.slots) {
-            const auto point = static_cast<std::size_t>(slot.point);
-            if (point >= n) {
-                move_between(slot, mesh.in_file.between[point - n]);
-            } else if (!same_bits(x[point], mesh.x[point]) || !same_bits(y[point], mesh.y[point])) {
-                move(slot, point);
-            }
-        }
-        const auto before = [](const Change& a, const Change& b) { return a.offset < b.offset; };
-        if (!std::is_sorted(list.begin(), list.end(), before))
-            std::sort(list.begin(), list.end(), before);
-    }
+    Rewriter(const Mesh& mesh, const double* x, const double* y)
+        : mesh_(mesh), x_(x), y_(y), slots_(mesh.in_file.slots) {}
 
-    std::vector<Change> list;
+    void write(std::ostream& out) {
+        const std::string_view text = mesh_.file.text();
+        if (slots_.empty()) return copy(out, text);
+        if (is_text()) {
+            find_style();
+            if (style_.needs_tolerance()) find_tolerances();
+        }
+        const auto before = [](const CoordinateSlot& a, const CoordinateSlot& b) {
+            return a.offset < b.offset;
+        };
+        if (!std::is_sorted(slots_.begin(), slots_.end(), before)) {
+            sorted_ = slots_;
+            std::sort(sorted_.begin(), sorted_.end(), before);
+        }
+        const std::vector<CoordinateSlot>& slots = sorted_.empty() ? slots_ : sorted_;
+        copy(out, text.substr(0, slots.front().offset));
+        write_rows(out, slots.size(), mesh_.threads, [&](std::size_t k, std::string& to) {
+            const std::size_t end = slots[k].offset + number_length(mesh_, slots[k].offset);
+            write_slot(slots[k], end, to);
+            if (k + 1 < slots.size()) to += text.substr(end, slots[k + 1].offset - end);
+        });
+        const std::size_t last = slots.back().offset;
+        copy(out, text.substr(last + number_length(mesh_, last)));
+    }
 
 private:
     using Complex = std::complex<double>;
 
-    void move(const CoordinateSlot& slot, std::size_t point) {
-        const double dx = x_[point] - mesh_.x[point], dy = y_[point] - mesh_.y[point];
-        if (slot.rule == takes_x) {
-            if (!same_bits(x_[point], mesh_.x[point])) add(slot, x_[point], tolerance_[point]);
-        } else if (slot.rule == takes_y) {
-            if (!same_bits(y_[point], mesh_.y[point])) add(slot, y_[point], tolerance_[point]);
+    static void copy(std::ostream& out, std::string_view text) {
+        out.write(text.data(), static_cast<std::streamsize>(text.size()));
+    }
+    bool is_text() const { return mesh_.in_file.kind == NumberKind::text; }
+
+    void write_slot(const CoordinateSlot& slot, std::size_t end, std::string& to) const {
+        double value = 0, tolerance = std::numeric_limits<double>::infinity();
+        if (!is_changed(slot, value, tolerance)) {
+            to += mesh_.file.text().substr(slot.offset, end - slot.offset);
+        } else if (is_text()) {
+            style_.append(to, value, tolerance);
         } else {
-            grow(slot, dx, dy, tolerance_[point]);
+            char number[8];
+            store_real(number, value, mesh_.in_file);
+            to.append(number, end - slot.offset);
         }
     }
 
-    void move_between(const CoordinateSlot& slot, const Between& between) {
+    // If the number differs from that of the file, finds the value and the largest error.
+    bool is_changed(const CoordinateSlot& slot, double& value, double& tolerance) const {
+        const auto point = static_cast<std::size_t>(slot.point);
+        if (point >= mesh_.x.size())
+            return is_changed(slot, mesh_.in_file.between[point - mesh_.x.size()], value,
+                              tolerance);
+        tolerance = tolerance_of(point);
+        if (slot.rule >= 0) {
+            const Complex step = after(point) - before(point);
+            return grows(slot, step.real(), step.imag(), value);
+        }
+        const bool is_x = slot.rule == takes_x;
+        value = is_x ? x_[point] : y_[point];
+        return !same_bits(value, is_x ? mesh_.x[point] : mesh_.y[point]);
+    }
+
+    bool is_changed(const CoordinateSlot& slot, const Between& between, double& value,
+                    double& tolerance) const {
         bool moved = false;
-        double tolerance = std::numeric_limits<double>::infinity();
         Complex mean_before = 0, mean_after = 0;
         for (std::int32_t k = 0; k < between.n_corners; ++k) {
             const auto corner =
@@ -69,9 +98,9 @@ private:
             moved = moved || before(corner) != after(corner);
             mean_before += before(corner) / double(between.n_corners);
             mean_after += after(corner) / double(between.n_corners);
-            tolerance = std::min(tolerance, tolerance_[corner]);
+            tolerance = std::min(tolerance, tolerance_of(corner));
         }
-        if (!moved) return;
+        if (!moved) return false;
         const Complex offset = Complex(between.x, between.y) - mean_before;
         Complex turned = offset;
         if (between.n_corners == 2) {
@@ -80,28 +109,31 @@ private:
             if (before(a) != before(b)) turned *= (after(b) - after(a)) / (before(b) - before(a));
         }
         const Complex step = (mean_after - mean_before) + (turned - offset);
-        grow(slot, step.real(), step.imag(), tolerance);
+        return grows(slot, step.real(), step.imag(), value);
     }
 
-    void grow(const CoordinateSlot& slot, double dx, double dy, double tolerance) {
+    bool grows(const CoordinateSlot& slot, double dx, double dy, double& value) const {
         Direction direction = {{1, 0}};
         if (slot.rule == takes_y) direction = {{0, 1}};
         if (slot.rule >= 0)
             direction = mesh_.in_file.directions[static_cast<std::size_t>(slot.rule)];
         const double change = dx * direction.along[0] + dy * direction.along[1];
-        if (change != 0) add(slot, read_number(mesh_, slot.offset) + change, tolerance);
-    }
-
-    void add(const CoordinateSlot& slot, double value, double tolerance) {
-        list.push_back({slot.offset, number_length(mesh_, slot.offset), value, tolerance});
+        if (change == 0) return false;
+        value = read_number(mesh_, slot.offset) + change;
+        return true;
     }
 
     Complex before(std::size_t point) const { return {mesh_.x[point], mesh_.y[point]}; }
     Complex after(std::size_t point) const { return {x_[point], y_[point]}; }
 
-    // Finds a thousandth of the shortest edge at each point, before or after the movement.
-    void find_tolerances() {
-        tolerance_.assign(mesh_.x.size(), std::numeric_limits<double>::infinity());
+    // A thousandth of the shortest edge at the point, before or after the movement.
+    double tolerance_of(std::size_t point) const {
+        return shortest_.empty() ? std::numeric_limits<double>::infinity()
+                                 : std::sqrt(shortest_[point]) / 1000;
+    }
+
+    void find_tolerances() {  // squares
+        shortest_.assign(mesh_.x.size(), std::numeric_limits<double>::infinity());
         for (std::size_t cell = 0; cell + 1 < mesh_.cell_start.size(); ++cell) {
             const auto first = static_cast<std::size_t>(mesh_.cell_start[cell]);
             const auto n = static_cast<std::size_t>(mesh_.cell_start[cell + 1]) - first;
@@ -111,54 +143,42 @@ private:
                     static_cast<std::size_t>(mesh_.cell_points[first + (i + 1 < n ? i + 1 : 0)]);
                 const double dx = mesh_.x[a] - mesh_.x[b], dy = mesh_.y[a] - mesh_.y[b];
                 const double ex = x_[a] - x_[b], ey = y_[a] - y_[b];
-                const double least =
-                    std::sqrt(std::min(dx * dx + dy * dy, ex * ex + ey * ey)) / 1000;
-                tolerance_[a] = std::min(tolerance_[a], least);
-                tolerance_[b] = std::min(tolerance_[b], least);
+                const double least = std::min(dx * dx + dy * dy, ex * ex + ey * ey);
+                shortest_[a] = std::min(shortest_[a], least);
+                shortest_[b] = std::min(shortest_[b], least);
             }
         }
     }
 
+    void find_style() {
+        const std::size_t part = slots_.size() / static_cast<std::size_t>(mesh_.threads) + 1;
+        std::vector<NumberStyle> styles(static_cast<std::size_t>(mesh_.threads));
+        run_tasks(styles.size(), mesh_.threads, [&](std::size_t k) {
+            NumberStyle style;
+            for (std::size_t i = k * part; i < std::min((k + 1) * part, slots_.size()); ++i) {
+                const std::size_t offset = slots_[i].offset;
+                style.see(mesh_.file.text().substr(offset, number_length(mesh_, offset)));
+            }
+            styles[k] = style;
+        });
+        for (const NumberStyle& style : styles) style_.see(style);
+    }
+
     const Mesh& mesh_;
     const double *x_, *y_;
-    std::vector<double> tolerance_;
+    const std::vector<CoordinateSlot>& slots_;
+    std::vector<CoordinateSlot> sorted_;  // by place in the file; empty: slots_ are sorted
+    std::vector<double> shortest_;        // empty: tolerances are not needed
+    NumberStyle style_;
 };
-
-NumberStyle style_of(const Mesh& mesh) {
-    NumberStyle style;
-    for (const CoordinateSlot& slot : mesh.in_file.slots) {
-        style.see(std::string_view(mesh.file.text())
-                      .substr(slot.offset, number_length(mesh, slot.offset)));
-    }
-    return style;
-}
-
-void write_changed(std::ostream& out, const Mesh& mesh, const double* x, const double* y) {
-    const std::string& text = mesh.file.text();
-    const Changes changes(mesh, x, y);
-    const bool is_text = mesh.in_file.kind == NumberKind::text;
-    const NumberStyle style = is_text ? style_of(mesh) : NumberStyle();
-    std::size_t copied = 0;
-    for (const Change& change : changes.list) {
-        out.write(text.data() + copied, static_cast<std::streamsize>(change.offset - copied));
-        if (is_text) {
-            out << style.print(change.value, change.tolerance);
-        } else {
-            char number[8];
-            store_real(number, change.value, mesh.in_file);
-            out.write(number, static_cast<std::streamsize>(change.length));
-        }
-        copied = change.offset + change.length;
-    }
-    out.write(text.data() + copied, static_cast<std::streamsize>(text.size() - copied));
-}
 
 }  // namespace
 
 void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const double* y) {
-    if (!mesh.in_file.store) return write_changed(out, mesh, x, y);
+    Rewriter rewriter(mesh, x, y);
+    if (!mesh.in_file.store) return rewriter.write(out);
     std::ostringstream numbers;
-    write_changed(numbers, mesh, x, y);
+    rewriter.write(numbers);
     mesh.in_file.store(out, mesh, numbers.str());
 }
 

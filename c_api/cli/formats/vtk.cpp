@@ -89,7 +89,7 @@ void VtkReader::read() {
 void VtkReader::read_head() {
     if (numbers_.next_line().substr(0, 5) != "# vtk") numbers_.expected("# vtk DataFile Version");
     // The title may be empty, so lines are counted.
-    const std::string& text = mesh_.file.text();
+    const std::string_view text = mesh_.file.text();
     const std::size_t title = text.find('\n');
     const std::size_t kind = title == std::string::npos ? title : text.find('\n', title + 1);
     numbers_.jump(kind == std::string::npos ? text.size() : kind);
@@ -139,7 +139,7 @@ std::int64_t VtkReader::text_count(const char* what) {
 
 void VtkReader::begin_numbers() {
     if (!binary_) return;
-    const std::string& text = mesh_.file.text();
+    const std::string_view text = mesh_.file.text();
     const std::size_t end = text.find('\n', numbers_.offset());
     numbers_.jump(end == std::string::npos ? text.size() : end + 1);
     numbers_.is_binary = true;

@@ -83,11 +83,11 @@ void add_vtk_cells(const TextFile& file, const VtkCells& cells, std::int32_t fir
         if (is_passed_over(type)) continue;
         const ElementShape shape = shape_of(type, n);
         if (shape.dimension == 0) {
-            file.fail(offset, "cell " + std::to_string(i) + " is of type " + std::to_string(type) +
-                                  " with " + plural(n, "point") +
-                                  ", which is not read: save triangles and quadrilaterals of first "
-                                  "or second order, polygons, "
-                                  "or wedges and hexahedra of first order one cell thick");
+            file.fail(offset,
+                      "cell " + std::to_string(i) + " is of type " + std::to_string(type) +
+                          " with " + plural(n, "point") +
+                          ", which is not read: save polygons, or triangles, quadrilaterals, "
+                          "wedges and hexahedra of first or second order");
         }
         elements.add(shape, -1, offset);
         for (std::int64_t k = 0; k < n; ++k) {

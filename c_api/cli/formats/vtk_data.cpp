@@ -20,7 +20,7 @@ public:
     EncodedBytes(const TextFile& file, bool is_raw, std::size_t begin, std::size_t end,
                  const std::string& name)
         : file_(file),
-          text_(std::string_view(file.text()).substr(0, end)),
+          text_(file.text().substr(0, end)),
           is_raw_(is_raw),
           at_(begin),
           name_(name) {}
@@ -168,7 +168,7 @@ void VtkStore::operator()(std::ostream& out, const Mesh& mesh, const std::string
         std::string text;
     };
     std::vector<Replaced> list;
-    const std::string& before = mesh.file.text();
+    const std::string_view before = mesh.file.text();
     for (const VtkDecoded& array : points) {
         const std::size_t n = array.bytes_end - array.bytes;
         if (text.compare(array.bytes, n, before, array.bytes, n) == 0) continue;

@@ -76,7 +76,7 @@ void VtkXmlReader::read() {
 void VtkXmlReader::decode() {
     const VtkEncoding& as = content_.encoding;
     store_.file_size = mesh_.file.text().size();
-    std::string text = mesh_.file.text();
+    std::string text;
     for (const VtkPiece& piece : content_.pieces) {
         const std::pair<const VtkArray*, const char*> arrays[] = {
             {&piece.points, "Points"},
@@ -87,6 +87,7 @@ void VtkXmlReader::decode() {
             const bool is_needed = array == &piece.points ? piece.n_points > 0 : piece.n_cells > 0;
             if (!array->is_there || !is_needed || !array->is_encoded(as)) continue;
             if (array->is_appended && as.appended == 0) continue;  // source_of() refuses the array
+            if (decoded_.empty()) text = mesh_.file.text();
             decoded_.emplace_back(array->tag, decode_vtk(mesh_.file, as, *array, name, text));
             if (array == &piece.points) store_.points.push_back(decoded_.back().second);
         }
@@ -240,7 +241,7 @@ void VtkXmlReader::check_total(const VtkPiece& piece) {
 }
 
 bool probe_vtu(const TextFile& file) {
-    const std::string_view start = std::string_view(file.text()).substr(0, 1024);
+    const std::string_view start = file.text().substr(0, 1024);
     return trimmed(start).substr(0, 1) == "<" && start.find("<VTKFile") != start.npos;
 }
 

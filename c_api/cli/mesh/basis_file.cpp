@@ -185,7 +185,7 @@ Basis::Basis(Block block, const std::string& path, const Mesh& mesh)
     if (mesh_has_moved_) find_curves(mesh);
 }
 
-// Finds the curves along which points slide. Conditions whose curves have the same arrays in the
+// Finds the curves along which points slip. Conditions whose curves have the same arrays in the
 // basis share one set, so that points can slip from one marker to the next.
 void Basis::find_slip_curves() {
     std::vector<const double*> knots;  // of the first curve of each set

@@ -40,6 +40,7 @@ struct Mesh {
     std::string likely_fault;  // the probable reason if the library refuses the mesh; may be
                                // empty
     FileCoordinates in_file;
+    std::int32_t threads = 1;  // that read and write the file; the bytes do not depend on them
 
     explicit Mesh(const std::string& path) : file(path) {}
     Mesh() : file("", "") {}  // a mesh that comes from no file

@@ -24,6 +24,7 @@ class Legend {
         const { cells, wall, options, picture, data } = this.app,
             scale = scales[options.theme];
         const mean = (values) => values.reduce((sum, value) => sum + value, 0) / Math.max(values.length, 1);
+        const count = (values, holds) => values.reduce((sum, value) => (holds(value) ? sum + 1 : sum), 0);
         const least = (values) => values.reduce((a, b) => Math.min(a, b), Infinity);
         const most = (values) => values.reduce((a, b) => Math.max(a, b), -Infinity);
         switch (options.colour) {
@@ -36,7 +37,7 @@ class Legend {
                     high_text: "good 1",
                     name: "size-skew quality",
                     colour_at: (value) => scale.good.css(value),
-                    summary: `${cells.quality.filter((value) => value < 0.5).length} of ${cells.n} cells below 0.5`,
+                    summary: `${count(cells.quality, (value) => value < 0.5)} of ${cells.n} cells below 0.5`,
                 };
             case "angle": {
                 const high = this.most_degrees();

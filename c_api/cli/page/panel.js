@@ -129,10 +129,12 @@ class Panel {
         const context = canvas.getContext("2d"),
             n = 40,
             counts = new Array(n).fill(0),
-            strip = 8;
+            strip = 8,
+            quiet = style_of("--quiet"),
+            bins_per_unit = n / (high - low);
         context.scale(ratio, ratio);
-        for (const value of values) {
-            const bin = Math.floor(((value - low) / (high - low)) * n);
+        for (let i = 0; i < values.length; ++i) {
+            const bin = Math.floor((values[i] - low) * bins_per_unit);
             ++counts[Math.min(Math.max(bin, 0), n - 1)];
         }
         const most = Math.max(1, ...counts),
@@ -140,7 +142,7 @@ class Panel {
         counts.forEach((count, bin) => {
             const left = (bin * width) / n,
                 up = count === 0 ? 0 : Math.max(2, tall * Math.sqrt(count / most));
-            context.fillStyle = style_of("--quiet");
+            context.fillStyle = quiet;
             context.fillRect(left + 0.5, tall - up, width / n - 1, up);
             context.fillStyle = colour_at(low + ((bin + 0.5) / n) * (high - low));
             context.fillRect(left, height - strip, width / n + 0.5, strip);

@@ -23,11 +23,14 @@ class Raster {
             by = at[b + 1],
             cx = at[c],
             cy = at[c + 1],
+            slope_ab = (bx - ax) / (by - ay), // x along each side changes by its slope from row to row
+            slope_bc = (cx - bx) / (cy - by),
+            slope_ac = (cx - ax) / (cy - ay),
             last = Math.min(Math.ceil(cy - 0.5), this.height);
         for (let row = Math.max(Math.ceil(ay - 0.5), 0); row < last; ++row) {
             const y = row + 0.5,
-                one = ax + ((y - ay) * (cx - ax)) / (cy - ay),
-                other = y < by ? ax + ((y - ay) * (bx - ax)) / (by - ay) : bx + ((y - by) * (cx - bx)) / (cy - by),
+                one = ax + (y - ay) * slope_ac,
+                other = y < by ? ax + (y - ay) * slope_ab : bx + (y - by) * slope_bc,
                 end = row * width + Math.min(Math.ceil(Math.max(one, other) - 0.5), width);
             let pixel = row * width + Math.max(Math.ceil(Math.min(one, other) - 0.5), 0);
             for (; pixel < end; ++pixel) pixels[pixel] = colour;
@@ -54,9 +57,7 @@ class Raster {
             ((green + (Math.imul(this.green - green, part) >> 7)) & 0x00ff00);
     }
 
-    // Draws a line of one pixel's width between two pairs of at. In each column whose centre the line passes (or row,
-    // if the line is steep), two pixels share the line; so lines that follow each other leave no gap, and lines shorter
-    // than a pixel are as dense as they should be.
+    // Draws a line of one pixel's width between two pairs of at.
     line(at, a, b, strength) {
         const { width, height } = this,
             ax = at[a],
@@ -64,27 +65,26 @@ class Raster {
             bx = at[b],
             by = at[b + 1];
         if ((ax < 0 && bx < 0) || (ay < 0 && by < 0) || (ax > width && bx > width) || (ay > height && by > height)) return;
-        const full = 127 * this.strength * strength;
-        if (Math.abs(bx - ax) >= Math.abs(by - ay)) {
-            const slope = (by - ay) / (bx - ax),
-                end = Math.min(Math.ceil(Math.max(ax, bx) - 0.5), width);
-            for (let column = Math.max(Math.ceil(Math.min(ax, bx) - 0.5), 0); column < end; ++column) {
-                const y = ay + (column + 0.5 - ax) * slope - 0.5,
-                    row = Math.floor(y),
-                    lower = Math.round(full * (y - row));
-                if (row >= 0 && row < height) this.mix(row * width + column, Math.round(full) - lower);
-                if (row >= -1 && row < height - 1) this.mix((row + 1) * width + column, lower);
-            }
-        } else {
-            const slope = (bx - ax) / (by - ay),
-                end = Math.min(Math.ceil(Math.max(ay, by) - 0.5), height);
-            for (let row = Math.max(Math.ceil(Math.min(ay, by) - 0.5), 0); row < end; ++row) {
-                const x = ax + (row + 0.5 - ay) * slope - 0.5,
-                    column = Math.floor(x),
-                    right = Math.round(full * (x - column));
-                if (column >= 0 && column < width) this.mix(row * width + column, Math.round(full) - right);
-                if (column >= -1 && column < width - 1) this.mix(row * width + column + 1, right);
-            }
+        if (Math.abs(bx - ax) >= Math.abs(by - ay))
+            this.flat_line(ax, ay, bx, by, strength, { columns: width, across: 1, rows: height, down: width });
+        else this.flat_line(ay, ax, by, bx, strength, { columns: height, across: width, rows: width, down: 1 });
+    }
+
+    // Draws a line that is not steep; across and down are the distances of pixels to the next column and row, so that a
+    // steep line is drawn with columns and rows exchanged. In each column whose centre the line passes, two pixels
+    // share the line; so lines that follow each other leave no gap, and lines shorter than a pixel are as dense as
+    // they should be.
+    flat_line(ax, ay, bx, by, strength, { columns, across, rows, down }) {
+        const slope = (by - ay) / (bx - ax),
+            full = Math.round(127 * this.strength * strength),
+            end = Math.min(Math.ceil(Math.max(ax, bx) - 0.5), columns);
+        for (let column = Math.max(Math.ceil(Math.min(ax, bx) - 0.5), 0); column < end; ++column) {
+            const y = ay + (column + 0.5 - ax) * slope - 0.5,
+                row = Math.floor(y),
+                second = Math.round(full * (y - row)),
+                pixel = column * across + row * down;
+            if (row >= 0 && row < rows) this.mix(pixel, full - second);
+            if (row >= -1 && row < rows - 1) this.mix(pixel + down, second);
         }
     }
 }

@@ -63,7 +63,7 @@ std::string functions_of(const FunctionPanel& panel) { return operator_of(panel)
 
 std::string exponent(const FunctionPanel& panel) {
     if (operator_of(panel).usual_weight == nullptr) return "";
-    return "exponent " + brief(panel.basis->info().exponent_quarters / 4.0);
+    return "exponent " + brief(panel.basis->info().exponent);
 }
 
 // Names the number of a value that a panel shows.

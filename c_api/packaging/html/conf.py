@@ -23,6 +23,7 @@ html_theme_options = {
     "code_font_size": "14px",
     "show_powered_by": False,
 }
+html_static_path = html_css_files = ["captions.css"]
 html_sidebars = {"**": ["about.html", "searchbox.html", "navigation.html"]}
 html_copy_source = False
 html_show_sourcelink = False

@@ -176,6 +176,11 @@ def matching(top, patterns, taken):
     return found
 
 
+def contents(title, lines):
+    """A table of contents, whose title stands on the first page and in the navigation of all pages."""
+    return f"```{{toctree}}\n:maxdepth: 1\n:caption: {title}\n\n" + "\n".join(lines) + "\n```\n"
+
+
 def main(top, to):
     site = Site(top, to)
     taken = set(GROUPS[0][1].values())
@@ -190,10 +195,9 @@ def main(top, to):
             site.add(path)
         lines = [f"{words} <{site.page_name(path)}>" for words, path in named.items()] if named \
             else [site.page_name(path) for path in paths]
-        index.append(f"## {title}\n\n```{{toctree}}\n:maxdepth: 1\n\n" + "\n".join(lines) + "\n```\n")
+        index.append(contents(title, lines))
     quoted = sorted(site.written - taken)
-    index.append("## Files that the pages name\n\n```{toctree}\n:maxdepth: 1\n\n" +
-                 "\n".join(site.page_name(path) for path in quoted) + "\n```\n")
+    index.append(contents("Files that the pages name", [site.page_name(path) for path in quoted]))
     (to / "index.md").write_text("\n".join(index), encoding="utf-8")
 
 

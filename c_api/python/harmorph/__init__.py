@@ -10,12 +10,16 @@ Points and cells, control points, curves and functions are counted from 0. Lengt
 the coordinates, angles are in degrees. Every refusal is a :class:`harmorph.Error`; what can be used
 with a reservation is a :class:`harmorph.HarmorphWarning`. Adapters for other codes are the modules
 ``harmorph.usmesh``, ``harmorph.dvgeo``, ``harmorph.openmdao``, ``harmorph.torch`` and
-``harmorph.jax``, which import their host when they are imported.
+``harmorph.jax``, which are imported, with their host, when they are first used.
 """
+
+import importlib as _importlib
+from typing import Any as _Any
 
 from ._native import ffi as _ffi, lib as _lib
 from .conditions import Condition
-from .curves import Curve, Curves
+from .curve import Curve
+from .curves import Curves
 from .errors import Error, HarmorphWarning
 from .fields import Walls, swept_areas
 from .functions import Assessment, rigid
@@ -24,26 +28,43 @@ from .measures import Measures
 from .mesh import Mesh
 from .morph import Morph
 from .plane import Plane
+from .quality import Bounds, Corners, Quality
 from .reports import Report
+from .shapes import Moved, Movement
+from .transfer import Interpolation, Remapped, remap
 from .variables import Variables
 
 __version__: str = _ffi.string(_lib.hm_version()).decode()
 __all__ = [
     "Assessment",
+    "Bounds",
     "Condition",
+    "Corners",
     "Curve",
     "Curves",
     "Error",
     "HarmorphWarning",
+    "Interpolation",
     "Measures",
     "Mesh",
     "Morph",
+    "Moved",
+    "Movement",
     "Plane",
+    "Quality",
+    "Remapped",
     "Report",
     "Safe",
     "Variables",
     "Walls",
+    "remap",
     "rigid",
     "swept_areas",
     "__version__",
 ]
+
+
+def __getattr__(name: str) -> _Any:
+    if name in ("usmesh", "dvgeo", "openmdao", "torch", "jax"):
+        return _importlib.import_module(f"{__name__}.{name}")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

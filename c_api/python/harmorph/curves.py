@@ -2,41 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import airfoil_file
 from .arrays import doubles, int32_view, int32s, numbers
+from .curve import Curve, frozen, uniform
 from .errors import Error, call
 from .fit import fit_in_order, fit_markers
-from .measures import Measures, measure
 from .boundary import Marker
 from .mesh import Mesh
 from .reports import Report, new, pair
-from .variables import Variables
+from .shapes import Shapes
 from ._native import ffi, lib
 
 
-class Curve(NamedTuple):
-    """One B-spline of a set: C(u) = sum_k N_k(u) P[indices[k]].
-
-    Parameters
-    ----------
-    degree : int
-        1 to 5.
-    knots : array of shape (n_indices + degree + 1,)
-        Non-decreasing.
-    indices : int array of shape (n_indices,)
-        The control points of the curve, from 0. Repeated points close a curve.
-    """
-
-    degree: int
-    knots: np.ndarray
-    indices: np.ndarray
-
-
-class Curves:
+class Curves(Shapes):
     """B-spline curves with common control points.
 
     Parameters
@@ -80,12 +62,12 @@ class Curves:
         curves: Optional[Sequence[Curve]] = None,
         weights: Any = None,
     ) -> None:
-        self.control = _frozen(control, "The control points", (-1, 2))
-        self.weights = None if weights is None else _frozen(weights, "The weights", (len(self.control),))
+        self.control = frozen(control, "The control points", (-1, 2))
+        self.weights = None if weights is None else frozen(weights, "The weights", (len(self.control),))
         if curves is None:
-            curves = [_uniform(len(self.control), degree, closed)]
+            curves = [uniform(len(self.control), degree, closed)]
         self.curves: Tuple[Curve, ...] = tuple(
-            Curve(int(one[0]), _frozen(one[1], "The knots", (-1,)), int32s(one[2], "The indices"))
+            Curve(int(one[0]), frozen(one[1], "The knots", (-1,)), int32s(one[2], "The indices"))
             for one in curves
         )
         self.markers: Tuple[Marker, ...] = ()
@@ -122,6 +104,7 @@ class Curves:
         n_control: int = 20,
         degree: int = 3,
         closed: str = "auto",
+        **details: Any,
     ) -> "Curves":
         """Fit curves to the points of markers of a mesh, each connected piece by its own.
 
@@ -136,15 +119,20 @@ class Curves:
         closed : {"auto", "open", "tied", "periodic"}
             "auto": periodic without corners; open with a second curve along a blunt base; otherwise
             tied at the sharpest corner.
+        **details
+            `weights`, one for each point of the mesh; `smoothing` [length]; `tolerance` [length], up to
+            which control points are inserted, at most `n_control`; directions `begin` and `end` of the
+            curve at its ends: see ``hm_fit_details``.
 
         Warns
         -----
         HarmorphWarning
             ``BACKTRACKS``: the curve runs against the order of the points; use fewer control points.
+            ``SHORT``: the points are farther from the curve than `tolerance`.
         """
         one = isinstance(markers, (str, int, np.integer))
         names: tuple = (markers,) if one else tuple(markers)  # type: ignore
-        found, result, _block = fit_markers(mesh, names, n_control, degree, closed)
+        found, result, _block = fit_markers(mesh, names, n_control, degree, closed, **details)
         curves = cls._copied(found)
         curves.markers, curves.fit_report = names, result
         return curves
@@ -157,6 +145,7 @@ class Curves:
         n_control: int = 20,
         degree: int = 3,
         closed: str = "auto",
+        **details: Any,
     ) -> "Curves":
         """Fit curves to points in order.
 
@@ -165,10 +154,10 @@ class Curves:
         points : array of shape (n, 2), or pair of arrays of shape (n,)
         is_loop : bool
             The last point is connected to the first one, which is not repeated.
-        n_control, degree, closed
-            See :meth:`fit`.
+        n_control, degree, closed, **details
+            See :meth:`fit`; `weights` has one number for each of the points.
         """
-        found, result, _block = fit_in_order(points, is_loop, n_control, degree, closed)
+        found, result, _block = fit_in_order(points, is_loop, n_control, degree, closed, **details)
         curves = cls._copied(found)
         curves.fit_report = result
         return curves
@@ -271,35 +260,6 @@ class Curves:
         call(lib.hm_curve_project, self._c, curve, x, y, u, distance)
         return u[0], distance[0]
 
-    def measure(self, *quantities: Any, chord: Any = None, curves: Any = None) -> Measures:
-        """Measure a section; see :func:`harmorph.measures.measure`."""
-        return measure(self._c, len(self.control), quantities, chord, curves)
-
-    def variables(self, kind: str, **options: Any) -> Variables:
-        """Return design variables of the section; see :class:`harmorph.Variables`."""
-        return Variables(self._c, len(self.control), kind, **options)
-
-    def smooth_gradient(self, gradient: Any, length: float) -> np.ndarray:
-        """Smooth a gradient by the control points along the curves.
-
-        Parameters
-        ----------
-        gradient : array of shape (n_control, 2)
-        length : float
-            Changes along less than this length are damped [length].
-
-        Returns
-        -------
-        ndarray of shape (n_control, 2)
-            Its product with `gradient` is positive.
-        """
-        size = ffi.new("size_t*")
-        call(lib.hm_smooth_gradient_size, self._c, size)
-        work, result = np.empty(size[0], np.uint8), np.empty_like(self.control)
-        call(lib.hm_smooth_gradient, self._c, length, doubles(gradient, self.control.shape, "gradient"),
-             doubles(result, result.shape, "result", out=True), ffi.from_buffer(work), len(work))
-        return result
-
     def __copy__(self) -> "Curves":
         other = Curves.__new__(Curves)
         other.__setstate__(self.__getstate__())
@@ -318,24 +278,3 @@ class Curves:
 
     def __repr__(self) -> str:
         return f"Curves({len(self.control)} control points, {len(self.curves)} curve(s))"
-
-
-def _frozen(values: Any, what: str, shape: tuple) -> np.ndarray:
-    array = np.array(numbers(values, what), dtype=np.float64, order="C")
-    if array.ndim != len(shape) or any(s not in (-1, t) for s, t in zip(shape, array.shape)):
-        raise Error(f"{what} must have the shape {str(shape).replace('-1', 'n')}, not {array.shape}.")
-    array.flags.writeable = False
-    return array
-
-
-def _uniform(n: int, degree: int, closed: str) -> Curve:
-    if closed not in ("open", "tied", "periodic") or not 1 <= degree <= 5 or n <= degree:
-        raise Error(f"A curve of degree {degree} with {n} control points that is {closed!r} is not "
-                    "possible: the degree is 1 to 5 and less than the number of control points; the "
-                    "curve is 'open', 'tied' or 'periodic'.", Error.BAD_CURVE)
-    if closed == "periodic":
-        indices = np.concatenate([np.arange(n), np.arange(degree)])
-        return Curve(degree, np.arange(len(indices) + degree + 1.0), indices)
-    indices = np.arange(n + 1) % n if closed == "tied" else np.arange(n)
-    inner = np.linspace(0, 1, len(indices) - degree + 1)
-    return Curve(degree, np.concatenate([[0.0] * degree, inner, [1.0] * degree]), indices)

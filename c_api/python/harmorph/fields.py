@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence
+from typing import Any, Optional, Sequence, Tuple
 
 import numpy as np
 
 from ._native import ffi, lib
-from .arrays import int32_view, int32s, points_in
+from .arrays import doubles, int32_view, int32s, points_in, points_out
 from .boundary import Marker
 from .errors import Error, call
 from .mesh import Mesh
@@ -60,21 +60,12 @@ class Walls:
     """
 
     def __init__(self, mesh: Mesh, markers: Sequence[Marker]) -> None:
-        unknown = [name for name in markers if name not in mesh.markers]
-        if unknown:
-            raise Error(f"The mesh has no marker {unknown[0]!r}.")
-        numbers = int32s([mesh.markers[name] for name in markers], "markers")
-        problem = new("hm_problem")
-        problem.mesh = mesh._c
-        size, analysis, walls = ffi.new("size_t*"), ffi.new("hm_analysis**"), ffi.new("hm_walls**")
-        call(lib.hm_analysis_size, problem, ffi.NULL, size)
-        block = np.empty(size[0], np.uint8)
-        call(lib.hm_analysis_init, analysis, ffi.from_buffer(block), size[0], problem, ffi.NULL)
-        view = int32_view(numbers)
-        call(lib.hm_walls_size, analysis[0], len(numbers), view, size)
+        numbers = int32s(mesh.numbers_of(markers), "markers")
+        analysis, _block = mesh._analysis()
+        size, walls, view = ffi.new("size_t*"), ffi.new("hm_walls**"), int32_view(numbers)
+        call(lib.hm_walls_size, analysis, len(numbers), view, size)
         self._block = np.empty(size[0], np.uint8)
-        call(lib.hm_walls_init, walls, ffi.from_buffer(self._block), size[0], analysis[0], len(numbers), view,
-             ffi.NULL)
+        call(lib.hm_walls_init, walls, ffi.from_buffer(self._block), size[0], analysis, len(numbers), view, ffi.NULL)
         self._walls, self._n = walls[0], mesh.n_points
         info = new("hm_walls_info")
         call(lib.hm_walls_info_get, self._walls, info)
@@ -114,6 +105,57 @@ class Walls:
         call(lib.hm_wall_distance, self._walls, n, view, hints, ffi.from_buffer("double[]", result.distance),
              int32_view(result.face), ffi.from_buffer("double[]", result.parameter), ffi.NULL)
         return result
+
+    def distance_change(self, points: Any, face: Any, change: Any = None, mesh_change: Any = None) -> np.ndarray:
+        """Return the derivative of the distances of `points`, shape (n,), each to the face that is nearest.
+
+        Parameters
+        ----------
+        points, face
+            The points of :meth:`distance`, and the faces that the call has found.
+        change : array of shape (n, 2), optional
+            Changes of the points; None: 0.
+        mesh_change : array of shape (n_points, 2), optional
+            Changes of the mesh points, which move the walls; None: 0.
+        """
+        n, view, faces, _alive = self._faced(points, face)
+        first, _first = (ffi.NULL, None) if change is None else points_in(change, n, "change")
+        second, _second = (ffi.NULL, None)
+        if mesh_change is not None:
+            second, _second = points_in(mesh_change, self._n, "mesh_change")
+        result = np.empty(n)
+        call(lib.hm_wall_distance_change, self._walls, n, view, faces, first, second,
+             ffi.from_buffer("double[]", result))
+        return result
+
+    def distance_adjoint(self, points: Any, face: Any, dj: Any) -> Tuple[np.ndarray, np.ndarray]:
+        """Return derivatives by the points and by the mesh points from those by the distances.
+
+        Parameters
+        ----------
+        points, face
+            The points of :meth:`distance`, and the faces that the call has found.
+        dj : array of shape (n,)
+
+        Returns
+        -------
+        point_dj : ndarray of shape (n, 2)
+        mesh_dj : ndarray of shape (n_points, 2)
+            Where the points are the mesh points, the derivative is the sum of both.
+        """
+        n, view, faces, _alive = self._faced(points, face)
+        result = np.zeros((n, 2)), np.zeros((self._n, 2))
+        (first, _first), (second, _second) = (points_out(one, len(one), "out") for one in result)
+        call(lib.hm_wall_distance_adjoint, self._walls, n, view, faces, doubles(dj, (n,), "dj"), first, second)
+        return result
+
+    def _faced(self, points: Any, face: Any) -> tuple:
+        n = len(points[0]) if isinstance(points, tuple) else len(points)
+        view, alive = points_in(points, n, "points")
+        faces = int32s(face, "face")
+        if faces.shape != (n,):
+            raise Error(f"face must have the shape ({n},), not {faces.shape}.")
+        return n, view, int32_view(faces), (alive, faces)
 
     def heights(self, points: Any) -> np.ndarray:
         """Return the heights of the first layer at the wall points, for the mesh points `points`.

@@ -7,10 +7,10 @@ from typing import Any, Tuple
 import numpy as np
 
 from ._native import ffi, lib
-from .arrays import int32_view, points_in
+from .arrays import doubles, int32_view, numbers, points_in
 from .errors import Error, call
 from .mesh import Mesh
-from .reports import Report, fill, new, report
+from .reports import Report, fill, new, pair, report
 
 _CLOSED = {
     "auto": lib.HM_CLOSED_AUTO,
@@ -21,13 +21,14 @@ _CLOSED = {
 
 
 def fit_markers(
-    mesh: Mesh, markers: Any, n_control: int, degree: int, closed: str
+    mesh: Mesh, markers: Any, n_control: int, degree: int, closed: str, **details: Any
 ) -> Tuple[Any, Report, np.ndarray]:
     """Return ``hm_curves*`` through the points of markers, the report, and the block of the curves.
 
     The arguments are those of :meth:`harmorph.Curves.fit`.
     """
-    options, result = _options(n_control, degree, closed), new("hm_fit_report")
+    options, _alive = _options(n_control, degree, closed, **details)
+    result = new("hm_fit_report")
     wanted = np.array(mesh.numbers_of(markers), np.int32)
     size, work_size, found = ffi.new("size_t*"), ffi.new("size_t*"), ffi.new("hm_curves**")
     call(lib.hm_fit_marker_size, mesh._c, len(wanted), int32_view(wanted), options, size, work_size,
@@ -39,12 +40,13 @@ def fit_markers(
 
 
 def fit_in_order(
-    points: Any, is_loop: bool, n_control: int, degree: int, closed: str
+    points: Any, is_loop: bool, n_control: int, degree: int, closed: str, **details: Any
 ) -> Tuple[Any, Report, np.ndarray]:
     """Return the same through points in order; see :meth:`harmorph.Curves.fit_points`."""
     n = len(points[0]) if isinstance(points, tuple) and len(points) else len(points)
     view, _alive = points_in(points, n, "points")
-    options, result = _options(n_control, degree, closed), new("hm_fit_report")
+    options, _alive_too = _options(n_control, degree, closed, **details)
+    result = new("hm_fit_report")
     size, found = ffi.new("size_t*"), ffi.new("hm_curves**")
     call(lib.hm_fit_size, n, options, size)
     block = np.empty(size[0], np.uint8)
@@ -52,7 +54,28 @@ def fit_in_order(
     return found[0], report(result), block
 
 
-def _options(n_control: int, degree: int, closed: str) -> Any:
+def _options(
+    n_control: int,
+    degree: int,
+    closed: str,
+    *,
+    weights: Any = None,
+    smoothing: float = 0.0,
+    tolerance: float = 0.0,
+    begin: Any = (0.0, 0.0),
+    end: Any = (0.0, 0.0),
+) -> Tuple[Any, Any]:
+    """``hm_fit_options*``, and what must stay alive with it."""
     if closed not in _CLOSED:
         raise Error(f"closed must be one of {list(_CLOSED)}, not {closed!r}.")
-    return fill(new("hm_fit_options"), n_control=n_control, degree=degree, closed=_CLOSED[closed])
+    options = fill(new("hm_fit_options"), n_control=n_control, degree=degree, closed=_CLOSED[closed])
+    (begin_x, begin_y), (end_x, end_y) = pair(begin, "begin"), pair(end, "end")
+    details = fill(new("hm_fit_details"), smoothing=smoothing, tolerance=tolerance, begin_x=begin_x,
+                   begin_y=begin_y, end_x=end_x, end_y=end_y)
+    values = None
+    if weights is not None:
+        array = numbers(weights, "weights")
+        values = doubles(array, (array.size,), "weights")
+        details.weights, details.n_weights = values, array.size
+    options.details = details
+    return options, (details, values)

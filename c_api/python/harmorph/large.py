@@ -187,6 +187,20 @@ class Large:
             call(lib.hm_slip, self._ready().analysis, from_, to)
         return out
 
+    def slip_derivative(self, points: Any, change: Any) -> np.ndarray:
+        """Return the changes of the points after :meth:`slip` from those of the points before it.
+
+        Parameters
+        ----------
+        points, change : arrays of shape (n_points, 2), or pairs of arrays
+            The points before, and their changes.
+
+        Returns
+        -------
+        ndarray of shape (n_points, 2)
+        """
+        return self._slipped(lib.hm_slip_derivative, points, change, "change")
+
     def slip_adjoint(self, points: Any, dj: Any) -> np.ndarray:
         """Return derivatives by the points before :meth:`slip` from those by the points after it.
 
@@ -200,14 +214,16 @@ class Large:
         -------
         ndarray of shape (n_points, 2)
         """
-        n = self.n_points
-        result = np.empty((n, 2))
+        return self._slipped(lib.hm_slip_adjoint, points, dj, "dj")
+
+    def _slipped(self, function: Any, points: Any, vectors: Any, what: str) -> np.ndarray:
+        n, result = self.n_points, np.empty((self.n_points, 2))
         to, _to_alive = points_out(result, n, "out")
         from_, _alive = points_in(points, n, "points")
-        view, _alive_too = points_in(dj, n, "dj")
+        view, _alive_too = points_in(vectors, n, what)
         with self._lock:
             self._open()
-            call(lib.hm_slip_adjoint, self._ready().analysis, from_, view, to)
+            call(function, self._ready().analysis, from_, view, to)
         return result
 
     def _open(self) -> Basis:

@@ -17,7 +17,16 @@ _KINDS = {
         "area", "centroid_x", "centroid_y", "moment_xx", "moment_yy", "moment_xy", "chord",
         "thickness", "camber", "max_thickness", "max_camber", "leading_edge_radius",
         "trailing_edge_angle", "trailing_edge_gap", "min_radius", "curvature_variation", "clearance",
+        "twist", "min_thickness", "distance",
     )
+}
+# The members of hm_quantity that follow the name in a tuple, and how many of them are required.
+_MEMBERS = {
+    "thickness": (("station",), 1),
+    "camber": (("station",), 1),
+    "clearance": (("polygon", "sharpness"), 1),
+    "min_thickness": (("station", "last_station", "sharpness"), 2),
+    "distance": (("other_curve", "n_other", "sharpness"), 2),
 }
 
 
@@ -64,8 +73,11 @@ def measure(view: Any, n_control: int, quantities: Sequence[Any], chord: Any, cu
         "moment_xy" [length^4], "chord", ("thickness", t), ("camber", t) at the station t between 0
         and 1 of the chord line, "max_thickness", "max_camber", "leading_edge_radius" [length],
         "trailing_edge_angle" [degrees], "trailing_edge_gap", "min_radius" [length],
-        "curvature_variation" [1/length^3], ("clearance", polygon) with a polygon of shape (m, 2)
-        that should fit inside [length]. ``harmorph_design.h`` defines them.
+        "curvature_variation" [1/length^3], "twist" [degrees], ("clearance", polygon) with a polygon of
+        shape (m, 2) that should fit inside [length], ("min_thickness", first, last) over these
+        stations, ("distance", curve, n) from the outline of another body. The last three may have a
+        sharpness [1/length] as their last entry, and are then smooth lower bounds.
+        ``harmorph_design.h`` defines all quantities.
     chord : pair of points, optional
         A chord line (leading edge, trailing edge) that does not move. Periodic curves need one for
         the quantities that refer to the chord.
@@ -86,18 +98,20 @@ def measure(view: Any, n_control: int, quantities: Sequence[Any], chord: Any, cu
         raise Error("Name at least one quantity.")
     structs, alive = ffi.new("hm_quantity[]", n), []
     for struct, wanted in zip(structs, quantities):
-        name, value = wanted if isinstance(wanted, tuple) and len(wanted) == 2 else (wanted, None)
-        if name not in _KINDS or (value is None) != (name not in ("thickness", "camber", "clearance")):
-            raise Error(f"The quantity {wanted!r} is unknown; known are {', '.join(_KINDS)}, and "
-                        "thickness and camber with a station, clearance with a polygon.")
+        name, *values = wanted if isinstance(wanted, tuple) and wanted else (wanted,)
+        members, least = _MEMBERS.get(name, ((), 0))
+        if name not in _KINDS or not least <= len(values) <= len(members):
+            raise Error(f"The quantity {wanted!r} is unknown; known are {', '.join(_KINDS)}. Thickness and "
+                        "camber need a station, min_thickness two, clearance a polygon, and distance the "
+                        "first curve of another body and their number.")
         struct.struct_size, struct.kind = ffi.sizeof("hm_quantity"), _KINDS[name]
-        if name == "clearance":
-            polygon = numbers(value, "The polygon")
+        given = dict(zip(members, values))
+        if "polygon" in given:
+            polygon = numbers(given.pop("polygon"), "The polygon")
             view_of_polygon = doubles(polygon, (len(polygon), 2), "The polygon")
             alive.append(view_of_polygon)
             struct.polygon, struct.n_polygon = view_of_polygon, len(polygon)
-        elif value is not None:
-            fill(ffi.addressof(struct), station=value)
+        fill(ffi.addressof(struct), **given)
     result = Measures(np.empty(n), np.empty((n, n_control, 2)), np.empty((n, 2)))
     views = [doubles(one, one.shape, "result", out=True) for one in result]
     call(lib.hm_measure, view, section_of(chord, curves), n, structs, views[0], views[2], views[1])

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
 
 from . import cells as _cells
 from . import files as _files
 from . import pictures as _pictures
-from ._native import ffi, lib
+from ._native import lib
 from .arrays import _columns, int32_view, points_in
-from .boundary import Marker, faces_of, numbered
+from .boundary import Boundary, Marker, faces_of, numbered
 from .errors import Error, call
 from .reports import Report, new, report
 
 
-class Mesh:
+class Mesh(Boundary):
     """A mesh in two dimensions.
 
     Parameters
@@ -232,46 +232,9 @@ class Mesh:
 
     # ---- Questions ----
 
-    def marker(self, name: Marker) -> int:
-        """Return the number of a marker; refuse one that the mesh does not have."""
-        if name in self.markers:
-            return self.markers[name]
-        known = ", ".join(repr(one) for one in self.markers)
-        raise Error(
-            f"The mesh has no marker {name!r}; its markers are {known}.", Error.BAD_CONDITION, "marker"
-        )
-
-    def faces(self, marker: Marker) -> np.ndarray:
-        """Return the edges of a marker: int32 array of shape (m, 2) of points."""
-        return self._faces[self._face_markers == self.marker(marker)].copy()
-
     def cell_rows(self) -> Tuple[np.ndarray, np.ndarray]:
         """Return the cells as compressed rows (start, points), two int32 arrays."""
         return _cells.rows(self._layout, self._cells)
-
-    def wall(self, markers: Union[Marker, Iterable[Marker]], piece: int = 0) -> Tuple[np.ndarray, bool]:
-        """Return the points of markers in order along the boundary.
-
-        Parameters
-        ----------
-        markers : marker or sequence of markers
-        piece : int
-            Which piece, from 0, if the markers form several.
-
-        Returns
-        -------
-        points : int32 array
-            With the mesh on the left: around a body clockwise. A closed piece does not repeat its
-            first point.
-        is_loop : bool
-        """
-        numbers = int32_view(np.array(self.numbers_of(markers), np.int32))
-        analysis, _alive = self._analysis()
-        n, is_loop = ffi.new("int32_t*"), ffi.new("int32_t*")
-        points = np.empty(self.n_points, np.int32)
-        call(lib.hm_analysis_boundary, analysis, len(numbers), numbers, piece, int32_view(points),
-             self.n_points, n, is_loop, names=self.names)
-        return points[: n[0]].copy(), bool(is_loop[0])
 
     def report(self) -> Report:
         """Check the mesh and count what is in it.
@@ -290,26 +253,6 @@ class Mesh:
         result = new("hm_mesh_report")
         call(lib.hm_analysis_report, analysis, result, names=self.names)
         return report(result)
-
-    def numbers_of(self, markers: Union[Marker, Iterable[Marker]]) -> List[int]:
-        """Return the numbers of one marker or of several."""
-        one = isinstance(markers, (str, int, np.integer))
-        return [self.marker(name) for name in ([markers] if one else markers)]  # type: ignore
-
-    @property
-    def names(self) -> Dict[int, str]:
-        """The names of the markers that have names, by their numbers."""
-        return {number: name for name, number in self.markers.items() if isinstance(name, str)}
-
-    def _analysis(self) -> tuple:
-        problem, bytes_ = new("hm_problem"), ffi.new("size_t*")
-        problem.mesh = self._c
-        call(lib.hm_analysis_size, problem, ffi.NULL, bytes_, names=self.names)
-        block = np.empty(bytes_[0], np.uint8)
-        analysis = ffi.new("hm_analysis**")
-        call(lib.hm_analysis_init, analysis, ffi.from_buffer(block), len(block), problem, ffi.NULL,
-             names=self.names)
-        return analysis[0], block
 
     # ---- Pictures, copies ----
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import copy
 import threading
-from typing import Any, Dict, Optional
+from typing import Any, Optional
 
 import numpy as np
 
@@ -21,11 +20,12 @@ from .measures import Measures
 from .mesh import Mesh
 from .reports import Report, new, report
 from .solver import Solver, options_of
+from .stored import Stored
 from .threads import ONE_THREAD, Executor
 from .variables import Variables
 
 
-class Morph(Functions, Large, Displacements):
+class Morph(Functions, Large, Displacements, Stored):
     """The functions that carry movements of control points to a mesh.
 
     ``Morph(mesh, curves)`` checks the mesh, orders and factors the matrix and solves for one
@@ -196,7 +196,7 @@ class Morph(Functions, Large, Displacements):
             raise Error("This object has no curves.", Error.BAD_CURVE)
         return self.curves
 
-    # ---- Again, files, copies ----
+    # ---- Again, the end ----
 
     def solve(self, points: Any = None) -> None:
         """Solve again, on other coordinates of the mesh points, which become `start`.
@@ -239,77 +239,6 @@ class Morph(Functions, Large, Displacements):
 
     def __exit__(self, *_ignored: Any) -> None:
         self.close()
-
-    def save(self, path: Any) -> None:
-        """Write the basis to a file, which C, Fortran and, for meshes that were read, the program
-        harmorph load, too. The file appears as a whole or not at all."""
-        self._open().save(path, self.mesh)
-
-    @classmethod
-    def load(cls, path: Any, mesh: Optional[Mesh] = None, *, threads: int = 1) -> "Morph":
-        """Map a basis file into memory.
-
-        Parameters
-        ----------
-        path : path
-            A file of :meth:`save`, or of C, Fortran or the program.
-        mesh : Mesh, optional
-            The mesh of the basis, which is compared. Without it only `displacement`, `morph` with
-            `points`, and `adjoint` are possible.
-        threads : int
-            See :class:`Morph`.
-
-        Raises
-        ------
-        Error
-            ``BAD_FILE``, or ``BAD_BASIS``: no basis, cut off, damaged, of another mesh.
-
-        Warns
-        -----
-        HarmorphWarning
-            ``MOVED``: the mesh has other coordinates than the basis was solved on.
-        """
-        basis = Basis.load(path, mesh)
-        pairs = basis.conditions(mesh) if mesh else []
-        return cls._attached(basis, mesh, basis.curves(), pairs, threads)
-
-    @classmethod
-    def _attached(cls, basis: Basis, mesh: Any, curves: Any, pairs: Any, threads: int) -> "Morph":
-        self = cls.__new__(cls)
-        info = basis.info
-        is_laplace = info.operator_kind == lib.HM_LAPLACE
-        self._options = {
-            "operator_kind": info.operator_kind, "engine": info.engine,
-            "exponent_quarters": 0 if is_laplace else info.exponent_quarters,
-            "offset_correction": info.offset_correction,
-        }
-        self._own(mesh, curves, pairs, threads)
-        self._set_basis(basis)
-        return self
-
-    def __getstate__(self) -> Dict[str, Any]:
-        return {
-            "mesh": self.mesh, "start": self._problem, "analysed": self._analysed,
-            "curves": self.curves, "pairs": self._pairs, "options": self._options,
-            "threads": self._executor.threads,
-            "basis": self._open().to_bytes(), "report": self.solve_report,
-        }
-
-    def __setstate__(self, state: Dict[str, Any]) -> None:
-        self._options = state["options"]
-        self._own(state["mesh"], state["curves"], state["pairs"], state["threads"])
-        self._problem, self._analysed = state["start"], state["analysed"]
-        self._set_basis(Basis.attach(state["basis"], self._problem))
-        self.solve_report = state["report"]
-
-    def __copy__(self) -> "Morph":
-        basis, other = self._open(), self.__class__.__new__(self.__class__)
-        other._options = dict(self._options)
-        other._own(self.mesh, self.curves, self._pairs, self._executor.threads)
-        other._problem, other._analysed = self._problem, self._analysed
-        other._set_basis(basis)
-        other.solve_report = copy.copy(self.solve_report)
-        return other
 
     def __repr__(self) -> str:
         if self._basis is None:

@@ -34,14 +34,11 @@ def options_of(
             raise Error(f"{name} must be one of {list(known)}, not {value!r}.")
     if exponent is not None and not isinstance(exponent, (int, float)):
         raise Error(f"exponent must be a number, not {exponent!r}.")
-    quarters = 0 if exponent is None else lib.HM_NO_WEIGHT if exponent == 0 else round(4 * exponent)
-    if exponent and quarters != 4 * exponent:
-        raise Error(f"exponent must be a multiple of 0.25, not {exponent!r}.")
     return {
         "operator_kind": OPERATORS[operator],
         "engine": ENGINES[engine],
         "precision": PRECISIONS[precision],
-        "exponent_quarters": quarters,
+        "exponent": 0 if exponent is None else exponent or -1,
         "offset_correction": int(offset_correction),
         "tolerance": tolerance,
     }

@@ -51,3 +51,27 @@ def test_distances_are_those_of_the_nearest_face():
         harmorph.Walls(mesh, ["wing"])
     with pytest.raises(harmorph.Error, match="hint must have the shape"):
         walls.distance(to, hint=before.face[1:])
+
+
+def test_derivatives_of_distances(random):
+    mesh = ring_mesh(ni=33, nj=9)
+    walls = harmorph.Walls(mesh, ["wall"])
+    points = mesh.points[64:] + 1e-3 * random.normal(size=(len(mesh.points) - 64, 2))
+    face = walls.distance(points).face
+    change, mesh_change = random.normal(size=points.shape), random.normal(size=mesh.points.shape)
+
+    def distance(step):
+        walls.move(mesh.points + step * mesh_change)
+        return walls.distance(points + step * change).distance
+
+    estimate = (distance(1e-7) - distance(-1e-7)) / 2e-7
+    walls.move(mesh.points)
+    exact = walls.distance_change(points, face, change, mesh_change)
+    assert np.median(abs(exact - estimate)) < 1e-6
+    parts = walls.distance_change(points, face, change), walls.distance_change(points, face, None, mesh_change)
+    assert parts[0] + parts[1] == pytest.approx(exact, abs=1e-14)
+    dj = random.normal(size=len(points))
+    point_dj, mesh_dj = walls.distance_adjoint(points, face, dj)
+    assert (point_dj * change).sum() + (mesh_dj * mesh_change).sum() == pytest.approx(dj @ exact, rel=1e-12)
+    with pytest.raises(harmorph.Error, match="face must have the shape"):
+        walls.distance_change(points, face[1:])

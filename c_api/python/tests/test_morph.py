@@ -158,6 +158,17 @@ def test_measures_of_the_moved_section(morph, move):
     assert morph.variables("ffd", degrees=(1, 1)).n == 4
 
 
+def test_the_movement_of_a_mesh_is_found_again(morph, move, random):
+    points = morph.morph(-0.3 * move, morph.morph(move))
+    points[len(points) // 2] += 0.01  # an inner point
+    assert morph.recover(points) == pytest.approx(0.7 * move, abs=1e-12)
+    wall = morph.mesh.wall("wall")[0]
+    points[wall[3]] += 0.01
+    with pytest.raises(harmorph.Error) as refused:
+        morph.recover(points, tolerance=1e-3)
+    assert refused.value.kind == "point" and refused.value.value > 1e-3
+
+
 def test_release_and_close(curves, move):
     with harmorph.Morph(ring_mesh(), curves) as morph:
         expected = morph.displacement(move)

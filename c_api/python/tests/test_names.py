@@ -2,6 +2,8 @@
 
 import importlib
 import inspect
+import subprocess
+import sys
 import typing
 from pathlib import Path
 
@@ -62,6 +64,12 @@ def test_modules_are_documented(name):
     assert (Path(harmorph.__file__).parent / f"{name}.py").read_text().startswith('"""')
     if name in ("arrays", "measures"):
         assert importlib.import_module(f"harmorph.{name}").__doc__
+
+
+def test_adapters_are_imported_when_they_are_used():
+    lines = ("import sys, harmorph; assert not {'harmorph.usmesh', 'harmorph.dvgeo'} & set(sys.modules); "
+             "harmorph.usmesh.USMesh, harmorph.dvgeo.DVGeo; assert not hasattr(harmorph, 'idwarp')")
+    subprocess.run([sys.executable, "-c", lines], check=True)
 
 
 def test_the_package_is_typed():

@@ -1,9 +1,11 @@
 ! The wall turns about the origin by DEGREES in each time step. FOLLOW=1: harmorph moves all points. FOLLOW=0: the
-! points of the wall are given, and the others move by the diffusion of code_saturne.
+! points of the wall are given, and the others move by the diffusion of code_saturne. ntcabs is the number of the time
+! step; code_saturne 6.0 leaves itrale undefined in the first call, and counts it from the start of each run.
 subroutine usalcl(itrale, nvar, nscal, icodcl, itypfb, ialtyb, impale, dt, rcodcl, xyzno0, disale)
     use paramx
     use mesh
     use entsor, only: nfecra
+    use optcal, only: ntcabs, ntpabs
     use moving_mesh
     implicit none
     integer :: itrale, nvar, nscal, icodcl(nfabor, nvar), itypfb(nfabor), ialtyb(nfabor), impale(nnod)
@@ -19,15 +21,15 @@ subroutine usalcl(itrale, nvar, nscal, icodcl, itypfb, ialtyb, impale, dt, rcodc
     read(text, *) follow
     if (is_new) call start_mesh(xyzno0)
     is_new = .false.
-    if (itrale > 0) then    ! the mesh as the last time step left it
+    if (ntcabs > ntpabs) then    ! the mesh as the last time step left it
         least = quality_of(xyznod)
-        write(nfecra, "(a, f8.2, a, f9.6)") "mesh at ", (itrale - 1) * degrees, " degrees: smallest quality ", least
+        write(nfecra, "(a, f8.2, a, f9.6)") "mesh at ", (ntcabs - 1) * degrees, " degrees: smallest quality ", least
     end if
     call getfbr("3", n, list)
     ialtyb(list(:n)) = igliss
     call getfbr("2", n, list)
     ialtyb(list(:n)) = ibfixe
-    angle = itrale * degrees * atan(1d0) / 45
+    angle = ntcabs * degrees * atan(1d0) / 45
 
     call getfbr("1", n, list)
     if (follow == 1) then

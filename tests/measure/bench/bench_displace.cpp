@@ -43,7 +43,6 @@ public:
         Options options{};
         options.operator_kind = operator_kind;
         options.executor = settings.executor;
-        options.kernel = settings.kernel;
         options.precision = settings.precision;
         std::size_t bytes = 0;
         done(hm_analysis_size(&problem, &options, &bytes, &error_), "hm_analysis_size");

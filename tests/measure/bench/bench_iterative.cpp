@@ -48,12 +48,11 @@ void bench_iterative(Settings const& settings, Report& report) {
             Case const mesh_case = make_case(kind, size);
             double const points = mesh_case.mesh.n_points();
             Workspace workspace;
-            Ours direct(mesh_case, workspace, functions, settings.executor, settings.kernel);
+            Ours direct(mesh_case, workspace, functions, settings.executor);
             for (Engine const& engine : engines) {
                 if (engine.number == HM_FAS && points > most_points_of_fas) continue;
                 say(mesh_case.name() + ": " + engine.name);
-                Ours iterative(mesh_case, workspace, functions, settings.executor, settings.kernel,
-                               engine.number);
+                Ours iterative(mesh_case, workspace, functions, settings.executor, engine.number);
                 Ours& ours = engine.number == HM_DIRECT ? direct : iterative;
                 Phases const once = ours.run();
                 hm_solve_report const& measured = ours.report();

@@ -176,8 +176,8 @@ void add_products(Case const& mesh_case, Operator const& chosen, Settings const&
                   Limits const& limits, Table& table) {
     for (Index const functions : settings.functions) {
         Workspace workspace;
-        Ours ours(mesh_case, workspace, functions, settings.executor, settings.kernel, HM_DIRECT,
-                  HM_DOUBLE, chosen.kind);
+        Ours ours(mesh_case, workspace, functions, settings.executor, HM_DIRECT, HM_DOUBLE,
+                  chosen.kind);
         ours.run();
         for (Pages const pages : {Pages::plain, Pages::huge}) {
             hm_error error{};
@@ -207,7 +207,7 @@ void add_storage(Case const& mesh_case, Settings const& settings, Limits const& 
                  Table& table) {
     for (Index const functions : settings.functions) {
         Workspace workspace;
-        Ours ours(mesh_case, workspace, functions, settings.executor, settings.kernel);
+        Ours ours(mesh_case, workspace, functions, settings.executor);
         ours.run();
         hm_error error{};
         std::size_t bytes = 0;
@@ -243,7 +243,7 @@ void add_storage(Case const& mesh_case, Settings const& settings, Limits const& 
 
 void add_step(Case const& mesh_case, Settings const& settings, Table& table) {
     Workspace workspace;
-    Ours ours(mesh_case, workspace, 20, settings.executor, settings.kernel);
+    Ours ours(mesh_case, workspace, 20, settings.executor);
     ours.run();
     Product product(mesh_case, ours.basis(), ours.functions(), settings.executor);
     hm_basis const* const basis = ours.basis();

@@ -18,7 +18,6 @@ public:
     SafeCase(Case const& mesh_case, Settings const& settings)
         : case_(mesh_case), fit_(mesh_case, functions), x_(mesh_case.mesh.x.size()), y_(x_.size()) {
         options_.executor = settings.executor;
-        options_.kernel = settings.kernel;
         safe_.struct_size = sizeof safe_;
         safe_.max_resolves = wanted_resolves;
         safe_.skipped_strategies = 1 << HM_STRATEGY_UNTANGLED | 1 << HM_STRATEGY_IMPROVED;

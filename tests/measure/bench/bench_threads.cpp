@@ -48,15 +48,17 @@ void bench_threads(Settings const& settings, Report& report) {
                 {},
                 {}};
     table.begin();
-    cli::Threads const alone(1);
+    hm_executor alone = *settings.executor;
+    alone.run = nullptr;
+    alone.n_threads = 1;
     Others others;
     for (std::string const& kind : settings.kinds) {
         for (Index const size : settings.sizes) {
             Case const mesh_case = make_case(kind, size);
             for (Index const functions : settings.functions) {
                 Workspace workspace;  // in turn, so that both have the same memory
-                Ours one(mesh_case, workspace, functions, alone.executor(), settings.kernel),
-                    all(mesh_case, workspace, functions, settings.executor, settings.kernel);
+                Ours one(mesh_case, workspace, functions, &alone),
+                    all(mesh_case, workspace, functions, settings.executor);
                 Least least[2], warm;
                 run_once(one, warm);
                 run_once(all, warm);

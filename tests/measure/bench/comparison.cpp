@@ -26,7 +26,7 @@ Comparison::Comparison(Case const& mesh_case, Settings const& settings)
     for (Index const functions : settings.functions) {
         if (functions > 20 && points() > largest_for_many) continue;
         ours_.push_back(std::make_unique<Ours>(mesh_case, workspace_, functions, settings.executor,
-                                               settings.kernel, HM_DIRECT, settings.precision));
+                                               HM_DIRECT, settings.precision));
         Ours& ours = *ours_.back();
         ours.run();
         b_.push_back(matrix_.right_hand_sides(ours.basis(), ours.fit().curves(), points()));

@@ -34,13 +34,11 @@ struct Ours::Clock {
 };
 
 Ours::Ours(Case const& mesh_case, Workspace& workspace, Index functions,
-           hm_executor const* executor, int kernel, Index engine, Index precision,
-           Index operator_kind)
+           hm_executor const* executor, Index engine, Index precision, Index operator_kind)
     : case_(mesh_case),
       workspace_(workspace),
       functions_(functions),
       executor_(executor),
-      kernel_(kernel),
       engine_(engine),
       precision_(precision),
       operator_kind_(operator_kind),
@@ -52,7 +50,6 @@ Phases Ours::run() {
     Options options{};
     options.operator_kind = operator_kind_;
     options.executor = executor_;
-    options.kernel = kernel_;
     options.engine = engine_;
     options.precision = precision_;
     if (engine_ != HM_DIRECT) options.block_width = 4;

@@ -63,8 +63,7 @@ public:
     // precision: of the direct engine's factor. Engines that iterate: functions in blocks of 4.
     // Their report may say that they have not converged.
     Ours(Case const& mesh_case, Workspace& workspace, Index functions, hm_executor const* executor,
-         int kernel, Index engine = HM_DIRECT, Index precision = HM_DOUBLE,
-         Index operator_kind = HM_LAPLACE);
+         Index engine = HM_DIRECT, Index precision = HM_DOUBLE, Index operator_kind = HM_LAPLACE);
     Ours(Ours const&) = delete;
 
     // Runs from the beginning, in the same blocks each time; the first run is the warm-up.
@@ -84,7 +83,6 @@ private:
     Workspace& workspace_;
     Index functions_;
     hm_executor const* executor_;
-    int kernel_;
     Index engine_, precision_, operator_kind_;
     Fit fit_;
     Block basis_block_;

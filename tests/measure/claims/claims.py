@@ -1,6 +1,7 @@
 """Measures the numbers that README and the pages state with a command beside them: `make claims`.
 
 usage: claims.py BUILD [NAME ...]      NAME: measures only claims whose command contains this text
+       claims.py --pages               compares the pages with the list of claims, and measures nothing
 
 The file claims.txt beside this script has one block of lines for each claim:
 
@@ -27,8 +28,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-COMMAND = re.compile(r"`([^`]*(?:make (?:deform|compare|paper|bench[a-z-]*)|"
-                     r"sh tests/measure/)[^`]*)`")
+COMMAND = re.compile(r"`([^`]*(?:make (?:deform|compare|paper|bench[a-z-]*|test-saturne|coverage|mutate|sanitize)|"
+                     r"(?:sh|python) tests/|sh c_api/)[^`]*)`")
 # A number of a measurement; numbers inside words, code, dates and versions are not.
 NUMBER = re.compile(r"(?<![\w.,-])\d*\.?\d+(?![\w-])")
 KEYS = {"page", "text", "command", "pattern", "worse", "tolerance"}
@@ -86,7 +87,8 @@ def find_texts(known, count):
 
 def find_numbers(known, count):
     """Each paragraph with a measuring command and numbers has a claim."""
-    pages = subprocess.run(["git", "ls-files", "*.md"], capture_output=True, text=True).stdout.split()
+    pages = ["README.md"] + [path for top in ("c_api", "fortran", "include", "src", "tests")
+                             for path in sorted(map(str, Path(top).rglob("*.md")))]
     for page in pages:
         for part in paragraphs(Path(page).read_text(encoding="utf-8")):
             if not COMMAND.search(part):
@@ -100,7 +102,7 @@ def find_numbers(known, count):
 
 
 def outputs(build, command):
-    """What a command prints, from an earlier run of today's sources or from a run now."""
+    """What a command prints, which is kept in the folder claims of BUILD."""
     folder = Path(build, "claims")
     folder.mkdir(parents=True, exist_ok=True)
     print(f"running: {command}", flush=True)
@@ -143,7 +145,8 @@ def main(build, *names):
     count = Count()
     find_texts(known, count)
     find_numbers(known, count)
-    measure(known, build, names, count)
+    if build != "--pages":
+        measure(known, build, names, count)
     if count.skipped:
         print(f"{count.skipped} skipped")
     print(f"{count.passed} passed, {count.failed} failed")

@@ -29,13 +29,14 @@ using Moves = std::vector<double>;
 
 struct Operator {
     const char* name;
-    std::int32_t kind, exponent_quarters;
+    std::int32_t kind;
+    double exponent;
 };
 constexpr Operator operators[] = {{"laplace", HM_LAPLACE, 0},
-                                  {"weighted 1", HM_WEIGHTED, 4},
-                                  {"conformal 1", HM_CONFORMAL, 4},
-                                  {"conformal 1.5", HM_CONFORMAL, 6},
-                                  {"conformal 2", HM_CONFORMAL, 8}};
+                                  {"weighted 1", HM_WEIGHTED, 1},
+                                  {"conformal 1", HM_CONFORMAL, 1},
+                                  {"conformal 1.5", HM_CONFORMAL, 1.5},
+                                  {"conformal 2", HM_CONFORMAL, 2}};
 
 // One mesh with the basis of one operator, solved.
 class Case {
@@ -206,11 +207,11 @@ int airfoil(const std::string& folder, const std::string& path, const std::strin
         condition.n_curves = static_cast<std::int32_t>(task.curves.curves.size());
         task.conditions = {condition};
         task.options.operator_kind = method.kind;
-        task.options.exponent_quarters = method.exponent_quarters;
+        task.options.exponent = method.exponent;
         auto setup = std::make_unique<Case>(mesh, task, threads, stem + ".basis");
         if (laplace_seconds == 0) laplace_seconds = setup->seconds();
         print_limits(method.name, *setup, movements, laplace_seconds);
-        if (method.kind == HM_CONFORMAL && method.exponent_quarters == 6) usual = std::move(setup);
+        if (method.kind == HM_CONFORMAL && method.exponent == 1.5) usual = std::move(setup);
     }
     return safe_targets(*usual, movements, stem);
 }
@@ -224,7 +225,7 @@ int block(const std::string& folder, const cli::Threads& threads) {
         "\n== tests/meshes/block.su2: 60 degrees and (-0.2, -0.3), sliding outer boundary\n%s",
         safe_heading);
     int missed = 0;
-    for (const std::int32_t exponent_quarters : {2, 3, 4, 5, 6}) {
+    for (const double exponent : {.5, .75, 1., 1.25, 1.5}) {
         cli::Task task;
         task.curves.control = movements.control;
         task.curves.curves.push_back({1, HM_TIED, {0, 1, 2, 3, 0}, {0, 0, 1, 2, 3, 4, 4}});
@@ -236,12 +237,12 @@ int block(const std::string& folder, const cli::Threads& threads) {
         condition.kind = HM_SLIP;
         condition.n_curves = 0;
         task.conditions.push_back(condition);
-        task.options.exponent_quarters = exponent_quarters;
+        task.options.exponent = exponent;
         const Case setup(mesh, task, threads, folder + "/block.basis");
-        const std::string name = "conformal " + cli::brief(exponent_quarters / 4.);
-        const std::string what = "the block by 60 degrees and (-0.2, -0.3) with the exponent " +
-                                 cli::brief(exponent_quarters / 4.);
-        const std::string picture = folder + "/block-" + cli::brief(exponent_quarters / 4.);
+        const std::string name = "conformal " + cli::brief(exponent);
+        const std::string what =
+            "the block by 60 degrees and (-0.2, -0.3) with the exponent " + cli::brief(exponent);
+        const std::string picture = folder + "/block-" + cli::brief(exponent);
         missed += print_safe(name, what, setup, movements.rotation(60, .5, .5, -.2, -.3), picture)
                       ? 0
                       : 1;

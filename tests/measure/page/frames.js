@@ -1,7 +1,7 @@
 "use strict";
-// Milliseconds of a frame of the page of `harmorph explore`, drawn in software: the median and the least of eleven
-// frames, each with another part of the plane. On a machine that does other things, the least is more reliable. Leaves
-// lines of a table in the element `result`.
+// Milliseconds of a frame of the page of `harmorph explore`, drawn in software: the median and the least of 21
+// frames, each with another part of the plane. The first frames are slower, until the browser has compiled the scripts;
+// on a machine that does other things, the least is more reliable. Leaves lines of a table in the element `result`.
 (() => {
     const lines = [],
         text = (number) => number.toFixed(0).padStart(8),
@@ -11,7 +11,7 @@
         };
     const time = (name, action) => {
         const list = [];
-        for (let i = 0; i < 11; ++i) {
+        for (let i = 0; i < 21; ++i) {
             const begin = performance.now();
             action(i);
             app.draw();

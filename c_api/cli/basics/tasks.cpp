@@ -1,0 +1,52 @@
+#include "basics/tasks.hpp"
+
+#include "basics/threads.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+
+namespace cli {
+
+namespace {
+
+struct Tasks {
+    const std::function<void(std::size_t)>& task;
+    std::mutex mutex;
+    std::int32_t failed = INT32_MAX;  // the first task that failed
+    std::exception_ptr failure;
+
+    void run(std::int32_t number) {
+        try {
+            task(static_cast<std::size_t>(number));
+        } catch (...) {
+            const std::lock_guard<std::mutex> lock(mutex);
+            if (number > failed) return;
+            failed = number;
+            failure = std::current_exception();
+        }
+    }
+};
+
+}  // namespace
+
+void run_tasks(std::size_t n, std::int32_t threads, const std::function<void(std::size_t)>& task) {
+    const auto used = static_cast<std::int32_t>(
+        std::min(n, static_cast<std::size_t>(std::max(threads, std::int32_t{1}))));
+    if (used <= 1) {
+        for (std::size_t number = 0; number < n; ++number) task(number);
+        return;
+    }
+    Tasks tasks = {task, {}, INT32_MAX, nullptr};
+    {
+        const Threads pool(used);
+        const hm_executor& executor = *pool.executor();
+        executor.run(
+            executor.user, static_cast<std::int32_t>(n),
+            [](void* context, std::int32_t number) { static_cast<Tasks*>(context)->run(number); },
+            &tasks);
+    }
+    if (tasks.failure) std::rethrow_exception(tasks.failure);
+}
+
+}  // namespace cli

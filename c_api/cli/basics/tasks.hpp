@@ -1,0 +1,14 @@
+// Tasks of the program itself, by several threads.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace cli {
+
+// Runs task(0), ..., task(n - 1), which are begun in this order. After all of them, throws what the
+// first of the tasks that failed has thrown.
+void run_tasks(std::size_t n, std::int32_t threads, const std::function<void(std::size_t)>& task);
+
+}  // namespace cli

@@ -1,0 +1,106 @@
+"""Files and copies of a solved object."""
+
+from __future__ import annotations
+
+import copy
+from typing import Any, Dict, Optional, Type, TypeVar
+
+from .basis import Basis
+from .curves import Curves
+from .mesh import Mesh
+from .reports import Report
+
+
+Self = TypeVar("Self", bound="Stored")
+
+
+class Stored:
+    """Methods of :class:`harmorph.Morph` that write and read it, and that copy it."""
+
+    mesh: Optional[Mesh]
+    curves: Optional[Curves]
+    solve_report: Optional[Report]
+    _options: Dict[str, Any]
+    _pairs: Any
+    _executor: Any
+    _problem: Optional[Mesh]
+    _analysed: Any
+
+    def save(self, path: Any) -> None:
+        """Write the basis to a file, which C, Fortran and, for meshes that were read, the program
+        harmorph load, too. The file appears as a whole or not at all."""
+        self._open().save(path, self.mesh)
+
+    @classmethod
+    def load(cls: Type[Self], path: Any, mesh: Optional[Mesh] = None, *, threads: int = 1) -> Self:
+        """Map a basis file into memory.
+
+        Parameters
+        ----------
+        path : path
+            A file of :meth:`save`, or of C, Fortran or the program.
+        mesh : Mesh, optional
+            The mesh of the basis, which is compared. Without it only `displacement`, `morph` with
+            `points`, and `adjoint` are possible.
+        threads : int
+            See :class:`Morph`.
+
+        Raises
+        ------
+        Error
+            ``BAD_FILE``, or ``BAD_BASIS``: no basis, cut off, damaged, of another mesh.
+
+        Warns
+        -----
+        HarmorphWarning
+            ``MOVED``: the mesh has other coordinates than the basis was solved on.
+        """
+        basis = Basis.load(path, mesh)
+        pairs = basis.conditions(mesh) if mesh else []
+        return cls._attached(basis, mesh, basis.curves(), pairs, threads)
+
+    @classmethod
+    def _attached(cls: Type[Self], basis: Basis, mesh: Any, curves: Any, pairs: Any, threads: int) -> Self:
+        self = cls.__new__(cls)
+        info = basis.info
+        self._options = {
+            "operator_kind": info.operator_kind, "engine": info.engine,
+            "exponent": info.exponent or -1,
+            "offset_correction": info.offset_correction,
+        }
+        self._own(mesh, curves, pairs, threads)
+        self._set_basis(basis)
+        return self
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {
+            "mesh": self.mesh, "start": self._problem, "analysed": self._analysed,
+            "curves": self.curves, "pairs": self._pairs, "options": self._options,
+            "threads": self._executor.threads,
+            "basis": self._open().to_bytes(), "report": self.solve_report,
+        }
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        self._options = state["options"]
+        self._own(state["mesh"], state["curves"], state["pairs"], state["threads"])
+        self._problem, self._analysed = state["start"], state["analysed"]
+        self._set_basis(Basis.attach(state["basis"], self._problem))
+        self.solve_report = state["report"]
+
+    def __copy__(self: Self) -> Self:
+        basis, other = self._open(), self.__class__.__new__(self.__class__)
+        other._options = dict(self._options)
+        other._own(self.mesh, self.curves, self._pairs, self._executor.threads)
+        other._problem, other._analysed = self._problem, self._analysed
+        other._set_basis(basis)
+        other.solve_report = copy.copy(self.solve_report)
+        return other
+
+    def _own(self, mesh: Optional[Mesh], curves: Optional[Curves], pairs: Any, threads: int) -> None:
+        raise NotImplementedError
+
+    def _set_basis(self, basis: Basis) -> None:
+        raise NotImplementedError
+
+    def _open(self) -> Basis:
+        raise NotImplementedError

@@ -1,0 +1,139 @@
+"""Fields of one mesh on another: interpolation with its transpose, and means that keep integrals."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Tuple
+
+import numpy as np
+
+from ._native import ffi, lib
+from .arrays import doubles, numbers, points_in
+from .errors import Error, call
+from .mesh import Mesh
+from .reports import Report, new, report
+from .threads import ONE_THREAD
+
+
+class Interpolation:
+    """The places of points in a mesh, and the weights of the mesh points there.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        The mesh that has the fields, at its coordinates now.
+    to : array of shape (n, 2), or pair of arrays of shape (n,)
+        Any points, such as those of another mesh.
+
+    Attributes
+    ----------
+    distance : ndarray of shape (n,)
+        How far each point is outside the mesh [length]; 0 inside.
+    report : Report
+        The members of ``hm_interpolation_report``: `outside`, `max_distance`, ...
+    """
+
+    def __init__(self, mesh: Mesh, to: Any) -> None:
+        n = len(to[0]) if isinstance(to, tuple) else len(to)
+        view, _alive = points_in(to, n, "to")
+        analysis, _block = mesh._analysis()
+        size, made = ffi.new("size_t*"), ffi.new("hm_interpolation**")
+        call(lib.hm_interpolation_size, analysis, n, size)
+        self._block, self.distance = np.empty(size[0], np.uint8), np.empty(n)
+        result = new("hm_interpolation_report")
+        call(lib.hm_interpolation_init, made, ffi.from_buffer(self._block), size[0], analysis, ffi.NULL, n, view,
+             ffi.from_buffer("double[]", self.distance), ONE_THREAD.view, result)
+        self._made, self._shape = made[0], (mesh.n_points, n)
+        self.report: Report = report(result)
+
+    def __call__(self, fields: Any) -> np.ndarray:
+        """Return the values at the points.
+
+        Parameters
+        ----------
+        fields : array of shape (n_points,) or (n_fields, n_points)
+            Values at the points of the mesh. Outside the mesh, those of the nearest place are taken.
+
+        Returns
+        -------
+        ndarray of shape (n,) or (n_fields, n)
+        """
+        values, shape = _fields(fields, self._shape[0], "fields")
+        result = np.empty((*shape, self._shape[1]))
+        call(lib.hm_interpolate, self._made, shape[0] if shape else 1, values,
+             ffi.from_buffer("double[]", result), ONE_THREAD.view)
+        return result
+
+    def adjoint(self, dj: Any) -> np.ndarray:
+        """Return derivatives by the fields from those by the values at the points: the transpose.
+
+        Parameters
+        ----------
+        dj : array of shape (n,) or (n_fields, n)
+
+        Returns
+        -------
+        ndarray of shape (n_points,) or (n_fields, n_points)
+        """
+        values, shape = _fields(dj, self._shape[1], "dj")
+        result = np.zeros((*shape, self._shape[0]))
+        call(lib.hm_interpolate_adjoint, self._made, shape[0] if shape else 1, values,
+             ffi.from_buffer("double[]", result))
+        return result
+
+
+class Remapped(NamedTuple):
+    """Result of :func:`remap`.
+
+    Attributes
+    ----------
+    values : ndarray of shape (n_points of `to`,) or (n_fields, n_points of `to`)
+        0 where nothing is covered.
+    covered : ndarray of shape (n_points of `to`,)
+        The area that each control volume has in common with the other mesh [length^2].
+    report : Report
+        The members of ``hm_remap_report``: `uncovered`, `partial`, `area`.
+    """
+
+    values: np.ndarray
+    covered: np.ndarray
+    report: Report
+
+
+def remap(source: Mesh, to: Mesh, fields: Any, order: int = 2) -> Remapped:
+    """Return means over control volumes of one mesh from those of another, so that integrals are kept.
+
+    Parameters
+    ----------
+    source : Mesh
+        The mesh that has the fields, at its coordinates now.
+    to : Mesh
+        The mesh that receives the fields; it may be `source` with other coordinates.
+    fields : array of shape (n_points,) or (n_fields, n_points)
+        Means over the control volumes of the median dual of `source`.
+    order : {1, 2}
+        1: no new extremum arises; 2: linear fields are exact.
+
+    Returns
+    -------
+    Remapped
+        The sum of `covered` times `values` is the integral over the area that both meshes have.
+    """
+    values, shape = _fields(fields, source.n_points, "fields")
+    first, _first_block = source._analysis()
+    second, _second_block = to._analysis()
+    n_fields, size = shape[0] if shape else 1, ffi.new("size_t*")
+    call(lib.hm_remap_size, first, second, n_fields, order, size)
+    work, result = np.empty(size[0], np.uint8), new("hm_remap_report")
+    out, covered = np.empty((*shape, to.n_points)), np.empty(to.n_points)
+    call(lib.hm_remap, first, ffi.NULL, second, ffi.NULL, n_fields, order, values,
+         ffi.from_buffer("double[]", out), ffi.from_buffer("double[]", covered), ffi.from_buffer(work),
+         len(work), ONE_THREAD.view, result)
+    return Remapped(out, covered, report(result))
+
+
+def _fields(fields: Any, n: int, what: str) -> Tuple[Any, tuple]:
+    """A view of one field or several, and the shape before the points."""
+    array = numbers(fields, what)
+    if array.ndim not in (1, 2) or array.shape[-1] != n:
+        raise Error(f"{what} must have the shape ({n},) or (fields, {n}), not {array.shape}.")
+    return doubles(array, array.shape, what), array.shape[:-1]

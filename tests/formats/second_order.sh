@@ -1,0 +1,39 @@
+# Meshes one cell thick with elements of second order: they are read and morphed, and their nodes move by the law that
+# second_order.py states. (A part of tests/formats.sh.)
+order2() { "${PYTHON:-/usr/bin/python3}" tests/formats/second_order.py "$@"; }
+# moves_by_law WHAT PACKAGE KIND MESH BODY
+moves_by_law() {
+    check "$1: check" "$harmorph" check "$4"
+    check "$1: fit" "$harmorph" fit "$4" --marker "$5" --points 8 -o "$tmp/curve"
+    check "$1: solve" "$harmorph" solve "$4" --curve "$5=$tmp/curve" -o "$tmp/basis"
+    moved=$tmp/moved-$(basename "$4")
+    check "$1: zero move" "$harmorph" morph "$4" "$tmp/basis" --move "$tmp/none.txt" -o "$moved"
+    check "$1: zero move: the same file" cmp "$4" "$moved"
+    check "$1: morph" "$harmorph" morph "$4" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved"
+    check "$1: nodes move by the law" order2 law $2 $3 "$4" "$moved"
+}
+if order2 text 25 "$tmp/order2.vtk" 2>/dev/null; then
+    for type in 25 26; do
+        check "VTK's type $type: is written" order2 text $type "$tmp/order2.vtk"
+        moves_by_law "VTK's type $type" text planes "$tmp/order2.vtk" boundary1
+    done
+else skip "second order one cell thick" "python3 is not installed"; fi
+if /usr/bin/python3 -c 'import vtk' 2>/dev/null; then
+    for type in 25 26 29 32; do
+        for ending in vtk vtu; do
+            check "VTK writes type $type, $ending" order2 vtk $type "$tmp/order2.$ending"
+            moves_by_law "VTK's own type $type, $ending" vtk planes "$tmp/order2.$ending" boundary1
+        done
+    done
+else skip "files of second order by VTK" "python3-vtk9 is not installed"; fi
+if /usr/bin/python3 -c 'import gmsh' 2>/dev/null; then
+    for how in "prisms complete planes" "hexahedra incomplete planes" "hexahedra complete wedge"; do
+        set -- $how
+        for version in 2.2 4.1; do
+            for binary in 0 1; do
+                check "gmsh writes $how, $version, $binary" order2 gmsh $version $binary $how "$tmp/order2.msh"
+                moves_by_law "gmsh's $how, $version, $binary" gmsh $3 "$tmp/order2.msh" body
+            done
+        done
+    done
+else skip "files of second order by gmsh" "python3-gmsh is not installed"; fi
