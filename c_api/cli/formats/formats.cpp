@@ -172,6 +172,7 @@ Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
     if (is_packed) mesh.file = unpacked(mesh.file);
     const Format& format = forced ? *forced : format_of(mesh.file);
     mesh.file.listen(options.progress);
+    mesh.threads = options.threads;
     format.read(mesh, options);
     mesh.file.listen(nullptr);
     mesh.in_file.is_packed = is_packed && !mesh.in_file.is_joined;
