@@ -16,9 +16,11 @@ MappedPoint turn_about(Vec2 centre, Real degrees, Vec2 point) noexcept {
 
 MappedPoint deflect(Movement const& flap, Real degrees, Vec2 point) noexcept {
     Vec2 const arm = point - flap.centre;
-    Real const t = clamp(dot(arm, flap.behind) / flap.length, 0.0, 1.0);
+    // A quotient that is out of range is not computed: it may overflow.
+    Real const behind = dot(arm, flap.behind);
+    Real const t = behind >= flap.length ? 1 : behind > 0 ? behind / flap.length : 0;
     Real const share = t * t * t * (10 - t * (15 - 6 * t));
-    Real const slope = 30 * t * t * (1 - t) * (1 - t) / flap.length;
+    Real const slope = t > 0 && t < 1 ? 30 * t * t * (1 - t) * (1 - t) / flap.length : 0;
     MappedPoint mapped = turn_about(flap.centre, share * degrees, point);
     Vec2 const by_angle = mapped.by_value[0];
     mapped.by_x = mapped.by_x + (degrees * slope * flap.behind.x) * by_angle;

@@ -3,6 +3,20 @@
 namespace harmorph {
 namespace {
 
+// Twice the area between two sides is a + slope s + curvature s^2 at the step s.
+struct AreaInTime {
+    Real slope, curvature, step;  // the step at which the area becomes 0
+
+    AreaInTime(CellShape const& now, CellShape const& change, Index k) noexcept {
+        Index const n = now.n, before = k == 0 ? n - 1 : k - 1, behind = k + 1 == n ? 0 : k + 1;
+        Vec2 const in = now.at[k] - now.at[before], in_moves = change.at[k] - change.at[before];
+        Vec2 const out = now.at[behind] - now.at[k], out_moves = change.at[behind] - change.at[k];
+        slope = cross(in, out_moves) + cross(in_moves, out);
+        curvature = cross(in_moves, out_moves);
+        step = smallest_positive_root(curvature, slope, cross(in, out));
+    }
+};
+
 // Returns the corner k of cell or guard i with its step; the step is infinite if the area does not
 // become 0.
 StepCorner step_corner_at(OrientedMesh const& cells, Index i, Index k, Points points,
@@ -12,18 +26,20 @@ StepCorner step_corner_at(OrientedMesh const& cells, Index i, Index k, Points po
     CellShape const now = shape_of(cells, i, points), change = shape_of(cells, i, displacement);
     Vec2 const in = now.at[k] - now.at[before], in_moves = change.at[k] - change.at[before];
     Vec2 const out = now.at[behind] - now.at[k], out_moves = change.at[behind] - change.at[k];
-    Real const slope = cross(in, out_moves) + cross(in_moves, out),
-               curvature = cross(in_moves, out_moves);
+    AreaInTime const area(now, change, k);
     StepCorner corner;
     corner.cell = i;
-    corner.step = smallest_positive_root(curvature, slope, cross(in, out));
+    // AdmissibleStep takes this corner of a guard, and the last digits have to be the same.
+    corner.step =
+        n == 4 ? area.step
+               : AreaInTime(now, change, corner_between_shorter_sides(CellCorners(now))).step;
     if (!(corner.step < infinity)) return corner;
     Index const point[3] = {cell.point[before], cell.point[k], cell.point[behind]};
     for (Index j = 0; j < 3; ++j) corner.point[j] = point[j];
     // Twice the area falls at the rate `fall` where it becomes 0.
     Vec2 const in_there = in + corner.step * in_moves, out_there = out + corner.step * out_moves;
-    Real const terms = abs(slope) + abs(2 * corner.step * curvature),
-               fall = -(slope + 2 * corner.step * curvature);
+    Real const terms = abs(area.slope) + abs(2 * corner.step * area.curvature),
+               fall = -(area.slope + 2 * corner.step * area.curvature);
     corner.has_derivative = fall > 1e-7 * terms;
     if (!corner.has_derivative) return corner;
     Vec2 const by_in = product(turn_of(cells.mesh, i), Vec2{out_there.y, -out_there.x}),
@@ -34,9 +50,10 @@ StepCorner step_corner_at(OrientedMesh const& cells, Index i, Index k, Points po
     return corner;
 }
 
-// Returns whether a guard is also one of the triangles into which its polygon is divided.
-bool is_piece_too(OrientedMesh const& cells, Index guard) noexcept {
-    if (cells.mesh.guard_kind[guard - cells.mesh.n_cells] != CornerKind::convex) return false;
+// Returns the triangle, of those into which a polygon is divided, that has the points of a guard;
+// or none.
+Index piece_of(OrientedMesh const& cells, Index guard) noexcept {
+    if (cells.mesh.guard_kind[guard - cells.mesh.n_cells] != CornerKind::convex) return none;
     Cell const corner = cells.cell(guard);
     auto const has = [](Cell const& piece, Index point) {
         return piece.point[0] == point || piece.point[1] == point || piece.point[2] == point;
@@ -45,9 +62,9 @@ bool is_piece_too(OrientedMesh const& cells, Index guard) noexcept {
         Cell const piece = cells.cell(i);
         if (has(piece, corner.point[0]) && has(piece, corner.point[1]) &&
             has(piece, corner.point[2]))
-            return true;
+            return i;
     }
-    return false;
+    return none;
 }
 
 }  // namespace
@@ -83,9 +100,14 @@ void find_step_corners(OrientedMesh const& cells, Points points, Points displace
             if (((is_triangle ? triangles : quads) >> i & 1) != 0) examine(number);
         });
     });
+    auto const is_close = [&](Index triangle) {
+        return step_corner_at(cells, triangle, 1, points, displacement).step <= most;
+    };
+    // A guard and its piece have the same step but for rounding, and one of them is visited.
     for (Index guard = cells.mesh.n_cells; guard < cells.mesh.n_checked(); ++guard) {
-        if (step_corner_at(cells, guard, 1, points, displacement).step > most) continue;
-        if (!is_piece_too(cells, guard)) examine(guard);
+        if (!is_close(guard)) continue;
+        Index const piece = piece_of(cells, guard);
+        if (piece == none || !is_close(piece)) examine(guard);
     }
 }
 

@@ -252,6 +252,20 @@ TEST_CASE("a flap leaves control points ahead of the hinge, and turns those behi
     CHECK(behind >= 3);
 }
 
+TEST_CASE("a flap may begin as suddenly as numbers allow, without an overflow") {
+    CurveSet set = airfoil();
+    Moved const by = moved(set, {movement(HM_FLAP, 0.7, 0, 1e-300)}, {10});
+    REQUIRE(by.status == HM_OK);
+    double const c = std::cos(pi / 18) - 1, s = std::sin(pi / 18);
+    for (std::size_t k = 0; k < set.control.size(); k += 2) {
+        double const dx = set.control[k] - 0.7, dy = set.control[k + 1];
+        bool const is_behind = dx > 0.01;
+        if (std::fabs(dx) <= 0.01) continue;  // the chord is not exactly the x axis
+        CHECK(by.move[k] == doctest::Approx(is_behind ? c * dx - s * dy : 0).epsilon(1e-12));
+        CHECK(by.move[k + 1] == doctest::Approx(is_behind ? s * dx + c * dy : 0).epsilon(1e-12));
+    }
+}
+
 TEST_CASE("thickness is added on both sides of a straight camber line, and camber keeps it") {
     CurveSet set = airfoil(false, 0);
     Moved const thicker = moved(set, {camber_thickness(0, 1)}, {0.05}, &unit_chord);

@@ -82,12 +82,13 @@ void SolutionCheck::safe_morph() {
     hm_safe_report report{};
     report.struct_size = sizeof report;
     Block& work = its_.block(bytes);
-    status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, nullptr, work.data(),
+    hm_basis* const derivative = input_.one_in(3) ? another_basis() : nullptr;
+    status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, derivative, work.data(),
                            bytes - 1, &options, &report, &error_);
     expect(status < 0, "work space that is one byte too small is taken");
     Exceptions::clear();
-    status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, nullptr, work.data(), bytes,
-                           &options, &report, &error_);
+    status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, derivative, work.data(),
+                           bytes, &options, &report, &error_);
     expect_told(status, error_);
     if (status >= 0) Exceptions::expect_none("hm_morph_safe");
     if (status < 0) {
@@ -118,6 +119,48 @@ void SolutionCheck::safe_morph() {
     pairs_move_alike(dx, dy, 1e-14 * problem_.size());
     if (is_real()) expect(report.turned_offset == 0, "real functions turn no offset");
     wall_is_at(at, reached, report.turned_offset);
+    if (derivative != nullptr) walls_follow(derivative, report.step_fraction);
+}
+
+// A basis of the same analysis, not solved.
+hm_basis* SolutionCheck::another_basis() {
+    hm_basis* made = nullptr;
+    hm_status const status = make_object(
+        in_its_blocks(), error_,
+        [&](std::size_t* bytes) { return hm_basis_size(its_.analysis, bytes, &error_); },
+        [&](void* memory, std::size_t bytes) {
+            return hm_basis_init(&made, memory, bytes, its_.analysis, &error_);
+        });
+    expect(status >= 0, std::string("no basis for a derivative: ") + error_.text);
+    return made;
+}
+
+// The derivative by the movement is exact at points of curves: in however many steps the mesh has
+// moved, it is that of the B-spline, times the part of the movement that was reached.
+void SolutionCheck::walls_follow(hm_basis* derivative, double fraction) {
+    if (info_.offset_correction != 0) return;
+    Numbers by(move_.size()), dx(n_), dy(n_);
+    double largest = 0;
+    for (double& number : by) {
+        number = input_.between(-1, 1);
+        largest = std::max(largest, std::abs(number));
+    }
+    hm_points_out const to{dx.data(), dy.data(), 1};
+    expect(hm_morph(derivative, by.data(), nullptr, &to, nullptr, &error_) == HM_OK,
+           std::string("a derivative is no basis: ") + error_.text);
+    for (std::int32_t slot = 0; slot < info_.curve_points; ++slot) {
+        std::int32_t const curve = info_.point_curve[slot];
+        if (curve >= info_.curves) continue;
+        Numbers const basis = basis_functions(problem_.on_walls.view, curve, info_.point_u[slot]);
+        std::size_t const k = std::size_t(info_.curve_point[slot]);
+        Wide x = 0, y = 0;
+        for (std::size_t i = 0; i < basis.size(); ++i)
+            x += Wide(basis[i]) * by[2 * i], y += Wide(basis[i]) * by[2 * i + 1];
+        double const error = std::hypot(double(fraction * x) - dx[k], double(fraction * y) - dy[k]);
+        expect(error <= 1e-9 * largest,
+               "the derivative at a point of a curve differs from the B-spline's by " +
+                   shown(error / largest) + " at the part " + shown(fraction));
+    }
 }
 
 // Points of curves have moved as the B-spline of the movement that was reached, but for offsets

@@ -36,6 +36,7 @@ private:
     using Numbers = std::vector<double>;
 
     void areas();  // check_swept_areas.cpp
+    void remap();  // check_remap.cpp
 
     // check_levels.cpp
     void levels();

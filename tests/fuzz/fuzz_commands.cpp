@@ -1,7 +1,8 @@
-// Commands of the program with a damaged basis. The library's own checksum is put into the damaged
-// block, so that the program gets numbers that no solution has: in conditions, curves, counts and
-// names. A command ends, or refuses the basis by a sentence; an exception of the language, as of an
-// index out of range, is a failure, like memory that is not the program's own.
+// Commands of the program with a damaged basis, or with a damaged table of fields. The library's
+// own checksum is put into the damaged block, so that the program gets numbers that no solution
+// has: in conditions, curves, counts and names. A command ends, or refuses the basis by a sentence;
+// an exception of the language, as of an index out of range, is a failure, like memory that is not
+// the program's own.
 #include "commands/commands.hpp"
 #include "target.hpp"
 
@@ -22,24 +23,24 @@
 namespace fuzz {
 namespace {
 
-// Standard output goes nowhere while this exists.
+// What is written to an open file, as to the standard output, goes nowhere while this exists.
 class Silence {
 public:
-    Silence() {
-        std::fflush(stdout);
-        kept_ = dup(STDOUT_FILENO);
+    explicit Silence(std::FILE* stream) : stream_(stream), kept_(dup(fileno(stream))) {
+        std::fflush(stream_);
         int const nowhere = open("/dev/null", O_WRONLY);
-        dup2(nowhere, STDOUT_FILENO);
+        dup2(nowhere, fileno(stream_));
         close(nowhere);
     }
     ~Silence() {
-        std::fflush(stdout);
-        dup2(kept_, STDOUT_FILENO);
+        std::fflush(stream_);
+        dup2(kept_, fileno(stream_));
         close(kept_);
     }
     Silence(Silence const&) = delete;
 
 private:
+    std::FILE* stream_;
     int kept_;
 };
 
@@ -117,7 +118,7 @@ std::string box() {
 // sides.
 struct Files {
     Folder folder;
-    std::string mesh, moves[2], airfoil, damaged, basis_text[2];
+    std::string mesh, moves[2], airfoil, damaged, fields, basis_text[2], fields_text;
 
     Files()
         : mesh(folder.write("m.su2", box())),
@@ -125,7 +126,16 @@ struct Files {
                 folder.write("1.txt", "rigid block .1 0 5\n")},
           airfoil(
               folder.write("a.dat", "section\n4.2 3\n3.5 4.2\n2 4\n1.8 3\n2 2\n3.5 1.8\n4.2 3\n")),
-          damaged(folder.file("b.basis")) {
+          damaged(folder.file("b.basis")),
+          fields(folder.file("f.csv")) {
+        std::ostringstream table;
+        table << "PointID,x,y,Sensitivity_x,Sensitivity_y\n";
+        int n = 0;
+        for (int j = 0; j <= 6; ++j)
+            for (int i = 0; i <= 6; ++i)
+                if (i != 3 || j != 3)
+                    table << n++ << ',' << i << ',' << j << ',' << i - j << ',' << 0.5 * j << '\n';
+        fields_text = table.str();
         std::string const curve = folder.write(
             "c.curve",
             "degree 1\nclosed tied\npoints 4\n2 2\n4 2\n4 4\n2 4\nknots 7\n0 0 2 4 6 8 8\n");
@@ -163,10 +173,38 @@ struct Files {
                 return {"export", mesh,         damaged, "--function", "1",
                         "--csv",  out("o.csv"), "--svg", out("o.svg")};
             case 7: return {"export", mesh, damaged, "--level", "0", "--svg", out("o.svg")};
+            case 8:
+                return {"sample",  mesh, damaged, "--range",     "-.1,.1",
+                        "--count", "3",  "-o",    out("designs")};
+            case 9: return {"adjoint", mesh, damaged, "--sensitivity", fields, "-o", out("g.csv")};
+            case 10: return {"interpolate", mesh, fields, mesh, "-o", out("i.csv")};
+            case 11:
+                return {"interpolate", mesh, fields, mesh, "--conservative", "-o", out("i.vtu")};
+            case 12:
+                return {"align",    mesh, "--to",     mesh,   "--marker",     "block",
+                        "--points", "6",  "--fields", fields, "--fields-out", out("i.csv")};
             default: return {"transfer", mesh, damaged, mesh, "-o", out("t.basis")};
         }
     }
 };
+
+// Some bytes of a text change, or a piece of the text goes, or stands there twice.
+void damage_table(std::string& text, Input& input) {
+    for (std::int32_t k = input.from(0, 3); k > 0; --k) {
+        std::size_t const at = input.below(static_cast<std::uint32_t>(text.size())),
+                          length = input.below(40);
+        switch (input.below(4)) {
+            case 0: text.erase(at, length); break;
+            case 1: text.insert(at, text.substr(at, length)); break;
+            case 2:
+                text.insert(at, input.any_of({"nan", "inf", "-", "1e999", "2147483648", ",,", "\n",
+                                              "\"", "1e-400", " 7 "}));
+                break;
+            default: text[at] = static_cast<char>(input.below(256));
+        }
+        if (text.empty()) return;
+    }
+}
 
 // Numbers in the conditions, in the header or anywhere in the block; or text behind the block.
 void damage(std::string& text, Input& input) {
@@ -206,12 +244,23 @@ void damage(std::string& text, Input& input) {
 }  // namespace
 
 Outcome run_commands(Input& input) {
-    Silence const silence;
+    Silence const output(stdout);
+#ifndef LIBFUZZER  // which writes to the standard error itself, as the sanitizers do
+    Silence const warnings(stderr);
+#endif
     static Files const files;
-    std::uint32_t const basis = input.below(2), command = input.below(9);
-    std::string text = files.basis_text[basis];
-    damage(text, input);
+    std::uint32_t const basis = input.below(2), command = input.below(14);
+    constexpr std::uint32_t sample = 8, adjoint = 9, last_with_fields = 12;
+    bool const has_fields = command >= adjoint && command <= last_with_fields;
+    std::string text = files.basis_text[basis], table = files.fields_text;
+    if (!has_fields || (command == adjoint && input.one_in(2))) damage(text, input);
+    if (has_fields) damage_table(table, input);
     files.folder.write("b.basis", text);
+    files.folder.write("f.csv", table);
+    if (command == sample) {  // else the command continues in the folder of another case
+        std::error_code ignored;
+        std::filesystem::remove_all(files.folder.file("designs"), ignored);
+    }
     try {
         cli::run_command(files.command(command, basis));
     } catch (cli::Failure const& failure) {

@@ -1,6 +1,7 @@
 // The calls of harmorph_fields.h with random meshes: swept areas, distances to the walls, coarse
-// levels of control volumes, and interpolation. Results are compared with sums and searches over
-// all cells and faces in more digits, derivatives with their transposes.
+// levels of control volumes, interpolation, and means over control volumes. Results are compared
+// with sums and searches over all cells and faces in more digits, derivatives with their
+// transposes.
 #include "fields_model.hpp"
 
 namespace fuzz {
@@ -34,10 +35,11 @@ Outcome FieldsModel::run() {
         });
     if (status < 0) return Outcome::refused;
     for (std::int32_t k = input_.from(1, 4); k > 0; --k) {
-        switch (input_.below(4)) {
+        switch (input_.below(5)) {
             case 0: areas(); break;
             case 1: walls(); break;
             case 2: levels(); break;
+            case 3: remap(); break;
             default: interpolation();
         }
     }

@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace fuzz {
@@ -50,9 +49,15 @@ public:
         double lift = 0;  // a wedge's mesh lies on one side of its axis
         for (Point const& p : domain_.points) lift = std::max(lift, -p.y);
         if (frame_.is_wedge) lift += size;
-        std::set<std::pair<double, double>> places;
-        for (Point const& p : domain_.points)
-            has_twins = !places.insert({p.x, p.y + lift}).second || has_twins;
+        std::vector<Point> const& points = domain_.points;
+        double reach = 0;  // the largest coordinate, whose rounding the points in space have
+        for (Point const& p : points)
+            reach = std::max({reach, std::abs(p.x), std::abs(p.y) + lift});
+        for (std::size_t k = 0; k < points.size(); ++k)
+            for (std::size_t other = 0; other < k; ++other) {
+                double const dx = points[k].x - points[other].x, dy = points[k].y - points[other].y;
+                has_twins = has_twins || std::hypot(dx, dy) <= 1e-6 * reach;
+            }
         std::size_t const n = domain_.points.size();
         std::vector<std::int32_t> order(n * static_cast<std::size_t>(layers_));
         for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<std::int32_t>(k);
@@ -120,7 +125,8 @@ public:
 
     hm_space_mesh space{};
     Numbers x, y, z;
-    bool has_twins = false;  // points of the plane in one place: numbers decide who follows whom
+    // Points of the plane are in one place but for rounding: numbers decide who follows whom.
+    bool has_twins = false;
     std::vector<std::int32_t> plane_point;  // of each point of space: the point of the domain
 
 private:

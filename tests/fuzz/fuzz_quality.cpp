@@ -230,17 +230,19 @@ private:
                  "a bound at a point nearby");
             return value.bound;
         };
-        double const rho = std::max(1.0, bound.sharpness), h = most * 1e-3 / std::sqrt(rho);
-        auto const difference = [&](double length) {
-            return (bound_at(step + length) - bound_at(step - length)) / (2 * length);
-        };
-        double const coarse = difference(h), middle = difference(h / 4), fine = difference(h / 16);
         Wide sum = 0, size = 0;
         for (std::size_t k = 0; k < gradient.size(); ++k) {
             Wide const x = Wide(gradient[k].x) * by_[k].x, y = Wide(gradient[k].y) * by_[k].y;
             sum += x + y;
             size += std::abs(x) + std::abs(y);
         }
+        // Another value becomes the extreme one within a change of the bound of 1 / rho.
+        double const rho = std::max(1.0, bound.sharpness),
+                     h = std::min(most * 1e-3 / std::sqrt(rho), 1e-2 / (rho * double(size)));
+        auto const difference = [&](double length) {
+            return (bound_at(step + length) - bound_at(step - length)) / (2 * length);
+        };
+        double const coarse = difference(h), middle = difference(h / 4), fine = difference(h / 16);
         double const known = std::abs(coarse - middle) + std::abs(middle - fine);
         // The bound is rounded to 2^-53 of the values, which are of the order of 1.
         double const rounded = 0x1p-50 * std::max(1.0, std::abs(bound_at(step))) / h;

@@ -204,6 +204,7 @@ private:
     void along_one_number(hm_quantity const& quantity, double value, Numbers const& gradient) {
         Numbers control = problem_.on_walls.control;
         if (measured(quantity, control) != value) return;  // with another chord
+        if (std::abs(value) < 1e-12 * size_) return;  // no camber: every station is the extreme one
         std::size_t const k = input_.below(static_cast<std::uint32_t>(control.size()));
         double const h = 1e-7 * size_, start = control[k];
         control[k] = start + h;

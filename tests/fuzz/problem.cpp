@@ -187,6 +187,16 @@ void write_conditions(Problem& problem, Input& input) {
     } else if (outside == 4) {
         add(4, HM_PERIODIC_PAIR).partner = 2;
     }
+    if (!input.one_in(6)) return;
+    auto const some_marker = [&] {
+        std::vector<Face> const& faces = problem.domain.faces;
+        return faces[input.below(static_cast<std::uint32_t>(faces.size()))].marker;
+    };
+    std::int32_t const one = some_marker(), other = some_marker();
+    if (one == other) return;
+    add(one, HM_INTERFACE).partner = other;
+    problem.domain.interface_sides[0] = one;
+    problem.domain.interface_sides[1] = other;
 }
 
 // Rows of the header's table of combinations, mostly.

@@ -45,6 +45,8 @@ struct Domain {
     std::vector<Image> images;
     bool is_passage = false;
     Point centre{0, 0}, turn{1, 0};
+
+    std::int32_t interface_sides[2] = {-1, -1};  // markers whose faces may cross each other
 };
 Domain make_domain(Input& input);
 

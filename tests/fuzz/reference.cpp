@@ -48,9 +48,18 @@ Crossings find_crossings(Domain const& domain, std::vector<Point> const& at) {
         Point const p = at[static_cast<std::size_t>(a)], q = at[static_cast<std::size_t>(b)];
         return a == b || (p.x == q.x && p.y == q.y);
     };
+    // On one side of an interface, or next to the end of this side.
+    auto const near_side = [&](Face const& f, int side) {
+        return std::any_of(domain.faces.begin(), domain.faces.end(), [&](Face const& g) {
+            return g.marker == domain.interface_sides[side] &&
+                   (g.from == f.from || g.from == f.to || g.to == f.from || g.to == f.to);
+        });
+    };
     for (std::size_t i = 0; i < domain.faces.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
             Face const &f = domain.faces[i], &g = domain.faces[j];
+            if ((near_side(f, 0) && near_side(g, 1)) || (near_side(f, 1) && near_side(g, 0)))
+                continue;
             if (same(f.from, g.from) || same(f.from, g.to) || same(f.to, g.from) ||
                 same(f.to, g.to)) {
                 out.touches = true;  // may coincide or lie on each other; not judged here

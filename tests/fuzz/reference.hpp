@@ -14,7 +14,7 @@ using Wide = long double;
 std::int32_t inverted_cells(Judged const& judged, std::vector<Point> const& at, double sine = 0);
 
 // Faces that have inner points in common with another face, transversally; and whether faces
-// without a common end touch.
+// without a common end touch. The two sides of an interface do not count.
 struct Crossings {
     bool crosses = false, touches = false;
 };

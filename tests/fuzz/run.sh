@@ -1,7 +1,8 @@
 #!/bin/sh
 # Called by `make fuzz`: all targets under the address and undefined-behaviour sanitizers, float-cast-overflow among
-# these, for FUZZ_SECONDS together. With clang, libFuzzer looks for cases that run through new code; without, cases are
-# random. The last line counts executions, edges of the control flow that were seen, and findings, whose cases are kept.
+# these, for FUZZ_SECONDS together; TARGETS="shape files": some of these. With clang, libFuzzer looks for cases that run
+# through new code; without, cases are random. The last line counts executions, edges of the control flow that were
+# seen, and findings, whose cases are kept.
 : "${MAKE:=make}" "${BUILD:=build}" "${JOBS:=2}" "${FUZZ_SECONDS:=60}" "${CLANG:=clang++}"
 dir=$BUILD/fuzz
 mkdir -p "$dir"
@@ -11,8 +12,10 @@ checks="address,undefined,float-cast-overflow"
 followed=-fsanitize-coverage=inline-8bit-counters,pc-table
 # Tables of kernels, unrolled for each set of registers: clang takes many minutes to optimise them with their checks.
 tables="src/dense/dense_table.cpp src/operators/residual_table.cpp"
-targets="problem polygons basis sequence files shape given parts plane transfer commands model fields quality"
-each=$((FUZZ_SECONDS / 14 > 0 ? FUZZ_SECONDS / 14 : 1))
+targets="problem polygons basis sequence files shape given parts plane transfer commands model fields quality sections"
+if [ -n "${TARGETS-}" ]; then targets=$TARGETS; fi
+n=$(set -- $targets; echo $#)
+each=$((FUZZ_SECONDS / n > 0 ? FUZZ_SECONDS / n : 1))
 flags="-g1 -fno-omit-frame-pointer -fno-sanitize-recover=all"
 executions=0 edges=0 findings=0
 # Blocks that were freed are kept for a while, to see who still uses them: little memory, which stays in the cache.

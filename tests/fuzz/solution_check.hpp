@@ -34,6 +34,8 @@ private:
     void improvement();
     void slide(Numbers& x, Numbers& y);
     void safe_morph();
+    hm_basis* another_basis();
+    void walls_follow(hm_basis* derivative, double fraction);
     void wall_is_at(std::vector<Point> const& at, Numbers const& reached, double turned_offset);
 
     double extent() const;

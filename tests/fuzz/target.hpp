@@ -22,6 +22,7 @@ Outcome run_commands(Input& input);
 Outcome run_model(Input& input);
 Outcome run_fields(Input& input);
 Outcome run_quality(Input& input);
+Outcome run_sections(Input& input);
 
 struct Target {
     const char* name;
@@ -32,6 +33,6 @@ inline constexpr Target targets[] = {
     {"given", run_given},       {"parts", run_parts},       {"plane", run_plane},
     {"transfer", run_transfer}, {"sequence", run_sequence}, {"files", run_files},
     {"shape", run_shape},       {"commands", run_commands}, {"model", run_model},
-    {"fields", run_fields},     {"quality", run_quality}};
+    {"fields", run_fields},     {"quality", run_quality},   {"sections", run_sections}};
 
 }  // namespace fuzz

@@ -71,6 +71,19 @@ TEST_CASE("the derivative of the admissible step agrees with differences") {
     }
 }
 
+TEST_CASE("a finite step has a corner, also where rounding decides between a corner and a piece") {
+    for (NamedCase const& given : polygon_cases()) {
+        Case setup = given.setup;
+        setup.mesh.cell_layout = HM_CELLS_POLYGONS;
+        Bounded const mesh(setup);
+        Field const from = mesh.start();
+        int without = 0;
+        for (unsigned seed = 1; seed < 400; ++seed)
+            without += corners_at(mesh, from, some_field(from.size(), seed, 0.1)).empty();
+        CHECK(without == 0);
+    }
+}
+
 TEST_CASE("where cells compete, the step has the one-sided derivatives of the header") {
     // All columns of a ring compete when the wall grows; a change that breaks the symmetry then
     // lowers the step to both sides.
