@@ -40,14 +40,14 @@ public:
             sorted_ = slots_;
             std::sort(sorted_.begin(), sorted_.end(), before);
         }
-        const std::vector<CoordinateSlot>& slots = sorted_.empty() ? slots_ : sorted_;
-        copy(out, text.substr(0, slots.front().offset));
-        write_rows(out, slots.size(), mesh_.threads, [&](std::size_t k, std::string& to) {
-            const std::size_t end = slots[k].offset + number_length(mesh_, slots[k].offset);
-            write_slot(slots[k], end, to);
-            if (k + 1 < slots.size()) to += text.substr(end, slots[k + 1].offset - end);
+        const std::vector<CoordinateSlot>& in_order = sorted_.empty() ? slots_ : sorted_;
+        copy(out, text.substr(0, in_order.front().offset));
+        write_rows(out, in_order.size(), mesh_.threads, [&](std::size_t k, std::string& to) {
+            const std::size_t end = in_order[k].offset + number_length(mesh_, in_order[k].offset);
+            write_slot(in_order[k], end, to);
+            if (k + 1 < in_order.size()) to += text.substr(end, in_order[k + 1].offset - end);
         });
-        const std::size_t last = slots.back().offset;
+        const std::size_t last = in_order.back().offset;
         copy(out, text.substr(last + number_length(mesh_, last)));
     }
 
