@@ -226,8 +226,8 @@ HM_API hm_status hm_mesh_from_edges(hm_mesh* mesh, void* block, size_t bytes,
  * is positive. Admissible steps are exact for this definition.
  * Quality of such a cell with m convex corners of areas A_k between sides a_k and b_k:
  * m / (sin(2 pi / m) sum_k |a_k| |b_k| / (2 A_k)), at most 1: 1 if all angles are equal, as for a
- * rectangle with hanging nodes; 1 if m is smaller than 3, because all other corners are nearly flat;
- * 0 if the cell is inverted. */
+ * rectangle with hanging nodes; 1 if m is smaller than 3, because all other corners are nearly
+ * flat; 0 if the cell is inverted. */
 
 #ifdef __cplusplus
 }
