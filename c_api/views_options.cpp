@@ -78,9 +78,6 @@ Status check_engine(hm_options const& o, hm_study_options const& study, Fault& f
     if (o.engine == HM_DIRECT) {
         if (study.levels != 0)
             wrong = "options.study.levels must be 0 for HM_DIRECT, which has no levels";
-        if (study.agglomeration != HM_AGGLOMERATE_AUTO) {
-            wrong = "options.study.agglomeration must be 0 for HM_DIRECT, which merges no cells";
-        }
         if (study.block_width != 0)
             wrong =
                 "options.study.block_width must be 0 unless the engine is HM_MULTIGRID or HM_FAS";
@@ -97,6 +94,8 @@ Status check_engine(hm_options const& o, hm_study_options const& study, Fault& f
     }
     if (o.engine != HM_FAS && study.start != HM_START_COARSEST)
         wrong = "options.study.start must be HM_START_COARSEST unless the engine is HM_FAS";
+    if (o.engine != HM_FAS && study.agglomeration != HM_AGGLOMERATE_AUTO)
+        wrong = "options.study.agglomeration must be 0 unless the engine is HM_FAS";
     if (o.engine != HM_FAS && study.cycle != HM_CYCLE_PAPER)
         wrong = "options.study.cycle must be HM_CYCLE_PAPER unless the engine is HM_FAS";
     return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
@@ -204,12 +203,11 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
     problem.iteration.tolerance = method.tolerance;
     problem.progress = {o.progress, o.progress_user};
     HARMORPH_TRY(view_executor(o.executor, problem.executor, fault));
-    method.kernel = problem.executor.kernel;
-    if (!has_kernel(method.kernel)) {
+    if (!has_kernel(problem.executor.kernel)) {
         return fault.refuse(Status::unsupported,
                             "executor.kernel is #, a kernel that this processor lacks; "
                             "HM_KERNEL_AUTO always works",
-                            plain(static_cast<Index>(method.kernel)));
+                            plain(static_cast<Index>(problem.executor.kernel)));
     }
     return Status::ok;
 }

@@ -474,9 +474,10 @@ enum {
     /* Nested dissection and multifrontal Cholesky factorisation; the fastest engine. Plan and
      * analysis take 840 bytes per point for 10 000 points, 1090 for a million. */
     HM_DIRECT = 0,
-    /* Conjugate gradients, preconditioned by agglomeration multigrid. Plan and analysis take 730
-     * bytes per point. The iterations grow with the number of points and with the stretching of
-     * triangles, from 16 to more than 150: see c_api/README.md. */
+    /* Conjugate gradients, preconditioned by algebraic multigrid. The iterations hardly depend on
+     * the number of points nor on the thickness of cells along the wall; with triangles that are
+     * stretched in other directions there are more: see c_api/README.md. The plan takes 535 bytes
+     * per point. */
     HM_MULTIGRID = 1
 };
 /* hm_options.precision, and hm_basis_info.storage */

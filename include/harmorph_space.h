@@ -87,11 +87,10 @@ HM_API hm_status hm_plane_size(const hm_space_mesh* space, size_t* bytes, hm_err
  * points of the plane lie at one place to 1e-4 of the tolerance (the two sides of a cut, of a
  * sliding interface, or of a plate without thickness), a point of another layer follows the one to
  * which an edge of a side joins it; points without such an edge follow in the order of their
- * numbers. Refused
- * (HM_BAD_MESH, error.item: the point or side, error.value: the distance): a point of a face
- * outside the plane of the others; a point that is opposite to no point of the plane, as in a mesh
- * that is not one cell thick; a point of the plane that no point of another layer follows; a side
- * that does not have exactly two different points of the plane. */
+ * numbers. Refused (HM_BAD_MESH, error.item: the point or side, error.value: the distance): a
+ * point of a face outside the plane of the others; a point that is opposite to no point of the
+ * plane, as in a mesh that is not one cell thick; a point of the plane that no point of another
+ * layer follows; a side that does not have exactly two different points of the plane. */
 HM_API hm_status hm_plane_init(hm_plane** plane, void* block, size_t bytes,
                                const hm_space_mesh* space, hm_error* err);
 

@@ -60,14 +60,11 @@ enum {
      * comparison with the paper. See `cycle` of hm_study_options for an improved iteration. */
     HM_FAS = 2
 };
-/* agglomeration: which cells are merged */
+/* agglomeration: which cells HM_FAS merges */
 enum {
     /* along the strong couplings where the aspect ratio exceeds 2, otherwise in any direction */
     HM_AGGLOMERATE_AUTO = 0,
-    /* Cells with the most mesh edges between them, for any aspect ratio: for comparison. On viscous
-     * meshes HM_MULTIGRID may not converge: on one of two meshes the residual was 3e-5 after 200
-     * iterations, where the automatic rule needs 29 iterations; on the other mesh this rule takes
-     * 28 iterations, the automatic one 22. */
+    /* cells with the most mesh edges between them, for any aspect ratio: for comparison */
     HM_AGGLOMERATE_ISOTROPIC = 1,
     HM_AGGLOMERATE_DIRECTIONAL = 2 /* always the most strongly coupled cells */
 };
@@ -98,9 +95,10 @@ typedef struct hm_study_options {
      * 10 000 points, 9 for a million. HM_FAS does not solve the coarsest level exactly: the more
      * cells that level has, the more cycles are needed. */
     int32_t levels;
-    int32_t agglomeration; /* HM_AGGLOMERATE_... */
+    int32_t agglomeration; /* HM_AGGLOMERATE_...: HM_FAS only */
     /* Functions that are solved at a time: 4, 8 or 16; 0 means 8. The vectors of each thread take
-     * 56 bytes of the plan per unknown and function of a block. */
+     * 36 bytes of the plan per unknown and function of a block (HM_FAS: 64). HM_MULTIGRID solves
+     * half as many at a time where cells are too thin for a preconditioner in single precision. */
     int32_t block_width;
     /* The number of iterations after which the call ends with HM_NOT_CONVERGED (HM_FAS: also when a
      * residual has grown by a factor of 1000); 0 means 200; HM_FAS: 2000 cycles, or with one level
@@ -146,11 +144,10 @@ HM_API hm_status hm_analysis_report(const hm_analysis* analysis, hm_mesh_report*
 /* The number of points and the index base of the mesh that the plan was made from. */
 HM_API hm_status hm_plan_points(const hm_plan* plan, int32_t* n_points, int32_t* index_base,
                                 hm_error* err);
-/* The agglomeration, after hm_plan_factor with an engine that has levels: cells [n_points] receives
- * the merged cell, from 0, that contains the control volume of each point on a level (0: the
- * finest); -1 for points with known values. Where points slip, movements along x and y are merged
- * separately; cells are those of the first component. *n_cells: the number of merged cells. Refused
- * if the level does not exist. */
+/* The agglomeration, after hm_plan_factor with HM_FAS: cells [n_points] receives the merged cell,
+ * from 0, that contains the control volume of each point on a level (0: the finest); -1 for points
+ * with known values. *n_cells: the number of merged cells. Refused if the level does not exist, and
+ * for other engines, which merge no cells. */
 HM_API hm_status hm_plan_level(const hm_plan* plan, int32_t level, int32_t* cells, int32_t* n_cells,
                                hm_error* err);
 

@@ -22,6 +22,13 @@ other_versions() {   # files of a release whose version is not that of the heade
 }
 is_empty "the version of the release elsewhere" "$(other_versions | grep -vx ".* ${name#harmorph-}")"
 check "files that name the version" test "$(other_versions | wc -l)" = 7
+dates() {
+    sed -n 's/^## [0-9.]* (\([0-9-]*\)).*/\1/p' c_api/packaging/CHANGELOG.md | head -1
+    sed -n 's/^date-released: //p' c_api/packaging/CITATION.cff
+    sed -n 's/^ -- .*, \([0-9]*\) \([A-Z][a-z]*\) \([0-9]*\) .*/\3 \2 \1/p' c_api/packaging/debian/changelog | head -1 |
+        awk '{ printf "%d-%02d-%02d\n", $1, (index("JanFebMarAprMayJunJulAugSepOctNovDec", $2) + 2) / 3, $3 }'
+}
+check "dates of the release" test "$(dates | wc -l) $(dates | sort -u | wc -l)" = "3 1"
 if tar --version 2>/dev/null | grep -q GNU; then
     check "make dist" $MAKE -s BUILD="$dir/first" dist
     check "make dist, at another time and by another mask of permissions" sh -c 'umask 077; sleep 1; exec "$@"' sh \

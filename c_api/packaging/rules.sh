@@ -45,20 +45,19 @@ put flags echo "$FLAGS $(cat "$LEVELS") $with_zlib"
 
 # level SOURCE: its flags in the file LEVELS
 level() {
-    case $1 in $build/*cli*) set -- c_api/cli/ ;; esac   # files of the program that are joined or generated
     awk -v source="$1" '
         $1 == source || (substr($1, length($1)) == "/" && index(source, $1) == 1) {
             sub(/^[^ ]* /, ""); print; exit
         }' "$LEVELS"
 }
 
-# object PART SOURCE: its rule; adds the object, src-mesh-edges.o of src/mesh/edges.cpp, to $list. The headers that the
-# source includes stand in depends.mk once the object has been made.
+# object PART SOURCE [MEMBER]: its rule; adds the object, src-mesh-edges.o of src/mesh/edges.cpp, to $list. A group has
+# the level of its first MEMBER. The headers that the source includes stand in depends.mk once the object has been made.
 object() {
     name=${2%.cpp} name=${name#$build/} name=${name#objects/$1/}
     name=$build/objects/$1/$(IFS=/; set -- $name; IFS=-; echo "$*").o
     printf '%s: %s %s/flags\n\techo $(CXX) %s\n\t$(CXX) %s $(CXXFLAGS) %s -MMD -MP -c -o $@ %s\n' \
-        "$name" "$2" "$build" "$2" "$(level $2)" "$flags" "$2"
+        "$name" "$2" "$build" "$2" "$(level ${3:-$2})" "$flags" "$2"
     list="$list $name"
 }
 objects() { part=$1; shift; for source do object $part $source; done; }
@@ -67,13 +66,13 @@ objects() { part=$1; shift; for source do object $part $source; done; }
 groups() {
     part=$1 size=$2 how=$3; shift 3
     while [ $# -gt 0 ]; do
-        members= number=0 first=$(basename $1 .cpp) folder=$(basename $(dirname $1))
+        members= number=0 member=$1 first=$(basename $1 .cpp) folder=$(basename $(dirname $1))
         while [ $# -gt 0 ] && [ $number -lt $size ]; do members="$members $1" number=$((number + 1)); shift; done
         group=${first}_and_$((number - 1))
         # Files of different folders may have the same name.
         case "$list " in *"/$group.o "*) group=${folder}_$group ;; esac
         put objects/$part/$group.cpp $how $members
-        object $part $build/objects/$part/$group.cpp
+        object $part $build/objects/$part/$group.cpp $member
     done
 }
 in_turn() { for file do echo "#include \"$file\""; done; }
@@ -104,7 +103,7 @@ all_rules() {
 
     flags='$(CLI)' list=
     objects cli $build/page_text.cpp c_api/cli/formats/cgns*.cpp
-    for rooms in "basics commands curves mesh page" "formats pictures" "sampling"; do
+    for rooms in "basics mesh formats" "commands curves page pictures sampling"; do
         groups cli $in_program in_turn $(for room in $rooms; do ls c_api/cli/$room/*.cpp; done | grep -v /cgns)
     done
     parts=$list

@@ -88,7 +88,7 @@ struct Method {
     Operator operator_kind = Operator::conformal;
     Scheme scheme = Scheme::compact;
     Engine engine = Engine::direct;
-    Kernel kernel = Kernel::automatic;
+    Kernel kernel = Kernel::automatic;   // automatic but in the equations of a plan
     std::int32_t exponent_quarters = 0;  // The weight is k = d^(-exponent_quarters / 4).
     // If this is 1, the offset of a wall point from its curve turns with the curve.
     std::int32_t offset_correction = 0;

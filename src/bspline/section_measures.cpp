@@ -4,7 +4,7 @@
 #include "bspline/section_clearance.hpp"
 #include "bspline/section_curvature.hpp"
 #include "bspline/section_distance.hpp"
-#include "bspline/section_stations.hpp"
+#include "bspline/section_extremes.hpp"
 
 namespace harmorph {
 namespace {

@@ -36,7 +36,7 @@ void Walls::find(Analysis const& analysis, Span<const Index> markers, Points at)
     Mesh const& mesh = analysis.problem().mesh;
     n_points = mesh.n_points;
     index_base = mesh.index_base;
-    tree.kernel = resolved(analysis.problem().method.kernel, analysis.problem().executor.kernel);
+    tree.kernel = resolved(Kernel::automatic, analysis.problem().executor.kernel);
     Index n = 0;
     tree.choose(boundary, [&](Index face) {
         bool const chosen = is_among(boundary.marker[face], markers);

@@ -41,6 +41,9 @@ struct Agglomeration {
     SymmetricRows level[max_levels];  // The finest level, level[0], has the caller's arrays.
     Span<Index> cell_of[max_levels];  // [n] The merged cell of the next coarser level.
 
+    Index n(Index l) const noexcept { return level[l].n; }
+    Offset entries(Index l) const noexcept { return level[l].entries(); }
+
     // Returns an upper bound of the number of cells of all coarse levels together.
     static Offset coarse_cells(Index n) noexcept { return n / (min_reduction - 1); }
 

@@ -239,7 +239,7 @@ private:
         for (Index i = 0; i < cell_of.count(); ++i) {
             Offset const cell = Offset{cell_of[i]} * W;
             add<W>(engine_.area[level][i], at_[level].u + Offset{i} * W, coarse.u + cell);
-            add<W>(1, at_[level].rest + Offset{i} * W, coarse.rest + cell);
+            add<W>(1.0, at_[level].rest + Offset{i} * W, coarse.rest + cell);
         }
         for (Index i = 0; i < n; ++i) {
             for (Index k = 0; k < W; ++k) coarse.u[Offset{i} * W + k] /= engine_.area[below][i];
@@ -299,7 +299,7 @@ private:
             Index const n = a_.level[l + 1].n;
             clear<W>(at_[l + 1].f, n);
             for (Index i = 0; i < a_.level[l].n; ++i) {
-                add<W>(1, at_[l].f + Offset{i} * W, at_[l + 1].f + Offset{a_.cell_of[l][i]} * W);
+                add<W>(1.0, at_[l].f + Offset{i} * W, at_[l + 1].f + Offset{a_.cell_of[l][i]} * W);
             }
         }
         Index const last = a_.count - 1;

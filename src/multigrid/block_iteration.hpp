@@ -19,13 +19,13 @@ Status with_width(Iteration const& iteration, Run const& run) noexcept {
     }
 }
 
-// Calls solve(worker, first function, report, after) for each block. `solve` must call
-// after(iteration, largest relative residual of the block) after each iteration, and return the
-// status of this call if that is not ok.
+// Calls solve(worker, first function, report, after) for each block of `width` functions. `solve`
+// must call after(iteration, largest relative residual of the block) after each iteration, and
+// return the status of this call if that is not ok.
 template <class Solve>
-Status solve_in_blocks(BlockIteration const& engine, Index functions, Progress const& progress,
-                       IterationReport& report, Fault& fault, Solve const& solve) noexcept {
-    Index const width = engine.iteration.block_width;
+Status solve_in_blocks(BlockIteration const& engine, Index width, Index functions,
+                       Progress const& progress, IterationReport& report, Fault& fault,
+                       Solve const& solve) noexcept {
     Index const blocks = (functions + width - 1) / width;
     IterationReport worker_report[Executor::max_threads];
     fill(engine.worker_history, 0.0);
@@ -56,7 +56,6 @@ Status solve_in_blocks(BlockIteration const& engine, Index functions, Progress c
         status = progress.report(Phase::solve, static_cast<Real>(first + n) / blocks, fault);
     }
     report = {};
-    report.levels = engine.levels.count;
     for (IterationReport const& one : worker_report) {
         report.iterations = max(report.iterations, one.iterations);
         report.work = max(report.work, one.work);

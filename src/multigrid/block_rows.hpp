@@ -1,62 +1,67 @@
 // Products of a symmetric matrix with a block of W functions. The W numbers of a cell stand side by
 // side in the vectors. Each routine passes once over the stored triangle of the matrix, so a
-// coefficient is read once for W functions.
+// coefficient is read once for W functions. Vectors may be in single or double precision.
 #pragma once
 
 #include "base/scalar.hpp"
+#include "multigrid/prolongation.hpp"
 #include "operators/symmetric_matrix.hpp"
 
 namespace harmorph::block {
 
 // One number for each function.
-template <Index W>
+template <Index W, class Number = Real>
 struct PerFunction {
-    Real at[W] = {};
-    Real& operator[](Index k) noexcept { return at[k]; }
-    Real operator[](Index k) const noexcept { return at[k]; }
+    Number at[W] = {};
+    Number& operator[](Index k) noexcept { return at[k]; }
+    Number operator[](Index k) const noexcept { return at[k]; }
 };
 
-template <Index W>
-PerFunction<W> load(const Real* from) noexcept {
-    PerFunction<W> out;
+template <Index W, class Number>
+PerFunction<W, Number> load(const Number* from) noexcept {
+    PerFunction<W, Number> out;
     for (Index k = 0; k < W; ++k) out.at[k] = from[k];
     return out;
 }
-template <Index W>
-void store(PerFunction<W> const& from, Real* to) noexcept {
+template <Index W, class Number>
+void store(PerFunction<W, Number> const& from, Number* to) noexcept {
     for (Index k = 0; k < W; ++k) to[k] = from.at[k];
 }
 // Computes to += a x.
-template <Index W>
-void add(Real a, const Real* x, Real* to) noexcept {
+template <Index W, class Number>
+void add(Number a, const Number* x, Number* to) noexcept {
     for (Index k = 0; k < W; ++k) to[k] += a * x[k];
 }
 
-template <Index W>
-void clear(Real* x, Index n) noexcept {
-    std::memset(x, 0, static_cast<Size>(n) * W * sizeof(Real));
+template <Index W, class Number>
+void clear(Number* x, Index n) noexcept {
+    std::memset(x, 0, static_cast<Size>(n) * W * sizeof(Number));
 }
-template <Index W>
-void copy(const Real* from, Real* to, Index n) noexcept {
-    std::memcpy(to, from, static_cast<Size>(n) * W * sizeof(Real));
+template <Index W, class Number>
+void copy(const Number* from, Number* to, Index n) noexcept {
+    std::memcpy(to, from, static_cast<Size>(n) * W * sizeof(Number));
+}
+template <Index W, class From, class To>
+void convert(const From* from, To* to, Index n) noexcept {
+    for (Offset i = 0; i < Offset{n} * W; ++i) to[i] = static_cast<To>(from[i]);
 }
 
-template <Index W>
-PerFunction<W> dot(const Real* x, const Real* y, Index n) noexcept {
+template <Index W, class X, class Y>
+PerFunction<W> dot(const X* x, const Y* y, Index n) noexcept {
     PerFunction<W> sum;
     for (Offset i = 0; i < Offset{n} * W; i += W) {
-        for (Index k = 0; k < W; ++k) sum.at[k] += x[i + k] * y[i + k];
+        for (Index k = 0; k < W; ++k) sum.at[k] += Real{x[i + k]} * Real{y[i + k]};
     }
     return sum;
 }
 
 // Returns the largest absolute values, or NaN for a function that contains a NaN.
-template <Index W>
-PerFunction<W> largest(const Real* x, Index n) noexcept {
+template <Index W, class Number>
+PerFunction<W> largest(const Number* x, Index n) noexcept {
     PerFunction<W> out;
     for (Offset i = 0; i < Offset{n} * W; i += W) {
         for (Index k = 0; k < W; ++k) {
-            Real const size = abs(x[i + k]);
+            Real const size = abs(Real{x[i + k]});
             out.at[k] = exceeds(size, out.at[k]) ? size : out.at[k];
         }
     }
@@ -64,8 +69,8 @@ PerFunction<W> largest(const Real* x, Index n) noexcept {
 }
 
 // Computes y += a x, with one factor for each function; returns the squared norms of y.
-template <Index W>
-PerFunction<W> add_multiple(PerFunction<W> const& a, const Real* x, Real* y, Index n) noexcept {
+template <Index W, class Number>
+PerFunction<W> add_multiple(PerFunction<W> const& a, const Number* x, Real* y, Index n) noexcept {
     PerFunction<W> sum;
     for (Offset i = 0; i < Offset{n} * W; i += W) {
         for (Index k = 0; k < W; ++k) {
@@ -77,21 +82,24 @@ PerFunction<W> add_multiple(PerFunction<W> const& a, const Real* x, Real* y, Ind
 }
 
 // Computes x = a x + b y.
-template <Index W>
-void combine(PerFunction<W> const& a, Real* x, PerFunction<W> const& b, const Real* y,
+template <Index W, class Number>
+void combine(PerFunction<W> const& a, Number* x, PerFunction<W> const& b, const Number* y,
              Index n) noexcept {
     for (Offset i = 0; i < Offset{n} * W; i += W) {
-        for (Index k = 0; k < W; ++k) x[i + k] = a.at[k] * x[i + k] + b.at[k] * y[i + k];
+        for (Index k = 0; k < W; ++k)
+            x[i + k] = static_cast<Number>(a.at[k] * x[i + k] + b.at[k] * y[i + k]);
     }
 }
 
 // Computes y += sign A x, flux by flux: row j loses what row i gains. Returns x.A x, as a sum of
 // squares.
-template <Index W>
-PerFunction<W> add_product(SymmetricRows const& rows, Real sign, const Real* x, Real* y) noexcept {
+template <Index W, class Number>
+PerFunction<W> add_product(SymmetricRows const& rows, Real sign, const Number* x,
+                           Real* y) noexcept {
     PerFunction<W> squares;
     for (Index i = 0; i < rows.n; ++i) {
-        PerFunction<W> const own = load<W>(x + Offset{i} * W);
+        PerFunction<W> own;
+        for (Index k = 0; k < W; ++k) own.at[k] = x[Offset{i} * W + k];
         PerFunction<W> sum = load<W>(y + Offset{i} * W);
         add<W>(sign * rows.row_sum[i], own.at, sum.at);
         for (Index k = 0; k < W; ++k) squares.at[k] += rows.row_sum[i] * own.at[k] * own.at[k];
@@ -111,8 +119,8 @@ PerFunction<W> add_product(SymmetricRows const& rows, Real sign, const Real* x, 
 }
 
 // Computes y = A x; returns x.y.
-template <Index W>
-PerFunction<W> multiply(SymmetricRows const& rows, const Real* x, Real* y) noexcept {
+template <Index W, class Number>
+PerFunction<W> multiply(SymmetricRows const& rows, const Number* x, Real* y) noexcept {
     clear<W>(y, rows.n);
     return add_product<W>(rows, 1, x, y);
 }
@@ -141,66 +149,73 @@ PerFunction<W> energy(SymmetricRows const& rows, const Real* x) noexcept {
 }
 
 // The functions below are the parts of symmetric Gauss-Seidel with a coarse correction in between,
-// for A = L + D + L^T, a start of 0, and a single array:
-//   x = r;
-//   forward:    x = (L + D)^-1 x;
-//   to_defect:  defect = sums of r - A x = -L^T x, and x = D x;
-//   correct:    x -= L (correction);
+// for A = L + D + L^T, a start of 0, and a single array for the right-hand side r and the result:
+//   forward:    x = (L + D)^-1 r;
+//   to_defect:  defect = P^T (r - A x) = -P^T L^T x, and x = D x;
+//   correct:    x -= L P (correction);
 //   backward:   x = (D + L^T)^-1 x.
-template <Index W>
-void forward(SymmetricRows const& rows, Real* x) noexcept {
+template <Index W, class Rows, class Number>
+void forward(Rows const& rows, Number* x) noexcept {
     for (Index i = 0; i < rows.n; ++i) {
-        Real* const own = x + Offset{i} * W;
-        Real const inverse = 1 / rows.diagonal[i];
-        PerFunction<W> value;
+        Number* const own = x + Offset{i} * W;
+        Number const inverse = static_cast<Number>(1 / rows.diagonal[i]);
+        PerFunction<W, Number> value;
         for (Index k = 0; k < W; ++k) own[k] = value.at[k] = own[k] * inverse;
         for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
-            add<W>(-rows.value[e], value.at, x + Offset{rows.column[e]} * W);
+            add<W>(-static_cast<Number>(rows.value[e]), value.at, x + Offset{rows.column[e]} * W);
         }
     }
 }
 
-template <Index W>
-void scale_by_diagonal(SymmetricRows const& rows, Real* x) noexcept {
+template <Index W, class Rows, class Number>
+void scale_by_diagonal(Rows const& rows, Number* x) noexcept {
     for (Index i = 0; i < rows.n; ++i) {
-        for (Index k = 0; k < W; ++k) x[Offset{i} * W + k] *= rows.diagonal[i];
+        Number const diagonal = static_cast<Number>(rows.diagonal[i]);
+        for (Index k = 0; k < W; ++k) x[Offset{i} * W + k] *= diagonal;
     }
 }
 
-template <Index W>
-void to_defect(SymmetricRows const& rows, Span<const Index> cell_of, Index n_coarse, Real* x,
-               Real* defect) noexcept {
+template <Index W, class Rows, class Number>
+void to_defect(Rows const& rows, Prolongation const& by, Index n_coarse, Number* x,
+               Number* defect) noexcept {
     clear<W>(defect, n_coarse);
     for (Index i = 0; i < rows.n; ++i) {
-        PerFunction<W> sum;
+        PerFunction<W, Number> sum;
         for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
-            add<W>(rows.value[e], x + Offset{rows.column[e]} * W, sum.at);
+            add<W>(static_cast<Number>(rows.value[e]), x + Offset{rows.column[e]} * W, sum.at);
         }
-        add<W>(-1, sum.at, defect + Offset{cell_of[i]} * W);
+        for (Offset e = by.start[i]; e < by.start[i + 1]; ++e) {
+            add<W>(-static_cast<Number>(by.weight[e]), sum.at, defect + Offset{by.column[e]} * W);
+        }
+        Number const diagonal = static_cast<Number>(rows.diagonal[i]);
         for (Index k = 0; k < W; ++k)
-            x[Offset{i} * W + k] *= rows.diagonal[i];  // Later rows do not read this number.
+            x[Offset{i} * W + k] *= diagonal;  // Later rows do not read this number.
     }
 }
 
-template <Index W>
-void correct(SymmetricRows const& rows, Span<const Index> cell_of, const Real* correction,
-             Real* x) noexcept {
+template <Index W, class Rows, class Number>
+void correct(Rows const& rows, Prolongation const& by, const Number* correction,
+             Number* x) noexcept {
     for (Index i = 0; i < rows.n; ++i) {
-        PerFunction<W> const by = load<W>(correction + Offset{cell_of[i]} * W);
+        PerFunction<W, Number> change;
+        for (Offset e = by.start[i]; e < by.start[i + 1]; ++e) {
+            add<W>(static_cast<Number>(by.weight[e]), correction + Offset{by.column[e]} * W,
+                   change.at);
+        }
         for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
-            add<W>(-rows.value[e], by.at, x + Offset{rows.column[e]} * W);
+            add<W>(-static_cast<Number>(rows.value[e]), change.at, x + Offset{rows.column[e]} * W);
         }
     }
 }
 
-template <Index W>
-void backward(SymmetricRows const& rows, Real* x) noexcept {
+template <Index W, class Rows, class Number>
+void backward(Rows const& rows, Number* x) noexcept {
     for (Index i = rows.n - 1; i >= 0; --i) {
-        PerFunction<W> sum = load<W>(x + Offset{i} * W);
+        PerFunction<W, Number> sum = load<W>(x + Offset{i} * W);
         for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
-            add<W>(-rows.value[e], x + Offset{rows.column[e]} * W, sum.at);
+            add<W>(-static_cast<Number>(rows.value[e]), x + Offset{rows.column[e]} * W, sum.at);
         }
-        Real const inverse = 1 / rows.diagonal[i];
+        Number const inverse = static_cast<Number>(1 / rows.diagonal[i]);
         for (Index k = 0; k < W; ++k) x[Offset{i} * W + k] = sum.at[k] * inverse;
     }
 }

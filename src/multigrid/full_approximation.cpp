@@ -11,7 +11,8 @@ void FullApproximation::lay_out(Arena& arena, Index n, Index functions, Iteratio
     if (chosen.max_iterations == 0) {
         chosen.max_iterations = chosen.merging.max_levels == 1 ? default_steps : default_cycles;
     }
-    BlockIteration::lay_out(arena, n, functions, chosen, threads);
+    BlockIteration::lay_out(arena, functions, chosen, threads);
+    levels.lay_out(arena, n);
     Offset const cells = n + Agglomeration::coarse_cells(n);
     arena.take(rate_pool, cells);
     arena.take(area_pool, cells);
@@ -33,7 +34,8 @@ void FullApproximation::lay_out_vectors(Arena& arena, Index n) noexcept {
 
 Status FullApproximation::set_up(SymmetricRows const& finest, Fault& fault) noexcept {
     HARMORPH_TRY(check_diagonals(finest, fault));
-    merge(finest);
+    levels.build(finest, iteration.merging);
+    measure_work(levels);
     Offset used = 0;
     for (Index l = 0; l < levels.count; ++l) {
         rate[l] = rate_pool.from(used, levels.level[l].n);
@@ -82,9 +84,11 @@ Status FullApproximation::solve(Rows const& values, const NodalGradient* scheme,
             return block::ApproximationCycles<w>(*this, finest, own_vectors, values, first)
                 .run(block_report, after);
         };
-        return solve_in_blocks(*this, values.width, progress, report, fault, solve_block);
+        return solve_in_blocks(*this, w, values.width, progress, report, fault, solve_block);
     };
-    return with_width(iteration, run);
+    Status const status = with_width(iteration, run);
+    report.levels = levels.count;
+    return status;
 }
 
 }  // namespace harmorph

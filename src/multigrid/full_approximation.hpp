@@ -10,7 +10,6 @@
 #include "mesh/control_volumes.hpp"
 #include "multigrid/iteration.hpp"
 #include "operators/nodal_gradient.hpp"
-#include "multigrid/runge_kutta.hpp"
 
 namespace harmorph {
 
@@ -29,6 +28,7 @@ struct FullApproximation : BlockIteration {
     // damping_limit leaves.
     static constexpr Real plain_stretch = 2.5;
 
+    Agglomeration levels;
     ControlVolumes volumes;  // The control volumes of the finest level.
     // The rows of the scheme of nodal gradients; 0 means the compact scheme.
     Index scheme_rows = 0;

@@ -1,17 +1,15 @@
 #include "multigrid/iteration.hpp"
 
 #include "base/scalar.hpp"
-#include "multigrid/runge_kutta.hpp"
 
 namespace harmorph {
 
-void BlockIteration::lay_out(Arena& arena, Index n, Index functions, Iteration const& asked,
+void BlockIteration::lay_out(Arena& arena, Index functions, Iteration const& asked,
                              Executor const& threads) noexcept {
     iteration = asked;
     executor = threads;
     Index const blocks = (functions + iteration.block_width - 1) / iteration.block_width;
     workers = executor.is_serial() ? 1 : min(executor.n_threads, blocks);
-    levels.lay_out(arena, n);
     arena.take(worker_history, Offset{workers} * iteration.history.count());
 }
 
@@ -20,15 +18,6 @@ Status BlockIteration::check_diagonals(SymmetricRows const& rows, Fault& fault) 
         if (!(rows.diagonal[i] > 0)) return refuse_row(i, fault);
     }
     return Status::ok;
-}
-
-void BlockIteration::merge(SymmetricRows const& finest) noexcept {
-    levels.build(finest, iteration.merging);
-    auto const numbers = [](SymmetricRows const& rows) {
-        return static_cast<Real>(rows.n) + 2 * static_cast<Real>(rows.entries());
-    };
-    for (Index l = 0; l < levels.count; ++l)
-        product_work[l] = numbers(levels.level[l]) / numbers(levels.level[0]) / stages;
 }
 
 Status BlockIteration::refuse_row(Index position, Fault& fault) noexcept {

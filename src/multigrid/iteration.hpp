@@ -1,9 +1,9 @@
-// The common members of the iterative engines: options, agglomerated levels, and blocks of
-// functions. tests/multigrid/test_block_rows.cpp and tests/multigrid/test_multigrid.cpp cover this
-// file.
+// The common members of the iterative engines: options, and blocks of functions.
+// tests/multigrid/test_block_rows.cpp and tests/multigrid/test_multigrid.cpp cover this file.
 #pragma once
 
 #include "multigrid/agglomeration.hpp"
+#include "multigrid/runge_kutta.hpp"
 #include "base/executor.hpp"
 #include "base/progress.hpp"
 #include "base/row_view.hpp"
@@ -46,19 +46,20 @@ struct BlockIteration {
     Iteration iteration;
     Executor executor;
     Index workers = 1;
-    Agglomeration levels;
     // The work of a product of a level's matrix and a vector; see IterationReport::work.
     Real product_work[Agglomeration::max_levels];
     Span<Real> vectors;         // [workers x numbers of a worker]
     Span<Real> worker_history;  // [workers x history]
 
-    void lay_out(Arena& arena, Index n, Index functions, Iteration const& asked,
+    void lay_out(Arena& arena, Index functions, Iteration const& asked,
                  Executor const& threads) noexcept;
     // Checks that all diagonals are positive; otherwise fault.item is a position of the
     // elimination.
     static Status check_diagonals(SymmetricRows const& rows, Fault& fault) noexcept;
-    // Builds the levels.
-    void merge(SymmetricRows const& finest) noexcept;
+    // Sets the work of a product on each level, of which n(level) and entries(level) are the
+    // counts.
+    template <class Levels>
+    void measure_work(Levels const& levels) noexcept;
     static Status refuse_row(Index position, Fault& fault) noexcept;
     // Records the residual of a block in the worker's history, which has the maximum over all
     // blocks of the worker.
@@ -66,5 +67,13 @@ struct BlockIteration {
     // Writes the maximum over all workers to iteration.history.
     void merge_histories() const noexcept;
 };
+
+template <class Levels>
+void BlockIteration::measure_work(Levels const& levels) noexcept {
+    auto const numbers = [&](Index level) {
+        return static_cast<Real>(levels.n(level)) + 2 * static_cast<Real>(levels.entries(level));
+    };
+    for (Index l = 0; l < levels.count; ++l) product_work[l] = numbers(l) / numbers(0) / stages;
+}
 
 }  // namespace harmorph

@@ -1,30 +1,36 @@
-// Conjugate gradients with a K-cycle over agglomerated levels as preconditioner, and symmetric
-// Gauss-Seidel as smoother. Sources: Y. Notay, Electron. Trans. Numer. Anal. 37 (2010) 123
-// (aggregation and K-cycle); Y. Notay, P. S. Vassilevski, Numer. Linear Algebra Appl. 15 (2008) 473
-// (the two inner steps of the K-cycle); Y. Notay, SIAM J. Sci. Comput. 22 (2000) 1444 (flexible
-// conjugate gradients).
+// Conjugate gradients with a V-cycle of algebraic multigrid as preconditioner, and symmetric
+// Gauss-Seidel as smoother. Sources: J. W. Ruge, K. Stueben, Algebraic multigrid (1987); Y. Notay,
+// SIAM J. Sci. Comput. 22 (2000) 1444 (flexible conjugate gradients).
 #pragma once
 
 #include "bspline/envelope_cholesky.hpp"
+#include "multigrid/coarse_points.hpp"
 #include "multigrid/iteration.hpp"
 
 namespace harmorph {
 
+// The preconditioner, and with it the search directions, are in single precision; the solution, its
+// residual and all sums are in double precision. Rounding to single precision disturbs smooth
+// vectors by rough ones of relative size 6e-8, whose energy is larger by the condition number of
+// D^-1 A, where D is the diagonal of A. In thin cells this number may be so large that the
+// disturbance has more energy than the vector. The preconditioner is then in double precision, with
+// half as many functions at a time, so that the vectors fit into the same memory.
 struct Multigrid : BlockIteration {
     static constexpr Index default_iterations = 200;
-    // The vectors of a worker; each has block_width numbers for a cell.
-    static constexpr Index finest_vectors = 5, coarse_vectors = 4;
+    // With condition numbers up to this one, iterations in single and in double precision were
+    // equally many; from 6e8 on, single precision took up to 2.4 times as many.
+    static constexpr Real largest_single_condition = 1e8;
 
+    CoarsePoints levels;
     // The Cholesky factor of the coarsest level, if that level is small enough.
     EnvelopeMatrix bottom;
     bool has_bottom = false;
+    bool is_single = false;
 
     void lay_out(Arena& arena, Index n, Index functions, Iteration const& asked,
                  Executor const& threads) noexcept;
     // These are the working spaces of set_up() and of solve(); both may occupy the same memory.
-    void lay_out_work(Arena& arena, Index n, Offset entries) noexcept {
-        levels.lay_out_work(arena, n, entries);
-    }
+    void lay_out_work(Arena& arena, Index n, Offset entries) noexcept;
     void lay_out_vectors(Arena& arena, Index n) noexcept;
 
     // Makes the coarse levels of this matrix. On Status::not_positive, fault.item is a position of
@@ -36,9 +42,16 @@ struct Multigrid : BlockIteration {
                  Fault& fault) const noexcept;
 
 private:
-    static Offset worker_rows(Index n) noexcept {
-        return Offset{finest_vectors} * n + coarse_vectors * Agglomeration::coarse_cells(n);
-    }
+    // The vectors of the finest level: in double precision and in that of the preconditioner. A
+    // coarse level has one of the latter.
+    static constexpr Index double_vectors = 3, preconditioner_vectors = 2;
+    template <class Number>
+    static Offset worker_bytes(Index n, Index width) noexcept;
+    Offset worker_reals(Index n) const noexcept;
+    bool factor_bottom() noexcept;
+    Real estimate_condition() noexcept;
+
+    Span<Real> loads_;  // [n] of all levels, for estimate_condition()
 };
 
 }  // namespace harmorph

@@ -1,4 +1,4 @@
-// The K-cycle for a block of W functions, and the conjugate gradients that it preconditions.
+// The V-cycle for a block of W functions, and the conjugate gradients that it preconditions.
 // tests/multigrid/test_multigrid.cpp covers this file.
 #pragma once
 
@@ -14,112 +14,78 @@ inline Real per_energy(Real product, Real energy) noexcept {
     return energy > 0 && smallest * abs(product) <= energy ? product / energy : 0;
 }
 
-template <Index W>
+// The V-cycle for a block of W functions, in the precision of Number.
+template <Index W, class Number>
 class Cycle {
 public:
-    Cycle(Multigrid const& engine, Real* vectors) noexcept : engine_(engine), a_(engine.levels) {
-        Index const n = a_.level[0].n;
-        for (Index k = 0; k < Multigrid::finest_vectors; ++k, vectors += Offset{n} * W)
-            finest[k] = vectors;
-        for (Index l = 1; l < a_.count; ++l) {
-            for (Index k = 0; k < Multigrid::coarse_vectors;
-                 ++k, vectors += Offset{a_.level[l].n} * W) {
-                coarse_[l][k] = vectors;
-            }
+    // vectors: one for each coarse level.
+    Cycle(Multigrid const& engine, Number* vectors) noexcept
+        : engine_(engine), levels_(engine.levels) {
+        for (Index l = 1; l < levels_.count; ++l) {
+            coarse_[l] = vectors;
+            vectors += Offset{levels_.n(l)} * W;
         }
     }
 
-    Real* finest[Multigrid::finest_vectors];
-
-    // Computes z = B r, where B approximates the inverse. B is positive definite, but depends
-    // weakly on r through the inner steps of the cycle, so the conjugate gradients must be
-    // flexible.
-    void precondition(const Real* r, Real* z) noexcept { precondition(0, r, z); }
+    // Replaces r by B r, where B approximates the inverse; B is symmetric and positive definite.
+    void precondition(Number* r) noexcept { precondition(0, r); }
 
     // Returns the work of all calls so far, see IterationReport::work.
     Real work() const noexcept { return work_; }
     void count_products(Index level, Index n) noexcept { work_ += n * engine_.product_work[level]; }
 
 private:
-    bool is_last(Index level) const noexcept { return level + 1 == a_.count; }
-
-    void precondition(Index level, const Real* r, Real* z) noexcept {
-        SymmetricRows const& rows = a_.level[level];
-        copy<W>(r, z, rows.n);
-        if (is_last(level) && engine_.has_bottom) return solve_bottom(z);
-        forward<W>(rows, z);
+    void precondition(Index level, Number* x) noexcept {
+        bool const is_last = level + 1 == levels_.count;
+        if (is_last && engine_.has_bottom) return solve_bottom(x);
         // Each of the four passes goes through one triangle of the matrix.
-        count_products(level, is_last(level) ? 1 : 2);
-        if (is_last(level)) {
-            scale_by_diagonal<W>(rows, z);
-        } else {
-            Index const below = level + 1;
-            to_defect<W>(rows, a_.cell_of[level], a_.level[below].n, z, coarse_[below][0]);
-            solve(below);
-            correct<W>(rows, a_.cell_of[level], coarse_[below][1], z);
-        }
-        backward<W>(rows, z);
+        count_products(level, is_last ? 1 : 2);
+        levels_.visit(level, [&](auto const& rows) {
+            forward<W>(rows, x);
+            if (is_last) {
+                scale_by_diagonal<W>(rows, x);
+            } else {
+                Number* const coarse = coarse_[level + 1];
+                Prolongation const& by = levels_.finer[level];
+                to_defect<W>(rows, by, levels_.n(level + 1), x, coarse);
+                precondition(level + 1, coarse);
+                correct<W>(rows, by, coarse, x);
+            }
+            backward<W>(rows, x);
+        });
     }
 
-    // Makes two steps of flexible conjugate gradients from 0, each preconditioned by the coarser
-    // levels (K-cycle).
-    void solve(Index level) noexcept {
-        SymmetricRows const& rows = a_.level[level];
-        Real* const r = coarse_[level][0];
-        Real* const c = coarse_[level][1];
-        Real* const v = coarse_[level][2];
-        Real* const d = coarse_[level][3];
-        precondition(level, r, c);
-        if (is_last(level) && engine_.has_bottom) return;
-        PerFunction<W> const along_r = dot<W>(c, r, rows.n);
-        PerFunction<W> const along = multiply<W>(rows, c, v);
-        PerFunction<W> step, minus_step;
-        for (Index k = 0; k < W; ++k) {
-            step[k] = per_energy(along_r[k], along[k]);
-            minus_step[k] = -step[k];
-        }
-        add_multiple<W>(minus_step, v, r, rows.n);
-
-        precondition(level, r, d);
-        PerFunction<W> const across = dot<W>(d, v, rows.n);
-        PerFunction<W> const second_r = dot<W>(d, r, rows.n);
-        PerFunction<W> const second = energy<W>(rows, d);
-        count_products(level, 2);
-        PerFunction<W> second_step;
-        for (Index k = 0; k < W; ++k) {
-            Real const projection = per_energy(across[k], along[k]);
-            second_step[k] = per_energy(second_r[k], second[k] - projection * across[k]);
-            step[k] -= projection * second_step[k];
-        }
-        combine<W>(step, c, second_step, d, rows.n);
-    }
-
-    void solve_bottom(Real* x) const noexcept {
-        Index const n = a_.level[a_.count - 1].n;
-        Real column[Agglomeration::coarsest];
+    void solve_bottom(Number* x) const noexcept {
+        Index const n = levels_.n(levels_.count - 1);
+        Real column[CoarsePoints::coarsest];
         for (Index k = 0; k < W; ++k) {
             for (Index i = 0; i < n; ++i) column[i] = x[Offset{i} * W + k];
             engine_.bottom.solve({column, static_cast<Size>(n)});
-            for (Index i = 0; i < n; ++i) x[Offset{i} * W + k] = column[i];
+            for (Index i = 0; i < n; ++i) x[Offset{i} * W + k] = static_cast<Number>(column[i]);
         }
     }
 
     Multigrid const& engine_;
-    Agglomeration const& a_;
+    CoarsePoints const& levels_;
     Real work_ = 0;
-    Real* coarse_[Agglomeration::max_levels][Multigrid::coarse_vectors];
+    Number* coarse_[CoarsePoints::max_levels];
 };
 
 // Flexible conjugate gradients for functions first .. first + W - 1 of `values`; functions behind
 // the last one are 0.
-template <Index W>
+template <Index W, class Number>
 class ConjugateGradients {
 public:
     ConjugateGradients(Multigrid const& engine, Real* vectors, Rows const& values,
                        Index first) noexcept
         : engine_(engine),
-          rows_(engine.levels.level[0]),
-          cycle_(engine, vectors),
+          rows_(engine.levels.finest),
+          x_(vectors),
+          r_(x_ + Offset{rows_.n} * W),
+          q_(r_ + Offset{rows_.n} * W),
+          z_(reinterpret_cast<Number*>(q_ + Offset{rows_.n} * W)),
+          p_(z_ + Offset{rows_.n} * W),
+          cycle_(engine, p_ + Offset{rows_.n} * W),
           values_(values),
           first_(first),
           width_(min(W, values.width - first)) {}
@@ -130,12 +96,12 @@ public:
     Status run(IterationReport& report, After const& after) noexcept {
         Index& iterations = report.iterations;
         for (Index i = 0; i < rows_.n; ++i) {
-            Real* const row = r() + Offset{i} * W;
+            Real* const row = r_ + Offset{i} * W;
             const Real* const given = values_[i] + first_;
             for (Index k = 0; k < W; ++k) row[k] = k < width_ ? given[k] : 0;
         }
-        clear<W>(x(), rows_.n);
-        squares_ = first_squares_ = dot<W>(r(), r(), rows_.n);
+        clear<W>(x_, rows_.n);
+        squares_ = first_squares_ = dot<W>(r_, r_, rows_.n);
         errors_ = {};
         HARMORPH_TRY(after(0, largest_residual()));
         // The recursively updated residual drifts from the true one, so a function has converged
@@ -152,18 +118,12 @@ public:
         report.work = cycle_.work();
         for (Index i = 0; i < rows_.n; ++i) {
             Real* const to = values_[i] + first_;
-            for (Index k = 0; k < width_; ++k) to[k] = x()[Offset{i} * W + k];
+            for (Index k = 0; k < width_; ++k) to[k] = x_[Offset{i} * W + k];
         }
         return Status::ok;
     }
 
 private:
-    Real* x() const noexcept { return cycle_.finest[0]; }
-    Real* r() const noexcept { return cycle_.finest[1]; }
-    Real* z() const noexcept { return cycle_.finest[2]; }
-    Real* p() const noexcept { return cycle_.finest[3]; }
-    Real* q() const noexcept { return cycle_.finest[4]; }
-
     // Thin cells have by far the largest entries, so elsewhere a small norm of the residual, or a
     // small energy, may hide a large error. B r approximates the error; the maximum of B r must be
     // small relative to the largest value.
@@ -196,55 +156,58 @@ private:
         Index const n = rows_.n;
         PerFunction<W> one;
         for (Index k = 0; k < W; ++k) one[k] = 1;
-        cycle_.precondition(r(), z());
-        estimate_errors();
-        copy<W>(z(), p(), n);
+        precondition();
+        copy<W>(z_, p_, n);
         while (iterations < engine_.iteration.max_iterations && !converged()) {
-            PerFunction<W> const along = multiply<W>(rows_, p(), q());
+            PerFunction<W> const along = multiply<W>(rows_, p_, q_);
             cycle_.count_products(0, 1);
             // The step leads to the minimum of the energy along p, so the energy of the error never
             // grows for any p.
-            PerFunction<W> step = dot<W>(p(), r(), n), minus_step;
+            PerFunction<W> step = dot<W>(p_, r_, n), minus_step;
             // Converged functions keep their values.
             for (Index k = 0; k < W; ++k) {
                 step[k] = is_done(k) ? 0 : per_energy(step[k], along[k]);
                 minus_step[k] = -step[k];
             }
-            add_multiple<W>(step, p(), x(), n);
-            squares_ = add_multiple<W>(minus_step, q(), r(), n);
+            add_multiple<W>(step, p_, x_, n);
+            squares_ = add_multiple<W>(minus_step, q_, r_, n);
             ++iterations;
             HARMORPH_TRY(after(iterations, largest_residual()));
-            cycle_.precondition(r(), z());
-            estimate_errors();
-            PerFunction<W> beta = dot<W>(z(), q(), n);
+            precondition();
+            PerFunction<W> beta = dot<W>(z_, q_, n);
             for (Index k = 0; k < W; ++k) beta[k] = per_energy(-beta[k], along[k]);
-            combine<W>(beta, p(), one, z(), n);
+            combine<W>(beta, p_, one, z_, n);
         }
         return Status::ok;
     }
 
-    void estimate_errors() noexcept {
-        errors_ = largest<W>(z(), rows_.n);
-        sizes_ = largest<W>(x(), rows_.n);
+    // Computes z = B r, which estimates the error.
+    void precondition() noexcept {
+        convert<W>(r_, z_, rows_.n);
+        cycle_.precondition(z_);
+        errors_ = largest<W>(z_, rows_.n);
+        sizes_ = largest<W>(x_, rows_.n);
     }
 
     void take_true_residual() noexcept {
-        multiply<W>(rows_, x(), q());
+        multiply<W>(rows_, x_, q_);
         cycle_.count_products(0, 1);
         squares_ = {};
         for (Index i = 0; i < rows_.n; ++i) {
             const Real* const given = values_[i] + first_;
             for (Index k = 0; k < W; ++k) {
                 Offset const at = Offset{i} * W + k;
-                r()[at] = (k < width_ ? given[k] : 0) - q()[at];
-                squares_[k] += r()[at] * r()[at];
+                r_[at] = (k < width_ ? given[k] : 0) - q_[at];
+                squares_[k] += r_[at] * r_[at];
             }
         }
     }
 
     Multigrid const& engine_;
     SymmetricRows const& rows_;
-    Cycle<W> cycle_;
+    Real *x_, *r_, *q_;
+    Number *z_, *p_;
+    Cycle<W, Number> cycle_;
     Rows const& values_;
     Index first_, width_;
     // The squared norms of the residuals, of the current ones and of those at the beginning.

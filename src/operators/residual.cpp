@@ -32,17 +32,16 @@ void list_rows_left_over(Residual const& work, Matrix const& matrix, Index left_
     }
 }
 
-template <class To>
-void find_balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first,
-                   Index n, To* value, Residual::Norms& norms) noexcept {
+Residual::Norms find_balances(Residual const& work, Matrix const& matrix, DofValues const& dofs,
+                              Index first, Index n, bool stores) noexcept {
     SubtreeRanges const& subtrees = work.subtrees;
-    auto const find = residual_kernels<To>(work.kernel).find_balances;
+    auto const find = residual_kernels(work.kernel).find_balances;
     list_couplings(work, matrix);
-    Residual::Norms norms_of[max_subtrees];
+    Residual::Norms norms, norms_of[max_subtrees];
     Index left_over[max_subtrees];
     work.executor.for_each(subtrees.count, [&](Index i) {
         BalancedRows task{subtrees.subtree[i], subtrees.subtree[i].end};
-        find(work, matrix, dofs, first, n, task, value, norms_of[i]);
+        find(work, matrix, dofs, first, n, task, stores, norms_of[i]);
         left_over[i] = task.left_over;
     });
     for (Index i = 0; i < subtrees.count; ++i) {
@@ -51,8 +50,9 @@ void find_balances(Residual const& work, Matrix const& matrix, DofValues const& 
     }
     subtrees.for_each_between(matrix.n, [&](PositionRange rows) {
         BalancedRows task{rows, matrix.n};
-        find(work, matrix, dofs, first, n, task, value, norms);
+        find(work, matrix, dofs, first, n, task, stores, norms);
     });
+    return norms;
 }
 
 // Adds the chosen columns of the rows `from` to F.
@@ -158,20 +158,12 @@ Residual::Norms Residual::compute(Matrix const& matrix, DofValues const& dofs, I
                                   Index n) const noexcept {
     if (matrix.kind() == MatrixKind::coupled_xy)
         return find_turned_balances(matrix, dofs, first, n, width, value);
-    Norms norms;
-    if (single.empty()) {
-        find_balances(*this, matrix, dofs, first, n, value.data(), norms);
-    } else {
-        find_balances(*this, matrix, dofs, first, n, single.data(), norms);
-    }
-    return norms;
+    return find_balances(*this, matrix, dofs, first, n, true);
 }
 
 Residual::Norms Residual::measure(Matrix const& matrix, DofValues const& dofs, Index first,
                                   Index n) const noexcept {
-    Norms norms;
-    find_balances(*this, matrix, dofs, first, n, static_cast<Real*>(nullptr), norms);
-    return norms;
+    return find_balances(*this, matrix, dofs, first, n, false);
 }
 
 Real Residual::backward_error(Matrix const& matrix, DofValues const& dofs,

@@ -25,7 +25,7 @@ HARMORPH_INLINE void load(const Real* from, Index n, Vector (&to)[vectors]) noex
     }
 }
 
-template <Index planes, class To>
+template <Index planes>
 class Balances {
 public:
     Balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first,
@@ -41,9 +41,8 @@ public:
           plane_(dofs.columns(matrix)),
           task_(task) {}
 
-    void run(To* value, Index width, Residual::Norms& norms) noexcept {
+    void run(Residual const& work, bool stores, Residual::Norms& norms) noexcept {
         PositionRange const rows = task_.rows;
-        if (value != nullptr) value += Offset{rows.begin} * planes * width;
         fixed_end_ = fixed_before(rows.begin);
         for (Index i = rows.begin; i < rows.end; ++i) {
             fetch(i + rows_ahead);
@@ -59,10 +58,9 @@ public:
             while (fixed_end_ < matrix_.fixed_row.count() && matrix_.fixed_row[fixed_end_] == i)
                 ++fixed_end_;
             sum_flows(true, norms);
-            if (value == nullptr) continue;
-            for (Index p = 0; p < planes; ++p, value += width) {
-                for (Index k = 0; k < n_; ++k) value[k] = static_cast<To>(rest_[p][k]);
-            }
+            if (!stores) continue;
+            if (work.single.empty()) store_row(i, work.width, work.value);
+            else store_row(i, work.width, work.single);
         }
     }
 
@@ -76,6 +74,14 @@ private:
     const Real* at(Index position) const noexcept { return dofs_.at(position) + first_; }
     static Real imaginary(Span<Real> numbers, Offset entry) noexcept {
         return planes == 2 ? numbers[entry] : 0;
+    }
+
+    template <class To>
+    void store_row(Index row, Index width, Span<To> values) const noexcept {
+        To* to = values.data() + Offset{row} * planes * width;
+        for (Index p = 0; p < planes; ++p, to += width) {
+            for (Index k = 0; k < n_; ++k) to[k] = static_cast<To>(rest_[p][k]);
+        }
     }
 
     // Returns the number of entries of Matrix::fixed_row before this row.
@@ -263,24 +269,22 @@ private:
     Neighbour neighbour_[max_neighbours];
 };
 
-template <class To>
 void find_balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first,
-                   Index n, BalancedRows& task, To* value, Residual::Norms& norms) noexcept {
+                   Index n, BalancedRows& task, bool stores, Residual::Norms& norms) noexcept {
     if (matrix.is_complex()) {
-        Balances<2, To>(work, matrix, dofs, first, n, task).run(value, work.width, norms);
+        Balances<2>(work, matrix, dofs, first, n, task).run(work, stores, norms);
     } else {
-        Balances<1, To>(work, matrix, dofs, first, n, task).run(value, work.width, norms);
+        Balances<1>(work, matrix, dofs, first, n, task).run(work, stores, norms);
     }
 }
 
-template <class To>
-constexpr ResidualKernels<To> kernels{find_balances<To>};
+constexpr ResidualKernels kernels{find_balances};
 
 }  // namespace
 }  // namespace harmorph::residuals::HARMORPH_SET
 
 namespace harmorph::simd {
-template <class To>
-inline constexpr const ResidualKernels<To>* table<ResidualKernels<To>, Kernel::HARMORPH_SET> =
-    &harmorph::residuals::HARMORPH_SET::kernels<To>;
+template <>
+inline constexpr const ResidualKernels* table<ResidualKernels, Kernel::HARMORPH_SET> =
+    &harmorph::residuals::HARMORPH_SET::kernels;
 }  // namespace harmorph::simd

@@ -5,12 +5,8 @@
 
 namespace harmorph {
 
-template <class To>
-ResidualKernels<To> const& residual_kernels(Kernel kernel) noexcept {
-    return simd::table_of<ResidualKernels<To>>(kernel);
+ResidualKernels const& residual_kernels(Kernel kernel) noexcept {
+    return simd::table_of<ResidualKernels>(kernel);
 }
-
-template ResidualKernels<double> const& residual_kernels(Kernel) noexcept;
-template ResidualKernels<float> const& residual_kernels(Kernel) noexcept;
 
 }  // namespace harmorph

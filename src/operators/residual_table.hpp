@@ -15,17 +15,14 @@ struct BalancedRows {
     Index left_over = none;
 };
 
-// Kernels for numbers in double or in single precision.
-template <class To>
 struct ResidualKernels {
-    // Computes the balances of these rows for columns first .. first+n-1, and stores them in
-    // `value` (of all rows) unless it is null. Adds to norms.
+    // Computes the balances of these rows for columns first .. first+n-1, and adds their squares to
+    // norms. If `stores` is true, the balances are stored in the array of `work` that exists.
     void (*find_balances)(Residual const& work, Matrix const& matrix, DofValues const& dofs,
-                          Index first, Index n, BalancedRows& task, To* value,
+                          Index first, Index n, BalancedRows& task, bool stores,
                           Residual::Norms& norms) noexcept;
 };
 
-template <class To>
-ResidualKernels<To> const& residual_kernels(Kernel kernel) noexcept;
+ResidualKernels const& residual_kernels(Kernel kernel) noexcept;
 
 }  // namespace harmorph

@@ -54,8 +54,7 @@ void PartEquations::lay_out(Arena& arena, Part const& own_part, PartProblem cons
 }
 
 Status PartEquations::run(Span<const OpenEdge> edges, Fault& fault) noexcept {
-    if (problem.method.kernel == Kernel::automatic) problem.method.kernel = best_kernel();
-    residual.kernel = problem.method.kernel;
+    residual.kernel = resolved(Kernel::automatic, problem.executor.kernel);
     HARMORPH_TRY(shared.run(edges, problem, fault));
     topology.mesh = part.own();
     topology.edges = part.topology.edges;
@@ -139,7 +138,7 @@ void PartEquations::find_unknowns() noexcept {
 
 // The result of the assembly is not checked, as Part has checked the cells.
 void PartEquations::assemble() noexcept {
-    faces.kernel = problem.method.kernel;
+    faces.kernel = residual.kernel;
     faces.translations = shared.periodicity.translations;
     faces.choose(shared.boundary, [&](Index face) { return shared.is_wall_face(face); });
     assemble_operator(problem.method, topology, part.own().points, faces, shared.points(),

@@ -30,7 +30,7 @@ void Equations::init(Analysis const& analysis) noexcept {
     cells_.mesh = analysis.problem().mesh;
     pieces_.copy_from(analysis.pieces(), cells_.mesh);
     method_ = analysis.problem().method;
-    method_.kernel = resolved(method_.kernel, analysis.problem().executor.kernel);
+    method_.kernel = resolved(Kernel::automatic, analysis.problem().executor.kernel);
     for (Index k = 0; k < dof_of_.count(); ++k)
         dof_of_[k] = analysis.graph().line[analysis.order()[k]];
     copy(cells_.reversed, Span<const std::uint8_t>(analysis.topology().reversed));

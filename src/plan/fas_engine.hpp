@@ -8,14 +8,21 @@
 namespace harmorph {
 
 struct FasEngine : LevelEngine<FullApproximation> {
+    Span<std::uint8_t> faces;  // [entries] Tells which of the matrix's entries are mesh edges.
+
     void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
         Method const& method = analysis.problem().method;
         if (method.nodal_gradients()) {
             iteration.use_scheme(analysis.problem().mesh.n_points,
                                  method.scheme == Scheme::nodal_gradient);
         }
+        arena.take(faces, analysis.matrix_sizes().entries);
         LevelEngine::lay_out(arena, analysis, columns);
     }
+    void take_pattern(Analysis const& analysis, Matrix const& matrix) noexcept {
+        matrix.mark_faces(analysis.topology().edges, faces);
+    }
+    const Agglomeration* levels() const noexcept { return &iteration.levels; }
     Status set_up(Equations const& equations, Points points, Progress const&,
                   Fault& fault) noexcept {
         iteration.volumes.measure(equations.cells(), points, equations.matrix().rows_of_dofs());

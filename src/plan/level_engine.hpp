@@ -1,4 +1,4 @@
-// The common members of all engines on agglomerated levels. tests/multigrid/test_multigrid.cpp
+// The common members of all engines that iterate on levels. tests/multigrid/test_multigrid.cpp
 // covers this file.
 #pragma once
 
@@ -13,12 +13,10 @@ struct LevelEngine {
     static constexpr bool trusted = true;
 
     Iterative iteration;
-    Span<std::uint8_t> faces;  // [entries] Tells which of the matrix's entries are mesh edges.
 
     void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
         Index const n = analysis.graph().n;
         Offset const entries = analysis.matrix_sizes().entries;
-        arena.take(faces, entries);
         iteration.lay_out(arena, n, columns, analysis.problem().iteration,
                           analysis.problem().executor);
         Size const shared = arena.mark();
@@ -28,16 +26,14 @@ struct LevelEngine {
         arena.release(shared);
     }
     void init(Analysis const&) const noexcept {}
-    void take_pattern(Analysis const& analysis, Matrix const& matrix) noexcept {
-        matrix.mark_faces(analysis.topology().edges, faces);
-    }
+    void take_pattern(Analysis const&, Matrix const&) const noexcept {}
     Status examine(Equations const&, Span<Real>, Fault&) const noexcept { return Status::ok; }
     template <class Number>
     Status correct(RowsOf<Number> const&, Fault&) const noexcept {
         return Status::ok;
     }
     Offset idle_bytes() const noexcept { return 0; }
-    const Agglomeration* levels() const noexcept { return &iteration.levels; }
+    const Agglomeration* levels() const noexcept { return nullptr; }
 };
 
 }  // namespace harmorph

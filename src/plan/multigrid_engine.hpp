@@ -1,4 +1,4 @@
-// The engine multigrid of a plan: conjugate gradients on agglomerated levels of the matrix.
+// The engine multigrid of a plan: conjugate gradients with algebraic multigrid.
 // tests/multigrid/test_multigrid.cpp covers this file.
 #pragma once
 
@@ -9,7 +9,7 @@ namespace harmorph {
 
 struct MultigridEngine : LevelEngine<Multigrid> {
     Status set_up(Equations const& equations, Points, Progress const&, Fault& fault) noexcept {
-        return iteration.set_up(equations.matrix().rows(faces), fault);
+        return iteration.set_up(equations.matrix().rows({}), fault);
     }
     Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress,
                  IterationReport& report, Fault& fault) noexcept {

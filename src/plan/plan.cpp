@@ -145,7 +145,7 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells,
     if (!factored_ || levels == nullptr) {
         return fault.refuse(
             Status::bad_argument,
-            "the plan has no levels; hm_plan_factor makes them for the engines multigrid and fas");
+            "the plan has no merged cells; hm_plan_factor makes them for the engine fas");
     }
     if (level < 0 || level >= levels->count) {
         return fault.refuse(Status::bad_argument, "there is no level #; the plan has @ levels",

@@ -212,7 +212,7 @@ Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis co
     fill(fine.value, 0.0);
     Points const points = analysis.problem().mesh.points;
     locator.build(coarse.cells(coarse_mesh));
-    wall.kernel = resolved(analysis.problem().method.kernel, analysis.problem().executor.kernel);
+    wall.kernel = resolved(Kernel::automatic, analysis.problem().executor.kernel);
     wall.choose(analysis.boundary(), [&](Index face) { return analysis.is_wall_face(face); });
     wall.build(points);
     TransferRun run(*this, analysis, coarse, fine);

@@ -159,7 +159,7 @@ TEST_CASE("safe morphs and better cells") {
 TEST_CASE("levels of a plan") {
     Case setup = two_body_case(Cells::quads, 8, 6);
     Options options = laplace();
-    options.engine = HM_MULTIGRID;
+    options.engine = HM_FAS;
     Solved const solved(setup, &options);
     std::vector<std::int32_t> cells(setup.mesh.x.size());
     std::int32_t n = 0;

@@ -242,7 +242,7 @@ TEST_CASE("steps in the wrong order") {
                                 work.size(), nullptr, e);
          }},
         {HM_BAD_ARGUMENT,
-         "the plan has no levels; hm_plan_factor makes them for the engines multigrid and fas",
+         "the plan has no merged cells; hm_plan_factor makes them for the engine fas",
          [&](hm_error* e) { return hm_plan_level(attempt.plan, 0, cells, &n_cells, e); }},
     });
 }

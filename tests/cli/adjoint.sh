@@ -88,6 +88,32 @@ check "adjoint: into the body: the opposite" \
     awk '/^#/ { next } NR == FNR { x[$1] = $2; next } x[$1] + $2 != 0 { exit 1 }' \
     "$tmp/area" "$tmp/other"
 
+# Bodies and modes: each derivative agrees with central differences of the objective, which is linear in the points.
+objective() { # objective BASIS MOVE: the sum of derivatives times coordinates after the movement
+    "$harmorph" morph "$mesh" "$1" --by "$2" -o "$tmp/moved.su2" >/dev/null
+    awk 'NR == FNR { if (!/^#/) { sx[$1] = $2; sy[$1] = $3 } next }
+        /^NPOIN/ { inside = 1; n = 0; next } /^[A-Z]/ { inside = 0 }
+        inside { sum += sx[n] * $1 + sy[n] * $2; n++ } END { printf "%.17g", sum }' "$tmp/sens.txt" "$tmp/moved.su2"
+}
+sum() { awk -v a="$1" -v b="$2" 'BEGIN { print a + b }'; }
+agrees() { # agrees BASIS BEFORE REST STEP AFTER DERIVATIVE: the moved number lies between BEFORE and AFTER in the move
+    awk -v high="$(objective "$1" "$2 $(sum "$3" "$4") $5")" -v low="$(objective "$1" "$2 $(sum "$3" "-$4") $5")" \
+        -v h="$4" -v g="$6" 'BEGIN { d = (high - low) / (2 * h) - g; exit !(g != 0 && d * d < 1e-14 * (1 + g * g)) }'
+}
+makes solve "$mesh" --rigid airfoil=0.25,0 -o "$tmp/body.basis"
+runs "adjoint: a body" 0 adjoint "$mesh" "$tmp/body.basis" --sensitivity "$tmp/sens.txt" -o "$tmp/body.gradient"
+set -- $(grep '^rigid' "$tmp/body.gradient")
+check "adjoint: a body: dx" agrees "$tmp/body.basis" "$1 $2" 0 .001 "0 0" "$3"
+check "adjoint: a body: dy" agrees "$tmp/body.basis" "$1 $2 0" 0 .001 0 "$4"
+check "adjoint: a body: degrees" agrees "$tmp/body.basis" "$1 $2 0 0" 0 .01 "" "$5"
+check "adjoint: a body: scale" agrees "$tmp/body.basis" "$1 $2 0 0 0" 1 .001 "" "$6"
+awk '/^MARKER_TAG/ { on = /airfoil/ } on && $1 == 3 { seen[$2]; seen[$3] } END { for (p in seen) print p, 0, sin(p) }' \
+    "$mesh" >"$tmp/waves"
+makes solve "$mesh" --given airfoil --mode "$tmp/waves" -o "$tmp/waves.basis"
+runs "adjoint: a mode" 0 adjoint "$mesh" "$tmp/waves.basis" --sensitivity "$tmp/sens.txt" -o "$tmp/waves.gradient"
+set -- $(grep '^mode 1' "$tmp/waves.gradient")
+check "adjoint: a mode: amplitude" agrees "$tmp/waves.basis" "$1 $2" 0 1e-4 "" "$3"
+
 # Smoothed: still a direction of descent.
 runs "adjoint: smooth" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/sens.txt" --smooth 0.2 -o "$tmp/smooth"
 check "adjoint: smooth: positive" awk '/^#/ { next } NR == FNR { x[$1] = $2; y[$1] = $3; next }

@@ -12,9 +12,10 @@ runs "solve" 0 solve "$ring" --curve body="$curve" -o "$basis" --json --repeat 2
 has_keys "solve: keys" points cells functions boundary_error partition_defect min_value max_value residual \
     iterations work levels setup_seconds factor_seconds solve_seconds plan_bytes basis_bytes storage
 check "solve: functions" says '"functions": 12'
-for engine in multigrid fas; do
-    runs "solve: $engine" 0 solve "$ring" --curve body="$curve" --operator laplace --engine $engine --levels 3 \
-        --agglomeration directional --history "$tmp/$engine.csv" -o "$tmp/$engine.basis" --json
+for engine in "multigrid" "fas --agglomeration directional"; do
+    options=$engine engine=${engine%% *}
+    runs "solve: $engine" 0 solve "$ring" --curve body="$curve" --operator laplace --engine $options --levels 3 \
+        --history "$tmp/$engine.csv" -o "$tmp/$engine.basis" --json
     check "solve: $engine: its levels" says '"levels": 3'
     check "solve: $engine: history from 1 to the tolerance" awk -F, 'NR == 1 { ok = $0 == "cycle,residual" }
         NR > 1 { ok = ok && $1 == NR - 2 && (NR > 2 || ($2 > .999 && $2 < 1.001)); last = $2 }
@@ -33,6 +34,9 @@ runs "solve: fas from zero" 0 solve "$ring" --curve body="$curve" --operator lap
     -o "$tmp/fas.basis"
 refuses "a start of an engine that has none" 2 '--start' solve "$ring" --curve body="$curve" --operator laplace \
     --engine multigrid --start zero -o "$tmp/none.basis"
+refuses "agglomeration without an engine that merges cells" 2 '--agglomeration needs --engine fas' \
+    solve "$ring" --curve body="$curve" --operator laplace --engine multigrid --agglomeration isotropic \
+    -o "$tmp/none.basis"
 refuses "levels without an engine that has them" 2 '--levels' solve "$ring" --curve body="$curve" --levels 3 \
     -o "$tmp/none.basis"
 leaves_nothing "refused engines leave no file" "$tmp/none.basis"

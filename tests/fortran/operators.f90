@@ -56,8 +56,7 @@ contains
         call check(maxval(abs(a - laplace)) > 1e-2_dp, "weights matter")
 
         call conformal%curves(curves)
-        options = hm_options(operator_kind=hm_laplace, engine=hm_multigrid, levels=3, block_width=4, &
-            agglomeration=hm_agglomerate_isotropic)
+        options = hm_options(operator_kind=hm_laplace, engine=hm_multigrid, levels=3, block_width=4)
         history = -1
         options%history => history
         call plan%analyse(mesh, curves, [hm_condition(body)], options=options)
@@ -69,20 +68,24 @@ contains
         call check(report%levels == 3 .and. report%iterations > 2 .and. report%iterations < 40, "its report")
         call check(all(history(:report%iterations) > 1e-10_dp) .and. history(report%iterations + 1) > 0 .and. &
             history(report%iterations + 1) <= 1e-10_dp, "its history")
+        call plan%level(2, merged, stat=stat)
+        call check(stat == hm_bad_argument .and. .not. allocated(merged), "no merged cells")
+        options%engine = hm_fas
+        options%agglomeration = hm_agglomerate_isotropic
+        call plan%analyse(mesh, curves, [hm_condition(body)], options=options)
+        call plan%factor()
         call plan%level(2, merged, n_merged)
         call check(n_merged > 0 .and. 2 * n_merged < n_points .and. maxval(merged) == n_merged .and. &
             all(merged(:around) == 0) .and. count(merged == 0) == 2 * around, "its second level")
         call plan%level(4, merged, stat=stat)
         call check(stat == hm_bad_argument .and. .not. allocated(merged), "there is no fourth one")
-        options%engine = hm_fas
-        call plan%analyse(mesh, curves, [hm_condition(body)], options=options)
-        call plan%factor()
         call other%free()
         call plan%solve(other, report)
         call other%values(3, a)
         call check(maxval(abs(a - laplace)) < 1e-7_dp .and. report%iterations > 5, &
             "the paper's iteration: the same again")
         options%engine = hm_multigrid
+        options%agglomeration = hm_agglomerate_auto
         options%max_iterations = 1
         call plan%analyse(mesh, curves, [hm_condition(body)], options=options)
         call plan%factor()
@@ -93,6 +96,7 @@ contains
         call plan%analyse(mesh, curves, [hm_condition(body)], options=options, stat=stat)
         call check(stat == hm_bad_argument, "a block of seven")
         options%block_width = 8
+        options%engine = hm_fas
         options%agglomeration = 99
         call plan%analyse(mesh, curves, [hm_condition(body)], options=options, stat=stat)
         call check(stat == hm_bad_argument, "an agglomeration to come")

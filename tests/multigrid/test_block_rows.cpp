@@ -80,29 +80,44 @@ TEST_CASE("the triangular solves are inverses of the triangular products") {
 TEST_CASE("the defect after the forward sweep is that of the start 0 less A times the correction") {
     Setting const s;
     std::size_t const n = s.dense.n;
-    Agglomerated const merged(s.front.rows);
-    REQUIRE(merged.levels.count >= 2);
-    harmorph::Span<const Index> const cell = merged.levels.cell_of[0];
-    std::size_t const n_coarse = static_cast<std::size_t>(merged.levels.level[1].n);
+    // Row i has i % 4 weights.
+    std::size_t const n_coarse = n / 3;
+    std::vector<harmorph::Offset> start = {0};
+    std::vector<Index> column;
+    std::vector<double> weight;
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t k = 0; k < i % 4; ++k) {
+            column.push_back(static_cast<Index>((i / 3 + k) % n_coarse));
+            weight.push_back(0.5 - 0.3 * static_cast<double>(k));
+        }
+        start.push_back(static_cast<harmorph::Offset>(column.size()));
+    }
+    harmorph::Prolongation const by{span(start), span(column), span(weight)};
+    auto const for_each_weight = [&](auto const& visit) {
+        for (std::size_t i = 0; i < n; ++i)
+            for (auto e = static_cast<std::size_t>(start[i]);
+                 e < static_cast<std::size_t>(start[i + 1]); ++e)
+                for (std::size_t k = 0; k < w; ++k)
+                    visit(w * i + k, w * static_cast<std::size_t>(column[e]) + k, weight[e]);
+    };
     std::vector<double> z = s.x, defect(w * n_coarse);
     block::forward<w>(s.front.rows, z.data());
     std::vector<double> const swept = z, a_swept = product(s.dense, swept, any);
-    block::to_defect<w>(s.front.rows, cell, static_cast<Index>(n_coarse), z.data(), defect.data());
+    block::to_defect<w>(s.front.rows, by, static_cast<Index>(n_coarse), z.data(), defect.data());
     std::vector<double> expected(w * n_coarse, 0.0);
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t k = 0; k < w; ++k)
-            expected[w * static_cast<std::size_t>(cell[i]) + k] +=
-                s.x[w * i + k] - a_swept[w * i + k];
+    for_each_weight([&](std::size_t fine, std::size_t coarse, double factor) {
+        expected[coarse] += factor * (s.x[fine] - a_swept[fine]);
+    });
     CHECK(largest_difference(defect, expected) < 1e-12);
 
     // A whole symmetric sweep with a correction c: (D + L^T) z = r - L (swept + P c).
     std::vector<double> corrected = swept;
     std::vector<double> const c(expected.rbegin(), expected.rend());
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t k = 0; k < w; ++k)
-            corrected[w * i + k] += c[w * static_cast<std::size_t>(cell[i]) + k];
+    for_each_weight([&](std::size_t fine, std::size_t coarse, double factor) {
+        corrected[fine] += factor * c[coarse];
+    });
     std::vector<double> const lower_part = product(s.dense, corrected, below);
-    block::correct<w>(s.front.rows, cell, c.data(), z.data());
+    block::correct<w>(s.front.rows, by, c.data(), z.data());
     block::backward<w>(s.front.rows, z.data());
     std::vector<double> left = product(s.dense, z, upper);
     for (std::size_t k = 0; k < left.size(); ++k) left[k] += lower_part[k];

@@ -98,8 +98,10 @@ TEST_CASE("kernels agree to rounding, each with itself to the bit") {
     int tried = 0;
     for (std::int32_t const kernel :
          {HM_KERNEL_BASELINE, HM_KERNEL_AVX2, HM_KERNEL_AVX512, HM_KERNEL_NEON}) {
+        auto executor = sized<hm_executor>();
+        executor.kernel = kernel;
         Options options = laplace();
-        options.kernel = kernel;
+        options.executor = &executor;
         Attempt const first(setup.problem(), &options);
         if (first.status == HM_UNSUPPORTED) continue;
         ++tried;

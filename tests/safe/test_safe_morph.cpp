@@ -1,6 +1,7 @@
 // Safe morphs: no cell is inverted and no boundary crosses whatever happens, and the report is
 // true.
 #include <fixtures/block_in_square.hpp>
+#include <fixtures/bounded.hpp>
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/fitted.hpp>
 
@@ -62,8 +63,21 @@ TEST_CASE("heights of the first layer are limited where asked for, or a warning 
     double const change = std::max(high, 1 / low);
     CHECK(safe.report.heights == 0);
     REQUIRE(change > 1.1);  // conformal functions stretch heights with the wall
-    // A limit that is kept anyway changes nothing.
+    // hm_quality_bounds finds the same heights and angles at the same points.
     std::vector<double> const x = safe.x, y = safe.y;
+    Bounded const bounded(setup);
+    Field moved;
+    for (std::size_t k = 0; k < x.size(); ++k) moved.push_back({x[k], y[k]});
+    auto const layer =
+        bounds_of(bounded, moved, {HM_BOUND_HEIGHT, HM_BOUND_STRETCH, HM_BOUND_ANGLE});
+    CHECK(layer[0].value.extreme == doctest::Approx(low).epsilon(1e-12));
+    CHECK(layer[0].value.item == safe.report.min_height_point);
+    CHECK(layer[1].value.extreme == doctest::Approx(high).epsilon(1e-12));
+    CHECK(layer[1].value.item == safe.report.max_height_point);
+    CHECK(std::acos(layer[2].value.extreme) * 180 / std::acos(-1.0) ==
+          doctest::Approx(safe.report.max_angle_change).epsilon(1e-9));
+    CHECK(layer[2].value.item == safe.report.angle_point);
+    // A limit that is kept anyway changes nothing.
     safe.safe_options.max_height_change = 1.01 * change;
     REQUIRE(safe.run(move) == HM_OK);
     CHECK(same_bits(safe.x, x));

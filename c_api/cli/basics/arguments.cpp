@@ -190,7 +190,8 @@ void Arguments::refuse(std::string_view message) const {
 }
 
 const Option threads_option = {
-    "--threads", "N", "threads to compute with (default 1); the result's bits do not depend on it"};
+    "--threads", "N",
+    "threads to compute, read and write with (default 1); no bit of the results depends on it"};
 
 std::int32_t threads_of(const Arguments& arguments) {
     return arguments.whole("--threads", 1, 1, 256);

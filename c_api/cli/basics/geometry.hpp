@@ -7,6 +7,8 @@
 
 namespace cli {
 
+inline constexpr double pi = 3.14159265358979323846;
+
 struct Point {
     double x, y;
 };

@@ -52,8 +52,7 @@ struct Binary {
 };
 
 // Appends digits[0].digits[1] ... with `decimals` digits behind the point; there are enough digits.
-void append_digits(std::string& text, const char* digits, std::size_t whole,
-                   std::size_t decimals) {
+void append_digits(std::string& text, const char* digits, std::size_t whole, std::size_t decimals) {
     text.append(digits, whole);
     if (decimals == 0) return;
     text += '.';
@@ -84,8 +83,7 @@ bool append_quickly(std::string& text, char style, int precision, double value) 
     // The decimal exponent, or one less than that: log10(2) is 1233 / 4096 rounded down.
     int power = exponent * 1233 >> 12;
     if (!number.scaled(significant - 1 - power, rounded)) return false;
-    if (rounded >= powers.of10[significant] &&
-        !number.scaled(significant - 1 - ++power, rounded))
+    if (rounded >= powers.of10[significant] && !number.scaled(significant - 1 - ++power, rounded))
         return false;
     if (rounded < powers.of10[significant - 1] || rounded >= powers.of10[significant]) return false;
     std::to_chars(digits, digits + sizeof digits, rounded);

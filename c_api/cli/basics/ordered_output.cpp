@@ -17,8 +17,8 @@ public:
                   const std::function<void(std::size_t block, std::string& text)>& make)
         : out_(out), make_(make) {}
 
-    // Makes a block, and writes the block when it is its turn. The next block to write is always one
-    // that a thread works on, as blocks are begun in their order: so no thread waits for ever.
+    // Makes a block, and writes the block when it is its turn. The next block to write is always
+    // one that a thread works on, as blocks are begun in their order: so no thread waits for ever.
     void run(std::size_t block) {
         std::string text = free_text();
         try {

@@ -21,7 +21,8 @@ void write_rows(std::ostream& out, std::size_t n, std::int32_t threads, const Ma
     write_in_order(out, (n + rows_of_block - 1) / rows_of_block, threads,
                    [&](std::size_t block, std::string& text) {
                        const std::size_t begin = block * rows_of_block,
-                                         end = begin + rows_of_block < n ? begin + rows_of_block : n;
+                                         end =
+                                             begin + rows_of_block < n ? begin + rows_of_block : n;
                        for (std::size_t row = begin; row < end; ++row) make(row, text);
                    });
 }

@@ -66,8 +66,7 @@ void TextFile::report(std::size_t offset) const {
 
 LineReader::LineReader(const TextFile& file, char comment) : file_(file), comment_(comment) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (file.text().substr(0, 3) == byte_order_mark)
-        next_ = byte_order_mark.size();
+    if (file.text().substr(0, 3) == byte_order_mark) next_ = byte_order_mark.size();
 }
 
 // One pass over the bytes of a line finds the end of the line, the comment, and the first and the

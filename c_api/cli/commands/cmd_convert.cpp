@@ -34,7 +34,10 @@ const Command convert_command = {
     "of meshes one cell thick those of the plane. What else stands in MESH is not in it. Numbers "
     "are written with all\n"
     "their digits.\n",
-    {format_option, zone_option, {"--to", "NAME", "format of NEW (otherwise its extension tells)"}},
+    {format_option,
+     zone_option,
+     {"--to", "NAME", "format of NEW (otherwise its extension tells)"},
+     threads_option},
     "  harmorph convert naca0012.su2 naca0012.msh\n",
     run_convert};
 

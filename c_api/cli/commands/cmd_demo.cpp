@@ -6,6 +6,7 @@
 #include "curves/curve_file.hpp"
 #include "commands/morph.hpp"
 #include "curves/moves_file.hpp"
+#include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
 #include "basics/output_file.hpp"
@@ -68,8 +69,7 @@ void write_far_moves(const std::string& mesh_path, const std::string& curve_path
     const Mesh mesh = read_mesh(mesh_path);
     const Basis basis(basis_path, mesh);
     const std::vector<double> control = read_curves(curve_path).control;
-    const double angle = far_degrees * 3.14159265358979323846 / 180, c = std::cos(angle),
-                 s = std::sin(angle);
+    const double angle = far_degrees * pi / 180, c = std::cos(angle), s = std::sin(angle);
     std::vector<double> moves(control.size());
     for (std::size_t i = 0; i < moves.size(); i += 2) {
         const double x = control[i] - far_x, y = control[i + 1] - far_y;

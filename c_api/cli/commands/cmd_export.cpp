@@ -45,10 +45,10 @@ PointData point_data(const std::vector<Column>& columns) {
 // Agglomerates again, as the basis does not keep the levels.
 std::vector<Level> levels_of(const Arguments& arguments, const Mesh& mesh, const Basis& basis) {
     Task task = task_of(basis);
-    if (task.options.engine == HM_DIRECT)
+    if (task.options.engine != HM_FAS) {
         arguments.refuse(
-            "--level needs a basis with levels, but the direct engine solved this basis without "
-            "levels");
+            "--level needs a basis that the engine fas solved: the others merge no volumes");
+    }
     set_agglomeration(arguments, task.options);
     task.options.levels = 20;
     const Threads threads(1);
@@ -162,7 +162,7 @@ const Command export_command = {
     "Writes one function of a basis for other programs and as a picture",
     "Functions are numbered from 1 as their control points are. With --level: "
     "the volumes that agglomeration merges instead,\n"
-    "for a basis solved with --engine multigrid or fas. Lists make pictures of several panels with "
+    "for a basis solved with --engine fas. Lists make pictures of several panels with "
     "one scale.\n",
     {format_option,
      zone_option,

@@ -94,6 +94,7 @@ const Option zone_option = {"--zone", "Z",
 
 Mesh read_mesh(const Arguments& arguments, std::size_t operand) {
     ReadOptions options;
+    options.threads = threads_of(arguments);
     if (arguments.has("--format")) options.format = arguments.text("--format");
     if (arguments.has("--zone")) options.zone = arguments.text("--zone");
     return read_mesh(arguments.operand(operand), options);

@@ -8,9 +8,9 @@
 
 namespace cli {
 
-const Option agglomeration_option = {
-    "--agglomeration", "RULE",
-    "auto (default): along strong couplings where cells are stretched; isotropic; directional"};
+const Option agglomeration_option = {"--agglomeration", "RULE",
+                                     "of fas: auto (default), along strong couplings where cells "
+                                     "are stretched; isotropic; directional"};
 
 std::vector<Option> engine_options() {
     return {
@@ -22,7 +22,7 @@ std::vector<Option> engine_options() {
          "of the direct engine's factor: double (default), or single: half the memory, refined in "
          "double"},
         {"--levels", "N",
-         "multigrid and fas: levels of agglomeration at most (default: all there are, 5 at 10k "
+         "multigrid and fas: levels at most (default: all there are, 5 or 6 at 10k "
          "points)"},
         agglomeration_option,
         {"--start", "START", "of fas: fmg (default), level by level from the coarsest, or zero"},
@@ -54,12 +54,12 @@ void set_engine(const Arguments& arguments, SolveOptions& options) {
         arguments.choice("--start", {{"fmg", HM_START_COARSEST}, {"zero", HM_START_ZERO}});
     options.cycle =
         arguments.choice("--cycle", {{"paper", HM_CYCLE_PAPER}, {"improved", HM_CYCLE_IMPROVED}});
-    for (const char* option : {"--start", "--cycle"}) {
+    for (const char* option : {"--agglomeration", "--start", "--cycle"}) {
         if (options.engine != HM_FAS && arguments.has(option))
             arguments.refuse(std::string(option) + " needs --engine fas");
     }
     if (arguments.has("--levels")) options.levels = arguments.whole("--levels", 0, 1, 20);
-    for (const char* option : {"--levels", "--agglomeration", "--history"}) {
+    for (const char* option : {"--levels", "--history"}) {
         if (options.engine == HM_DIRECT && arguments.has(option)) {
             arguments.refuse(std::string(option) + " needs --engine multigrid or fas");
         }

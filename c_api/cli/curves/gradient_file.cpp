@@ -1,5 +1,6 @@
 #include "curves/gradient_file.hpp"
 
+#include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
 
 #include <cmath>
@@ -17,7 +18,6 @@ struct Row {
 
 void add_bodies(std::vector<Row>& rows, const std::vector<double>& g, const Basis& basis,
                 const Mesh& mesh) {
-    const double pi = std::acos(-1.0);
     std::vector<bool> listed(static_cast<std::size_t>(basis.info().bodies));
     for (const hm_condition& condition : basis.conditions()) {
         if (condition.kind != HM_RIGID || listed[static_cast<std::size_t>(condition.body)])

@@ -1,6 +1,7 @@
 #include "curves/moves_file.hpp"
 
 #include "basics/failure.hpp"
+#include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
 #include "basics/text_file.hpp"
 #include "curves/section_movement.hpp"
@@ -12,8 +13,6 @@
 namespace cli {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 class MovesReader {
 public:

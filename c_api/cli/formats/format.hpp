@@ -12,6 +12,7 @@
 namespace cli {
 
 struct ReadOptions {
+    std::int32_t threads = 1;
     std::string format;  // empty: the content tells the format
     std::string zone;    // the zone to read, of several; empty: the file must have one
     std::function<void(double)>

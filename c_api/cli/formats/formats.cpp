@@ -42,8 +42,7 @@ const Format& format_of(const TextFile& file) {
     for (const Format* format : formats) {
         if (format->probe(file)) return *format;
     }
-    const std::string_view first =
-        file.text().substr(0, file.text().find_first_of("\r\n"));
+    const std::string_view first = file.text().substr(0, file.text().find_first_of("\r\n"));
     file.fail(0, (file.text().empty() ? "the file is empty"
                                       : "no known mesh file begins with " + in_quotes(first)) +
                      "; the formats that are read are " + format_names() +
@@ -173,6 +172,7 @@ Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
     if (is_packed) mesh.file = unpacked(mesh.file);
     const Format& format = forced ? *forced : format_of(mesh.file);
     mesh.file.listen(options.progress);
+    mesh.threads = options.threads;
     format.read(mesh, options);
     mesh.file.listen(nullptr);
     mesh.in_file.is_packed = is_packed && !mesh.in_file.is_joined;

@@ -6,7 +6,8 @@
 #include "formats/format.hpp"
 
 #include "formats/gmsh_read.hpp"
-#include "basics/numbers.hpp"
+#include "basics/ordered_output.hpp"
+#include "basics/text_out.hpp"
 
 #include <ostream>
 
@@ -32,22 +33,27 @@ void create_gmsh(std::ostream& out, const Mesh& mesh) {
         out << "1 " << marker + 2 << " \"" << mesh.markers[marker] << "\"\n";
     }
     out << "$EndPhysicalNames\n$Nodes\n" << mesh.points() << '\n';
-    for (std::size_t i = 0; i < mesh.x.size(); ++i)
-        out << i + 1 << ' ' << exact(mesh.x[i]) << ' ' << exact(mesh.y[i]) << " 0\n";
+    write_rows(out, mesh.x.size(), mesh.threads, [&](std::size_t i, std::string& row) {
+        TextOut to(row);
+        (to << i + 1 << ' ').exact(mesh.x[i]);
+        (to << ' ').exact(mesh.y[i]) << " 0\n";
+    });
     out << "$EndNodes\n$Elements\n" << mesh.faces() + mesh.cells() << '\n';
-    std::size_t number = 0;
-    for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
+    const std::size_t n_faces = mesh.face_markers.size();
+    for (std::size_t face = 0; face < n_faces; ++face) {
         const std::int32_t tag = mesh.face_markers[face] + 2;
-        out << ++number << " 1 2 " << tag << ' ' << tag << ' ' << mesh.face_points[2 * face] + 1
+        out << face + 1 << " 1 2 " << tag << ' ' << tag << ' ' << mesh.face_points[2 * face] + 1
             << ' ' << mesh.face_points[2 * face + 1] + 1 << '\n';
     }
-    for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
-        const std::int32_t begin = mesh.cell_start[cell], end = mesh.cell_start[cell + 1];
-        out << ++number << (end - begin == 3 ? " 2 2 1 1" : " 3 2 1 1");
-        for (std::int32_t i = begin; i < end; ++i)
-            out << ' ' << mesh.cell_points[static_cast<std::size_t>(i)] + 1;
-        out << '\n';
-    }
+    write_rows(
+        out, mesh.cell_start.size() - 1, mesh.threads, [&](std::size_t cell, std::string& row) {
+            const std::int32_t begin = mesh.cell_start[cell], end = mesh.cell_start[cell + 1];
+            TextOut to(row);
+            to << n_faces + cell + 1 << (end - begin == 3 ? " 2 2 1 1" : " 3 2 1 1");
+            for (std::int32_t i = begin; i < end; ++i)
+                to << ' ' << mesh.cell_points[static_cast<std::size_t>(i)] + 1;
+            to << '\n';
+        });
     out << "$EndElements\n";
 }
 

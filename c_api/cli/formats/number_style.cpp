@@ -96,13 +96,13 @@ void NumberStyle::append(std::string& text, double value, double tolerance) cons
                           : static_cast<int>(std::floor(std::log10(std::fabs(value)))) + 1;
     };
     if (fixed()) {
-        const int wanted = std::min(decimals(), exact_digits - std::min(magnitude(0), exact_digits));
+        const int wanted =
+            std::min(decimals(), exact_digits - std::min(magnitude(0), exact_digits));
         return append_number(text, 'f', std::min(std::max(most_decimals_, wanted), 40), value);
     }
     int significant = digits();
     if (significant < exact_digits)
-        significant =
-            std::min(std::max(significant, magnitude(-400) + decimals()), exact_digits);
+        significant = std::min(std::max(significant, magnitude(-400) + decimals()), exact_digits);
     significant = std::min(std::max(significant, 1), 40);
     const std::size_t begin = text.size();
     if (!scientific()) {

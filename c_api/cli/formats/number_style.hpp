@@ -9,12 +9,12 @@ namespace cli {
 
 class NumberStyle {
 public:
-    void see(std::string_view word);       // takes account of a number of the file
-    void see(const NumberStyle& later);    // takes account of all numbers of a later part
-    bool needs_tolerance() const;  // false: the file has so many digits that none are added
+    void see(std::string_view word);     // takes account of a number of the file
+    void see(const NumberStyle& later);  // takes account of all numbers of a later part
+    bool needs_tolerance() const;        // false: the file has so many digits that none are added
 
-    // Appends the number with at least as many digits as the file has, and so many that the error is at most
-    // `tolerance`. A number with 17 digits is read as the same bits.
+    // Appends the number with at least as many digits as the file has, and so many that the error
+    // is at most `tolerance`. A number with 17 digits is read as the same bits.
     void append(std::string& text, double value, double tolerance) const;
 
 private:

@@ -97,8 +97,7 @@ std::vector<double> numbers_of(const TextFile& file, const VtkEncoding& as, cons
             file.fail(array.tag, "the array " + name + " is longer than the file");
         end = begin + static_cast<std::size_t>(length);
     }
-    const TextFile text =
-        decoded.empty() ? file : TextFile(file.path(), std::move(decoded));
+    const TextFile text = decoded.empty() ? file : TextFile(file.path(), std::move(decoded));
     NumberReader reader(text);
     reader.is_binary = is_binary;
     reader.swapped = as.swapped;

@@ -76,7 +76,8 @@ private:
     bool is_changed(const CoordinateSlot& slot, double& value, double& tolerance) const {
         const auto point = static_cast<std::size_t>(slot.point);
         if (point >= mesh_.x.size())
-            return is_changed(slot, mesh_.in_file.between[point - mesh_.x.size()], value, tolerance);
+            return is_changed(slot, mesh_.in_file.between[point - mesh_.x.size()], value,
+                              tolerance);
         tolerance = tolerance_of(point);
         if (slot.rule >= 0) {
             const Complex step = after(point) - before(point);

@@ -2,6 +2,7 @@
 // quadrilaterals.
 #include "formats/su2.hpp"
 
+#include "basics/ordered_output.hpp"
 #include "basics/text_out.hpp"
 
 #include <ostream>
@@ -20,22 +21,22 @@ bool probe_su2(const TextFile& file) {
            key.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_") == std::string::npos;
 }
 
-void create_su2(std::ostream& stream, const Mesh& mesh) {
+void create_su2(std::ostream& out, const Mesh& mesh) {
     mesh.refuse_polygons("SU2");
-    TextOut out(stream);
     out << "NDIME= 2\nNELEM= " << mesh.cells() << '\n';
-    for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
-        const std::int32_t begin = mesh.cell_start[cell], end = mesh.cell_start[cell + 1];
-        out << static_cast<int>(end - begin == 3 ? element_triangle : element_quad);
-        for (std::int32_t i = begin; i < end; ++i)
-            out << ' ' << mesh.cell_points[static_cast<std::size_t>(i)];
-        out << ' ' << cell << '\n';
-    }
+    write_rows(
+        out, mesh.cell_start.size() - 1, mesh.threads, [&](std::size_t cell, std::string& row) {
+            const std::int32_t begin = mesh.cell_start[cell], end = mesh.cell_start[cell + 1];
+            TextOut to(row);
+            to << static_cast<int>(end - begin == 3 ? element_triangle : element_quad);
+            for (std::int32_t i = begin; i < end; ++i)
+                to << ' ' << mesh.cell_points[static_cast<std::size_t>(i)];
+            to << ' ' << cell << '\n';
+        });
     out << "NPOIN= " << mesh.points() << '\n';
-    for (std::int32_t i = 0; i < mesh.points(); ++i) {
-        const auto point = static_cast<std::size_t>(i);
-        out << mesh.x[point] << ' ' << mesh.y[point] << ' ' << i << '\n';
-    }
+    write_rows(out, mesh.x.size(), mesh.threads, [&](std::size_t point, std::string& row) {
+        TextOut(row) << mesh.x[point] << ' ' << mesh.y[point] << ' ' << point << '\n';
+    });
     out << "NMARK= " << mesh.markers.size() << '\n';
     for (std::size_t marker = 0; marker < mesh.markers.size(); ++marker) {
         const auto number = static_cast<std::int32_t>(marker);

@@ -8,6 +8,8 @@
 
 #include "basics/failure.hpp"
 #include "basics/numbers.hpp"
+#include "basics/place.hpp"
+#include "formats/plain_rows.hpp"
 
 #include <algorithm>
 #include <set>
@@ -36,6 +38,73 @@ bool is_transfer(const std::string& key) {
     return key.compare(0, 4, "SEND") == 0 || key.compare(0, 4, "RECE") == 0;
 }
 
+struct PointRows {
+    Mesh& mesh;
+
+    std::int64_t items(PlainRow) const { return 0; }
+    void resize(TableEnd end) {
+        const auto n = static_cast<std::size_t>(end.rows);
+        mesh.x.resize(n);
+        mesh.y.resize(n);
+        mesh.point_offset.resize(n);
+        mesh.in_file.slots.resize(2 * n);
+    }
+    bool read(PlainRow& row, TableEnd& end) {
+        row.over_blanks();
+        const auto point = static_cast<std::size_t>(end.rows);
+        std::int32_t number = 0;
+        const std::size_t x_offset = row.offset();
+        if (!row.real(mesh.x[point])) return false;
+        const std::size_t y_offset = row.offset();
+        if (!row.real(mesh.y[point])) return false;
+        for (int more = 0; more < 2 && row.at_digit(); ++more) {
+            if (!row.whole(number)) return false;
+        }
+        mesh.point_offset[point] = x_offset;
+        const auto of = static_cast<std::int32_t>(point);
+        mesh.in_file.slots[2 * point] = {x_offset, of, takes_x};
+        mesh.in_file.slots[2 * point + 1] = {y_offset, of, takes_y};
+        if (!row.end_of_line()) return false;
+        ++end.rows;
+        return true;
+    }
+};
+
+struct CellRows {
+    Mesh& mesh;
+
+    static std::int64_t corners(std::int32_t type) {
+        return type == element_triangle ? 3 : type == element_quad ? 4 : 0;
+    }
+    std::int64_t items(PlainRow row) const {
+        std::int32_t type = 0;
+        row.over_blanks();
+        return row.whole(type) ? corners(type) : 0;
+    }
+    void resize(TableEnd end) {
+        mesh.cell_start.resize(static_cast<std::size_t>(end.rows) + 1);
+        mesh.cell_offset.resize(static_cast<std::size_t>(end.rows));
+        mesh.cell_points.resize(static_cast<std::size_t>(end.items));
+    }
+    bool read(PlainRow& row, TableEnd& end) {
+        row.over_blanks();
+        const std::size_t offset = row.offset();
+        std::int32_t type = 0;
+        if (!row.whole(type) || corners(type) == 0) return false;
+        const std::int64_t behind = end.items + corners(type);
+        for (std::int64_t k = end.items; k < behind; ++k) {
+            if (!row.whole(mesh.cell_points[static_cast<std::size_t>(k)])) return false;
+        }
+        if (row.at_digit() && !row.whole(type)) return false;
+        if (!row.end_of_line()) return false;
+        mesh.cell_offset[static_cast<std::size_t>(end.rows)] = offset;
+        ++end.rows;
+        end.items = behind;
+        mesh.cell_start[static_cast<std::size_t>(end.rows)] = static_cast<std::int32_t>(behind);
+        return true;
+    }
+};
+
 class Su2Reader {
 public:
     Su2Reader(Mesh& mesh, const ReadOptions& options)
@@ -49,6 +118,8 @@ private:
     void read_dimension(const Heading& heading);
     void choose_zone(const Heading& heading);
     std::int32_t begin_zone(const Heading& heading);
+    template <class Table, class ReadRow>
+    void read_rows(std::int64_t n, Table table, const ReadRow& read_row);
     void read_points(const Heading& heading);
     void read_cells(const Heading& heading);
     void read_marker(const Heading& heading);
@@ -144,10 +215,28 @@ std::int32_t Su2Reader::begin_zone(const Heading& heading) {
     return zone;
 }
 
+// Rows that are not plain are read one by one, and twice as many each time, so that a table without
+// plain rows does not take long. read_row(row) reads one row, and returns its items.
+template <class Table, class ReadRow>
+void Su2Reader::read_rows(std::int64_t n, Table table, const ReadRow& read_row) {
+    TableEnd done;
+    for (std::int64_t slowly = 1; done.rows < n; slowly *= 2) {
+        std::size_t at = lines_.next_offset();
+        read_plain_rows(mesh_.file.text(), at, n, mesh_.threads, table, done);
+        lines_.jump(at);
+        for (std::int64_t k = 0; k < slowly && done.rows < n; ++k, ++done.rows)
+            done.items += read_row(static_cast<std::int32_t>(done.rows));
+    }
+}
+
 void Su2Reader::read_points(const Heading& heading) {
     only_once(heading);
     const std::int32_t n = count(heading);
-    for (std::int32_t point = 0; point < n; ++point) {
+    const std::size_t most = std::min(place(n), mesh_.file.text().size() / 4);  // "0 0" and its end
+    for (auto* const values : {&mesh_.x, &mesh_.y}) values->reserve(most);
+    mesh_.point_offset.reserve(most);
+    mesh_.in_file.slots.reserve(2 * most);
+    read_rows(n, PointRows{mesh_}, [&](std::int32_t point) {
         const Words& words = data_line("point", point, n);
         if (words.size() < 2 || words.size() > 4)
             lines_.expected("a point: x, y and at most two numbers more");
@@ -156,20 +245,27 @@ void Su2Reader::read_points(const Heading& heading) {
             if (!parse(words[i], xyz[i])) lines_.expected("a finite number", words[i]);
         }
         mesh_.add_point(xyz[0], xyz[1], lines_.offset(words[0]), lines_.offset(words[1]));
-    }
+        return 0;
+    });
 }
 
 void Su2Reader::read_cells(const Heading& heading) {
     only_once(heading);
     const std::int32_t n = count(heading);
-    for (std::int32_t cell = 0; cell < n; ++cell) {
+    const std::size_t most = std::min(place(n), mesh_.file.text().size() / 8);  // "5 0 1 2"
+    mesh_.cell_start.reserve(most + 1);
+    mesh_.cell_offset.reserve(most);
+    mesh_.cell_points.reserve(4 * most);
+    read_rows(n, CellRows{mesh_}, [&](std::int32_t cell) {
         const Words& words = data_line("element", cell, n);
         std::int32_t type = 0;
         if (!parse(words[0], type) || (type != element_triangle && type != element_quad)) {
             lines_.expected("element type 5 (triangle) or 9 (quadrilateral)", words[0]);
         }
-        mesh_.add_cell(points_of(words, type == element_triangle ? 3 : 4), lines_.offset());
-    }
+        const std::int64_t corners = CellRows::corners(type);
+        mesh_.add_cell(points_of(words, static_cast<std::size_t>(corners)), lines_.offset());
+        return corners;
+    });
 }
 
 void Su2Reader::read_marker(const Heading& heading) {

@@ -2,7 +2,8 @@
 
 #include "formats/vtk_cells.hpp"
 
-#include "basics/numbers.hpp"
+#include "basics/ordered_output.hpp"
+#include "basics/text_out.hpp"
 
 #include <ostream>
 
@@ -16,11 +17,13 @@ void begin_array(std::ostream& out, const std::string& type, const std::string& 
         << components << "\" format=\"ascii\">\n";
 }
 
-void write_points(std::ostream& out, const std::vector<double>& x, const std::vector<double>& y) {
+void write_points(std::ostream& out, const std::vector<double>& x, const std::vector<double>& y,
+                  std::int32_t threads) {
     out << "<Points>\n";
     begin_array(out, "Float64", "Points", 3);
-    for (std::size_t point = 0; point < x.size(); ++point)
-        out << exact(x[point]) << ' ' << exact(y[point]) << " 0\n";
+    write_rows(out, x.size(), threads, [&](std::size_t point, std::string& row) {
+        (TextOut(row).exact(x[point]) << ' ').exact(y[point]) << " 0\n";
+    });
     out << "</DataArray>\n</Points>\n";
 }
 
@@ -28,30 +31,35 @@ void write_cells(std::ostream& out, const Mesh& mesh) {
     const std::size_t n = mesh.cell_start.size() - 1;
     out << "<Cells>\n";
     begin_array(out, "Int32", "connectivity", 1);
-    for (std::size_t cell = 0; cell < n; ++cell) {
+    write_rows(out, n, mesh.threads, [&](std::size_t cell, std::string& row) {
         for (std::int32_t i = mesh.cell_start[cell]; i < mesh.cell_start[cell + 1]; ++i) {
-            out << mesh.cell_points[static_cast<std::size_t>(i)]
-                << (i + 1 < mesh.cell_start[cell + 1] ? ' ' : '\n');
+            TextOut(row) << mesh.cell_points[static_cast<std::size_t>(i)]
+                         << (i + 1 < mesh.cell_start[cell + 1] ? ' ' : '\n');
         }
-    }
+    });
     out << "</DataArray>\n";
     begin_array(out, "Int32", "offsets", 1);
-    for (std::size_t cell = 0; cell < n; ++cell) out << mesh.cell_start[cell + 1] << '\n';
+    write_rows(out, n, mesh.threads, [&](std::size_t cell, std::string& row) {
+        TextOut(row) << mesh.cell_start[cell + 1] << '\n';
+    });
     out << "</DataArray>\n";
     begin_array(out, "UInt8", "types", 1);
-    for (std::size_t cell = 0; cell < n; ++cell) out << vtk_type(mesh, cell) << '\n';
+    write_rows(out, n, mesh.threads, [&](std::size_t cell, std::string& row) {
+        TextOut(row) << vtk_type(mesh, cell) << '\n';
+    });
     out << "</DataArray>\n</Cells>\n";
 }
 
-void write_point_data(std::ostream& out, const std::vector<PointData>& arrays) {
+void write_point_data(std::ostream& out, const std::vector<PointData>& arrays,
+                      std::int32_t threads) {
     const PointData& shown = arrays[0];
     out << "<PointData " << (shown.components == 3 ? "Vectors" : "Scalars") << "=\"" << shown.name
         << "\">\n";
     for (const PointData& data : arrays) {
         begin_array(out, "Float64", data.name, data.components);
-        for (std::size_t i = 0; i < data.values.size(); ++i) {
-            out << exact(data.values[i]) << ((i + 1) % data.components == 0 ? '\n' : ' ');
-        }
+        write_rows(out, data.values.size(), threads, [&](std::size_t i, std::string& row) {
+            TextOut(row).exact(data.values[i]) << ((i + 1) % data.components == 0 ? '\n' : ' ');
+        });
         out << "</DataArray>\n";
     }
     out << "</PointData>\n";
@@ -63,9 +71,9 @@ void write_grid(std::ostream& out, const Mesh& mesh, const std::vector<double>& 
            "byte_order=\"LittleEndian\">\n"
         << "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << mesh.points() << "\" NumberOfCells=\""
         << mesh.cells() << "\">\n";
-    write_points(out, x, y);
+    write_points(out, x, y, mesh.threads);
     write_cells(out, mesh);
-    if (!data.empty()) write_point_data(out, data);
+    if (!data.empty()) write_point_data(out, data, mesh.threads);
     out << "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 

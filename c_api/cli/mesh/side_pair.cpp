@@ -92,8 +92,8 @@ SidePair side_pair(const Mesh& mesh, std::int32_t marker, std::int32_t partner) 
     pair.y = centre.imag();
     out.passage = "'" + mesh.markers[static_cast<std::size_t>(marker)] + "' to '" +
                   mesh.markers[static_cast<std::size_t>(partner)] + "' turned by " +
-                  brief(180 / std::acos(-1.0) * std::arg(turn)) + " degrees about (" +
-                  brief(pair.x) + ", " + brief(pair.y) + ")";
+                  brief(180 / pi * std::arg(turn)) + " degrees about (" + brief(pair.x) + ", " +
+                  brief(pair.y) + ")";
     return out;
 }
 

@@ -71,9 +71,9 @@ class Raster {
     }
 
     // Draws a line that is not steep; across and down are the distances of pixels to the next column and row, so that a
-    // steep line is drawn with columns and rows exchanged. In each column whose centre the line passes, two pixels share
-    // the line; so lines that follow each other leave no gap, and lines shorter than a pixel are as dense as they should
-    // be.
+    // steep line is drawn with columns and rows exchanged. In each column whose centre the line passes, two pixels
+    // share the line; so lines that follow each other leave no gap, and lines shorter than a pixel are as dense as
+    // they should be.
     flat_line(ax, ay, bx, by, strength, { columns, across, rows, down }) {
         const slope = (by - ay) / (bx - ax),
             full = Math.round(127 * this.strength * strength),

@@ -61,8 +61,7 @@ private:
 
     // Writes the value along the line, never upside down.
     void write(const std::string& text, Point at, Point before, Point after) {
-        double angle =
-            std::atan2(after.y - before.y, after.x - before.x) * 180 / 3.14159265358979323846;
+        double angle = std::atan2(after.y - before.y, after.x - before.x) * 180 / pi;
         if (angle > 90) angle -= 180;
         if (angle < -90) angle += 180;
         const std::string turn =

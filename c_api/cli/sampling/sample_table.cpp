@@ -77,7 +77,8 @@ void SampleTable::write_names(std::ostream& out) const {
 }
 
 void SampleTable::write(std::ostream& stream, const SampleRow& row) const {
-    TextOut out(stream);
+    std::string text;
+    TextOut out(text);
     out << row.design + 1 << ',' << (row.is_accepted() ? '1' : '0') << ',' << row.split << ',';
     if (row.is_accepted()) out << row.shard << ',' << row.row;
     else out << ',';
@@ -88,6 +89,7 @@ void SampleTable::write(std::ostream& stream, const SampleRow& row) const {
         else if (!std::isnan(value)) out << value;
     }
     out << ',' << quoted(row.section) << ',' << quoted(row.reason) << '\n';
+    stream << text;
 }
 
 void SampleTable::read(const SampleFolder& folder, std::int64_t shards,

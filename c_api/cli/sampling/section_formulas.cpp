@@ -1,5 +1,7 @@
 #include "sampling/section_formulas.hpp"
 
+#include "basics/geometry.hpp"
+
 #include <cmath>
 
 namespace cli {
@@ -12,7 +14,6 @@ constexpr int section_panels = 80;  // on each side
 // edge is one point.
 template <class Take>
 void walk(bool is_sharp, const Take& take) {
-    constexpr double pi = 3.14159265358979323846;
     const auto place = [](int k) {
         return k == section_panels ? 1 : .5 * (1 - std::cos(pi * k / section_panels));
     };

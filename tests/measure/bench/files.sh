@@ -1,7 +1,7 @@
 #!/bin/sh
 # `make bench PARTS=files`: a mesh of a million points from each format to SU2, by harmorph and, where it is installed,
 # by gmsh. Seconds of processor time (user and system), so that other work on the machine counts little;
-# MB/s of the file read.
+# MB/s of the file read. With two threads: seconds of wall time, which mean something on an idle machine only.
 : "${BUILD:=build}" "${CC:=cc}" "${ROUND:=1000}" "${OUTWARDS:=1000}"
 out=$BUILD/bench harmorph=$BUILD/harmorph
 mkdir -p "$out" || exit 1
@@ -32,21 +32,23 @@ if command -v gmsh >/dev/null 2>&1; then
 else
     echo "gmsh is not installed: harmorph alone"
 fi
-seconds() { # the least of three runs
-    for run in 1 2 3; do { time -p "$@" >/dev/null; } 2>&1 | awk '/^(user|sys)/ { s += $2 } END { print s }'; done |
+seconds() { # seconds PATTERN COMMAND...: the least of three runs; the pattern is (user|sys) or real
+    pattern=$1; shift
+    for run in 1 2 3; do { time -p "$@" >/dev/null; } 2>&1 | awk "/^$pattern/"' { s += $2 } END { print s }'; done |
         sort -n | head -n 1
 }
-printf '%-17s %10s %12s %10s %10s\n' "to SU2 from" MB "harmorph s" MB/s "gmsh s"
+printf '%-17s %10s %12s %10s %12s %10s\n' "to SU2 from" MB "harmorph s" MB/s "2 threads s" "gmsh s"
 for mesh in $meshes; do
     size=$(wc -c <"$out/$mesh")
-    ours=$(seconds "$harmorph" convert "$out/$mesh" "$out/converted.su2")
+    two=$(seconds real "$harmorph" convert "$out/$mesh" "$out/converted.su2" --threads 2)
+    ours=$(seconds "(user|sys)" "$harmorph" convert "$out/$mesh" "$out/converted.su2")
     peer=-
     if command -v gmsh >/dev/null 2>&1 && [ $mesh != files-binary.p3d ]; then
-        peer=$(seconds gmsh -0 -v 1 "$out/$mesh" -save -o "$out/peer.su2")
+        peer=$(seconds "(user|sys)" gmsh -0 -v 1 "$out/$mesh" -save -o "$out/peer.su2")
     fi
-    echo "$mesh $size $ours $peer" | awk '{
+    echo "$mesh $size $ours $two $peer" | awk '{
         megabytes = $2 / 1e6
-        printf "%-17s %10.1f %12.2f %10.0f %10s\n", $1, megabytes, $3, megabytes / $3, $4
+        printf "%-17s %10.1f %12.2f %10.0f %12.2f %10s\n", $1, megabytes, $3, megabytes / $3, $4, $5
     }'
 done
 rm -f "$out"/files.su2 "$out"/files-?.msh "$out"/files-*.p3d "$out/converted.su2" "$out/peer.su2"

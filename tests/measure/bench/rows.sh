@@ -1,8 +1,7 @@
 #!/bin/sh
 # `make bench-rows`: rows of the tables in tests/measure/bench/README.md, some of which README.md repeats: measures (a
-# quarter
-# of an hour on a calm machine) and leaves the whole output in $BUILD/bench/rows.txt. FILE=output only prints the rows
-# of a saved output.
+# quarter of an hour on a calm machine) and leaves the whole output in $BUILD/bench/rows.txt. FILE=output only prints
+# the rows of a saved output.
 : "${BUILD:=build}" "${FILE:=}"
 set -e
 if [ -z "$FILE" ]; then

@@ -103,9 +103,9 @@ all_levels() {   # NAME MESH CONDITIONS
             level_row FAS $agglomeration $asked --engine fas $choice --start zero
             level_row FMG-FAS $agglomeration $asked --engine fas $choice
             level_row "improved FMG-FAS" $agglomeration $asked --engine fas --cycle improved $choice
-            level_row multigrid-CG $agglomeration $asked --engine multigrid $choice
         done
     done
+    for asked in 2 3 4 5 6; do level_row multigrid-CG - $asked --engine multigrid; done
 }
 echo "table Two to six levels, merged in all directions alike and along the strongest couplings"
 printf "$level_columns" case engine agglomeration levels cycles work gain residual seconds
@@ -143,10 +143,9 @@ if [ -n "$MESHES" ]; then
         conditions="--curve $marker=$out/fit.curve"
         rm -f "$out"/direct-*.csv "$out"/table-*.csv
         row compact direct --engine direct
+        row compact multigrid --engine multigrid
         for agglomeration in auto directional; do
-            for engine in multigrid fas; do
-                row compact "$engine, $agglomeration" --engine $engine --agglomeration $agglomeration
-            done
+            row compact "fas, $agglomeration" --engine fas --agglomeration $agglomeration
         done
     done
     echo

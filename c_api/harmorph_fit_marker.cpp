@@ -1,0 +1,237 @@
+// The C interface: fits B-splines to the walls of a mesh.
+#include <limits>
+
+#include "fitted_set.hpp"
+#include "request.hpp"
+
+namespace harmorph {
+namespace {
+
+// The result of hm_fit_marker: the curves of all pieces, in one set.
+struct PiecesBlock {
+    FittedSet made;
+    Span<Real> control;
+    Span<Index> indices;
+    Span<Real> knots;
+    Index n_curves = 0, n_control = 0;
+    Size n_indices = 0, n_knots = 0;
+
+    // A piece has more points than the degree, and a face has two points; these limits bound all
+    // arrays.
+    void lay_out(Arena& arena, Offset max_faces, FitOptions const& options) noexcept {
+        Offset const pieces = max_faces / options.degree;
+        Offset const points = 2 * max_faces, wanted = pieces * options.n_control;
+        Offset const controls = min(points, wanted);
+        made.lay_out(arena, 2 * pieces);
+        arena.take(control, 2 * controls);
+        arena.take(indices, controls + pieces * (options.degree + 2));
+        arena.take(knots, controls + pieces * (2 * options.degree + 5));
+    }
+    void add(Fit const& fit) noexcept {
+        for (Index i = 0; i < fit.n_curves; ++i) {
+            Curve curve = fit.curve[i];
+            Index* const own = indices.data() + n_indices;
+            Real* const own_knots = knots.data() + n_knots;
+            for (Index k = 0; k < curve.n_indices; ++k) own[k] = n_control + curve.control_point(k);
+            Index const knots_of_curve = curve.n_indices + curve.degree + 1;
+            for (Index k = 0; k < knots_of_curve; ++k) own_knots[k] = curve.knots[k];
+            n_indices += static_cast<Size>(curve.n_indices);
+            n_knots += static_cast<Size>(knots_of_curve);
+            curve.indices = own;
+            curve.knots = own_knots;
+            made.curve[n_curves++] = struct_of(curve);
+        }
+        for (Index k = 0; k < fit.control.count(); ++k) control[2 * n_control + k] = fit.control[k];
+        n_control += fit.control.count() / 2;
+    }
+    const hm_curves* present() const noexcept {
+        return made.present(control.first(2 * n_control), n_curves);
+    }
+};
+
+// The walls of a mesh that are to be fitted, from the caller's arguments.
+struct WallRequest {
+    Request request;  // the mesh alone
+    Span<const Index> markers;
+    FitOptions options;
+
+    Status read(const hm_mesh* mesh, Index n_markers, const Index* given,
+                const hm_fit_options* fit_options, CallFault& fault) noexcept {
+        HARMORPH_TRY(require({{"markers", given}}, fault));
+        if (n_markers < 1) {
+            return fault.refuse(Status::bad_argument, "n_markers must be at least 1, not #",
+                                plain(n_markers));
+        }
+        markers = {given, static_cast<Size>(n_markers)};
+        HARMORPH_TRY(view_fit_options(fit_options, options, fault));
+        hm_problem problem = {};
+        problem.struct_size = sizeof problem;
+        problem.mesh = mesh;
+        HARMORPH_TRY(request.read(&problem, nullptr, fault));
+        HARMORPH_TRY(check_fit_weights(options, request.problem.mesh.n_points, fault));
+        return check_fit(options.n_control, options, fault);
+    }
+    Offset max_faces() const noexcept {
+        return static_cast<Offset>(Boundary::max_faces(request.problem.mesh));
+    }
+    // A piece of the boundary has at most one point more than it has faces.
+    Index max_points() const noexcept {
+        constexpr Offset limit = std::numeric_limits<Index>::max() - 2 * max_order;
+        return static_cast<Index>(min(max(max_faces() + 1, Offset{options.n_control}), limit));
+    }
+    bool is_on(Index marker) const noexcept {
+        for (Index const own : markers) {
+            if (own == marker) return true;
+        }
+        return false;
+    }
+};
+
+// Working memory of hm_fit_marker: the analysis of the mesh, the points of a piece, the fit.
+struct FitWork {
+    Analysis analysis;
+    Span<Index> point;  // of the piece
+    Span<Real> x, y;
+    Span<Real> weight;         // of these points; empty without weights
+    Span<unsigned char> room;  // of the fit of any piece
+
+    void lay_out(Arena& arena, WallRequest const& wall) noexcept {
+        Index const most = wall.max_points();
+        analysis.lay_out(arena, wall.request.problem, 0, 0);
+        arena.take(point, most);
+        arena.take(x, most);
+        arena.take(y, most);
+        arena.take(weight, wall.options.weight == nullptr ? 0 : most);
+        Arena counting;
+        Fit().lay_out(counting, most, wall.options);
+        arena.take(room, counting.bytes());
+    }
+};
+
+class WallFit {
+public:
+    WallFit(WallRequest const& wall, FitWork& work, PiecesBlock& made) noexcept
+        : wall_(wall), work_(work), made_(made) {}
+
+    Status run(hm_fit_report& report, CallFault& fault) noexcept {
+        HARMORPH_TRY(work_.analysis.run(wall_.request.problem, fault));
+        Boundary const& boundary = work_.analysis.boundary();
+        for (Index const marker : wall_.markers) {
+            if (has_face(boundary, marker)) continue;
+            return fault.refuse(Status::bad_condition, "no face of the boundary has the marker #",
+                                marker_item(marker));
+        }
+        auto const is_on = [&](Index face) { return wall_.is_on(boundary.marker[face]); };
+        auto const visit = [&](Index, Index point) { work_.point[n_points_++] = point; };
+        auto const close = [&](Index, bool is_loop) {
+            if (!failed(fault.status)) fit_piece(is_loop, fault);
+            n_points_ = 0;
+        };
+        Index const n_pieces = boundary.for_each_chain(is_on, visit, close);
+        report = report_of(worst_, n_pieces);
+        return fault.status;
+    }
+
+private:
+    static bool has_face(Boundary const& boundary, Index marker) noexcept {
+        for (Index face = 0; face < boundary.count; ++face) {
+            if (boundary.marker[face] == marker) return true;
+        }
+        return false;
+    }
+    Index number_of(Index position) const noexcept {
+        if (position == none) return none;
+        return work_.point[position] + wall_.request.problem.mesh.index_base;
+    }
+    // Replaces the position in a piece, which the fit names, by the point of the mesh.
+    void name_point(Item& item) const noexcept {
+        if (item.kind == ItemKind::point) item = point_item(work_.point[item.number]);
+    }
+    void fit_piece(bool is_loop, CallFault& fault) noexcept {
+        Points const points = wall_.request.problem.mesh.points;
+        for (Index k = 0; k < n_points_; ++k) {
+            work_.x[k] = points[work_.point[k]].x;
+            work_.y[k] = points[work_.point[k]].y;
+        }
+        Fit fit;
+        FitOptions options = wall_.options;
+        if (options.weight != nullptr) {
+            for (Index k = 0; k < n_points_; ++k) work_.weight[k] = options.weight[work_.point[k]];
+            options.weight = work_.weight.data();
+        }
+        FitReport fitted;
+        if (failed(check_fit(n_points_, wall_.options, fault))) return;
+        Arena arena(work_.room.data(), work_.room.size());
+        fit.lay_out(arena, n_points_, wall_.options);
+        fit.run({work_.x.data(), work_.y.data(), 1}, n_points_, is_loop, options, fitted, fault);
+        name_point(fault.item);
+        name_point(fault.other);
+        if (failed(fault.status)) return;
+        if (made_.n_curves == 0 || fitted.max_error > worst_.max_error) {
+            worst_ = fitted;
+            worst_.max_error_point = number_of(fitted.max_error_point);
+            worst_.first_point = number_of(fitted.first_point);
+            worst_.backtrack_point = number_of(fitted.backtrack_point);
+        }
+        made_.add(fit);
+    }
+
+    WallRequest const& wall_;
+    FitWork& work_;
+    PiecesBlock& made_;
+    Index n_points_ = 0;
+    FitReport worst_;
+};
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_fit_marker_size(const hm_mesh* mesh, int32_t n_markers, const int32_t* markers,
+                             const hm_fit_options* options, size_t* bytes, size_t* work_bytes,
+                             hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        WallRequest wall;
+        HARMORPH_TRY(require({{"bytes", bytes}, {"work_bytes", work_bytes}}, fault));
+        HARMORPH_TRY(wall.read(mesh, n_markers, markers, options, fault));
+        PiecesBlock made;
+        FitWork work;
+        size_t of_block = 0, of_work = 0;
+        HARMORPH_TRY(count_bytes(&of_block, fault, [&](Arena& arena) {
+            made.lay_out(arena, wall.max_faces(), wall.options);
+        }));
+        HARMORPH_TRY(
+            count_bytes(&of_work, fault, [&](Arena& arena) { work.lay_out(arena, wall); }));
+        *bytes = of_block;
+        *work_bytes = of_work;
+        return Status::ok;
+    });
+}
+
+hm_status hm_fit_marker(const hm_curves** curves, void* block, size_t bytes, const hm_mesh* mesh,
+                        int32_t n_markers, const int32_t* markers, const hm_fit_options* options,
+                        hm_fit_report* report, void* work, size_t work_bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        WallRequest wall;
+        HARMORPH_TRY(require({{"curves", curves}, {"block", block}, {"work", work}}, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
+        HARMORPH_TRY(wall.read(mesh, n_markers, markers, options, fault));
+        PiecesBlock made;
+        FitWork arrays;
+        hm_fit_report fitted = {};
+        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) {
+            made.lay_out(arena, wall.max_faces(), wall.options);
+        }));
+        HARMORPH_TRY(
+            place(work, work_bytes, fault, [&](Arena& arena) { arrays.lay_out(arena, wall); }));
+        HARMORPH_TRY(WallFit(wall, arrays, made).run(fitted, fault));
+        *curves = made.present();
+        if (report != nullptr) write_struct(fitted, report);
+        return fault.status;
+    });
+}
+
+}  // extern "C"

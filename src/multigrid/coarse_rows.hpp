@@ -1,0 +1,79 @@
+// The rows of a level: the symmetric matrix of a coarse level, of which one triangle is stored, and
+// both triangles of one level, row by row, which the coarsening reads.
+// tests/multigrid/test_coarse_points.cpp covers this file.
+#pragma once
+
+#include "base/arena.hpp"
+#include "base/scalar.hpp"
+#include "base/sort.hpp"
+
+namespace harmorph {
+
+// Row i stores the entries in later columns. The diagonal is the row sum minus all entries of the
+// row. Entries are in double precision, as in sheared thin cells large entries cancel when a stack
+// of cells moves as one.
+struct CoarseRows {
+    Index n = 0;
+    Span<Real> diagonal;  // [n]
+    Span<Offset> start;   // [n + 1]
+    Span<Index> column;
+    Span<Real> value;
+
+    Offset entries() const noexcept { return start[n]; }
+};
+
+struct FullRows {
+    // A coupling is strong for a point if its size is at least this fraction of the strongest one.
+    static constexpr Real strong = 0.25;
+
+    Index n = 0;
+    Span<Real> diagonal, row_sum;  // [n]
+    Span<Real> strongest;          // [n] The size of the strongest coupling of each point.
+    Span<Offset> start;            // [n + 1]
+    Span<Index> column;            // [entries of both triangles]
+    Span<Real> value;
+
+    // entries: those of one triangle.
+    void lay_out(Arena& arena, Index rows, Offset entries) noexcept;
+    // Copies all entries that are not 0; row_sum must have been set.
+    template <class HalfRows>
+    void take(HalfRows const& half) noexcept;
+
+    // Tells whether point i depends strongly on point j, with the entry of both. Only negative
+    // entries, which make values similar, are strong. The strongest coupling of j is strong for i,
+    // too: if couplings grow along a row of points by more than 1 / strong, points would otherwise
+    // be interpolated from one side only, and the coarse level would be too stiff.
+    bool depends(Index i, Index j, Real entry) const noexcept {
+        return entry < 0 && (-entry >= strong * strongest[i] || -entry >= strongest[j]);
+    }
+
+private:
+    void find_strongest() noexcept;
+};
+
+template <class HalfRows>
+void FullRows::take(HalfRows const& half) noexcept {
+    n = half.n;
+    copy(diagonal.first(n), Span<const Real>(half.diagonal));
+    Span<Offset> const starts = start.first(n + 1);
+    fill(starts, Offset{0});
+    auto const for_each = [&](auto const& visit) {
+        for (Index i = 0; i < n; ++i) {
+            for (Offset e = half.start[i]; e < half.start[i + 1]; ++e) {
+                if (half.value[e] != 0) visit(i, half.column[e], half.value[e]);
+            }
+        }
+    };
+    for_each([&](Index i, Index j, Real) { ++starts[i], ++starts[j]; });
+    counts_to_starts(starts);
+    for_each([&](Index i, Index j, Real entry) {
+        column[starts[i]] = j;
+        value[starts[i]++] = entry;
+        column[starts[j]] = i;
+        value[starts[j]++] = entry;
+    });
+    rewind_starts(starts);
+    find_strongest();
+}
+
+}  // namespace harmorph

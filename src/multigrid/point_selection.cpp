@@ -1,0 +1,91 @@
+#include "multigrid/point_selection.hpp"
+
+namespace harmorph {
+
+void PointSelection::lay_out(Arena& arena, Index n) noexcept {
+    arena.take(weight_, n);
+    arena.take(next_, n);
+    arena.take(previous_, n);
+}
+
+void PointSelection::insert(Index point) noexcept {
+    Index const list = min(weight_[point], lists - 1);
+    Index const after = first_[list];
+    next_[point] = after;
+    previous_[point] = none;
+    if (after != none) previous_[after] = point;
+    first_[list] = point;
+    heaviest_ = max(heaviest_, list);
+}
+
+void PointSelection::remove(Index point) noexcept {
+    Index const before = previous_[point], after = next_[point];
+    (before != none ? next_[before] : first_[min(weight_[point], lists - 1)]) = after;
+    if (after != none) previous_[after] = before;
+}
+
+void PointSelection::change_weight(Index point, Index by) noexcept {
+    remove(point);
+    weight_[point] += by;
+    insert(point);
+}
+
+Index PointSelection::select(FullRows const& rows, Span<Index> coarse) noexcept {
+    for (Index& list : first_) list = none;
+    heaviest_ = 0;
+    for (Index i = rows.n - 1; i >= 0; --i) {
+        coarse[i] = undecided;
+        weight_[i] = 0;
+        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e)
+            weight_[i] += rows.depends(rows.column[e], i, rows.value[e]);
+        insert(i);
+    }
+    while (heaviest_ >= 0) {
+        Index const i = first_[heaviest_];
+        if (i == none) {
+            --heaviest_;
+            continue;
+        }
+        remove(i);
+        bool is_needed = false;
+        for (Offset e = rows.start[i]; e < rows.start[i + 1] && !is_needed; ++e) {
+            Index const j = rows.column[e];
+            is_needed = coarse[j] == undecided && rows.depends(j, i, rows.value[e]);
+        }
+        if (is_needed) {
+            choose(rows, coarse, i);
+        } else {
+            leave(rows, coarse, i);
+        }
+    }
+    Index n = 0;
+    for (Index i = 0; i < rows.n; ++i)
+        if (coarse[i] != none) coarse[i] = n++;
+    return n;
+}
+
+// Makes a coarse point, and fine points of the points that depend on it.
+void PointSelection::choose(FullRows const& rows, Span<Index> coarse, Index point) noexcept {
+    coarse[point] = 0;
+    for (Offset e = rows.start[point]; e < rows.start[point + 1]; ++e) {
+        Index const j = rows.column[e];
+        if (coarse[j] != undecided || !rows.depends(j, point, rows.value[e])) continue;
+        remove(j);
+        leave(rows, coarse, j);
+    }
+    for (Offset e = rows.start[point]; e < rows.start[point + 1]; ++e) {
+        Index const j = rows.column[e];
+        if (coarse[j] == undecided && rows.depends(point, j, rows.value[e])) change_weight(j, -1);
+    }
+}
+
+// Makes a fine point; the points on which it depends are needed more.
+void PointSelection::leave(FullRows const& rows, Span<Index> coarse, Index point) noexcept {
+    coarse[point] = none;
+    for (Offset e = rows.start[point]; e < rows.start[point + 1]; ++e) {
+        Index const j = rows.column[e];
+        if (coarse[j] == undecided && rows.depends(point, j, rows.value[e])) change_weight(j, 1);
+    }
+}
+
+}  // namespace harmorph

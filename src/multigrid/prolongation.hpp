@@ -1,0 +1,63 @@
+// The interpolation from coarse points, and the matrix of the coarse points. Source: H. De Sterck,
+// R. D. Falgout, J. W. Nolting, U. M. Yang, Distance-two interpolation for parallel algebraic
+// multigrid, Numer. Linear Algebra Appl. 15 (2008) 115: formula "extended+i".
+#pragma once
+
+#include "multigrid/coarse_rows.hpp"
+
+namespace harmorph {
+
+// Row i has the weights of the coarse points from which point i is interpolated; a coarse point has
+// itself with the weight 1, a fine point that depends on nothing has no weight.
+struct Prolongation {
+    static constexpr Index most_weights = 4;  // of a row
+
+    Span<Offset> start;  // [n + 1]
+    Span<Index> column;
+    Span<Real> weight;
+};
+
+// The working space with which interpolate() and contract() make the next level.
+class Contraction {
+public:
+    FullRows rows;       // the finer level
+    Span<Index> coarse;  // [n] The numbers of the coarse points, and none for fine points.
+
+    // entries: the largest number of entries of one triangle of a finer level.
+    void lay_out(Arena& arena, Index n, Offset entries) noexcept;
+
+    // Fills the rows of `to`, each with at most `most` weights. The largest weights are kept, and
+    // scaled to the sum of all. Returns the number of weights.
+    Offset interpolate(Index most, Prolongation const& to) noexcept;
+    // Computes result = P^T rows P. result.n is given; result.column and result.value have room for
+    // `room` entries. Returns false if there are more, or if a diagonal is not positive.
+    bool contract(Prolongation const& by, Offset room, CoarseRows& result) noexcept;
+    // Makes the result of contract() the finer level.
+    void descend(CoarseRows const& result) noexcept;
+
+private:
+    struct Weight {
+        Index point;
+        Real value;
+    };
+    // Returns the number of weights of a fine point, and sets its sum_.
+    Index weigh(Index point, Index most, Weight* weights) noexcept;
+    void gather_candidates(Index point) noexcept;
+    void spread(Index point, Index over, Real entry) noexcept;
+    void transpose(Prolongation const& by, Index n) noexcept;
+    void contract_row_sums(Prolongation const& by, Index n) noexcept;
+
+    Span<Real> sum_;          // [n] The sums of the weights of each point.
+    Span<Index> candidates_;  // [n] The coarse points round a fine point.
+    Index n_candidates_ = 0;
+    Span<Index> of_;   // [n] The fine point for which a point is a candidate.
+    Span<Real> part_;  // [n] The part of the row of a fine point that falls on a candidate.
+    // The transpose of the prolongation.
+    Span<Offset> first_;  // [n + 1]
+    Span<Index> fine_;    // [most_weights n]
+    Span<Real> weight_;
+    Span<Real> coarse_sum_;  // [n] The row sums of the result.
+    Span<Offset> last_;      // [n]
+};
+
+}  // namespace harmorph

@@ -1,0 +1,129 @@
+// The coarse points of algebraic multigrid: how many there are, the interpolation from them, and
+// their matrix.
+#include <doctest/doctest.h>
+
+#include <fixtures/agglomerated.hpp>
+#include <fixtures/c_mesh.hpp>
+
+#include "multigrid/coarse_points.hpp"
+
+using namespace fixtures;
+using harmorph::Index;
+using harmorph::Offset;
+
+namespace {
+
+struct Levels {
+    harmorph::CoarsePoints points;
+
+    explicit Levels(harmorph::SymmetricRows const& finest, Index most = 0) {
+        auto const lay_out = [&](harmorph::Arena& arena) {
+            points.lay_out(arena, finest.n);
+            points.lay_out_work(arena, finest.n, finest.entries());
+        };
+        harmorph::Arena counting;
+        lay_out(counting);
+        block_ = std::make_unique<Guarded>(counting.bytes());
+        harmorph::Arena placing(block_->data(), block_->size());
+        lay_out(placing);
+        points.build(finest, most);
+        CHECK(block_->guards_intact());
+    }
+
+private:
+    std::unique_ptr<Guarded> block_;
+};
+
+Case thin_cells() {
+    Case setup = airfoil_case(20, 12, Cells::quads);
+    setup.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-6, 60, 60)).mesh;
+    return setup;
+}
+
+template <class Rows>
+DenseMatrix dense_rows(Rows const& rows) {
+    DenseMatrix out(std::size_t(rows.n));
+    for (Index i = 0; i < rows.n; ++i) {
+        out.at(std::size_t(i), std::size_t(i)) = rows.diagonal[i];
+        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
+            std::size_t const j = std::size_t(rows.column[e]);
+            out.at(std::size_t(i), j) += rows.value[e];
+            out.at(j, std::size_t(i)) += rows.value[e];
+        }
+    }
+    return out;
+}
+
+double weight_sum(harmorph::Prolongation const& by, Index row) {
+    double sum = 0;
+    for (Offset e = by.start[row]; e < by.start[row + 1]; ++e) sum += by.weight[e];
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("at most half of the points are coarse points, and rows have at most four weights") {
+    for (bool const is_thin : {false, true}) {
+        Case setup = is_thin ? thin_cells() : two_body_case(Cells::hybrid, 16, 10);
+        Analysed const seen(setup);
+        FrontMatrix const front(*seen.operator->());
+        Levels const levels(front.rows);
+        harmorph::CoarsePoints const& all = levels.points;
+        CHECK(all.n(all.count - 1) <= harmorph::CoarsePoints::coarsest);
+        Offset entries = 0;
+        for (Index l = 0; l + 1 < all.count; ++l) {
+            CHECK(2 * all.n(l + 1) <= all.n(l));
+            entries += all.entries(l + 1);
+            std::vector<int> owners(std::size_t(all.n(l + 1)));
+            for (Index i = 0; i < all.n(l); ++i) {
+                Offset const begin = all.finer[l].start[i], end = all.finer[l].start[i + 1];
+                CHECK(end - begin <= harmorph::Prolongation::most_weights);
+                if (end - begin == 1 && all.finer[l].weight[begin] == 1)
+                    ++owners[std::size_t(all.finer[l].column[begin])];
+            }
+            for (int const count : owners) CHECK(count >= 1);
+        }
+        CHECK(entries <= Offset{harmorph::CoarsePoints::entries_per_point} * all.finest.n);
+    }
+}
+
+TEST_CASE("constants are interpolated exactly where a row has no known neighbours") {
+    Case setup = thin_cells();
+    Analysed const seen(setup);
+    FrontMatrix const front(*seen.operator->());
+    Levels const levels(front.rows);
+    int inner = 0;
+    for (Index i = 0; i < front.rows.n; ++i) {
+        double const sum = weight_sum(levels.points.finer[0], i);
+        CHECK(sum <= 1 + 1e-14);
+        if (front.rows.row_sum[i] != 0) continue;
+        ++inner;
+        CHECK(sum == doctest::Approx(1).epsilon(1e-14));
+    }
+    CHECK(inner > front.rows.n / 2);
+}
+
+TEST_CASE("the matrix of the coarse points is that of the interpolated functions") {
+    Case setup = two_body_case(Cells::hybrid, 7, 4);
+    Analysed const seen(setup);
+    FrontMatrix const front(*seen.operator->());
+    Levels const levels(front.rows);
+    harmorph::CoarsePoints const& all = levels.points;
+    REQUIRE(all.count >= 3);
+    for (Index l = 0; l + 1 < all.count; ++l) {
+        DenseMatrix const fine = all.visit(l, [](auto const& rows) { return dense_rows(rows); });
+        DenseMatrix const coarse = dense_rows(all.coarse[l + 1]);
+        harmorph::Prolongation const& by = all.finer[l];
+        DenseMatrix expected(coarse.n);
+        for (std::size_t i = 0; i < fine.n; ++i)
+            for (std::size_t j = 0; j < fine.n; ++j)
+                for (Offset a = by.start[i]; a < by.start[i + 1]; ++a)
+                    for (Offset b = by.start[j]; b < by.start[j + 1]; ++b)
+                        expected.at(std::size_t(by.column[a]), std::size_t(by.column[b])) +=
+                            by.weight[a] * fine.at(i, j) * by.weight[b];
+        for (std::size_t i = 0; i < coarse.n; ++i)
+            for (std::size_t j = 0; j < coarse.n; ++j)
+                CHECK(std::fabs(coarse.at(i, j) - expected.at(i, j)) <
+                      1e-12 * std::fabs(coarse.at(i, i)));
+    }
+}
