@@ -1,9 +1,11 @@
 #!/bin/sh
 # Called by `make sanitize`. Memory that is used before it is written: random problems, whose blocks valgrind is told to
 # hold no values yet, and tests/use.c with clang's memory sanitizer. Races: the program with four threads, all operators
-# and engines, under the thread sanitizer. (`make fuzz` has the address and undefined-behaviour sanitizers.)
-# PARTS="memcheck memory threads": some of these. The last line counts.
-: "${MAKE:=make}" "${BUILD:=build}" "${JOBS:=2}" "${CXX:=c++}" "${CLANG:=clang}" "${PARTS:=memcheck memory threads}"
+# and engines, and tests/openmp.c with threads of OpenMP, under the thread sanitizer. (`make fuzz` has the address and
+# undefined-behaviour sanitizers.)
+# PARTS="memcheck memory threads openmp": some of these. The last line counts.
+: "${MAKE:=make}" "${BUILD:=build}" "${JOBS:=2}" "${CXX:=c++}" "${CLANG:=clang}"
+: "${PARTS:=memcheck memory threads openmp}"
 topic=sanitizers
 . "$(dirname "$0")/count.sh"
 wanted() { case " $PARTS " in *" $1 "*) return 0 ;; esac; return 1; }
@@ -50,5 +52,19 @@ if wanted threads; then
         "$dir/harmorph" morph "$dir/demo/mesh.su2" "$dir/demo/airfoil.basis" --move "$dir/demo/far.txt" --safe \
             --threads 4 -o "$dir/m.su2" >>"$dir/log" 2>&1
     passes "thread sanitizer: morph --safe" $? "$dir/log"
+fi
+
+# libarcher tells the thread sanitizer how threads of LLVM's OpenMP wait for each other. That library itself is not
+# instrumented.
+archer=$($CLANG -print-resource-dir 2>/dev/null)/../../libarcher.so
+if wanted openmp && [ -f "$archer" ]; then
+    dir=$BUILD/openmp
+    $MAKE -s BUILD="$dir" JOBS="$JOBS" CXX="$CLANG++" CXXFLAGS="-O1 -g1 -fsanitize=thread" library-only || exit 1
+    $CLANG -std=c99 -O1 -g1 -fsanitize=thread -fopenmp -Iinclude -Itests tests/openmp.c "$dir/libharmorph.a" -lm \
+        -o "$dir/use" && OMP_TOOL_LIBRARIES=$archer TSAN_OPTIONS="ignore_noninstrumented_modules=1:halt_on_error=1" \
+        "$dir/use" >"$dir/log" 2>&1
+    passes "thread sanitizer: tests/openmp.c" $? "$dir/log"
+elif wanted openmp; then
+    skip "the thread sanitizer with OpenMP" "libarcher is not installed (Debian: libomp-dev)"
 fi
 finish

@@ -51,7 +51,7 @@ std::vector<Point> FieldsModel::displaced() {
     double const by = extent_ * input_.any_of({0.0, 1e-9, 1e-3, 0.1});
     std::vector<Point> out = points_;
     for (Point& p : out) p = {p.x + by * input_.between(-1, 1), p.y + by * input_.between(-1, 1)};
-    return out;
+    return has_bad(out) ? points_ : out;
 }
 
 std::vector<Point> FieldsModel::places() {
