@@ -67,7 +67,7 @@ runs "--slip along the curve through the points: morph" 0 morph "$tmp/coarse.su2
     --move "$tmp/body40.txt" -o "$tmp/on-circle.su2"
 check "--slip along the curve through the points: is another curve" sh -c "! $(off_circle "$tmp/on-circle.su2" |
     awk '{ print $1 < 1e-8 ? "true" : "false" }')"
-refuses "--slip along a curve: another one's" 2 "away from the curve along which it slides" \
+refuses "--slip along a curve: another one's" 2 "away from the curve along which it slips" \
     solve "$tmp/coarse.su2" --rigid body=0,0 --slip far="$curve" -o "$tmp/x"
 refuses "--slip along a curve: no file" 3 'none.curve' solve "$tmp/coarse.su2" --rigid body=0,0 \
     --slip far="$tmp/none.curve" -o "$tmp/x"
