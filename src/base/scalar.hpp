@@ -47,7 +47,8 @@ inline bool is_finite(Real x) noexcept {
     return (bits_of(x) & exponent) != exponent;
 }
 
-// Returns the largest power of two that is not larger than x, a positive normal number.
+// Returns the largest power of two that is not larger than x, a positive number; 0 if x is
+// denormal.
 inline Real power_of_two_at(Real x) noexcept {
     std::uint64_t const exponent = bits_of(x) & 0x7FF0000000000000u;
     Real power;

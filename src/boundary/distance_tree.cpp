@@ -8,13 +8,6 @@ Index in_eights(Size n) noexcept {
     return static_cast<Index>((n + FaceDistance::lanes - 1) / FaceDistance::lanes);
 }
 
-Real power_of_two_below(Real x) noexcept {
-    std::uint64_t const exponent = bits_of(x) & 0x7ff0000000000000u;
-    Real power;
-    std::memcpy(&power, &exponent, sizeof power);
-    return power;
-}
-
 // Returns 0 if the inverse would not be finite, so that no floating-point exception is raised.
 Real inverse_of(Real square) noexcept { return square >= 0x1p-1000 ? 1 / square : 0; }
 
@@ -131,8 +124,11 @@ void FaceDistance::find_unit(Points points) noexcept {
         for (Index const point : face.point) all.include(points[point]);
     }
     extent = max(all.size().x, all.size().y);
-    unit = power_of_two_below(extent);  // is 0 for a denormal extent
-    if (unit > 0) inverse_unit = 1 / unit, range = farthest * unit;
+    unit = power_of_two_at(extent);  // is 0 for a denormal extent
+    if (unit > 0) {
+        inverse_unit = 1 / unit;
+        if (unit < 1e300 / farthest) range = farthest * unit;
+    }
     constexpr Real margin = 1.0 / 32;
     middle = 0.5 * (inverse_unit * all.low + inverse_unit * all.high);
     half_size = 0.5 * (inverse_unit * all.size()) + Vec2{margin, margin};

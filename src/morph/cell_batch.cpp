@@ -161,11 +161,19 @@ void for_each_batch(OrientedMesh const& cells, Index begin, Index end,
     }
 }
 
-CellKernels const& cell_kernels(Kernel known, Index n_cells) noexcept {
+namespace {
+Kernel kernel_for(Kernel known, Index n_cells) noexcept {
     // Below this number CPUID costs more time than a better kernel saves.
     constexpr Index detection_threshold = 4096;
-    return simd::table_of<CellKernels>(
-        resolved(known, n_cells < detection_threshold ? Kernel::baseline : Kernel::automatic));
+    return resolved(known, n_cells < detection_threshold ? Kernel::baseline : Kernel::automatic);
+}
+}  // namespace
+
+CellKernels const& cell_kernels(Kernel known, Index n_cells) noexcept {
+    return simd::table_of<CellKernels>(kernel_for(known, n_cells));
+}
+SmoothKernels const& smooth_kernels(Kernel known, Index n_cells) noexcept {
+    return simd::table_of<SmoothKernels>(kernel_for(known, n_cells));
 }
 
 }  // namespace harmorph

@@ -128,11 +128,15 @@ using SmoothCells = void(CellList const& cells, CellPlaces const& places,
                          SmoothRequest const& request, SmoothList& list) noexcept;
 struct CellKernels {
     MeasureCells *triangles, *quads;
-    SmoothCells *smooth_triangles, *smooth_quads;
+};
+// A table of their own: programs without smooth values do not link these kernels.
+struct SmoothKernels {
+    SmoothCells *triangles, *quads;
 };
 
 // Returns the kernels for so many cells; `known` is the best kernel, if known.
 CellKernels const& cell_kernels(Kernel known, Index n_cells) noexcept;
+SmoothKernels const& smooth_kernels(Kernel known, Index n_cells) noexcept;
 
 // Calls visit(user, batches) for cells begin .. end-1, in their order.
 void for_each_batch(OrientedMesh const& cells, Index begin, Index end,

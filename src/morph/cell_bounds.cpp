@@ -27,7 +27,7 @@ struct BoundPass {
     OrientedMesh const& cells;
     CellPlaces places;
     SmoothRequest request;
-    CellKernels const& kernels;
+    SmoothKernels const& kernels;
 
     void add_chunk(Index begin, Index end, BoundGradients const& gradients,
                    BoundChunk& chunk) const noexcept;
@@ -114,8 +114,8 @@ void add_list_slopes(CellList const& cells, bool is_triangle, const Real* weight
 void BoundPass::add_batches(CellBatches const& batches, const Index* numbers,
                             BoundGradients const& gradients, BoundChunk& chunk) const noexcept {
     SmoothList lists[2];  // triangles, quads
-    kernels.smooth_triangles(batches.triangles, places, request, lists[0]);
-    kernels.smooth_quads(batches.quads, places, request, lists[1]);
+    kernels.triangles(batches.triangles, places, request, lists[0]);
+    kernels.quads(batches.quads, places, request, lists[1]);
     Real least_quality = infinity, least_area = infinity;
     for (Index kind = 0; kind < 2; ++kind) {
         CellList const& given = kind == 0 ? batches.triangles : batches.quads;
@@ -257,7 +257,7 @@ void run_pass(BoundPass const& pass, Executor const& executor, CellBoundPair& bo
 void find_cell_bounds(OrientedMesh const& cells, Points at, Points start, Executor const& executor,
                       CellBoundPair& bounds) noexcept {
     Index const n_points = cells.mesh.n_points;
-    CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
+    SmoothKernels const& kernels = smooth_kernels(executor.kernel, cells.mesh.n_cells);
     SmoothRequest request;
     request.quality = bounds.quality.sharpness > 0;
     request.kept = bounds.kept;

@@ -206,7 +206,8 @@ std::uint64_t measure(CellList const& cells, CellPlaces const& given_places,
     return found & given;
 }
 
-constexpr CellKernels kernels{measure<3>, measure<4>, smooth<3>, smooth<4>};
+constexpr CellKernels kernels{measure<3>, measure<4>};
+constexpr SmoothKernels smooth_kernels{smooth<3>, smooth<4>};
 
 }  // namespace
 }  // namespace harmorph::cell_measures::HARMORPH_SET
@@ -215,4 +216,7 @@ namespace harmorph::simd {
 template <>
 inline constexpr const CellKernels* table<CellKernels, Kernel::HARMORPH_SET> =
     &harmorph::cell_measures::HARMORPH_SET::kernels;
+template <>
+inline constexpr const SmoothKernels* table<SmoothKernels, Kernel::HARMORPH_SET> =
+    &harmorph::cell_measures::HARMORPH_SET::smooth_kernels;
 }  // namespace harmorph::simd

@@ -41,9 +41,12 @@ template <Index W, class Number>
 void copy(const Number* from, Number* to, Index n) noexcept {
     std::memcpy(to, from, static_cast<Size>(n) * W * sizeof(Number));
 }
+// Computes to = a from, with one factor for each function.
 template <Index W, class From, class To>
-void convert(const From* from, To* to, Index n) noexcept {
-    for (Offset i = 0; i < Offset{n} * W; ++i) to[i] = static_cast<To>(from[i]);
+void convert(PerFunction<W> const& a, const From* from, To* to, Index n) noexcept {
+    for (Offset i = 0; i < Offset{n} * W; i += W) {
+        for (Index k = 0; k < W; ++k) to[i + k] = static_cast<To>(a.at[k] * from[i + k]);
+    }
 }
 
 template <Index W, class X, class Y>

@@ -42,7 +42,7 @@ Status Multigrid::set_up(SymmetricRows const& finest, Fault& fault) noexcept {
     measure_work(levels);
     has_bottom = levels.n(levels.count - 1) <= CoarsePoints::coarsest;
     if (has_bottom && !factor_bottom()) return refuse_row(0, fault);
-    is_single = has_bottom && estimate_condition() <= largest_single_condition;
+    is_single = has_bottom && fits_single() && estimate_condition() <= largest_single_condition;
     return Status::ok;
 }
 
@@ -56,6 +56,15 @@ bool Multigrid::factor_bottom() noexcept {
         }
         return bottom.factor() == none;
     });
+}
+
+// Single precision has the range 1e-38 .. 3e38, and residuals are scaled to 1.
+bool Multigrid::fits_single() const noexcept {
+    constexpr Real largest = 1e10;
+    for (Real const one : levels.finest.diagonal) {
+        if (!(one <= largest && one >= 1 / largest)) return false;
+    }
+    return true;
 }
 
 // Returns an estimate of 1 / the smallest eigenvalue of D^-1 A: (d.A^-1 d) / (1.d), where d is the

@@ -17,8 +17,8 @@ namespace harmorph {
 // half as many functions at a time, so that the vectors fit into the same memory.
 struct Multigrid : BlockIteration {
     static constexpr Index default_iterations = 200;
-    // With condition numbers up to this one, iterations in single and in double precision were
-    // equally many; from 6e8 on, single precision took up to 2.4 times as many.
+    // In trials, single and double precision took equally many iterations up to a condition number
+    // of 1e7; from 6e8 on, single precision took up to 2.4 times as many.
     static constexpr Real largest_single_condition = 1e8;
 
     CoarsePoints levels;
@@ -49,6 +49,7 @@ private:
     static Offset worker_bytes(Index n, Index width) noexcept;
     Offset worker_reals(Index n) const noexcept;
     bool factor_bottom() noexcept;
+    bool fits_single() const noexcept;
     Real estimate_condition() noexcept;
 
     Span<Real> loads_;  // [n] of all levels, for estimate_condition()

@@ -61,7 +61,7 @@ hmpy_file* hmpy_read(const char* path, const char* format, const char* zone, cha
                      std::int32_t capacity) {
     return reason_or(text, capacity, [&] {
         auto file = std::make_unique<hmpy_file>(
-            hmpy_file{cli::read_mesh_file(path, {format, zone, nullptr})});
+            hmpy_file{cli::read_mesh_file(path, {1, format, zone, nullptr})});
         cli::number_by_name(file->mesh);
         return file;
     });
