@@ -628,9 +628,9 @@ HM_API hm_status hm_morph(const hm_basis* basis, const double* move, const hm_po
 /* The transpose of hm_morph. dj: derivatives of an objective J with respect to the mesh points (x:
  * dJ/dx_k, y: dJ/dy_k); gradient [2*functions]: derivatives with respect to the control points. The
  * result does not depend on the numbering of the mesh points, see hm_adjoint_scale of
- * harmorph_parts.h. If a number is not finite, the whole gradient is NaN. As the
- * morph F is linear, the product of the Hessian F^T H F of J and a vector v of movements needs only
- * H, the second derivatives with respect to the mesh points: hm_adjoint of H times hm_morph of v. */
+ * harmorph_parts.h. If a number is not finite, the whole gradient is NaN. The morph F is linear, so
+ * the product of the Hessian F^T H F of J and a vector v of movements is hm_adjoint of H times
+ * hm_morph of v; H has the second derivatives of J with respect to the mesh points. */
 HM_API hm_status hm_adjoint(const hm_basis* basis, const hm_points* dj, double* gradient,
                             const hm_executor* executor, hm_error* err);
 
