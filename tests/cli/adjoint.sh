@@ -25,6 +25,14 @@ check "adjoint: all points have a row" test "$(number points)" -gt 1000
 check "adjoint: a limit of the descent" awk -v s="$(number admissible_descent)" 'BEGIN { exit !(s > 0) }'
 lines() { grep -v '^#' "$1"; }
 same_lines() { lines "$1" >"$tmp/a" && lines "$2" >"$tmp/b" && cmp "$tmp/a" "$tmp/b"; }
+# 17 digits distinguish all numbers: the same text means the same bits.
+: "${CC:=cc}"
+library=$(dirname "$harmorph")/libharmorph.a
+check "adjoint: a program in C is compiled" $CC -std=c99 ${CFLAGS-} -Iinclude -o "$tmp/adjoint_bits" \
+    "$here/adjoint_bits.c" "$library" -lm
+lines "$tmp/sens.txt" >"$tmp/rows"
+check "adjoint: hm_adjoint, called from C" sh -c "'$tmp/adjoint_bits' '$basis' '$tmp/rows' >'$tmp/from-c'"
+check "adjoint: hm_adjoint, called from C: the same bits" same_lines "$tmp/gradient" "$tmp/from-c"
 for layout in .csv -ordered.csv; do
     runs "adjoint: sens$layout" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/sens$layout" -o "$tmp/other"
     check "adjoint: sens$layout: the same bits" same_lines "$tmp/gradient" "$tmp/other"
@@ -161,6 +169,9 @@ check "adjoint: VTK: the same bits" same_lines "$tmp/gradient" "$tmp/other"
   echo '</DataArray></PointData>'; sed -n '/<Cells>/,$p' "$tmp/plain.vtu"; } >"$tmp/sens.vtu"
 runs "adjoint: VTU" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/sens.vtu" -o "$tmp/other"
 check "adjoint: VTU: the same bits" same_lines "$tmp/gradient" "$tmp/other"
+echo '<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid GhostLevel="0"><Piece Source="sens.vtu"/></PUnstructuredGrid>
+    </VTKFile>' >"$tmp/sens.pvtu"
+adjoint "PVTU" 'join the pieces' "$tmp/sens.pvtu"
 adjoint "a vector that is not there" "no column 'dI_x'" "$tmp/sens.vtk" --vector dI
 sed 's/^POINT_DATA .*/POINT_DATA 7/' "$tmp/sens.vtk" >"$tmp/bad.vtk"
 adjoint "VTK: a wrong count" 'the number of points' "$tmp/bad.vtk" --vector dJ
@@ -168,6 +179,22 @@ sed '$d' "$tmp/sens.vtk" >"$tmp/bad.vtk"
 adjoint "VTK: a row that is missing" 'bad.vtk' "$tmp/bad.vtk" --vector dJ
 refuses "adjoint: --vector and --x" 2 'exclude each other' adjoint "$mesh" "$basis" --sensitivity "$tmp/sens.vtk" \
     --vector dJ --x a
+
+# A mesh in the plane y = 0: the derivatives by z are those of the vector, or refused where there are none.
+awk '/^POINTS/ { n = $2; print; for (k = 0; k < n; k++) { getline; print $1, 0, $2 } next } { print }' \
+    "$tmp/plain.vtk" >"$tmp/upright.vtk"
+runs "adjoint: upright: functions" 0 solve "$tmp/upright.vtk" --curve boundary1="$tmp/demo/airfoil.curve" \
+    -o "$tmp/upright.basis"
+runs "adjoint: upright: a table" 0 adjoint "$tmp/upright.vtk" "$tmp/upright.basis" --sensitivity "$tmp/sens.txt" \
+    -o "$tmp/flat"
+{ cat "$tmp/upright.vtk"; echo "POINT_DATA $(sorted | wc -l)"; echo "VECTORS Sensitivity double"
+  sorted | awk '{ print $2, 7, $3 }'; for name in a b; do echo "SCALARS $name double 1"; sorted | awk '{ print $2 }'
+  done; } >"$tmp/upright_sens.vtk"
+runs "adjoint: upright: vectors" 0 adjoint "$tmp/upright.vtk" "$tmp/upright.basis" \
+    --sensitivity "$tmp/upright_sens.vtk" -o "$tmp/other"
+check "adjoint: upright: vectors: the same bits" same_lines "$tmp/flat" "$tmp/other"
+refuses "adjoint: upright: no derivatives by z" 3 "no column 'a_z'; the columns are" adjoint "$tmp/upright.vtk" \
+    "$tmp/upright.basis" --sensitivity "$tmp/upright_sens.vtk" --x a --y b -o "$tmp/x"
 
 # One cell thick: the derivatives by both planes are added, of a field of OpenFOAM, too.
 awk '/^POINTS/ { print "# vtk DataFile Version 3.0\nthick\nASCII\nDATASET UNSTRUCTURED_GRID"; n = $2

@@ -91,6 +91,82 @@ if echo '#include <cgnslib.h>' | $CXX -x c++ -E - >/dev/null 2>&1 && command -v 
     cgns_claim cells "zone 'Ring', section 'Wall'" Base/Ring/Wall/ElementRange 192 169
     cgns_claim cells "names element 217, which is no face" Base/Ring/ZoneBC/body/PointRange 169 2147483647
     cgns_claim plane "has a point with the index 8 of 7" Base/Zone1/ZoneBC/far/PointRange 1 7 25 2147483647
+    # Derivatives at the vertices: the gradient is that of a table with the same numbers. Both layers of a mesh that is
+    # one cell thick are added.
+    mesh=$tmp/mesh.cgns fields=$tmp/fields.cgns
+    gradient() { # gradient NAME FILE OUTPUT OPTION...
+        name=$1 from=$2 to=$3; shift 3
+        check "$name" "$with_cgns" adjoint "$mesh" "$tmp/basis" --sensitivity "$from" -o "$to" "$@"
+    }
+    same_gradient() { # same_gradient NAME A B: in all lines but comments, which name the files
+        grep -v '^#' "$2" >"$tmp/a" && grep -v '^#' "$3" >"$tmp/b" && cmp "$tmp/a" "$tmp/b" && test -s "$tmp/a" && ok "$1" || fail "$1"
+    }
+    for kind in plane planes cells polygons block solid; do
+        for real in double single; do
+            title="cgns fields: $kind $real" layers=1
+            case $kind in block | solid) layers=2 ;; esac
+            rm -f "$mesh"
+            "$tmp/make_cgns" "$mesh" $kind double
+            cp "$mesh" "$fields"
+            "$with_cgns" solve "$mesh" --curve "body=$tmp/curve" -o "$tmp/basis" >"$tmp/out" 2>&1
+            "$tmp/make_cgns" fields "$fields" $real >"$tmp/table"
+            awk -v layers=$layers '{ x[NR - 1] = $2; y[NR - 1] = $3 }
+                END { n = NR / layers
+                      for (k = 0; k < NR; k++) { sx[k % n] += x[k]; sy[k % n] += y[k] }
+                      for (k = 0; k < n; k++) printf "%d %.17g %.17g\n", k, sx[k], sy[k] }' \
+                "$tmp/table" >"$tmp/table-of-plane"
+            gradient "$title: from a table" "$tmp/table-of-plane" "$tmp/expected"
+            gradient "$title: from the file" "$fields" "$tmp/gradient"
+            same_gradient "$title: the same text" "$tmp/expected" "$tmp/gradient"
+        done
+    done
+    gradient "cgns fields: by the names of arrays" "$fields" "$tmp/gradient" --x SensitivityX --y SensitivityY
+    same_gradient "cgns fields: by the names of arrays: the same text" "$tmp/expected" "$tmp/gradient"
+    refuses "cgns fields: an array that is not there" \
+        "no column 'Lift_x'; the columns are 'x', 'y', 'z', 'SensitivityX'" "$with_cgns" \
+        adjoint "$mesh" "$tmp/basis" --sensitivity "$fields" --vector Lift -o "$tmp/x"
+    refuses "cgns fields: a program without CGNS" 'CGNS files are read by programs made with `make CGNS=1`' \
+        "$harmorph" adjoint "$tmp/ring.su2" "$tmp/basis" --sensitivity "$fields" -o "$tmp/x"
+    refuses_fields() { # refuses_fields WHAT KIND TEXT
+        rm -f "$mesh"
+        "$tmp/make_cgns" "$mesh" $2 double
+        cp "$mesh" "$fields"
+        "$with_cgns" solve "$mesh" --curve "body=$tmp/curve" -o "$tmp/basis" >"$tmp/out" 2>&1
+        "$tmp/make_cgns" fields "$fields" $1 >"$tmp/table"
+        refuses "cgns fields: $1" "$3" "$with_cgns" adjoint "$mesh" "$tmp/basis" --sensitivity "$fields" -o "$tmp/x"
+    }
+    # Points at the same place, as where zones meet: a derivative at one of them counts as at any other.
+    rm -f "$mesh" && "$tmp/make_cgns" "$mesh" planes double
+    "$with_cgns" solve "$mesh" --curve "body=$tmp/curve" -o "$tmp/basis" >"$tmp/out" 2>&1
+    for point in 25 104; do # behind zone 1's last point of the second ring: the first one of that ring in zone 2
+        echo "$point 1 2" >"$tmp/table"
+        gradient "cgns fields: point $point alone" "$tmp/table" "$tmp/gradient-$point"
+    done
+    same_gradient "cgns fields: copies of a point count alike" "$tmp/gradient-25" "$tmp/gradient-104"
+    # Other commands read the same fields.
+    rm -f "$mesh" && "$tmp/make_cgns" "$mesh" cells double && cp "$mesh" "$fields"
+    "$tmp/make_cgns" fields "$fields" double >"$tmp/table"
+    check "cgns fields: interpolate" "$with_cgns" interpolate "$mesh" "$fields" "$mesh" -o "$tmp/there.csv"
+    check "cgns fields: interpolate: the values of the file" awk -F '[ ,]' '
+        NR == FNR { x[$1] = $2; y[$1] = $3; n++; next }
+        FNR == 1 { bad = $4 != "SensitivityX" || $5 != "SensitivityY"; next }
+        { m++; if (($4 - x[$1]) ^ 2 + ($5 - y[$1]) ^ 2 > 1e-24) bad = 1 } END { exit bad || m != n || n != 168 }' \
+        "$tmp/table" "$tmp/there.csv"
+    refuses_fields nan plane \
+        "zone 'Zone1', point (6, 2, 1): the file needs a finite number for 'SensitivityY'"
+    refuses_fields cells cells \
+        "zone 'Ring' has no values at its vertices: the solution 'Adjoint' is at CellCenter"
+    refuses_fields pressure cells \
+        "the columns are 'x', 'y', 'z', 'Pressure'; the solution 'Adjoint' is at CellCenter, not at all vertices"
+    refuses_fields short cells "dimension"
+    refuses_fields other planes "zone 'Zone1' has no array 'OtherX' at its vertices, but zone 'Zone2' has"
+    refuses_fields twice plane "the solutions 'Adjoint' and 'Again' both have the array 'SensitivityX'"
+    refuses "cgns fields: no solution" "zone 'Zone1' has no values at its vertices: it has no FlowSolution_t" \
+        "$with_cgns" adjoint "$mesh" "$tmp/basis" --sensitivity "$mesh" -o "$tmp/x"
+    "$tmp/make_cgns" "$tmp/larger.cgns" block double
+    "$tmp/make_cgns" fields "$tmp/larger.cgns" double >"$tmp/table"
+    refuses "cgns fields: other points than the mesh" "zone 'Zone1', point (1, 1, 2): " \
+        "$with_cgns" adjoint "$mesh" "$tmp/basis" --sensitivity "$tmp/larger.cgns" -o "$tmp/x"
     head -c 3000 "$tmp/plane.cgns" >"$tmp/bad.cgns"
     check "cgns: cut off" sh -c "'$with_cgns' check '$tmp/bad.cgns' >'$tmp/err' 2>&1; test \$? -eq 3"
     refuses "cgns: a program without it says so" 'CGNS files are read by programs made with' "$harmorph" \

@@ -3,6 +3,10 @@
  *   make_cgns FILE KIND REAL
  *   make_cgns claim FILE NODE NUMBER...   writes other whole numbers into a node of the file
  *   make_cgns remove FILE PARENT NODE     removes a node
+ *   make_cgns fields FILE WHAT   adds vectors to all zones, and prints them in the order of the
+ * points; WHAT: double; single; nan: one is not finite; cells: at cells; pressure: at cells, and
+ * another array at points; short: five numbers; other: zones have other names; twice: in two
+ * solutions
  *     KIND   plane: structured, 2D; planes: two structured zones; block: structured, one cell
  * thick; cells: QUAD_4 and TRI_3 in one section of MIXED elements, BAR_2 at the boundary; polygons:
  * NGON_n; solid: HEXA_8 between two planes; cube: three cells thick; and what is wrong: nan: plane
@@ -209,8 +213,66 @@ static void remove_node(char** words) {
     call(cgio_close_file(number));
 }
 
+/* Sums of two of these numbers are exact, also in single precision. */
+static double derivative(int point, int d) { return ((point * 37 + d * 11) % 101 - 50) / 64.0; }
+
+static void add_fields(const char* path, const char* what) {
+    int zones, z, first = 0, single = strcmp(what, "single") == 0;
+    GridLocation_t location =
+        strcmp(what, "cells") == 0 || strcmp(what, "pressure") == 0 ? CellCenter : Vertex;
+    call(cg_open(path, CG_MODE_MODIFY, &file));
+    call(cg_nzones(file, 1, &zones));
+    for (z = 1; z <= zones; ++z) {
+        char name[33];
+        cgsize_t size[9], five = 5;
+        int dimensions, d, k, n = 1, s, f, pass;
+        double* values[2];
+        float* singles;
+        call(cg_zone_read(file, 1, z, name, size));
+        call(cg_index_dim(file, 1, z, &dimensions));
+        for (d = 0; d < dimensions; ++d) n *= (int)size[d];
+        singles = malloc(sizeof(float) * (size_t)n);
+        for (pass = 0; pass < (strcmp(what, "twice") == 0 ? 2 : 1); ++pass) {
+            call(cg_sol_write(file, 1, z, pass == 0 ? "Adjoint" : "Again", location, &s));
+            for (d = 0; d < 2; ++d) {
+                values[d] = malloc(sizeof(double) * (size_t)n);
+                for (k = 0; k < n; ++k) {
+                    values[d][k] = derivative(first + k, d);
+                    if (strcmp(what, "nan") == 0 && d == 1 && k == 30)
+                        values[d][k] = strtod("nan", NULL);
+                    singles[k] = (float)values[d][k];
+                }
+                sprintf(name, "%s%c",
+                        strcmp(what, "other") == 0 && z == 2 ? "Other" : "Sensitivity", "XY"[d]);
+                if (strcmp(what, "short") == 0) {
+                    call(cg_goto(file, 1, "Zone_t", z, "FlowSolution_t", s, "end"));
+                    call(cg_array_write(name, RealDouble, 1, &five, values[d]));
+                } else {
+                    call(cg_field_write(file, 1, z, s, single ? RealSingle : RealDouble, name,
+                                        single ? (void*)singles : (void*)values[d], &f));
+                }
+            }
+            for (k = 0; pass == 0 && k < n; ++k)
+                printf("%d %.17g %.17g\n", first + k, values[0][k], values[1][k]);
+            if (strcmp(what, "pressure") == 0) {
+                call(cg_sol_write(file, 1, z, "Flow", Vertex, &s));
+                call(cg_field_write(file, 1, z, s, RealDouble, "Pressure", values[0], &f));
+            }
+            free(values[0]);
+            free(values[1]);
+        }
+        free(singles);
+        first += n;
+    }
+    call(cg_close(file));
+}
+
 int main(int argc, char** argv) {
     const char* kind;
+    if (argc == 4 && strcmp(argv[1], "fields") == 0) {
+        add_fields(argv[2], argv[3]);
+        return 0;
+    }
     if (argc == 5 && strcmp(argv[1], "remove") == 0) {
         remove_node(argv + 2);
         return 0;

@@ -166,11 +166,14 @@ const Command adjoint_command = {
     "the names of columns in\n"
     "its first line (SU2's volume and surface files), a binary restart file of SU2, a file .vtk or "
     ".vtu with vectors at\n"
-    "the points, or a pointVectorField of OpenFOAM. Rows are matched by the column PointID, or by "
-    "x and y; where a file has\n"
-    "both, they must agree. Points without a row have derivative 0. Where the rows are the points "
-    "of MESH itself, and MESH is\n"
-    "one cell thick, the derivatives by both planes are added.\n"
+    "the points, a pointVectorField of OpenFOAM, or a CGNS file with arrays at the vertices "
+    "(NAMEX is read as NAME_x; programs\n"
+    "made with CGNS=1). Rows are matched by the column PointID, or by x and y; where a file has "
+    "both, they must agree. Points\n"
+    "without a row have derivative 0. Where the rows are the points of MESH itself, and MESH is "
+    "one cell thick, the derivatives\n"
+    "by both planes are added. Derivatives by points at the same place, as at a cut or between "
+    "zones, are added, too.\n"
     "The output has the lines of a file of moves: \"index dJ/dx dJ/dy\", \"rigid MARKER dJ/dx "
     "dJ/dy dJ/ddegrees dJ/dscale\",\n"
     "\"mode K dJ/damplitude dJ/damplitude-y\"; with --variables \"variable dJ/dvalue "
@@ -183,7 +186,8 @@ const Command adjoint_command = {
         {"--x", "NAME", "the column of dJ/dx (default: Sensitivity_x)"},
         {"--y", "NAME", "the column of dJ/dy (default: Sensitivity_y)"},
         {"--vector", "NAME",
-         "the array of vectors in a file of VTK (default: Sensitivity), in place of --x and --y"},
+         "the array of vectors in a file of VTK or CGNS (default: Sensitivity), in place of --x "
+         "and --y"},
         {"--normal", "NAME",
          "the column of derivatives along the normals of the boundary, instead of --x and --y"},
         {"--into", "SIDE", "for --normal: fluid or body, into which the normals point"},

@@ -84,8 +84,9 @@ const Command interpolate_command = {
     "FIELDS is a file with one row for each point of FROM: a CSV file with the names of columns in "
     "the first line, a table\n"
     "\"point value value\", a binary restart file of SU2, a file .vtk or .vtu with arrays at the "
-    "points, or a\n"
-    "pointVectorField of OpenFOAM. Rows are matched as in `harmorph adjoint`.\n",
+    "points, a\n"
+    "pointVectorField of OpenFOAM, or a CGNS file with arrays at the vertices (programs made with "
+    "CGNS=1). Rows are matched as in `harmorph adjoint`.\n",
     {{"--field", "NAME", "a column of FIELDS; may be repeated (default: all columns)"},
      {"-o", "FILE",
       "file to write (required): .vtu, with the mesh TO, or else a CSV table with the columns "

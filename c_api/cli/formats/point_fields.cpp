@@ -5,6 +5,7 @@
 #include "formats/bytes.hpp"
 #include "formats/foam_list.hpp"
 #include "formats/number_reader.hpp"
+#include "formats/vtk_parallel.hpp"
 #include "formats/vtk_xml_file.hpp"
 
 #include <algorithm>
@@ -132,6 +133,12 @@ Columns piece_columns(const TextFile& file, const VtkEncoding& as, const VtkPiec
 }
 
 PointTable read_vtk_xml(const std::shared_ptr<const TextFile>& file) {
+    if (is_parallel_vtk(*file)) {
+        file->fail(0,
+                   "fields in the pieces of a file .pvtu are not read: points where pieces meet "
+                   "come more than once; join the pieces and these points in one file .vtu "
+                   "(ParaView: Clean to Grid)");
+    }
     const VtkXmlFile content = read_vtk_xml_tags(*file);
     Columns all;
     for (std::size_t k = 0; k < content.pieces.size(); ++k) {

@@ -3,6 +3,8 @@
 #include "basics/failure.hpp"
 #include "basics/numbers.hpp"
 #include "formats/bytes.hpp"
+#include "formats/cgns.hpp"
+#include "formats/cgns_fields.hpp"
 #include "formats/deflate.hpp"
 #include "formats/point_fields.hpp"
 
@@ -171,17 +173,24 @@ double reach_of(const Mesh& mesh) {
     return 2e-6 * std::max(*x.second - *x.first, *y.second - *y.first);
 }
 
-bool PointTable::has(const std::string& name) const {
-    return std::find(names.begin(), names.end(), name) != names.end();
+std::size_t PointTable::find(const std::string& name) const {
+    auto found = std::find(names.begin(), names.end(), name);
+    const std::size_t end = name.size() - std::min<std::size_t>(name.size(), 2);
+    for (const char* component : {"_xX", "_yY", "_zZ"}) {
+        if (found == names.end() && name.compare(end, 2, component, 2) == 0)
+            found = std::find(names.begin(), names.end(), name.substr(0, end) + component[2]);
+    }
+    return static_cast<std::size_t>(found - names.begin());
 }
 
 std::size_t PointTable::column(const std::string& name) const {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    const std::size_t found = find(name);
+    if (found < names.size()) return found;
     std::string known;
     for (const std::string& other : names) known += (known.empty() ? "" : ", ") + in_quotes(other);
     throw Failure(exit_file, file->path() + ": there is no column " + in_quotes(name) +
-                                 "; the columns are " + known);
+                                 "; the columns are " + known +
+                                 (left_out.empty() ? "" : "; " + left_out));
 }
 
 std::string PointTable::place(std::size_t row) const {
@@ -192,6 +201,7 @@ std::string PointTable::place(std::size_t row) const {
 PointTable read_point_table(const std::string& path) {
     const auto file = std::make_shared<const TextFile>(read_unpacked(path));
     if (is_point_fields(*file)) return read_point_fields(file);
+    if (is_cgns(*file)) return read_cgns_fields(*file);
     if (is_restart(file->text())) return read_restart(file);
     LineReader lines(*file, '#');
     if (!lines.next()) file->fail(0, "the file has no numbers");

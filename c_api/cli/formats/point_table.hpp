@@ -3,7 +3,7 @@
 //     text       lines "point dJ/dx dJ/dy", points counted from 0 in the order of the mesh file
 //     CSV        a first line with the names of the columns, in quotes or not (SU2, ParaView)
 //     restart    SU2's binary restart files (.dat)
-//     fields     files of VTK and OpenFOAM (point_fields.hpp)
+//     fields     files of VTK and OpenFOAM (point_fields.hpp) and CGNS (cgns_fields.hpp)
 #pragma once
 
 #include "mesh/mesh_file.hpp"
@@ -20,14 +20,19 @@ struct PointTable {
     std::vector<double> values;        // [rows * columns]
     std::vector<std::size_t> offsets;  // [rows] of the lines in the file; empty: a binary file
     bool has_file_points = false;      // rows may be points of a mesh file with three coordinates
+    std::string left_out;              // why arrays of the file are no columns; may be empty
 
     std::size_t rows() const { return names.empty() ? 0 : values.size() / names.size(); }
     double at(std::size_t row, std::size_t column) const {
         return values[row * names.size() + column];
     }
-    bool has(const std::string& name) const;
+    // NAME_x is also the name of a column NAMEX, as CGNS names the components of vectors.
+    bool has(const std::string& name) const { return find(name) < names.size(); }
     std::size_t column(const std::string& name) const;  // a Failure lists the names that there are
     std::string place(std::size_t row) const;
+
+private:
+    std::size_t find(const std::string& name) const;  // the number of names: there is no column
 };
 
 PointTable read_point_table(const std::string& path);

@@ -76,10 +76,11 @@ Sensitivity by_points_of_file(const PointTable& table, const SensitivityColumns&
                                      ": sensitivities by the points of elements of "
                                      "second order are not read");
     }
-    const std::size_t x = table.column(columns.x);
-    const std::string vector = columns.x.substr(0, columns.x.size() - 2);
-    const std::size_t component[3] = {x, table.column(columns.y),
-                                      table.has(vector + "_z") ? table.column(vector + "_z") : x};
+    const bool has_ending = ends_with(columns.x, "x") || ends_with(columns.x, "X");
+    std::string z = columns.x + (has_ending ? "" : "_z");
+    if (has_ending) z.back() = static_cast<char>(z.back() + 2);
+    std::size_t component[] = {table.column(columns.x), table.column(columns.y),
+                               table.names.size()};
     const bool has_places = table.has("x") && table.has("y") && table.has("z");
     const double reach = reach_of(mesh);
     Sensitivity found{Field(mesh.x.size()), table.rows()};
@@ -99,6 +100,7 @@ Sensitivity by_points_of_file(const PointTable& table, const SensitivityColumns&
                                          brief(table.at(row, table.column("x") + d)) +
                                          ", that of this mesh is " + brief(place));
         }
+        if (component[d] == table.names.size()) component[d] = table.column(z);
         const double value = finite(table, row, component[d]);
         found.by.x[point] += along.along[0] * value;
         found.by.y[point] += along.along[1] * value;
