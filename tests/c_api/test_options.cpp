@@ -22,7 +22,7 @@ constexpr Wish wishes[] = {
     {"levels", [](Options& o) { o.levels = 3; }, {false, true, true}},
     {"agglomeration",
      [](Options& o) { o.agglomeration = HM_AGGLOMERATE_ISOTROPIC; },
-     {false, true, true}},
+     {false, false, true}},
     {"block_width", [](Options& o) { o.block_width = 4; }, {false, true, true}},
     {"max_iterations", [](Options& o) { o.max_iterations = 1000; }, {false, true, true}},
     {"history",
