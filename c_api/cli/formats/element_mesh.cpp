@@ -118,10 +118,10 @@ void ElementMesh::add_flat() {
             });
         }
     }
-    for_each_middle([&](std::size_t middle_node, const std::vector<std::int32_t>& of) {
+    for_each_middle([&](std::size_t middle_node, const std::vector<std::int32_t>& around) {
         const std::size_t* const axes = mesh_.in_file.axes;
-        Between between = {{}, static_cast<std::int32_t>(of.size()), 0, 0};
-        std::copy(of.begin(), of.end(), between.corners.begin());
+        Between between = {{}, static_cast<std::int32_t>(around.size()), 0, 0};
+        std::copy(around.begin(), around.end(), between.corners.begin());
         between.x = all_.points.x[axes[0]][middle_node];
         between.y = all_.points.x[axes[1]][middle_node];
         const auto point = static_cast<std::int32_t>(mesh_.x.size() + mesh_.in_file.between.size());
@@ -152,8 +152,8 @@ void ElementMesh::add_solid() {
         }
     }
     std::size_t n_middles = 0;
-    for_each_middle([&](std::size_t middle_node, const std::vector<std::int32_t>& of) {
-        SpaceMiddle added = {of, {}, {}, static_cast<std::int32_t>(middle_node)};
+    for_each_middle([&](std::size_t middle_node, const std::vector<std::int32_t>& around) {
+        SpaceMiddle added = {around, {}, {}, static_cast<std::int32_t>(middle_node)};
         for (std::size_t d = 0; d < 3; ++d) {
             added.x[d] = all_.points.x[d][middle_node];
             added.offset[d] = all_.points.offset[d][middle_node];
@@ -169,18 +169,18 @@ void ElementMesh::add_solid() {
 // corners of which the node is the middle.
 template <class Add>
 void ElementMesh::for_each_middle(const Add& add) {
-    std::vector<std::int32_t> of;
+    std::vector<std::int32_t> around;
     for (const Element& element : all_.elements) {
         if (!is_read(element)) continue;
         const char* corners = element.shape.middles;
         for (int k = element.shape.corners; k < element.shape.nodes; ++k) {
-            of.clear();
+            around.clear();
             for (; *corners && *corners != ' '; ++corners)
-                of.push_back(corner(element, static_cast<std::size_t>(*corners - '0')));
+                around.push_back(corner(element, static_cast<std::size_t>(*corners - '0')));
             if (*corners) ++corners;
             const std::size_t middle_node = node(element, static_cast<std::size_t>(k));
             if (point_of_[middle_node] != middle) continue;
-            add(middle_node, of);
+            add(middle_node, around);
             point_of_[middle_node] = middle_added;
         }
     }

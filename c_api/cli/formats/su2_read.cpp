@@ -61,9 +61,9 @@ struct PointRows {
             if (!row.whole(number)) return false;
         }
         mesh.point_offset[point] = x_offset;
-        const auto of = static_cast<std::int32_t>(point);
-        mesh.in_file.slots[2 * point] = {x_offset, of, takes_x};
-        mesh.in_file.slots[2 * point + 1] = {y_offset, of, takes_y};
+        const auto slot_point = static_cast<std::int32_t>(point);
+        mesh.in_file.slots[2 * point] = {x_offset, slot_point, takes_x};
+        mesh.in_file.slots[2 * point + 1] = {y_offset, slot_point, takes_y};
         if (!row.end_of_line()) return false;
         ++end.rows;
         return true;
