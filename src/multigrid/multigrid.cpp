@@ -58,7 +58,8 @@ bool Multigrid::factor_bottom() noexcept {
     });
 }
 
-// Single precision has the range 1e-38 .. 3e38, and residuals are scaled to 1.
+// Returns whether no product of the preconditioner leaves the range of single precision, 1e-38 ..
+// 3e38: residuals are scaled to 1, and the condition number is at most largest_single_condition.
 bool Multigrid::fits_single() const noexcept {
     constexpr Real largest = 1e10;
     for (Real const one : levels.finest.diagonal) {

@@ -92,6 +92,40 @@ void check_gradient(CurveSet& set, hm_quantity const& asked, hm_section const* s
     CHECK(worst <= tolerance * size);
 }
 
+// Central differences along random directions converge to the derivatives with second order.
+void check_order(CurveSet& set, hm_quantity const& asked, hm_section const* section) {
+    Result const exact = measured(set, asked, section);
+    REQUIRE_MESSAGE(exact.status == HM_OK, exact.error.text);
+    std::vector<double> const start = set.control;
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    double size = 0, errors[3] = {};
+    for (double const g : exact.gradient) size = std::max(size, std::fabs(g));
+    for (int trial = 0; trial < 4; ++trial) {
+        std::vector<double> direction(start.size());
+        double slope = 0;
+        for (std::size_t k = 0; k < start.size(); ++k) {
+            direction[k] = uniform(random);
+            slope += exact.gradient[k] * direction[k];
+        }
+        auto const at = [&](double step) {
+            for (std::size_t k = 0; k < start.size(); ++k)
+                set.control[k] = start[k] + step * direction[k];
+            return value_of(set, asked, section);
+        };
+        double h = 4e-4;
+        for (double& error : errors) {
+            error = std::max(error, std::fabs((at(h) - at(-h)) / (2 * h) - slope));
+            h /= 2;
+        }
+    }
+    set.control = start;
+    INFO("kind " << asked.kind << ": " << errors[0] << ", " << errors[1] << ", " << errors[2]
+                 << ", gradient up to " << size);
+    double const rounding = 1e-9 * size;  // the error of an area, for instance, is rounding alone
+    for (int k = 0; k < 2; ++k) CHECK(errors[k + 1] < 0.3 * errors[k] + rounding);
+}
+
 // A circle of nine rational quadratic points, counter-clockwise from (radius, 0), exact.
 CurveSet circle(double radius, double cx, double cy) {
     Spline out;
@@ -288,6 +322,25 @@ TEST_CASE("derivatives of all quantities agree with differences for sections of 
                 check_gradient(set, clearance(box), &chord, 1e-6);
                 check_gradient(set, clearance(wide), &chord, 1e-6);
             }
+}
+
+TEST_CASE("differences converge to the derivatives with second order") {
+    std::vector<double> const box = {0.2, -0.03, 0.6, -0.02, 0.6, 0.05, 0.2, 0.06};
+    for (bool const rational : {false, true}) {
+        CurveSet set = section(true, rational);
+        hm_section chord{};
+        chord.struct_size = sizeof chord;
+        INFO("rational " << rational);
+        for (int k = HM_AREA; k <= HM_CURVATURE_VARIATION; ++k)
+            if (k != HM_THICKNESS && k != HM_CAMBER) check_order(set, quantity(k), &chord);
+        for (double const station : {0.03, 0.25, 0.6, 0.93}) {
+            check_order(set, quantity(HM_THICKNESS, station), &chord);
+            check_order(set, quantity(HM_CAMBER, station), &chord);
+        }
+        check_order(set, thinnest(0.15, 0.9, 30), &chord);
+        check_order(set, quantity(HM_TWIST), &chord);
+        check_order(set, sharpened(clearance(box), 40), &chord);
+    }
 }
 
 TEST_CASE("measures of a section do not depend on direction, and follow rotation and scale") {

@@ -2,23 +2,7 @@
 check "numbers.cpp is compiled" $CXX -std=c++17 -O1 -Ic_api/cli -o "$tmp/numbers" tests/formats/numbers.cpp \
     c_api/cli/basics/numbers.cpp
 check "numbers are written as printf writes them" "$tmp/numbers"
-awk -v n=200 -v m=150 'BEGIN {
-    pi = atan2(0, -1)
-    print "NDIME= 2\nNELEM= " n * m
-    for (j = 0; j < m; j++) for (i = 0; i < n; i++) {
-        a = j * n + i; b = j * n + (i + 1) % n
-        print 9, a, a + n, b + n, b, a
-    }
-    print "NPOIN= " n * (m + 1)
-    for (j = 0; j <= m; j++) for (i = 0; i < n; i++) {
-        r = exp(3 * j / m); t = 2 * pi * i / n
-        printf "%.16e\t%.16e\t%d\n", r * cos(t), r * sin(t), j * n + i
-    }
-    print "NMARK= 2\nMARKER_TAG= body\nMARKER_ELEMS= " n
-    for (i = 0; i < n; i++) print 3, i, (i + 1) % n
-    print "MARKER_TAG= far\nMARKER_ELEMS= " n
-    for (i = 0; i < n; i++) print 3, m * n + i, m * n + (i + 1) % n
-}' >"$tmp/large.su2"
+awk -v n=200 -v m=150 -f tests/formats/large_mesh.awk >"$tmp/large.su2"
 for ending in su2 msh vtk vtu; do
     "$harmorph" convert "$tmp/large.su2" "$tmp/one.$ending" >/dev/null
     check "large: .$ending by three threads" "$harmorph" convert "$tmp/large.su2" "$tmp/three.$ending" --threads 3

@@ -5,23 +5,7 @@
 : "${BUILD:=build}" "${CC:=cc}" "${ROUND:=1000}" "${OUTWARDS:=1000}"
 out=$BUILD/bench harmorph=$BUILD/harmorph
 mkdir -p "$out" || exit 1
-awk -v n="$ROUND" -v m="$OUTWARDS" 'BEGIN {
-    pi = atan2(0, -1)
-    print "NDIME= 2\nNELEM= " n * m
-    for (j = 0; j < m; j++) for (i = 0; i < n; i++) {
-        a = j * n + i; b = j * n + (i + 1) % n
-        print 9, a, a + n, b + n, b, a
-    }
-    print "NPOIN= " n * (m + 1)
-    for (j = 0; j <= m; j++) for (i = 0; i < n; i++) {
-        r = exp(log(20) * j / m); t = 2 * pi * i / n
-        printf "%.16e\t%.16e\t%d\n", r * cos(t), r * sin(t), j * n + i
-    }
-    print "NMARK= 2\nMARKER_TAG= body\nMARKER_ELEMS= " n
-    for (i = 0; i < n; i++) print 3, i, (i + 1) % n
-    print "MARKER_TAG= far\nMARKER_ELEMS= " n
-    for (i = 0; i < n; i++) print 3, m * n + i, m * n + (i + 1) % n
-}' >"$out/files.su2"
+awk -v n="$ROUND" -v m="$OUTWARDS" -f tests/formats/large_mesh.awk >"$out/files.su2"
 "$harmorph" convert "$out/files.su2" "$out/files-2.msh" >/dev/null || exit 1
 $CC -O2 -o "$out/make_plot3d" tests/measure/bench/make_plot3d.c -lm || exit 1
 "$out/make_plot3d" "$ROUND" "$OUTWARDS" "$out/files-text.p3d" "$out/files-binary.p3d" || exit 1
