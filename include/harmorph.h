@@ -451,7 +451,7 @@ typedef struct hm_problem {
  * HM_DIRECT, and slip and meshes in parts are excluded.
  *
  *   operator                  engine                       conditions      values
- *   HM_CONFORMAL              HM_DIRECT                    all but free    complex
+ *   HM_CONFORMAL              HM_DIRECT, HM_MULTIGRID      all but free    complex
  *   HM_LAPLACE, HM_WEIGHTED   HM_DIRECT, HM_MULTIGRID      all             real
  *
  * The weight of an operator is k = 1 / d^q. d is the distance from the barycentre of a cell to the

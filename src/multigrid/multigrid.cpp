@@ -36,7 +36,9 @@ void Multigrid::lay_out_vectors(Arena& arena, Index n) noexcept {
     arena.take(vectors, workers * worker_reals(n));
 }
 
-Status Multigrid::set_up(SymmetricRows const& finest, Fault& fault) noexcept {
+Status Multigrid::set_up(SymmetricRows const& finest, ImaginaryRows const& imaginary_parts,
+                         Fault& fault) noexcept {
+    imaginary = imaginary_parts;
     HARMORPH_TRY(check_diagonals(finest, fault));
     levels.build(finest, iteration.merging.max_levels);
     measure_work(levels);
@@ -105,7 +107,8 @@ Status Multigrid::solve(Rows const& values, Progress const& progress, IterationR
             block::ConjugateGradients<w, decltype(zero)> iterate(*this, own_vectors, values, first);
             return iterate.run(block_report, after);
         };
-        return solve_in_blocks(*this, w, values.width, progress, report, fault, run_block);
+        Index const functions = is_complex() ? w / 2 : w;
+        return solve_in_blocks(*this, functions, values.width, progress, report, fault, run_block);
     };
     Status const status = with_width(iteration, [&](auto width) {
         constexpr Index half = decltype(width)::value / 2;

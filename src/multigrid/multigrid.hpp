@@ -15,6 +15,10 @@ namespace harmorph {
 // D^-1 A, where D is the diagonal of A. In thin cells this number may be so large that the
 // disturbance has more energy than the vector. The preconditioner is then in double precision, with
 // half as many functions at a time, so that the vectors fit into the same memory.
+//
+// If the matrix is Hermitian, the levels are those of its real part, which is positive definite,
+// too: x.Re(A) x = x.A x for a real vector x. The preconditioner treats the real and the imaginary
+// parts of half as many functions as so many real vectors.
 struct Multigrid : BlockIteration {
     static constexpr Index default_iterations = 200;
     // In trials, single and double precision took equally many iterations up to a condition number
@@ -22,6 +26,7 @@ struct Multigrid : BlockIteration {
     static constexpr Real largest_single_condition = 1e8;
 
     CoarsePoints levels;
+    ImaginaryRows imaginary;
     // The Cholesky factor of the coarsest level, if that level is small enough.
     EnvelopeMatrix bottom;
     bool has_bottom = false;
@@ -35,7 +40,9 @@ struct Multigrid : BlockIteration {
 
     // Makes the coarse levels of this matrix. On Status::not_positive, fault.item is a position of
     // the elimination.
-    Status set_up(SymmetricRows const& finest, Fault& fault) noexcept;
+    Status set_up(SymmetricRows const& finest, ImaginaryRows const& imaginary_parts,
+                  Fault& fault) noexcept;
+    bool is_complex() const noexcept { return !imaginary.value.empty(); }
     // Replaces right-hand sides by solutions in place. The iteration ends when the tolerance or the
     // limit of iterations is reached.
     Status solve(Rows const& values, Progress const& progress, IterationReport& report,

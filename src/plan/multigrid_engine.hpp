@@ -9,7 +9,8 @@ namespace harmorph {
 
 struct MultigridEngine : LevelEngine<Multigrid> {
     Status set_up(Equations const& equations, Points, Progress const&, Fault& fault) noexcept {
-        return iteration.set_up(equations.matrix().rows({}), fault);
+        Matrix const& matrix = equations.matrix();
+        return iteration.set_up(matrix.rows({}), matrix.imaginary_rows(), fault);
     }
     Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress,
                  IterationReport& report, Fault& fault) noexcept {

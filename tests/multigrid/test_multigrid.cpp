@@ -61,7 +61,7 @@ void check_preconditioner(Case setup) {
     harmorph::Arena placing(block.data(), block.size());
     lay_out(placing);
     harmorph::Fault fault;
-    REQUIRE(engine.set_up(front.rows, fault) == harmorph::Status::ok);
+    REQUIRE(engine.set_up(front.rows, {}, fault) == harmorph::Status::ok);
     REQUIRE(engine.levels.count >= 3);
     REQUIRE(engine.has_bottom);
     harmorph::block::Cycle<4, double> cycle(engine, engine.vectors.data());
@@ -114,6 +114,31 @@ TEST_CASE("multigrid finds the functions of the direct engine on every kind of m
     }
 }
 
+TEST_CASE("multigrid finds the conformal functions of the direct engine") {
+    for (int which = 0; which < 7; ++which) {
+        Case setup = which < 3    ? two_body_case(static_cast<Cells>(which), 16, 10)
+                     : which == 3 ? o_mesh_case(60, 1e-6, 40, Cells::triangles)
+                     : which == 4 ? ring_case(16, 64, 0.5, 2)
+                     : which == 5 ? even_case(40)
+                                  : airfoil_case();
+        if (which == 6) setup.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-5, 60, 48)).mesh;
+        for (double const exponent : {-1.0, 1.0, 1.5, 2.0, 4.0}) {
+            Options iterative = multigrid(), exact = direct();
+            iterative.operator_kind = exact.operator_kind = HM_CONFORMAL;
+            iterative.exponent = exact.exponent = exponent;
+            Solved const found(setup, &iterative), expected(setup, &exact);
+            INFO("case " << which << ", exponent " << exponent << ": " << found.report.iterations
+                         << " iterations to " << found.report.residual);
+            double largest = 0;
+            for (double const value : expected.all_values())
+                largest = std::max(largest, std::fabs(value));
+            CHECK(difference(found, expected) < 2e-9 * largest);
+            CHECK(found.report.residual <= 1e-10);
+            CHECK(found.report.iterations <= (exponent < 4 ? 40 : 60));
+        }
+    }
+}
+
 TEST_CASE("multigrid finds the functions of the direct engine for points that slide") {
     for (int which = 0; which < 5; ++which) {
         Case setup = which < 3    ? similar(two_body_case(static_cast<Cells>(which), 16, 10),
@@ -121,7 +146,7 @@ TEST_CASE("multigrid finds the functions of the direct engine for points that sl
                      : which == 3 ? ring_case(16, 64, 0.5, 2, Cells::hybrid)
                                   : o_mesh_case(60, 1e-5, 40);
         setup.set_slip(far_field);
-        for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED}) {
+        for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL}) {
             Options iterative = multigrid(), exact = direct();
             iterative.operator_kind = exact.operator_kind = operator_kind;
             Solved const found(setup, &iterative), expected(setup, &exact);
@@ -356,8 +381,11 @@ TEST_CASE("what does not go together, and numbers out of range, are refused") {
         return Attempt(setup.problem(), &options).status;
     };
     CHECK(status([](Options&) {}) == HM_OK);
-    CHECK(status([](Options& o) { o.operator_kind = HM_CONFORMAL; }) == HM_UNSUPPORTED);
     CHECK(status([](Options& o) { o.engine = 3; }) == HM_UNSUPPORTED);
+    CHECK(status([](Options& o) {
+              o.engine = HM_FAS;
+              o.operator_kind = HM_CONFORMAL;
+          }) == HM_UNSUPPORTED);
     CHECK(status([](Options& o) { o.levels = 21; }) == HM_BAD_ARGUMENT);
     CHECK(status([](Options& o) { o.levels = -1; }) == HM_BAD_ARGUMENT);
     CHECK(status([](Options& o) { o.agglomeration = 1; }) == HM_UNSUPPORTED);
@@ -367,7 +395,6 @@ TEST_CASE("what does not go together, and numbers out of range, are refused") {
     CHECK(status([](Options& o) { o.history_length = 1; }) == HM_BAD_ARGUMENT);
     setup.set_slip(top);
     CHECK(status([](Options&) {}) == HM_OK);
-    CHECK(status([](Options& o) { o.operator_kind = HM_CONFORMAL; }) == HM_UNSUPPORTED);
     CHECK(status([](Options& o) { o.engine = HM_FAS; }) == HM_UNSUPPORTED);
 }
 
