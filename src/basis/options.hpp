@@ -29,11 +29,13 @@ struct EngineTraits {
     // engine itself iterates to a tolerance.
     bool factors;
     bool takes_slip;
+    // The engine starts from the functions that a basis contains already.
+    bool continues;
 };
 inline constexpr EngineTraits engine_traits[] = {
-    {true, true},    // direct
-    {false, true},   // multigrid
-    {false, false},  // fas
+    {true, true, false},    // direct
+    {false, true, true},    // multigrid
+    {false, false, false},  // fas
 };
 
 struct SchemeTraits {

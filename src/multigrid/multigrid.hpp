@@ -6,6 +6,7 @@
 #include "bspline/envelope_cholesky.hpp"
 #include "multigrid/coarse_points.hpp"
 #include "multigrid/iteration.hpp"
+#include "operators/residual.hpp"
 
 namespace harmorph {
 
@@ -43,10 +44,10 @@ struct Multigrid : BlockIteration {
     Status set_up(SymmetricRows const& finest, ImaginaryRows const& imaginary_parts,
                   Fault& fault) noexcept;
     bool is_complex() const noexcept { return !imaginary.value.empty(); }
-    // Replaces right-hand sides by solutions in place. The iteration ends when the tolerance or the
-    // limit of iterations is reached.
-    Status solve(Rows const& values, Progress const& progress, IterationReport& report,
-                 Fault& fault) const noexcept;
+    // Replaces right-hand sides, or first approximations (DofValues::is_start), by solutions in
+    // place. The iteration ends when the tolerance or the limit of iterations is reached.
+    Status solve(Matrix const& matrix, DofValues const& dofs, Progress const& progress,
+                 IterationReport& report, Fault& fault) const noexcept;
 
 private:
     // The vectors of the finest level: in double precision and in that of the preconditioner. A

@@ -78,8 +78,8 @@ private:
 template <Index W, class Number>
 class ConjugateGradients {
 public:
-    ConjugateGradients(Multigrid const& engine, Real* vectors, Rows const& values,
-                       Index first) noexcept
+    ConjugateGradients(Multigrid const& engine, Real* vectors, Matrix const& matrix,
+                       DofValues const& dofs, Index first) noexcept
         : engine_(engine),
           rows_(engine.levels.finest),
           x_(vectors),
@@ -88,12 +88,14 @@ public:
           z_(reinterpret_cast<Number*>(q_ + Offset{rows_.n} * W)),
           p_(z_ + Offset{rows_.n} * W),
           cycle_(engine, p_ + Offset{rows_.n} * W),
-          values_(values) {
+          matrix_(matrix),
+          dofs_(dofs),
+          values_(dofs.rows(matrix)) {
         Index const functions = engine.is_complex() ? W / 2 : W;
         for (Index k = 0; k < W; ++k) {
             Index const function = first + k % functions;
-            Offset const place = k < functions ? function : values.plane + function;
-            place_[k] = function < values.width ? place : -1;
+            Offset const place = k < functions ? function : values_.plane + function;
+            place_[k] = function < values_.width ? place : -1;
         }
     }
 
@@ -102,11 +104,13 @@ public:
     template <class After>
     Status run(IterationReport& report, After const& after) noexcept {
         Index& iterations = report.iterations;
-        for (Index i = 0; i < rows_.n; ++i) {
-            for (Index k = 0; k < W; ++k) r_[Offset{i} * W + k] = given(i, k);
-        }
-        clear<W>(x_, rows_.n);
+        take_right_hand_sides();
         squares_ = first_squares_ = joined(dot<W>(r_, r_, rows_.n));
+        if (dofs_.is_start) {
+            take_start();
+        } else {
+            clear<W>(x_, rows_.n);
+        }
         errors_ = {};
         HARMORPH_TRY(after(0, largest_residual()));
         // The recursively updated residual drifts from the true one, so a function has converged
@@ -130,8 +134,43 @@ public:
     }
 
 private:
-    Real given(Index i, Index k) const noexcept {
-        return place_[k] >= 0 ? values_[i][place_[k]] : 0;
+    // Copies the columns of the block from the values of the unknowns.
+    void copy_values(Real* to) const noexcept {
+        for (Index i = 0; i < rows_.n; ++i) {
+            for (Index k = 0; k < W; ++k)
+                to[Offset{i} * W + k] = place_[k] >= 0 ? values_[i][place_[k]] : 0;
+        }
+    }
+    void take_right_hand_sides() const noexcept {
+        if (!dofs_.is_start) return copy_values(r_);
+        clear<W>(r_, rows_.n);
+        for (Index wall = 0; wall + 1 < matrix_.coupling_start.count(); ++wall) {
+            const Real* const known = dofs_.wall(wall);
+            PerFunction<W> value, turned;  // The known value, and i times this value.
+            for (Index k = 0; k < W; ++k) value[k] = place_[k] >= 0 ? known[place_[k]] : 0;
+            for (Index k = 0; k < W / 2; ++k)
+                turned[k] = -value[k + W / 2], turned[k + W / 2] = value[k];
+            for (Index c = matrix_.coupling_start[wall]; c < matrix_.coupling_start[wall + 1];
+                 ++c) {
+                Real* const row = r_ + Offset{matrix_.coupling_row[c]} * W;
+                add<W>(-matrix_.coupling_value[c], value.at, row);
+                if (engine_.is_complex()) add<W>(-matrix_.coupling_imaginary[c], turned.at, row);
+            }
+        }
+    }
+    // Starts each function from its value if the energy of the error, x.A x - 2 b.x but for a
+    // constant, is less than that of the start 0. A value that is no number is no such start.
+    void take_start() noexcept {
+        copy_values(x_);
+        PerFunction<W> const energy = multiply(x_, q_), product = joined(dot<W>(x_, r_, rows_.n));
+        for (Offset at = 0; at < Offset{rows_.n} * W; at += W) {
+            for (Index k = 0; k < W; ++k) {
+                bool const is_better = energy[k] < 2 * product[k];
+                x_[at + k] = is_better ? x_[at + k] : 0;
+                r_[at + k] -= is_better ? q_[at + k] : 0;
+            }
+        }
+        squares_ = joined(dot<W>(r_, r_, rows_.n));
     }
     // The sums or the largest values of real and imaginary parts.
     PerFunction<W> joined(PerFunction<W> const& parts) const noexcept {
@@ -227,15 +266,10 @@ private:
 
     void take_true_residual() noexcept {
         multiply(x_, q_);
-        squares_ = {};
-        for (Index i = 0; i < rows_.n; ++i) {
-            for (Index k = 0; k < W; ++k) {
-                Offset const at = Offset{i} * W + k;
-                r_[at] = given(i, k) - q_[at];
-                squares_[k] += r_[at] * r_[at];
-            }
-        }
-        squares_ = joined(squares_);
+        take_right_hand_sides();
+        PerFunction<W> minus_one;
+        for (Index k = 0; k < W; ++k) minus_one[k] = -1;
+        squares_ = joined(add_multiple<W>(minus_one, q_, r_, rows_.n));
     }
 
     Multigrid const& engine_;
@@ -243,7 +277,9 @@ private:
     Real *x_, *r_, *q_;
     Number *z_, *p_;
     Cycle<W, Number> cycle_;
-    Rows const& values_;
+    Matrix const& matrix_;
+    DofValues const& dofs_;
+    Rows values_;
     Offset place_[W];  // of each column of the block in a row of `values`; -1 behind the last one.
     // The squared norms of the residuals, of the current ones and of those at the beginning.
     PerFunction<W> squares_, first_squares_;

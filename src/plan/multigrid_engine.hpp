@@ -14,7 +14,7 @@ struct MultigridEngine : LevelEngine<Multigrid> {
     }
     Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress,
                  IterationReport& report, Fault& fault) noexcept {
-        return iteration.solve(dofs.rows(equations.matrix()), progress, report, fault);
+        return iteration.solve(equations.matrix(), dofs, progress, report, fault);
     }
 };
 

@@ -43,6 +43,16 @@ double difference(Solved const& a, Solved const& b) {
     return largest_difference(a.all_values(), b.all_values());
 }
 
+std::vector<double> values_of(Attempt const& attempt) {
+    hm_basis_info const info = info_of(attempt.basis);
+    std::size_t const n = static_cast<std::size_t>(info.points);
+    std::vector<double> out(n * static_cast<std::size_t>(info.functions));
+    for (std::int32_t i = 0; i < info.functions; ++i)
+        REQUIRE(hm_basis_values(attempt.basis, i, 0, &out[n * static_cast<std::size_t>(i)],
+                                nullptr) == HM_OK);
+    return out;
+}
+
 // Both are compared by products with random vectors.
 void check_preconditioner(Case setup) {
     Analysed const seen(setup);
@@ -146,7 +156,7 @@ TEST_CASE("multigrid finds the functions of the direct engine for points that sl
                      : which == 3 ? ring_case(16, 64, 0.5, 2, Cells::hybrid)
                                   : o_mesh_case(60, 1e-5, 40);
         setup.set_slip(far_field);
-        for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL}) {
+        for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED}) {
             Options iterative = multigrid(), exact = direct();
             iterative.operator_kind = exact.operator_kind = operator_kind;
             Solved const found(setup, &iterative), expected(setup, &exact);
@@ -395,7 +405,56 @@ TEST_CASE("what does not go together, and numbers out of range, are refused") {
     CHECK(status([](Options& o) { o.history_length = 1; }) == HM_BAD_ARGUMENT);
     setup.set_slip(top);
     CHECK(status([](Options&) {}) == HM_OK);
+    CHECK(status([](Options& o) { o.operator_kind = HM_CONFORMAL; }) == HM_UNSUPPORTED);
     CHECK(status([](Options& o) { o.engine = HM_FAS; }) == HM_UNSUPPORTED);
+}
+
+TEST_CASE("a solution into a solved basis starts from its functions") {
+    for (int which = 0; which < 4; ++which) {
+        Case setup = which == 0   ? even_case(60)
+                     : which == 1 ? o_mesh_case(60, 1e-5, 40)
+                     : which == 2 ? two_body_case(Cells::hybrid, 16, 10)
+                                  : even_case(30);
+        if (which == 3) setup.set_slip(far_field);
+        for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) {
+            if (which == 3 && operator_kind == HM_CONFORMAL) continue;
+            Options options = multigrid();
+            options.operator_kind = operator_kind;
+            Solved const start(setup, &options);
+            std::vector<double> const first = start.all_values();
+            hm_solve_report report{};
+            report.struct_size = sizeof report;
+            REQUIRE(hm_plan_solve(start.plan, start.basis, &report, nullptr) == HM_OK);
+            CHECK(report.iterations <= 1);
+            CHECK(largest_difference(start.all_values(), first) < 1e-9);
+            for (double const size : {1e-2, 1e-4, 1e-6, 1e-8}) {
+                Field const moved = displacement(
+                    start, some_move(report.functions, which == 1 ? 1e-3 * size : size, 3));
+                std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
+                for (std::size_t k = 0; k < x.size(); ++k) {
+                    x[k] += moved[k].real();
+                    y[k] += moved[k].imag();
+                }
+                Solved const warm(setup, &options);
+                Attempt const cold = prepared(setup.problem(), options);
+                hm_solve_report from_zero = report;
+                for (Attempt const* each : {&cold, static_cast<Attempt const*>(&warm)}) {
+                    REQUIRE(hm_plan_factor(each->plan, points_in(x, y), nullptr) == HM_OK);
+                    hm_solve_report& to = each == &cold ? from_zero : report;
+                    REQUIRE(hm_plan_solve(each->plan, each->basis, &to, nullptr) == HM_OK);
+                }
+                std::vector<double> const values = warm.all_values(), expected = values_of(cold);
+                double const change = largest_difference(expected, first);
+                INFO("case " << which << ", operator " << operator_kind << ": from zero "
+                             << from_zero.iterations << " iterations, from functions that are "
+                             << change << " apart " << report.iterations);
+                CHECK(largest_difference(values, expected) < 2e-9);
+                // So many digits are still to be found.
+                double const digits = 10 + std::log10(std::max(change, 1e-10));
+                CHECK(report.iterations <= 0.1 * digits * from_zero.iterations + 3);
+            }
+        }
+    }
 }
 
 TEST_CASE("the callback can stop it; the plan then still solves") {
