@@ -74,8 +74,8 @@ check "displace --operator auto: says why" grep -E '^not  *conformal: ' "$tmp/ou
 # Safely, all of the way; beside a rigid body; and what does not go together.
 runs "displace --safe" 0 displace "$ring" --given body --wall "$tmp/turn.txt" --operator laplace --safe \
     -o "$tmp/safe.su2" --json
-has_keys "displace --safe: keys" inverted self_crossing min_quality mean_quality engine factor_seconds displace_seconds \
-    step_fraction steps resolves strategy last_step_admissible heights $safe_keys
+has_keys "displace --safe: keys" inverted self_crossing min_quality mean_quality engine factor_seconds \
+    displace_seconds step_fraction steps resolves strategy last_step_admissible heights $safe_keys
 check "displace --safe: all of the way" says '"step_fraction": 1,'
 check "displace --safe: no inverted cell" says '"inverted": 0,'
 wall_field "$ring" "$tmp/safe.su2" >"$tmp/reached.txt"

@@ -130,12 +130,12 @@ check "fields are declared" [ -s "$tmp/declared" ]
 check "every field of the options has a line here" sh -c 'sort -u "$0" | diff "$1" -' "$fields" "$tmp/declared"
 
 # The choice of the engine: the first one whose bytes fit. The bytes are those that a limit of 8 MB is refused with.
-make_ring 256 80 >"$tmp/large.su2"
-solve_large() { "$harmorph" solve "$tmp/large.su2" --curve body="$curve" -o "$tmp/large.basis" --json "$@"; }
+make_ring 256 80 >"$tmp/many.su2"
+solve_many() { "$harmorph" solve "$tmp/many.su2" --curve body="$curve" -o "$tmp/many.basis" --json "$@"; }
 needs() { sed -n "s/.*$1 needs \([0-9.]*\) MB.*/\1/p; s/.*[,:] $1 \([0-9.]*\) MB.*/\1/p" "$tmp/err" | head -n 1; }
 engine() { sed -n 's/.*"engine": "\([^:]*\):.*/\1/p' "$tmp/out"; }
 for operator in laplace conformal; do
-    solve_large --operator $operator --memory 8 >"$tmp/out" 2>"$tmp/err"
+    solve_many --operator $operator --memory 8 >"$tmp/out" 2>"$tmp/err"
     code=$?
     check "--memory 8, $operator: refused" [ $code = 1 ]
     cp "$tmp/err" "$tmp/needs"
@@ -145,7 +145,7 @@ for operator in laplace conformal; do
         'for one; do case $one in *:[1-9]*) ;; *) exit 1 ;; esac; done' sh $list
     for limit in $(echo "$list" | tr ' ' '\n' | awk -F: '{ print $2 * .999, $2 * 1.001 }') 1e6; do
         wanted=$(echo "$list" | tr ' ' '\n' | awk -F: -v limit="$limit" '$2 <= limit { print $1; exit }')
-        solve_large --operator $operator --memory "$limit" >"$tmp/out" 2>"$tmp/err"
+        solve_many --operator $operator --memory "$limit" >"$tmp/out" 2>"$tmp/err"
         case $? in 0) found=$(engine) ;; 1) found= ;; *) found=error ;; esac
         case $found in *single*) found=single ;; esac
         check "--memory $limit, $operator: '$found' of $list" [ "$found" = "$wanted" ]
@@ -162,7 +162,7 @@ refuses "--memory 0" 2 '--memory expects a number above 0' solve "$ring" --curve
 if (ulimit -v 2000000 && "$harmorph" --version) >/dev/null 2>&1 && [ -r /proc/self/statm ]; then
     found= kilobytes=150000
     while [ $kilobytes -gt 20000 ] && [ -z "$found" ]; do
-        (ulimit -v $kilobytes && solve_large --operator conformal >"$tmp/out" 2>"$tmp/err")
+        (ulimit -v $kilobytes && solve_many --operator conformal >"$tmp/out" 2>"$tmp/err")
         found=$(engine | grep single)
         kilobytes=$((kilobytes * 97 / 100))
     done
