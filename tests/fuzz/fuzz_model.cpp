@@ -20,8 +20,6 @@ namespace {
 using Numbers = std::vector<double>;
 using Table = std::vector<Numbers>;  // of each function the values at all points of a basis
 
-std::size_t at(std::int32_t k) { return static_cast<std::size_t>(k); }
-
 // The functions of the control points on the mesh, by elimination in a dense matrix.
 class DenseSolution {
 public:
@@ -132,13 +130,14 @@ public:
         held_.push_back({solved.basis, whole_, 0, true});
     }
 
-    void run() {
+    Outcome run() {
         for (std::int32_t k = input_.from(2, 12); k > 0; --k) {
             call();
             check(held_[input_.below(static_cast<std::uint32_t>(held_.size()))]);
         }
         for (Held const& one : held_) check(one);
-        its_.expect_intact();
+        its_.blocks.expect_intact();
+        return Outcome::done;
     }
 
 private:
@@ -153,23 +152,12 @@ private:
         double tolerance = 1e-6;
     };
 
-    static hm_basis_info info_of(const hm_basis* basis) {
-        hm_basis_info info{};
-        info.struct_size = sizeof info;
-        expect(hm_basis_info_get(basis, &info, nullptr) == HM_OK, "no information about a basis");
-        return info;
-    }
-    void expect_done(hm_status status, const char* what) {
-        expect_told(status, error_);
-        expect(status >= 0, std::string(what) + " is refused: " + error_.text);
-    }
+    void done(hm_status status, const char* what) { expect_done(status, error_, what); }
     template <class Size, class Init>
-    hm_basis* made(const char* what, Size const& size, Init const& init) {
+    void make(const char* what, Size const& size, Init const& init) {
         std::size_t bytes = 0;
-        hm_basis* out = nullptr;
-        expect_done(size(&bytes), what);
-        expect_done(init(&out, its_.block(bytes).data(), bytes), what);
-        return out;
+        done(size(&bytes, &error_), what);
+        done(init(its_.blocks.take(bytes).data(), bytes, &error_), what);
     }
     Held& some() { return held_[input_.below(static_cast<std::uint32_t>(held_.size()))]; }
     std::int32_t functions() const { return static_cast<std::int32_t>(whole_.size()); }
@@ -190,28 +178,20 @@ private:
 
     // A new basis; or again one of those that the plan knows.
     void solve() {
-        hm_basis* const basis = made(
-            "a basis",
-            [&](std::size_t* bytes) { return hm_basis_size(its_.analysis, bytes, &error_); },
-            [&](hm_basis** out, void* block, std::size_t bytes) {
-                return hm_basis_init(out, block, bytes, its_.analysis, &error_);
-            });
+        hm_basis* basis = nullptr;
+        make("a basis", size_by(hm_basis_size, its_.analysis),
+             init_by(hm_basis_init, &basis, its_.analysis));
         bool const is_solved = input_.one_in(2);
-        if (is_solved) expect_done(hm_plan_solve(its_.plan, basis, nullptr, &error_), "a solution");
+        if (is_solved) done(hm_plan_solve(its_.plan, basis, nullptr, &error_), "a solution");
         held_.push_back({basis, whole_, 0, true, is_solved});
     }
     void share() {
         std::int32_t const first = input_.from(0, functions() - 1),
                            n = input_.from(1, functions() - first);
-        hm_basis* const basis = made(
-            "a share",
-            [&](std::size_t* bytes) {
-                return hm_share_size(its_.analysis, first, n, bytes, &error_);
-            },
-            [&](hm_basis** out, void* block, std::size_t bytes) {
-                return hm_share_init(out, block, bytes, its_.analysis, first, n, &error_);
-            });
-        expect_done(hm_plan_solve(its_.plan, basis, nullptr, &error_), "a share's solution");
+        hm_basis* basis = nullptr;
+        make("a share", size_by(hm_share_size, its_.analysis, first, n),
+             init_by(hm_share_init, &basis, its_.analysis, first, n));
+        done(hm_plan_solve(its_.plan, basis, nullptr, &error_), "a share's solution");
         held_.push_back({basis, Table(whole_.begin() + first, whole_.begin() + first + n), first,
                          false, true, n == functions()});
     }
@@ -222,8 +202,7 @@ private:
         std::size_t target = input_.below(static_cast<std::uint32_t>(held_.size()));
         while (!held_[target].is_whole) target = (target + 1) % held_.size();  // the first one is
         std::size_t bytes = 0;
-        expect_done(hm_transfer_size(its_.analysis, &problem_.mesh, &bytes, &error_),
-                    "a transfer's size");
+        done(hm_transfer_size(its_.analysis, &problem_.mesh, &bytes, &error_), "a transfer's size");
         Block const work(bytes, 0, 0x7F);
         hm_status const status = hm_transfer(held_[target].basis, work.data(), bytes, its_.analysis,
                                              held_[source].basis, &problem_.mesh, nullptr, &error_);
@@ -239,12 +218,9 @@ private:
         std::vector<std::int32_t> list(input_.below(20) + 1);
         for (std::int32_t& k : list) k = input_.from(0, n_from - 1) + base;
         std::int32_t const n = static_cast<std::int32_t>(list.size());
-        hm_basis* const basis = made(
-            "rows",
-            [&](std::size_t* bytes) { return hm_extract_size(from.basis, n, bytes, &error_); },
-            [&](hm_basis** out, void* block, std::size_t bytes) {
-                return hm_extract_init(out, block, bytes, from.basis, n, list.data(), &error_);
-            });
+        hm_basis* basis = nullptr;
+        make("rows", size_by(hm_extract_size, from.basis, n),
+             init_by(hm_extract_init, &basis, from.basis, n, list.data()));
         Table values;
         for (Numbers const& function : from.values) {
             values.emplace_back();
@@ -260,15 +236,9 @@ private:
         for (std::size_t j = 0; j < n; ++j)
             matrix[j * n + j] += 4;  // columns are far from dependent
         std::int32_t const columns = static_cast<std::int32_t>(n);
-        hm_basis* const basis = made(
-            "a combination",
-            [&](std::size_t* bytes) {
-                return hm_combine_size(from.basis, columns, 1, bytes, &error_);
-            },
-            [&](hm_basis** out, void* block, std::size_t bytes) {
-                return hm_combine(out, block, bytes, from.basis, columns, 1, matrix.data(),
-                                  &error_);
-            });
+        hm_basis* basis = nullptr;
+        make("a combination", size_by(hm_combine_size, from.basis, columns, 1),
+             init_by(hm_combine, &basis, from.basis, columns, 1, matrix.data()));
         Table values(n, Numbers(from.values[0].size(), 0));
         for (std::size_t j = 0; j < n; ++j)
             for (std::size_t i = 0; i < rows; ++i)
@@ -277,12 +247,9 @@ private:
         held_.push_back({basis, values, 0, false});
     }
     void single(Held const& from) {
-        hm_basis* const basis = made(
-            "a basis in single precision",
-            [&](std::size_t* bytes) { return hm_single_size(from.basis, bytes, &error_); },
-            [&](hm_basis** out, void* block, std::size_t bytes) {
-                return hm_single_init(out, block, bytes, from.basis, &error_);
-            });
+        hm_basis* basis = nullptr;
+        make("a basis in single precision", size_by(hm_single_size, from.basis),
+             init_by(hm_single_init, &basis, from.basis));
         held_.push_back({basis, from.values, 0, false, true, true, 2e-5});
     }
 
@@ -293,10 +260,9 @@ private:
         for (double& number : by) number = input_.between(-1, 1);
         for (double& number : dj) number = input_.between(-1, 1);
         hm_points_out const to{x.data(), y.data(), 1};
-        expect_done(hm_morph(from.basis, by.data(), nullptr, &to, nullptr, &error_), "a movement");
+        done(hm_morph(from.basis, by.data(), nullptr, &to, nullptr, &error_), "a movement");
         hm_points const forces{dj.data(), dj.data() + 1, 2};
-        expect_done(hm_adjoint(from.basis, &forces, gradient.data(), nullptr, &error_),
-                    "a gradient");
+        done(hm_adjoint(from.basis, &forces, gradient.data(), nullptr, &error_), "a gradient");
         Numbers expected(2 * m, 0);
         double largest = largest_of(from.values);
         for (std::size_t k = 0; k < n; ++k) {
@@ -331,8 +297,8 @@ private:
         for (std::size_t i = 0; i < one.values.size(); ++i) {
             Numbers found(one.values[i].size(), 7);
             std::int32_t const function = one.first + static_cast<std::int32_t>(i);
-            expect_done(hm_basis_values(one.basis, function, 0, found.data(), &error_),
-                        "a function's values");
+            done(hm_basis_values(one.basis, function, 0, found.data(), &error_),
+                 "a function's values");
             for (std::size_t k = 0; k < found.size(); ++k)
                 expect(std::abs(found[k] - one.values[i][k]) <= within,
                        "a function differs from the model by " +
@@ -374,12 +340,7 @@ Outcome run_model(Input& input) {
     if (judged.ambiguous > 0) return Outcome::refused;
     Solution solution(*problem, input);
     if (solution.status != HM_OK || solution.report.functions < 1) return Outcome::refused;
-    try {
-        Model(solution, judged, input).run();
-    } catch (Failure const& failure) {
-        throw Failure(failure.what() + std::string("\n") + describe(*problem));
-    }
-    return Outcome::done;
+    return told(*problem, [&] { return Model(solution, judged, input).run(); });
 }
 
 }  // namespace fuzz

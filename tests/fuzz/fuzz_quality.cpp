@@ -32,8 +32,7 @@ public:
         for (double& number : move) number = size * input_.between(-1, 1);
         hm_points_out const out{&by_[0].x, &by_[0].y, 2};
         done(hm_morph(solved_.basis, move.data(), nullptr, &out, nullptr, &error_), "a morph");
-        hm_step_report report{};
-        report.struct_size = sizeof report;
+        hm_step_report report = sized<hm_step_report>();
         hm_points const by = in(by_);
         done(hm_assess(solved_.basis, &problem_.mesh, nullptr, &by, nullptr, nullptr, &report,
                        nullptr, &error_),
@@ -44,18 +43,11 @@ public:
     void run() {
         if (input_.one_in(2)) bounds();
         if (step_ > 0) corners();
-        solved_.expect_intact();
+        solved_.blocks.expect_intact();
     }
 
 private:
-    static std::size_t at(std::int32_t k) { return static_cast<std::size_t>(k); }
-    static hm_points in(std::vector<Point> const& points) {
-        return {&points[0].x, &points[0].y, 2};
-    }
-    void done(hm_status status, const char* what) const {
-        expect_told(status, error_);
-        expect(status >= 0, std::string(what) + ": refused: " + error_.text);
-    }
+    void done(hm_status status, const char* what) const { expect_done(status, error_, what); }
     std::vector<Point> moved(double step) const {
         std::vector<Point> out = start_;
         for (std::size_t k = 0; k < out.size(); ++k)
@@ -152,27 +144,19 @@ private:
         hm_quality* quality = nullptr;
         hm_points const start = in(start_);
         bool const is_given = input_.one_in(2);
-        hm_status const made = make_object(
-            [this](std::size_t bytes) -> Block& { return solved_.block(bytes); }, error_,
-            [&](std::size_t* bytes) {
-                return hm_quality_size(solved_.basis, &problem_.mesh, bytes, &error_);
-            },
-            [&](void* memory, std::size_t bytes) {
-                return hm_quality_init(&quality, memory, bytes, solved_.basis, &problem_.mesh,
-                                       is_given ? &start : nullptr, &error_);
-            });
-        expect(made >= 0, std::string("a quality is refused: ") + error_.text);
+        done(solved_.blocks.make(error_, size_by(hm_quality_size, solved_.basis, &problem_.mesh),
+                                 init_by(hm_quality_init, &quality, solved_.basis, &problem_.mesh,
+                                         is_given ? &start : nullptr)),
+             "a quality");
         double const most = std::min(1.0, step_);
         double const step = most * input_.any_of({0.0, 0.1, 0.5, 0.9});
         std::vector<Point> const place = moved(step);
-        hm_bound bound{};
-        bound.struct_size = sizeof bound;
+        hm_bound bound = sized<hm_bound>();
         bound.kind = input_.from(-1, 6);
         bound.sharpness = input_.any_of({0.0, 1.0, 30.0, 1000.0, 1e6});
         bool const is_wild = input_.one_in(12);
         if (is_wild) bound.sharpness = input_.any_of({double(NAN), -1.0, 0.5, 1e7, HUGE_VAL});
-        hm_bound_value value{};
-        value.struct_size = sizeof value;
+        hm_bound_value value = sized<hm_bound_value>();
         value.bound = 7;
         std::vector<Point> gradient(place.size(), {7, 7});
         hm_points_out const to{&gradient[0].x, &gradient[0].y, 2};
@@ -223,8 +207,7 @@ private:
         auto const bound_at = [&](double s) {
             std::vector<Point> const place = moved(s);
             hm_points const coordinates = in(place);
-            hm_bound_value value{};
-            value.struct_size = sizeof value;
+            hm_bound_value value = sized<hm_bound_value>();
             done(hm_quality_bounds(quality, &coordinates, 1, &bound, &value, nullptr, nullptr,
                                    &error_),
                  "a bound at a point nearby");
