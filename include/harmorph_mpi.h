@@ -17,15 +17,15 @@
  * hm_executor.kernel where processors differ).
  *
  * The calls of this header are collective: all processes of the communicator must make them. Either
- * all processes succeed, or all get the same status and the same hm_error: that of the first process
- * with the worst status, whose rank is in front of the text ("rank 2: ..."). This is so whatever
- * arguments one process has wrong, also where it differs from the others in the number of fields,
- * the functions or the mesh. Items of the error are numbered as on that process. A process on which
- * an earlier call has failed, for instance hm_analysis_init because its mesh has a NaN, must make
- * the collective call all the same, or the others wait for ever: hm_mpi_exchange(NULL, NULL, 0,
- * NULL, comm, &error) makes all processes refuse the call, and so do hm_mpi_adjoint with rows =
- * NULL, and hm_mpi_displace with n_fields = 0. A process may have no points (n = 0). The calls
- * allocate memory for the messages, and free it before they return.
+ * all processes succeed, or all get the same status and the same hm_error: that of the first
+ * process with the worst status, whose rank is in front of the text ("rank 2: ..."). This is so
+ * whatever arguments one process has wrong, also where it differs from the others in the number of
+ * fields, the functions or the mesh. Items of the error are numbered as on that process. A process
+ * on which an earlier call has failed, for instance hm_analysis_init because its mesh has a NaN,
+ * must make the collective call all the same, or the others wait for ever: hm_mpi_exchange(NULL,
+ * NULL, 0, NULL, comm, &error) makes all processes refuse the call, and so do hm_mpi_adjoint with
+ * rows = NULL, and hm_mpi_displace with n_fields = 0. A process may have no points (n = 0). The
+ * calls allocate memory for the messages, and free it before they return.
  *
  * MPI itself decides what happens if a process ends or cannot be reached: by default
  * (MPI_ERRORS_ARE_FATAL) it ends all processes. harmorph adds nothing to this, and does not look at
