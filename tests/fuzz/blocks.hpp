@@ -2,6 +2,7 @@
 // byte too small is refused; nothing is written behind a block.
 #pragma once
 
+#include "fixtures/calls.hpp"
 #include "block.hpp"
 #include "input.hpp"
 
@@ -47,18 +48,8 @@ inline hm_basis_info info_of(const hm_basis* basis) {
     return info;
 }
 
-// call(what..., &bytes, &error), such as hm_plan_size, as Blocks takes it.
-template <class Call, class... What>
-auto size_by(Call* call, What... what) {
-    return [=](std::size_t* bytes, hm_error* error) { return call(what..., bytes, error); };
-}
-// call(&made, block, bytes, what..., &error), such as hm_plan_init.
-template <class Call, class Made, class... What>
-auto init_by(Call* call, Made* made, What... what) {
-    return [=](void* block, std::size_t bytes, hm_error* error) {
-        return call(made, block, bytes, what..., error);
-    };
-}
+using fixtures::init_by;
+using fixtures::size_by;
 
 class Blocks {
 public:
