@@ -10,7 +10,7 @@ has_keys "fit: keys" points degree closed corners base_points backtracks max_err
 check "fit: periodic file" grep -c 'closed periodic' "$curve"
 runs "solve" 0 solve "$ring" --curve body="$curve" -o "$basis" --json --repeat 2
 has_keys "solve: keys" points cells functions boundary_error partition_defect min_value max_value residual \
-    iterations work levels setup_seconds factor_seconds solve_seconds plan_bytes basis_bytes storage
+    iterations work levels engine setup_seconds factor_seconds solve_seconds plan_bytes basis_bytes storage
 check "solve: functions" says '"functions": 12'
 for engine in "multigrid" "fas --agglomeration directional"; do
     options=$engine engine=${engine%% *}
