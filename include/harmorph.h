@@ -477,8 +477,8 @@ enum {
     HM_DIRECT = 0,
     /* Conjugate gradients, preconditioned by algebraic multigrid. The iterations hardly depend on
      * the number of points nor on the thickness of cells along the wall; with triangles that are
-     * stretched in other directions there are more: see c_api/README.md. The plan takes 535 bytes
-     * per point. */
+     * stretched in other directions there are more: see c_api/README.md. The plan takes 455 bytes
+     * per point, 500 for HM_CONFORMAL. */
     HM_MULTIGRID = 1
 };
 /* hm_options.precision, and hm_basis_info.storage */
