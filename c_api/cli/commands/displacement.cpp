@@ -97,7 +97,8 @@ std::string why_invalid(const Displacement& found, const Mesh& mesh) {
         const std::size_t line = mesh.cell_offset[static_cast<std::size_t>(found.step.cell)];
         text += ": " + brief(found.step.admissible) +
                 " of this displacement is admissible, limited by cell " +
-                std::to_string(found.step.cell) + " (" + mesh.file.place(line) + ")";
+                std::to_string(found.step.cell) + " (" + mesh.file.place(line) + ")" +
+                (found.step.admissible > 0 ? "; --safe goes farther" : "");
     }
     return found.quality.inverted > 0
                ? text
