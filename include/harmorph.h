@@ -452,6 +452,7 @@ typedef struct hm_problem {
  *
  *   operator                  engine                       conditions      values
  *   HM_CONFORMAL              HM_DIRECT                    all but free    complex
+ *                             HM_MULTIGRID                 no free, slip   complex
  *   HM_LAPLACE, HM_WEIGHTED   HM_DIRECT, HM_MULTIGRID      all             real
  *
  * The weight of an operator is k = 1 / d^q. d is the distance from the barycentre of a cell to the
@@ -574,7 +575,9 @@ typedef struct hm_solve_report {
 } hm_solve_report;
 
 /* Solves for all functions of the basis with the factor of the plan. Both must come from the same
- * analysis. report may be NULL. If cancelled, the basis is not solved; the factor stays valid. */
+ * analysis. report may be NULL. If cancelled, the basis is not solved; the factor stays valid.
+ * HM_MULTIGRID starts from the functions of a basis that is solved: after a small movement of the
+ * mesh, iterations are needed only for the digits that have changed. */
 HM_API hm_status hm_plan_solve(hm_plan* plan, hm_basis* basis, hm_solve_report* report,
                                hm_error* err);
 

@@ -4,6 +4,7 @@
 #include <fixtures/curves.hpp>
 #include <fixtures/refused.hpp>
 
+#include <cmath>
 #include <limits>
 
 using namespace fixtures;
@@ -132,6 +133,30 @@ TEST_CASE("refused sections have the stated texts") {
              return hm_measure(&flat.set, nullptr, 1, &quantity, &value, nullptr, nullptr, e);
          }},
     });
+}
+
+// Rounding gives this segment, there and back, a height above the chord and below at some stations.
+TEST_CASE("a section without area has a finite thickness and camber, or is refused") {
+    double const control[] = {3.9999063684482712, 1.4999661103392339, 6.1336163906407215,
+                              1.5000384142781293};
+    double const knots[] = {-0.5, 0, 0.5, 1, 1.5};
+    std::int32_t const there_and_back[] = {0, 1, 0};
+    hm_curve const curve{sizeof curve, 1, 3, there_and_back, knots};
+    hm_curves const set{sizeof set, 0, 2, control, nullptr, 1, &curve};
+    hm_section const other_chord{sizeof other_chord, 0, 0, 5.85624, 0, 2.96336, 3.24062};
+    for (hm_section const* section : {static_cast<hm_section const*>(nullptr), &other_chord}) {
+        for (std::int32_t kind : {HM_MAX_THICKNESS, HM_MAX_CAMBER}) {
+            hm_quantity quantity{};
+            quantity.struct_size = sizeof quantity;
+            quantity.kind = kind;
+            double value = 7;
+            hm_status const status =
+                hm_measure(&set, section, 1, &quantity, &value, nullptr, nullptr, nullptr);
+            CHECK(std::isfinite(value));
+            if (status < 0) CHECK(value == 7);
+            else CHECK(std::fabs(value) < 1e-14);
+        }
+    }
 }
 
 TEST_CASE("a curve that is constant has no curvature there") {

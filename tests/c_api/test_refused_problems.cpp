@@ -156,6 +156,19 @@ TEST_CASE("options that do not go together, and structs without a size") {
              p.n_conditions = 2;
              o.engine = HM_FAS;
          }},
+        {HM_UNSUPPORTED,
+         "the conformal operator with slip (HM_SLIP) needs the direct engine (HM_DIRECT)",
+         [](auto& p, auto& o, auto&) {
+             static hm_condition conditions[2];
+             conditions[0] = conditions[1] = p.conditions[0];
+             conditions[1].marker = far_field;
+             conditions[1].kind = HM_SLIP;
+             conditions[1].n_curves = 0;
+             p.conditions = conditions;
+             p.n_conditions = 2;
+             o.engine = HM_MULTIGRID;
+             o.operator_kind = HM_CONFORMAL;
+         }},
         {HM_UNSUPPORTED, "the schemes of nodal gradients need the operator laplace",
          [](auto&, auto& o, auto&) {
              o.operator_kind = HM_WEIGHTED;
