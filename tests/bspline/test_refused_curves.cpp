@@ -50,17 +50,17 @@ TEST_CASE("refused evaluations and refinements of curves have the stated texts")
     };
     check_texts({
         {HM_BAD_ARGUMENT, "u is 9, which is outside the range of the parameter of the curve",
-         [&](hm_error* e) { return hm_curve_point(&square.set, 0, 9, 0, xy, e); }},
+         call_by(hm_curve_point, &square.set, 0, 9, 0, xy)},
         {HM_BAD_ARGUMENT, "u is NaN, which is outside the range of the parameter of the curve",
-         [&](hm_error* e) { return hm_curve_point(&square.set, 0, not_a_number, 0, xy, e); }},
+         call_by(hm_curve_point, &square.set, 0, not_a_number, 0, xy)},
         {HM_BAD_ARGUMENT, "n_derivatives must be between 0 and 5, not 6",
-         [&](hm_error* e) { return hm_curve_point(&square.set, 0, 1, 6, xy, e); }},
+         call_by(hm_curve_point, &square.set, 0, 1, 6, xy)},
         {HM_BAD_ARGUMENT, "n_derivatives must be between 0 and 5, not -1",
-         [&](hm_error* e) { return hm_curve_point(&square.set, 0, 1, -1, xy, e); }},
+         call_by(hm_curve_point, &square.set, 0, 1, -1, xy)},
         {HM_BAD_ARGUMENT, "curve 1 does not exist; curves.n_curves is 1",
-         [&](hm_error* e) { return hm_curve_point(&square.set, 1, 1, 0, xy, e); }},
+         call_by(hm_curve_point, &square.set, 1, 1, 0, xy)},
         {HM_BAD_ARGUMENT, "curve -1 does not exist; curves.n_curves is 1",
-         [&](hm_error* e) { return hm_curve_point(&square.set, -1, 1, 0, xy, e); }},
+         call_by(hm_curve_point, &square.set, -1, 1, 0, xy)},
         {HM_BAD_ARGUMENT, "knot 0 to be inserted, 4, is not inside the range of curve 0",
          refine(4)},
         {HM_BAD_ARGUMENT, "knot 0 to be inserted, 0, is not inside the range of curve 0",
@@ -114,9 +114,7 @@ TEST_CASE("refused sections have the stated texts") {
              return hm_measure(&square.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
          }},
         {HM_BAD_CURVE, "all points of the section are in the same place",
-         [&](hm_error* e) {
-             return hm_measure(&point.set, nullptr, 1, &quantity, &value, nullptr, nullptr, e);
-         }},
+         call_by(hm_measure, &point.set, nullptr, 1, &quantity, &value, nullptr, nullptr)},
         {HM_BAD_CURVE, "no normal to the chord meets the outline at two points",
          [&](hm_error* e) {
              section = {sizeof section, 0, 1, 20, 20, 21, 20};
@@ -204,9 +202,7 @@ TEST_CASE("refused design variables have the stated texts") {
     static double const some = 0.5;
     check_texts({
         {HM_BAD_ARGUMENT, "variables is NULL",
-         [&](hm_error* e) {
-             return hm_variables_size(&square.set, nullptr, nullptr, &n, &bytes, e);
-         }},
+         call_by(hm_variables_size, &square.set, nullptr, nullptr, &n, &bytes)},
         {HM_BAD_ARGUMENT,
          "variables.struct_size is not the size of an hm_variables; begin with HM_INIT(variables)",
          with(HM_FFD, [](auto& o) { o.struct_size = 0; })},

@@ -64,6 +64,7 @@ void print_json(const Displacement& found) {
     object.add("self_crossing", found.quality.self_crossing != 0);
     object.add("min_quality", found.quality.min_quality)
         .add("mean_quality", found.quality.mean_quality);
+    object.add("engine", found.engine);
     object.add("factor_seconds", found.factor_seconds)
         .add("displace_seconds", found.displace_seconds);
     if (found.safe) add_safe(object, *found.safe, found.warning, nullptr);
@@ -73,6 +74,7 @@ void print_json(const Displacement& found) {
 
 void print_displacement(const Displacement& found) {
     print_trials(found.trials);
+    print("engine           %s\n", found.engine.c_str());
     if (found.safe) print_target(*found.safe);
     print("inverted cells   %d\n", found.quality.inverted);
     if (!found.safe) {
