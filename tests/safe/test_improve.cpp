@@ -130,6 +130,8 @@ TEST_CASE("displaced points return to the mesh that was their target") {
         ImproveOptions options;
         options.least_gain = 1e-12;
         options.most_products = 500;
+        options.most_in_whole = options.most_iterations;
+        options.most_work = 1000;
         Improved const out(task, {}, true, options);
         INFO(out.before.min_quality << " " << out.after.min_quality << " "
                                     << out.report.iterations);
@@ -180,7 +182,7 @@ TEST_CASE("every step lowers the energy of its power and leaves no cell inverted
     Improved out(task, {}, false);
     out.improvement.begin(out.at());
     int steps = 0;
-    for (Index const power : Improvement::powers) {
+    for (Index const power : {0, 2, 8, 32}) {
         double before = out.improvement.energy(power);
         for (int k = 0; k < 6; ++k) {
             double const after = out.improvement.step({}, power, before, out.report);
@@ -200,7 +202,7 @@ TEST_CASE("the gradient is that of the energy, also where targets depend on the 
     task.scatter(0.2, 6);
     for (std::size_t k = 0; k < 30; ++k) task.now.x[k] *= 0.98;
     Improved out(task, {}, false);
-    for (Index const power : Improvement::powers) {
+    for (Index const power : {0, 2, 8, 32}) {
         out.improvement.begin(out.at());
         double const energy = out.improvement.energy(power);
         out.improvement.step({}, power, energy, out.report);
