@@ -3,7 +3,7 @@
 // coefficient is read once for W functions. Vectors may be in single or double precision.
 #pragma once
 
-#include "base/scalar.hpp"
+#include "base/vec2.hpp"
 #include "multigrid/prolongation.hpp"
 #include "operators/symmetric_matrix.hpp"
 
@@ -126,6 +126,45 @@ template <Index W, class Number>
 PerFunction<W> multiply(SymmetricRows const& rows, const Number* x, Real* y) noexcept {
     clear<W>(y, rows.n);
     return add_product<W>(rows, 1, x, y);
+}
+
+// Computes y = A x for a Hermitian matrix with the real parts `rows`, flux by flux; returns x.y.
+// The first W / 2 numbers of a cell are real parts, the others are imaginary parts.
+template <Index W, class Number>
+PerFunction<W> multiply(SymmetricRows const& rows, ImaginaryRows const& imaginary, const Number* x,
+                        Real* y) noexcept {
+    constexpr Index half = W / 2;
+    clear<W>(y, rows.n);
+    PerFunction<W> energies;
+    for (Index i = 0; i < rows.n; ++i) {
+        PerFunction<W> own, sum = load<W>(y + Offset{i} * W);
+        for (Index k = 0; k < W; ++k) own.at[k] = x[Offset{i} * W + k];
+        Vec2 const row_sum{rows.row_sum[i], imaginary.row_sum[i]};
+        for (Index k = 0; k < half; ++k) {
+            Vec2 const here{own.at[k], own.at[k + half]}, flux = product(row_sum, here);
+            sum.at[k] += flux.x;
+            sum.at[k + half] += flux.y;
+            energies.at[k] += row_sum.x * dot(here, here);
+        }
+        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
+            const Number* const other = x + Offset{rows.column[e]} * W;
+            Real* const to = y + Offset{rows.column[e]} * W;
+            Vec2 const entry{rows.value[e], imaginary.value[e]};
+            for (Index k = 0; k < half; ++k) {
+                Vec2 const here{own.at[k], own.at[k + half]};
+                Vec2 const rise{other[k] - here.x, other[k + half] - here.y};
+                Vec2 const flux = product(entry, rise), back = product(conjugate(entry), rise);
+                sum.at[k] += flux.x;
+                sum.at[k + half] += flux.y;
+                to[k] -= back.x;
+                to[k + half] -= back.y;
+                energies.at[k] -= entry.x * dot(rise, rise) + 2 * entry.y * cross(here, rise);
+            }
+        }
+        store<W>(sum, y + Offset{i} * W);
+    }
+    for (Index k = 0; k < half; ++k) energies.at[k + half] = energies.at[k];
+    return energies;
 }
 
 // Computes rest = f - A u.

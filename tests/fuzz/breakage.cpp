@@ -44,7 +44,12 @@ void break_indices(Problem& problem, Input& input) {
     std::vector<std::int32_t>& array = *arrays[input.below(8)];
     if (array.empty()) return;
     std::int32_t& index = some(array, input);
+    std::int32_t const old = index;
     index = input.one_in(2) ? input.wild_index() : some(array, input);
+    // The library does not know the lengths of cell_points and list_points: the last row of points
+    // must not end behind the array.
+    bool const are_rows = &array == &problem.cell_start || &array == &problem.list_start;
+    if (are_rows && &index == &array.back()) index = std::min(index, old);
 }
 void break_counts(Problem& problem, Input& input) {
     hm_mesh& mesh = problem.mesh;
@@ -54,6 +59,9 @@ void break_counts(Problem& problem, Input& input) {
     std::int32_t const old = count;
     if (input.one_in(2)) count = -input.from(0, 3);
     else count = old - std::min(old, input.from(1, 3));
+    // A mixed mesh with fewer quadrilaterals and as many cells would need more triangles than the
+    // array has.
+    if (&count == &mesh.n_quads && count >= 0) mesh.n_cells -= old - count;
     if (input.one_in(4)) mesh.index_base = input.any_of({-1, 2, 1 - mesh.index_base});
     if (input.one_in(4)) mesh.cell_layout = input.any_of({-1, 5, 1000});
 }

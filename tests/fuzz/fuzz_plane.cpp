@@ -149,10 +149,7 @@ private:
 
 class Layers {
 public:
-    Layers(Space& space, hm_plane* plane, Block& block)
-        : space_(space), plane_(plane), block_(block) {
-        info_.struct_size = sizeof info_;
-        mesh_.struct_size = sizeof mesh_;
+    Layers(Space& space, hm_plane* plane) : space_(space), plane_(plane) {
         expect(hm_plane_info_get(plane_, &info_, nullptr) == HM_OK, "no information about a plane");
         expect(hm_plane_mesh(plane_, &mesh_, nullptr) == HM_OK, "no mesh of a plane");
         expect(mesh_.n_points == info_.n_points && info_.n_space_points == space.space.n_points,
@@ -210,15 +207,13 @@ public:
             bool const same = sx[k] == space_.x[k] && sy[k] == space_.y[k] && sz[k] == space_.z[k];
             expect(same, "a point that stays has other bits");
         }
-        block_.expect_intact();
     }
 
 private:
     Space& space_;
     hm_plane* plane_;
-    Block& block_;
-    hm_plane_info info_{};
-    hm_mesh mesh_{};
+    hm_plane_info info_ = sized<hm_plane_info>();
+    hm_mesh mesh_ = sized<hm_mesh>();
 };
 
 }  // namespace
@@ -228,24 +223,16 @@ Outcome run_plane(Input& input) {
     Space space(*problem, input);
     bool const is_broken = input.one_in(2);
     if (is_broken) space.spoil(input);
-    std::vector<std::unique_ptr<Block>> blocks;
+    Blocks blocks(input);
     hm_error error{};
     hm_plane* plane = nullptr;
-    auto const block = [&](std::size_t bytes) -> Block& {
-        blocks.push_back(
-            std::make_unique<Block>(bytes, input.below(64), input.any_of({0, 0xFF, 0x7F})));
-        return *blocks.back();
-    };
-    hm_status const status = make_object(
-        block, error,
-        [&](std::size_t* bytes) { return hm_plane_size(&space.space, bytes, &error); },
-        [&](void* memory, std::size_t bytes) {
-            return hm_plane_init(&plane, memory, bytes, &space.space, &error);
-        });
+    hm_status const status = blocks.make(error, size_by(hm_plane_size, &space.space),
+                                         init_by(hm_plane_init, &plane, &space.space));
     if (status < 0) return Outcome::refused;
-    Layers layers(space, plane, *blocks.back());
+    Layers layers(space, plane);
     if (!is_broken && !space.has_twins) layers.followers();
     layers.transpose(input);
+    blocks.expect_intact();
     return Outcome::done;
 }
 

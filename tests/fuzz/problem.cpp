@@ -8,12 +8,6 @@
 namespace fuzz {
 namespace {
 
-template <class Struct>
-Struct sized() {
-    Struct out{};
-    out.struct_size = sizeof out;
-    return out;
-}
 std::int32_t count(std::size_t n) { return static_cast<std::int32_t>(n); }
 
 void write_points(Problem& problem, Input& input) {
