@@ -18,6 +18,9 @@ constexpr Real at_rest = 1e-12;
 constexpr Index most_doublings = 8;
 // Part of the work that steps of the whole mesh may use.
 constexpr Real share_of_whole = 0.65;
+// Cells are raised only if the quality of one of them, divided by `least` or by the smallest of the
+// given mesh, was less than this number, so that a small movement changes the mesh little.
+constexpr Real clearly_below = 0.999;
 // Measured times for one block of the Hessian, in products with the block: computing the block for
 // each of the two terms of the energy, and the energy. Those of a region or a step that do not
 // depend on the size of the region are for each block of the whole mesh.
@@ -53,10 +56,12 @@ void Improvement::run(ImproveOptions const& options, Points from, MutablePoints 
     if (region.n > 0) {
         Real const most_work = options.most_work * static_cast<Real>(options.most_iterations) *
                                static_cast<Real>(n_blocks);
+        Real const given = highest.smallest;
         Score found = highest;
         climb(options, 0, min(options.most_in_whole, options.most_iterations),
               share_of_whole * most_work, found, highest, report);
-        raise_worst(options, most_work, found, highest, report);
+        if (min(given, min(found.smallest, found.lowest)) < clearly_below)
+            raise_worst(options, most_work, found, highest, report);
     }
     for (Index layers = least_layers; options.enough > 0 && layers <= most_layers; layers *= 2) {
         begin(as_points(best));

@@ -33,10 +33,8 @@ struct Targets {
         bool any_ratio = false;  // the ratio of sides may have any value
 
         // The quality up to which an improvement raises the cell: between `least` and 1, nearer to
-        // `least`, and not above that of the reference.
-        Real aim() const noexcept {
-            return min(least + 0.4 * least * (1 - least), is_part ? 1 : max(least, own));
-        }
+        // `least`.
+        Real aim() const noexcept { return least + 0.4 * least * (1 - least); }
     };
     // No cell should have less than the smallest quality of the reference mesh, or than this part
     // of its own quality there.
