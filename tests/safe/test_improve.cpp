@@ -91,8 +91,8 @@ struct Improved {
 };
 
 // The inner circle turns and what is between shears: valid, but poor.
-Task sheared_annulus(Cells kind, double angle) {
-    Task task(annulus(12, 36, 0.5, 2, kind, true));
+Task sheared_annulus(Cells kind, double angle, int n = 12) {
+    Task task(annulus(n, 3 * n, 0.5, 2, kind, true));
     for (std::size_t k = 0; k < task.held.size(); ++k) {
         double const radius = std::hypot(task.now.x[k], task.now.y[k]),
                      turn = angle * (2 - radius) / 1.5;
@@ -152,6 +152,36 @@ TEST_CASE("the smallest quality of sheared rings rises") {
         INFO(out.before.min_quality << " " << out.before.mean_quality() << " "
                                     << out.after.min_quality << " " << out.after.mean_quality());
         CHECK(out.after.min_quality > 1.3 * out.before.min_quality);
+    }
+}
+
+TEST_CASE("the smallest quality rises without a loss of more than 3 % of the mean") {
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
+        Improved const out(sheared_annulus(kind, 0.8, 40));
+        INFO(out.before.min_quality << " " << out.before.mean_quality() << " "
+                                    << out.after.min_quality << " " << out.after.mean_quality());
+        CHECK(out.after.min_quality > 1.2 * out.before.min_quality);
+        CHECK(out.after.mean_quality() > 0.97 * out.before.mean_quality());
+    }
+}
+
+TEST_CASE("the work of all steps is limited, and a larger limit does not give a worse mesh") {
+    Task const task = sheared_annulus(Cells::quads, 2);
+    double smallest = 0, mean = 0;
+    for (double const work : {0.1, 10.0, 54.0, 200.0}) {
+        ImproveOptions options;
+        options.most_work = work;
+        Improved const out(task, {}, true, options);
+        // A step begins only below the limit: after the first product, a step is 4 blocks or more
+        // for each point, and the whole mesh has at most 5.
+        Index const n = out.report.unknowns;
+        double const limit = work * options.most_iterations * n;
+        CHECK(4.0 * n * (out.report.iterations - 1) < limit);
+        if (work == 0.1) CHECK(out.report.iterations == 1);
+        double const value = out.after.min_quality * out.after.mean_quality();
+        CHECK(value >= (1 - 1e-12) * smallest * mean);
+        smallest = out.after.min_quality;
+        mean = out.after.mean_quality();
     }
 }
 
