@@ -24,8 +24,8 @@
 #                         TARGETS="s390x musl"; see tests/cross/run.sh
 #   make compilers        all compilers that are installed, without a warning; LEVELS=-O2; see tests/compilers.sh
 #   make amalgamation     the library in one source with its headers, in build/amalgamation
-#   make bench            against CHOLMOD, MUMPS, SuperLU, Eigen and OpenBLAS, and gmsh (PARTS=files), as far as they
-#                         are there; see tests/measure/bench/run.sh
+#   make bench            against CHOLMOD, MUMPS, SuperLU, Eigen and OpenBLAS, PETSc (PARTS=iterative) and gmsh
+#                         (PARTS=files), as far as they are there; see tests/measure/bench/run.sh
 #   make bench-rows       measures what tests/measure/bench/README.md says about speed, and prints the rows of its tables
 #   make deform           how far meshes follow large movements: tables and figures on a page; see tests/measure/deform/run.sh
 #   make compare          harmorph, elasticity, radial basis functions, inverse distances on the same movements: quality,

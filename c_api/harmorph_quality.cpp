@@ -40,13 +40,14 @@ hm_quality_report report_of(Quality const& quality, Crossing const& crossing,
     return filled;
 }
 
-// Computes the admissible step if there is a displacement, and the quality if it is wanted.
+// Computes the admissible step and the quality if they are wanted.
 Assessment judge(OrientedMesh const& cells, Points start, Points displacement, Points reference,
-                 bool wants_quality, Executor const& executor) noexcept {
+                 bool wants_step, bool wants_quality, Executor const& executor) noexcept {
     if (!displacement.given()) return {{}, measure_quality(cells, start, reference, executor)};
-    if (wants_quality && !reference.given()) return assess(cells, start, displacement, executor);
+    if (wants_quality && !reference.given())
+        return assess(cells, start, displacement, executor, wants_step);
     Assessment found;
-    found.limit = admissible_step(cells, start, displacement, executor);
+    if (wants_step) found.limit = admissible_step(cells, start, displacement, executor);
     if (wants_quality) {
         found.quality = displaced_quality(cells, start, displacement, reference, executor);
     }
@@ -83,7 +84,7 @@ hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points*
         HARMORPH_TRY(view_points_if(reference, "reference", undeformed, fault));
         HARMORPH_TRY(view_executor(executor, threads, fault));
         Assessment const found =
-            judge(cells, start, change, undeformed, quality != nullptr, threads);
+            judge(cells, start, change, undeformed, step != nullptr, quality != nullptr, threads);
         if (step != nullptr) {
             Touch const touch = first_touch(b.faces(), start, change, found.limit.step);
             write_struct(report_of(found.limit, touch, cells, view.index_base), step);

@@ -137,6 +137,12 @@ Status Request::read_conditions(hm_problem const& p, Fault& fault) noexcept {
         return fault.refuse(Status::unsupported,
                             "slip (HM_SLIP) needs the engine HM_DIRECT or HM_MULTIGRID");
     }
+    if (problem.demands.slip && problem.method.conformal() &&
+        problem.method.engine != Engine::direct) {
+        return fault.refuse(Status::unsupported,
+                            "the conformal operator with slip (HM_SLIP) needs the direct engine "
+                            "(HM_DIRECT)");
+    }
     if (problem.demands.rotation) HARMORPH_TRY(check_rotation(fault));
     if (!problem.demands.free || problem.method.operator_row().takes_free) return Status::ok;
     return fault.refuse(Status::unsupported,

@@ -452,6 +452,7 @@ typedef struct hm_problem {
  *
  *   operator                  engine                       conditions      values
  *   HM_CONFORMAL              HM_DIRECT                    all but free    complex
+ *                             HM_MULTIGRID                 no free, slip   complex
  *   HM_LAPLACE, HM_WEIGHTED   HM_DIRECT, HM_MULTIGRID      all             real
  *
  * The weight of an operator is k = 1 / d^q. d is the distance from the barycentre of a cell to the
@@ -574,7 +575,9 @@ typedef struct hm_solve_report {
 } hm_solve_report;
 
 /* Solves for all functions of the basis with the factor of the plan. Both must come from the same
- * analysis. report may be NULL. If cancelled, the basis is not solved; the factor stays valid. */
+ * analysis. report may be NULL. If cancelled, the basis is not solved; the factor stays valid.
+ * HM_MULTIGRID starts from the functions of a basis that is solved: after a small movement of the
+ * mesh, iterations are needed only for the digits that have changed. */
 HM_API hm_status hm_plan_solve(hm_plan* plan, hm_basis* basis, hm_solve_report* report,
                                hm_error* err);
 
@@ -832,9 +835,10 @@ HM_API hm_status hm_morph_safe_size(const hm_plan* plan, const hm_basis* basis, 
  * derivative: NULL, or another basis of the same analysis (hm_basis_init). It receives the sum of
  * the functions of all steps, weighted by their parts of the movement, so that hm_morph with this
  * basis is the derivative of `to` with respect to `move`, and hm_adjoint the transpose. This is
- * exact for wall points on their curve. It neglects changes of (r - 1) e, the influence of `move`
- * and of earlier steps on later functions, step lengths and rotations, and what untangling,
- * improvement and heights moved. */
+ * exact for wall points on their curve; of a body that rotates or scales by r, and has reached the
+ * part t < 1, points move by t r^(t-1) sum_i N_i dP_i. It neglects changes of (r - 1) e, the
+ * influence of `move` and of earlier steps on later functions, step lengths and rotations, and what
+ * untangling, improvement and heights moved. */
 HM_API hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move,
                                const hm_points_out* to, hm_basis* derivative, void* work,
                                size_t bytes, const hm_safe_options* options, hm_safe_report* report,

@@ -17,12 +17,19 @@
  * hm_executor.kernel where processors differ).
  *
  * The calls of this header are collective: all processes of the communicator must make them. Either
- * all processes succeed or all get the same status; the reason is in the hm_error of the process
- * that failed. A process on which an earlier call has failed, for instance hm_analysis_init because
- * its mesh has a NaN, must make the collective call all the same, or the others wait for ever:
- * hm_mpi_exchange(NULL, NULL, 0, NULL, comm, &error) makes all processes refuse the call, and so do
- * hm_mpi_adjoint with rows = NULL, and hm_mpi_displace with n_fields = 0. The calls allocate memory
- * for the messages, and free it before they return. */
+ * all processes succeed, or all get the same status and the same hm_error: that of the first
+ * process with the worst status, whose rank is in front of the text ("rank 2: ..."). This is so
+ * whatever arguments one process has wrong, also where it differs from the others in the number of
+ * fields, the functions or the mesh. Items of the error are numbered as on that process. A process
+ * on which an earlier call has failed, for instance hm_analysis_init because its mesh has a NaN,
+ * must make the collective call all the same, or the others wait for ever: hm_mpi_exchange(NULL,
+ * NULL, 0, NULL, comm, &error) makes all processes refuse the call, and so do hm_mpi_adjoint with
+ * rows = NULL, and hm_mpi_displace with n_fields = 0. A process may have no points (n = 0). The
+ * calls allocate memory for the messages, and free it before they return.
+ *
+ * MPI itself decides what happens if a process ends or cannot be reached: by default
+ * (MPI_ERRORS_ARE_FATAL) it ends all processes. harmorph adds nothing to this, and does not look at
+ * what calls of MPI return. */
 #ifndef HARMORPH_MPI_H
 #define HARMORPH_MPI_H
 
@@ -37,13 +44,15 @@ extern "C" {
  * [n]. The shares of the processes, in the order of ranks, must together be all functions. A
  * process sends (points of all processes) * numbers_per_value * (functions of the share) doubles
  * and receives n * numbers_per_value * (all functions) doubles; either number must be below 2^31.
- */
+ * After a refused call some values of `rows` may have arrived: make new rows. */
 hm_status hm_mpi_exchange(hm_basis* rows, const hm_basis* share, int32_t n, const int32_t* points,
                           MPI_Comm comm, hm_error* err);
 
 /* hm_adjoint for the rows of all processes together: gradient [2*functions] is bitwise the same on
- * all processes. dj must be 0 at ghost points, so that every point counts once. Communication: an
- * all-reduce of two 32-bit integers, and one of 4 * numbers_per_value * functions 64-bit integers.
+ * all processes. The rows are those of one exchange; rows with another number of functions than
+ * those of rank 0 are refused (HM_BAD_BASIS). dj must be 0 at ghost points, so that every point
+ * counts once. Communication: an all-reduce of four 32-bit integers, and one of 4 *
+ * numbers_per_value * functions 64-bit integers.
  */
 hm_status hm_mpi_adjoint(const hm_basis* rows, const hm_points* dj, double* gradient,
                          const hm_executor* executor, MPI_Comm comm, hm_error* err);

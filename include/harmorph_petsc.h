@@ -13,15 +13,17 @@
  *     hm_petsc_free                            the rows stay
  *
  * All calls but hm_petsc_rows_size and hm_petsc_owned are collective: all processes of the
- * communicator must make them, and each must have at least one own cell. Either all succeed or all
- * get the same status, also where one process alone gives a wrong argument, such as NULL for the
- * system; the reason is in the hm_error of the process that found it. For this purpose each call
- * has the communicator, which must be that of hm_petsc_create (or a duplicate). A refused call
+ * communicator must make them, and each must have at least one own cell. Either all succeed, or all
+ * get the same status and the same hm_error: that of the first process with the worst status, whose
+ * rank is in front of the text ("rank 2: ..."), also where one process alone gives a wrong
+ * argument, such as NULL for the system, or another system than the others. For this purpose each
+ * call has the communicator, which must be that of hm_petsc_create (or a duplicate). A refused call
  * leaves all arguments as they were. A process on which an earlier call has failed must make the
  * collective call all the same, with NULL as the part or the system, or the others wait for ever. A
  * process without cells is refused: make a communicator of the processes that have cells
  * (MPI_Comm_split). The calls allocate memory; where harmorph lacks memory, all processes get a
- * status, but if PETSc or hypre lack memory, the job ends.
+ * status, but if PETSc or hypre lack memory, the job ends. For processes that end, see
+ * harmorph_mpi.h.
  *
  * Solver: conjugate gradients with hypre's BoomerAMG (where PETSc has hypre, otherwise GAMG), with
  * a relative tolerance of 1e-6 for each solution; refinement with residuals as sums of differences
@@ -66,8 +68,8 @@ typedef struct hm_petsc_report {
  * HM_FAR_FROM_CURVE is that of hm_analysis_init. Refused on all processes, in addition to what
  * hm_part_init, hm_match_edges and hm_equations_init refuse: a point with two positions, a point
  * that two processes have inside their own cells (global numbers are wrong), a ghost point that no
- * process has in an own cell (HM_BAD_MESH); curves, conditions or options that are not the same
- * everywhere (HM_BAD_CONDITION). */
+ * process has in an own cell (HM_BAD_MESH); curves, conditions or options that are not those of
+ * rank 0 (HM_BAD_CONDITION). */
 hm_status hm_petsc_create(hm_petsc** system, const hm_part_mesh* part, const hm_problem* problem,
                           const hm_options* options, MPI_Comm comm, hm_error* err);
 /* Frees the system; collective, because the solvers of PETSc end together. *system becomes NULL. If
@@ -81,8 +83,9 @@ hm_status hm_petsc_rows_size(const hm_petsc* system, size_t* bytes, hm_error* er
 hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t bytes,
                          hm_petsc_report* report, MPI_Comm comm, hm_error* err);
 /* Does hm_displace for one field of displacements: x and y [points] contain the given numbers at
- * points of markers with HM_GIVEN on every process that has such a point, and receive the
- * displacements of all points. After a refused call they are unchanged. */
+ * points of markers with HM_GIVEN on every process that has such a point, the same numbers on each
+ * (which is not examined), and receive the displacements of all points. After a refused call they
+ * are unchanged. */
 hm_status hm_petsc_displace(hm_petsc* system, const hm_points_out* displacement,
                             hm_petsc_report* report, MPI_Comm comm, hm_error* err);
 

@@ -123,11 +123,6 @@ static void check_adjoint(const hm_basis* whole, const hm_basis* rows, const par
          &error);
     for (k = 0; k < n_gradient; ++k) not_a_number += found[k] != found[k];
     check(not_a_number == n_gradient, "one NaN on one process: NaN on all");
-
-    check(hm_mpi_adjoint(rows, &(hm_points){own, own + mine->n, 1}, rank == 0 ? NULL : found, NULL,
-                         MPI_COMM_WORLD, &error) == HM_BAD_ARGUMENT,
-          "what one process has wrong is refused by all");
-    check(rank == 0 || strstr(error.text, "another process") != NULL, "and told on");
     free(all);
     free(own);
     free(expected);
@@ -152,10 +147,6 @@ static void check_operator(int32_t operator_kind, int32_t n_functions) {
     free_solver(&with);
     rows = extract(share, mine.n, mine.points, &rows_block);
 
-    check(hm_mpi_exchange(rows, rank == 0 ? NULL : share, mine.n, mine.points, MPI_COMM_WORLD,
-                          &error) == HM_BAD_ARGUMENT,
-          "an exchange without a share on one process is refused by all");
-    check(rank == 0 || strstr(error.text, "another process") != NULL, "and told on");
     need(hm_mpi_exchange(rows, share, mine.n, mine.points, MPI_COMM_WORLD, &error), &error);
     free(share_block);
     check_blocks(rows, extract(whole, mine.n, mine.points, &expected_block));
@@ -165,70 +156,6 @@ static void check_operator(int32_t operator_kind, int32_t n_functions) {
     free(rows_block);
     free(expected_block);
     free(mine.points);
-}
-
-/* A process that has nothing to exchange, as its mesh was refused, makes the call all the same:
- * none waits. */
-static void check_failure_before(void) {
-    problem_case setup;
-    hm_error error;
-    hm_status status;
-    size_t bytes;
-    void* block;
-    hm_analysis* analysis = NULL;
-    make_case(&setup, 33, 9, 8, HM_LAPLACE);
-    if (rank == size - 1) setup.x[40] = NAN;
-    need(hm_analysis_size(&setup.problem, &setup.options, &bytes, &error), &error);
-    block = room(bytes);
-    status = hm_analysis_init(&analysis, block, bytes, &setup.problem, &setup.options, &error);
-    check((status < 0) == (rank == size - 1), "a mesh with a NaN is refused where it is");
-    status = hm_mpi_exchange(NULL, NULL, 0, NULL, MPI_COMM_WORLD, &error);
-    check(status == HM_BAD_ARGUMENT, "an exchange of nothing is refused by all");
-    status = hm_mpi_adjoint(NULL, NULL, NULL, NULL, MPI_COMM_WORLD, &error);
-    check(status == HM_BAD_ARGUMENT, "an adjoint of nothing is refused by all");
-    free(block);
-}
-
-/* Shares that do not belong together are noticed, by all processes. */
-static void check_mixture(void) {
-    problem_case setup;
-    solver with;
-    hm_error error;
-    int32_t first, n;
-    const int32_t points[] = {4, 2};
-    void *share_block, *rows_block;
-    hm_basis *share, *rows;
-    make_case(&setup, 33, 9, 8, rank == 0 ? HM_WEIGHTED : HM_LAPLACE);
-    if (rank == 0) setup.x[40] += 1e-3;
-    make_solver(&with, &setup);
-    need(hm_share_of(with.analysis, rank, size, &first, &n, &error), &error);
-    share = solve_share(&with, first, n, &share_block);
-    rows = extract(share, 2, points, &rows_block);
-    check(hm_mpi_exchange(rows, share, 2, points, MPI_COMM_WORLD, &error) ==
-              (size > 1 ? HM_BAD_BASIS : HM_OK),
-          "shares of different meshes");
-    if (size > 1)
-        check(strstr(error.text, "from rank ") != NULL || strstr(error.text, "another process"),
-              "and whose");
-    if (size > 1 && rank == 1)
-        check(strstr(error.text, "from rank 0 is refused: ") != NULL, "that of rank 0, on rank 1");
-    free_solver(&with);
-    free(share_block);
-
-    /* The last function is missing. */
-    if (rank == 0) setup.x[40] -= 1e-3;
-    setup.options.operator_kind = HM_LAPLACE;
-    make_solver(&with, &setup);
-    need(hm_share_of(with.analysis, rank, size, &first, &n, &error), &error);
-    share = solve_share(&with, first, rank == size - 1 ? n - 1 : n, &share_block);
-    free(rows_block);
-    rows = extract(share, 2, points, &rows_block);
-    check(hm_mpi_exchange(rows, share, 2, points, MPI_COMM_WORLD, &error) == HM_BAD_BASIS,
-          "shares that leave one out");
-    check(strstr(error.text, "do not contain all functions") != NULL, "and why");
-    free_solver(&with);
-    free(share_block);
-    free(rows_block);
 }
 
 /* Displacements of wall points that each process knows a part of: the bits of one process, and the
@@ -358,48 +285,6 @@ static void check_displacements(int32_t operator_kind) {
     }
     check(wrong == 0, "points move as on one process");
 
-    /* Each by name, and by all processes; nothing is written. */
-    {
-        double *const b = (double*)(size_t)on_wall[0].x, before = n_wall > 0 ? b[0] : 0;
-        double* const kept = room(2 * sizeof *kept * (size_t)mine.n);
-        hm_plan* const plan = rank == root ? with.plan : NULL;
-        memcpy(kept, own_x, 2 * sizeof *kept * (size_t)mine.n);
-#define REFUSED(status, plan, n_wall, list, n_fields, n, points, root)             \
-    check(hm_mpi_displace(plan, n_wall, list, n_fields, on_wall, n, points, NULL,  \
-                          &(hm_points_out){own_x, own_y, 1}, root, MPI_COMM_WORLD, \
-                          &error) == status,                                       \
-          "refused: " #status ", " #plan ", " #n_wall)
-        if (rank == 0 && n_wall > 0) b[0] = NAN;
-        REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 1, mine.n, mine.points, root);
-        if (n_wall > 0) b[0] = before;
-        REFUSED(HM_BAD_CONDITION, plan, rank == 0 ? n_wall / 2 : 0, own_wall, 1, mine.n,
-                mine.points, root);
-        check(rank == root ? strstr(error.text, "not in the list") != NULL
-                           : strstr(error.text, "that has the plan") != NULL,
-              "a list that leaves points out, and why");
-        REFUSED(HM_BAD_ARGUMENT, NULL, n_wall, own_wall, 1, mine.n, mine.points, root);
-        REFUSED(HM_BAD_ARGUMENT, plan, n_wall, rank == 0 ? NULL : own_wall, 1, mine.n, mine.points,
-                root);
-        REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 1, rank == 0 ? -1 : mine.n, mine.points,
-                root);
-        REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 0, mine.n, mine.points, root);
-        REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 1, mine.n, mine.points, size);
-        if (size > 1)
-            REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, rank == 0 ? 2 : 1, mine.n, mine.points,
-                    root);
-        own_wall[0] = rank == 0 ? 70 : own_wall[0];
-        REFUSED(HM_BAD_CONDITION, plan, n_wall, own_wall, 1, mine.n, mine.points, root);
-        mine.points[0] = rank == 0 ? setup.n_points : mine.points[0];
-        REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 1, mine.n, mine.points, root);
-        check(
-            hm_mpi_displace(plan, n_wall, own_wall, 1, on_wall, rank == 0 ? 0 : mine.n, mine.points,
-                            &(hm_points){own_x, own_y, 1}, &(hm_points_out){own_x, own_y, 1}, root,
-                            MPI_COMM_WORLD, &error) == HM_BAD_ARGUMENT,
-            "a point of the mesh that is in no list");
-        check(memcmp(kept, own_x, 2 * sizeof *kept * (size_t)mine.n) == 0, "nothing is written");
-        free(kept);
-#undef REFUSED
-    }
     for (field = 0; field < FIELDS; ++field) {
         free((void*)(size_t)wall[field].x);
         free((void*)(size_t)on_wall[field].x);
@@ -426,8 +311,6 @@ int main(int argc, char** argv) {
     check_operator(HM_LAPLACE, 14);
     check_operator(HM_CONFORMAL, 9);
     check_operator(HM_LAPLACE, 5); /* not many more than processes */
-    check_failure_before();
-    check_mixture();
     check_displacements(HM_LAPLACE);
     check_displacements(HM_CONFORMAL);
     own[0] = passed;

@@ -29,15 +29,17 @@ c() {
 
 check "harmorph_mpi.c" c -Iinclude -Ic_api -c c_api/mpi/harmorph_mpi.c -o "$dir/harmorph_mpi.o"
 check "harmorph_mpi.c, as it is installed" c -Iinclude -Ic_api -c "$build/harmorph_mpi.c" -o "$dir/harmorph_mpi.o"
-check "mpi.c" c -pthread -Iinclude -Ic_api -Itests -o "$dir/mpi_c" tests/mpi.c \
-    "$dir/harmorph_mpi.o" "$build/libharmorph.a" -lm
+for program in mpi mpi_faults; do
+    check "$program.c" c -pthread -Iinclude -Ic_api -Itests -o "$dir/${program}_c" tests/$program.c \
+        "$dir/harmorph_mpi.o" "$build/libharmorph.a" -lm
+done
 for source in "$build/harmorph.f90" "$build/harmorph_mpi.f90" tests/o_mesh.f90 tests/mpi.f90; do
     check "$(basename "$source")" fortran "$source"
 done
 check "link of mpi.f90" $MPIFC $FFLAGS -o "$dir/mpi_f" "$dir/mpi_f.o" "$dir/o_mesh_f.o" "$dir/harmorph_mpi_f.o" \
     "$dir/harmorph_f.o" "$dir/harmorph_mpi.o" "$build/libharmorph.a"
 for n in 1 2 3 4; do
-    for program in mpi_c mpi_f; do start $n "$dir/$program" 2>&1 || fail "$program on $n processes"; done
+    for program in mpi_c mpi_faults_c mpi_f; do start $n "$dir/$program" 2>&1 || fail "$program on $n processes"; done
 done
 # Both operators on one process and on two; each row of ratios ends with that of the bytes.
 measured() {

@@ -75,8 +75,12 @@ from_python() {   # without optimisation: what the sources of the package comput
 }
 if $PYTHON -c 'import numpy, cffi, wheel, setuptools, venv, ensurepip' 2>/dev/null; then
     check "from nothing to a running morph in Python" from_python
+    block c_api/python/README.md python 1 >"$dir/warp.py"
+    warped() { "$dir/env/bin/python" "$dir/warp.py" | grep -E '^The wall is (0.0|[0-9.]+e-1[5-9]) away'; }
+    check "the grid of ADflow is warped" warped
 else
     block README.md sh 2 >/dev/null
+    block c_api/python/README.md python 1 >/dev/null
     skip "the program in Python" "numpy, cffi, wheel, setuptools or venv is not installed for $PYTHON"
 fi
 check "the lines of C++" path c_api/cpp/README.md 1 "^0 inverted cells; the mesh could follow"

@@ -1,8 +1,9 @@
-/* Agreement of the processes on a status, and the lengths of their messages. */
+/* Agreement of the processes on a status and on its reason. */
 #ifndef HARMORPH_MPI_AGREEMENT_H
 #define HARMORPH_MPI_AGREEMENT_H
 
-#include "harmorph_mpi.h"
+#include <harmorph.h>
+#include <mpi.h>
 
 #include <limits.h>
 #include <stdio.h>
@@ -10,58 +11,59 @@
 #include <string.h>
 
 static hm_status refuse(hm_error* err, hm_status code, const char* sentence) {
-    if (err != NULL) {
-        memset(err, 0, sizeof *err);
-        err->code = code;
-        err->item = err->other = -1;
-        snprintf(err->text, sizeof err->text, "%s", sentence);
-    }
+    memset(err, 0, sizeof *err);
+    err->code = code;
+    err->item = err->other = -1;
+    snprintf(err->text, sizeof err->text, "%s", sentence);
     return code;
 }
 
-static hm_status refuse_point(hm_error* err, const char* before, int32_t point, int32_t base,
-                              const char* behind) {
-    char text[sizeof err->text];
-    snprintf(text, sizeof text, "%s%d%s", before, (int)point, behind);
-    refuse(err, HM_BAD_ARGUMENT, text);
-    if (err != NULL) {
-        err->item_kind = HM_ITEM_POINT;
-        err->item = point;
-        err->item_base = base;
-    }
-    return HM_BAD_ARGUMENT;
+static hm_status refuse_argument(hm_error* err, const char* sentence) {
+    return refuse(err, HM_BAD_ARGUMENT, sentence);
 }
 
-/* The worst status of all processes. If another process has this status, the reason is in the error
- * of that process. */
-static hm_status worst(hm_status own, hm_status of_all, hm_error* err) {
-    if (of_all >= 0 || own < 0) return own < 0 ? of_all : own;
-    return refuse(err, of_all,
-                  "another process refused the call; the error of that process has the reason");
+/* Puts "before RANK: " in front of the reason. */
+static void name_rank(hm_error* err, const char* before, int rank) {
+    char text[2 * sizeof err->text];
+    snprintf(text, sizeof text, "%s %d: %s", before, rank, err->text);
+    memcpy(err->text, text, sizeof err->text - 1);
+    err->text[sizeof err->text - 1] = 0;
 }
 
+/* The worst status of all processes: the lowest refusal, or else the highest warning. Where it is
+ * not HM_OK, all processes receive the error of the first process that has this status, with the
+ * rank of that process in front of the text. err is not NULL. */
 static hm_status agree(hm_status own, MPI_Comm comm, hm_error* err) {
-    hm_status of_all = own;
-    MPI_Allreduce(&own, &of_all, 1, MPI_INT32_T, MPI_MIN, comm);
-    return worst(own, of_all, err);
+    int mine[2], worst[2], size; /* the order of a status, and the rank, for MPI_MINLOC */
+    hm_status agreed;
+    mine[0] = own < 0 ? own : INT_MAX - own;
+    MPI_Comm_rank(comm, &mine[1]);
+    MPI_Comm_size(comm, &size);
+    MPI_Allreduce(mine, worst, 1, MPI_2INT, MPI_MINLOC, comm);
+    agreed = worst[0] < 0 ? worst[0] : INT_MAX - worst[0];
+    if (agreed == HM_OK || size == 1) return agreed;
+    if (mine[1] == worst[1]) name_rank(err, "rank", mine[1]);
+    MPI_Bcast(err, sizeof *err, MPI_BYTE, worst[1], comm);
+    return agreed;
 }
 
-/* Allocates at least one byte, so that NULL always means that there is no memory. */
+/* True on processes whose numbers [n], n <= 4, are not those of rank 0. Collective. */
+static int differs_from_first(const int64_t* numbers, int n, MPI_Comm comm) {
+    int64_t first[4];
+    memcpy(first, numbers, (size_t)n * sizeof *first);
+    MPI_Bcast(first, n, MPI_INT64_T, 0, comm);
+    return memcmp(first, numbers, (size_t)n * sizeof *first) != 0;
+}
+
+/* At the begin of each call: the reason has a place also where the caller wants none, since other
+ * processes may want it. */
+#define BEGIN_CALL(comm, err)           \
+    hm_error unread;                    \
+    if ((err) == NULL) (err) = &unread; \
+    if ((comm) == MPI_COMM_NULL) return refuse_argument(err, "the communicator is MPI_COMM_NULL")
+
+/* Memory filled with zeros: at least one byte, so that NULL always means that there is no memory.
+ */
 static void* room_for(size_t n, size_t size) { return calloc(n > 0 ? n : 1, size); }
-
-/* For each process: a length, and the start of this part if all parts follow each other. */
-typedef struct lengths {
-    int *count, *start;
-    int64_t total;
-} lengths;
-
-static void set_starts(lengths* l, int n_processes) {
-    int k;
-    l->total = 0;
-    for (k = 0; k < n_processes; ++k) {
-        l->start[k] = l->total <= INT_MAX ? (int)l->total : 0;
-        l->total += l->count[k];
-    }
-}
 
 #endif

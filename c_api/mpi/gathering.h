@@ -2,7 +2,7 @@
 #ifndef HARMORPH_MPI_GATHERING_H
 #define HARMORPH_MPI_GATHERING_H
 
-#include "agreement.h"
+#include "lengths.h"
 
 /* Each process has a list of points, and root has all lists. Fields at these points are sent to
  * root or received from root, as pairs x,y of all lists, one list after the other. */
@@ -34,7 +34,7 @@ static hm_status gather_points(gathering* g, int32_t n, const int32_t* points, i
     numbers = room_for(2 * (size_t)g->n_processes, sizeof *numbers);
     g->own = room_for(2 * (size_t)n, sizeof *g->own);
     if (numbers == NULL || g->own == NULL)
-        status = refuse(err, HM_BAD_ARGUMENT, "there is no memory for a list of points");
+        status = refuse_argument(err, "there is no memory for a list of points");
     g->lists.count = numbers;
     g->lists.start = numbers != NULL ? numbers + g->n_processes : NULL;
     status = agree(status, comm, err);
@@ -47,8 +47,7 @@ static hm_status gather_points(gathering* g, int32_t n, const int32_t* points, i
             g->all = room_for(2 * (size_t)g->lists.total, sizeof *g->all);
         }
         if (g->points == NULL || g->all == NULL) {
-            status =
-                refuse(err, HM_BAD_ARGUMENT, "there is no memory for the lists of all processes");
+            status = refuse_argument(err, "there is no memory for the lists of all processes");
         }
     }
     status = agree(status, comm, err);

@@ -4,6 +4,7 @@
 #include <harmorph_parts.h>
 
 #include "mpi/agreement.h"
+#include "mpi/lengths.h"
 #include "mpi/gathering.h"
 #include "mpi/rows.h"
 #include "mpi/whole_fields.h"
@@ -13,10 +14,13 @@
 hm_status hm_mpi_exchange(hm_basis* rows, const hm_basis* share, int32_t n, const int32_t* points,
                           MPI_Comm comm, hm_error* err) {
     row_exchange exchange;
-    hm_status status = begin(&exchange, comm, err);
+    hm_status status;
+    BEGIN_CALL(comm, err);
+    status = begin(&exchange, comm, err);
     if (status >= 0 && (rows == NULL || share == NULL || n < 0 || (n > 0 && points == NULL))) {
-        status = refuse(err, HM_BAD_ARGUMENT,
-                        "an argument is NULL, or the number of points is negative");
+        status = refuse_argument(
+            err,
+            "rows, share or points is NULL, as where an earlier call has failed, or n is negative");
     }
     status = agree(status, comm, err);
     if (status >= 0) status = exchange_rows(&exchange, rows, share, n, points, err);
@@ -26,25 +30,43 @@ hm_status hm_mpi_exchange(hm_basis* rows, const hm_basis* share, int32_t n, cons
 
 /* ---- Adjoint ---- */
 
+/* Takes memory for the sums [*n] of the rows of this process, and finds the scale. */
+static hm_status begin_sums(const hm_basis* rows, const hm_points* dj, const double* gradient,
+                            const hm_executor* executor, int64_t** sums, int32_t* n, int32_t* scale,
+                            hm_error* err) {
+    hm_basis_info info = {sizeof info};
+    hm_status status = hm_basis_info_get(rows, &info, err);
+    if (status < 0) return status;
+    if (gradient == NULL) return refuse_argument(err, "gradient is NULL");
+    *n = 4 * info.numbers_per_value * info.functions;
+    *sums = room_for((size_t)*n, sizeof **sums);
+    if (*sums == NULL)
+        return refuse_argument(err, "there is no memory for the sums of the adjoint");
+    return hm_adjoint_scale(rows, dj, scale, executor, err);
+}
+
 hm_status hm_mpi_adjoint(const hm_basis* rows, const hm_points* dj, double* gradient,
                          const hm_executor* executor, MPI_Comm comm, hm_error* err) {
-    hm_basis_info info = {sizeof info};
-    int64_t* sums = NULL;
-    int32_t own[2] = {0, 0}, of_all[2] = {0, 0}; /* scale and minus status, for MPI_MAX */
-    int n = 0;
-    hm_status status = hm_basis_info_get(rows, &info, err);
-    if (status >= 0) {
-        n = 4 * info.numbers_per_value * info.functions;
-        sums = room_for((size_t)n, sizeof *sums);
-        if (sums == NULL)
-            status = refuse(err, HM_BAD_ARGUMENT, "there is no memory for the sums of the adjoint");
-    }
-    if (status >= 0 && gradient == NULL) status = refuse(err, HM_BAD_ARGUMENT, "gradient is NULL");
-    if (status >= 0) status = hm_adjoint_scale(rows, dj, &own[0], executor, err);
-    own[1] = -status;
+    int64_t *sums = NULL, length;
+    int32_t n = 0, own[4], of_all[4]; /* scale, minus status, n and -n, for MPI_MAX */
+    hm_status status;
+    BEGIN_CALL(comm, err);
+    own[0] = 0;
+    status = begin_sums(rows, dj, gradient, executor, &sums, &n, &own[0], err);
     if (status < 0) own[0] = INT32_MIN;
-    MPI_Allreduce(own, of_all, 2, MPI_INT32_T, MPI_MAX, comm);
-    status = worst(status, -of_all[1], err);
+    own[1] = -status;
+    own[2] = n;
+    own[3] = -n;
+    MPI_Allreduce(own, of_all, 4, MPI_INT32_T, MPI_MAX, comm);
+    if (of_all[1] > 0) { /* only now are there messages for the reason */
+        status = agree(status, comm, err);
+    } else if (of_all[2] != -of_all[3]) {
+        length = n;
+        if (differs_from_first(&length, 1, comm))
+            status =
+                refuse(err, HM_BAD_BASIS, "the rows have other functions than those of rank 0");
+        status = agree(status, comm, err);
+    }
     if (status >= 0) {
         status = hm_adjoint_sums(rows, dj, of_all[0], sums, executor, err);
         MPI_Allreduce(MPI_IN_PLACE, sums, n, MPI_INT64_T, MPI_SUM, comm);
@@ -61,12 +83,20 @@ hm_status hm_mpi_displace(hm_plan* plan, int32_t n_wall, const int32_t* wall_poi
                           const hm_points* from, const hm_points_out* to, int32_t root,
                           MPI_Comm comm, hm_error* err) {
     whole_fields whole;
-    const int given = have_arrays(wall, n_fields, n_wall) && have_arrays_out(to, n_fields, n) &&
-                      (from == NULL || have_arrays(from, 1, n));
+    const char* wrong = NULL;
     int32_t field;
     int64_t k;
-    hm_status status = begin_whole(&whole, plan, n_wall, wall_points, n_fields, given, n, points,
-                                   from != NULL, root, comm, err);
+    hm_status status;
+    memset(&whole, 0, sizeof whole);
+    BEGIN_CALL(comm, err);
+    if (lacks_arrays(wall, n_fields, n_wall) || lacks_arrays_out(to, n_fields, n) ||
+        (from != NULL && lacks_arrays(from, 1, n))) {
+        wrong = no_array;
+    } else if (has_infinite(wall, n_fields, n_wall) || (from != NULL && has_infinite(from, 1, n))) {
+        wrong = "a displacement or a coordinate is not finite";
+    }
+    status = begin_whole(&whole, plan, n_wall, wall_points, n_fields, wrong, n, points,
+                         from != NULL, root, comm, err);
     if (status < 0) {
         free_whole(&whole);
         return status;
@@ -94,7 +124,7 @@ hm_status hm_mpi_displace(hm_plan* plan, int32_t n_wall, const int32_t* wall_poi
                              whole.in, from != NULL ? &start : NULL, whole.out, whole.work,
                              whole.bytes, NULL, err);
     }
-    status = as_root(&whole, status, err);
+    status = agree(status, comm, err);
     for (field = 0; status >= 0 && field < n_fields; ++field) {
         for (k = 0; is_root(&whole) && k < whole.mesh.lists.total; ++k) {
             memcpy(whole.mesh.all + 2 * k,
@@ -113,11 +143,14 @@ hm_status hm_mpi_displace_adjoint(hm_plan* plan, int32_t n_wall, const int32_t* 
                                   const int32_t* points, const hm_points_out* gradient,
                                   int32_t root, MPI_Comm comm, hm_error* err) {
     whole_fields whole;
-    const int given = have_arrays(dj, n_fields, n) && have_arrays_out(gradient, n_fields, n_wall);
+    const int lacks = lacks_arrays(dj, n_fields, n) || lacks_arrays_out(gradient, n_fields, n_wall);
     int32_t field;
     int64_t k;
-    hm_status status = begin_whole(&whole, plan, n_wall, wall_points, n_fields, given, n, points, 0,
-                                   root, comm, err);
+    hm_status status;
+    memset(&whole, 0, sizeof whole);
+    BEGIN_CALL(comm, err);
+    status = begin_whole(&whole, plan, n_wall, wall_points, n_fields, lacks ? no_array : NULL, n,
+                         points, 0, root, comm, err);
     if (status < 0) {
         free_whole(&whole);
         return status;
@@ -142,7 +175,7 @@ hm_status hm_mpi_displace_adjoint(hm_plan* plan, int32_t n_wall, const int32_t* 
             hm_displace_adjoint(plan, (int32_t)whole.wall.lists.total, whole.wall.points, n_fields,
                                 whole.in, whole.out, whole.work, whole.bytes, NULL, err);
     }
-    status = as_root(&whole, status, err);
+    status = agree(status, comm, err);
     for (field = 0; status >= 0 && field < n_fields; ++field) {
         if (is_root(&whole)) {
             memcpy(whole.wall.all, field_of(whole.at_wall, whole.wall.lists.total, field),

@@ -3,7 +3,7 @@
 #define HARMORPH_MPI_ROWS_H
 
 #include <harmorph_parts.h>
-#include "agreement.h"
+#include "lengths.h"
 
 typedef struct row_exchange {
     MPI_Comm comm;
@@ -19,8 +19,7 @@ static hm_status begin(row_exchange* exchange, MPI_Comm comm, hm_error* err) {
     exchange->comm = comm;
     MPI_Comm_size(comm, &exchange->n_processes);
     numbers = room_for(6 * (size_t)exchange->n_processes, sizeof *numbers);
-    if (numbers == NULL)
-        return refuse(err, HM_BAD_ARGUMENT, "there is no memory for the exchange of rows");
+    if (numbers == NULL) return refuse_argument(err, "there is no memory for the exchange of rows");
     exchange->lists.count = numbers;
     exchange->lists.start = numbers + exchange->n_processes;
     exchange->sent.count = numbers + 2 * exchange->n_processes;
@@ -48,7 +47,7 @@ static hm_status gather_lists(row_exchange* exchange, int32_t n, const int32_t* 
                            ? room_for((size_t)exchange->lists.total, sizeof *exchange->points)
                            : NULL;
     if (exchange->points == NULL) {
-        status = refuse(err, HM_BAD_ARGUMENT, "there is no memory for the lists of all processes");
+        status = refuse_argument(err, "there is no memory for the lists of all processes");
     }
     status = agree(status, exchange->comm, err);
     if (status < 0) return status;
@@ -81,24 +80,18 @@ static hm_status pack(row_exchange* exchange, const hm_basis* share, hm_error* e
     exchange->outgoing = room_for((size_t)exchange->sent.total, sizeof *exchange->outgoing);
     exchange->incoming = room_for((size_t)exchange->received.total, sizeof *exchange->incoming);
     if (exchange->outgoing == NULL || exchange->incoming == NULL) {
-        return refuse(err, HM_BAD_ARGUMENT, "there is no memory for the exchange of rows");
+        return refuse_argument(err, "there is no memory for the exchange of rows");
     }
     for (k = 0; k < exchange->n_processes; ++k) {
         hm_status status = hm_parcel_pack(share, exchange->lists.count[k],
                                           exchange->points + exchange->lists.start[k],
                                           exchange->outgoing + exchange->sent.start[k], err);
-        if (status < 0) return status;
+        if (status < 0) {
+            name_rank(err, "the list of rank", k);
+            return status;
+        }
     }
     return HM_OK;
-}
-
-/* Names the process that has sent the refused message, before the reason. */
-static void name_sender(hm_error* err, int rank) {
-    char reason[sizeof err->text];
-    if (err == NULL) return;
-    memcpy(reason, err->text, sizeof reason);
-    snprintf(err->text, sizeof err->text, "the message from rank %d is refused: %.*s", rank,
-             (int)sizeof reason - 48, reason);
 }
 
 /* Unpacks the messages in the order of ranks, which is the order of the functions. If the share of
@@ -110,7 +103,7 @@ static hm_status unpack(row_exchange* exchange, hm_basis* rows, hm_error* err) {
     for (k = 0; status >= 0 && k < exchange->n_processes && !info.solved; ++k) {
         status = hm_parcel_unpack(rows, exchange->incoming + exchange->received.start[k],
                                   exchange->received.count[k], err);
-        if (status < 0) name_sender(err, k);
+        if (status < 0) name_rank(err, "the message from rank", k);
     }
     if (status >= 0) status = hm_basis_info_get(rows, &info, err);
     if (status < 0 || info.solved) return status;

@@ -20,6 +20,24 @@ typedef struct whole_fields {
 
 static int is_root(const whole_fields* whole) { return whole->mesh.rank == whole->mesh.root; }
 
+/* The process whose list has place k of all lists. */
+static int process_at(const lengths* lists, int64_t k) {
+    int process = 0;
+    while (k >= lists->count[process]) k -= lists->count[process++];
+    return process;
+}
+
+static hm_status refuse_point(hm_error* err, const char* before, int32_t point, int32_t base,
+                              const char* behind) {
+    char text[sizeof err->text];
+    snprintf(text, sizeof text, "%s%d%s", before, (int)point, behind);
+    refuse_argument(err, text);
+    err->item_kind = HM_ITEM_POINT;
+    err->item = point;
+    err->item_base = base;
+    return HM_BAD_ARGUMENT;
+}
+
 /* On root: takes memory, and checks that all points of the lists are points of the mesh. */
 static hm_status make_room(whole_fields* whole, const hm_plan* plan, int needs_all, hm_error* err) {
     const size_t n_fields = (size_t)whole->n_fields, n_wall = (size_t)whole->wall.lists.total;
@@ -38,7 +56,7 @@ static hm_status make_room(whole_fields* whole, const hm_plan* plan, int needs_a
     if (whole->at_wall == NULL || whole->at_points == NULL || (needs_all && whole->from == NULL) ||
         whole->in == NULL || whole->out == NULL || whole->work == NULL || seen == NULL) {
         free(seen);
-        return refuse(err, HM_BAD_ARGUMENT, "there is no memory for the fields of all processes");
+        return refuse_argument(err, "there is no memory for the fields of all processes");
     }
     for (k = 0; k < whole->mesh.lists.total; ++k) {
         const int64_t point = (int64_t)whole->mesh.points[k] - whole->index_base;
@@ -50,9 +68,12 @@ static hm_status make_room(whole_fields* whole, const hm_plan* plan, int needs_a
     }
     for (k = 0; k < whole->n_points && missing < 0; ++k) missing = seen[k] ? -1 : k;
     free(seen);
-    if (wrong >= 0)
-        return refuse_point(err, "the list of a process has point ", whole->mesh.points[wrong],
-                            whole->index_base, ", which does not exist");
+    if (wrong >= 0) {
+        refuse_point(err, "point ", whole->mesh.points[wrong], whole->index_base,
+                     " does not exist");
+        name_rank(err, "the list of rank", process_at(&whole->mesh.lists, wrong));
+        return HM_BAD_ARGUMENT;
+    }
     if (!needs_all || missing < 0) return HM_OK;
     return refuse_point(err, "point ", (int32_t)missing + whole->index_base, whole->index_base,
                         " is in the list of no process");
@@ -69,34 +90,33 @@ static void free_whole(whole_fields* whole) {
     end_gathering(&whole->mesh);
 }
 
-/* Checks the arguments that must be the same on all processes, and that arrays are given. Then
+/* wrong: a refusal of the arrays of this process, or NULL. Checks the other arguments, too, also
+ * that those which must be the same on all processes are. Then
  * gathers the lists, and takes memory on root. */
 static hm_status begin_whole(whole_fields* whole, hm_plan* plan, int32_t n_wall,
-                             const int32_t* wall_points, int32_t n_fields, int arrays_given,
+                             const int32_t* wall_points, int32_t n_fields, const char* wrong,
                              int32_t n, const int32_t* points, int has_from, int32_t root,
                              MPI_Comm comm, hm_error* err) {
-    int32_t own[6] = {n_fields, -n_fields, root, -root, has_from, -has_from}, least[6];
+    const int64_t same[] = {n_fields, root, has_from};
+    const int differs = differs_from_first(same, 3, comm);
     int rank, size;
     hm_status status = HM_OK;
-    memset(whole, 0, sizeof *whole);
-    whole->n_fields = n_fields;
     MPI_Comm_rank(comm, &rank);
     MPI_Comm_size(comm, &size);
-    MPI_Allreduce(own, least, 6, MPI_INT32_T, MPI_MIN, comm);
-    if (least[0] != -least[1] || least[2] != -least[3] || least[4] != -least[5]) {
-        return refuse(err, HM_BAD_ARGUMENT,
-                      "n_fields, root, or whether `from` is NULL, differ between processes");
-    }
+    whole->n_fields = n_fields;
     if (root < 0 || root >= size || n_fields < 1) {
-        return refuse(err, HM_BAD_ARGUMENT, "root is not a rank, or n_fields is less than 1");
-    }
-    if (n_wall < 0 || n < 0 || (n_wall > 0 && wall_points == NULL) || (n > 0 && points == NULL) ||
-        !arrays_given) {
+        status = refuse_argument(err, "root is not a rank, or n_fields is less than 1");
+    } else if (differs) {
         status =
-            refuse(err, HM_BAD_ARGUMENT, "an argument is NULL, or a number of points is negative");
+            refuse_argument(err, "n_fields, root, or whether `from` is NULL, are not as on rank 0");
+    } else if (n_wall < 0 || n < 0 || (n_wall > 0 && wall_points == NULL) ||
+               (n > 0 && points == NULL)) {
+        status = refuse_argument(err, "a list is NULL, or a number of points is negative");
+    } else if (wrong != NULL) {
+        status = refuse_argument(err, wrong);
     } else if ((plan != NULL) != (rank == root)) {
-        status = refuse(err, HM_BAD_ARGUMENT,
-                        "the process root must have a plan, and the other processes must not");
+        status = refuse_argument(
+            err, "the process root must have a plan, and the other processes must not");
     }
     status = agree(status, comm, err);
     if (status >= 0) status = gather_points(&whole->wall, n_wall, wall_points, root, comm, err);
@@ -110,32 +130,37 @@ static double* field_of(double* all, int64_t n, int32_t field) {
     return all + 2 * (size_t)n * (size_t)field;
 }
 
-/* All processes return the status of root, also if it is a warning. */
-static hm_status as_root(const whole_fields* whole, hm_status own, hm_error* err) {
-    hm_status of_root = own;
-    MPI_Bcast(&of_root, 1, MPI_INT32_T, whole->mesh.root, whole->mesh.comm);
-    if (is_root(whole) || of_root == HM_OK) return of_root;
-    return refuse(
-        err, of_root,
-        "the process that has the plan refused the call; the error of that process has the reason");
+static const char* const no_array = "an array of a field is NULL, or its stride is negative";
+
+/* True if one of n_fields fields has no arrays, although there are points. */
+static int lacks_arrays(const hm_points* fields, int32_t n_fields, int32_t n) {
+    int32_t k;
+    if (fields == NULL) return 1;
+    for (k = 0; k < n_fields && n > 0; ++k) {
+        if (fields[k].x == NULL || fields[k].y == NULL || fields[k].stride < 0) return 1;
+    }
+    return 0;
+}
+static int lacks_arrays_out(const hm_points_out* fields, int32_t n_fields, int32_t n) {
+    int32_t k;
+    if (fields == NULL) return 1;
+    for (k = 0; k < n_fields && n > 0; ++k) {
+        if (fields[k].x == NULL || fields[k].y == NULL || fields[k].stride < 0) return 1;
+    }
+    return 0;
 }
 
-/* True if all n_fields fields have arrays, or there are no points. */
-static int have_arrays(const hm_points* fields, int32_t n_fields, int32_t n) {
-    int32_t k;
-    if (fields == NULL) return 0;
-    for (k = 0; k < n_fields && n > 0; ++k) {
-        if (fields[k].x == NULL || fields[k].y == NULL || fields[k].stride < 0) return 0;
+/* True if a number is infinite or NaN. */
+static int has_infinite(const hm_points* fields, int32_t n_fields, int32_t n) {
+    int32_t field, k;
+    for (field = 0; field < n_fields; ++field) {
+        for (k = 0; k < n; ++k) {
+            const double x = fields[field].x[k * step_of(fields[field].stride)],
+                         y = fields[field].y[k * step_of(fields[field].stride)];
+            if (!(x - x == 0 && y - y == 0)) return 1;
+        }
     }
-    return 1;
-}
-static int have_arrays_out(const hm_points_out* fields, int32_t n_fields, int32_t n) {
-    int32_t k;
-    if (fields == NULL) return 0;
-    for (k = 0; k < n_fields && n > 0; ++k) {
-        if (fields[k].x == NULL || fields[k].y == NULL || fields[k].stride < 0) return 0;
-    }
-    return 1;
+    return 0;
 }
 
 #endif

@@ -41,6 +41,19 @@ scalar not_negative(const dictionary& coefficients, const word& name, scalar usu
     return value;
 }
 
+// Without harmorphCoeffs, the coefficients stand among the entries of dynamicMeshDict.
+void refuse_unknown(const dictionary& coefficients) {
+    if (coefficients.dictName() != word(harmorphMotionSolver::typeName + "Coeffs")) return;
+    const wordHashSet known(
+        {"patches", "slip", "operator", "exponent", "refactor", "safe", "improve", "report"});
+    for (const word& name : coefficients.toc()) {
+        if (known.found(name)) continue;
+        FatalIOErrorInFunction(coefficients)
+            << "The coefficient " << name << " is unknown. The coefficients are "
+            << known.sortedToc() << exit(FatalIOError);
+    }
+}
+
 }  // namespace
 
 harmorphMotionSolver::harmorphMotionSolver(const polyMesh& mesh, const IOdictionary& dict)
@@ -72,6 +85,7 @@ void harmorphMotionSolver::begin() {
                              << exit(FatalError);
     }
     const dictionary& coefficients = coeffDict();
+    refuse_unknown(coefficients);
     report_interval_ = coefficients.getOrDefault<label>("report", 0);
     patches_ =
         std::make_unique<PatchConditions>(pointDisplacement_, coefficients.get<wordRes>("patches"),

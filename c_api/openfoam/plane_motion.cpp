@@ -150,7 +150,7 @@ bool PlaneMotion::try_linear(const PlaneField& wall, scalar margin, PlaneField& 
         error.item = found.quality.first_inverted;
         error.other_kind = HM_ITEM_NONE;
         std::snprintf(error.text, sizeof error.text,
-                      "%d cells of the mesh would be inverted, or the boundary would cross itself.",
+                      "%d cells of the mesh would be inverted, or the boundary would cross itself",
                       static_cast<int>(found.quality.inverted));
         return false;
     }

@@ -1,11 +1,10 @@
 #!/bin/sh
 # usage: join.sh FOLDER >harmorph_FOLDER.c   (in the top directory; FOLDER: mpi, petsc)
-# Users compile one file, which needs only installed headers: c_api/FOLDER/harmorph_FOLDER.c with its parts of the same
-# folder.
+# Users compile one file, which needs only installed headers: c_api/FOLDER/harmorph_FOLDER.c with its parts.
 awk -v folder="$1" '
 function put(path,    line, name) {
     while ((getline line <path) > 0) {
-        if (line ~ "^#include \"" folder "/") {
+        if (line ~ "^#include \"(mpi|petsc)/") {
             name = line
             gsub(/^[^"]*"|"[^"]*$/, "", name)
             print ""

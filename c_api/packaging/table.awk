@@ -5,8 +5,9 @@
 #     struct NAME
 #     member STRUCT NAME TYPE N    TYPE: int32, int64, double, char, pointer, function or a struct; N: array length
 #     end STRUCT
-# The Fortran module, the test of layouts and tests/abi/interface.txt are made from this table, so that a new constant
-# or member is one edit of a header. A declaration that this script does not understand ends the script with an error.
+# The Fortran module, the test of layouts and tests/abi/interface.txt are made from this table, and tests/cli/options.sh
+# looks for an option of the program for each field, so that a new constant or member is one edit of a header. A
+# declaration that this script does not understand ends the script with an error.
 function fail(what) {
     print FILENAME ": " what > "/dev/stderr"
     failed = 1

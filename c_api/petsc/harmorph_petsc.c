@@ -3,6 +3,7 @@
 #include "harmorph_petsc.h"
 #include <harmorph_parts.h>
 
+#include "mpi/agreement.h"
 #include "petsc/agreement.h"
 #include "petsc/mail.h"
 #include "petsc/owners.h"
@@ -28,6 +29,16 @@ static hm_status begin_system(hm_petsc* made, hm_petsc** system, const hm_part_m
     return take_part(made, part, err);
 }
 
+/* The systems of process 0 have different numbers: all processes get that of the new one. */
+static hm_status number_system(hm_petsc* made, hm_error* err) {
+    PetscObjectId number = 0;
+    hm_status status = agree(
+        petsc_status(PetscObjectGetId((PetscObject)made->matrix, &number), err), made->comm, err);
+    made->number = number;
+    MPI_Bcast(&made->number, 1, MPI_INT64_T, 0, made->comm);
+    return status;
+}
+
 /* Makes the part and the equations. The status is a warning if points are far from their curve. */
 static hm_status fill_system(hm_petsc* made, const hm_problem* problem, const hm_options* options,
                              hm_error* err) {
@@ -46,6 +57,7 @@ static hm_status fill_system(hm_petsc* made, const hm_problem* problem, const hm
     next = compare_problems(made, problem, options, err);
     if (next >= 0) next = make_matrix(made, err);
     if (next >= 0) next = agree(petsc_status(make_solver(made), err), made->comm, err);
+    if (next >= 0) next = number_system(made, err);
     return next < 0 ? next : status;
 }
 
@@ -53,7 +65,7 @@ hm_status hm_petsc_create(hm_petsc** system, const hm_part_mesh* part, const hm_
                           const hm_options* options, MPI_Comm comm, hm_error* err) {
     hm_petsc* made = NULL;
     hm_status status;
-    if (comm == MPI_COMM_NULL) return refuse_argument(err, "the communicator is MPI_COMM_NULL");
+    BEGIN_CALL(comm, err);
     made = room_for(1, sizeof *made);
     status = agree(begin_system(made, system, part, comm, err), comm, err);
     if (status >= 0) status = fill_system(made, problem, options, err);
@@ -81,12 +93,16 @@ void hm_petsc_free(hm_petsc** system) {
 
 /* ---- Solution ---- */
 
+/* Collective; the status is that of this process. */
 static hm_status check_system(const hm_petsc* system, MPI_Comm comm, hm_error* err) {
+    const int64_t number = system != NULL ? system->number : 0;
+    const int differs = differs_from_first(&number, 1, comm);
     int is_same = MPI_UNEQUAL;
     if (system == NULL) return refuse_argument(err, "system is NULL");
     MPI_Comm_compare(system->comm, comm, &is_same);
-    if (is_same == MPI_IDENT || is_same == MPI_CONGRUENT) return HM_OK;
-    return refuse_argument(err, "comm is not the communicator of hm_petsc_create");
+    if (is_same != MPI_IDENT && is_same != MPI_CONGRUENT)
+        return refuse_argument(err, "comm is not the communicator of hm_petsc_create");
+    return differs ? refuse_argument(err, "system is not the one that rank 0 passes") : HM_OK;
 }
 
 static hm_status check_report(const hm_petsc_report* report, hm_error* err) {
@@ -105,7 +121,7 @@ hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t 
     hm_basis* made = NULL;
     columns wanted;
     hm_status status;
-    if (comm == MPI_COMM_NULL) return refuse_argument(err, "the communicator is MPI_COMM_NULL");
+    BEGIN_CALL(comm, err);
     status = check_system(system, comm, err);
     if (status >= 0) status = check_report(report, err);
     if (status >= 0 && rows == NULL) status = refuse_argument(err, "rows is NULL");
@@ -145,7 +161,7 @@ hm_status hm_petsc_displace(hm_petsc* system, const hm_points_out* displacement,
     hm_petsc_report found = {sizeof found};
     columns wanted;
     hm_status status;
-    if (comm == MPI_COMM_NULL) return refuse_argument(err, "the communicator is MPI_COMM_NULL");
+    BEGIN_CALL(comm, err);
     memset(&wanted, 0, sizeof wanted);
     wanted.system = system;
     status = check_system(system, comm, err);
@@ -216,7 +232,7 @@ hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm
     const int32_t* cell = NULL;
     int ranks[2];
     hm_status status;
-    if (comm == MPI_COMM_NULL) return refuse_argument(err, "the communicator is MPI_COMM_NULL");
+    BEGIN_CALL(comm, err);
     status = check_system(system, comm, err);
     if (status >= 0 && (step == NULL || quality == NULL || step->struct_size < sizeof *step ||
                         quality->struct_size < sizeof *quality)) {

@@ -10,6 +10,7 @@
 struct hm_petsc {
     MPI_Comm comm;
     int rank, size;
+    int64_t number; /* of this system, the same on all processes */
     hm_part_mesh part_mesh;
     hm_mesh mesh; /* views of the caller's arrays */
     void *part_block, *equations_block;

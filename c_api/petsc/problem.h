@@ -84,13 +84,12 @@ static hm_status compare_problems(const hm_petsc* system, const hm_problem* prob
     const uint64_t start = 0xcbf29ce484222325u;
     const uint64_t sum =
         add_options(add_conditions(add_curves(start, problem->curves), problem), options);
-    uint64_t bounds[2]; /* the smallest sum and complement of a sum */
-    bounds[0] = sum;
-    bounds[1] = ~sum;
-    MPI_Allreduce(MPI_IN_PLACE, bounds, 2, MPI_UINT64_T, MPI_MIN, system->comm);
-    if (bounds[0] == ~bounds[1]) return HM_OK;
-    return refuse(err, HM_BAD_CONDITION,
-                  "curves, conditions or options are not the same on all processes");
+    const int64_t number = (int64_t)sum;
+    return agree(
+        differs_from_first(&number, 1, system->comm)
+            ? refuse(err, HM_BAD_CONDITION, "curves, conditions or options are not those of rank 0")
+            : HM_OK,
+        system->comm, err);
 }
 
 #endif

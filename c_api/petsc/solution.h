@@ -115,6 +115,7 @@ typedef struct solution { /* a block of columns */
     int32_t first, n;
     int direct; /* 1: all columns are solved at once */
     progress at[MOST_AT_ONCE];
+    int is_indefinite; /* PETSc could not factor or solve, as it says on all processes */
     hm_status status;
 } solution;
 
@@ -123,7 +124,7 @@ static PetscErrorCode solve_at_once(const hm_petsc* system, solution* now) {
     int32_t k;
     TRY(KSPMatSolve(system->solver, now->b, now->dx));
     TRY(KSPGetConvergedReason(system->solver, &reason));
-    if (reason < 0) now->status = HM_NOT_POSITIVE;
+    if (reason < 0) now->is_indefinite = 1;
     for (k = 0; k < now->n; ++k) now->at[k].iterations += 1;
     return 0;
 }
@@ -140,7 +141,7 @@ static PetscErrorCode solve_one(const hm_petsc* system, solution* now, int32_t k
     TRY(KSPGetConvergedReason(system->solver, &reason));
     if (reason == KSP_DIVERGED_PC_FAILED || reason == KSP_DIVERGED_INDEFINITE_MAT ||
         reason == KSP_DIVERGED_INDEFINITE_PC || reason == KSP_DIVERGED_NANORINF) {
-        now->status = HM_NOT_POSITIVE;
+        now->is_indefinite = 1;
     }
     now->at[k].iterations += after - before;
     TRY(MatDenseRestoreColumnVecWrite(now->dx, k, &dx));
@@ -210,7 +211,8 @@ static PetscErrorCode solve_columns(const columns* wanted, solution* now, hm_err
         if (status < 0) now->status = status;
         TRY(send_column(wanted, now, k));
     }
-    while (now->status = agree(now->status, system->comm, err), going && now->status >= 0) {
+    now->status = agree(now->status, system->comm, err);
+    while (going && now->status >= 0 && !now->is_indefinite) {
         going = 0;
         if (now->direct) TRY(solve_at_once(system, now));
         for (k = 0; k < now->n; ++k) {
@@ -219,6 +221,7 @@ static PetscErrorCode solve_columns(const columns* wanted, solution* now, hm_err
             TRY(take_over(wanted, now, k, err));
             going = going || !now->at[k].done;
         }
+        now->status = agree(now->status, system->comm, err);
     }
     return 0;
 }
@@ -248,7 +251,7 @@ static PetscErrorCode solve_blocks(const columns* wanted, solution* now, hm_pets
     TRY(MatDuplicate(now->b, MAT_DO_NOT_COPY_VALUES, &now->dx));
     TRY(MatDuplicate(now->b, MAT_DO_NOT_COPY_VALUES, &now->x));
     TRY(MatZeroEntries(now->dx));
-    for (now->first = 0; now->first < wanted->n && now->status >= 0;
+    for (now->first = 0; now->first < wanted->n && now->status >= 0 && !now->is_indefinite;
          now->first += (int32_t)now->width) {
         now->n = wanted->n - now->first < now->width ? wanted->n - now->first : (int32_t)now->width;
         TRY(solve_columns(wanted, now, err));
@@ -275,11 +278,11 @@ static hm_status solve_all(columns* wanted, hm_petsc_report* report, hm_error* e
     MatDestroy(&now.dx);
     MatDestroy(&now.x);
     free(wanted->column);
-    if (now.status == HM_NOT_POSITIVE) {
-        refuse(err, HM_NOT_POSITIVE,
-               "PETSc could not factor or solve: the matrix is not positive definite");
-    }
-    return agree(code != 0 ? petsc_status(code, err) : now.status, system->comm, err);
+    status = agree(petsc_status(code, err), system->comm, err);
+    if (status >= 0) status = now.status;
+    if (status < 0 || !now.is_indefinite) return status;
+    return refuse(err, HM_NOT_POSITIVE,
+                  "PETSc could not factor or solve: the matrix is not positive definite");
 }
 
 /* Copies the report for the caller; the status says whether the tolerance was reached. */
@@ -290,7 +293,7 @@ static hm_status finish_report(const hm_petsc* system, hm_petsc_report* found,
     found->functions = system->info.functions;
     found->boundary_edges = system->boundary_edges;
     found->bytes = system->bytes;
-    if (status == HM_NOT_CONVERGED && err != NULL) {
+    if (status == HM_NOT_CONVERGED) {
         refuse(err, HM_NOT_CONVERGED,
                "the iteration ended, but the error of the values may be larger than the tolerance");
         err->value = found->error;

@@ -29,11 +29,13 @@ struct EngineTraits {
     // engine itself iterates to a tolerance.
     bool factors;
     bool takes_slip;
+    // The engine starts from the functions that a basis contains already.
+    bool continues;
 };
 inline constexpr EngineTraits engine_traits[] = {
-    {true, true},    // direct
-    {false, true},   // multigrid
-    {false, false},  // fas
+    {true, true, false},    // direct
+    {false, true, true},    // multigrid
+    {false, false, false},  // fas
 };
 
 struct SchemeTraits {
@@ -71,9 +73,9 @@ inline constexpr OperatorTraits operator_traits[] = {
     // conformal
     {true, 6, true, false, true, set_of(Scheme::compact),
      "the conformal operator needs the compact scheme; the operator laplace admits all schemes",
-     set_of(Engine::direct),
-     "the conformal operator needs the direct engine; the operators laplace and weighted admit all "
-     "engines"},
+     set_of(Engine::direct, Engine::multigrid),
+     "the conformal operator needs the direct engine or multigrid; the operators laplace and "
+     "weighted admit all engines"},
     // laplace
     {false, 0, false, true, false,
      set_of(Scheme::compact, Scheme::nodal_gradient, Scheme::bounded, Scheme::nodal_gradient_plain),

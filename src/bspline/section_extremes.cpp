@@ -134,10 +134,11 @@ Status search_stations(Section const& section, StationValue which, StationSearch
         best = k;
         sign = sign_here;
     }
-    if (best == none) {
+    auto const refuse = [&] {
         return fault.refuse(Status::bad_curve,
                             "no normal to the chord meets the outline at two points");
-    }
+    };
+    if (best == none) return refuse();
     // The rise is 0 where the normal does not meet the outline.
     auto const rise = [&](Real at) {
         Station there;
@@ -148,7 +149,8 @@ Status search_stations(Section const& section, StationValue which, StationSearch
     Real const low = search.place(max(best - 1, search.first_try())),
                high = search.place(min(best + 1, search.last_try()));
     if (rise(low) > 0 && rise(high) < 0) at = sign_change_between(low, high, rise);
-    station_value(section, which, at.low, station);
+    // Rounding may give an outline without area a height in the scan.
+    if (!(station_value(section, which, at.low, station) > -infinity)) return refuse();
     extreme.behind = station;
     if (!(at.low < at.high) ||
         !(station_value(section, which, at.high, extreme.behind) > -infinity))

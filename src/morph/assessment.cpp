@@ -36,7 +36,7 @@ Quality displaced_quality(OrientedMesh const& cells, Points points, Points displ
 }
 
 Assessment assess(OrientedMesh const& cells, Points points, Points displacement,
-                  Executor const& executor) noexcept {
+                  Executor const& executor, bool wants_step) noexcept {
     CellPlaces const places{points, displacement, {}};
     DisplacedCells const displaced{cells, points, displacement};
     auto const add_cell = [&](Index i, Assessment& assessment) {
@@ -45,19 +45,19 @@ Assessment assess(OrientedMesh const& cells, Points points, Points displacement,
     auto const add_batch = [&](CellKernels const& kernels, CellBatches const& batches,
                                Assessment& assessment) {
         Quality& quality = assessment.quality;
-        CellBounds const bounds = {assessment.limit.step, 2 * quality.min_area,
+        CellBounds const bounds = {wants_step ? assessment.limit.step : 0, 2 * quality.min_area,
                                    quality.min_quality};
         ListQuality in_triangles, in_quads;
         std::uint64_t const triangles =
             kernels.triangles(batches.triangles, places, bounds, &in_triangles);
         std::uint64_t const quads = kernels.quads(batches.quads, places, bounds, &in_quads);
-        assessment.limit.add(cells, places, batches, triangles, quads);
+        if (wants_step) assessment.limit.add(cells, places, batches, triangles, quads);
         quality.add(cells, places, batches, in_triangles, in_quads);
     };
     Assessment assessment = reduce_batches<Assessment>(cells, cells.mesh.n_given_cells(), executor,
                                                        add_cell, add_batch);
     // The step of polygons is not known yet, as it also depends on guards.
-    if (cells.mesh.has_pieces())
+    if (cells.mesh.has_pieces() && wants_step)
         assessment.limit = admissible_step(cells, points, displacement, executor);
     return assessment;
 }

@@ -17,8 +17,9 @@ struct Assessment {
     }
 };
 
+// If the step is not wanted, `limit` is not meaningful, and less time is needed.
 Assessment assess(OrientedMesh const& cells, Points points, Points displacement,
-                  Executor const& executor) noexcept;
+                  Executor const& executor, bool wants_step = true) noexcept;
 
 // Returns the quality at points + displacement, relative to the mesh at the coordinates
 // `reference`.

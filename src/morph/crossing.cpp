@@ -1,6 +1,7 @@
 #include "morph/crossing.hpp"
 
 #include "base/predicates.hpp"
+#include "mesh/cell_shape.hpp"
 
 namespace harmorph {
 namespace {
@@ -11,6 +12,10 @@ struct FaceBox {
     void include(Vec2 p) noexcept {
         low = {min(low.x, p.x), min(low.y, p.y)};
         high = {max(high.x, p.x), max(high.y, p.y)};
+    }
+    void widen(Real by) noexcept {
+        low = {low.x - by, low.y - by};
+        high = {high.x + by, high.y + by};
     }
     bool is_point() const noexcept { return low.x == high.x && low.y == high.y; }
     bool overlaps(FaceBox const& other) const noexcept {
@@ -36,11 +41,23 @@ public:
         : faces_(faces), places_(places), start_(start), overlaps_(overlaps), ends_(ends) {}
 
     Crossing run() noexcept {
+        if (start_.given()) {
+            Real size = 0;
+            for (Index face = 0; face < faces_.count(); ++face) {
+                Index const point = begin_of(face);
+                size = max(size, max(largest_of(places_[point]), largest_of(start_[point])));
+            }
+            resolved_ = resolved_height(size);
+        }
         within({0, faces_.count()});
         return result_;
     }
 
 private:
+    struct Joined {
+        Index point, stays_at;
+    };
+
     // Pairs of faces within the range.
     bool within(FaceRange range) noexcept {
         if (range.size() <= max_leaf_faces) {
@@ -72,6 +89,7 @@ private:
         for (Index other = others.begin; other < others.end; ++other) {
             FaceBox const other_box = box_of({other, other + 1});
             if (!other_box.overlaps(box) || (other_box.is_point() && box.is_point())) continue;
+            join_sides(face, other);
             if (!cross(face, other) || !is_known(face, other) || faces_.may_slide(face, other) ||
                 crossed_before(face, other))
                 continue;
@@ -91,7 +109,29 @@ private:
         Search before(*this);
         before.places_ = {start_, {}};
         before.overlaps_ = Overlaps::cross;
+        before.join_sides(face, other);
         return before.cross(face, other);
+    }
+
+    // From now on, points of the two faces and of their neighbours that stay at one place are where
+    // the first one of them is.
+    void join_sides(Index face, Index other) noexcept {
+        n_joined_ = 0;
+        if (!start_.given()) return;
+        Index const points[] = {begin_of(before(face)), begin_of(face),          end_of(face),
+                                end_of(after(face)),    begin_of(before(other)), begin_of(other),
+                                end_of(other),          end_of(after(other))};
+        Vec2 now[8];
+        for (Index k = 0; k < 8; ++k) now[k] = places_[points[k]];
+        for (Index k = 1; k < 8; ++k) {
+            for (Index i = 0; i < k && points[i] != points[k]; ++i) {
+                if (!(abs(now[i].x - now[k].x) < resolved_)) continue;
+                Vec2 const start = start_[points[i]], other_start = start_[points[k]];
+                if (!stay_at_one_place(start, other_start, now[i], now[k])) continue;
+                joined_[n_joined_++] = {points[k], points[i]};
+                break;
+            }
+        }
     }
 
     bool has(Index face, KnownEnd what) const noexcept {
@@ -184,7 +224,12 @@ private:
         return on_opposite_sides(here, first, second) && from_first > 0;
     }
 
-    Vec2 at(Index point) const noexcept { return places_[point]; }
+    Vec2 at(Index point) const noexcept {
+        for (Index k = 0; k < n_joined_; ++k) {
+            if (joined_[k].point == point) return places_[joined_[k].stays_at];
+        }
+        return places_[point];
+    }
 
     Index begin_of(Index face) const noexcept { return faces_.begin_of(face); }
     Index end_of(Index face) const noexcept { return faces_.end_of(face); }
@@ -193,7 +238,8 @@ private:
 
     FaceBox box_of(FaceRange range) const noexcept {
         FaceBox box;
-        faces_.for_each_end(range, [&](Index point) { box.include(at(point)); });
+        faces_.for_each_end(range, [&](Index point) { box.include(places_[point]); });
+        if (!box.is_point()) box.widen(resolved_);
         return box;
     }
 
@@ -202,10 +248,21 @@ private:
     Points start_;
     Overlaps overlaps_;
     Span<const KnownEnd> ends_;
+    Real resolved_ = 0;  // no two places are closer if they are not one place, but for rounding
+    Joined joined_[8];
+    Index n_joined_ = 0;
     Crossing result_;
 };
 
 }  // namespace
+
+bool stay_at_one_place(Vec2 a, Vec2 b, Vec2 a_moved, Vec2 b_moved) noexcept {
+    // The size of both places: a movement from far away rounds more than the new place does.
+    Real const size =
+        max(max(largest_of(a), largest_of(b)), max(largest_of(a_moved), largest_of(b_moved)));
+    Real const far = max(largest_of(a - b), largest_of(a_moved - b_moved));
+    return far < resolved_height(size);
+}
 
 Crossing find_crossing(BoundaryFaces const& faces, Points points) noexcept {
     return Search(faces, {points, {}}, {}, Overlaps::cross).run();

@@ -14,6 +14,11 @@ struct Crossing {
     Index second[2] = {none, none};
 };
 
+// Tells for two points whether the digits of their coordinates cannot tell the points apart,
+// neither before a movement nor after it. So are points on the two sides of a wall without
+// thickness, where a file has rounded both sides in different ways.
+bool stay_at_one_place(Vec2 a, Vec2 b, Vec2 a_moved, Vec2 b_moved) noexcept;
+
 // Points that slip or are free follow the cells. Overlapping faces of such points at the end of one
 // linear step do not tell what several steps would lead to, so they may be ignored.
 enum class Overlaps { cross, ignored };
@@ -31,7 +36,8 @@ enum class KnownEnd : std::uint8_t { prescribed, on_line, unknown };
 // without any memory. The two sides of a sliding interface may cross each other.
 Crossing find_crossing(BoundaryFaces const& faces, Points points) noexcept;
 // The same for points + displacement (not given: 0). Two faces that cross each other at `points`
-// already do not count, as the movement is not the reason.
+// already do not count, as the movement is not the reason. Points that stay at one place count as
+// one place.
 Crossing find_crossing(BoundaryFaces const& faces, Points points, Points displacement,
                        Overlaps overlaps = Overlaps::cross) noexcept;
 // The same for the points `now`, where two faces that cross each other at `start` do not count.

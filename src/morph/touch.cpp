@@ -112,9 +112,19 @@ private:
         Pair const pair{
             points_[ends[1]] - points_[ends[0]], displacement_[ends[1]] - displacement_[ends[0]],
             points_[point] - points_[ends[0]], displacement_[point] - displacement_[ends[0]]};
-        Real const step = pair.first_touch();
-        if (step < touch_.step && !faces_.may_slide(from, face))
+        Real const step = pair.first_touch(begins_at(point, ends[0]) || begins_at(point, ends[1]));
+        if (step < touch_.step && !faces_.may_slide(from, face) && !stays_at(point, ends[0]) &&
+            !stays_at(point, ends[1]))
             touch_ = {step, point, {ends[0], ends[1]}};
+    }
+
+    bool begins_at(Index point, Index other) const noexcept {
+        Vec2 const a = points_[point], b = points_[other];
+        return stay_at_one_place(a, b, a, b);
+    }
+    bool stays_at(Index point, Index other) const noexcept {
+        Vec2 const a = points_[point], b = points_[other];
+        return stay_at_one_place(a, b, a + displacement_[point], b + displacement_[other]);
     }
 
     // A face and a point, both relative to the point where the face begins.
@@ -130,8 +140,9 @@ private:
         Real if_touches(Real s) const noexcept {
             return s > 0 && s < largest_step && touches_at(s) ? s : infinity;
         }
-        Real first_touch() const noexcept {
-            Real const area = cross(side, point);
+        // is_at_end: the point is at an end of the face at s = 0, but for rounding.
+        Real first_touch(bool is_at_end) const noexcept {
+            Real const area = is_at_end ? 0 : cross(side, point);
             Real const slope = cross(side, point_moves) + cross(side_moves, point);
             Real const curvature = cross(side_moves, point_moves);
             if (area == 0) return touch_from_line(slope, curvature);

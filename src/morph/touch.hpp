@@ -18,7 +18,8 @@ struct Touch {
 // between a point and a face is a quadratic function of s, whose roots are exact except for
 // rounding. Faces that touch at s = 0 count when they touch again. If they cross each other at
 // once, so that the boundary crosses itself at s = 1, but not at s = 0, without a touch on the way,
-// the step is 0. The two sides of a sliding interface may touch.
+// the step is 0. The two sides of a sliding interface may touch, as may a point and a face at whose
+// end the point stays (stay_at_one_place).
 // Boundary faces are those of find_crossing(); boxes of places and of displacements of list ranges
 // tell when two ranges can meet, without any memory.
 Touch first_touch(BoundaryFaces const& faces, Points points, Points displacement,

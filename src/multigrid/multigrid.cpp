@@ -36,7 +36,9 @@ void Multigrid::lay_out_vectors(Arena& arena, Index n) noexcept {
     arena.take(vectors, workers * worker_reals(n));
 }
 
-Status Multigrid::set_up(SymmetricRows const& finest, Fault& fault) noexcept {
+Status Multigrid::set_up(SymmetricRows const& finest, ImaginaryRows const& imaginary_parts,
+                         Fault& fault) noexcept {
+    imaginary = imaginary_parts;
     HARMORPH_TRY(check_diagonals(finest, fault));
     levels.build(finest, iteration.merging.max_levels);
     measure_work(levels);
@@ -94,18 +96,21 @@ Real Multigrid::estimate_condition() noexcept {
     return energy / sum;
 }
 
-Status Multigrid::solve(Rows const& values, Progress const& progress, IterationReport& report,
-                        Fault& fault) const noexcept {
+Status Multigrid::solve(Matrix const& matrix, DofValues const& dofs, Progress const& progress,
+                        IterationReport& report, Fault& fault) const noexcept {
     Index const n = levels.finest.n;
     auto const run = [&](auto width, auto zero) {
         constexpr Index w = decltype(width)::value;
         auto const run_block = [&](Index worker, Index first, IterationReport& block_report,
                                    auto const& after) {
             Real* const own_vectors = vectors.data() + worker * worker_reals(n);
-            block::ConjugateGradients<w, decltype(zero)> iterate(*this, own_vectors, values, first);
+            block::ConjugateGradients<w, decltype(zero)> iterate(*this, own_vectors, matrix, dofs,
+                                                                 first);
             return iterate.run(block_report, after);
         };
-        return solve_in_blocks(*this, w, values.width, progress, report, fault, run_block);
+        Index const functions = is_complex() ? w / 2 : w;
+        return solve_in_blocks(*this, functions, dofs.columns(matrix), progress, report, fault,
+                               run_block);
     };
     Status const status = with_width(iteration, [&](auto width) {
         constexpr Index half = decltype(width)::value / 2;

@@ -6,6 +6,7 @@
 #include "bspline/envelope_cholesky.hpp"
 #include "multigrid/coarse_points.hpp"
 #include "multigrid/iteration.hpp"
+#include "operators/residual.hpp"
 
 namespace harmorph {
 
@@ -15,6 +16,10 @@ namespace harmorph {
 // D^-1 A, where D is the diagonal of A. In thin cells this number may be so large that the
 // disturbance has more energy than the vector. The preconditioner is then in double precision, with
 // half as many functions at a time, so that the vectors fit into the same memory.
+//
+// If the matrix is Hermitian, the levels are those of its real part, which is positive definite,
+// too: x.Re(A) x = x.A x for a real vector x. The preconditioner treats the real and the imaginary
+// parts of half as many functions as so many real vectors.
 struct Multigrid : BlockIteration {
     static constexpr Index default_iterations = 200;
     // In trials, single and double precision took equally many iterations up to a condition number
@@ -22,6 +27,7 @@ struct Multigrid : BlockIteration {
     static constexpr Real largest_single_condition = 1e8;
 
     CoarsePoints levels;
+    ImaginaryRows imaginary;
     // The Cholesky factor of the coarsest level, if that level is small enough.
     EnvelopeMatrix bottom;
     bool has_bottom = false;
@@ -35,11 +41,13 @@ struct Multigrid : BlockIteration {
 
     // Makes the coarse levels of this matrix. On Status::not_positive, fault.item is a position of
     // the elimination.
-    Status set_up(SymmetricRows const& finest, Fault& fault) noexcept;
-    // Replaces right-hand sides by solutions in place. The iteration ends when the tolerance or the
-    // limit of iterations is reached.
-    Status solve(Rows const& values, Progress const& progress, IterationReport& report,
-                 Fault& fault) const noexcept;
+    Status set_up(SymmetricRows const& finest, ImaginaryRows const& imaginary_parts,
+                  Fault& fault) noexcept;
+    bool is_complex() const noexcept { return !imaginary.value.empty(); }
+    // Replaces right-hand sides, or first approximations (DofValues::is_start), by solutions in
+    // place. The iteration ends when the tolerance or the limit of iterations is reached.
+    Status solve(Matrix const& matrix, DofValues const& dofs, Progress const& progress,
+                 IterationReport& report, Fault& fault) const noexcept;
 
 private:
     // The vectors of the finest level: in double precision and in that of the preconditioner. A

@@ -137,6 +137,7 @@ struct Matrix : Unknowns {
     SymmetricRows rows(Span<std::uint8_t> faces) const noexcept {
         return {n, diagonal, row_sum, start, column, value, faces};
     }
+    ImaginaryRows imaginary_rows() const noexcept { return {row_sum_imaginary, imaginary}; }
 
 private:
     void build_rows(Graph const& graph, Span<const Index> order,

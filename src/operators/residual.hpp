@@ -27,6 +27,9 @@ struct DofValues {
     // Rows like `value` with the part of the right-hand sides that does not come from the wall; the
     // values on the wall are 0 then. Null means 0.
     const Real* source = nullptr;
+    // The values of unknowns are not right-hand sides but a first approximation; the right-hand
+    // sides are those that the values on the wall make.
+    bool is_start = false;
 
     // Views the functions of a basis.
     DofValues(Basis const& basis, Span<const Index> dof_at_position, Index n_dofs_of_point) noexcept

@@ -62,11 +62,10 @@ void set_right_hand_sides(Matrix const& matrix, Basis const& basis, DofValues co
                         [&](Index begin, Index end) {
                             fill(basis.value.from(begin * length, (end - begin) * length), 0.0);
                         });
+    set_wall_values(matrix, basis, dofs);
     for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) {
         BoundaryFunctions const functions = basis.stored_boundary_functions(wall / dofs.components);
         KnownValues const known(basis, functions, wall % dofs.components, dofs.components);
-        Real* const own = dofs.wall(wall);
-        for (Index k = 0; k < known.n; ++k) own[known.at[k]] += known.value[k];
         for (Index c = matrix.coupling_start[wall]; c < matrix.coupling_start[wall + 1]; ++c) {
             Real* const row = dofs.at(matrix.coupling_row[c]);
             if (matrix.is_complex()) {
@@ -77,6 +76,16 @@ void set_right_hand_sides(Matrix const& matrix, Basis const& basis, DofValues co
             for (Index k = 0; k < known.n; ++k)
                 row[known.at[k]] -= matrix.coupling_value[c] * known.value[k];
         }
+    }
+}
+
+void set_wall_values(Matrix const& matrix, Basis const& basis, DofValues const& dofs) noexcept {
+    for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) {
+        BoundaryFunctions const functions = basis.stored_boundary_functions(wall / dofs.components);
+        KnownValues const known(basis, functions, wall % dofs.components, dofs.components);
+        Real* const own = dofs.wall(wall);
+        fill(Span<Real>(own, static_cast<Size>(dofs.length())), 0.0);
+        for (Index k = 0; k < known.n; ++k) own[known.at[k]] += known.value[k];
     }
 }
 

@@ -12,6 +12,10 @@ namespace harmorph {
 void set_right_hand_sides(Matrix const& matrix, Basis const& basis, DofValues const& dofs,
                           Executor const& executor = {}) noexcept;
 
+// Sets the values on the wall to the boundary functions, as set_right_hand_sides() does, and
+// changes no others.
+void set_wall_values(Matrix const& matrix, Basis const& basis, DofValues const& dofs) noexcept;
+
 // Let C be the couplings of unknowns to the wall, w the values on the wall and r the values of the
 // unknowns, all columns. subtract_couplings() computes r -= C w, the right-hand sides that known
 // values make; subtract_transposed_couplings() computes w -= C^H r.

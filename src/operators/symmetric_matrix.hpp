@@ -35,6 +35,13 @@ struct SymmetricRows {
     }
 };
 
+// The imaginary parts of a Hermitian matrix, whose real parts are SymmetricRows; those of a real
+// matrix are empty.
+struct ImaginaryRows {
+    Span<const Real> row_sum;  // [n]
+    Span<const Real> value;    // [entries]
+};
+
 // Computes coarse = P^T fine P, where P is the piecewise constant prolongation from merged cells to
 // cells: conductances and faces between two merged cells are summed, couplings inside a merged cell
 // vanish, and row sums are added. Entries that are 0 and join no faces are omitted, for example

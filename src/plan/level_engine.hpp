@@ -17,8 +17,9 @@ struct LevelEngine {
     void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
         Index const n = analysis.graph().n;
         Offset const entries = analysis.matrix_sizes().entries;
-        iteration.lay_out(arena, n, columns, analysis.problem().iteration,
-                          analysis.problem().executor);
+        bool const is_complex = analysis.matrix_sizes().kind == MatrixKind::complex;
+        iteration.lay_out(arena, n, is_complex ? 2 * columns : columns,
+                          analysis.problem().iteration, analysis.problem().executor);
         Size const shared = arena.mark();
         iteration.lay_out_work(arena, n, entries);
         arena.release(shared);

@@ -9,11 +9,12 @@ namespace harmorph {
 
 struct MultigridEngine : LevelEngine<Multigrid> {
     Status set_up(Equations const& equations, Points, Progress const&, Fault& fault) noexcept {
-        return iteration.set_up(equations.matrix().rows({}), fault);
+        Matrix const& matrix = equations.matrix();
+        return iteration.set_up(matrix.rows({}), matrix.imaginary_rows(), fault);
     }
     Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress,
                  IterationReport& report, Fault& fault) noexcept {
-        return iteration.solve(dofs.rows(equations.matrix()), progress, report, fault);
+        return iteration.solve(equations.matrix(), dofs, progress, report, fault);
     }
 };
 

@@ -85,13 +85,18 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault,
             plain(basis.row_length()),
             plain(static_cast<Index>(rows_in_work_.size() / block_points)));
     }
+    DofValues dofs = equations_.dofs(basis);
+    dofs.is_start = equations_.method().traits().continues && basis.header->solved == 1;
     basis.unseal();
     HARMORPH_TRY(progress_.report(Phase::solve, 0, fault));
-    DofValues const dofs = equations_.dofs(basis);
     RowsToBlocks const rows{basis.value.data(), basis.n_points(), basis.row_length(),
                             rows_in_work_};
-    if (basis.header->counts.derived()) {
-        rows.undo(executor_);
+    bool const is_derived = basis.header->counts.derived();
+    if (is_derived || dofs.is_start) rows.undo(executor_);
+    if (dofs.is_start) {
+        DofDirections(equations_.matrix()).turn_slipping_back(dofs, mesh_.n_points);
+        if (!is_derived) set_wall_values(equations_.matrix(), basis, dofs);
+    } else if (is_derived) {
         clear_all_but_wall(dofs);
         subtract_couplings(equations_.matrix(), dofs);
     } else {

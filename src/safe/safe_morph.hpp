@@ -144,7 +144,7 @@ private:
                            Real& length) noexcept;
     Status solve_by(Work& work, Basis const& here, OperatorChoice const& choice) noexcept;
     Status solve_at_present(Work& work, Basis const& basis) noexcept;
-    Basis unsolved_copy(Basis const& basis) const noexcept;
+    Basis copy_to_solve(Work const& work) const noexcept;
 
     bool leap(Work& work, Basis const& by, bool is_last) noexcept;
     bool improve(Work& work, Points from) noexcept;

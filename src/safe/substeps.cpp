@@ -58,7 +58,7 @@ struct SafeMorph::Operators {
 // Makes the whole movement at once with functions of other operators that are solved at the start.
 Status SafeMorph::other_operators(Work& work) noexcept {
     begin(work);
-    Basis const here = unsolved_copy(work.basis);
+    Basis const here = copy_to_solve(work);
     Operators const operators(work.basis.header->method);
     for (Index k = 1; k < operators.count && work.report.resolves < work.options.most_resolves;
          ++k) {
@@ -74,7 +74,7 @@ Status SafeMorph::other_operators(Work& work) noexcept {
 
 Status SafeMorph::substeps(Work& work) noexcept {
     begin(work);
-    Basis const here = unsolved_copy(work.basis);
+    Basis const here = copy_to_solve(work);
     Operators operators(work.basis.header->method);
     Index leaps = work.derivative == nullptr
                       ? most_leaps
@@ -211,15 +211,19 @@ Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
     return 0;
 }
 
-// Returns a copy of the basis in which everything but the values is the same.
-Basis SafeMorph::unsolved_copy(Basis const& basis) const noexcept {
+// Returns a copy of the basis, in which functions are solved on the way; without values, unless
+// they are needed.
+Basis SafeMorph::copy_to_solve(Work const& work) const noexcept {
+    Basis const& basis = work.basis;
     auto const begin = reinterpret_cast<const unsigned char*>(basis.header);
     auto const end = reinterpret_cast<const unsigned char*>(basis.value.data());
     // The values of derived functions include those on the wall, which are stored nowhere else.
-    Size const values = basis.header->counts.derived() ? basis.value.size() * sizeof(Real) : 0;
+    bool const continues = work.plan.equations().method().traits().continues;
+    bool const has_values = continues || basis.header->counts.derived();
+    Size const values = has_values ? basis.value.size() * sizeof(Real) : 0;
     std::memcpy(block.data(), begin, static_cast<Size>(end - begin) + values);
     Basis const copy = Basis::view(static_cast<void*>(block.data()));
-    copy.unseal();
+    if (!continues) copy.unseal();
     return copy;
 }
 
@@ -227,10 +231,10 @@ Basis SafeMorph::unsolved_copy(Basis const& basis) const noexcept {
 Status SafeMorph::solve_at_present(Work& work, Basis const& basis) noexcept {
     SolveReport solved;
     Fault why;
-    basis.unseal();
     mesh.carried.forget();
     work.factored_again = true;
     Status status = work.plan.factor(mesh.now(), why);
+    if (failed(status)) basis.unseal();
     if (!failed(status)) status = work.plan.solve(basis, solved, why, Sealing::skipped);
     if (status != Status::ok && (!failed(status) || status == Status::cancelled)) work.fault = why;
     HARMORPH_TRY(status);

@@ -25,6 +25,11 @@ struct Spoiled {
     std::function<void(hm_mesh&)> change_view = {};
 };
 
+Spoiled in_view(hm_status status, const char* word, std::int32_t item,
+                std::function<void(hm_mesh&)> const& change) {
+    return {status, word, item, {}, change};
+}
+
 void check_refused(Spoiled const& bad) {
     for (std::int32_t const base : {0, 1}) {
         Case setup = tiny_case();
@@ -88,58 +93,33 @@ TEST_CASE("bad counts and missing arrays of a mesh") {
                       *const no_points = "mesh.points.x or mesh.points.y is NULL",
                       *const no_faces = "mesh.face_points or mesh.face_markers is NULL";
     Spoiled const all[] = {
-        {HM_BAD_ARGUMENT,
-         "mesh.index_base must be 0 or 1, not 2",
-         2,
-         {},
-         [](hm_mesh& m) { m.index_base = 2; }},
-        {HM_BAD_MESH,
-         "mesh.n_points must be between 3 and 2^30, not 2",
-         2,
-         {},
-         [](hm_mesh& m) { m.n_points = 2; }},
-        {HM_BAD_MESH, "n_points", -5, {}, [](hm_mesh& m) { m.n_points = -5; }},
-        {HM_BAD_MESH,
-         "mesh.n_cells must be between 1 and 2^29, not 0",
-         0,
-         {},
-         [](hm_mesh& m) { m.n_cells = 0; }},
-        {HM_BAD_ARGUMENT, negative, nobody, {}, [](hm_mesh& m) { m.n_faces = -1; }},
-        {HM_BAD_ARGUMENT, negative, nobody, {}, [](hm_mesh& m) { m.n_lists = -1; }},
-        {HM_BAD_ARGUMENT,
-         "mesh.cell_layout is 9, but it must be one of HM_CELLS_ROWS to HM_CELLS_POLYGONS",
-         9,
-         {},
-         [](hm_mesh& m) { m.cell_layout = 9; }},
-        {HM_BAD_ARGUMENT,
-         "mesh.struct_size is not the size of an hm_mesh; begin with HM_INIT(mesh)",
-         nobody,
-         {},
-         [](hm_mesh& m) { m.struct_size = 0; }},
-        {HM_BAD_ARGUMENT,
-         "mesh.cell_points is NULL",
-         nobody,
-         {},
-         [](hm_mesh& m) { m.cell_points = nullptr; }},
-        {HM_BAD_ARGUMENT,
-         "mesh.cell_start is NULL",
-         nobody,
-         {},
-         [](hm_mesh& m) { m.cell_start = nullptr; }},
-        {HM_BAD_ARGUMENT, no_points, nobody, {}, [](hm_mesh& m) { m.points.x = nullptr; }},
-        {HM_BAD_ARGUMENT, no_points, nobody, {}, [](hm_mesh& m) { m.points.y = nullptr; }},
-        {HM_BAD_ARGUMENT,
-         "mesh.points.stride is negative",
-         nobody,
-         {},
-         [](hm_mesh& m) { m.points.stride = -1; }},
-        {HM_BAD_ARGUMENT, no_faces, nobody, {}, [](hm_mesh& m) { m.face_points = nullptr; }},
-        {HM_BAD_ARGUMENT, no_faces, nobody, {}, [](hm_mesh& m) { m.face_markers = nullptr; }},
-        {HM_BAD_ARGUMENT,
-         "mesh.list_start, mesh.list_points or mesh.list_markers is NULL",
-         nobody,
-         {},
-         [](hm_mesh& m) { m.n_lists = 1; }},
+        in_view(HM_BAD_ARGUMENT, "mesh.index_base must be 0 or 1, not 2", 2,
+                [](hm_mesh& m) { m.index_base = 2; }),
+        in_view(HM_BAD_MESH, "mesh.n_points must be between 3 and 2^30, not 2", 2,
+                [](hm_mesh& m) { m.n_points = 2; }),
+        in_view(HM_BAD_MESH, "n_points", -5, [](hm_mesh& m) { m.n_points = -5; }),
+        in_view(HM_BAD_MESH, "mesh.n_cells must be between 1 and 2^29, not 0", 0,
+                [](hm_mesh& m) { m.n_cells = 0; }),
+        in_view(HM_BAD_ARGUMENT, negative, nobody, [](hm_mesh& m) { m.n_faces = -1; }),
+        in_view(HM_BAD_ARGUMENT, negative, nobody, [](hm_mesh& m) { m.n_lists = -1; }),
+        in_view(HM_BAD_ARGUMENT,
+                "mesh.cell_layout is 9, but it must be one of HM_CELLS_ROWS to HM_CELLS_POLYGONS",
+                9, [](hm_mesh& m) { m.cell_layout = 9; }),
+        in_view(HM_BAD_ARGUMENT,
+                "mesh.struct_size is not the size of an hm_mesh; begin with HM_INIT(mesh)", nobody,
+                [](hm_mesh& m) { m.struct_size = 0; }),
+        in_view(HM_BAD_ARGUMENT, "mesh.cell_points is NULL", nobody,
+                [](hm_mesh& m) { m.cell_points = nullptr; }),
+        in_view(HM_BAD_ARGUMENT, "mesh.cell_start is NULL", nobody,
+                [](hm_mesh& m) { m.cell_start = nullptr; }),
+        in_view(HM_BAD_ARGUMENT, no_points, nobody, [](hm_mesh& m) { m.points.x = nullptr; }),
+        in_view(HM_BAD_ARGUMENT, no_points, nobody, [](hm_mesh& m) { m.points.y = nullptr; }),
+        in_view(HM_BAD_ARGUMENT, "mesh.points.stride is negative", nobody,
+                [](hm_mesh& m) { m.points.stride = -1; }),
+        in_view(HM_BAD_ARGUMENT, no_faces, nobody, [](hm_mesh& m) { m.face_points = nullptr; }),
+        in_view(HM_BAD_ARGUMENT, no_faces, nobody, [](hm_mesh& m) { m.face_markers = nullptr; }),
+        in_view(HM_BAD_ARGUMENT, "mesh.list_start, mesh.list_points or mesh.list_markers is NULL",
+                nobody, [](hm_mesh& m) { m.n_lists = 1; }),
     };
     for (Spoiled const& bad : all) check_refused(bad);
 }
@@ -150,7 +130,7 @@ TEST_CASE("bad cells") {
         return [=](Case& c) { replace_cell(c.mesh, cell, points); };
     };
     Spoiled const all[] = {
-        {HM_BAD_MESH, "begin with", 5, {}, [](hm_mesh& m) { m.cell_start = &five; }},
+        in_view(HM_BAD_MESH, "begin with", 5, [](hm_mesh& m) { m.cell_start = &five; }),
         {HM_BAD_MESH, "3 or 4", 9, cell_becomes(9, {10, 11, 18, 17, 3})},
         {HM_BAD_MESH, "3 or 4", 5, cell_becomes(5, {5, 6})},
         {HM_BAD_MESH, "does not exist", 7, cell_becomes(7, {8, 9, 48, 15})},
@@ -208,21 +188,19 @@ TEST_CASE("bad structured blocks") {
             m.nj = nj;
         };
     };
-    check_refused({HM_BAD_MESH, "ni*nj", 7, {}, block(7, 8)});
-    check_refused({HM_BAD_MESH, "n_cells", 0, {}, block(1, 48)});
-    check_refused({HM_BAD_MESH, "n_cells", 0, {}, block(48, 1)});
-    check_refused({HM_BAD_MESH, "n_cells", 0, {}, block(-6, -8)});
-    check_refused({HM_BAD_MESH, "n_cells", 0, {}, block(2000000000, 2000000000)});
-    check_refused({HM_BAD_MESH,
-                   "a structured mesh has (ni-1)*(nj-1) cells, but mesh.n_cells is 34",
-                   34,
-                   {},
-                   [](hm_mesh& m) {
-                       m.cell_layout = HM_CELLS_STRUCTURED;
-                       m.n_cells = 34;
-                       m.ni = 6;
-                       m.nj = 8;
-                   }});
+    check_refused(in_view(HM_BAD_MESH, "ni*nj", 7, block(7, 8)));
+    check_refused(in_view(HM_BAD_MESH, "n_cells", 0, block(1, 48)));
+    check_refused(in_view(HM_BAD_MESH, "n_cells", 0, block(48, 1)));
+    check_refused(in_view(HM_BAD_MESH, "n_cells", 0, block(-6, -8)));
+    check_refused(in_view(HM_BAD_MESH, "n_cells", 0, block(2000000000, 2000000000)));
+    check_refused(in_view(HM_BAD_MESH,
+                          "a structured mesh has (ni-1)*(nj-1) cells, but mesh.n_cells is 34", 34,
+                          [](hm_mesh& m) {
+                              m.cell_layout = HM_CELLS_STRUCTURED;
+                              m.n_cells = 34;
+                              m.ni = 6;
+                              m.nj = 8;
+                          }));
 }
 
 TEST_CASE("bad boundaries") {
@@ -261,16 +239,13 @@ TEST_CASE("bad boundaries") {
             m.list_markers = markers;
         };
     };
-    check_refused({HM_BAD_MESH, "must not decrease", 1, {}, lists({0, 3, 2}, {0, 1, 2})});
-    check_refused({HM_BAD_MESH, "begin with", 0, {}, lists({1, 3}, {0, 1, 2})});
-    check_refused({HM_BAD_MESH, "on both sides", 1, {}, lists({0, 3}, {0, 1, 8})});
-    check_refused({HM_BAD_MESH,
-                   "is not an edge of any cell",
-                   13,
-                   {},
-                   lists({0, 3, 6}, {0, 1, 2, 6, 13, 26})});
-    check_refused({HM_BAD_MESH, "does not exist", 1, {}, lists({0, 3}, {0, 1, 48})});
-    check_refused({HM_BAD_MESH, "two markers", 0, {}, lists({0, 0, 2}, {0, 1})});
+    check_refused(in_view(HM_BAD_MESH, "must not decrease", 1, lists({0, 3, 2}, {0, 1, 2})));
+    check_refused(in_view(HM_BAD_MESH, "begin with", 0, lists({1, 3}, {0, 1, 2})));
+    check_refused(in_view(HM_BAD_MESH, "on both sides", 1, lists({0, 3}, {0, 1, 8})));
+    check_refused(in_view(HM_BAD_MESH, "is not an edge of any cell", 13,
+                          lists({0, 3, 6}, {0, 1, 2, 6, 13, 26})));
+    check_refused(in_view(HM_BAD_MESH, "does not exist", 1, lists({0, 3}, {0, 1, 48})));
+    check_refused(in_view(HM_BAD_MESH, "two markers", 0, lists({0, 0, 2}, {0, 1})));
 }
 
 TEST_CASE("boundary edges of cells that are not given are refused by the numbers of their points") {

@@ -108,6 +108,7 @@ std::vector<Way> ways() {
         way("weighted", HM_WEIGHTED, HM_COMPACT, HM_DIRECT),
         way("Laplace, bounded", HM_LAPLACE, HM_BOUNDED, HM_DIRECT),
         way("weighted, bounded", HM_WEIGHTED, HM_BOUNDED, HM_DIRECT),
+        way("conformal, multigrid", HM_CONFORMAL, HM_COMPACT, HM_MULTIGRID),
         way("Laplace, multigrid", HM_LAPLACE, HM_COMPACT, HM_MULTIGRID),
         way("weighted, multigrid", HM_WEIGHTED, HM_COMPACT, HM_MULTIGRID),
         way("Laplace, FAS", HM_LAPLACE, HM_COMPACT, HM_FAS),

@@ -8,6 +8,7 @@
 #include <harmorph_study.h>
 #include <doctest/doctest.h>
 
+#include <fixtures/calls.hpp>
 #include <fixtures/kinds_of_bases.hpp>
 
 using namespace fixtures;
@@ -163,36 +164,21 @@ TEST_CASE("each call takes the kinds of bases that it can use") {
         {"hm_single_init", ".bbb.b...u...b", false,
          [](World&, hm_basis* b, hm_error* error) {
              hm_basis* made = nullptr;
-             return in_block(
-                 error,
-                 [&](std::size_t* bytes, hm_error* e) { return hm_single_size(b, bytes, e); },
-                 [&](void* block, std::size_t bytes, hm_error* e) {
-                     return hm_single_init(&made, block, bytes, b, e);
-                 });
+             return in_block(error, size_by(hm_single_size, b), init_by(hm_single_init, &made, b));
          }},
         {"hm_combine", ".bbb.b...u...b", false,
          [](World&, hm_basis* b, hm_error* error) {
              hm_basis* made = nullptr;
              std::vector<double> const ones(100, 1.0);
-             return in_block(
-                 error,
-                 [&](std::size_t* bytes, hm_error* e) {
-                     return hm_combine_size(b, 1, 1, bytes, e);
-                 },
-                 [&](void* block, std::size_t bytes, hm_error* e) {
-                     return hm_combine(&made, block, bytes, b, 1, 1, ones.data(), e);
-                 });
+             return in_block(error, size_by(hm_combine_size, b, 1, 1),
+                             init_by(hm_combine, &made, b, 1, 1, ones.data()));
          }},
         {"hm_extract_init", ".b.b.b.......b", false,
          [](World&, hm_basis* b, hm_error* error) {
              hm_basis* made = nullptr;
              std::int32_t const list[] = {2, 0, 0};
-             return in_block(
-                 error,
-                 [&](std::size_t* bytes, hm_error* e) { return hm_extract_size(b, 3, bytes, e); },
-                 [&](void* block, std::size_t bytes, hm_error* e) {
-                     return hm_extract_init(&made, block, bytes, b, 3, list, e);
-                 });
+             return in_block(error, size_by(hm_extract_size, b, 3),
+                             init_by(hm_extract_init, &made, b, 3, list));
          }},
         {"hm_parcel_pack", ".b.b.b...u...b", false,
          [](World& w, hm_basis* b, hm_error* e) {

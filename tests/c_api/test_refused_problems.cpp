@@ -57,71 +57,47 @@ std::string with_number(std::string text, std::string const& number) {
 }  // namespace
 
 TEST_CASE("numbers of options that are out of range or unknown") {
+    using Numbers = std::vector<std::int32_t>;
     struct Field {
         hm_status status;
         std::int32_t Options::*field;
-        std::vector<std::int32_t> wrong;
+        Numbers wrong;
         const char* text;  // # stands for the number
+        Field(hm_status s, std::int32_t Options::*f, Numbers const& w, const char* t)
+            : status(s), field(f), wrong(w), text(t) {}
     };
     Field const fields[] = {
-        {HM_UNSUPPORTED,
-         &Options::operator_kind,
-         {-1, 7},
-         "options.operator_kind is #, but it must be HM_CONFORMAL, HM_LAPLACE or HM_WEIGHTED"},
-        {HM_UNSUPPORTED,
-         &Options::scheme,
-         {-1, 9},
-         "options.study.scheme is #, but it must be HM_COMPACT, HM_BOUNDED, HM_NODAL_GRADIENT or "
-         "HM_NODAL_GRADIENT_PLAIN"},
-        {HM_UNSUPPORTED,
-         &Options::engine,
-         {-2, 5},
-         "options.engine is #, but it must be HM_DIRECT, HM_MULTIGRID or HM_FAS"},
-        {HM_UNSUPPORTED,
-         &Options::precision,
-         {-1, 3},
-         "options.precision is #, but it must be HM_DOUBLE or HM_SINGLE"},
-        {HM_BAD_ARGUMENT,
-         &Options::offset_correction,
-         {-1, 2},
-         "options.offset_correction must be 0 or 1, not #"},
-        {HM_BAD_ARGUMENT,
-         &Options::levels,
-         {-1, 21},
-         "options.study.levels must be between 0 and 20, not #"},
-        {HM_BAD_ARGUMENT,
-         &Options::agglomeration,
-         {-1, 9},
-         "options.study.agglomeration is #, but it must be one of the constants "
-         "HM_AGGLOMERATE_..."},
-        {HM_BAD_ARGUMENT,
-         &Options::start,
-         {-1, 7},
-         "options.study.start is #, but it must be HM_START_COARSEST or HM_START_ZERO"},
-        {HM_BAD_ARGUMENT,
-         &Options::block_width,
-         {5},
-         "options.study.block_width must be 0, 4, 8 or 16, not #"},
-        {HM_UNSUPPORTED,
-         &Options::block_width,
-         {4},
-         "options.study.block_width must be 0 unless the engine is HM_MULTIGRID or HM_FAS"},
-        {HM_BAD_ARGUMENT,
-         &Options::max_iterations,
-         {-1},
-         "options.study.max_iterations must be at least 0, not #"},
-        {HM_UNSUPPORTED,
-         &Options::max_iterations,
-         {1},
-         "options.study.max_iterations must be 0 unless the engine is HM_MULTIGRID or HM_FAS"},
-        {HM_BAD_ARGUMENT,
-         &Options::history_length,
-         {-1},
-         "options.study.history_length must be at least 0, not #"},
-        {HM_BAD_ARGUMENT,
-         &Options::history_length,
-         {3},
-         "options.study.history is NULL, but history_length is #"},
+        Field(HM_UNSUPPORTED, &Options::operator_kind, Numbers{-1, 7},
+              "options.operator_kind is #, but it must be HM_CONFORMAL, HM_LAPLACE or HM_WEIGHTED"),
+        Field(HM_UNSUPPORTED, &Options::scheme, Numbers{-1, 9},
+              "options.study.scheme is #, but it must be HM_COMPACT, HM_BOUNDED, HM_NODAL_GRADIENT "
+              "or "
+              "HM_NODAL_GRADIENT_PLAIN"),
+        Field(HM_UNSUPPORTED, &Options::engine, Numbers{-2, 5},
+              "options.engine is #, but it must be HM_DIRECT, HM_MULTIGRID or HM_FAS"),
+        Field(HM_UNSUPPORTED, &Options::precision, Numbers{-1, 3},
+              "options.precision is #, but it must be HM_DOUBLE or HM_SINGLE"),
+        Field(HM_BAD_ARGUMENT, &Options::offset_correction, Numbers{-1, 2},
+              "options.offset_correction must be 0 or 1, not #"),
+        Field(HM_BAD_ARGUMENT, &Options::levels, Numbers{-1, 21},
+              "options.study.levels must be between 0 and 20, not #"),
+        Field(HM_BAD_ARGUMENT, &Options::agglomeration, Numbers{-1, 9},
+              "options.study.agglomeration is #, but it must be one of the constants "
+              "HM_AGGLOMERATE_..."),
+        Field(HM_BAD_ARGUMENT, &Options::start, Numbers{-1, 7},
+              "options.study.start is #, but it must be HM_START_COARSEST or HM_START_ZERO"),
+        Field(HM_BAD_ARGUMENT, &Options::block_width, Numbers{5},
+              "options.study.block_width must be 0, 4, 8 or 16, not #"),
+        Field(HM_UNSUPPORTED, &Options::block_width, Numbers{4},
+              "options.study.block_width must be 0 unless the engine is HM_MULTIGRID or HM_FAS"),
+        Field(HM_BAD_ARGUMENT, &Options::max_iterations, Numbers{-1},
+              "options.study.max_iterations must be at least 0, not #"),
+        Field(HM_UNSUPPORTED, &Options::max_iterations, Numbers{1},
+              "options.study.max_iterations must be 0 unless the engine is HM_MULTIGRID or HM_FAS"),
+        Field(HM_BAD_ARGUMENT, &Options::history_length, Numbers{-1},
+              "options.study.history_length must be at least 0, not #"),
+        Field(HM_BAD_ARGUMENT, &Options::history_length, Numbers{3},
+              "options.study.history is NULL, but history_length is #"),
     };
     for (Field const& field : fields)
         for (std::int32_t const number : field.wrong)
@@ -179,6 +155,19 @@ TEST_CASE("options that do not go together, and structs without a size") {
              p.conditions = conditions;
              p.n_conditions = 2;
              o.engine = HM_FAS;
+         }},
+        {HM_UNSUPPORTED,
+         "the conformal operator with slip (HM_SLIP) needs the direct engine (HM_DIRECT)",
+         [](auto& p, auto& o, auto&) {
+             static hm_condition conditions[2];
+             conditions[0] = conditions[1] = p.conditions[0];
+             conditions[1].marker = far_field;
+             conditions[1].kind = HM_SLIP;
+             conditions[1].n_curves = 0;
+             p.conditions = conditions;
+             p.n_conditions = 2;
+             o.engine = HM_MULTIGRID;
+             o.operator_kind = HM_CONFORMAL;
          }},
         {HM_UNSUPPORTED, "the schemes of nodal gradients need the operator laplace",
          [](auto&, auto& o, auto&) {
@@ -320,7 +309,7 @@ TEST_CASE("polygons with more corners than cells can be counted") {
     Options const options = laplace();
     std::size_t bytes = 0;
     check_texts({{HM_BAD_MESH, "all polygons together have more than 2^29 corners",
-                  [&](hm_error* e) { return hm_analysis_size(&problem, &options, &bytes, e); }}});
+                  call_by(hm_analysis_size, &problem, &options, &bytes)}});
 }
 
 TEST_CASE("a body that single precision cannot turn") {
@@ -399,7 +388,6 @@ TEST_CASE("a fit: options, and counts of points") {
          [&](hm_error* e) {
              return options.closed = 0, hm_fit_size(2147483647, &options, &bytes, e);
          }},
-        {HM_BAD_ARGUMENT, "bytes is NULL",
-         [&](hm_error* e) { return hm_fit_size(20, &options, nullptr, e); }},
+        {HM_BAD_ARGUMENT, "bytes is NULL", call_by(hm_fit_size, 20, &options, nullptr)},
     });
 }

@@ -34,4 +34,7 @@ head -c 1000 "$basis" >"$tmp/bad.basis";                          bad_basis "bas
 : >"$tmp/bad.basis";                                              bad_basis "basis: empty"
 cp "$ring" "$tmp/bad.basis";                                      bad_basis "basis: another kind of file"
 { head -c 9000 "$basis"; echo oops; tail -c +9006 "$basis"; } >"$tmp/bad.basis";  bad_basis "basis: damaged"
+refuses "basis: in the place of the mesh" 3 "$basis: the file is a basis" morph "$basis" "$ring" --move "$no_moves"
+refuses "basis: in the place of the curve" 3 "$basis: the file is a basis" solve "$ring" \
+    --curve body="$basis" -o "$tmp/x"
 refuses "basis: of another mesh" 3 "$basis" morph "$meshes/naca0012.su2" "$basis" --move "$no_moves"

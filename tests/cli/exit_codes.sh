@@ -2,6 +2,7 @@
 
 runs "--help" 0 --help
 check "--help names the commands" says 'harmorph COMMAND --help'
+for command in morph interpolate; do check "--help: the name $command stands alone" says "  $command  "; done
 runs "--version" 0 --version
 for command in fit solve morph displace export check transfer explore demo; do
     runs "$command --help" 0 $command --help
@@ -22,8 +23,8 @@ refuses "unknown marker" 2 "'body', 'far'" fit "$ring" --marker wing -o "$tmp/x"
 refuses "two separate pieces of boundary" 2 'separate' fit "$ring" --marker body,far -o "$tmp/x"
 
 # A result that cannot be used.
-refuses "morph that inverts cells" 1 'admissible' morph "$ring" "$basis" --move "$tmp/large.txt" -o "$tmp/large.su2" \
-    --json
+refuses "morph that inverts cells" 1 '--safe goes farther' morph "$ring" "$basis" --move "$tmp/large.txt" \
+    -o "$tmp/large.su2" --json
 leaves_nothing "morph that inverts cells: nothing written" "$tmp/large.su2"
 has_keys "morph that inverts cells: JSON all the same" \
     inverted admissible_step boundary_step self_crossing boundary_error \

@@ -10,7 +10,7 @@ has_keys "fit: keys" points degree closed corners base_points backtracks max_err
 check "fit: periodic file" grep -c 'closed periodic' "$curve"
 runs "solve" 0 solve "$ring" --curve body="$curve" -o "$basis" --json --repeat 2
 has_keys "solve: keys" points cells functions boundary_error partition_defect min_value max_value residual \
-    iterations work levels setup_seconds factor_seconds solve_seconds plan_bytes basis_bytes storage
+    iterations work levels engine setup_seconds factor_seconds solve_seconds plan_bytes basis_bytes storage
 check "solve: functions" says '"functions": 12'
 for engine in "multigrid" "fas --agglomeration directional"; do
     options=$engine engine=${engine%% *}
@@ -27,7 +27,7 @@ check "export: a level: SVG is whole" grep -c '</svg>' "$tmp/level.svg"
 refuses "export: a level that does not exist" 2 'no level' export "$ring" "$tmp/fas.basis" --level 19 \
     --svg "$tmp/none.svg"
 refuses "an engine that does not go with the operator" 2 'the conformal operator needs the direct engine' \
-    solve "$ring" --curve body="$curve" --engine multigrid -o "$tmp/none.basis"
+    solve "$ring" --curve body="$curve" --engine fas -o "$tmp/none.basis"
 refuses "unknown engine" 2 'direct, multigrid, fas' solve "$ring" --curve body="$curve" --engine fast \
     -o "$tmp/none.basis"
 runs "solve: fas from zero" 0 solve "$ring" --curve body="$curve" --operator laplace --engine fas --start zero \

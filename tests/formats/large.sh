@@ -1,7 +1,7 @@
 # Tables that are read and written in pieces, by several threads. (A part of tests/formats.sh.)
 check "numbers.cpp is compiled" $CXX -std=c++17 -O1 -Ic_api/cli -o "$tmp/numbers" tests/formats/numbers.cpp \
-    c_api/cli/basics/numbers.cpp
-check "numbers are written as printf writes them" "$tmp/numbers"
+    c_api/cli/basics/numbers.cpp c_api/cli/basics/decimals.cpp
+check "numbers are written as printf and std::to_chars write them" "$tmp/numbers"
 awk -v n=200 -v m=150 -f tests/formats/large_mesh.awk >"$tmp/large.su2"
 for ending in su2 msh vtk vtu; do
     "$harmorph" convert "$tmp/large.su2" "$tmp/one.$ending" >/dev/null

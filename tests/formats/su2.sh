@@ -33,6 +33,9 @@ refuses "no mesh at all" "bad.mesh:1: no known mesh file begins with 'hello worl
     check "$tmp/bad.mesh"
 : >"$tmp/bad.mesh"
 refuses "an empty file" 'the file is empty' "$harmorph" check "$tmp/bad.mesh"
+mkdir "$tmp/no-mesh"
+refuses "a folder without a mesh" 'the folder has no mesh of OpenFOAM: neither constant/polyMesh/points' "$harmorph" \
+    check "$tmp/no-mesh"
 "$harmorph" check "$tmp/ring.su2" --format cgnz >"$tmp/out" 2>&1
 says "an unknown format" "the format 'cgnz' is unknown"
 # The program tells how far a file has been read only at a terminal.

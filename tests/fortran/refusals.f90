@@ -101,6 +101,8 @@ contains
         call check(stat == hm_bad_argument, "an empty plan")
         call bad%cells(cells, stat, err)
         call check(stat == hm_bad_argument, "cells before points: " // err%text)
+        call bad%line(1, 1, 2, 1, 1, stat=stat, err=err)
+        call check(stat == hm_bad_argument, "a line before points: " // err%text)
         call bad%points(x, y)
         call bad%cells(five, stat)
         call check(stat == hm_bad_argument, "cells of five points")

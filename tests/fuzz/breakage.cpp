@@ -44,7 +44,12 @@ void break_indices(Problem& problem, Input& input) {
     std::vector<std::int32_t>& array = *arrays[input.below(8)];
     if (array.empty()) return;
     std::int32_t& index = some(array, input);
+    std::int32_t const old = index;
     index = input.one_in(2) ? input.wild_index() : some(array, input);
+    // The library does not know the lengths of cell_points and list_points: the last row of points
+    // must not end behind the array.
+    bool const are_rows = &array == &problem.cell_start || &array == &problem.list_start;
+    if (are_rows && &index == &array.back()) index = std::min(index, old);
 }
 void break_counts(Problem& problem, Input& input) {
     hm_mesh& mesh = problem.mesh;
@@ -54,6 +59,9 @@ void break_counts(Problem& problem, Input& input) {
     std::int32_t const old = count;
     if (input.one_in(2)) count = -input.from(0, 3);
     else count = old - std::min(old, input.from(1, 3));
+    // A mixed mesh with fewer quadrilaterals and as many cells would need more triangles than the
+    // array has.
+    if (&count == &mesh.n_quads && count >= 0) mesh.n_cells -= old - count;
     if (input.one_in(4)) mesh.index_base = input.any_of({-1, 2, 1 - mesh.index_base});
     if (input.one_in(4)) mesh.cell_layout = input.any_of({-1, 5, 1000});
 }
@@ -76,7 +84,7 @@ void break_curves(Problem& problem, Input& input) {
     CurveArrays& set = !along.curve.empty() && input.one_in(2) ? along : problem.on_walls;
     if (set.curve.empty()) return;
     hm_curve& curve = some(set.curve, input);
-    std::size_t const c = static_cast<std::size_t>(&curve - set.curve.data());
+    std::size_t const c = at(&curve - set.curve.data());
     switch (input.below(9)) {
         case 0: some(set.control, input) = input.wild(); break;
         case 1: some(set.control, input) *= 1e3; break;
@@ -86,7 +94,7 @@ void break_curves(Problem& problem, Input& input) {
         case 5: some(set.indices[c], input) = some(set.indices[c], input); break;
         case 6: curve.n_indices = std::min(curve.n_indices, input.from(-1, 3)); break;
         case 7:
-            set.weights.assign(static_cast<std::size_t>(set.view.n_control), 1.0);
+            set.weights.assign(at(set.view.n_control), 1.0);
             some(set.weights, input) = input.one_in(2) ? input.wild() : -1;
             set.view.weights = set.weights.data();
             break;

@@ -66,12 +66,8 @@ void SolutionCheck::wall() {
 // In single precision, for some points, and for some points of that.
 void SolutionCheck::derived_bases() {
     hm_basis *single = nullptr, *rows = nullptr, *combined = nullptr;
-    hm_status const made = make_object(
-        in_its_blocks(), error_,
-        [&](std::size_t* bytes) { return hm_single_size(its_.basis, bytes, &error_); },
-        [&](void* memory, std::size_t bytes) {
-            return hm_single_init(&single, memory, bytes, its_.basis, &error_);
-        });
+    hm_status const made = its_.blocks.make(error_, size_by(hm_single_size, its_.basis),
+                                            init_by(hm_single_init, &single, its_.basis));
     std::vector<std::int32_t> points(input_.below(20) + 1);
     for (std::int32_t& k : points)
         k = input_.from(0, problem_.mesh.n_points - 1) + problem_.mesh.index_base;
@@ -79,17 +75,13 @@ void SolutionCheck::derived_bases() {
     hm_basis const* const whole = made >= 0 && input_.one_in(2) ? single : its_.basis;
     std::size_t bytes = 0;  // for any n points: these may need less
     expect(hm_extract_size(whole, n, &bytes, &error_) == HM_OK, "no size of an extract");
-    expect(hm_extract_init(&rows, its_.block(bytes).data(), bytes, whole, n, points.data(),
+    expect(hm_extract_init(&rows, its_.blocks.take(bytes).data(), bytes, whole, n, points.data(),
                            &error_) == HM_OK,
            "no extract");
-    Numbers matrix(static_cast<std::size_t>(2 * info_.functions));
+    Numbers matrix(at(2 * info_.functions));
     for (double& number : matrix) number = input_.between(-1, 1);
-    make_object(
-        in_its_blocks(), error_,
-        [&](std::size_t* size) { return hm_combine_size(its_.basis, 2, 1, size, &error_); },
-        [&](void* memory, std::size_t size) {
-            return hm_combine(&combined, memory, size, its_.basis, 2, 1, matrix.data(), &error_);
-        });
+    its_.blocks.make(error_, size_by(hm_combine_size, its_.basis, 2, 1),
+                     init_by(hm_combine, &combined, its_.basis, 2, 1, matrix.data()));
     Numbers x(n_), y(n_), few_x(points.size()), few_y(points.size());
     hm_points_out const all{x.data(), y.data(), 1}, few{few_x.data(), few_y.data(), 1};
     expect(hm_morph(whole, move_.data(), nullptr, &all, nullptr, &error_) == HM_OK,
@@ -97,7 +89,7 @@ void SolutionCheck::derived_bases() {
     expect(hm_morph(rows, move_.data(), nullptr, &few, nullptr, &error_) == HM_OK,
            "no displacement of an extract");
     for (std::size_t k = 0; k < points.size(); ++k)
-        expect(few_x[k] == x[static_cast<std::size_t>(points[k] - problem_.mesh.index_base)],
+        expect(few_x[k] == x[at(points[k] - problem_.mesh.index_base)],
                "an extract moves otherwise");
 }
 

@@ -13,19 +13,15 @@ void FieldsModel::interpolation() {
     hm_points const to = in(places);
     Numbers distance(n, 7);
     hm_interpolation* interpolation = nullptr;
-    hm_interpolation_report report{};
-    report.struct_size = sizeof report;
+    hm_interpolation_report report = sized<hm_interpolation_report>();
     std::size_t bytes = 0;
     expect(hm_interpolation_size(analysis_, -1, &bytes, &error_) < 0, "-1 points are taken");
-    hm_status const status = in_block(
-        [&](std::size_t* size) { return hm_interpolation_size(analysis_, count, size, &error_); },
-        [&](void* memory, std::size_t size) {
-            return hm_interpolation_init(&interpolation, memory, size, analysis_, nullptr, count,
-                                         &to, distance.data(), problem_.options.executor, &report,
-                                         &error_);
-        });
+    hm_status const status =
+        blocks_.make(error_, size_by(hm_interpolation_size, analysis_, count),
+                     init_by(hm_interpolation_init, &interpolation, analysis_, nullptr, count, &to,
+                             distance.data(), problem_.options.executor, &report));
     if (status < 0) {
-        untouched(distance);
+        expect_untouched(distance);
         bool const is_valid = inverted_cells(judged_, points_, 1e-12) == 0;
         expect(is_bad || !is_valid || judged_.ambiguous > 0,
                std::string("an interpolation is refused: ") + error_.text);

@@ -10,11 +10,9 @@ void FieldsModel::levels() {
     hm_points const coordinates = in(moved);
     const hm_points* const given = input_.one_in(2) ? &coordinates : nullptr;
     std::int32_t const kind = input_.from(0, 2), most = input_.from(0, 4);
-    hm_status const status = in_block(
-        [&](std::size_t* bytes) { return hm_levels_size(analysis_, bytes, &error_); },
-        [&](void* memory, std::size_t bytes) {
-            return hm_levels_init(&levels, memory, bytes, analysis_, given, kind, most, &error_);
-        });
+    hm_status const status =
+        blocks_.make(error_, size_by(hm_levels_size, analysis_),
+                     init_by(hm_levels_init, &levels, analysis_, given, kind, most));
     if (status < 0) return;
     std::int32_t n_levels = 0;
     done(hm_level_cells(levels, 0, nullptr, nullptr, &n_levels, &error_), "a number of levels");
@@ -22,7 +20,7 @@ void FieldsModel::levels() {
     std::vector<std::int32_t> finer, out(points_.size(), 7);
     expect(hm_level_cells(levels, n_levels, out.data(), nullptr, nullptr, &error_) < 0,
            "a level beyond the last one");
-    for (std::int32_t const cell : out) expect(cell == 7, "a refused call has written");
+    expect_untouched(out);
     std::int32_t finer_count = 0;
     for (std::int32_t level = 0; level < n_levels; ++level) {
         std::vector<std::int32_t> cells(points_.size(), 7);

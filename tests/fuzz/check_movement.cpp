@@ -70,8 +70,7 @@ void SolutionCheck::pairs_move_alike(Numbers const& dx, Numbers const& dy, doubl
 }
 
 void SolutionCheck::step(hm_points const& by, std::vector<Point> const& displacement) {
-    hm_step_report report{};
-    report.struct_size = sizeof report;
+    hm_step_report report = sized<hm_step_report>();
     expect(hm_assess(its_.basis, &problem_.mesh, nullptr, &by, nullptr, nullptr, &report, nullptr,
                      &error_) == HM_OK,
            "no step");
@@ -105,8 +104,7 @@ void SolutionCheck::step(hm_points const& by, std::vector<Point> const& displace
 }
 
 void SolutionCheck::quality(hm_points const& to, std::vector<Point> const& at) {
-    hm_quality_report report{};
-    report.struct_size = sizeof report;
+    hm_quality_report report = sized<hm_quality_report>();
     expect(hm_assess(its_.basis, &problem_.mesh, &to, nullptr, nullptr, nullptr, nullptr, &report,
                      &error_) == HM_OK,
            "no quality");

@@ -106,8 +106,7 @@ void FieldsModel::remap() {
     for (double& value : values) value = input_.between(-1, 1);
     for (std::size_t k = 0; fields == 2 && k < n; ++k) values[n + k] = 0.75;  // a constant field
     hm_points const before = in(from), after = in(to);
-    hm_remap_report report{};
-    report.struct_size = sizeof report;
+    hm_remap_report report = sized<hm_remap_report>();
     std::size_t bytes = 0;
     done(hm_remap_size(analysis_, analysis_, fields, order, &bytes, &error_), "a size of a remap");
     Block const work(bytes, input_.below(64), 0x7F);
@@ -123,7 +122,7 @@ void FieldsModel::remap() {
     bool const is_valid =
         inverted_cells(judged_, from, 1e-12) == 0 && inverted_cells(judged_, to, 1e-12) == 0;
     if (status < 0) {
-        untouched(out), untouched(covered);
+        expect_untouched(out), expect_untouched(covered);
         expect(!is_valid || judged_.ambiguous > 0,
                std::string("a remap is refused: ") + error_.text);
         return;

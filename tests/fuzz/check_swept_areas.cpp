@@ -39,7 +39,7 @@ void FieldsModel::areas() {
         hm_status const status = hm_swept_areas(&problem_.mesh, &before, &bad, sides.data(),
                                                 duals.data(), halves.data(), nullptr, &error_);
         expect_told(status, error_);
-        if (status < 0) untouched(sides), untouched(duals), untouched(halves);
+        if (status < 0) expect_untouched(sides), expect_untouched(duals), expect_untouched(halves);
         return;
     }
     done(hm_swept_areas(&problem_.mesh, &before, &after, sides.data(), duals.data(), halves.data(),

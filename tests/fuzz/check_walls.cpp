@@ -26,19 +26,13 @@ void FieldsModel::walls() {
     std::vector<Point> const moved = displaced();
     hm_points const coordinates = in(moved);
     hm_walls* walls = nullptr;
-    hm_status const status = in_block(
-        [&](std::size_t* bytes) {
-            return hm_walls_size(analysis_, n, markers.data(), bytes, &error_);
-        },
-        [&](void* memory, std::size_t bytes) {
-            return hm_walls_init(&walls, memory, bytes, analysis_, n, markers.data(), nullptr,
-                                 &error_);
-        });
+    hm_status const status =
+        blocks_.make(error_, size_by(hm_walls_size, analysis_, n, markers.data()),
+                     init_by(hm_walls_init, &walls, analysis_, n, markers.data(), nullptr));
     expect((status >= 0) == all_exist, all_exist ? std::string("walls are refused: ") + error_.text
                                                  : "walls of a marker that no face has");
     if (status < 0) return;
-    hm_walls_info info{};
-    info.struct_size = sizeof info;
+    hm_walls_info info = sized<hm_walls_info>();
     done(hm_walls_info_get(walls, &info, &error_), "what the walls have");
     // Of points that a cut joins, the library names the first one.
     std::map<std::pair<double, double>, std::int32_t> first;
@@ -99,7 +93,7 @@ void FieldsModel::distances(hm_walls const* walls, std::vector<Face> const& face
                          problem_.options.executor, &error_);
     expect_told(status, error_);
     expect((status >= 0) == !has_bad(places), "a point is refused or taken against the header");
-    if (status < 0) return untouched(distance), untouched(parameter);
+    if (status < 0) return expect_untouched(distance), expect_untouched(parameter);
     done(hm_wall_distance(walls, count, &to, hint.data(), again.data(), hint.data(), nullptr,
                           nullptr, &error_),
          "distances with hints");

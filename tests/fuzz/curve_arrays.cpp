@@ -33,8 +33,7 @@ void CurveArrays::finish(Input& input) {
 bool CurveArrays::add_fit(std::vector<Point> const& points, bool is_loop, Input& input) {
     std::int32_t const n = static_cast<std::int32_t>(points.size()),
                        first = static_cast<std::int32_t>(control.size() / 2);
-    hm_fit_options options{};
-    options.struct_size = sizeof options;
+    hm_fit_options options = sized<hm_fit_options>();
     options.degree = input.from(1, 5);
     options.n_control = input.from(options.degree + 1, std::max(options.degree + 1, n));
     options.closed = input.from(0, 3);
@@ -79,8 +78,7 @@ void CurveArrays::add_polygon(std::vector<Point> const& points, bool is_loop) {
 
 void CurveArrays::add_curve(std::int32_t degree, std::vector<std::int32_t> const& curve_indices,
                             std::vector<double> const& curve_knots) {
-    hm_curve made{};
-    made.struct_size = sizeof made;
+    hm_curve made = sized<hm_curve>();
     made.degree = degree;
     made.n_indices = static_cast<std::int32_t>(curve_indices.size());
     indices.push_back(curve_indices);

@@ -38,17 +38,10 @@ public:
         number_unknowns();
         solve();
         compare();
-        its_.expect_intact();
+        its_.blocks.expect_intact();
     }
 
 private:
-    static std::size_t at(std::int64_t k) { return static_cast<std::size_t>(k); }
-    template <class Size, class Init>
-    hm_status object(Size const& size, Init const& init) {
-        return make_object([this](std::size_t bytes) -> Block& { return its_.block(bytes); },
-                           error_, size, init);
-    }
-
     // The points of a cell stay in the order of the arrays of the mesh, because the division of a
     // polygon depends on this order.
     Cell given_cell(std::size_t c) const {
@@ -113,10 +106,8 @@ private:
             part_mesh.mesh = &part.mesh;
             part_mesh.numbers = part.numbers.data();
             hm_status const status =
-                object([&](std::size_t* bytes) { return hm_part_size(&part_mesh, bytes, &error_); },
-                       [&](void* memory, std::size_t bytes) {
-                           return hm_part_init(&part.part, memory, bytes, &part_mesh, &error_);
-                       });
+                its_.blocks.make(error_, size_by(hm_part_size, &part_mesh),
+                                 init_by(hm_part_init, &part.part, &part_mesh));
             expect(status == HM_OK,
                    "a part is refused of a mesh that is taken: " + std::string(error_.text));
             std::int32_t n = 0;
@@ -132,26 +123,20 @@ private:
         edges.resize(at(n));
         for (Part& part : parts_) {
             std::int32_t const n_edges = static_cast<std::int32_t>(edges.size());
-            hm_status const status = object(
-                [&](std::size_t* bytes) {
-                    return hm_equations_size(part.part, n_edges, &its_.problem.problem,
-                                             &its_.problem.options, bytes, &error_);
-                },
-                [&](void* memory, std::size_t bytes) {
-                    return hm_equations_init(&part.equations, memory, bytes, part.part, n_edges,
-                                             edges.data(), &its_.problem.problem,
-                                             &its_.problem.options, &error_);
-                });
+            const hm_problem* const problem = &its_.problem.problem;
+            const hm_options* const options = &its_.problem.options;
+            hm_status const status = its_.blocks.make(
+                error_, size_by(hm_equations_size, part.part, n_edges, problem, options),
+                init_by(hm_equations_init, &part.equations, part.part, n_edges, edges.data(),
+                        problem, options));
             if (status == HM_UNSUPPORTED) return false;
             expect(status >= 0, "equations are refused: " + std::string(error_.text));
             part.info.struct_size = sizeof part.info;
             expect(hm_equations_info_get(part.equations, &part.info, &error_) == HM_OK,
                    "no equations");
-            hm_status const rows = object(
-                [&](std::size_t* bytes) { return hm_rows_size(part.equations, bytes, &error_); },
-                [&](void* memory, std::size_t bytes) {
-                    return hm_rows_init(&part.rows, memory, bytes, part.equations, &error_);
-                });
+            hm_status const rows =
+                its_.blocks.make(error_, size_by(hm_rows_size, part.equations),
+                                 init_by(hm_rows_init, &part.rows, part.equations));
             expect(rows == HM_OK, "no rows: " + std::string(error_.text));
         }
         return true;
@@ -252,10 +237,7 @@ private:
 
     void compare() {
         if (its_.status != HM_OK || !is_accurate_) return;
-        hm_basis_info info{};
-        info.struct_size = sizeof info;
-        expect(hm_basis_info_get(its_.basis, &info, &error_) == HM_OK,
-               "no information about a solved basis");
+        hm_basis_info const info = info_of(its_.basis);
         Numbers whole(domain_.points.size());
         for (std::int32_t i = 0; i < info.functions; ++i)
             for (std::int32_t number = 0; number < info.numbers_per_value; ++number) {

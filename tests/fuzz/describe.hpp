@@ -9,4 +9,14 @@ namespace fuzz {
 
 std::string describe(Problem const& problem);
 
+// Runs the check of a problem, and puts the problem into words where the check fails.
+template <class Run>
+auto told(Problem const& problem, Run const& run) {
+    try {
+        return run();
+    } catch (Failure const& failure) {
+        throw Failure(failure.what() + std::string("\n") + describe(problem));
+    }
+}
+
 }  // namespace fuzz

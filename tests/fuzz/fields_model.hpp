@@ -13,20 +13,6 @@ namespace fuzz {
 
 using Quad = __float128;
 
-// The place of a face that is nearest to a point.
-struct Foot {
-    Wide distance, t, x, y;  // x, y: from the foot to the point
-    Wide length;             // of the face
-};
-inline Foot foot_on(Point a, Point b, Point p) {
-    Wide const dx = Wide(b.x) - a.x, dy = Wide(b.y) - a.y, px = Wide(p.x) - a.x,
-               py = Wide(p.y) - a.y, length = std::hypot(dx, dy);
-    Wide const ux = length > 0 ? dx / length : 0, uy = length > 0 ? dy / length : 0;
-    Wide const along = std::max(Wide(0), std::min(length, ux * px + uy * py));
-    Wide const x = px - along * ux, y = py - along * uy;
-    return {std::hypot(x, y), length > 0 ? along / length : 0, x, y, length};
-}
-
 class FieldsModel {
 public:
     FieldsModel(Problem& problem, Input& input);
@@ -75,25 +61,7 @@ private:
         return false;
     }
 
-    static std::size_t at(std::int32_t k) { return static_cast<std::size_t>(k); }
-    static hm_points in(std::vector<Point> const& points) {
-        return {&points[0].x, &points[0].y, 2};
-    }
-    static void untouched(Numbers const& numbers) {
-        for (double const number : numbers) expect(number == 7, "a refused call has written");
-    }
-    void done(hm_status status, const char* what) const {
-        expect_told(status, error_);
-        expect(status >= 0, std::string(what) + ": refused: " + error_.text);
-    }
-    template <class Size, class Init>
-    hm_status in_block(Size const& size, Init const& init) {
-        auto const block = [&](std::size_t bytes) -> Block& {
-            blocks_.emplace_back(bytes, input_.below(64), input_.any_of({0, 0xFF, 0x7F}));
-            return blocks_.back();
-        };
-        return make_object(block, error_, size, init);
-    }
+    void done(hm_status status, const char* what) const { expect_done(status, error_, what); }
     // The points of the mesh, each moved by at most a tenth of the extent, or by very little.
     std::vector<Point> displaced();
     // Places inside, at points, on faces and far outside; a wild one may not be a place at all.
@@ -112,7 +80,7 @@ private:
     std::vector<Point> points_;
     double size_ = 0, extent_ = 0;  // the largest coordinate, the width or height of the mesh
     hm_error error_{};
-    std::deque<Block> blocks_;
+    Blocks blocks_;
 };
 
 }  // namespace fuzz

@@ -20,8 +20,7 @@ namespace {
 // may have any values.
 void restore(hm_curves const& curves, const hm_condition* conditions, std::int32_t n,
              Problem const& problem) {
-    hm_problem restored{};
-    restored.struct_size = sizeof restored;
+    hm_problem restored = sized<hm_problem>();
     restored.mesh = &problem.mesh;
     restored.curves = curves.n_curves > 0 ? &curves : nullptr;
     restored.n_conditions = n;
@@ -66,16 +65,14 @@ void spoil_index(harmorph::Basis const& basis, Input& input) {
 // Every call with a basis that was attached: it may refuse, or compute anything, but touch no
 // memory of others.
 void use(const hm_basis* basis, Problem const& problem, Input& input) {
-    hm_basis_info info{};
-    info.struct_size = sizeof info;
+    hm_basis_info info = sized<hm_basis_info>();
     hm_error error{};
     if (hm_basis_info_get(basis, &info, &error) < 0) return;
     expect(info.points >= 0 && info.points < 1 << 20 && info.functions >= 0,
            "sizes that the block cannot hold");
     if (info.functions > 1 << 16)
         return;  // of a share, which holds few of the functions that it claims there are
-    std::size_t const n = static_cast<std::size_t>(info.points),
-                      pairs = 2 * static_cast<std::size_t>(info.functions);
+    std::size_t const n = at(info.points), pairs = 2 * at(info.functions);
     std::vector<double> move(pairs + 2), x(n + 1), y(n + 1), gradient(pairs + 2);
     for (double& number : move) number = input.between(-1, 1);
     hm_points_out const out{x.data(), y.data(), 1};
@@ -91,9 +88,8 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
                             work_bytes, &error);
         work.expect_intact();
     }
-    std::vector<hm_curve> curves(static_cast<std::size_t>(info.curves) + 1);
-    hm_curves set{};
-    set.struct_size = sizeof set;
+    std::vector<hm_curve> curves(at(info.curves) + 1);
+    hm_curves set = sized<hm_curves>();
     for (hm_curve& curve : curves) curve.struct_size = sizeof curve;
     if (hm_basis_curves(basis, &set, curves.data(), info.curves, &error) >= 0 && set.n_curves > 0) {
         double xy[4], u, distance;
@@ -110,10 +106,8 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
         restore(set, conditions, n_conditions, problem);
     if (info.functions > 0)
         hm_basis_values(basis, input.from(0, info.functions - 1), 0, x.data(), &error);
-    hm_step_report step{};
-    step.struct_size = sizeof step;
-    hm_quality_report quality{};
-    quality.struct_size = sizeof quality;
+    hm_step_report step = sized<hm_step_report>();
+    hm_quality_report quality = sized<hm_quality_report>();
     hm_assess(basis, &problem.mesh, nullptr, &in, nullptr, nullptr, &step, &quality, &error);
     std::size_t bytes = 0;
     if (hm_single_size(basis, &bytes, &error) >= 0 && bytes < 1 << 24) {
@@ -141,8 +135,7 @@ Outcome run_basis(Input& input) {
     std::unique_ptr<Problem> const problem = make_problem(input);
     Solution solution(*problem, input);
     if (solution.status < 0) return Outcome::refused;
-    hm_basis_info info{};
-    info.struct_size = sizeof info;
+    hm_basis_info info = sized<hm_basis_info>();
     expect(hm_basis_info_get(solution.basis, &info, nullptr) == HM_OK,
            "no information about a solved basis");
 
@@ -151,7 +144,7 @@ Outcome run_basis(Input& input) {
     hm_error error{};
     if (input.one_in(2) && hm_single_size(good, &bytes, &error) >= 0) {
         hm_basis* single = nullptr;
-        if (hm_single_init(&single, solution.block(bytes).data(), bytes, good, &error) >= 0)
+        if (hm_single_init(&single, solution.blocks.take(bytes).data(), bytes, good, &error) >= 0)
             good = single;
         expect(hm_basis_info_get(good, &info, nullptr) == HM_OK,
                "no information about a basis in single precision");

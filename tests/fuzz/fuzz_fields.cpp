@@ -11,7 +11,8 @@ FieldsModel::FieldsModel(Problem& problem, Input& input)
       input_(input),
       judged_(judge_by_header(problem.domain)),
       points_(problem.domain.points),
-      size_(problem.size()) {
+      size_(problem.size()),
+      blocks_(input) {
     Point low = points_[0], high = points_[0];
     for (Point const& p : points_) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y)};
@@ -25,14 +26,9 @@ FieldsModel::FieldsModel(Problem& problem, Input& input)
 }
 
 Outcome FieldsModel::run() {
-    hm_status const status = in_block(
-        [&](std::size_t* bytes) {
-            return hm_analysis_size(&problem_.problem, &problem_.options, bytes, &error_);
-        },
-        [&](void* memory, std::size_t bytes) {
-            return hm_analysis_init(&analysis_, memory, bytes, &problem_.problem, &problem_.options,
-                                    &error_);
-        });
+    hm_status const status =
+        blocks_.make(error_, size_by(hm_analysis_size, &problem_.problem, &problem_.options),
+                     init_by(hm_analysis_init, &analysis_, &problem_.problem, &problem_.options));
     if (status < 0) return Outcome::refused;
     for (std::int32_t k = input_.from(1, 4); k > 0; --k) {
         switch (input_.below(5)) {
@@ -43,7 +39,7 @@ Outcome FieldsModel::run() {
             default: interpolation();
         }
     }
-    for (Block const& block : blocks_) block.expect_intact();
+    blocks_.expect_intact();
     return Outcome::done;
 }
 

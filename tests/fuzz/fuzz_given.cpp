@@ -54,7 +54,7 @@ public:
         std::int32_t n = 0;
         hm_status status = hm_given_points(its_.plan, nullptr, 0, &n, &error_);
         expect(n >= 0 && status == (n > 0 ? HM_BAD_ARGUMENT : HM_OK), "the number of given points");
-        points_.resize(static_cast<std::size_t>(n));
+        points_.resize(at(n));
         expect(hm_given_points(its_.plan, points_.data(), n, &n, &error_) == HM_OK,
                "no given points");
         is_direct_ =
@@ -78,7 +78,7 @@ public:
         if (is_direct_ && its_.status == HM_OK) transpose(wall, moved);
         if (input_.one_in(3)) tabulated(wall);
         if (input_.one_in(3)) safe(wall);
-        its_.expect_intact();
+        its_.blocks.expect_intact();
         return Outcome::done;
     }
 
@@ -89,25 +89,19 @@ private:
                 std::swap(points_[k - 1], points_[input_.below(static_cast<std::uint32_t>(k))]);
         }
     }
-    std::size_t place(std::size_t k) const {
-        return static_cast<std::size_t>(points_[k] - its_.problem.mesh.index_base);
-    }
+    std::size_t place(std::size_t k) const { return at(points_[k] - its_.problem.mesh.index_base); }
     std::int32_t count() const { return static_cast<std::int32_t>(points_.size()); }
-    auto block() const {
-        return [this](std::size_t bytes) -> Block& { return its_.block(bytes); };
-    }
 
     hm_status displace(Field const& wall, Field& to) {
         hm_points const given = wall.in();
         hm_points_out const out = to.out();
         Exceptions::clear();
-        hm_status const status = make_object(
-            block(), error_,
-            [&](std::size_t* bytes) { return hm_displace_size(its_.plan, 1, bytes, &error_); },
-            [&](void* memory, std::size_t bytes) {
-                return hm_displace(its_.plan, count(), points_.data(), 1, &given, nullptr, &out,
-                                   memory, bytes, nullptr, &error_);
-            });
+        hm_status const status =
+            its_.blocks.make(error_, size_by(hm_displace_size, its_.plan, 1),
+                             [&](void* memory, std::size_t bytes, hm_error* e) {
+                                 return hm_displace(its_.plan, count(), points_.data(), 1, &given,
+                                                    nullptr, &out, memory, bytes, nullptr, e);
+                             });
         if (status < 0) expect(to == Field(n_, 7), "a refused displacement has written");
         else Exceptions::expect_none("hm_displace");
         return status;
@@ -153,7 +147,7 @@ private:
         expect(hm_displace_size(its_.plan, 1, &bytes, &error_) == HM_OK, "no size");
         hm_status const status =
             hm_displace_adjoint(its_.plan, count(), points_.data(), 1, &dj, &out,
-                                its_.block(bytes).data(), bytes, nullptr, &error_);
+                                its_.blocks.take(bytes).data(), bytes, nullptr, &error_);
         expect_told(status, error_);
         if (status != HM_OK) return;
         Wide left = 0, right = 0, size = 0;
@@ -181,7 +175,7 @@ private:
         expect_told(status, error_);
         if (status < 0) return;
         hm_basis* all = nullptr;
-        Block &memory = its_.block(bytes), &work = its_.block(work_bytes);
+        Block &memory = its_.blocks.take(bytes), &work = its_.blocks.take(work_bytes);
         auto const tabulate = [&](std::size_t room, std::size_t work_room) {
             return hm_tabulate(&all, memory.data(), room, its_.plan, its_.basis, count(),
                                points_.data(), 1, 1, one.x.data(), work.data(), work_room, nullptr,
@@ -193,11 +187,7 @@ private:
         status = tabulate(bytes, work_bytes);
         expect_told(status, error_);
         if (status < 0 || displace(one, moved) < 0) return;
-        hm_basis_info info{};
-        info.struct_size = sizeof info;
-        expect(hm_basis_info_get(all, &info, &error_) == HM_OK,
-               "no information about a tabulated basis");
-        Numbers move(2 * static_cast<std::size_t>(info.functions));
+        Numbers move(2 * at(info_of(all).functions));
         move[move.size() - 2] = 1;
         hm_points_out const out = by_mode.out();
         expect(hm_morph(all, move.data(), nullptr, &out, nullptr, &error_) == HM_OK,
@@ -216,17 +206,13 @@ private:
         Field moved(n_, 7);
         hm_points const given = wall.in();
         hm_points_out const out = moved.out();
-        hm_safe_options options{};
-        options.struct_size = sizeof options;
+        hm_safe_options options = sized<hm_safe_options>();
         options.max_resolves = input_.from(-1, 2);
-        hm_status const status = make_object(
-            block(), error_,
-            [&](std::size_t* bytes) {
-                return hm_displace_safe_size(its_.plan, its_.basis, bytes, &error_);
-            },
-            [&](void* memory, std::size_t bytes) {
+        hm_status const status = its_.blocks.make(
+            error_, size_by(hm_displace_safe_size, its_.plan, its_.basis),
+            [&](void* memory, std::size_t bytes, hm_error* e) {
                 return hm_displace_safe(its_.plan, its_.basis, nullptr, count(), points_.data(),
-                                        &given, &out, memory, bytes, &options, nullptr, &error_);
+                                        &given, &out, memory, bytes, &options, nullptr, e);
             });
         if (status < 0) {
             expect(moved == Field(n_, 7), "a refused displacement has written");
@@ -266,11 +252,11 @@ private:
         }
         hm_status const status =
             hm_displace(its_.plan, n, list.data(), fields, &given, nullptr, &out,
-                        its_.block(bytes).data(), bytes, nullptr, &error_);
+                        its_.blocks.take(bytes).data(), bytes, nullptr, &error_);
         expect_told(status, error_);
         if (what >= 3) expect(status < 0, "a wrong argument is taken");
         if (status < 0) expect(to == Field(n_, 7), "a refused displacement has written");
-        its_.expect_intact();
+        its_.blocks.expect_intact();
         return status < 0 ? Outcome::refused : Outcome::done;
     }
 
@@ -290,11 +276,7 @@ Outcome run_given(Input& input) {
     if (input.one_in(4)) break_something(*problem, input);
     Solution solution(*problem, input);
     if (solution.status < 0) return Outcome::refused;
-    try {
-        return Given(solution, input).run();
-    } catch (Failure const& failure) {
-        throw Failure(failure.what() + std::string("\n") + describe(*problem));
-    }
+    return told(*problem, [&] { return Given(solution, input).run(); });
 }
 
 }  // namespace fuzz

@@ -10,12 +10,10 @@ Outcome run_parts(Input& input) {
         make_problem(input, input.one_in(3) ? Cells::polygons : Cells::triangles_and_quads);
     Solution solution(*problem, input);
     if (solution.status < 0) return Outcome::refused;
-    try {
+    told(*problem, [&] {
         if (input.one_in(2)) check_shares(solution, input);
         else check_cut_mesh(solution, input);
-    } catch (Failure const& failure) {
-        throw Failure(failure.what() + std::string("\n") + describe(*problem));
-    }
+    });
     return Outcome::done;
 }
 

@@ -59,7 +59,7 @@ public:
                 has_twins = has_twins || std::hypot(dx, dy) <= 1e-6 * reach;
             }
         std::size_t const n = domain_.points.size();
-        std::vector<std::int32_t> order(n * static_cast<std::size_t>(layers_));
+        std::vector<std::int32_t> order(n * at(layers_));
         for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<std::int32_t>(k);
         if (input.one_in(2))
             for (std::size_t k = order.size(); k > 1; --k)
@@ -133,8 +133,7 @@ private:
     std::size_t number(std::vector<std::int32_t> const& order, std::int32_t layer,
                        std::int32_t k) const {
         std::size_t const n = domain_.points.size();
-        return static_cast<std::size_t>(
-            order[static_cast<std::size_t>(layer) * n + static_cast<std::size_t>(k)]);
+        return at(order[static_cast<std::size_t>(layer) * n + static_cast<std::size_t>(k)]);
     }
     std::int32_t numbered(std::vector<std::int32_t> const& order, std::int32_t layer,
                           std::int32_t k) const {
@@ -149,10 +148,7 @@ private:
 
 class Layers {
 public:
-    Layers(Space& space, hm_plane* plane, Block& block)
-        : space_(space), plane_(plane), block_(block) {
-        info_.struct_size = sizeof info_;
-        mesh_.struct_size = sizeof mesh_;
+    Layers(Space& space, hm_plane* plane) : space_(space), plane_(plane) {
         expect(hm_plane_info_get(plane_, &info_, nullptr) == HM_OK, "no information about a plane");
         expect(hm_plane_mesh(plane_, &mesh_, nullptr) == HM_OK, "no mesh of a plane");
         expect(mesh_.n_points == info_.n_points && info_.n_space_points == space.space.n_points,
@@ -165,15 +161,14 @@ public:
         for (std::int32_t k = 0; k < info_.n_space_points; ++k) {
             std::int32_t const followed = info_.follows[k] - mesh_.index_base;
             expect(followed >= 0 && followed < info_.n_points, "a point follows none");
-            auto const found =
-                leader.insert({space_.plane_point[static_cast<std::size_t>(k)], followed}).first;
+            auto const found = leader.insert({space_.plane_point[at(k)], followed}).first;
             expect(found->second == followed, "layers follow different points");
         }
     }
 
     // <g, spread d> = <gather g, d>, and d = 0 moves no bit.
     void transpose(Input& input) {
-        std::size_t const n = static_cast<std::size_t>(info_.n_points), all = space_.x.size();
+        std::size_t const n = at(info_.n_points), all = space_.x.size();
         Numbers dx(n), dy(n), gx(all), gy(all), gz(all), sx(all, 7), sy(all, 7), sz(all, 7),
             px(n, 7), py(n, 7);
         for (std::size_t k = 0; k < n; ++k)
@@ -210,15 +205,13 @@ public:
             bool const same = sx[k] == space_.x[k] && sy[k] == space_.y[k] && sz[k] == space_.z[k];
             expect(same, "a point that stays has other bits");
         }
-        block_.expect_intact();
     }
 
 private:
     Space& space_;
     hm_plane* plane_;
-    Block& block_;
-    hm_plane_info info_{};
-    hm_mesh mesh_{};
+    hm_plane_info info_ = sized<hm_plane_info>();
+    hm_mesh mesh_ = sized<hm_mesh>();
 };
 
 }  // namespace
@@ -228,24 +221,16 @@ Outcome run_plane(Input& input) {
     Space space(*problem, input);
     bool const is_broken = input.one_in(2);
     if (is_broken) space.spoil(input);
-    std::vector<std::unique_ptr<Block>> blocks;
+    Blocks blocks(input);
     hm_error error{};
     hm_plane* plane = nullptr;
-    auto const block = [&](std::size_t bytes) -> Block& {
-        blocks.push_back(
-            std::make_unique<Block>(bytes, input.below(64), input.any_of({0, 0xFF, 0x7F})));
-        return *blocks.back();
-    };
-    hm_status const status = make_object(
-        block, error,
-        [&](std::size_t* bytes) { return hm_plane_size(&space.space, bytes, &error); },
-        [&](void* memory, std::size_t bytes) {
-            return hm_plane_init(&plane, memory, bytes, &space.space, &error);
-        });
+    hm_status const status = blocks.make(error, size_by(hm_plane_size, &space.space),
+                                         init_by(hm_plane_init, &plane, &space.space));
     if (status < 0) return Outcome::refused;
-    Layers layers(space, plane, *blocks.back());
+    Layers layers(space, plane);
     if (!is_broken && !space.has_twins) layers.followers();
     layers.transpose(input);
+    blocks.expect_intact();
     return Outcome::done;
 }
 

@@ -12,16 +12,13 @@ namespace fuzz {
 
 SolutionCheck::SolutionCheck(Solution& solution, Input& input)
     : its_(solution), problem_(solution.problem), input_(input) {
-    info_.struct_size = sizeof info_;
-    expect(hm_basis_info_get(its_.basis, &info_, &error_) == HM_OK,
-           "no information about a solved basis");
+    info_ = info_of(its_.basis);
     judged_ = judge_by_header(problem_.domain);
     n_ = problem_.domain.points.size();
-    move_.resize(2 * static_cast<std::size_t>(info_.functions));
+    move_.resize(2 * at(info_.functions));
     double const far = input_.any_of({1e-6, 0.02, 0.3, 2.0}) * extent();
     for (double& number : move_) number = far * input_.between(-1, 1);
-    for (std::size_t k = 2 * static_cast<std::size_t>(problem_.on_walls.view.n_control) + 2;
-         k < move_.size(); k += 4)
+    for (std::size_t k = 2 * at(problem_.on_walls.view.n_control) + 2; k < move_.size(); k += 4)
         move_[k] = input_.between(-2, 0.5),
         move_[k + 1] = input_.between(-1, 1);  // turns of bodies
 }
@@ -34,7 +31,7 @@ void SolutionCheck::all() {
     if (input_.one_in(2)) derived_bases();
     if (input_.one_in(4)) improvement();
     if (input_.one_in(2)) safe_morph();
-    its_.expect_intact();
+    its_.blocks.expect_intact();
 }
 
 double SolutionCheck::extent() const {
@@ -57,10 +54,7 @@ namespace {
 // Returns the numbers of a solution, to compare bits: the functions, and the mesh after a movement,
 // which needs more than one linear step in about half of the problems.
 std::vector<double> results_of(Solution& solution) {
-    hm_basis_info info{};
-    info.struct_size = sizeof info;
-    expect(hm_basis_info_get(solution.basis, &info, nullptr) == HM_OK,
-           "no information about a solved basis");
+    hm_basis_info const info = info_of(solution.basis);
     std::size_t const n = solution.problem.domain.points.size();
     std::vector<double> all{double(solution.status), solution.report.residual}, values(n), x(n),
         y(n);
@@ -71,15 +65,16 @@ std::vector<double> results_of(Solution& solution) {
         }
     std::size_t bytes = 0;
     if (hm_morph_safe_size(solution.plan, solution.basis, &bytes, nullptr) < 0) return all;
-    std::vector<double> move(2 * static_cast<std::size_t>(info.functions));
+    std::vector<double> move(2 * at(info.functions));
     for (std::size_t k = 0; k < move.size(); ++k)
         move[k] = 0.05 * solution.problem.size() * (k % 3 == 0 ? 1 : -0.5);
-    for (std::size_t k = 2 * static_cast<std::size_t>(solution.problem.on_walls.view.n_control) + 2;
-         k < move.size(); k += 4)
+    for (std::size_t k = 2 * at(solution.problem.on_walls.view.n_control) + 2; k < move.size();
+         k += 4)
         move[k] = -0.5, move[k + 1] = 0.7;
     hm_points_out const out{x.data(), y.data(), 1};
     all.push_back(hm_morph_safe(solution.plan, solution.basis, move.data(), &out, nullptr,
-                                solution.block(bytes).data(), bytes, nullptr, nullptr, nullptr));
+                                solution.blocks.take(bytes).data(), bytes, nullptr, nullptr,
+                                nullptr));
     all.insert(all.end(), x.begin(), x.end());
     all.insert(all.end(), y.begin(), y.end());
     return all;
@@ -109,13 +104,10 @@ Outcome run_with(Cells cells, Input& input) {
                "a mesh with inverted cells is taken");
     if (solution.status < 0) return Outcome::refused;
     if (is_broken) return Outcome::done;
-    try {
+    told(*problem, [&] {
         if (input.one_in(4)) expect_same_bits(solution, input);
         else SolutionCheck(solution, input).all();
-    } catch (Failure const& failure) {
-        throw Failure(failure.what() + std::string("\n") + describe(*problem) +
-                      "    solved: " + hm_status_name(solution.status));
-    }
+    });
     return Outcome::done;
 }
 

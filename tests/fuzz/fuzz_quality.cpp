@@ -1,8 +1,7 @@
 // The calls of harmorph_quality.h with random problems: smooth bounds of the quality against their
-// definition in the header, in more digits; their derivatives, and those of the admissible step,
-// against differences and against the areas of corners.
+// definition in the header, in more digits, and their derivatives against differences.
 #include <harmorph_quality.h>
-#include "reference.hpp"
+#include "corner_area.hpp"
 #include "solution.hpp"
 #include "target.hpp"
 
@@ -13,27 +12,18 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-// The area of a corner, turned if the header says so, at points + s * by, and the rate at which it
-// changes with s.
-struct Area {
-    Wide value = 0, rate = 0;
-    Wide by_point[6] = {};  // derivatives by x and y of the three points
-    Wide rounding = 0;      // what the library may lose: the sides are much longer than high
-};
-
 class Quality {
 public:
     Quality(Solution& solved, Judged const& judged, Input& input)
         : solved_(solved), problem_(solved.problem), judged_(judged), input_(input) {
         start_ = problem_.domain.points;
         by_.resize(start_.size());
-        Numbers move(2 * static_cast<std::size_t>(problem_.functions()));
+        Numbers move(2 * at(problem_.functions()));
         double const size = problem_.size() * input_.any_of({0.01, 1.0, 10.0});
         for (double& number : move) number = size * input_.between(-1, 1);
         hm_points_out const out{&by_[0].x, &by_[0].y, 2};
         done(hm_morph(solved_.basis, move.data(), nullptr, &out, nullptr, &error_), "a morph");
-        hm_step_report report{};
-        report.struct_size = sizeof report;
+        hm_step_report report = sized<hm_step_report>();
         hm_points const by = in(by_);
         done(hm_assess(solved_.basis, &problem_.mesh, nullptr, &by, nullptr, nullptr, &report,
                        nullptr, &error_),
@@ -43,19 +33,12 @@ public:
 
     void run() {
         if (input_.one_in(2)) bounds();
-        if (step_ > 0) corners();
-        solved_.expect_intact();
+        if (step_ > 0) check_step_corners(solved_, judged_, by_, step_, input_);
+        solved_.blocks.expect_intact();
     }
 
 private:
-    static std::size_t at(std::int32_t k) { return static_cast<std::size_t>(k); }
-    static hm_points in(std::vector<Point> const& points) {
-        return {&points[0].x, &points[0].y, 2};
-    }
-    void done(hm_status status, const char* what) const {
-        expect_told(status, error_);
-        expect(status >= 0, std::string(what) + ": refused: " + error_.text);
-    }
+    void done(hm_status status, const char* what) const { expect_done(status, error_, what); }
     std::vector<Point> moved(double step) const {
         std::vector<Point> out = start_;
         for (std::size_t k = 0; k < out.size(); ++k)
@@ -63,29 +46,8 @@ private:
         return out;
     }
 
-    static Area area_of(JudgedCorner const& corner, std::vector<Point> const& from,
-                        std::vector<Point> const& by, Wide s) {
-        Point const p = from[at(corner.before)], q = from[at(corner.here)],
-                    r = from[at(corner.after)], u = by[at(corner.before)], v = by[at(corner.here)],
-                    w = by[at(corner.after)];
-        Wide const c = corner.cosine, d = corner.sine;
-        Wide const ux = Wide(v.x) - u.x, uy = Wide(v.y) - u.y, vx = Wide(w.x) - v.x,
-                   vy = Wide(w.y) - v.y;
-        Wide const ax = Wide(q.x) - p.x + s * ux, ay = Wide(q.y) - p.y + s * uy,
-                   bx = Wide(r.x) - q.x + s * vx, by_ = Wide(r.y) - q.y + s * vy;
-        Area out;
-        out.value = c * (ax * by_ - ay * bx) + d * (ax * bx + ay * by_);
-        Wide const by_ax = c * by_ + d * bx, by_ay = -c * bx + d * by_, by_bx = -c * ay + d * ax,
-                   by_by = c * ax + d * ay;
-        out.rate = by_ax * ux + by_ay * uy + by_bx * vx + by_by * vy;
-        Wide const gradient[6] = {-by_ax, -by_ay, by_ax - by_bx, by_ay - by_by, by_bx, by_by};
-        std::copy(gradient, gradient + 6, out.by_point);
-        out.rounding = 0x1p-50L * std::hypot(ax, ay) * std::hypot(bx, by_);
-        return out;
-    }
-
     // Twice the area of a cell.
-    static Wide area_of(Cell const& cell, std::vector<Point> const& place) {
+    static Wide area_of_cell(Cell const& cell, std::vector<Point> const& place) {
         Wide sum = 0;
         Point const o = place[at(cell[0])];
         for (std::size_t k = 1; k + 1 < cell.size(); ++k) {
@@ -109,7 +71,7 @@ private:
             inverse += std::hypot(ax, ay) * std::hypot(bx, by) / (ax * by - ay * bx);
             m += 1;
         }
-        if (cell.size() == 3) return 2 * std::sqrt(Wide(3)) * area_of(cell, place) / squares;
+        if (cell.size() == 3) return 2 * std::sqrt(Wide(3)) * area_of_cell(cell, place) / squares;
         if (m < 3) return 1;
         Wide const pi = std::acos(Wide(-1));
         return (judged_.is_divided[number] ? m / std::sin(2 * pi / m) : 4) / inverse;
@@ -141,7 +103,7 @@ private:
                     out.value.push_back(ratio);
             }
             if (kind == HM_BOUND_AREA) continue;
-            Wide const t = area_of(cell, place) / area_of(cell, start_),
+            Wide const t = area_of_cell(cell, place) / area_of_cell(cell, start_),
                        s = std::sqrt(2 * t / (1 + t * t)), f = shape(c, around, place);
             out.value.push_back(s * f / (kind == HM_BOUND_QUALITY ? 1 : shape(c, around, start_)));
         }
@@ -152,27 +114,19 @@ private:
         hm_quality* quality = nullptr;
         hm_points const start = in(start_);
         bool const is_given = input_.one_in(2);
-        hm_status const made = make_object(
-            [this](std::size_t bytes) -> Block& { return solved_.block(bytes); }, error_,
-            [&](std::size_t* bytes) {
-                return hm_quality_size(solved_.basis, &problem_.mesh, bytes, &error_);
-            },
-            [&](void* memory, std::size_t bytes) {
-                return hm_quality_init(&quality, memory, bytes, solved_.basis, &problem_.mesh,
-                                       is_given ? &start : nullptr, &error_);
-            });
-        expect(made >= 0, std::string("a quality is refused: ") + error_.text);
+        done(solved_.blocks.make(error_, size_by(hm_quality_size, solved_.basis, &problem_.mesh),
+                                 init_by(hm_quality_init, &quality, solved_.basis, &problem_.mesh,
+                                         is_given ? &start : nullptr)),
+             "a quality");
         double const most = std::min(1.0, step_);
         double const step = most * input_.any_of({0.0, 0.1, 0.5, 0.9});
         std::vector<Point> const place = moved(step);
-        hm_bound bound{};
-        bound.struct_size = sizeof bound;
+        hm_bound bound = sized<hm_bound>();
         bound.kind = input_.from(-1, 6);
         bound.sharpness = input_.any_of({0.0, 1.0, 30.0, 1000.0, 1e6});
         bool const is_wild = input_.one_in(12);
         if (is_wild) bound.sharpness = input_.any_of({double(NAN), -1.0, 0.5, 1e7, HUGE_VAL});
-        hm_bound_value value{};
-        value.struct_size = sizeof value;
+        hm_bound_value value = sized<hm_bound_value>();
         value.bound = 7;
         std::vector<Point> gradient(place.size(), {7, 7});
         hm_points_out const to{&gradient[0].x, &gradient[0].y, 2};
@@ -223,8 +177,7 @@ private:
         auto const bound_at = [&](double s) {
             std::vector<Point> const place = moved(s);
             hm_points const coordinates = in(place);
-            hm_bound_value value{};
-            value.struct_size = sizeof value;
+            hm_bound_value value = sized<hm_bound_value>();
             done(hm_quality_bounds(quality, &coordinates, 1, &bound, &value, nullptr, nullptr,
                                    &error_),
                  "a bound at a point nearby");
@@ -250,79 +203,6 @@ private:
                    4 * known + rounded + 1e-5 * (std::abs(fine) + double(size)),
                "the derivative of a bound is " + shown(double(sum)) + ", differences are " +
                    shown(coarse) + ", " + shown(middle) + " and " + shown(fine));
-    }
-
-    // Corners whose area becomes 0, and the derivatives of the step by the three points.
-    void corners() {
-        hm_points const from = in(start_), by = in(by_);
-        std::vector<hm_step_corner> out(at(input_.from(1, 6)));
-        for (hm_step_corner& corner : out) corner.step = 7;
-        double const closeness =
-            input_.one_in(8) ? input_.any_of({double(NAN), -1.0, 1.1}) : input_.between(0, 1);
-        std::int32_t n = -7;
-        hm_status const status =
-            hm_step_gradient(solved_.basis, &problem_.mesh, input_.one_in(2) ? &from : nullptr, &by,
-                             closeness, static_cast<std::int32_t>(out.size()), out.data(), &n,
-                             problem_.options.executor, &error_);
-        expect_told(status, error_);
-        bool const is_legal = closeness >= 0 && closeness <= 1;
-        expect(status < 0 || is_legal, "a closeness out of range is taken");
-        if (status < 0) {
-            expect(!is_legal || status == HM_BAD_MESH,
-                   std::string("corners of a step are refused: ") + error_.text);
-            for (hm_step_corner const& corner : out)
-                expect(corner.step == 7, "a refused call has written");
-            expect(n == -7, "a refused call has written");
-            return;
-        }
-        expect((n > 0) == std::isfinite(step_), "a step without corners");
-        for (std::size_t k = 0; k < std::min(out.size(), at(n)); ++k) {
-            hm_step_corner const& found = out[k];
-            expect(k > 0 || std::abs(found.step - step_) <= 1e-12 * step_,
-                   "the first corner does not limit the step");
-            expect(k == 0 || found.step >= out[k - 1].step, "corners are not in order");
-            expect(found.step <= (1 + closeness) * step_ * (1 + 1e-12), "a corner is not close");
-            one_of_the_corners(found);
-        }
-    }
-    void one_of_the_corners(hm_step_corner const& found) const {
-        std::int32_t const base = problem_.mesh.index_base;
-        std::int32_t const before = found.points[0] - base, here = found.points[1] - base,
-                           after = found.points[2] - base;
-        bool any = false, is_right = false;
-        std::string why;
-        for (JudgedCorner const& corner : judged_.corners) {
-            bool const is_same = corner.before == before && corner.after == after,
-                       is_reversed = corner.before == after && corner.after == before;
-            if (corner.cell != at(found.cell - base)) continue;
-            // A triangle of a divided cell may be listed from any of its corners.
-            bool const is_rotated =
-                (corner.before == here && corner.here == after && corner.after == before) ||
-                (corner.before == after && corner.here == before && corner.after == here) ||
-                (corner.after == here && corner.here == before && corner.before == after) ||
-                (corner.after == before && corner.here == after && corner.before == here);
-            if (!(corner.here == here && (is_same || is_reversed)) && !is_rotated) continue;
-            any = true;
-            Area const area = area_of(corner, start_, by_, found.step);
-            std::int32_t const own[3] = {corner.before, corner.here, corner.after};
-            Wide error = 0, size = 0;
-            for (int i = 0; i < 3; ++i)
-                for (int j = 0; j < 3; ++j) {
-                    if (found.points[j] - base != own[i]) continue;
-                    for (int axis = 0; axis < 2; ++axis) {
-                        Wide const expected = -area.by_point[2 * i + axis] / area.rate;
-                        error = std::max(error, std::abs(expected - found.by_from[2 * j + axis]));
-                        size = std::max(size, std::abs(expected));
-                    }
-                }
-            // Where two roots nearly meet, or the sides are long, the root itself is inaccurate.
-            Wide const steep = std::abs(area.rate) * found.step;
-            Wide const within = 1e-9L + 1e3L * area.rounding / steep;
-            is_right = is_right || error <= within * size || within > 1e-3L;
-            why = shown(double(error / size));
-        }
-        expect(any, "a corner that the mesh does not have");
-        expect(is_right, "the derivative of a step differs from that of the area by " + why);
     }
 
     Solution& solved_;

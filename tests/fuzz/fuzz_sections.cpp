@@ -15,7 +15,7 @@ using Numbers = std::vector<double>;
 
 class Section {
 public:
-    explicit Section(Input& input) : input_(input) {
+    explicit Section(Input& input) : input_(input), blocks_(input) {
         is_blunt_ = input.one_in(3);
         size_ = input.any_of({1.0, 1.0, 1e-6, 1e6});
         camber_ = input.between(-0.05, 0.05);
@@ -30,13 +30,11 @@ public:
 
     Outcome run() {
         Outcome const outcome = input_.one_in(3) ? refit() : move();
-        for (Block const& block : blocks_) block.expect_intact();
+        blocks_.expect_intact();
         return outcome;
     }
 
 private:
-    static std::size_t at(std::int32_t k) { return static_cast<std::size_t>(k); }
-
     // From the trailing edge over the upper side to the leading edge, and back below.
     std::vector<Point> outline(std::int32_t n, double camber, double thickness) const {
         double const pi = std::acos(-1.0), last = is_blunt_ ? 0.1015 : 0.1036;
@@ -51,23 +49,11 @@ private:
         }
         return out;
     }
-    template <class Size, class Run>
-    hm_status in_block(Size const& size, Run const& run) {
-        auto const block = [&](std::size_t bytes) -> Block& {
-            blocks_.emplace_back(bytes, input_.below(64), input_.any_of({0, 0xFF, 0x7F}));
-            return blocks_.back();
-        };
-        return make_object(block, error_, size, run);
-    }
-    static void untouched(Numbers const& numbers) {
-        for (double const number : numbers) expect(number == 7, "a refused call has written");
-    }
 
     // ---- hm_move_section ----
 
     hm_movement movement(bool is_first) {
-        hm_movement out{};
-        out.struct_size = sizeof out;
+        hm_movement out = sized<hm_movement>();
         out.kind = input_.from(HM_TURN, is_first ? HM_BLADE : HM_FLAP);
         if (input_.one_in(30)) out.kind = input_.wild_index();
         bool const has_place =
@@ -121,12 +107,9 @@ private:
         std::size_t const coordinates = curves_.control.size();
         std::int32_t const count = static_cast<std::int32_t>(movements.size());
         std::int32_t n = 0;
-        out.status = in_block(
-            [&](std::size_t* bytes) {
-                return hm_move_section_size(&set_, &section, count, movements.data(), &n, bytes,
-                                            &error_);
-            },
-            [&](void* memory, std::size_t bytes) {
+        out.status = blocks_.make(
+            error_, size_by(hm_move_section_size, &set_, &section, count, movements.data(), &n),
+            [&](void* memory, std::size_t bytes, hm_error* e) {
                 expect(at(n) == values.size(), "another number of values than the kinds have");
                 out.move.assign(coordinates, 7);
                 out.derivatives.assign(values.size() * coordinates, 7);
@@ -136,7 +119,7 @@ private:
                 hm_status const status =
                     hm_move_section(&set_, &section, count, movements.data(), values.data(),
                                     out.move.data(), out.derivatives.data(), out.start.data(),
-                                    out.difference.data(), memory, bytes, &error_);
+                                    out.difference.data(), memory, bytes, e);
                 Exceptions::expect_none("hm_move_section, " + in_words(movements, values));
                 return status;
             });
@@ -144,8 +127,7 @@ private:
     }
 
     Outcome move() {
-        hm_section section{};
-        section.struct_size = sizeof section;
+        hm_section section = sized<hm_section>();
         bool const has_chord = input_.one_in(2);
         if (has_chord) section.trailing_x = trailing_.x, section.trailing_y = trailing_.y;
         std::vector<hm_movement> movements;
@@ -154,8 +136,8 @@ private:
         Numbers const values = values_of(movements);
         Moved const found = moved(section, movements, values);
         if (found.status < 0) {
-            untouched(found.move), untouched(found.derivatives);
-            untouched(found.start), untouched(found.difference);
+            expect_untouched(found.move), expect_untouched(found.derivatives);
+            expect_untouched(found.start), expect_untouched(found.difference);
             return Outcome::refused;
         }
         for (Numbers const* const numbers :
@@ -273,16 +255,15 @@ private:
                            curve = input_.one_in(20) ? input_.wild_index() : 0;
         hm_points const through{&points[0].x, &points[0].y, 2};
         Numbers movement(curves_.control.size(), 7);
-        hm_refit_report report{};
-        report.struct_size = sizeof report;
-        hm_status const status = in_block(
-            [&](std::size_t* bytes) { return hm_refit_size(&set_, curve, n, bytes, &error_); },
-            [&](void* memory, std::size_t bytes) {
-                return hm_refit(&set_, curve, &through, n, is_loop, on_chord, movement.data(),
-                                &report, memory, bytes, &error_);
-            });
+        hm_refit_report report = sized<hm_refit_report>();
+        hm_status const status =
+            blocks_.make(error_, size_by(hm_refit_size, &set_, curve, n),
+                         [&](void* memory, std::size_t bytes, hm_error* e) {
+                             return hm_refit(&set_, curve, &through, n, is_loop, on_chord,
+                                             movement.data(), &report, memory, bytes, e);
+                         });
         if (status < 0) {
-            untouched(movement);
+            expect_untouched(movement);
             return Outcome::refused;
         }
         for (double const number : movement) expect(std::isfinite(number), "not finite");
@@ -313,7 +294,7 @@ private:
     CurveArrays curves_;
     hm_curves set_{};
     hm_error error_{};
-    std::deque<Block> blocks_;
+    Blocks blocks_;
 };
 
 }  // namespace

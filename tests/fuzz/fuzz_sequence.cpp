@@ -42,11 +42,11 @@ public:
             if (status == none) continue;
             expect_told(status, error_);
             any = any || status >= 0;
-            if (status < 0) expect_untouched();
+            if (status < 0) expect_untouched(x_), expect_untouched(y_);
             std::fill(x_.begin(), x_.end(), 7.0);
             std::fill(y_.begin(), y_.end(), 7.0);
         }
-        for (std::optional<Solution>& solution : all_) solution->expect_intact();
+        for (std::optional<Solution>& solution : all_) solution->blocks.expect_intact();
         return any ? Outcome::done : Outcome::refused;
     }
 
@@ -57,93 +57,55 @@ private:
     struct Object {
         hm_basis* basis;
         Kind kind;
-        bool is_solved() const {
-            hm_basis_info info{};
-            info.struct_size = sizeof info;
-            expect(hm_basis_info_get(basis, &info, nullptr) == HM_OK,
-                   "no information about a basis");
-            return info.solved == 1;
-        }
+        bool is_solved() const { return info_of(basis).solved == 1; }
         bool has_all_functions() const { return kind != Kind::share; }
         // hm_transfer reads functions of control points in double precision at all points of a
         // mesh.
         bool can_be_transferred() const { return kind == Kind::whole && is_solved(); }
         std::vector<unsigned char> bytes() const {
-            hm_basis_info info{};
-            info.struct_size = sizeof info;
-            expect(hm_basis_info_get(basis, &info, nullptr) == HM_OK,
-                   "no information about a basis");
             unsigned char const* const begin = reinterpret_cast<unsigned char const*>(basis);
-            return {begin, begin + info.bytes};
+            return {begin, begin + info_of(basis).bytes};
         }
     };
 
     template <class Size, class Init>
-    void add(Solution& solution, Kind kind, Size const& size, Init const& init) {
+    void add(Solution& solution, Kind kind, hm_basis*& made, Size const& size, Init const& init) {
         std::size_t bytes = 0;
-        hm_basis* made = nullptr;
-        if (size(&bytes) < 0) return;
-        if (init(&made, solution.block(bytes).data(), bytes) >= 0) objects_.push_back({made, kind});
+        if (size(&bytes, nullptr) < 0) return;
+        if (init(solution.blocks.take(bytes).data(), bytes, nullptr) >= 0)
+            objects_.push_back({made, kind});
     }
     void add_objects(Solution& solution) {
         objects_.push_back({solution.basis, Kind::whole});
-        add(
-            solution, Kind::whole,
-            [&](std::size_t* bytes) { return hm_basis_size(solution.analysis, bytes, nullptr); },
-            [&](hm_basis** made, void* block, std::size_t bytes) {
-                return hm_basis_init(made, block, bytes, solution.analysis, nullptr);
-            });
+        hm_basis* made = nullptr;
+        add(solution, Kind::whole, made, size_by(hm_basis_size, solution.analysis),
+            init_by(hm_basis_init, &made, solution.analysis));
         std::int32_t const n = solution.problem.functions();
         if (solution.status < 0 || n < 2 || !input_.one_in(2)) return;
         std::int32_t const first = input_.from(0, n - 1),
                            held = input_.from(0, n - 1 - first + (first > 0));
-        add(
-            solution, Kind::share,
-            [&](std::size_t* bytes) {
-                return hm_share_size(solution.analysis, first, held, bytes, nullptr);
-            },
-            [&](hm_basis** made, void* block, std::size_t bytes) {
+        add(solution, Kind::share, made, size_by(hm_share_size, solution.analysis, first, held),
+            [&](void* block, std::size_t bytes, hm_error* e) {
                 hm_status const status =
-                    hm_share_init(made, block, bytes, solution.analysis, first, held, nullptr);
+                    hm_share_init(&made, block, bytes, solution.analysis, first, held, e);
                 return status < 0 || input_.one_in(4)
                            ? status
-                           : hm_plan_solve(solution.plan, *made, nullptr, nullptr);
+                           : hm_plan_solve(solution.plan, made, nullptr, e);
             });
         std::int32_t const base = solution.problem.mesh.index_base,
                            list[] = {base + 2, base, base + 1, base + 2};
-        add(
-            solution, Kind::rows,
-            [&](std::size_t* bytes) { return hm_extract_size(solution.basis, 4, bytes, nullptr); },
-            [&](hm_basis** made, void* block, std::size_t bytes) {
-                return hm_extract_init(made, block, bytes, solution.basis, 4, list, nullptr);
-            });
-        std::vector<double> const ones(static_cast<std::size_t>(n), 1.0);
-        add(
-            solution, Kind::combined,
-            [&](std::size_t* bytes) {
-                return hm_combine_size(solution.basis, 1, 1, bytes, nullptr);
-            },
-            [&](hm_basis** made, void* block, std::size_t bytes) {
-                return hm_combine(made, block, bytes, solution.basis, 1, 1, ones.data(), nullptr);
-            });
-        add(
-            solution, Kind::single,
-            [&](std::size_t* bytes) { return hm_single_size(solution.basis, bytes, nullptr); },
-            [&](hm_basis** made, void* block, std::size_t bytes) {
-                return hm_single_init(made, block, bytes, solution.basis, nullptr);
-            });
+        add(solution, Kind::rows, made, size_by(hm_extract_size, solution.basis, 4),
+            init_by(hm_extract_init, &made, solution.basis, 4, &list[0]));
+        std::vector<double> const ones(at(n), 1.0);
+        add(solution, Kind::combined, made, size_by(hm_combine_size, solution.basis, 1, 1),
+            init_by(hm_combine, &made, solution.basis, 1, 1, ones.data()));
+        add(solution, Kind::single, made, size_by(hm_single_size, solution.basis),
+            init_by(hm_single_init, &made, solution.basis));
     }
 
     Solution& some() { return *all_[input_.below(2)]; }
     Object const& some_object() {
         return objects_[input_.below(static_cast<std::uint32_t>(objects_.size()))];
-    }
-    static void expect_sevens(std::vector<std::int32_t> const& numbers) {
-        for (std::int32_t const number : numbers) expect(number == 7, "a refused call has written");
-    }
-    void expect_untouched() const {
-        for (double const number : x_) expect(number == 7, "a refused call has written");
-        for (double const number : y_) expect(number == 7, "a refused call has written");
     }
 
     // The status of a call that needs all functions, solved.
@@ -167,8 +129,7 @@ private:
         switch (input_.below(15)) {
             case 0: return hm_plan_factor(plan, nullptr, &error_);
             case 1: {
-                hm_solve_report report{};
-                report.struct_size = sizeof report;
+                hm_solve_report report = sized<hm_solve_report>();
                 return hm_plan_solve(plan, basis, &report, &error_);
             }
             case 2:
@@ -180,14 +141,12 @@ private:
                 return checked(object, hm_adjoint(basis, &in, gradient.data(), nullptr, &error_));
             }
             case 4: {
-                hm_quality_report report{};
-                report.struct_size = sizeof report;
+                hm_quality_report report = sized<hm_quality_report>();
                 return hm_assess(basis, &mesh, nullptr, nullptr, nullptr, nullptr, nullptr, &report,
                                  &error_);
             }
             case 5: {
-                hm_step_report report{};
-                report.struct_size = sizeof report;
+                hm_step_report report = sized<hm_step_report>();
                 return hm_assess(basis, &mesh, nullptr, &in, nullptr, nullptr, &report, nullptr,
                                  &error_);
             }
@@ -195,8 +154,7 @@ private:
                 hm_status const status = hm_morph_safe_size(plan, basis, &bytes, &error_);
                 if (status < 0) return status;
                 Block const work(bytes, 0, 0x7F);
-                hm_safe_options options{};
-                options.struct_size = sizeof options;
+                hm_safe_options options = sized<hm_safe_options>();
                 const hm_basis* const other = some_object().basis;
                 if (input_.one_in(3)) options.others = &other, options.n_others = 1;
                 hm_basis* const derivative = input_.one_in(3) ? some_object().basis : nullptr;
@@ -251,7 +209,7 @@ private:
                 hm_status const status = hm_analysis_boundary(
                     analysis, input_.from(1, 7), markers, input_.any_of({0, 0, 1, -1}),
                     points.data(), capacity, &n, &is_loop, &error_);
-                if (status < 0) expect_sevens(points);
+                if (status < 0) expect_untouched(points);
                 expect(status >= 0 || is_loop == 7, "a refused call has written");
                 return status;
             }
@@ -260,7 +218,7 @@ private:
                 std::vector<std::int32_t> points(61, 7);
                 hm_status const status =
                     hm_given_points(plan, points.data(), capacity, &n, &error_);
-                if (status < 0) expect_sevens(points);
+                if (status < 0) expect_untouched(points);
                 return status;
             }
             case 12:

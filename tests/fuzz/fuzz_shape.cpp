@@ -14,7 +14,7 @@ namespace {
 class Shape {
 public:
     Shape(Problem const& problem, Input& input)
-        : problem_(problem), set_(problem.on_walls.view), input_(input) {
+        : problem_(problem), set_(problem.on_walls.view), input_(input), blocks_(input) {
         number_ =
             input.one_in(16) ? input.wild_index() : input.from(0, std::max(0, set_.n_curves - 1));
         for (double const value : problem.on_walls.control)
@@ -26,7 +26,7 @@ public:
         expect_told(status, error_);
         is_valid_ = status >= 0;
         Outcome const outcome = call();
-        for (Block const& block : blocks_) block.expect_intact();
+        blocks_.expect_intact();
         return outcome;
     }
 
@@ -39,20 +39,9 @@ private:
         if (status < 0) Exceptions::expect_none(error_.text);
         return status < 0 ? Outcome::refused : Outcome::done;
     }
-    template <class Size, class Init>
-    hm_status in_block(Size const& size, Init const& init) {
-        auto const block = [&](std::size_t bytes) -> Block& {
-            blocks_.emplace_back(bytes, input_.below(64), input_.any_of({0, 0xFF, 0x7F}));
-            return blocks_.back();
-        };
-        return make_object(block, error_, size, init);
-    }
     static void expect_finite(Numbers const& numbers, const char* what) {
         for (double const value : numbers)
             expect(std::isfinite(value), std::string(what) + ": not finite");
-    }
-    static void expect_untouched(Numbers const& numbers) {
-        for (double const value : numbers) expect(value == 7, "a refused call has written");
     }
 
     Outcome call() {
@@ -105,14 +94,12 @@ private:
         Exceptions::clear();
         const hm_curves* made = nullptr;
         const double* matrix = nullptr;
-        hm_status const status = in_block(
-            [&](std::size_t* bytes) {
-                return hm_refine_size(&set_, number_, degree, n, u.data(), bytes, &error_);
-            },
-            [&](void* memory, std::size_t bytes) {
-                return hm_refine(&made, &matrix, memory, bytes, &set_, number_, degree, n, u.data(),
-                                 &error_);
-            });
+        hm_status const status =
+            blocks_.make(error_, size_by(hm_refine_size, &set_, number_, degree, n, u.data()),
+                         [&](void* memory, std::size_t bytes, hm_error* e) {
+                             return hm_refine(&made, &matrix, memory, bytes, &set_, number_, degree,
+                                              n, u.data(), e);
+                         });
         if (judged(status) == Outcome::refused) return Outcome::refused;
         expect(hm_curves_check(made, &error_) == HM_OK,
                std::string("a changed curve is refused: ") + error_.text);
@@ -132,8 +119,7 @@ private:
     }
 
     hm_section section() {
-        hm_section out{};
-        out.struct_size = sizeof out;
+        hm_section out = sized<hm_section>();
         if (input_.one_in(2)) out.n_curves = 1, out.first_curve = number_;
         if (input_.one_in(3))
             out.leading_x = size_ * number(), out.trailing_x = size_ * number(),
@@ -144,8 +130,7 @@ private:
     Outcome measure() {
         Numbers const polygon{size_ * number(), size_ * number(), 0, 0,
                               size_ * number(), size_ * number()};
-        hm_quantity quantity{};
-        quantity.struct_size = sizeof quantity;
+        hm_quantity quantity = sized<hm_quantity>();
         quantity.kind = input_.from(HM_AREA, HM_DISTANCE + (input_.one_in(16) ? 1 : 0));
         if (quantity.kind == HM_THICKNESS || quantity.kind == HM_CAMBER)
             quantity.station = number();
@@ -224,8 +209,7 @@ private:
     }
 
     Outcome variables() {
-        hm_variables variables{};
-        variables.struct_size = sizeof variables;
+        hm_variables variables = sized<hm_variables>();
         variables.kind = input_.from(HM_FFD, HM_NACA4);
         Numbers peaks(16);
         for (double& peak : peaks) peak = number();
@@ -247,16 +231,12 @@ private:
         Exceptions::clear();
         hm_status status = hm_variables_size(&set_, given, &variables, &n, &size, &error_);
         if (judged(status) == Outcome::refused) return Outcome::refused;
-        Numbers matrix(problem_.on_walls.control.size() * static_cast<std::size_t>(n), 7),
-            error(2 * static_cast<std::size_t>(n), 7);
-        status = in_block(
-            [&](std::size_t* bytes) {
-                return hm_variables_size(&set_, given, &variables, &n, bytes, &error_);
-            },
-            [&](void* memory, std::size_t bytes) {
-                return hm_variables_map(&set_, given, &variables, memory, bytes, matrix.data(),
-                                        error.data(), &error_);
-            });
+        Numbers matrix(problem_.on_walls.control.size() * at(n), 7), error(2 * at(n), 7);
+        status = blocks_.make(error_, size_by(hm_variables_size, &set_, given, &variables, &n),
+                              [&](void* memory, std::size_t bytes, hm_error* e) {
+                                  return hm_variables_map(&set_, given, &variables, memory, bytes,
+                                                          matrix.data(), error.data(), e);
+                              });
         if (status < 0) expect_untouched(matrix), expect_untouched(error);
         else expect_finite(matrix, "a map of variables"), expect_finite(error, "its error");
         return judged(status);
@@ -269,7 +249,7 @@ private:
     bool is_valid_ = false;
     double size_ = 0;
     hm_error error_{};
-    std::deque<Block> blocks_;
+    Blocks blocks_;
 };
 
 }  // namespace

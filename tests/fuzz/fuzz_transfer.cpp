@@ -16,8 +16,6 @@
 namespace fuzz {
 namespace {
 
-std::size_t at(std::int32_t k) { return static_cast<std::size_t>(k); }
-
 // Triangles in four triangles, quadrilaterals in four quadrilaterals. The coarse points come first.
 class FineMesh {
 public:
@@ -50,8 +48,7 @@ public:
     }
 
     hm_mesh view() const {
-        hm_mesh out{};
-        out.struct_size = sizeof out;
+        hm_mesh out = sized<hm_mesh>();
         out.n_points = static_cast<std::int32_t>(points_.size());
         out.points = {x_.data(), y_.data(), 1};
         out.cell_layout = HM_CELLS_ROWS;
@@ -106,25 +103,15 @@ public:
 
     Outcome run() {
         Options const& options = coarse_.problem.options;
-        auto const block = [this](std::size_t bytes) -> Block& { return coarse_.block(bytes); };
         hm_analysis* analysis = nullptr;
-        hm_status status = make_object(
-            block, error_,
-            [&](std::size_t* bytes) {
-                return hm_analysis_size(&problem_, &options, bytes, &error_);
-            },
-            [&](void* memory, std::size_t bytes) {
-                return hm_analysis_init(&analysis, memory, bytes, &problem_, &options, &error_);
-            });
+        hm_status status =
+            coarse_.blocks.make(error_, size_by(hm_analysis_size, &problem_, &options),
+                                init_by(hm_analysis_init, &analysis, &problem_, &options));
         if (status < 0)
             return Outcome::refused;  // the curve may leave the finer wall, or rounding invert a
                                       // thin cell
-        status = make_object(
-            block, error_,
-            [&](std::size_t* bytes) { return hm_basis_size(analysis, bytes, &error_); },
-            [&](void* memory, std::size_t bytes) {
-                return hm_basis_init(&basis_, memory, bytes, analysis, &error_);
-            });
+        status = coarse_.blocks.make(error_, size_by(hm_basis_size, analysis),
+                                     init_by(hm_basis_init, &basis_, analysis));
         expect(status >= 0, "no basis of an analysis");
         std::size_t bytes = 0;
         hm_mesh const& from = coarse_.problem.mesh;
@@ -132,7 +119,7 @@ public:
         expect_told(status, error_);
         expect(status == HM_OK, "no size of a transfer");
         report_.struct_size = sizeof report_;
-        Block& work = coarse_.block(bytes);
+        Block& work = coarse_.blocks.take(bytes);
         status = hm_transfer(basis_, work.data(), bytes - 1, analysis, coarse_.basis, &from,
                              &report_, &error_);
         expect(status == HM_BLOCK_TOO_SMALL, "work space that is one byte too small is taken");
@@ -140,7 +127,7 @@ public:
         status = hm_transfer(basis_, work.data(), bytes, analysis, coarse_.basis, &from, &report_,
                              &error_);
         expect_told(status, error_);
-        coarse_.expect_intact();
+        coarse_.blocks.expect_intact();
         if (status < 0) {
             std::vector<double> values(at(mesh_.n_points), 7);
             expect(hm_basis_values(basis_, 0, 0, values.data(), &error_) < 0,
@@ -155,10 +142,7 @@ private:
     using Numbers = std::vector<double>;
 
     void check() {
-        hm_basis_info info{};
-        info.struct_size = sizeof info;
-        expect(hm_basis_info_get(basis_, &info, &error_) == HM_OK,
-               "no information about a transferred basis");
+        hm_basis_info const info = info_of(basis_);
         expect((report_.outside == 0) == (report_.max_distance_point == -1),
                "points outside, and none that is farthest");
         expect(std::isfinite(report_.max_distance) && report_.max_distance >= 0,
@@ -263,11 +247,7 @@ Outcome run_transfer(Input& input) {
     std::unique_ptr<Problem> const problem = make_problem(input);
     Solution coarse(*problem, input);
     if (coarse.status < 0) return Outcome::refused;
-    try {
-        return Transferred(coarse).run();
-    } catch (Failure const& failure) {
-        throw Failure(failure.what() + std::string("\n") + describe(*problem));
-    }
+    return told(*problem, [&] { return Transferred(coarse).run(); });
 }
 
 }  // namespace fuzz

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "fixtures/options.hpp"
-#include "block.hpp"
+#include "blocks.hpp"
 #include "curve_arrays.hpp"
 #include "input.hpp"
 
@@ -18,6 +18,8 @@ namespace fuzz {
 struct Point {
     double x, y;
 };
+inline std::size_t at(std::int64_t k) { return static_cast<std::size_t>(k); }
+inline hm_points in(std::vector<Point> const& points) { return {&points[0].x, &points[0].y, 2}; }
 inline Point turned(Point p, Point by) {
     return {p.x * by.x - p.y * by.y, p.x * by.y + p.y * by.x};
 }

@@ -4,9 +4,26 @@
 
 #include "polygons.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace fuzz {
 
 using Wide = long double;
+
+// The place of a face that is nearest to a point.
+struct Foot {
+    Wide distance, t, x, y;  // x, y: from the foot to the point
+    Wide length;             // of the face
+};
+inline Foot foot_on(Point a, Point b, Point p) {
+    Wide const dx = Wide(b.x) - a.x, dy = Wide(b.y) - a.y, px = Wide(p.x) - a.x,
+               py = Wide(p.y) - a.y, length = std::hypot(dx, dy);
+    Wide const ux = length > 0 ? dx / length : 0, uy = length > 0 ? dy / length : 0;
+    Wide const along = std::max(Wide(0), std::min(length, ux * px + uy * py));
+    Wide const x = px - along * ux, y = py - along * uy;
+    return {std::hypot(x, y), length > 0 ? along / length : 0, x, y, length};
+}
 
 // Cells with a corner whose area, divided by the lengths of its two sides, is not above `sine`; 0:
 // as the header defines inverted cells, without rounding. Of divided cells the triangles and the

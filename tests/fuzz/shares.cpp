@@ -16,9 +16,7 @@ class Shares {
 public:
     Shares(Solution& whole, Input& input)
         : its_(whole), input_(input), n_(whole.problem.domain.points.size()) {
-        info_.struct_size = sizeof info_;
-        expect(hm_basis_info_get(its_.basis, &info_, &error_) == HM_OK,
-               "no information about a solved basis");
+        info_ = info_of(its_.basis);
         for (std::int32_t k = 0; k < its_.problem.mesh.n_points; ++k)
             lists_[input_.below(2)].push_back(k);
     }
@@ -27,29 +25,19 @@ public:
         for (std::vector<std::int32_t> const& list : lists_)
             if (!list.empty()) rows(list);
         gradient();
-        its_.expect_intact();
+        its_.blocks.expect_intact();
     }
 
 private:
-    template <class Size, class Init>
-    hm_status object(Size const& size, Init const& init) {
-        return make_object([this](std::size_t bytes) -> Block& { return its_.block(bytes); },
-                           error_, size, init);
-    }
-
     hm_basis* share(std::int32_t part, std::int32_t n_parts) {
         std::int32_t first = -1, n = -1;
         hm_basis* made = nullptr;
         expect(hm_share_of(its_.analysis, part, n_parts, &first, &n, &error_) == HM_OK, "no share");
         expect(first == next_ && n >= 0, "shares have gaps");
         next_ = first + n;
-        hm_status const status = object(
-            [&](std::size_t* bytes) {
-                return hm_share_size(its_.analysis, first, n, bytes, &error_);
-            },
-            [&](void* memory, std::size_t bytes) {
-                return hm_share_init(&made, memory, bytes, its_.analysis, first, n, &error_);
-            });
+        hm_status const status =
+            its_.blocks.make(error_, size_by(hm_share_size, its_.analysis, first, n),
+                             init_by(hm_share_init, &made, its_.analysis, first, n));
         expect(status == HM_OK, "a share is refused: " + std::string(error_.text));
         hm_status const solved = hm_plan_solve(its_.plan, made, nullptr, &error_);
         expect_told(solved, error_);
@@ -69,7 +57,7 @@ private:
                 std::size_t bytes = 0;
                 expect(hm_extract_size(whole_share, n, &bytes, &error_) == HM_OK,
                        "no size of rows");
-                expect(hm_extract_init(&rows, its_.block(bytes).data(), bytes, whole_share, n,
+                expect(hm_extract_init(&rows, its_.blocks.take(bytes).data(), bytes, whole_share, n,
                                        points.data(), &error_) == HM_OK,
                        "no rows: " + std::string(error_.text));
                 if (n_parts == 1) break;  // all functions: the rows have their values
@@ -77,7 +65,7 @@ private:
             std::int64_t doubles = 0;
             expect(hm_parcel_size(whole_share, n, &doubles, &error_) == HM_OK,
                    "no size of a parcel");
-            Numbers parcel(static_cast<std::size_t>(doubles));
+            Numbers parcel(at(doubles));
             expect(hm_parcel_pack(whole_share, n, points.data(), parcel.data(), &error_) == HM_OK,
                    "no parcel");
             expect(hm_parcel_unpack(rows, parcel.data(), doubles - 1, &error_) < 0,
@@ -104,16 +92,14 @@ private:
                 expect(hm_basis_values(its_.basis, i, number, of_all.data(), &error_) == HM_OK,
                        "no values");
                 for (std::size_t k = 0; k < list.size(); ++k)
-                    expect(of_rows[k] == of_all[static_cast<std::size_t>(list[k])],
-                           "a share has other bits");
+                    expect(of_rows[k] == of_all[at(list[k])], "a share has other bits");
             }
     }
 
     // Sums of two lists, elementwise, and the whole: bit by bit.
     void gradient() {
-        std::size_t const n_sums =
-            4 * static_cast<std::size_t>(info_.functions * info_.numbers_per_value);
-        Numbers x(n_), y(n_), whole(2 * static_cast<std::size_t>(info_.functions)), summed = whole;
+        std::size_t const n_sums = 4 * at(info_.functions * info_.numbers_per_value);
+        Numbers x(n_), y(n_), whole(2 * at(info_.functions)), summed = whole;
         for (std::size_t k = 0; k < n_; ++k)
             x[k] = input_.between(-1, 1), y[k] = input_.between(-1, 1);
         if (input_.one_in(8)) x[input_.below(static_cast<std::uint32_t>(n_))] = input_.wild();
@@ -126,8 +112,8 @@ private:
             for (std::size_t p = 0; p < 2; ++p) {
                 part_x[p].assign(n_, 0), part_y[p].assign(n_, 0);
                 for (std::int32_t const k : lists_[p]) {
-                    part_x[p][static_cast<std::size_t>(k)] = x[static_cast<std::size_t>(k)];
-                    part_y[p][static_cast<std::size_t>(k)] = y[static_cast<std::size_t>(k)];
+                    part_x[p][at(k)] = x[at(k)];
+                    part_y[p][at(k)] = y[at(k)];
                 }
                 hm_points const gradient_points{part_x[p].data(), part_y[p].data(), 1};
                 std::int32_t own_scale = 0;

@@ -36,14 +36,15 @@ private:
     void safe_morph();
     hm_basis* another_basis();
     void walls_follow(hm_basis* derivative, double fraction);
+    void field_follows(hm_basis* derivative, hm_safe_options const& given,
+                       hm_safe_report const& first);
+    Numbers some_movement();
+    void displace_by(hm_basis* basis, Numbers const& by, Numbers& dx, Numbers& dy);
     void wall_is_at(std::vector<Point> const& at, Numbers const& reached, double turned_offset);
 
     double extent() const;
     std::vector<Point> moved(Numbers const& x, Numbers const& y) const;
     bool marker_slides(std::int32_t marker) const;
-    auto in_its_blocks() const {
-        return [this](std::size_t bytes) -> Block& { return its_.block(bytes); };
-    }
     // The sine of a turned corner has rounding errors: smaller sines may have either sign.
     double rounding_of_turns() const { return problem_.domain.has_polygons ? -1e-15 : 0; }
     bool is_real() const { return info_.numbers_per_value == 1; }

@@ -72,6 +72,9 @@ TEST_CASE("points in pairs give the bits of points in two arrays in all layouts"
                     Assessment const found = harmorph::assess(grid.cells, points, change, executor);
                     check_same(found.limit, apart.limit);
                     check_same(found.quality, apart.quality);
+                    Assessment const without_step =
+                        harmorph::assess(grid.cells, points, change, executor, false);
+                    check_same(without_step.quality, apart.quality);
                 }
                 check_same(harmorph::measure_quality(grid.cells, points, {}, executor), skew);
             }

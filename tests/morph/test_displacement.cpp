@@ -34,6 +34,9 @@ std::vector<Setting> const settings = {
     {"laplace, single", with(options_of(HM_LAPLACE), [](Options& o) { o.precision = HM_SINGLE; })},
     {"multigrid", with(options_of(HM_LAPLACE),
                        [](Options& o) { o.engine = HM_MULTIGRID, o.tolerance = 1e-12; })},
+    {"conformal, multigrid",
+     with(options_of(HM_CONFORMAL),
+          [](Options& o) { o.engine = HM_MULTIGRID, o.tolerance = 1e-12; })},
     {"fas",
      with(options_of(HM_LAPLACE), [](Options& o) { o.engine = HM_FAS, o.tolerance = 1e-11; })},
 };

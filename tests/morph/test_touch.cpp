@@ -200,6 +200,36 @@ TEST_CASE("the two sides of a wall without thickness move together, part, and cl
     CHECK(bent.find().step == HUGE_VAL);
 }
 
+TEST_CASE("the two sides of a wall without thickness may differ by rounding") {
+    std::mt19937 random(3);
+    std::vector<Point> const line = {{0, 0}, {.1, .01}, {.2, .05}, {.3, .07}, {.4, .05}};
+    for (int trial = 0; trial < 200; ++trial) {
+        // The upper side, and back along the lower side, each rounded in its own way.
+        auto const rounded = [&](double a) { return a * (1 + 1e-15 * (uniform(random) - .5)); };
+        double const angle = 6 * uniform(random), c = std::cos(angle), s = std::sin(angle);
+        std::vector<Point> plate, turned;
+        for (std::size_t k = 0; k < 8; ++k) {
+            Point const p = line[k > 4 ? 8 - k : k];
+            plate.push_back({rounded(p.x), rounded(p.y)});
+            turned.push_back(
+                {(c - 1) * plate[k].x - s * plate[k].y + 7, s * plate[k].x + (c - 1) * plate[k].y});
+        }
+        Moving together, apart, through;
+        together.add(plate, turned);
+        apart.add(plate, {{}, {}, {}, {}, {}, {0, -.01}, {0, -.02}, {0, -.01}});
+        through.add(plate, {{}, {}, {}, {}, {}, {}, {0, .02}, {}});
+        for (Moving const* moving : {&together, &apart, &through}) {
+            bool const crosses = moving == &through;
+            CHECK((moving->find().step < 1e-9) == crosses);
+            CHECK((moving->find().step == HUGE_VAL) != crosses);
+            CHECK(harmorph::find_crossing({span(moving->point), span(moving->loop_start)},
+                                          {moving->x.data(), moving->y.data(), 1},
+                                          {moving->dx.data(), moving->dy.data(), 1})
+                      .found == crosses);
+        }
+    }
+}
+
 TEST_CASE("the smaller step is that of a wall which crosses itself without an inverted cell") {
     Case setup = airfoil_case(60, 16, Cells::quads);
     Solved const solved(setup);

@@ -67,6 +67,45 @@ TEST_CASE("products and energies are those of the whole matrix") {
     }
 }
 
+TEST_CASE("products of a Hermitian matrix are those of the whole complex matrix") {
+    Setting const s;
+    std::size_t const n = s.dense.n;
+    // A matrix A + i S, with S antisymmetric but for the diagonal, which must be 0: the row sums of
+    // S compensate its entries.
+    std::mt19937 random(9);
+    std::vector<double> entries, row_sums(n, 0.0);
+    DenseMatrixOf<std::complex<double>> whole(n);
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j) whole.at(i, j) = s.dense.at(i, j);
+    s.front.rows.for_each([&](Index row, Index column, harmorph::Offset) {
+        std::size_t const i = static_cast<std::size_t>(row), j = static_cast<std::size_t>(column);
+        double const entry = 2 * uniform(random) - 1;
+        entries.push_back(entry);
+        row_sums[i] += entry;
+        row_sums[j] -= entry;
+        whole.at(i, j) += std::complex<double>(0, entry);
+        whole.at(j, i) -= std::complex<double>(0, entry);
+    });
+    harmorph::ImaginaryRows const imaginary{{row_sums.data(), n}, {entries.data(), entries.size()}};
+    std::vector<double> y(s.x.size());
+    block::PerFunction<w> const dots =
+        block::multiply<w>(s.front.rows, imaginary, s.x.data(), y.data());
+    for (std::size_t k = 0; k < w / 2; ++k) {
+        auto const value = [&](std::vector<double> const& v, std::size_t i) {
+            return std::complex<double>(v[w * i + k], v[w * i + k + w / 2]);
+        };
+        double energy = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            std::complex<double> expected = 0;
+            for (std::size_t j = 0; j < n; ++j) expected += whole.at(i, j) * value(s.x, j);
+            CHECK(std::abs(expected - value(y, i)) < 1e-12);
+            energy += std::real(std::conj(value(s.x, i)) * expected);
+        }
+        CHECK(dots[static_cast<Index>(k)] == doctest::Approx(energy).epsilon(1e-12));
+        CHECK(dots[static_cast<Index>(k + w / 2)] == dots[static_cast<Index>(k)]);
+    }
+}
+
 TEST_CASE("the triangular solves are inverses of the triangular products") {
     Setting const s;
     std::vector<double> x = product(s.dense, s.x, lower);

@@ -44,6 +44,16 @@ double difference(Solved const& a, Solved const& b) {
     return largest_difference(a.all_values(), b.all_values());
 }
 
+std::vector<double> values_of(Attempt const& attempt) {
+    hm_basis_info const info = info_of(attempt.basis);
+    std::size_t const n = static_cast<std::size_t>(info.points);
+    std::vector<double> out(n * static_cast<std::size_t>(info.functions));
+    for (std::int32_t i = 0; i < info.functions; ++i)
+        REQUIRE(hm_basis_values(attempt.basis, i, 0, &out[n * static_cast<std::size_t>(i)],
+                                nullptr) == HM_OK);
+    return out;
+}
+
 // Both are compared by products with random vectors.
 void check_preconditioner(Case setup) {
     Analysed const seen(setup);
@@ -58,7 +68,7 @@ void check_preconditioner(Case setup) {
     };
     auto const block = laid_out(lay_out);
     harmorph::Fault fault;
-    REQUIRE(engine.set_up(front.rows, fault) == harmorph::Status::ok);
+    REQUIRE(engine.set_up(front.rows, {}, fault) == harmorph::Status::ok);
     REQUIRE(engine.levels.count >= 3);
     REQUIRE(engine.has_bottom);
     harmorph::block::Cycle<4, double> cycle(engine, engine.vectors.data());
@@ -108,6 +118,31 @@ TEST_CASE("multigrid finds the functions of the direct engine on every kind of m
         CHECK(found.report.factor_entries == 0);
         CHECK(found.report.refinements == 0);
         CHECK(found.report.boundary_error == 0);
+    }
+}
+
+TEST_CASE("multigrid finds the conformal functions of the direct engine") {
+    for (int which = 0; which < 7; ++which) {
+        Case setup = which < 3    ? two_body_case(static_cast<Cells>(which), 16, 10)
+                     : which == 3 ? o_mesh_case(60, 1e-6, 40, Cells::triangles)
+                     : which == 4 ? ring_case(16, 64, 0.5, 2)
+                     : which == 5 ? even_case(40)
+                                  : airfoil_case();
+        if (which == 6) setup.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-5, 60, 48)).mesh;
+        for (double const exponent : {-1.0, 1.0, 1.5, 2.0, 4.0}) {
+            Options iterative = multigrid(), exact = direct();
+            iterative.operator_kind = exact.operator_kind = HM_CONFORMAL;
+            iterative.exponent = exact.exponent = exponent;
+            Solved const found(setup, &iterative), expected(setup, &exact);
+            INFO("case " << which << ", exponent " << exponent << ": " << found.report.iterations
+                         << " iterations to " << found.report.residual);
+            double largest = 0;
+            for (double const value : expected.all_values())
+                largest = std::max(largest, std::fabs(value));
+            CHECK(difference(found, expected) < 2e-9 * largest);
+            CHECK(found.report.residual <= 1e-10);
+            CHECK(found.report.iterations <= (exponent < 4 ? 40 : 60));
+        }
     }
 }
 
@@ -353,8 +388,11 @@ TEST_CASE("what does not go together, and numbers out of range, are refused") {
         return Attempt(setup.problem(), &options).status;
     };
     CHECK(status([](Options&) {}) == HM_OK);
-    CHECK(status([](Options& o) { o.operator_kind = HM_CONFORMAL; }) == HM_UNSUPPORTED);
     CHECK(status([](Options& o) { o.engine = 3; }) == HM_UNSUPPORTED);
+    CHECK(status([](Options& o) {
+              o.engine = HM_FAS;
+              o.operator_kind = HM_CONFORMAL;
+          }) == HM_UNSUPPORTED);
     CHECK(status([](Options& o) { o.levels = 21; }) == HM_BAD_ARGUMENT);
     CHECK(status([](Options& o) { o.levels = -1; }) == HM_BAD_ARGUMENT);
     CHECK(status([](Options& o) { o.agglomeration = 1; }) == HM_UNSUPPORTED);
@@ -366,6 +404,54 @@ TEST_CASE("what does not go together, and numbers out of range, are refused") {
     CHECK(status([](Options&) {}) == HM_OK);
     CHECK(status([](Options& o) { o.operator_kind = HM_CONFORMAL; }) == HM_UNSUPPORTED);
     CHECK(status([](Options& o) { o.engine = HM_FAS; }) == HM_UNSUPPORTED);
+}
+
+TEST_CASE("a solution into a solved basis starts from its functions") {
+    for (int which = 0; which < 4; ++which) {
+        Case setup = which == 0   ? even_case(60)
+                     : which == 1 ? o_mesh_case(60, 1e-5, 40)
+                     : which == 2 ? two_body_case(Cells::hybrid, 16, 10)
+                                  : even_case(30);
+        if (which == 3) setup.set_slip(far_field);
+        for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) {
+            if (which == 3 && operator_kind == HM_CONFORMAL) continue;
+            Options options = multigrid();
+            options.operator_kind = operator_kind;
+            Solved const start(setup, &options);
+            std::vector<double> const first = start.all_values();
+            hm_solve_report report{};
+            report.struct_size = sizeof report;
+            REQUIRE(hm_plan_solve(start.plan, start.basis, &report, nullptr) == HM_OK);
+            CHECK(report.iterations <= 1);
+            CHECK(largest_difference(start.all_values(), first) < 1e-9);
+            for (double const size : {1e-2, 1e-4, 1e-6, 1e-8}) {
+                Field const moved = displacement(
+                    start, some_move(report.functions, which == 1 ? 1e-3 * size : size, 3));
+                std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
+                for (std::size_t k = 0; k < x.size(); ++k) {
+                    x[k] += moved[k].real();
+                    y[k] += moved[k].imag();
+                }
+                Solved const warm(setup, &options);
+                Attempt const cold = prepared(setup.problem(), options);
+                hm_solve_report from_zero = report;
+                for (Attempt const* each : {&cold, static_cast<Attempt const*>(&warm)}) {
+                    REQUIRE(hm_plan_factor(each->plan, points_in(x, y), nullptr) == HM_OK);
+                    hm_solve_report& to = each == &cold ? from_zero : report;
+                    REQUIRE(hm_plan_solve(each->plan, each->basis, &to, nullptr) == HM_OK);
+                }
+                std::vector<double> const values = warm.all_values(), expected = values_of(cold);
+                double const change = largest_difference(expected, first);
+                INFO("case " << which << ", operator " << operator_kind << ": from zero "
+                             << from_zero.iterations << " iterations, from functions that are "
+                             << change << " apart " << report.iterations);
+                CHECK(largest_difference(values, expected) < 2e-9);
+                // So many digits are still to be found.
+                double const digits = 10 + std::log10(std::max(change, 1e-10));
+                CHECK(report.iterations <= 0.1 * digits * from_zero.iterations + 3);
+            }
+        }
+    }
 }
 
 TEST_CASE("the callback can stop it; the plan then still solves") {

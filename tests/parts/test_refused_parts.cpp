@@ -153,22 +153,18 @@ TEST_CASE("calls with parts, equations and rows that do not go together") {
     check_texts({
         {HM_BAD_ARGUMENT,
          "mesh.struct_size is not the size of an hm_part_mesh; begin with HM_INIT(mesh)",
-         [&](hm_error* e) { return hm_part_size(&no_size, &bytes, e); }},
+         call_by(hm_part_size, &no_size, &bytes)},
         {HM_BAD_ARGUMENT, room.c_str(),
-         [&](hm_error* e) {
-             return hm_part_edges(one.part, parted.edges.data(), n - 1, &none, e);
-         }},
+         call_by(hm_part_edges, one.part, parted.edges.data(), n - 1, &none)},
         {HM_BAD_ARGUMENT,
          "capacity is smaller than the number of entries, which *n_entries now contains",
-         [&](hm_error* e) {
-             return hm_equations_entries(one.equations, 0, 1, nullptr, nullptr, nullptr, 0,
-                                         &entries, e);
-         }},
+         call_by(hm_equations_entries, one.equations, 0, 1, nullptr, nullptr, nullptr, 0,
+                 &entries)},
         {HM_BAD_BASIS, "the rows were made from other equations",
-         [&](hm_error* e) { return hm_rows_get(of_others, rows, 0, numbers.data(), e); }},
+         call_by(hm_rows_get, of_others, rows, 0, numbers.data())},
         {HM_BAD_BASIS, "the rows are finished; make new ones by hm_rows_init",
-         [&](hm_error* e) { return hm_rows_finish(one.equations, one.rows, 0, e); }},
+         call_by(hm_rows_finish, one.equations, one.rows, 0)},
         {HM_BAD_ARGUMENT, "largest must be finite and at least 0, not infinity",
-         [&](hm_error* e) { return hm_rows_finish(one.equations, rows, HUGE_VAL, e); }},
+         call_by(hm_rows_finish, one.equations, rows, HUGE_VAL)},
     });
 }

@@ -147,7 +147,7 @@ TEST_CASE("arguments of the plane that are NULL, out of range or of another mesh
     check_texts({{HM_UNSUPPORTED,
                   "space contains fields that are set but unknown to this version of the library; "
                   "use the header of this version",
-                  [&](hm_error* e) { return hm_plane_size(&younger.known, &bytes, e); }}});
+                  call_by(hm_plane_size, &younger.known, &bytes)}});
     static std::int32_t const no_corners[200] = {};
     refused(HM_BAD_MESH,
             "by space.face_start the faces have 0 corners, but there must be 3 to 2^31 - 2",

@@ -172,8 +172,11 @@ double Arguments::real(std::string_view option, double fallback, double low, dou
 }
 
 std::int32_t Arguments::choice(std::string_view option, const std::vector<Choice>& choices) const {
-    if (!has(option)) return choices[0].number;
-    const std::string given = text(option);
+    return has(option) ? choice(option, text(option), choices) : choices[0].number;
+}
+
+std::int32_t Arguments::choice(std::string_view option, const std::string& given,
+                               const std::vector<Choice>& choices) const {
     std::string names;
     for (const Choice& choice : choices) {
         if (given == choice.name) return choice.number;

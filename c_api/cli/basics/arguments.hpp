@@ -83,6 +83,9 @@ public:
     std::int32_t choice(
         std::string_view option,
         const std::vector<Choice>& choices) const;  // without the option, the first one
+    // The choice that has this name: a value of an option that may be repeated.
+    std::int32_t choice(std::string_view option, const std::string& given,
+                        const std::vector<Choice>& choices) const;
     double positive(std::string_view option, double fallback) const;
     double real(std::string_view option, double fallback, double low,
                 double high) const;  // low and high are allowed

@@ -2,6 +2,8 @@
 // the bytes do not depend on the number of threads.
 #pragma once
 
+#include "basics/text_out.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -14,7 +16,7 @@ namespace cli {
 void write_in_order(std::ostream& out, std::size_t n_blocks, std::int32_t threads,
                     const std::function<void(std::size_t block, std::string& text)>& make);
 
-// Does the same for n rows, one after another: make(row, text).
+// Does the same for n rows, one after another: make(row, to), to a TextOut.
 template <class Make>
 void write_rows(std::ostream& out, std::size_t n, std::int32_t threads, const Make& make) {
     constexpr std::size_t rows_of_block = 4096;  // so that the text of a block stays in the cache
@@ -23,7 +25,8 @@ void write_rows(std::ostream& out, std::size_t n, std::int32_t threads, const Ma
                        const std::size_t begin = block * rows_of_block,
                                          end =
                                              begin + rows_of_block < n ? begin + rows_of_block : n;
-                       for (std::size_t row = begin; row < end; ++row) make(row, text);
+                       TextOut to(text);
+                       for (std::size_t row = begin; row < end; ++row) make(row, to);
                    });
 }
 

@@ -49,4 +49,12 @@ void run_tasks(std::size_t n, std::int32_t threads, const std::function<void(std
     if (tasks.failure) std::rethrow_exception(tasks.failure);
 }
 
+void run_ranges(std::size_t n, std::int32_t threads, const RangeTask& task) {
+    const auto ranges = static_cast<std::size_t>(std::max(threads, std::int32_t{1}));
+    const std::size_t length = n / ranges + 1;
+    run_tasks(ranges, threads, [&](std::size_t range) {
+        task(std::min(range * length, n), std::min((range + 1) * length, n), range);
+    });
+}
+
 }  // namespace cli

@@ -51,6 +51,11 @@ std::string TextFile::place(std::size_t offset) const {
 }
 
 void TextFile::fail(std::size_t offset, std::string_view message) const {
+    // A basis in the place of another file has no lines that a message could name.
+    if (text_.substr(0, 8) == "harmorph" && text_.substr(0, 16).find('\0') != text_.npos)
+        throw Failure(exit_file, path_ +
+                                     ": the file is a basis, which `harmorph solve` writes; "
+                                     "another file is expected in this place");
     throw Failure(exit_file, (place(offset) + ": ").append(message));
 }
 

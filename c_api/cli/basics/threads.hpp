@@ -1,5 +1,5 @@
-// Threads for the library, as many as --threads says; with one, only the thread of the program
-// runs.
+// Threads for the library, as many as --threads says, and the kernel; with one thread, only the
+// thread of the program runs.
 #pragma once
 
 #include "harmorph_pthreads.h"
@@ -10,10 +10,11 @@ namespace cli {
 
 class Threads {
 public:
-    explicit Threads(std::int32_t count) : started_(count > 1) {
+    explicit Threads(std::int32_t count, std::int32_t kernel = hm_best_kernel())
+        : started_(count > 1) {
         executor_.struct_size = sizeof executor_;
-        executor_.kernel = hm_best_kernel();
         if (started_) executor_ = hm_pthreads_start(&pool_, count);
+        executor_.kernel = kernel;
     }
     ~Threads() {
         if (started_) hm_pthreads_stop(&pool_);

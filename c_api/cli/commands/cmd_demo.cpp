@@ -144,7 +144,7 @@ void run_demo(const Arguments& arguments) {
     step("is the mesh sound?", {"check", mesh});
     step("a B-spline through the airfoil's points",
          {"fit", mesh, "--marker", "airfoil", "-o", curve});
-    step("one harmonic function for each control point",
+    step("one function for each control point",
          {"solve", mesh, "--curve", "airfoil=" + curve, "-o", basis});
     step("one of them as a picture",
          {"export", mesh, basis, "--function", "16", "--svg", in_folder("function.svg")});

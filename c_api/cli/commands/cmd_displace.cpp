@@ -94,6 +94,7 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
     solver.prepare();
     call(mesh, hm_plan_factor, solver.plan(), nullptr);
     found.factor_seconds = whole.seconds();
+    found.engine = solver.engine_reason();
     call(mesh, hm_basis_info_get, static_cast<const hm_basis*>(solver.basis()), &found.info);
     found.curve_points.assign(found.info.curve_point,
                               found.info.curve_point + found.info.curve_points);
@@ -112,7 +113,7 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
          &found.step, nullptr);
     const bool may_improve = found.step.admissible > 1;
     if (!arguments.has("--safe") && arguments.has("--improve") && may_improve)
-        solver.improve(found.moved, found.by);
+        solver.improve(found.moved, found.by, improve_options_of(arguments));
     round_as_file(mesh, found.moved.x, found.moved.y);  // what is judged is what can be written
     const hm_points at = found.moved.read(), start = mesh.coordinates();
     call(mesh, hm_assess, solver.basis(), &view, &at, nullptr, &start, threads.executor(), nullptr,
@@ -165,18 +166,14 @@ Displacement best_displacement(const Arguments& arguments, const Mesh& mesh, con
 
 void run_displace(const Arguments& arguments) {
     if (!arguments.has("--given")) arguments.refuse("--given is missing");
-    for (const char* const option :
-         {"--min-quality", "--max-height-change", "--strict", "--heights"}) {
-        if (!arguments.has("--safe") && arguments.has(option))
-            arguments.refuse(std::string(option) + " needs --safe");
-    }
+    check_safe_options(arguments);
     const Mesh mesh = read_mesh(arguments, 0);
     if (compares_operators(arguments) && arguments.has("--exponent"))
         arguments.refuse(
             "--exponent cannot be used with --operator auto, which compares operators");
     const Task task = task_of(arguments, mesh);
     const WallMovement movement = movement_of(arguments, mesh, task);
-    const Threads threads(threads_of(arguments));
+    const Threads threads(threads_of(arguments), kernel_of(arguments));
     const Displacement found = best_displacement(arguments, mesh, task, movement, threads);
     if (found.safe) warn_of_heights(arguments, *found.safe, found.valid());
     const bool strict = arguments.has("--strict") && !found.warning.empty();
@@ -229,6 +226,7 @@ const Command displace_command = {
             {"--repeat", "N",
              "displace N times, in memory, and report the median time (default 1)"},
             threads_option,
+            kernel_option,
             {"--force", nullptr,
              "write the files even if cells are inverted (exit code 1 all the same)"},
             format_option,
@@ -236,7 +234,8 @@ const Command displace_command = {
             {"--json", nullptr,
              "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing, "
              "min_quality,\n"
-             "mean_quality, factor_seconds (analysis included), displace_seconds; with --safe no\n"
+             "mean_quality, engine (with the reason), factor_seconds (analysis included), "
+             "displace_seconds; with --safe no\n"
              "admissible_step but the keys of `harmorph morph --safe`; with --operator auto "
              "operators (operator,\n"
              "step_fraction, min_quality, seconds, refusal; the one that is taken first)"}},

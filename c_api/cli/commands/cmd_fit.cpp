@@ -50,12 +50,10 @@ private:
 };
 
 std::int32_t closed_option(const Arguments& arguments) {
-    if (!arguments.has("--closed")) return HM_CLOSED_AUTO;
-    const std::string closed = arguments.text("--closed");
-    if (closed == "auto") return HM_CLOSED_AUTO;
-    if (closed == "periodic") return HM_PERIODIC;
-    if (closed == "tied") return HM_TIED;
-    arguments.refuse("--closed expects auto, periodic or tied, not " + in_quotes(closed));
+    return arguments.choice("--closed", {{"auto", HM_CLOSED_AUTO},
+                                         {"periodic", HM_PERIODIC},
+                                         {"tied", HM_TIED},
+                                         {"open", HM_OPEN}});
 }
 
 hm_fit_options fit_options(const Arguments& arguments) {
@@ -258,6 +256,7 @@ const Command fit_command = {
      {"--closed", "HOW",
       "periodic: smooth all round; tied: both ends are one control point, for a sharp trailing "
       "edge;\n"
+      "open: clamped at the first and the last point of the outline, which stay apart;\n"
       "auto (default): no corner: periodic; a straight blunt base between two corners at the end\n"
       "away from the leading edge: open, with a second curve over the base; else tied at the "
       "sharpest "

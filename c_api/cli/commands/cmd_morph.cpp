@@ -1,4 +1,5 @@
 // harmorph morph: moves control points and with them the mesh, and judges the result.
+#include "commands/engine.hpp"
 #include "commands/asked_moves.hpp"
 #include "commands/commands.hpp"
 #include "basics/csv.hpp"
@@ -122,15 +123,16 @@ void run_morph(const Arguments& arguments) {
     if (basis.mesh_has_moved()) tell_of_earlier_movement(arguments, basis);
     std::optional<ToAirfoil> airfoil;
     const std::vector<double> moves = asked_moves(arguments, mesh, basis, airfoil);
-    const Threads threads(threads_of(arguments));
+    const Threads threads(threads_of(arguments), kernel_of(arguments));
     const bool safe = arguments.has("--safe");
-    for (const char* const option :
-         {"--reached", "--min-quality", "--max-height-change", "--strict", "--operator"}) {
+    check_safe_options(arguments);
+    for (const char* const option : {"--reached", "--operator"}) {
         if (!safe && arguments.has(option)) arguments.refuse(std::string(option) + " needs --safe");
     }
     Morph morph = safe ? safe_morph(arguments, mesh, basis, moves, threads)
                        : Morph(basis, mesh, moves, repeats, threads);
-    if (!safe && arguments.has("--improve") && morph.valid()) morph.improve(basis, mesh, threads);
+    if (!safe && arguments.has("--improve") && morph.valid())
+        morph.improve(basis, mesh, threads, improve_options_of(arguments));
     if (safe) warn_of_heights(arguments, morph.safe, morph.valid());
     const bool strict = arguments.has("--strict") && !morph.warning.empty();
     const bool reached = morph.valid() && morph.refusal.empty() && !strict;
@@ -244,6 +246,7 @@ const Command morph_command = {
              "morph N times after a warm-up, in memory, and report the median time (default 1, no "
              "warm-up)"},
             threads_option,
+            kernel_option,
             {"--force", nullptr,
              "write the files even if the morphed mesh is not valid, with --safe the last valid "
              "mesh\n"

@@ -82,8 +82,9 @@ private:
 
     std::size_t batch_size() const {
         constexpr std::size_t numbers = std::size_t{1} << 23;  // 64 MB of coordinates
-        const std::size_t fitting = numbers / (4 * mesh_.x.size() + 1);
+        const std::size_t fitting = numbers / (6 * mesh_.x.size() + 1);
         const auto threads = static_cast<std::size_t>(threads_of(arguments_));
+        if (threads == 1) return 1;  // so that the design stays in the cache until it is written
         return std::clamp<std::size_t>(fitting, threads, 32 * threads);
     }
 
@@ -91,10 +92,10 @@ private:
     std::int64_t run_shard(std::int64_t next) {
         SampleShard shard(folder_, shards_ + 1, mesh_, table_, walls_.get(), distances_.get());
         while (next < space_.count() && shard.accepted() < per_shard_) {
-            std::vector<MorphedDesign> batch(static_cast<std::size_t>(
+            batch_.resize(static_cast<std::size_t>(
                 std::min<std::int64_t>(space_.count() - next, std::int64_t(batch_size()))));
-            compute(batch, next);
-            for (MorphedDesign& result : batch) {
+            compute(batch_, next);
+            for (MorphedDesign& result : batch_) {
                 if (shard.accepted() == per_shard_) break;  // the rest belongs to the next shard
                 take(shard, result, next++);
             }
@@ -122,6 +123,7 @@ private:
     }
 
     void compute(MorphedDesign& result, std::int64_t number) const {
+        result.begin();
         try {
             result.design = space_.design(number);
         } catch (const Failure& failure) {
@@ -228,6 +230,7 @@ private:
     SampleSplits splits_;
     Threads threads_;
     DesignMorpher morpher_;
+    std::vector<MorphedDesign> batch_;  // the designs that are being made
     std::int64_t per_shard_, shards_ = 0, begin_ = 0;
     DesignFiles files_;
     std::unique_ptr<WallChains> walls_;

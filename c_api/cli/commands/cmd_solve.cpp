@@ -50,6 +50,7 @@ void print_json(const Solver& solver, const Stored& stored, const Mesh& mesh,
     object.add("iterations", report.iterations)
         .add("work", report.work)
         .add("levels", report.levels);
+    object.add("engine", solver.engine_reason());
     object.add("setup_seconds", times.setup)
         .add("factor_seconds", times.factor)
         .add("solve_seconds", times.solve);
@@ -65,6 +66,7 @@ void print_for_people(const Solver& solver, const Stored& stored, const Mesh& me
     print("%s on %s and %s, %s\n", plural(report.functions, "function").c_str(),
           plural(mesh.points(), "point").c_str(), plural(mesh.cells(), "cell").c_str(),
           plural(report.unknowns, "unknown").c_str());
+    print("engine           %s\n", solver.engine_reason().c_str());
     for (const std::string& passage : task.passages)
         print("passage          %s\n", passage.c_str());
     print("residual         %s (function %d)\n", brief(report.residual).c_str(),
@@ -172,7 +174,7 @@ void run_solve(const Arguments& arguments) {
     std::vector<double> history(arguments.has("--history") ? longest_history : 0);
     task.options.history = history.data();
     task.options.history_length = static_cast<std::int32_t>(history.size());
-    const Threads threads(threads_of(arguments));
+    const Threads threads(threads_of(arguments), kernel_of(arguments));
     Solver solver(mesh, task, threads);
     const bool converged = solver.run() == HM_OK;
     const SolveTimes times = repeats > 1 ? repeat(solver, repeats) : solver.times();
@@ -222,6 +224,7 @@ const Command solve_command = {
     "starts a comment.\n",
     task_options() + engine_options() +
         std::vector<Option>{
+            history_option,
             {"--given", "A[,B..]",
              "markers whose points move by the tables of --mode (may be repeated)"},
             {"--mode", "FIELD",
@@ -235,6 +238,7 @@ const Command solve_command = {
              "warm-up)"},
             storage_option,
             threads_option,
+            kernel_option,
             {"-o", "BASIS", "file to write (required)", FileUse::output},
             {"--force", nullptr,
              "write the basis even if it has not converged (exit code 1 all the same)"},
@@ -244,7 +248,9 @@ const Command solve_command = {
              "print one JSON object: points, cells, functions, boundary_error, partition_defect, "
              "min_value,\n"
              "max_value, residual, iterations, work (in sweeps over the finest level), levels, "
-             "setup_seconds,\n"
+             "engine "
+             "(with the reason),\n"
+             "setup_seconds, "
              "factor_seconds (of the agglomeration for engines that iterate), solve_seconds, "
              "plan_bytes,\n"
              "basis_bytes, storage"}},

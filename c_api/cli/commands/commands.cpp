@@ -22,7 +22,7 @@ const Command* const commands[] = {
 constexpr const char* introduction =
     "harmorph morphs an airfoil and its mesh together: the airfoil is a B-spline, "
     "and its control points move every point\n"
-    "of the mesh through harmonic functions that are solved once.\n\n"
+    "of the mesh through functions that are solved once.\n\n"
     "Usage: harmorph COMMAND ...\n\n"
     "Commands:\n";
 
@@ -46,7 +46,7 @@ std::string program_help() {
     std::string text = introduction;
     for (const Command* command : commands) {
         std::string name = std::string("  ") + command->name;
-        name.resize(12, ' ');
+        name.resize(15, ' ');  // two blanks at least
         text += name + command->summary + '\n';
     }
     return text + conclusion + "\nFormats of meshes:\n" + format_table();

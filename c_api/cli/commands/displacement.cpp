@@ -64,6 +64,7 @@ void print_json(const Displacement& found) {
     object.add("self_crossing", found.quality.self_crossing != 0);
     object.add("min_quality", found.quality.min_quality)
         .add("mean_quality", found.quality.mean_quality);
+    object.add("engine", found.engine);
     object.add("factor_seconds", found.factor_seconds)
         .add("displace_seconds", found.displace_seconds);
     if (found.safe) add_safe(object, *found.safe, found.warning, nullptr);
@@ -73,6 +74,7 @@ void print_json(const Displacement& found) {
 
 void print_displacement(const Displacement& found) {
     print_trials(found.trials);
+    print("engine           %s\n", found.engine.c_str());
     if (found.safe) print_target(*found.safe);
     print("inverted cells   %d\n", found.quality.inverted);
     if (!found.safe) {
@@ -95,7 +97,8 @@ std::string why_invalid(const Displacement& found, const Mesh& mesh) {
         const std::size_t line = mesh.cell_offset[static_cast<std::size_t>(found.step.cell)];
         text += ": " + brief(found.step.admissible) +
                 " of this displacement is admissible, limited by cell " +
-                std::to_string(found.step.cell) + " (" + mesh.file.place(line) + ")";
+                std::to_string(found.step.cell) + " (" + mesh.file.place(line) + ")" +
+                (found.step.admissible > 0 ? "; --safe goes farther" : "");
     }
     return found.quality.inverted > 0
                ? text

@@ -26,6 +26,7 @@ struct Displacement {
     Field by, moved;
     hm_step_report step = sized<hm_step_report>();
     hm_quality_report quality = sized<hm_quality_report>();
+    std::string engine;                               // with the reason for the engine
     double factor_seconds = 0, displace_seconds = 0;  // displace_seconds: the median of all repeats
     std::optional<hm_safe_report> safe;
     std::string refusal, warning;       // set by the safe displacement

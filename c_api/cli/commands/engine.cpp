@@ -2,11 +2,33 @@
 #include "commands/engine.hpp"
 
 #include "basics/numbers.hpp"
+#include "commands/task.hpp"
 
 #include <algorithm>
 #include <ostream>
 
 namespace cli {
+
+namespace {
+
+// Options that only some engines have; the others refuse them.
+struct EngineOption {
+    const char* name;
+    std::vector<std::int32_t> engines;
+    const char* names;  // of these engines
+};
+const EngineOption engine_option_list[] = {
+    {"--precision", {HM_DIRECT}, "direct"},
+    {"--levels", {HM_MULTIGRID, HM_FAS}, "multigrid or fas"},
+    {"--block-width", {HM_MULTIGRID, HM_FAS}, "multigrid or fas"},
+    {"--max-iterations", {HM_MULTIGRID, HM_FAS}, "multigrid or fas"},
+    {"--history", {HM_MULTIGRID, HM_FAS}, "multigrid or fas"},
+    {"--agglomeration", {HM_FAS}, "fas"},
+    {"--start", {HM_FAS}, "fas"},
+    {"--cycle", {HM_FAS}, "fas"},
+};
+
+}  // namespace
 
 const Option agglomeration_option = {"--agglomeration", "RULE",
                                      "of fas: auto (default), along strong couplings where cells "
@@ -15,24 +37,55 @@ const Option agglomeration_option = {"--agglomeration", "RULE",
 std::vector<Option> engine_options() {
     return {
         {"--engine", "ENGINE",
-         "direct (default): the fastest; multigrid: conjugate gradients, less memory on large "
-         "meshes;\n"
-         "fas: the iteration of the paper, slow (the last two with laplace and weighted)"},
+         "auto (default): the first of direct, direct in single precision and multigrid that fits "
+         "into the\n"
+         "memory; direct: the fastest; multigrid: conjugate gradients; fas: the iteration of the "
+         "paper, slow\n"
+         "(the last two with laplace and weighted)"},
+        memory_option,
         {"--precision", "P",
          "of the direct engine's factor: double (default), or single: half the memory, refined in "
          "double"},
         {"--levels", "N",
          "multigrid and fas: levels at most (default: all there are, 5 or 6 at 10k "
          "points)"},
+        {"--block-width", "N",
+         "multigrid and fas: functions that are solved at a time, 4, 8 (default) or 16"},
+        {"--max-iterations", "N",
+         "multigrid and fas: iterations after which the solution is given up (default 200; fas "
+         "2000 cycles, or\n"
+         "200000 steps on one level)"},
         agglomeration_option,
         {"--start", "START", "of fas: fmg (default), level by level from the coarsest, or zero"},
         {"--cycle", "CYCLE",
          "of fas: paper (default), V-cycles with plain corrections; improved, W-cycles with "
          "smoothed\n"
-         "corrections of optimal length"},
-        {"--history", "F.csv",
-         "multigrid and fas: the largest residual of all functions, cycle by cycle",
-         FileUse::output}};
+         "corrections of optimal length"}};
+}
+
+const Option history_option = {
+    "--history", "F.csv",
+    "multigrid and fas: the largest residual of all functions, cycle by cycle", FileUse::output};
+
+const Option kernel_option = {
+    "--kernel", "KERNEL",
+    "vector instructions: baseline, avx2, avx512 or neon (default: the best that the processor "
+    "has). Functions\n"
+    "that are solved with one kernel have the same bits on all processors"};
+
+std::int32_t kernel_of(const Arguments& arguments) {
+    const std::int32_t best = hm_best_kernel();
+    if (!arguments.has("--kernel")) return best;
+    const std::int32_t kernel = arguments.choice("--kernel", {{"baseline", HM_KERNEL_BASELINE},
+                                                              {"avx2", HM_KERNEL_AVX2},
+                                                              {"avx512", HM_KERNEL_AVX512},
+                                                              {"neon", HM_KERNEL_NEON}});
+    const bool has_kernel = kernel == HM_KERNEL_BASELINE || kernel == best ||
+                            (kernel == HM_KERNEL_AVX2 && best == HM_KERNEL_AVX512);
+    if (!has_kernel)
+        arguments.refuse("--kernel " + arguments.text("--kernel") +
+                         ": this processor does not have these instructions");
+    return kernel;
 }
 
 void set_agglomeration(const Arguments& arguments, SolveOptions& options) {
@@ -42,28 +95,26 @@ void set_agglomeration(const Arguments& arguments, SolveOptions& options) {
                                              {"directional", HM_AGGLOMERATE_DIRECTIONAL}});
 }
 
-void set_engine(const Arguments& arguments, SolveOptions& options) {
-    options.engine = arguments.choice(
-        "--engine", {{"direct", HM_DIRECT}, {"multigrid", HM_MULTIGRID}, {"fas", HM_FAS}});
-    options.precision =
-        arguments.choice("--precision", {{"double", HM_DOUBLE}, {"single", HM_SINGLE}});
-    if (options.engine != HM_DIRECT && arguments.has("--precision"))
-        arguments.refuse("--precision needs --engine direct");
+void set_engine(const Arguments& arguments, Task& task) {
+    SolveOptions& options = task.options;
+    task.choice = engine_choice_of(arguments);
+    options.engine = task.choice.kinds[0].engine;
+    options.precision = task.choice.kinds[0].precision;
+    for (const EngineOption& option : engine_option_list) {
+        const auto& engines = option.engines;
+        if (arguments.has(option.name) &&
+            std::find(engines.begin(), engines.end(), options.engine) == engines.end())
+            arguments.refuse(std::string(option.name) + " needs --engine " + option.names);
+    }
     set_agglomeration(arguments, options);
     options.start =
         arguments.choice("--start", {{"fmg", HM_START_COARSEST}, {"zero", HM_START_ZERO}});
     options.cycle =
         arguments.choice("--cycle", {{"paper", HM_CYCLE_PAPER}, {"improved", HM_CYCLE_IMPROVED}});
-    for (const char* option : {"--agglomeration", "--start", "--cycle"}) {
-        if (options.engine != HM_FAS && arguments.has(option))
-            arguments.refuse(std::string(option) + " needs --engine fas");
-    }
-    if (arguments.has("--levels")) options.levels = arguments.whole("--levels", 0, 1, 20);
-    for (const char* option : {"--levels", "--history"}) {
-        if (options.engine == HM_DIRECT && arguments.has(option)) {
-            arguments.refuse(std::string(option) + " needs --engine multigrid or fas");
-        }
-    }
+    options.levels = arguments.whole("--levels", 0, 1, 20);
+    options.max_iterations = arguments.whole("--max-iterations", 0, 1, INT32_MAX);
+    if (arguments.has("--block-width"))
+        options.block_width = arguments.choice("--block-width", {{"8", 8}, {"4", 4}, {"16", 16}});
 }
 
 void write_history(std::ostream& out, const std::vector<double>& residuals,

@@ -126,12 +126,13 @@ std::vector<double> Morph::moved_control(const Basis& basis) const {
     return control;
 }
 
-void Morph::improve(const Basis& basis, const Mesh& mesh, const Threads& threads) {
+void Morph::improve(const Basis& basis, const Mesh& mesh, const Threads& threads,
+                    const hm_improve_options& options) {
     const Stopwatch watch;
     const Task task = task_of(basis);
     Solver solver(mesh, task, threads);
     solver.prepare();
-    solver.improve(moved, displacement);
+    solver.improve(moved, displacement, options);
     seconds += watch.seconds();
     const hm_step_report step_of_morph = step;
     judge(basis, mesh, threads);

@@ -45,7 +45,8 @@ struct Morph {
     Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target,
           hm_safe_options options, std::int32_t operator_kind, const Threads& threads);
     // Moves inner points to where cells are better. Walls, and therefore `moves`, stay.
-    void improve(const Basis& basis, const Mesh& mesh, const Threads& threads);
+    void improve(const Basis& basis, const Mesh& mesh, const Threads& threads,
+                 const hm_improve_options& options);
     bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
     std::vector<double> moved_control(
         const Basis& basis) const;  // pairs x, y of the control points after `moves`

@@ -81,7 +81,8 @@ std::string why_not_valid(const Morph& morph, const Mesh& mesh) {
             const std::size_t line = mesh.cell_offset[static_cast<std::size_t>(morph.step.cell)];
             text += ": " + brief(morph.step.admissible) +
                     " of this movement is admissible, limited by cell " +
-                    std::to_string(morph.step.cell) + " (" + mesh.file.place(line) + ")";
+                    std::to_string(morph.step.cell) + " (" + mesh.file.place(line) + ")" +
+                    (morph.step.admissible > 0 ? "; --safe goes farther" : "");
         }
     }
     if (morph.quality.self_crossing != 0) {

@@ -7,9 +7,19 @@ namespace cli {
 
 namespace {
 
+const std::vector<Choice> strategies = {{"linear", HM_STRATEGY_LINEAR},
+                                        {"other", HM_STRATEGY_OTHER},
+                                        {"substeps", HM_STRATEGY_SUBSTEPS},
+                                        {"untangled", HM_STRATEGY_UNTANGLED},
+                                        {"improved", HM_STRATEGY_IMPROVED}};
+
 const char* strategy_name(std::int32_t strategy) {
-    static const char* const names[] = {"linear", "other", "substeps", "untangled", "improved"};
-    return names[strategy];
+    return strategies[static_cast<std::size_t>(strategy)].name;
+}
+
+// The part of the heights of the first layer that is to be restored.
+double asked_heights(const Arguments& arguments) {
+    return arguments.real("--heights-part", arguments.has("--heights") ? 1 : 0, 0, 1);
 }
 
 }  // namespace
@@ -99,34 +109,55 @@ void print_worst_cells(const hm_safe_report& safe) {
 }
 
 std::vector<Option> safe_options() {
-    return {{"--safe", nullptr,
-             "reach the target with good cells whatever it takes: other operators, several steps "
-             "on the mesh as it\n"
-             "moves, untangling. A body that turns takes along the offsets of its points from the "
-             "curve"},
-            {"--min-quality", "Q",
-             "for --safe: smallest quality, in parts of the smallest before, 0 to 1 (default "
-             "0.05); where it cannot\n"
-             "be had, the best mesh is written with a warning"},
-            {"--max-height-change", "F",
-             "for --safe: first-layer heights may grow and shrink by this factor at most (default: "
-             "any)"},
-            {"--strict", nullptr,
-             "for --safe: a mesh poorer than asked for is not written, exit code 1"},
-            {"--heights", nullptr,
-             "for --safe: bring distances from the wall back to what they were, near it, as far as "
-             "the smallest\n"
-             "quality is neither halved nor less than is asked for; a warning says if only a part "
-             "comes back"},
-            {"--improve", nullptr,
-             "make the moved mesh better where it is valid: inner points move to where cells are "
-             "more like those of\n"
-             "MESH, and the worst ones are raised; the first layer at walls gets its heights and "
-             "angles back"}};
+    return {
+        {"--safe", nullptr,
+         "reach the target with good cells whatever it takes: other operators, several steps "
+         "on the mesh as it\n"
+         "moves, untangling. A body that turns takes along the offsets of its points from the "
+         "curve"},
+        {"--min-quality", "Q",
+         "for --safe: smallest quality, in parts of the smallest before, 0 to 1 (default "
+         "0.05); where it cannot\n"
+         "be had, the best mesh is written with a warning"},
+        {"--max-height-change", "F",
+         "for --safe: first-layer heights may grow and shrink by this factor at most (default: "
+         "any)"},
+        {"--strict", nullptr,
+         "for --safe: a mesh poorer than asked for is not written, exit code 1"},
+        {"--heights", nullptr,
+         "for --safe: bring distances from the wall back to what they were, near it, as far as "
+         "the smallest\n"
+         "quality is neither halved nor less than is asked for; a warning says if only a part "
+         "comes back"},
+        {"--heights-part", "F",
+         "for --safe: --heights, but only this part of the change is undone, 0 to 1"},
+        {"--max-resolves", "N", "for --safe: new solutions of the functions at most (default 10)"},
+        {"--skip", "STRATEGY",
+         "for --safe: do not try linear, other, substeps, untangled or improved (may be "
+         "repeated)"},
+        {"--improve", nullptr,
+         "make the moved mesh better where it is valid: inner points move to where cells are "
+         "more like those of\n"
+         "MESH, and the worst ones are raised; the first layer at walls gets its heights and "
+         "angles back"},
+        {"--improve-iterations", "N",
+         "for --improve without --safe: steps of Newton's method at most (default 60)"}};
+}
+
+void check_safe_options(const Arguments& arguments) {
+    for (const char* const option : {"--min-quality", "--max-height-change", "--strict",
+                                     "--heights", "--heights-part", "--max-resolves", "--skip"}) {
+        if (!arguments.has("--safe") && arguments.has(option))
+            arguments.refuse(std::string(option) + " needs --safe");
+    }
+    if (arguments.has("--improve-iterations") &&
+        (arguments.has("--safe") || !arguments.has("--improve")))
+        arguments.refuse("--improve-iterations needs --improve, without --safe");
 }
 
 void warn_of_heights(const Arguments& arguments, const hm_safe_report& safe, bool is_valid) {
-    if (!arguments.has("--heights") || safe.heights >= 1 || !is_valid) return;
+    const double asked = asked_heights(arguments);
+    if (safe.heights >= asked || !is_valid) return;
     warn(brief(100 * safe.heights) +
          " % of the change of the distances from the wall was undone by --heights, because more "
          "would "
@@ -136,11 +167,23 @@ void warn_of_heights(const Arguments& arguments, const hm_safe_report& safe, boo
 hm_safe_options safe_options_of(const Arguments& arguments) {
     auto options = sized<hm_safe_options>();
     options.improve = arguments.has("--improve") ? 1 : 0;
-    options.heights = arguments.has("--heights") ? 1 : 0;
+    options.heights = asked_heights(arguments);
     const double quality = arguments.real("--min-quality", .05, 0, 1);
     options.min_quality = quality > 0 ? quality : -1;
     if (arguments.has("--max-height-change"))
         options.max_height_change = arguments.real("--max-height-change", 2, 1.0001, 1e9);
+    if (arguments.has("--max-resolves")) {
+        const std::int32_t most = arguments.whole("--max-resolves", 10, 0, 1000000);
+        options.max_resolves = most > 0 ? most : -1;
+    }
+    for (const std::string& name : arguments.all("--skip"))
+        options.skipped_strategies |= 1 << arguments.choice("--skip", name, strategies);
+    return options;
+}
+
+hm_improve_options improve_options_of(const Arguments& arguments) {
+    auto options = sized<hm_improve_options>();
+    options.max_iterations = arguments.whole("--improve-iterations", 0, 1, 10000);
     return options;
 }
 

@@ -70,6 +70,10 @@ auto best_of_operators(const std::vector<std::int32_t>& kinds, bool all,
 
 std::vector<Option> safe_options();  // all but --other
 hm_safe_options safe_options_of(const Arguments& arguments);
+// Refuses options of --safe and --improve without these.
+void check_safe_options(const Arguments& arguments);
+// Returns hm_improve_options with the value of --improve-iterations.
+hm_improve_options improve_options_of(const Arguments& arguments);
 // A warning where --heights could not bring all of the distances back.
 void warn_of_heights(const Arguments& arguments, const hm_safe_report& safe, bool is_valid);
 

@@ -10,6 +10,7 @@ Solver::Solver(const Mesh& mesh, const Task& task, const Threads& threads)
       curves_view_(task.curves),
       problem_(sized<hm_problem>()),
       options_(task.options),
+      choice_(task.choice),
       report_(sized<hm_solve_report>()) {
     problem_.mesh = &mesh_view_;
     problem_.curves = task.curves.curves.empty() ? nullptr : curves_view_.get();
@@ -41,8 +42,37 @@ hm_status Solver::run() {
 }
 
 void Solver::prepare() {
-    analyse();
+    if (choice_.kinds.empty()) {
+        analyse();
+    } else {
+        const auto try_kind = [this](const EngineKind& kind, double limit) {
+            return memory_with(kind, limit);
+        };
+        engine_reason_ = choose_engine(choice_, try_kind);
+        choice_.kinds.clear();  // another run has the same engine
+    }
     lay_out();
+}
+
+// Makes the analysis for this kind of engine, unless the analysis alone needs more than the limit.
+std::optional<MemoryNeed> Solver::memory_with(const EngineKind& kind, double limit) {
+    options_.engine = kind.engine;
+    options_.precision = kind.precision;
+    std::size_t analysis = 0, plan = 0, basis = 0;
+    hm_error error = {};
+    const bool is_first = kind.name == choice_.kinds[0].name;  // whose refusal is that of the task
+    if (!is_first && hm_analysis_size(&problem_, &options_, &analysis, &error) == HM_UNSUPPORTED)
+        return {};
+    call(mesh_, hm_analysis_size, &problem_, &options_, &analysis);
+    MemoryNeed need = {static_cast<double>(hm_pages_room(analysis)), false};
+    if (need.bytes > limit) return need;
+    analyse();
+    call(mesh_, hm_plan_size, analysis_, &plan);
+    call(mesh_, hm_basis_size, analysis_, &basis);
+    need.bytes +=
+        static_cast<double>(hm_pages_room(plan)) + static_cast<double>(hm_pages_room(basis));
+    need.is_of_all = true;
+    return need;
 }
 
 void Solver::slide(Field& moved, Field& displacement) {
@@ -76,14 +106,14 @@ void Solver::lay_out() {
     call(mesh_, hm_basis_init, &basis_, basis_block_.data(), bytes, analysis_);
 }
 
-void Solver::improve(Field& moved, Field& displacement) {
+void Solver::improve(Field& moved, Field& displacement, const hm_improve_options& options) {
     std::size_t bytes = 0;
     call(mesh_, hm_improve_size, plan_, &bytes);
     Block work(bytes);
     slide(moved, displacement);  // rounded points may be beside their curves, where they are held
     const hm_points from = moved.read();
     const hm_points_out to = moved.write();
-    call(mesh_, hm_improve, plan_, &from, &to, work.data(), bytes, nullptr, nullptr);
+    call(mesh_, hm_improve, plan_, &from, &to, work.data(), bytes, &options, nullptr);
     for (std::size_t point = 0; point < mesh_.x.size(); ++point) {
         displacement.x[point] = moved.x[point] - mesh_.x[point];
         displacement.y[point] = moved.y[point] - mesh_.y[point];

@@ -7,6 +7,8 @@
 #include "commands/task.hpp"
 #include "basics/threads.hpp"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace cli {
@@ -25,14 +27,14 @@ public:
 
     hm_status run();  // from the mesh to the basis; a second run uses the same memory
 
-    void prepare();  // analysis and plan, without the factor
+    void prepare();  // the choice of the engine, analysis and plan, without the factor
 
     // Puts points of a moved mesh that slide along curves onto these curves, and changes the
     // displacement accordingly.
     void slide(Field& moved, Field& displacement);
 
     // Puts inner points of a moved mesh where cells are better.
-    void improve(Field& moved, Field& displacement);
+    void improve(Field& moved, Field& displacement, const hm_improve_options& options);
 
     hm_plan* plan() { return plan_; }
     const hm_basis* basis() const { return basis_; }
@@ -43,9 +45,12 @@ public:
     }  // hm_error.value of the last solution, if that has not converged
     const SolveTimes& times() const { return times_; }
     std::size_t plan_bytes() const { return plan_block_.size(); }
+    // The reason for the engine; empty if the task leaves no choice.
+    const std::string& engine_reason() const { return engine_reason_; }
 
 private:
     void analyse();
+    std::optional<MemoryNeed> memory_with(const EngineKind& kind, double limit);
     void lay_out();
 
     const Mesh& mesh_;
@@ -53,6 +58,8 @@ private:
     CurvesView curves_view_;
     hm_problem problem_;
     SolveOptions options_;
+    EngineChoice choice_;
+    std::string engine_reason_;
     Progress progress_;
     Block analysis_block_, plan_block_, basis_block_;
     hm_analysis* analysis_ = nullptr;

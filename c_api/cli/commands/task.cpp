@@ -50,7 +50,7 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
                                       {"nodal-gradient-plain", HM_NODAL_GRADIENT_PLAIN},
                                       {"bounded", HM_BOUNDED}});
     task.options.offset_correction = arguments.has("--offset-correction") ? 1 : 0;
-    set_engine(arguments, task.options);
+    set_engine(arguments, task);
     add_conditions(arguments, mesh, task);
     return task;
 }

@@ -4,6 +4,7 @@
 
 #include "basics/arguments.hpp"
 #include "mesh/basis_file.hpp"
+#include "commands/engine_choice.hpp"
 #include "commands/solve_options.hpp"
 #include "curves/curves.hpp"
 
@@ -20,6 +21,7 @@ struct Task {
     std::vector<std::int32_t> given_points, given_curves;  // points with known parameters
     std::vector<double> given_u;
     SolveOptions options;
+    EngineChoice choice;  // among engines and precisions that take the place of those of `options`
 };
 
 std::vector<Option> condition_options();

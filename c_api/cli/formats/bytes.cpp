@@ -33,6 +33,11 @@ std::size_t number_length(const Mesh& mesh, std::size_t offset) {
     return end - offset;
 }
 
+std::size_t next_number(const Mesh& mesh, std::size_t end) {
+    if (mesh.in_file.kind != NumberKind::text) return end;
+    return std::min(mesh.file.text().find_first_not_of(blanks, end), mesh.file.text().size());
+}
+
 double read_number(const Mesh& mesh, std::size_t offset) {
     const char* bytes = mesh.file.text().data() + offset;
     const bool swapped = mesh.in_file.swapped;

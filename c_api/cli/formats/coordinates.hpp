@@ -51,6 +51,9 @@ struct FileCoordinates {
     std::size_t axes[2] = {0,
                            1};  // which coordinates of a file of one plane are x and y of the mesh
     std::int64_t n_points = 0;  // of a file with three coordinates, which slots then number
+    // Coordinate x of point k is at Mesh::point_offset[k], and y is the number behind x: such a
+    // file has no slots, which would take more memory than the rest of its mesh.
+    bool in_pairs = false;
     std::vector<CoordinateSlot> slots;
     std::vector<Direction> directions;
     std::vector<Between> between;

@@ -115,8 +115,9 @@ void FluentMesh::add_polygon(std::int32_t cell) {
 }
 
 void FluentMesh::build_flat() {
+    mesh_.in_file.in_pairs = true;
     for (const FluentNode& node : content_.nodes)
-        mesh_.add_point(node.x[0], node.x[1], node.offset[0], node.offset[1]);
+        mesh_.add_point(node.x[0], node.x[1], node.offset[0]);
     for (std::int32_t cell = 0; cell < content_.n_cells; ++cell) add_polygon(cell);
     for (const FluentFace& face : content_.faces) {
         if (!is_boundary(face)) continue;

@@ -167,7 +167,15 @@ std::string moved_file(const Mesh& mesh, const std::string& path) {
 
 Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
     const Format* forced = options.format.empty() ? nullptr : find_format(options.format);
-    Mesh mesh(mesh_file(path));
+    const std::string file = mesh_file(path);
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored))
+        throw Failure(exit_file,
+                      path +
+                          ": the folder has no mesh of OpenFOAM: neither "
+                          "constant/polyMesh/points nor polyMesh/points nor points is in "
+                          "it, with or without .gz");
+    Mesh mesh(file);
     const bool is_packed = is_gzip(mesh.file.text());
     if (is_packed) mesh.file = unpacked(mesh.file);
     const Format& format = forced ? *forced : format_of(mesh.file);

@@ -33,8 +33,7 @@ void create_gmsh(std::ostream& out, const Mesh& mesh) {
         out << "1 " << marker + 2 << " \"" << mesh.markers[marker] << "\"\n";
     }
     out << "$EndPhysicalNames\n$Nodes\n" << mesh.points() << '\n';
-    write_rows(out, mesh.x.size(), mesh.threads, [&](std::size_t i, std::string& row) {
-        TextOut to(row);
+    write_rows(out, mesh.x.size(), mesh.threads, [&](std::size_t i, TextOut& to) {
         (to << i + 1 << ' ').exact(mesh.x[i]);
         (to << ' ').exact(mesh.y[i]) << " 0\n";
     });
@@ -45,15 +44,13 @@ void create_gmsh(std::ostream& out, const Mesh& mesh) {
         out << face + 1 << " 1 2 " << tag << ' ' << tag << ' ' << mesh.face_points[2 * face] + 1
             << ' ' << mesh.face_points[2 * face + 1] + 1 << '\n';
     }
-    write_rows(
-        out, mesh.cell_start.size() - 1, mesh.threads, [&](std::size_t cell, std::string& row) {
-            const std::int32_t begin = mesh.cell_start[cell], end = mesh.cell_start[cell + 1];
-            TextOut to(row);
-            to << n_faces + cell + 1 << (end - begin == 3 ? " 2 2 1 1" : " 3 2 1 1");
-            for (std::int32_t i = begin; i < end; ++i)
-                to << ' ' << mesh.cell_points[static_cast<std::size_t>(i)] + 1;
-            to << '\n';
-        });
+    write_rows(out, mesh.cell_start.size() - 1, mesh.threads, [&](std::size_t cell, TextOut& to) {
+        const std::int32_t begin = mesh.cell_start[cell], end = mesh.cell_start[cell + 1];
+        to << n_faces + cell + 1 << (end - begin == 3 ? " 2 2 1 1" : " 3 2 1 1");
+        for (std::int32_t i = begin; i < end; ++i)
+            to << ' ' << mesh.cell_points[static_cast<std::size_t>(i)] + 1;
+        to << '\n';
+    });
     out << "$EndElements\n";
 }
 

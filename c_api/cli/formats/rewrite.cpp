@@ -13,6 +13,7 @@
 #include <limits>
 #include <ostream>
 #include <sstream>
+#include <utility>
 
 namespace cli {
 
@@ -23,32 +24,29 @@ bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; 
 // Writes the numbers of the file that the moved mesh has changed, and the bytes between them.
 class Rewriter {
 public:
-    Rewriter(const Mesh& mesh, const double* x, const double* y)
-        : mesh_(mesh), x_(x), y_(y), slots_(mesh.in_file.slots) {}
+    Rewriter(const Mesh& mesh, const double* x, const double* y) : mesh_(mesh), x_(x), y_(y) {}
 
     void write(std::ostream& out) {
         const std::string_view text = mesh_.file.text();
-        if (slots_.empty()) return copy(out, text);
+        if (rows() == 0) return copy(out, text);
         if (is_text()) {
             find_style();
             if (style_.needs_tolerance()) find_tolerances();
         }
-        const auto before = [](const CoordinateSlot& a, const CoordinateSlot& b) {
-            return a.offset < b.offset;
-        };
-        if (!std::is_sorted(slots_.begin(), slots_.end(), before)) {
-            sorted_ = slots_;
-            std::sort(sorted_.begin(), sorted_.end(), before);
-        }
-        const std::vector<CoordinateSlot>& in_order = sorted_.empty() ? slots_ : sorted_;
-        copy(out, text.substr(0, in_order.front().offset));
-        write_rows(out, in_order.size(), mesh_.threads, [&](std::size_t k, std::string& to) {
-            const std::size_t end = in_order[k].offset + number_length(mesh_, in_order[k].offset);
-            write_slot(in_order[k], end, to);
-            if (k + 1 < in_order.size()) to += text.substr(end, in_order[k + 1].offset - end);
+        sort();
+        copy(out, text.substr(0, offset_of(0)));
+        write_rows(out, rows(), mesh_.threads, [&](std::size_t row, TextOut& to) {
+            std::size_t at = offset_of(row);
+            for_each_slot(row, [&](const CoordinateSlot& slot, std::size_t end) {
+                to << text.substr(at, slot.offset - at);
+                at = end;
+                write_slot(slot, end, to);
+            });
+            if (row + 1 < rows()) to << text.substr(at, offset_of(row + 1) - at);
         });
-        const std::size_t last = in_order.back().offset;
-        copy(out, text.substr(last + number_length(mesh_, last)));
+        std::size_t behind = 0;
+        for_each_slot(rows() - 1, [&](const CoordinateSlot&, std::size_t end) { behind = end; });
+        copy(out, text.substr(behind));
     }
 
 private:
@@ -57,18 +55,59 @@ private:
     static void copy(std::ostream& out, std::string_view text) {
         out.write(text.data(), static_cast<std::streamsize>(text.size()));
     }
+    // A row is a slot, or a point of a file in pairs.
+    bool in_pairs() const { return mesh_.in_file.in_pairs && sorted_.empty(); }
+    const std::vector<CoordinateSlot>& slots() const {
+        return sorted_.empty() ? mesh_.in_file.slots : sorted_;
+    }
+    std::size_t rows() const { return in_pairs() ? mesh_.point_offset.size() : slots().size(); }
+    std::size_t offset_of(std::size_t row) const {
+        return in_pairs() ? mesh_.point_offset[row] : slots()[row].offset;
+    }
+    // Calls visit(slot, end) for the slots of a row; the number of the slot ends before `end`.
+    template <class Visit>
+    void for_each_slot(std::size_t row, const Visit& visit) const {
+        const auto visit_one = [&](const CoordinateSlot& slot) {
+            const std::size_t end = slot.offset + number_length(mesh_, slot.offset);
+            visit(slot, end);
+            return end;
+        };
+        if (!in_pairs()) {
+            visit_one(slots()[row]);
+            return;
+        }
+        const auto point = static_cast<std::int32_t>(row);
+        const std::size_t end = visit_one({mesh_.point_offset[row], point, takes_x});
+        visit_one({next_number(mesh_, end), point, takes_y});
+    }
+
+    void sort() {  // by place in the file
+        bool is_sorted = true;
+        for (std::size_t row = 1; row < rows() && is_sorted; ++row)
+            is_sorted = offset_of(row - 1) <= offset_of(row);
+        if (is_sorted) return;
+        std::vector<CoordinateSlot> all;
+        for (std::size_t row = 0; row < rows(); ++row)
+            for_each_slot(row,
+                          [&all](const CoordinateSlot& slot, std::size_t) { all.push_back(slot); });
+        std::sort(all.begin(), all.end(), [](const CoordinateSlot& a, const CoordinateSlot& b) {
+            return a.offset < b.offset;
+        });
+        sorted_ = std::move(all);
+    }
+
     bool is_text() const { return mesh_.in_file.kind == NumberKind::text; }
 
-    void write_slot(const CoordinateSlot& slot, std::size_t end, std::string& to) const {
+    void write_slot(const CoordinateSlot& slot, std::size_t end, TextOut& to) const {
         double value = 0, tolerance = std::numeric_limits<double>::infinity();
         if (!is_changed(slot, value, tolerance)) {
-            to += mesh_.file.text().substr(slot.offset, end - slot.offset);
+            to << mesh_.file.text().substr(slot.offset, end - slot.offset);
         } else if (is_text()) {
-            style_.append(to, value, tolerance);
+            style_.append(to.text(), value, tolerance);
         } else {
             char number[8];
             store_real(number, value, mesh_.in_file);
-            to.append(number, end - slot.offset);
+            to << std::string_view(number, end - slot.offset);
         }
     }
 
@@ -151,13 +190,13 @@ private:
     }
 
     void find_style() {
-        const std::size_t part = slots_.size() / static_cast<std::size_t>(mesh_.threads) + 1;
         std::vector<NumberStyle> styles(static_cast<std::size_t>(mesh_.threads));
-        run_tasks(styles.size(), mesh_.threads, [&](std::size_t k) {
+        run_ranges(rows(), mesh_.threads, [&](std::size_t begin, std::size_t last, std::size_t k) {
             NumberStyle style;
-            for (std::size_t i = k * part; i < std::min((k + 1) * part, slots_.size()); ++i) {
-                const std::size_t offset = slots_[i].offset;
-                style.see(mesh_.file.text().substr(offset, number_length(mesh_, offset)));
+            for (std::size_t row = begin; row < last; ++row) {
+                for_each_slot(row, [&](const CoordinateSlot& slot, std::size_t end) {
+                    style.see(mesh_.file.text().substr(slot.offset, end - slot.offset));
+                });
             }
             styles[k] = style;
         });
@@ -166,8 +205,7 @@ private:
 
     const Mesh& mesh_;
     const double *x_, *y_;
-    const std::vector<CoordinateSlot>& slots_;
-    std::vector<CoordinateSlot> sorted_;  // by place in the file; empty: slots_ are sorted
+    std::vector<CoordinateSlot> sorted_;  // by place in the file; empty: the rows are sorted
     std::vector<double> shortest_;        // empty: tolerances are not needed
     NumberStyle style_;
 };

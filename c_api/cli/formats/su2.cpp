@@ -24,18 +24,16 @@ bool probe_su2(const TextFile& file) {
 void create_su2(std::ostream& out, const Mesh& mesh) {
     mesh.refuse_polygons("SU2");
     out << "NDIME= 2\nNELEM= " << mesh.cells() << '\n';
-    write_rows(
-        out, mesh.cell_start.size() - 1, mesh.threads, [&](std::size_t cell, std::string& row) {
-            const std::int32_t begin = mesh.cell_start[cell], end = mesh.cell_start[cell + 1];
-            TextOut to(row);
-            to << static_cast<int>(end - begin == 3 ? element_triangle : element_quad);
-            for (std::int32_t i = begin; i < end; ++i)
-                to << ' ' << mesh.cell_points[static_cast<std::size_t>(i)];
-            to << ' ' << cell << '\n';
-        });
+    write_rows(out, mesh.cell_start.size() - 1, mesh.threads, [&](std::size_t cell, TextOut& to) {
+        const std::int32_t begin = mesh.cell_start[cell], end = mesh.cell_start[cell + 1];
+        to << static_cast<int>(end - begin == 3 ? element_triangle : element_quad);
+        for (std::int32_t i = begin; i < end; ++i)
+            to << ' ' << mesh.cell_points[static_cast<std::size_t>(i)];
+        to << ' ' << cell << '\n';
+    });
     out << "NPOIN= " << mesh.points() << '\n';
-    write_rows(out, mesh.x.size(), mesh.threads, [&](std::size_t point, std::string& row) {
-        TextOut(row) << mesh.x[point] << ' ' << mesh.y[point] << ' ' << point << '\n';
+    write_rows(out, mesh.x.size(), mesh.threads, [&](std::size_t point, TextOut& to) {
+        to << mesh.x[point] << ' ' << mesh.y[point] << ' ' << point << '\n';
     });
     out << "NMARK= " << mesh.markers.size() << '\n';
     for (std::size_t marker = 0; marker < mesh.markers.size(); ++marker) {

@@ -47,23 +47,17 @@ struct PointRows {
         mesh.x.resize(n);
         mesh.y.resize(n);
         mesh.point_offset.resize(n);
-        mesh.in_file.slots.resize(2 * n);
     }
     bool read(PlainRow& row, TableEnd& end) {
         row.over_blanks();
         const auto point = static_cast<std::size_t>(end.rows);
         std::int32_t number = 0;
         const std::size_t x_offset = row.offset();
-        if (!row.real(mesh.x[point])) return false;
-        const std::size_t y_offset = row.offset();
-        if (!row.real(mesh.y[point])) return false;
+        if (!row.real(mesh.x[point]) || !row.real(mesh.y[point])) return false;
         for (int more = 0; more < 2 && row.at_digit(); ++more) {
             if (!row.whole(number)) return false;
         }
         mesh.point_offset[point] = x_offset;
-        const auto slot_point = static_cast<std::int32_t>(point);
-        mesh.in_file.slots[2 * point] = {x_offset, slot_point, takes_x};
-        mesh.in_file.slots[2 * point + 1] = {y_offset, slot_point, takes_y};
         if (!row.end_of_line()) return false;
         ++end.rows;
         return true;
@@ -233,9 +227,10 @@ void Su2Reader::read_points(const Heading& heading) {
     only_once(heading);
     const std::int32_t n = count(heading);
     const std::size_t most = std::min(place(n), mesh_.file.text().size() / 4);  // "0 0" and its end
-    for (auto* const values : {&mesh_.x, &mesh_.y}) values->reserve(most);
-    mesh_.point_offset.reserve(most);
-    mesh_.in_file.slots.reserve(2 * most);
+    reserve_by_threads(mesh_.x, most, mesh_.threads);
+    reserve_by_threads(mesh_.y, most, mesh_.threads);
+    reserve_by_threads(mesh_.point_offset, most, mesh_.threads);
+    mesh_.in_file.in_pairs = true;
     read_rows(n, PointRows{mesh_}, [&](std::int32_t point) {
         const Words& words = data_line("point", point, n);
         if (words.size() < 2 || words.size() > 4)
@@ -244,7 +239,7 @@ void Su2Reader::read_points(const Heading& heading) {
         for (std::size_t i = 0; i < words.size(); ++i) {
             if (!parse(words[i], xyz[i])) lines_.expected("a finite number", words[i]);
         }
-        mesh_.add_point(xyz[0], xyz[1], lines_.offset(words[0]), lines_.offset(words[1]));
+        mesh_.add_point(xyz[0], xyz[1], lines_.offset(words[0]));
         return 0;
     });
 }
@@ -253,9 +248,9 @@ void Su2Reader::read_cells(const Heading& heading) {
     only_once(heading);
     const std::int32_t n = count(heading);
     const std::size_t most = std::min(place(n), mesh_.file.text().size() / 8);  // "5 0 1 2"
-    mesh_.cell_start.reserve(most + 1);
-    mesh_.cell_offset.reserve(most);
-    mesh_.cell_points.reserve(4 * most);
+    reserve_by_threads(mesh_.cell_start, most + 1, mesh_.threads);
+    reserve_by_threads(mesh_.cell_offset, most, mesh_.threads);
+    reserve_by_threads(mesh_.cell_points, 4 * most, mesh_.threads);
     read_rows(n, CellRows{mesh_}, [&](std::int32_t cell) {
         const Words& words = data_line("element", cell, n);
         std::int32_t type = 0;

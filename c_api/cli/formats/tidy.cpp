@@ -2,6 +2,7 @@
 
 #include "mesh/boundary_loops.hpp"
 #include "basics/numbers.hpp"
+#include "basics/tasks.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,10 +23,10 @@ EdgeKey edge_of(std::int32_t a, std::int32_t b) {
     return std::uint64_t{high} << 32 | low;
 }
 
+// Calls visit(from, to) for each edge of the cells from begin on, before end.
 template <class Visit>
-void for_each_edge(const Mesh& mesh,
-                   Visit visit) {  // calls visit(from, to) for each edge of each cell
-    for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
+void for_each_edge(const Mesh& mesh, std::size_t begin, std::size_t end, Visit visit) {
+    for (std::size_t cell = begin; cell < end; ++cell) {
         const std::int32_t* points = mesh.cell_points.data() + mesh.cell_start[cell];
         const std::int32_t n = mesh.cell_start[cell + 1] - mesh.cell_start[cell];
         for (std::int32_t i = 0; i < n; ++i) visit(points[i], points[i + 1 < n ? i + 1 : 0]);
@@ -101,7 +102,19 @@ void check_points(const Mesh& mesh) {
         mesh.file.fail(offset, "the file needs points between 0 and " + last + " here, but " +
                                    found + " follows");
     };
-    for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
+    // All points are looked at by threads, and the first wrong one is searched only if there is
+    // one.
+    const auto n = static_cast<std::uint32_t>(mesh.points());
+    std::vector<char> is_wrong(static_cast<std::size_t>(mesh.threads));
+    run_ranges(mesh.cell_points.size(), mesh.threads,
+               [&](std::size_t begin, std::size_t end, std::size_t range) {
+                   bool wrong = false;
+                   for (std::size_t i = begin; i < end; ++i)
+                       wrong |= static_cast<std::uint32_t>(mesh.cell_points[i]) >= n;
+                   is_wrong[range] = wrong;
+               });
+    const bool any_wrong = std::find(is_wrong.begin(), is_wrong.end(), 1) != is_wrong.end();
+    for (std::size_t cell = 0; any_wrong && cell + 1 < mesh.cell_start.size(); ++cell) {
         for (std::int32_t i = mesh.cell_start[cell]; i < mesh.cell_start[cell + 1]; ++i) {
             check(mesh.cell_points[static_cast<std::size_t>(i)], mesh.cell_offset, cell);
         }
@@ -118,11 +131,22 @@ void drop_interior_faces(Mesh& mesh, bool remark) {
         cells_at[edge_of(a, b)] = 0;
         on_face[static_cast<std::size_t>(a)] = on_face[static_cast<std::size_t>(b)] = 1;
     }
-    for_each_edge(mesh, [&](std::int32_t a, std::int32_t b) {
-        if (!on_face[static_cast<std::size_t>(a)] || !on_face[static_cast<std::size_t>(b)]) return;
-        const auto face = cells_at.find(edge_of(a, b));
-        if (face != cells_at.end()) ++face->second;
-    });
+    // Few edges have both ends on faces: each thread finds those of a range of cells.
+    std::vector<std::vector<EdgeKey>> near(static_cast<std::size_t>(mesh.threads));
+    run_ranges(
+        mesh.cell_start.size() - 1, mesh.threads,
+        [&](std::size_t begin, std::size_t end, std::size_t range) {
+            for_each_edge(mesh, begin, end, [&](std::int32_t a, std::int32_t b) {
+                if (on_face[static_cast<std::size_t>(a)] && on_face[static_cast<std::size_t>(b)])
+                    near[range].push_back(edge_of(a, b));
+            });
+        });
+    for (const std::vector<EdgeKey>& edges : near) {
+        for (const EdgeKey edge : edges) {
+            const auto face = cells_at.find(edge);
+            if (face != cells_at.end()) ++face->second;
+        }
+    }
     std::vector<std::int32_t> dropped(mesh.markers.size());
     std::size_t kept = 0;
     for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
@@ -230,7 +254,7 @@ void name_open_boundary(Mesh& mesh, const std::string& name) {
     };
     const auto for_each_side =
         [&](auto visit) {  // visits faces, too, which count as a second cell beside an edge
-            for_each_edge(mesh, [&](std::int32_t a, std::int32_t b) {
+            for_each_edge(mesh, 0, mesh.cell_start.size() - 1, [&](std::int32_t a, std::int32_t b) {
                 if (exists(a, b)) visit(a, b);
             });
             for (std::size_t i = 0; i < mesh.face_points.size(); i += 2) {

@@ -225,23 +225,21 @@ void read_vtk(Mesh& mesh, const ReadOptions&) { VtkReader(mesh).read(); }
 void create_vtk(std::ostream& out, const Mesh& mesh) {
     out << "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS "
         << mesh.points() << " double\n";
-    write_rows(out, mesh.x.size(), mesh.threads, [&](std::size_t i, std::string& row) {
-        (TextOut(row).exact(mesh.x[i]) << ' ').exact(mesh.y[i]) << " 0\n";
+    write_rows(out, mesh.x.size(), mesh.threads, [&](std::size_t i, TextOut& to) {
+        (to.exact(mesh.x[i]) << ' ').exact(mesh.y[i]) << " 0\n";
     });
     out << "CELLS " << mesh.cells() << ' '
         << mesh.cell_points.size() + static_cast<std::size_t>(mesh.cells()) << '\n';
     const std::size_t n = mesh.cell_start.size() - 1;
-    write_rows(out, n, mesh.threads, [&](std::size_t cell, std::string& row) {
-        TextOut to(row);
+    write_rows(out, n, mesh.threads, [&](std::size_t cell, TextOut& to) {
         to << mesh.cell_start[cell + 1] - mesh.cell_start[cell];
         for (std::int32_t i = mesh.cell_start[cell]; i < mesh.cell_start[cell + 1]; ++i)
             to << ' ' << mesh.cell_points[static_cast<std::size_t>(i)];
         to << '\n';
     });
     out << "CELL_TYPES " << mesh.cells() << '\n';
-    write_rows(out, n, mesh.threads, [&](std::size_t cell, std::string& row) {
-        TextOut(row) << vtk_type(mesh, cell) << '\n';
-    });
+    write_rows(out, n, mesh.threads,
+               [&](std::size_t cell, TextOut& to) { to << vtk_type(mesh, cell) << '\n'; });
 }
 
 }  // namespace

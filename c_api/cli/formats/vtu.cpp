@@ -21,8 +21,8 @@ void write_points(std::ostream& out, const std::vector<double>& x, const std::ve
                   std::int32_t threads) {
     out << "<Points>\n";
     begin_array(out, "Float64", "Points", 3);
-    write_rows(out, x.size(), threads, [&](std::size_t point, std::string& row) {
-        (TextOut(row).exact(x[point]) << ' ').exact(y[point]) << " 0\n";
+    write_rows(out, x.size(), threads, [&](std::size_t point, TextOut& to) {
+        (to.exact(x[point]) << ' ').exact(y[point]) << " 0\n";
     });
     out << "</DataArray>\n</Points>\n";
 }
@@ -31,22 +31,20 @@ void write_cells(std::ostream& out, const Mesh& mesh) {
     const std::size_t n = mesh.cell_start.size() - 1;
     out << "<Cells>\n";
     begin_array(out, "Int32", "connectivity", 1);
-    write_rows(out, n, mesh.threads, [&](std::size_t cell, std::string& row) {
+    write_rows(out, n, mesh.threads, [&](std::size_t cell, TextOut& to) {
         for (std::int32_t i = mesh.cell_start[cell]; i < mesh.cell_start[cell + 1]; ++i) {
-            TextOut(row) << mesh.cell_points[static_cast<std::size_t>(i)]
-                         << (i + 1 < mesh.cell_start[cell + 1] ? ' ' : '\n');
+            to << mesh.cell_points[static_cast<std::size_t>(i)]
+               << (i + 1 < mesh.cell_start[cell + 1] ? ' ' : '\n');
         }
     });
     out << "</DataArray>\n";
     begin_array(out, "Int32", "offsets", 1);
-    write_rows(out, n, mesh.threads, [&](std::size_t cell, std::string& row) {
-        TextOut(row) << mesh.cell_start[cell + 1] << '\n';
-    });
+    write_rows(out, n, mesh.threads,
+               [&](std::size_t cell, TextOut& to) { to << mesh.cell_start[cell + 1] << '\n'; });
     out << "</DataArray>\n";
     begin_array(out, "UInt8", "types", 1);
-    write_rows(out, n, mesh.threads, [&](std::size_t cell, std::string& row) {
-        TextOut(row) << vtk_type(mesh, cell) << '\n';
-    });
+    write_rows(out, n, mesh.threads,
+               [&](std::size_t cell, TextOut& to) { to << vtk_type(mesh, cell) << '\n'; });
     out << "</DataArray>\n</Cells>\n";
 }
 
@@ -57,8 +55,8 @@ void write_point_data(std::ostream& out, const std::vector<PointData>& arrays,
         << "\">\n";
     for (const PointData& data : arrays) {
         begin_array(out, "Float64", data.name, data.components);
-        write_rows(out, data.values.size(), threads, [&](std::size_t i, std::string& row) {
-            TextOut(row).exact(data.values[i]) << ((i + 1) % data.components == 0 ? '\n' : ' ');
+        write_rows(out, data.values.size(), threads, [&](std::size_t i, TextOut& to) {
+            to.exact(data.values[i]) << ((i + 1) % data.components == 0 ? '\n' : ' ');
         });
         out << "</DataArray>\n";
     }

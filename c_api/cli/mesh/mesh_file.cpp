@@ -46,13 +46,10 @@ void Mesh::remark(const std::string& text) {
     if (std::find(remarks.begin(), remarks.end(), text) == remarks.end()) remarks.push_back(text);
 }
 
-void Mesh::add_point(double point_x, double point_y, std::size_t x_offset, std::size_t y_offset) {
-    const std::int32_t point = points();
+void Mesh::add_point(double point_x, double point_y, std::size_t x_offset) {
     x.push_back(point_x);
     y.push_back(point_y);
     point_offset.push_back(x_offset);
-    in_file.slots.push_back({x_offset, point, takes_x});
-    in_file.slots.push_back({y_offset, point, takes_y});
 }
 
 void Mesh::refuse_polygons(const std::string& who) const {

@@ -52,7 +52,10 @@ void DesignMorpher::take(MorphedDesign& result, const Field& moved) const {
 
 void DesignMorpher::morph_linearly(MorphedDesign& result) const {
     const std::size_t n = mesh_.x.size();
-    Field moved(n), displacement(n);
+    Field &moved = result.moved, &displacement = result.displacement;
+    for (std::vector<double>* const numbers :
+         {&moved.x, &moved.y, &displacement.x, &displacement.y})
+        numbers->resize(n);
     const std::vector<double>& moves = result.design.moves;
     const hm_points from = mesh_.coordinates();
     const hm_points_out to = moved.write();

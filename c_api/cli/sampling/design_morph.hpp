@@ -13,6 +13,7 @@
 
 namespace cli {
 
+// The memory of a design serves the next one again.
 struct MorphedDesign {
     Design design;
     std::vector<double> coordinates;  // [points][2]
@@ -23,6 +24,17 @@ struct MorphedDesign {
     std::string refusal;       // why the design is rejected
     bool needs_safe = false;   // one linear step is not good enough
     std::exception_ptr fault;  // an error that is not about the design
+    Field moved{0}, displacement{0};  // of the mesh, by the linear step
+
+    void begin() {  // a new design, which has no mesh yet
+        design = {};
+        measures.clear();
+        admissible_step = min_quality = mean_quality = 0;
+        way = "";
+        refusal.clear();
+        needs_safe = false;
+        fault = nullptr;
+    }
 };
 
 class DesignMorpher {

@@ -78,17 +78,19 @@ void SampleTable::write_names(std::ostream& out) const {
 
 void SampleTable::write(std::ostream& stream, const SampleRow& row) const {
     std::string text;
-    TextOut out(text);
-    out << row.design + 1 << ',' << (row.is_accepted() ? '1' : '0') << ',' << row.split << ',';
-    if (row.is_accepted()) out << row.shard << ',' << row.row;
-    else out << ',';
-    out << ',' << row.way;
-    for (const double value : row.numbers) {
-        out << ',';
-        if (std::isinf(value)) out << "inf";
-        else if (!std::isnan(value)) out << value;
+    {
+        TextOut out(text);
+        out << row.design + 1 << ',' << (row.is_accepted() ? '1' : '0') << ',' << row.split << ',';
+        if (row.is_accepted()) out << row.shard << ',' << row.row;
+        else out << ',';
+        out << ',' << row.way;
+        for (const double value : row.numbers) {
+            out << ',';
+            if (std::isinf(value)) out << "inf";
+            else if (!std::isnan(value)) out << value;
+        }
+        out << ',' << quoted(row.section) << ',' << quoted(row.reason) << '\n';
     }
-    out << ',' << quoted(row.section) << ',' << quoted(row.reason) << '\n';
     stream << text;
 }
 

@@ -174,6 +174,8 @@ simple crossing "patches (cylinder); safe off;" "{ type fixedValue; value unifor
 refused crossing "harmorph cannot move the mesh: .*HM_"
 simple free "patches (cylinder); safe off;" "{ type fixedValue; value uniform (0.1 0 0); }" "{ type zeroGradient; }"
 refused free "harmorph cannot analyse the mesh: .*HM_UNSUPPORTED"
+simple unknown "patches (cylinder); reports 1;" "$fixed"
+refused unknown "The coefficient reports is unknown. The coefficients are"
 simple exponent "patches (cylinder); exponent 0.375;" "$fixed"
 refused exponent "The exponent 0.375 is not a multiple of 0.25"
 # A layer of cells at the outlet is thicker than it may be, so OpenFOAM adds a layer.

@@ -2,7 +2,7 @@
 # usage: pitching.sh FOLDER STEP END SOLVER...   (the library of the motion solver is found by LD_LIBRARY_PATH)
 # The airfoil of OpenFOAM's tutorial airFoil2D turns about its quarter chord, by STEP degrees in each step until END.
 # For each SOLVER prints a line: the last angle before OpenFOAM's check of the mesh first fails, and the processor time
-# of a step.
+# of a step. Where a run ends early, the end of its output follows.
 #
 #   harmorph             with safe steps, the default
 #   harmorph-one         with one factorisation: safe off; refactor 0;
@@ -52,13 +52,15 @@ for solver; do
     seconds=$(awk '/^user/ { print $2 }' "$case/time")
     # moveDynamicMesh checks the mesh after each step; the tutorial's own mesh has an error of topology, the order of
     # its faces, so errors of geometry count.
-    awk -v solver="$solver" -v seconds="$seconds" '
+    awk -v solver="$solver" -v seconds="$seconds" -v end="$end" '
         /^Time = / { angle = $3; ++steps }
         /Failed [0-9]+ mesh geometry checks/ && first == "" { first = angle }
         /Mesh geometry OK/ && first == "" { last = angle }
         END {
-            printf "%-34s %6s degrees without an error, first error at %s; %.1f ms a step\n", solver, last,
-                first == "" ? "none" : first, 1000 * seconds / steps
+            if (!steps) { printf "%-34s does not begin\n", solver; exit }
+            what = first != "" ? "first error at " first : angle < end ? "the run ends at " angle : "no error at all"
+            printf "%-34s %6s degrees without an error, %s; %.1f ms a step\n",
+                solver, last, what, 1000 * seconds / steps
         }' "$case/log"
-    [ $status = 0 ] || tail -n 12 "$case/log" | sed 's/^/    /'
+    [ $status = 0 ] || { tail -n 2 "$case/log"; grep -A 2 'FOAM FATAL' "$case/time"; } | sed 's/^/    /'
 done

@@ -29,7 +29,7 @@ class USMesh(Surface):
         The common grid, the same on all processes. A :class:`harmorph.Mesh`, or a file of it, lies
         in the plane z = 0 of the solver; a :class:`harmorph.Plane` is a grid one cell thick, or a
         wedge, whose points are those of the grid of three dimensions.
-    surfaces : sequence of marker
+    surfaces : marker or sequence of marker
         The markers that the solver's surface consists of.
     comm : mpi4py communicator, optional
         Each process then gives and receives its own part of the surface and of the grid. None: one
@@ -51,7 +51,7 @@ class USMesh(Surface):
     def __init__(
         self,
         grid: Union[Mesh, Plane, str],
-        surfaces: Sequence[Marker],
+        surfaces: Union[Marker, Sequence[Marker]],
         comm: Any = None,
         *,
         conditions: Given = None,
@@ -64,7 +64,8 @@ class USMesh(Surface):
             mesh = grid.mesh
         else:
             mesh = grid if isinstance(grid, Mesh) else Mesh.read(grid)
-        given: List[Tuple[Marker, Any]] = [(name, "given") for name in surfaces]
+        names = [surfaces] if isinstance(surfaces, (str, int)) else surfaces
+        given: List[Tuple[Marker, Any]] = [(name, "given") for name in names]
         more = conditions.items() if isinstance(conditions, Mapping) else conditions or ()
         others: List[Tuple[Marker, Any]] = list(more)
         self._morph = Morph(mesh, conditions=given + others, **options)

@@ -88,7 +88,7 @@ def test_a_random_seed(random):
 
 
 def test_a_grid_from_a_file(meshes, tmp_path):
-    warper = USMesh(meshes / "naca0012.su2", ["airfoil"], operator="laplace")
+    warper = USMesh(meshes / "naca0012.su2", "airfoil", operator="laplace")
     coordinates = warper.getSurfaceCoordinates()
     assert coordinates.shape == (132, 3)
     warper.setSurfaceCoordinates(coordinates + [0.01, 0.02, 0])

@@ -110,12 +110,13 @@ contains
             end do
             if (found /= m) call stop_run("A boundary face has another number of points than expected.")
         end do
+        all = m * n
+        if (irangp >= 0) call parcpt(all)
+        if (all == 0) call stop_run("No face of the boundary is in: " // criterion)
         if (irangp < 0) then
             corners = own
             return
         end if
-        all = m * n
-        call parcpt(all)
         allocate(of_all(2 * all))
         call paragv(2 * m * n, 2 * all, reshape(own, [2 * m * n]), of_all)
         corners = reshape(of_all, [2, all])

@@ -46,11 +46,24 @@ Mesh unstructured_mesh(double size) {
     return hybrid_mesh(fixtures::naca4({}, n_side), options);
 }
 
+// The unstructured mesh with all y divided by `by`, turned by 30 degrees.
+Mesh stretched_mesh(double size, double by) {
+    Mesh out = unstructured_mesh(size);
+    double const c = std::cos(pi / 6), s = std::sin(pi / 6);
+    for (std::size_t k = 0; k < out.x.size(); ++k) {
+        double const x = out.x[k], y = out.y[k] / by;
+        out.x[k] = c * x - s * y;
+        out.y[k] = s * x + c * y;
+    }
+    return out;
+}
+
 }  // namespace
 
 std::vector<std::string> const& known_kinds() {
-    static std::vector<std::string> const kinds = {"iso", "viscous", "thin", "unstructured",
-                                                   "shuffled"};
+    static std::vector<std::string> const kinds = {"iso",          "viscous",      "thin",
+                                                   "unstructured", "shuffled",     "stretched10",
+                                                   "stretched100", "stretched1000"};
     return kinds;
 }
 
@@ -61,6 +74,8 @@ Case make_case(std::string const& kind, Index size) {
     else if (kind == "viscous") out.mesh = viscous_mesh(size, 1e-5);
     else if (kind == "thin") out.mesh = viscous_mesh(size, 1e-6);
     else if (kind == "unstructured" || kind == "shuffled") out.mesh = unstructured_mesh(size);
+    else if (kind.rfind("stretched1", 0) == 0)
+        out.mesh = stretched_mesh(size, std::stod(kind.substr(9)));
     else throw std::invalid_argument("no such kind of mesh: " + kind);
     for (Index const marker : out.mesh.face_markers) out.wall_points += marker == fixtures::body;
     if (kind == "shuffled") {

@@ -30,6 +30,20 @@ private:
     Clock::time_point start_ = Clock::now();
 };
 
+// Processor time of the program, all threads together: programs beside this one hardly change it.
+class ProcessorWatch {
+public:
+    double seconds() const { return static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
+    double lap() {
+        double const passed = seconds();
+        start_ = std::clock();
+        return passed;
+    }
+
+private:
+    std::clock_t start_ = std::clock();
+};
+
 // Returns the share of one processor that this program had since the start: less than 1 if other
 // programs ran.
 class ProcessorShare {

@@ -22,12 +22,14 @@ namespace bench {
 namespace {
 
 char const* const usage =
-    "usage: bench [--parts \"dense solve threads iterative displace safe morph\"] [--sizes \"10000 "
+    "usage: bench [--parts \"dense solve threads iterative memory displace safe morph\"] [--sizes "
+    "\"10000 "
     "100000 1000000\"]\n"
     "             [--kinds \"iso viscous thin unstructured shuffled\"] [--functions \"20 60\"] "
     "[--threads N] "
     "[--repeats N]\n"
-    "             [--kernel 0..4] [--precision double|single] [--elasticity POINTS] [--json "
+    "             [--kernel 0..4] [--precision double|single] [--elasticity POINTS] [--gibibytes "
+    "N] [--json "
     "FILE]\n";
 
 template <class T>
@@ -60,6 +62,7 @@ Settings read(int argc, char** argv) {
         else if (name == "--kernel") out.kernel = words<int>(text)[0];
         else if (name == "--precision") out.precision = precision(text);
         else if (name == "--elasticity") out.elasticity = words<std::int32_t>(text)[0];
+        else if (name == "--gibibytes") out.gibibytes = words<int>(text)[0];
         else if (name == "--json") out.json = text;
         else throw std::invalid_argument("no such option: " + name);
     }
@@ -132,6 +135,7 @@ void run(Settings settings) {
     report.fact("threads", std::to_string(settings.threads));
     for (SolverPackage const& package : solver_packages())
         report.fact(package.name, presence(package));
+    report.fact("PETSc", iterative_peers().empty() ? "not linked" : "linked");
     report.fact("OpenBLAS",
                 blas() != nullptr
                     ? blas()->name()
@@ -152,6 +156,7 @@ void run(Settings settings) {
     part("solve", [&] { bench_solve(settings, report); });
     part("threads", [&] { bench_threads(settings, report); });
     part("iterative", [&] { bench_iterative(settings, report); });
+    part("memory", [&] { bench_memory(settings, report); });
     part("displace", [&] { bench_displace(settings, report); });
     part("safe", [&] { bench_safe(settings, report); });
     part("morph", [&] { bench_morph(settings, limits, report); });

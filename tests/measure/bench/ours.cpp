@@ -7,9 +7,15 @@ namespace bench {
 
 // The progress callback: a phase lasts from its fraction 0 to its fraction 1.
 struct Ours::Clock {
-    Stopwatch watch;
+    TimeKind kind;
+    Stopwatch watch{};
+    ProcessorWatch processor{};
     double begin = 0;
-    Phases phases;
+    Phases phases{};
+
+    double seconds() const {
+        return kind == TimeKind::wall ? watch.seconds() : processor.seconds();
+    }
 
     double* seconds_of(Index phase) {
         switch (phase) {
@@ -27,8 +33,8 @@ struct Ours::Clock {
         Clock& self = *static_cast<Clock*>(user);
         double* const seconds = self.seconds_of(phase);
         if (seconds == nullptr) return 0;
-        if (fraction <= 0) self.begin = self.watch.seconds();
-        if (fraction >= 1) *seconds += self.watch.seconds() - self.begin;
+        if (fraction <= 0) self.begin = self.seconds();
+        if (fraction >= 1) *seconds += self.seconds() - self.begin;
         return 0;
     }
 };
@@ -44,41 +50,63 @@ Ours::Ours(Case const& mesh_case, Workspace& workspace, Index functions,
       operator_kind_(operator_kind),
       fit_(mesh_case, functions) {}
 
-Phases Ours::run() {
-    Problem const problem(case_, fit_);
-    Clock clock;
+struct Ours::Asked {
+    Problem problem;
     Options options{};
-    options.operator_kind = operator_kind_;
-    options.executor = executor_;
-    options.engine = engine_;
-    options.precision = precision_;
-    if (engine_ != HM_DIRECT) options.block_width = 4;
-    if (engine_ == HM_FAS) options.cycle = HM_CYCLE_IMPROVED;
-    options.progress = Clock::told;
-    options.progress_user = &clock;
+
+    explicit Asked(Ours const& ours) : problem(ours.case_, ours.fit_) {
+        options.operator_kind = ours.operator_kind_;
+        options.executor = ours.executor_;
+        options.engine = ours.engine_;
+        options.precision = ours.precision_;
+        if (options.engine == HM_FAS) {
+            options.block_width = 4;
+            options.cycle = HM_CYCLE_IMPROVED;
+        }
+    }
+};
+
+hm_analysis* Ours::analyse(Asked& asked) {
+    hm_error error{};
+    std::size_t bytes = 0;
+    hm_problem const& given = asked.problem.given;
+    require(hm_analysis_size(&given, &asked.options, &bytes, &error), error, "hm_analysis_size");
+    analysis_bytes_ = static_cast<double>(bytes);
+    hm_analysis* analysis = nullptr;
+    void* const block = workspace_.analysis.give(bytes);
+    require(hm_analysis_init(&analysis, block, bytes, &given, &asked.options, &error), error,
+            "hm_analysis_init");
+    require(hm_basis_size(analysis, &bytes, &error), error, "hm_basis_size");
+    basis_bytes_ = static_cast<double>(bytes);
+    require(hm_plan_size(analysis, &bytes, &error), error, "hm_plan_size");
+    plan_bytes_ = static_cast<double>(bytes);
+    return analysis;
+}
+
+void Ours::query() {
+    Asked asked(*this);
+    analyse(asked);
+}
+
+Phases Ours::run(TimeKind kind) {
+    Asked asked(*this);
+    Clock clock{kind};
+    asked.options.progress = Clock::told;
+    asked.options.progress_user = &clock;
 
     hm_error error{};
     auto done = [&](hm_status status, const char* call) { require(status, error, call); };
-    std::size_t bytes = 0;
-    done(hm_analysis_size(&problem.given, &options, &bytes, &error), "hm_analysis_size");
-    hm_analysis* analysis = nullptr;
-    analysis_bytes_ = static_cast<double>(bytes);
-    void* block = workspace_.analysis.give(bytes);
-    done(hm_analysis_init(&analysis, block, bytes, &problem.given, &options, &error),
-         "hm_analysis_init");
-
-    done(hm_basis_size(analysis, &bytes, &error), "hm_basis_size");
-    block = basis_block_.give(bytes);
-    done(hm_basis_init(&basis_, block, bytes, analysis, &error), "hm_basis_init");
+    hm_analysis* const analysis = analyse(asked);
+    auto const size = [](double bytes) { return static_cast<std::size_t>(bytes); };
+    void* block = basis_block_.give(size(basis_bytes_));
+    done(hm_basis_init(&basis_, block, size(basis_bytes_), analysis, &error), "hm_basis_init");
 
     hm_plan* plan = nullptr;
-    done(hm_plan_size(analysis, &bytes, &error), "hm_plan_size");
-    plan_bytes_ = static_cast<double>(bytes);
-    block = workspace_.plan.give(bytes);
-    Stopwatch planning;
-    done(hm_plan_init(&plan, block, bytes, analysis, &error), "hm_plan_init");
+    block = workspace_.plan.give(size(plan_bytes_));
+    double const begin = clock.seconds();
+    done(hm_plan_init(&plan, block, size(plan_bytes_), analysis, &error), "hm_plan_init");
     // It also copies the mesh's structure, but most of it is symbolic work that no phase tells of.
-    clock.phases.symbolic += planning.seconds();
+    clock.phases.symbolic += clock.seconds() - begin;
 
     done(hm_plan_factor(plan, nullptr, &error), "hm_plan_factor");
     report_.struct_size = sizeof report_;

@@ -24,6 +24,7 @@ struct Phases {
 };
 
 enum class Pages { plain, huge };
+enum class TimeKind { wall, processor };
 
 // Memory comes untouched, and is kept for the next run.
 struct Block {
@@ -60,24 +61,29 @@ struct Workspace {
 
 class Ours {
 public:
-    // precision: of the direct engine's factor. Engines that iterate: functions in blocks of 4.
-    // Their report may say that they have not converged.
+    // precision: of the direct engine's factor. FAS is the improved one, with functions in blocks
+    // of 4. The report of an engine that iterates may say that the engine has not converged.
     Ours(Case const& mesh_case, Workspace& workspace, Index functions, hm_executor const* executor,
          Index engine = HM_DIRECT, Index precision = HM_DOUBLE, Index operator_kind = HM_LAPLACE);
     Ours(Ours const&) = delete;
 
     // Runs from the beginning, in the same blocks each time; the first run is the warm-up.
-    Phases run();
+    Phases run(TimeKind kind = TimeKind::wall);
+    // The size queries alone: analysis_bytes(), plan_bytes() and basis_bytes(), no solution.
+    void query();
     hm_basis const* basis() const { return basis_; }
     Fit const& fit() const { return fit_; }
     Index functions() const { return functions_; }
     double plan_bytes() const { return plan_bytes_; }
     double analysis_bytes() const { return analysis_bytes_; }
+    double basis_bytes() const { return basis_bytes_; }
     double factor_entries() const { return static_cast<double>(report_.factor_entries); }
     hm_solve_report const& report() const { return report_; }
 
 private:
     struct Clock;
+    struct Asked;  // the problem with its options
+    hm_analysis* analyse(Asked& asked);
 
     Case const& case_;
     Workspace& workspace_;
@@ -87,7 +93,7 @@ private:
     Fit fit_;
     Block basis_block_;
     hm_basis* basis_ = nullptr;
-    double analysis_bytes_ = 0, plan_bytes_ = 0;
+    double analysis_bytes_ = 0, plan_bytes_ = 0, basis_bytes_ = 0;
     hm_solve_report report_{};
 };
 

@@ -2,6 +2,11 @@
 
 namespace bench {
 
+// Null unless the file is linked: PETSc's MPI library excludes that of the sequential MUMPS.
+__attribute__((weak)) SolverPeers make_petsc();
+
+SolverPeers iterative_peers() { return make_petsc != nullptr ? make_petsc() : SolverPeers{}; }
+
 std::vector<SolverPackage> const& solver_packages() {
     static std::vector<SolverPackage> const packages = {
 #ifdef HAVE_CHOLMOD

@@ -14,6 +14,9 @@ struct SolverPackage {
 
 std::vector<SolverPackage> const& solver_packages();
 
+// PETSc's preconditioned iterations; empty: run.sh has not linked PETSc.
+SolverPeers iterative_peers();
+
 // Null: not installed.
 Blas const* blas();
 

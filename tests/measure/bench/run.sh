@@ -1,11 +1,14 @@
 #!/bin/sh
 # `make bench`: finds out which peers this machine has, builds what changed, runs. Everything may be set from outside:
-#   make bench SIZES="10000 100000" KINDS=iso PARTS="dense solve threads iterative displace safe morph files" \
-#       FUNCTIONS="20 60" THREADS="1 2" REPEATS=5 PRECISION=single ELASTICITY=1000000 JSON=bench.json
+#   make bench SIZES="10000 100000" KINDS=iso PARTS="dense solve threads iterative memory displace safe morph files" \
+#       FUNCTIONS="20 60" THREADS="1 2" REPEATS=5 PRECISION=single ELASTICITY=1000000 GIBIBYTES=24 JSON=bench.json
 # BUILD_ONLY=1 only builds $BUILD/bench/bench.
 : "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS:=-O3}"
 : "${PARTS:=dense solve morph}"
-if [ "$PARTS" = iterative ]; then : "${SIZES:=10000 100000}"; fi # engines that iterate take minutes at a million points
+case $PARTS in
+iterative) : "${FUNCTIONS:=20}" "${SIZES:=10000 100000}" ;; # a million points take minutes
+memory) : "${SIZES:=1000 10000 100000 1000000 4000000 16000000}" "${KINDS:=iso}" ;;
+esac
 : "${SIZES:=10000 100000 1000000}" "${KINDS:=iso viscous unstructured}"
 : "${FUNCTIONS:=20 60}" "${THREADS:=1}"
 set -e
@@ -21,7 +24,7 @@ sources=$(ls $here/*.cpp | grep -v /peer_)
 
 # A peer is there if a program that calls it can be built. The order on the link line matters: OpenBLAS first, so that
 # CHOLMOD, which is linked with any BLAS, takes it too.
-defines= libraries=
+defines= libraries= petsc=
 peer() {   # name, libraries, declaration and call
     printf '%s\nint main() { %s; }\n' "$3" "$4" >"$out/probe.cpp"
     $CXX -std=c++17 -o "$out/probe" "$out/probe.cpp" $2 2>/dev/null || return 0
@@ -29,12 +32,21 @@ peer() {   # name, libraries, declaration and call
     libraries="$libraries $2"
     sources="$sources $here/peer_$1.cpp"
 }
+# PETSc and the sequential MUMPS have different MPI libraries: where engines that iterate are measured, it is PETSc.
+case " $PARTS " in *" iterative "*)
+    petsc=$(pkg-config --cflags petsc mpi 2>/dev/null | sed 's/-I/-isystem /g') || true ;;
+esac
 peer openblas "-lopenblas" 'extern "C" char* openblas_get_config(void);' 'openblas_get_config()'
 peer cholmod "-lcholmod" '#include <suitesparse/cholmod.h>' 'cholmod_common common; cholmod_start(&common)'
-peer mumps "-ldmumps_seq -lmumps_common_seq -lpord_seq -lmpiseq_seq" '#include <dmumps_c.h>' \
+[ -n "$petsc" ] || peer mumps "-ldmumps_seq -lmumps_common_seq -lpord_seq -lmpiseq_seq" '#include <dmumps_c.h>' \
     'DMUMPS_STRUC_C its{}; its.job = -2; dmumps_c(&its)'
 peer superlu "-lsuperlu" '#include <superlu/slu_ddefs.h>' 'SuperLUStat_t statistics; StatInit(&statistics)'
 peer eigen "" '#include <eigen3/Eigen/SparseCholesky>' 'Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver'
+
+if [ -n "$petsc" ]; then
+    sources="$sources $here/peer_petsc.cpp"
+    libraries="$libraries $(pkg-config --libs petsc mpi)"
+fi
 
 # Objects are old when a source, any header or the command is newer.
 command="$CXX $CXXFLAGS $flags $defines"
@@ -44,10 +56,12 @@ objects=
 for source in $sources; do
     object=$out/$(basename "$source" .cpp).o
     objects="$objects $object"
-    needs="$source $here/*.hpp tests/fixtures/*.hpp include/harmorph/*/*.hpp include/harmorph.h"
+    needs="$source $here/*.hpp tests/fixtures/*.hpp include/*.h"
     if [ -f "$object" ] && [ -z "$(find $needs "$out/flags" -newer "$object")" ]; then continue; fi
     echo "$CXX $source"
-    $command "-DBENCH_FLAGS=\"$CXXFLAGS\"" -c -o "$object" "$source"
+    includes=
+    case $source in */peer_petsc.cpp) includes=$petsc ;; esac
+    $command $includes "-DBENCH_FLAGS=\"$CXXFLAGS\"" -c -o "$object" "$source"
 done
 $CXX $CXXFLAGS -pthread -o "$out/bench" $objects "$BUILD/libharmorph.a" $LDFLAGS $libraries
 [ -z "$BUILD_ONLY" ] || exit 0
@@ -58,7 +72,7 @@ for threads in $THREADS; do
     result=$out/result-$threads.json
     "$out/bench" --sizes "$SIZES" --kinds "$KINDS" --parts "$PARTS" --functions "$FUNCTIONS" --threads "$threads" \
         --repeats "${REPEATS:-0}" --precision "${PRECISION:-double}" --elasticity "${ELASTICITY:-100000}" \
-        --json "$result"
+        --gibibytes "${GIBIBYTES:-0}" --json "$result"
     results="$results $result"
 done
 [ -n "$JSON" ] || exit 0

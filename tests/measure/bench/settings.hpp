@@ -21,7 +21,8 @@ struct Settings {
     int repeats = 0;                        // of the solves; 0: by size
     std::int32_t elasticity =
         100000;  // largest mesh, in points, on which displacements are compared with elasticity
-    std::string json;  // file name; empty: none
+    int gibibytes = 0;  // into which the largest mesh is to fit (part memory); 0: not asked
+    std::string json;   // file name; empty: none
 
     bool has(std::string const& part) const {
         for (std::string const& wanted : parts)
@@ -43,6 +44,7 @@ void bench_dense(Settings const& settings, Limits const& limits, Report& report)
 void bench_solve(Settings const& settings, Report& report);
 void bench_threads(Settings const& settings, Report& report);
 void bench_iterative(Settings const& settings, Report& report);
+void bench_memory(Settings const& settings, Report& report);
 void bench_displace(Settings const& settings, Report& report);
 void bench_safe(Settings const& settings, Report& report);
 void bench_morph(Settings const& settings, Limits const& limits, Report& report);

@@ -27,6 +27,8 @@ public:
     // At most at once in the last run, factor and its work; right-hand sides not counted. NaN: not
     // known.
     virtual double bytes() const = 0;
+    // The most iterations of any right-hand side in the last run; 0: the solver does not iterate.
+    virtual Index iterations() const { return 0; }
 };
 
 using SolverPeers = std::vector<std::unique_ptr<SolverPeer>>;
@@ -37,5 +39,6 @@ SolverPeers make_cholmod(int threads);
 SolverPeers make_eigen(int threads);
 SolverPeers make_mumps(int threads);
 SolverPeers make_superlu(int threads);
+SolverPeers make_petsc();
 
 }  // namespace bench

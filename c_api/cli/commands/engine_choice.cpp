@@ -1,0 +1,91 @@
+#include "commands/engine_choice.hpp"
+
+#include "basics/free_memory.hpp"
+#include "basics/numbers.hpp"
+#include "commands/commands.hpp"
+
+#include <harmorph_study.h>
+
+#include <cmath>
+
+namespace cli {
+
+namespace {
+
+// In the order of the time that they take, which is the same for 10 000 to a million points and for
+// 4, 20 and 60 functions (tests/measure/bench): the first one that fits is the fastest one.
+const std::vector<EngineKind> by_time = {{"direct", HM_DIRECT, HM_DOUBLE},
+                                         {"direct in single precision", HM_DIRECT, HM_SINGLE},
+                                         {"multigrid", HM_MULTIGRID, HM_DOUBLE}};
+
+std::string megabytes(double bytes) { return brief(1e-6 * bytes) + " MB"; }
+
+std::string named_limit(const EngineChoice& choice) {
+    return "the " + megabytes(choice.memory) +
+           (choice.is_asked ? " of --memory" : " that the system has left");
+}
+
+}  // namespace
+
+const Option memory_option = {
+    "--memory", "MB",
+    "memory for analysis, plan and functions, in 10^6 bytes (default: what the system has left); "
+    "an engine\n"
+    "that needs more is not taken"};
+
+EngineChoice engine_choice_of(const Arguments& arguments) {
+    EngineChoice choice;
+    const std::int32_t precision =
+        arguments.choice("--precision", {{"double", HM_DOUBLE}, {"single", HM_SINGLE}});
+    constexpr std::int32_t automatic = -1;
+    const std::int32_t engine = arguments.choice(
+        "--engine",
+        {{"auto", automatic}, {"direct", HM_DIRECT}, {"multigrid", HM_MULTIGRID}, {"fas", HM_FAS}});
+    if (engine != automatic) {
+        choice.kinds = {{arguments.text("--engine"), engine, precision}};
+    } else if (arguments.has("--precision")) {  // an option of the direct engine only
+        choice.kinds = {by_time[precision == HM_SINGLE ? 1 : 0]};
+    } else {
+        choice.kinds = by_time;
+    }
+    choice.is_asked = arguments.has("--memory");
+    if (choice.is_asked) choice.memory = 1e6 * arguments.positive("--memory", 0);
+    else if (engine == automatic) choice.memory = free_memory();
+    return choice;
+}
+
+std::string choose_engine(
+    const EngineChoice& choice,
+    const std::function<std::optional<MemoryNeed>(const EngineKind&, double)>& try_kind) {
+    const bool is_automatic = choice.kinds.size() > 1;
+    const EngineKind* smallest = nullptr;
+    double least = 0;
+    std::string too_large;  // "direct needs 412 MB, multigrid 380 MB"
+    for (const EngineKind& kind : choice.kinds) {
+        const std::optional<MemoryNeed> need = try_kind(kind, choice.memory);
+        if (!need) continue;
+        const std::string bytes = megabytes(need->bytes);
+        if (need->bytes <= choice.memory) {
+            const bool is_first = too_large.empty();
+            std::string reason = kind.name + ": ";
+            if (is_automatic && is_first) reason += "the fastest engine, and its ";
+            reason += bytes;
+            if (choice.is_asked || !is_first) reason += " fit into " + named_limit(choice);
+            else if (is_automatic) reason += " fit into the memory";
+            return reason + (is_first ? "" : "; " + too_large);
+        }
+        too_large += (too_large.empty() ? "" : ", ") + kind.name +
+                     (too_large.empty() ? " needs " : " ") + (need->is_of_all ? "" : "more than ") +
+                     bytes;
+        if (smallest != nullptr && need->bytes >= least) continue;
+        smallest = &kind;
+        least = need->bytes;
+    }
+    const std::string reason = "no engine fits into " + named_limit(choice) + ": " + too_large;
+    if (choice.is_asked) throw Failure(exit_unusable, reason);
+    warn(reason);
+    try_kind(*smallest, unlimited_memory);
+    return smallest->name + ": the one of the least memory; " + reason;
+}
+
+}  // namespace cli
