@@ -128,11 +128,19 @@ TEST_CASE("displaced points return to the mesh that was their target") {
         Task task(square(12, kind));
         task.scatter(0.5, 4);
         ImproveOptions options;
-        options.least_gain = 1e-12;
         options.most_products = 500;
-        Improved const out(task, {}, true, options);
-        INFO(out.before.min_quality << " " << out.after.min_quality << " "
-                                    << out.report.iterations);
+        Improved out(task, {}, false);
+        out.improvement.begin(out.at());
+        double before = HUGE_VAL, after = out.improvement.energy(0);
+        while (after < before) {
+            before = after;
+            after = out.improvement.step(options, 0, before, out.report);
+        }
+        for (std::size_t k = 0; k < task.held.size(); ++k) {
+            out.mesh.x[k] = out.improvement.now[Index(k)].x;
+            out.mesh.y[k] = out.improvement.now[Index(k)].y;
+        }
+        INFO(out.report.iterations);
         CHECK(farthest(task.now, task.reference) > 0.02);
         CHECK(farthest(out.mesh, task.reference) < 1e-5);
     }
@@ -180,7 +188,7 @@ TEST_CASE("every step lowers the energy of its power and leaves no cell inverted
     Improved out(task, {}, false);
     out.improvement.begin(out.at());
     int steps = 0;
-    for (Index const power : Improvement::powers) {
+    for (Index const power : {0, 2, 8, 32}) {
         double before = out.improvement.energy(power);
         for (int k = 0; k < 6; ++k) {
             double const after = out.improvement.step({}, power, before, out.report);
@@ -200,7 +208,7 @@ TEST_CASE("the gradient is that of the energy, also where targets depend on the 
     task.scatter(0.2, 6);
     for (std::size_t k = 0; k < 30; ++k) task.now.x[k] *= 0.98;
     Improved out(task, {}, false);
-    for (Index const power : Improvement::powers) {
+    for (Index const power : {0, 2, 8, 32}) {
         out.improvement.begin(out.at());
         double const energy = out.improvement.energy(power);
         out.improvement.step({}, power, energy, out.report);
