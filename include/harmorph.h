@@ -476,7 +476,7 @@ enum {
     HM_DIRECT = 0,
     /* Conjugate gradients, preconditioned by algebraic multigrid. The iterations hardly depend on
      * the number of points nor on the thickness of cells along the wall; with triangles that are
-     * stretched otherwise there are more (c_api/README.md). The plan takes 535 bytes per point. */
+     * stretched otherwise there are more (c_api/README.md). Plan: 455 to 500 bytes per point. */
     HM_MULTIGRID = 1
 };
 /* hm_options.precision, and hm_basis_info.storage */
