@@ -2,7 +2,6 @@
 
 #include "morph/admissible_step.hpp"
 #include "morph/quality.hpp"
-#include "safe/quality_energy.hpp"
 
 namespace harmorph {
 namespace {
@@ -17,9 +16,16 @@ constexpr Real at_rest = 1e-12;
 // Where the power is large, Newton's step improves one of the worst cells only by a small factor;
 // then a longer step is better.
 constexpr Index most_doublings = 8;
-// If the minimum of a power leaves less than this part of the smallest quality, this power has
-// sacrificed a few cells for many others, and the next power would begin at such a mesh.
-constexpr Real part_kept = 0.9;
+// Part of the work that steps of the whole mesh may use.
+constexpr Real share_of_whole = 0.65;
+// Cells are raised only if the quality of one of them, divided by `least` or by the smallest of the
+// given mesh, was less than this number, so that a small movement changes the mesh little.
+constexpr Real clearly_below = 0.999;
+// Measured times for one block of the Hessian, in products with the block: computing the block for
+// each of the two terms of the energy, and the energy. Those of a region or a step that do not
+// depend on the size of the region are for each block of the whole mesh.
+constexpr Real work_of_first = 20, work_of_second = 7, work_of_energy = 6.5, work_of_region = 10,
+               work_of_step = 5;
 
 struct Valid {
     bool all = true;
@@ -27,19 +33,6 @@ struct Valid {
 };
 
 }  // namespace
-
-struct Improvement::Score {
-    Real smallest = 1;  // the smallest ratio of quality and `least`, at most 1
-    Real sum = 0;       // the sum of qualities
-
-    void merge(Score const& later) noexcept {
-        smallest = min(smallest, later.smallest);
-        sum += later.sum;
-    }
-    bool is_better_than(Score const& other) const noexcept {
-        return smallest > other.smallest || (smallest == other.smallest && sum > other.sum);
-    }
-};
 
 void Improvement::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
     region.lay_out(arena, counts);
@@ -49,38 +42,46 @@ void Improvement::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
     arena.take(change, counts.points);
     arena.take(ahead, counts.points);
     arena.take(best, counts.points);
+    arena.take(quality, counts.cells);
 }
 
 void Improvement::run(ImproveOptions const& options, Points from, MutablePoints to,
                       ImproveReport& report) noexcept {
     report = {};
+    lowest = options.lowest;
     begin(from);
     report.unknowns = region.n;
     copy(best, Span<const Vec2>(now));
     Score highest = score();
-    for (Index const power : powers) {
-        Index const left = options.most_iterations - report.iterations;
-        Real const smallest = power > 0 ? score().smallest : 0;
-        if (region.n == 0 || smallest >= 1) break;
-        climb(options, power, min(left, most_for_power), highest, report);
-        if (power > 0 && score().smallest < part_kept * smallest) break;
+    if (region.n > 0) {
+        Real const most_work = options.most_work * static_cast<Real>(options.most_iterations) *
+                               static_cast<Real>(region.n);
+        Real const given = highest.smallest;
+        Score found = highest;
+        climb(options, 0, min(options.most_in_whole, options.most_iterations),
+              share_of_whole * most_work, found, highest, report);
+        if (min(given, min(found.smallest, found.lowest)) < clearly_below)
+            raise_worst(options, most_work, found, highest, report);
     }
-    for (Index layers = least_layers;
-         layers <= most_layers && begin_near_poor(options.enough, layers); layers *= 2) {
-        highest = score();
+    for (Index layers = least_layers; options.enough > 0 && layers <= most_layers; layers *= 2) {
+        begin(as_points(best));
+        Score found = score();
+        if (!begin_near(options.enough, 0, layers)) break;
         for (Index const power : powers_near_poor)
-            climb(options, power, most_near_poor, highest, report);
+            climb(options, power, most_near_poor, infinity, found, highest, report);
     }
     for (Index k = 0; k < now.count(); ++k) to.set(k, best[k]);
 }
 
 // Begins at `now`. The best mesh on the way replaces `best`, the score of which is `highest`.
+// `found` is the score of the last mesh.
 void Improvement::climb(ImproveOptions const& options, Index power, Index most_steps,
-                        Score& highest, ImproveReport& report) noexcept {
+                        Real most_work, Score& found, Score& highest,
+                        ImproveReport& report) noexcept {
     Real before = energy(power);
-    for (Index k = 0; k < most_steps && before < infinity; ++k) {
+    for (Index k = 0; k < most_steps && before < infinity && work < most_work; ++k) {
         Real const after = step(options, power, before, report);
-        Score const found = score();
+        found = score();
         if (found.is_better_than(highest)) {
             highest = found;
             copy(best, Span<const Vec2>(now));
@@ -91,15 +92,42 @@ void Improvement::climb(ImproveOptions const& options, Index power, Index most_s
     }
 }
 
-// Begins at the best points so far. Returns false if no cell is below `enough`.
-bool Improvement::begin_near_poor(Real enough, Index layers) noexcept {
-    copy(now, Span<const Vec2>(best));
+// Moves points near the cells that are not much better than the worst one. The last power is
+// repeated as long as the worst cell rises.
+void Improvement::raise_worst(ImproveOptions const& options, Real most_work, Score found,
+                              Score& highest, ImproveReport& report) noexcept {
+    constexpr Real width = 1.5, least_part = 0.6, most_part = 0.999, least_rise = 1.005;
+    constexpr Index n_powers = sizeof powers_of_worst / sizeof *powers_of_worst;
+    for (Index k = 0; work < most_work && report.iterations < options.most_iterations; ++k) {
+        Real const smallest = found.smallest;
+        if (!begin_near(0, min(most_part, max(least_part, width * smallest)), layers_of_worst))
+            return;
+        work += work_of_region * static_cast<Real>(n_blocks);
+        climb(options, powers_of_worst[min(k, n_powers - 1)],
+              min(most_for_power, options.most_iterations - report.iterations), most_work, found,
+              highest, report);
+        if (k + 1 >= n_powers && found.smallest < least_rise * smallest) return;
+    }
+}
+
+// Begins at `now`, near cells whose quality is below `enough` or below this part of their aim.
+// Returns false if there is none.
+bool Improvement::begin_near(Real enough, Real part_of_aim, Index layers) noexcept {
     sliding.turn_lines(as_points(now));
     fill(change, Vec2{});
-    region.choose(
-        [&](Index i) { return targets.quality(i, tangle.shape(i, as_points(now))) < enough; });
+    region.choose([&](Index i) {
+        return quality[i] >= 0 &&
+               quality[i] < max(enough, part_of_aim * targets.aim * targets.cell[i].least);
+    });
     if (region.n_cells == 0) return false;
     region.grow(tangle, layers);
+    outside = reduce_cells<Score>(region.cell.count(), executor, [&](Index i, Score& result) {
+        Cell const cell = tangle.cell(i);
+        bool is_in_region = quality[i] < 0;
+        for (Index k = 0; k < cell.n; ++k)
+            is_in_region = is_in_region || region.unknown[cell.point[k]] != none;
+        if (!is_in_region) result.merge(score_of(i));
+    });
     return region.n > 0;
 }
 
@@ -107,58 +135,70 @@ void Improvement::begin(Points points) noexcept {
     for (Index k = 0; k < now.count(); ++k) now[k] = points[k];
     sliding.turn_lines(as_points(now));
     fill(change, Vec2{});
+    fill(quality, Real{-1});
     region.link(tangle);
     region.grow(tangle, Region::whole);
+    n_blocks = region.start[region.n];
+    work = 0;
+    outside = {};
 }
 
 Real Improvement::step(ImproveOptions const& options, Index power, Real before,
                        ImproveReport& report) noexcept {
     assemble(power);
-    report.products += system.solve(region, options.most_products, executor);
+    Index const products = system.solve(region, options.most_products, executor);
+    report.products += products;
     ++report.iterations;
+    work += static_cast<Real>(products) * static_cast<Real>(region.start[region.n]) +
+            work_of_step * static_cast<Real>(n_blocks);
     for_points([&](Index k, Vec2 step) { change[k] = step; });
     return descend(power, before);
 }
 
+Improvement::Score Improvement::score_of(Index cell) const noexcept {
+    Targets::Cell const& target = targets.cell[cell];
+    Real const found = quality[cell];
+    bool const is_reported = lowest > 0 && !target.is_part;
+    return {is_reported ? min(found / lowest, 1.0) : 1, min(found / target.least, targets.aim),
+            found};
+}
+
+// Finds the qualities of the cells in the region.
 Improvement::Score Improvement::score() const noexcept {
-    return reduce_cells<Score>(region.n_cells, executor, [&](Index k, Score& result) {
+    Score all = outside;
+    all.merge(reduce_cells<Score>(region.n_cells, executor, [&](Index k, Score& result) {
         Index const cell = region.cell[k];
-        Real const quality = targets.quality(cell, tangle.shape(cell, as_points(now)));
-        result.merge({min(quality / targets.cell[cell].least, 1.0), quality});
+        quality[cell] = targets.quality(cell, tangle.shape(cell, as_points(now)));
+        result.merge(score_of(cell));
+    }));
+    return all;
+}
+
+void Improvement::assemble(Index power) noexcept {
+    work += (work_of_first + (power > 0 ? work_of_second : 0)) *
+            static_cast<Real>(region.start[region.n]);
+    system.assemble_lists(tangle, region, executor, [&] {
+        return CornerEnergies(targets, executor.kernel, as_points(now), power);
     });
 }
 
-void Improvement::assemble(Index power) const noexcept {
-    constexpr Real floor = QualityEnergy::least_curvature;
-    system.assemble(
-        tangle, region, executor, [&](Index cell, CornerPoints const& point, CornerForm& form) {
-            Triangle const triangle = triangle_of(point, as_points(now));
-            Real const share = targets.share(cell), least = targets.cell[cell].least;
-            QualityEnergy const relative(targets.of(cell, point, triangle));
-            relative.differentiate(triangle, share, floor, form);
-            if (power == 0) return;
-            QualityEnergy const measure(targets.ideal(cell, point, triangle), power, least * least);
-            measure.differentiate(triangle, share, floor, form);
-        });
-}
-
 Real Improvement::energy_of(Span<const Vec2> points, Index power) const noexcept {
-    return reduce_cells<Sum>(
+    return reduce_ranges<Sum>(
                region.n_cells, executor,
-               [&](Index k, Sum& sum) {
-                   Index const cell = region.cell[k];
-                   CellTriangles const corners(tangle, cell);
-                   Real const share = targets.share(cell), least = targets.cell[cell].least;
-                   for (Index corner = 0; corner < corners.n; ++corner) {
-                       CornerPoints const& point = corners.point[corner];
-                       if (!region.can_move(point)) continue;
-                       Triangle const triangle = triangle_of(point, as_points(points));
-                       sum.value += share * QualityEnergy::energy(
-                                                targets.sizes(cell, point, triangle), 1, 1);
-                       if (power == 0) continue;
-                       sum.value +=
-                           share * QualityEnergy::energy(targets.ideal_sizes(cell, point, triangle),
-                                                         power, least * least);
+               [&](Index begin, Index end, Sum& sum) {
+                   CornerEnergies list(targets, executor.kernel, as_points(points), power);
+                   for (Index k = begin; k < end;) {
+                       list.clear();
+                       for (Index const part = min(end, k + CornerEnergies::most_cells); k < part;
+                            ++k) {
+                           Index const cell = region.cell[k];
+                           CellTriangles const corners(tangle, cell);
+                           for (Index corner = 0; corner < corners.n; ++corner) {
+                               CornerPoints const& point = corners.point[corner];
+                               if (region.can_move(point)) list.add(cell, point);
+                           }
+                       }
+                       sum.value += list.energy();
                    }
                })
         .value;
@@ -178,6 +218,11 @@ bool Improvement::is_valid(Span<const Vec2> points) const noexcept {
         .all;
 }
 
+Real Improvement::energy_ahead(Index power) noexcept {
+    work += work_of_energy * static_cast<Real>(region.start[region.n]);
+    return energy_of(ahead, power);
+}
+
 Real Improvement::descend(Index power, Real before) noexcept {
     Real const slope = system.slope(region, executor);
     if (!(-slope > at_rest * before)) return before;
@@ -187,7 +232,7 @@ Real Improvement::descend(Index power, Real before) noexcept {
     Real length = min(1.0, most), after = infinity;
     auto const falls_enough = [&] {
         look_ahead(length);
-        after = energy_of(ahead, power);
+        after = energy_ahead(power);
         return after < before && after <= before + least_slope * length * slope && is_valid(ahead);
     };
     for (Index halvings = 0; !falls_enough(); length *= 0.5) {
@@ -195,7 +240,7 @@ Real Improvement::descend(Index power, Real before) noexcept {
     }
     for (Index doublings = 0; doublings < most_doublings && 2 * length <= most; ++doublings) {
         look_ahead(2 * length);
-        Real const farther = energy_of(ahead, power);
+        Real const farther = energy_ahead(power);
         if (!(farther < after) || !is_valid(ahead)) break;
         after = farther;
         length *= 2;

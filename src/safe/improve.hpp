@@ -4,21 +4,30 @@
 #pragma once
 
 #include "safe/newton_system.hpp"
+#include "safe/corner_energies.hpp"
 #include "safe/sliding_points.hpp"
 #include "safe/targets.hpp"
 
 namespace harmorph {
 
 struct ImproveOptions {
-    // The largest number of Newton steps, of which at most `most_for_power` have the same power.
+    // The largest number of Newton steps.
     Index most_iterations = 60;
+    // The largest number of steps that move points of the whole mesh.
+    Index most_in_whole = 8;
     // The largest number of products with the Hessian in each step.
-    Index most_products = 60;
+    Index most_products = 50;
+    // The work of all steps, in products of a block of the Hessian and a vector, is at most this
+    // number for each point that can move and each of most_iterations. A product with the whole
+    // Hessian is 4 of them for each point of triangles, 5 for each point of quadrilaterals.
+    Real most_work = 54;
     // If a step decreases the energy by a smaller part, the next power begins.
     Real least_gain = 5e-4;
-    // If cells have a quality Q (see below) less than this at the end, further steps move the
-    // points near these cells.
+    // If cells have a quality Q (see below) less than this at the end, further steps, beyond
+    // most_iterations and most_work, move the points near these cells.
     Real enough = 0;
+    // The smallest Q should not fall below this value.
+    Real lowest = 0;
 };
 
 struct ImproveReport {
@@ -28,20 +37,21 @@ struct ImproveReport {
 };
 
 // The energy is a sum over cells, with the mean over the corners of a quadrilateral:
-//   1 / q^2 + (least / Q)^(2 power)
+//   1 / q^2 + (aim / Q)^(2 power)
 // Here q is the size-skew quality relative to the target, Q is the size-skew quality that the
-// library reports, and `least` is the value that Q should not fall below (see Targets). The first
-// term alone (power 0) makes cells similar to their targets; a mesh that is its own target is at
-// rest. If a cell is then below its least quality, the second term is added with increasing powers:
-// it is negligible for cells well above `least`, and among cells below `least` the worst one counts
-// most. The last power is the first one that leaves the smallest Q / least clearly lower than
-// before.
+// library reports, and `aim` lies between `least`, the value that Q should not fall below (see
+// Targets), and 1. The first term alone (power 0) makes cells similar to their targets; a mesh that
+// is its own target is at rest. The first steps lower this term in the whole mesh. If cells are
+// then below their aim, the second term is added with increasing powers, and only points near the
+// worst cells move, a few steps for each power: the term is negligible for cells well above the
+// aim, and among cells below their aim the worst one counts most.
 //
 // The minimiser is Newton's method. No step is longer than a part of the exact admissible step, so
 // that no cell is inverted on the way, and every step lowers the energy. Walls do not move; points
 // that slide stay on their lines and curves.
 struct Improvement {
-    static constexpr Index powers[] = {0, 2, 4, 8}, most_for_power = 20;
+    static constexpr Index powers_of_worst[] = {2, 4, 8, 16, 32}, most_for_power = 2,
+                           layers_of_worst = 3;
     static constexpr Index powers_near_poor[] = {2, 4, 8, 16, 32}, most_near_poor = 60,
                            least_layers = 6, most_layers = 24;
 
@@ -53,12 +63,13 @@ struct Improvement {
     Region region;
     NewtonSystem system;
     Span<Vec2> now, change, ahead, best;  // [n_points]
+    // [cells and guards] Q at `now`; negative if no point of the cell can move.
+    Span<Real> quality;
 
     void lay_out(Arena& arena, RegionCounts const& counts) noexcept;
 
-    // The mesh `from` is valid. The mesh `to` becomes the best of all meshes on the way: that with
-    // the largest smallest Q / least, where values above 1 count as 1, and among these that with
-    // the largest mean quality. It is never worse than `from`. Held points keep their bits.
+    // The mesh `from` is valid. The mesh `to` becomes the best of all meshes on the way, see Score.
+    // It is never worse than `from`. Held points keep their bits.
     void run(ImproveOptions const& options, Points from, MutablePoints to,
              ImproveReport& report) noexcept;
 
@@ -71,14 +82,43 @@ struct Improvement {
               ImproveReport& report) noexcept;
 
 private:
-    struct Score;
+    // Of two meshes the better one is nearer to options.lowest, if it is below; else the product of
+    // the mean quality and of the smallest Q / least is larger. A Q / least above 1 counts little,
+    // and nothing above the aim.
+    struct Score {
+        Real lowest = 1;  // the smallest Q / options.lowest, at most 1
+        Real smallest = infinity;
+        Real sum = 0;  // the sum of qualities
 
+        void merge(Score const& later) noexcept {
+            lowest = min(lowest, later.lowest);
+            smallest = min(smallest, later.smallest);
+            sum += later.sum;
+        }
+        Real value() const noexcept {
+            constexpr Real weight_above = 0.02;
+            return sum * (smallest < 1 ? smallest : 1 + weight_above * (smallest - 1));
+        }
+        bool is_better_than(Score const& other) const noexcept {
+            return lowest > other.lowest || (lowest == other.lowest && value() > other.value());
+        }
+    };
+
+    Score outside;        // of the cells that are not in the region
+    Real lowest = 0;      // options.lowest
+    Real work = 0;        // in products with a block of the Hessian
+    Offset n_blocks = 0;  // of the Hessian of the whole mesh
+
+    Score score_of(Index cell) const noexcept;
     Score score() const noexcept;
-    void climb(ImproveOptions const& options, Index power, Index most_steps, Score& highest,
-               ImproveReport& report) noexcept;
-    bool begin_near_poor(Real enough, Index layers) noexcept;
-    void assemble(Index power) const noexcept;
+    void climb(ImproveOptions const& options, Index power, Index most_steps, Real most_work,
+               Score& found, Score& highest, ImproveReport& report) noexcept;
+    void raise_worst(ImproveOptions const& options, Real most_work, Score found, Score& highest,
+                     ImproveReport& report) noexcept;
+    bool begin_near(Real enough, Real part_of_aim, Index layers) noexcept;
+    void assemble(Index power) noexcept;
     Real energy_of(Span<const Vec2> points, Index power) const noexcept;
+    Real energy_ahead(Index power) noexcept;
     bool is_valid(Span<const Vec2> points) const noexcept;
     void look_ahead(Real length) const noexcept;
     Real descend(Index power, Real before) noexcept;

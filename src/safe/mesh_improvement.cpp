@@ -52,16 +52,18 @@ void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points refe
     };
     constexpr Real rounding = 1e-9;  // the difference of one quality that is found in two ways
     Real const given = smallest(from);
+    ImproveOptions kept = options;
+    kept.lowest = given;
     carry_first_layer(reference, from);
     hold_first_layer(plan, reference);
     bool const is_in_vain = smallest_held(plan, reference) < (1 - rounding) * given;
-    if (!is_in_vain) improvement.run(options, result, result, report);
+    if (!is_in_vain) improvement.run(kept, result, result, report);
     if (is_in_vain ||
         smallest(result) < given) {  // the gain of the first layer is not worth that loss
         mobility.find(plan, from);
         stay();
         hold_first_layer(plan, reference);
-        improvement.run(options, result, result, report);
+        improvement.run(kept, result, result, report);
         if (smallest(result) < given)
             stay();  // the quality that targets use differs from the reported quality
     }

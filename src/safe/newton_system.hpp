@@ -33,7 +33,16 @@ struct NewtonSystem {
     // `form`: `cell` is the cell of the corner, and `points` are the numbers of its three points.
     template <class Visit>
     void assemble(Tangle const& tangle, Region const& region, Executor const& executor,
-                  Visit const& visit) const noexcept;
+                  Visit const& visit) const noexcept {
+        assemble_lists(tangle, region, executor, [&] { return EachCorner<Visit>{visit}; });
+    }
+    // Does the same for corners that are computed in lists. The function make() returns an object
+    // for one thread: after clear(), add(cell, points) adds corners of at most most_cells cells to
+    // its list, differentiate() computes the derivatives of all, and next(cell, points, form) adds
+    // those of the next corner to `form`, in the order of the list.
+    template <class Make>
+    void assemble_lists(Tangle const& tangle, Region const& region, Executor const& executor,
+                        Make const& make) const noexcept;
     // Solves approximately for step = -hessian^-1 gradient, which is a direction of descent.
     // Returns the number of products.
     Index solve(Region const& region, Index most_products, Executor const& executor) const noexcept;
@@ -47,89 +56,120 @@ struct NewtonSystem {
 private:
     static constexpr Index least_rows = 512;  // a task has at least so many rows
 
+    // Corners that are computed one by one.
     template <class Visit>
-    void assemble_cells(Tangle const& tangle, Region const& region,
-                        Visit const& visit) const noexcept;
-    template <class Visit>
-    void assemble_row(Tangle const& tangle, Region const& region, Index u,
-                      Visit const& visit) const noexcept;
-    template <class IsWanted, class Visit>
+    struct EachCorner {
+        static constexpr Index most_cells = 8;
+        Visit const& visit;
+
+        void clear() noexcept {}
+        void add(Index, CornerPoints const&) noexcept {}
+        void differentiate() noexcept {}
+        void next(Index cell, CornerPoints const& points, CornerForm& form) noexcept {
+            visit(cell, points, form);
+        }
+    };
+
+    template <class IsWanted, class Corners>
+    void add_cells(Tangle const& tangle, Region const& region, Span<const Index> cells,
+                   IsWanted const& is_wanted, Corners& corners) const noexcept;
+    template <Index n, class IsWanted, class Corners>
     void add_cell(Tangle const& tangle, Region const& region, Index i, IsWanted const& is_wanted,
-                  Visit const& visit) const noexcept {
-        if (tangle.mesh.cell(i).n == 3) add_cell_of<3>(tangle, region, i, is_wanted, visit);
-        else add_cell_of<4>(tangle, region, i, is_wanted, visit);
-    }
-    template <Index n, class IsWanted, class Visit>
-    void add_cell_of(Tangle const& tangle, Region const& region, Index i, IsWanted const& is_wanted,
-                     Visit const& visit) const noexcept;
+                  Corners& corners) const noexcept;
     void clear_row(Region const& region, Index u) const noexcept;
     void constrain_row(Tangle const& tangle, Region const& region, Index u) const noexcept;
 };
 
+// Calls visit(before, own, after, points) for those corners of a cell, which has n points, for
+// which is_wanted(unknown) holds at one of the three points.
+template <Index n, class IsWanted, class Visit>
+void for_wanted_corners(Tangle const& tangle, Region const& region, Index i,
+                        IsWanted const& is_wanted, Visit const& visit) noexcept {
+    Cell const cell = tangle.cell(i);
+    Vec2 const turn = turn_of(tangle.mesh, i);
+    bool wanted[n];
+    for (Index k = 0; k < n; ++k) wanted[k] = is_wanted(region.unknown[cell.point[k]]);
+    for (Index k = n == 3 ? 1 : 0; k < (n == 3 ? 2 : 4); ++k) {
+        Index const before = k == 0 ? n - 1 : k - 1, after = k + 1 == n ? 0 : k + 1;
+        if (!wanted[before] && !wanted[k] && !wanted[after]) continue;
+        visit(before, k, after,
+              CornerPoints{{cell.point[before], cell.point[k], cell.point[after]}, turn});
+    }
+}
+
 // On one thread, the sum goes cell by cell. On several threads it goes row by row, so that threads
 // never write to the same row; then each corner is computed once for each of its three points.
 // Cells are in the same order in both cases, so that each row is the same sum, bit by bit.
-template <class Visit>
-void NewtonSystem::assemble(Tangle const& tangle, Region const& region, Executor const& executor,
-                            Visit const& visit) const noexcept {
-    if (executor.is_serial()) return assemble_cells(tangle, region, visit);
+template <class Make>
+void NewtonSystem::assemble_lists(Tangle const& tangle, Region const& region,
+                                  Executor const& executor, Make const& make) const noexcept {
+    if (executor.is_serial()) {
+        auto corners = make();
+        for (Index u = 0; u < region.n; ++u) clear_row(region, u);
+        add_cells(
+            tangle, region, region.cell.first(region.n_cells), [](Index u) { return u != none; },
+            corners);
+        for (Index u = 0; u < region.n; ++u) constrain_row(tangle, region, u);
+        return;
+    }
     executor.for_ranges(region.n, least_rows, [&](Index begin, Index end) {
-        for (Index u = begin; u < end; ++u) assemble_row(tangle, region, u, visit);
+        auto corners = make();
+        for (Index u = begin; u < end; ++u) {
+            clear_row(region, u);
+            add_cells(
+                tangle, region, region.cells_of(region.point[u]), [u](Index v) { return v == u; },
+                corners);
+            constrain_row(tangle, region, u);
+        }
     });
 }
 
-template <class Visit>
-void NewtonSystem::assemble_cells(Tangle const& tangle, Region const& region,
-                                  Visit const& visit) const noexcept {
-    auto const is_unknown = [](Index u) { return u != none; };
-    for (Index u = 0; u < region.n; ++u) clear_row(region, u);
-    for (Index const i : region.cell.first(region.n_cells))
-        add_cell(tangle, region, i, is_unknown, visit);
-    for (Index u = 0; u < region.n; ++u) constrain_row(tangle, region, u);
-}
-
-template <class Visit>
-void NewtonSystem::assemble_row(Tangle const& tangle, Region const& region, Index u,
-                                Visit const& visit) const noexcept {
-    auto const is_row = [u](Index v) { return v == u; };
-    clear_row(region, u);
-    for (Index const i : region.cells_of(region.point[u]))
-        add_cell(tangle, region, i, is_row, visit);
-    constrain_row(tangle, region, u);
+template <class IsWanted, class Corners>
+void NewtonSystem::add_cells(Tangle const& tangle, Region const& region, Span<const Index> cells,
+                             IsWanted const& is_wanted, Corners& corners) const noexcept {
+    for (Index begin = 0; begin < cells.count(); begin += Corners::most_cells) {
+        Span<const Index> const part =
+            cells.from(begin, static_cast<Size>(min(Corners::most_cells, cells.count() - begin)));
+        corners.clear();
+        for (Index const i : part) {
+            auto const list = [&](Index, Index, Index, CornerPoints const& point) {
+                corners.add(i, point);
+            };
+            if (tangle.mesh.cell(i).n == 3)
+                for_wanted_corners<3>(tangle, region, i, is_wanted, list);
+            else for_wanted_corners<4>(tangle, region, i, is_wanted, list);
+        }
+        corners.differentiate();
+        for (Index const i : part) {
+            if (tangle.mesh.cell(i).n == 3) add_cell<3>(tangle, region, i, is_wanted, corners);
+            else add_cell<4>(tangle, region, i, is_wanted, corners);
+        }
+    }
 }
 
 // Adds to those rows for which is_wanted(row) holds. A corner contributes to the rows of its three
 // points only.
-template <Index n, class IsWanted, class Visit>
-void NewtonSystem::add_cell_of(Tangle const& tangle, Region const& region, Index i,
-                               IsWanted const& is_wanted, Visit const& visit) const noexcept {
+template <Index n, class IsWanted, class Corners>
+void NewtonSystem::add_cell(Tangle const& tangle, Region const& region, Index i,
+                            IsWanted const& is_wanted, Corners& corners) const noexcept {
     Cell const cell = tangle.cell(i);
-    Vec2 const turn = turn_of(tangle.mesh, i);
-    Index unknown[n];
-    bool wanted[n];
-    for (Index k = 0; k < n; ++k) {
-        unknown[k] = region.unknown[cell.point[k]];
-        wanted[k] = is_wanted(unknown[k]);
-    }
     CellForm<n> sum;
-    for (Index k = n == 3 ? 1 : 0; k < (n == 3 ? 2 : 4); ++k) {
-        Index const before = k == 0 ? n - 1 : k - 1, after = k + 1 == n ? 0 : k + 1;
-        if (!wanted[before] && !wanted[k] && !wanted[after]) continue;
-        CornerForm corner;
-        CornerPoints const point{{cell.point[before], cell.point[k], cell.point[after]}, turn};
-        visit(i, point, corner);
-        corner.turn_back_side(turn);
-        sum.add(before, k, after, corner);
-    }
+    for_wanted_corners<n>(tangle, region, i, is_wanted,
+                          [&](Index before, Index own, Index after, CornerPoints const& point) {
+                              CornerForm corner;
+                              corners.next(i, point, corner);
+                              corner.turn_back_side(point.turn);
+                              sum.add(before, own, after, corner);
+                          });
     if (!tangle.turn.empty()) sum.turn_back(tangle.turn, cell);
     for (Index own = 0; own < n; ++own) {
-        Index const u = unknown[own];
-        if (!wanted[own]) continue;
+        Index const u = region.unknown[cell.point[own]];
+        if (!is_wanted(u)) continue;
         Span<const Index> const neighbours = region.of(u);
         Span<Block> const row = hessian.from(region.start[u], neighbours.size());
         gradient[u] = gradient[u] + sum.by[own];
         for (Index other = 0; other < n; ++other) {
-            Index const v = unknown[other];
+            Index const v = region.unknown[cell.point[other]];
             if (v == none) continue;
             Size entry = 0;
             while (entry < neighbours.size() && neighbours[entry] != v)

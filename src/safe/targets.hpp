@@ -38,6 +38,9 @@ struct Targets {
 
     Points reference;
     Span<Cell> cell;  // [cells and guards]
+    // An improvement raises cells up to `aim` times `least`. The larger the smallest quality of the
+    // reference, the nearer is this factor to 1.
+    Real aim = 1;
 
     void lay_out(Arena& arena, Index n_cells) noexcept { arena.take(cell, n_cells); }
     // The faces `walls` were built at `before`, and there may be none. All cells of `before` are
@@ -45,22 +48,18 @@ struct Targets {
     void find(OrientedMesh const& cells, FaceDistance const& walls, Points before, Points now,
               Executor const& executor) noexcept;
 
-    // Returns the target of the corner of a cell with these three points, the present sides of
-    // which are those of `now`.
-    Triangle of(Index number, CornerPoints const& points, Triangle const& now) const noexcept;
+    // Returns the target of the corner of a cell with these three points; if the cell has
+    // any_ratio, with other sides of the same directions and area.
+    Triangle of(Index number, CornerPoints const& points) const noexcept;
     // Returns the weight of a corner. A quadrilateral has four corners, and a polygon has more than
     // two parts for each corner.
     Real share(Index number) const noexcept {
         return cell[number].is_quad || cell[number].is_part ? 0.25 : 1;
     }
     // Returns the corner of best quality with the area of the reference corner: that of an
-    // equilateral triangle, or of a rectangle. A corner that is this one, turned, has the size-skew
-    // quality 1.
-    Triangle ideal(Index number, CornerPoints const& points, Triangle const& now) const noexcept;
-    // Return the sizes of the maps from these targets to `now`, by fewer operations.
-    MapSizes sizes(Index number, CornerPoints const& points, Triangle const& now) const noexcept;
-    MapSizes ideal_sizes(Index number, CornerPoints const& points,
-                         Triangle const& now) const noexcept;
+    // equilateral triangle, or of a rectangle, with any ratio of sides. A corner that is this one,
+    // turned, has the size-skew quality 1.
+    Triangle ideal(Index number, CornerPoints const& points) const noexcept;
     // Returns the size-skew quality as measure_quality() defines it; for parts of polygons it is
     // relative to the reference and at most 1.
     Real quality(Index number, CellShape const& now) const noexcept;
@@ -73,67 +72,21 @@ private:
 // The height of an equilateral triangle with sides of length 1.
 inline constexpr Real equilateral_height = 0.8660254037844386;
 
-// Returns the target with sides in the ratio of those of `now`: the area stays, and |J|^2 of the
-// map from this target to `now` is the smallest for all ratios. Therefore the derivatives of |J|^2
-// need no term for the dependence of the target on `now`.
-inline Triangle with_ratio_of(Triangle const& now, Vec2 side, Vec2 next) noexcept {
-    Real const ratio = square(now.at[1] - now.at[0]) / square(now.at[2] - now.at[1]) *
-                       (square(next) / square(side));
-    Real const root = sqrt(sqrt(ratio));
-    return {{-root * side, {0, 0}, 1 / root * next}};
-}
-
-inline Triangle Targets::of(Index number, CornerPoints const& points,
-                            Triangle const& now) const noexcept {
+inline Triangle Targets::of(Index number, CornerPoints const& points) const noexcept {
     Triangle triangle = triangle_of(points, reference);
     Cell const& target = cell[number];
-    if (target.any_ratio)
-        return with_ratio_of(now, triangle.at[1] - triangle.at[0], triangle.at[2] - triangle.at[1]);
-    if (target.more == 0) return triangle;
+    if (target.any_ratio || target.more == 0) return triangle;
     for (Vec2& at : triangle.at) at = at + target.more * dot(target.along, at) * target.along;
     return triangle;
 }
 
-inline Triangle Targets::ideal(Index number, CornerPoints const& points,
-                               Triangle const& now) const noexcept {
+inline Triangle Targets::ideal(Index number, CornerPoints const& points) const noexcept {
     Triangle const before = triangle_of(points, reference);
     if (cell[number].is_part) return before;
     Real const twice_area = before.twice_area();
-    if (cell[number].is_quad) {
-        Real const side = sqrt(twice_area);
-        return with_ratio_of(now, {side, 0}, {0, side});
-    }
-    Real const side = sqrt(twice_area / equilateral_height);
+    Real const side = sqrt(cell[number].is_quad ? twice_area : twice_area / equilateral_height);
+    if (cell[number].is_quad) return {{{-side, 0}, {0, 0}, {0, side}}};
     return {{{0, 0}, {side, 0}, {0.5 * side, equilateral_height * side}}};
-}
-
-// With the sides a and b of the target, c and d of `now`, and the area A of the target's
-// parallelogram, p + q is (|a|^2 |d|^2 + |b|^2 |c|^2 - 2 (a b) (c d)) / 2 A^2. The ratio of
-// with_ratio_of() makes the first two terms equal.
-inline MapSizes Targets::sizes(Index number, CornerPoints const& points,
-                               Triangle const& now) const noexcept {
-    if (!cell[number].any_ratio) return CornerMap(of(number, points, now)).sizes(now);
-    Triangle const triangle = triangle_of(points, reference);
-    Vec2 const a = triangle.at[1] - triangle.at[0], b = triangle.at[2] - triangle.at[1],
-               c = now.at[1] - now.at[0], d = now.at[2] - now.at[1];
-    Real const twice_area = cross(a, b), per_area = 1 / twice_area;
-    Real const lengths = sqrt((per_area * square(a)) * (per_area * square(b))) *
-                         sqrt((per_area * square(c)) * (per_area * square(d)));
-    return {per_area * cross(c, d), lengths - (per_area * dot(a, b)) * (per_area * dot(c, d)),
-            twice_area};
-}
-
-// Here a and b are perpendicular, or sides of an equilateral triangle.
-inline MapSizes Targets::ideal_sizes(Index number, CornerPoints const& points,
-                                     Triangle const& now) const noexcept {
-    Triangle const triangle = triangle_of(points, reference);
-    if (cell[number].is_part) return CornerMap(triangle).sizes(now);
-    Vec2 const c = now.at[1] - now.at[0], d = now.at[2] - now.at[1];
-    Real const twice_area = triangle.twice_area(), per_area = 1 / twice_area;
-    Real const s = cell[number].is_quad ? sqrt((per_area * square(c)) * (per_area * square(d)))
-                                        : 0.25 / equilateral_height * per_area *
-                                              (square(c) + square(d) + square(c + d));
-    return {per_area * cross(c, d), s, twice_area};
 }
 
 }  // namespace harmorph
