@@ -837,8 +837,9 @@ HM_API hm_status hm_morph_safe_size(const hm_plan* plan, const hm_basis* basis, 
  * basis is the derivative of `to` with respect to `move`, and hm_adjoint the transpose. This is
  * exact for wall points on their curve; of a body that rotates or scales by r, and has reached the
  * part t < 1, points move by t r^(t-1) sum_i N_i dP_i. It neglects changes of (r - 1) e, the
- * influence of `move` and of earlier steps on later functions, step lengths and rotations, and what
- * untangling, improvement and heights moved. */
+ * influence of `move` and of earlier steps on later functions, step lengths and rotations, how
+ * inner points follow those that slip along curves, and what untangling, improvement and heights
+ * moved. */
 HM_API hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move,
                                const hm_points_out* to, hm_basis* derivative, void* work,
                                size_t bytes, const hm_safe_options* options, hm_safe_report* report,
