@@ -34,7 +34,7 @@ struct CornerEnergies {
         Real const share = targets.share(cell);
         relative.add(now, targets.of(cell, point), target.any_ratio, share, 1);
         if (power == 0) return;
-        Real const aim = target.aim();
+        Real const aim = target.least;
         ideal.add(now, targets.ideal(cell, point), target.is_quad && !target.is_part, share,
                   aim * aim);
     }

@@ -55,7 +55,7 @@ void Improvement::run(ImproveOptions const& options, Points from, MutablePoints 
     Score highest = score();
     if (region.n > 0) {
         Real const most_work = options.most_work * static_cast<Real>(options.most_iterations) *
-                               static_cast<Real>(n_blocks);
+                               static_cast<Real>(region.n);
         Real const given = highest.smallest;
         Score found = highest;
         climb(options, 0, min(options.most_in_whole, options.most_iterations),
@@ -116,7 +116,8 @@ bool Improvement::begin_near(Real enough, Real part_of_aim, Index layers) noexce
     sliding.turn_lines(as_points(now));
     fill(change, Vec2{});
     region.choose([&](Index i) {
-        return quality[i] >= 0 && quality[i] < max(enough, part_of_aim * targets.cell[i].aim());
+        return quality[i] >= 0 &&
+               quality[i] < max(enough, part_of_aim * targets.aim * targets.cell[i].least);
     });
     if (region.n_cells == 0) return false;
     region.grow(tangle, layers);
@@ -158,7 +159,7 @@ Improvement::Score Improvement::score_of(Index cell) const noexcept {
     Targets::Cell const& target = targets.cell[cell];
     Real const found = quality[cell];
     bool const is_reported = lowest > 0 && !target.is_part;
-    return {is_reported ? min(found / lowest, 1.0) : 1, min(found, target.aim()) / target.least,
+    return {is_reported ? min(found / lowest, 1.0) : 1, min(found / target.least, targets.aim),
             found};
 }
 

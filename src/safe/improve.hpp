@@ -17,9 +17,10 @@ struct ImproveOptions {
     Index most_in_whole = 8;
     // The largest number of products with the Hessian in each step.
     Index most_products = 50;
-    // The work of all steps, in products with the Hessian of the whole mesh, is at most this number
-    // for each of most_iterations.
-    Real most_work = 9.5;
+    // The work of all steps, in products of a block of the Hessian and a vector, is at most this
+    // number for each point that can move and each of most_iterations. A product with the whole
+    // Hessian is 4 of them for each point of triangles, 5 for each point of quadrilaterals.
+    Real most_work = 54;
     // If a step decreases the energy by a smaller part, the next power begins.
     Real least_gain = 5e-4;
     // If cells have a quality Q (see below) less than this at the end, further steps, beyond

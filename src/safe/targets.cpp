@@ -28,6 +28,7 @@ void Targets::find(OrientedMesh const& cells, FaceDistance const& walls, Points 
                    Executor const& executor) noexcept {
     reference = before;
     Real const smallest = measure_quality(cells, before, {}, executor).min_quality;
+    aim = 1 + 0.4 * (1 - smallest);
     executor.for_ranges(cells.mesh.n_checked(), least_cells, [&](Index begin, Index end) {
         Index group = 0;
         for (Index i = begin; i < end; ++i) {

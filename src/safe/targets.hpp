@@ -31,10 +31,6 @@ struct Targets {
         // the ideal shape.
         bool is_part = false;
         bool any_ratio = false;  // the ratio of sides may have any value
-
-        // The quality up to which an improvement raises the cell: between `least` and 1, nearer to
-        // `least`.
-        Real aim() const noexcept { return least + 0.4 * least * (1 - least); }
     };
     // No cell should have less than the smallest quality of the reference mesh, or than this part
     // of its own quality there.
@@ -42,6 +38,9 @@ struct Targets {
 
     Points reference;
     Span<Cell> cell;  // [cells and guards]
+    // An improvement raises cells up to `aim` times `least`. The larger the smallest quality of the
+    // reference, the nearer is this factor to 1.
+    Real aim = 1;
 
     void lay_out(Arena& arena, Index n_cells) noexcept { arena.take(cell, n_cells); }
     // The faces `walls` were built at `before`, and there may be none. All cells of `before` are

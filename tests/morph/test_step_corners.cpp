@@ -7,8 +7,7 @@ using namespace fixtures;
 namespace {
 
 double step_of(Bounded const& mesh, Field const& from, Field const& displacement) {
-    hm_step_report report{};
-    report.struct_size = sizeof report;
+    auto report = sized<hm_step_report>();
     hm_points const start = pairs_in(from), change = pairs_in(displacement);
     REQUIRE(hm_assess(mesh.attempt.basis, &mesh.mesh, &start, &change, nullptr, nullptr, &report,
                       nullptr, nullptr) == HM_OK);

@@ -4,6 +4,7 @@
 
 #include <fixtures/agglomerated.hpp>
 #include <fixtures/c_mesh.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "multigrid/coarse_points.hpp"
 
@@ -21,11 +22,7 @@ struct Levels {
             points.lay_out(arena, finest.n);
             points.lay_out_work(arena, finest.n, finest.entries());
         };
-        harmorph::Arena counting;
-        lay_out(counting);
-        block_ = std::make_unique<Guarded>(counting.bytes());
-        harmorph::Arena placing(block_->data(), block_->size());
-        lay_out(placing);
+        block_ = laid_out(lay_out);
         points.build(finest, most);
         CHECK(block_->guards_intact());
     }

@@ -9,6 +9,7 @@
 #include <fixtures/executors.hpp>
 #include <fixtures/operators.hpp>
 #include <fixtures/parts.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "multigrid/multigrid.hpp"
 
@@ -65,11 +66,7 @@ void check_preconditioner(Case setup) {
         engine.lay_out_work(arena, front.rows.n, front.rows.entries());
         engine.lay_out_vectors(arena, front.rows.n);
     };
-    harmorph::Arena counting;
-    lay_out(counting);
-    Guarded block(counting.bytes());
-    harmorph::Arena placing(block.data(), block.size());
-    lay_out(placing);
+    auto const block = laid_out(lay_out);
     harmorph::Fault fault;
     REQUIRE(engine.set_up(front.rows, {}, fault) == harmorph::Status::ok);
     REQUIRE(engine.levels.count >= 3);
@@ -91,7 +88,7 @@ void check_preconditioner(Case setup) {
         for (std::size_t j = 0; j < i; ++j)
             CHECK(dot(i, j) == doctest::Approx(dot(j, i)).epsilon(1e-10));
     }
-    CHECK(block.guards_intact());
+    CHECK(block->guards_intact());
 }
 
 }  // namespace

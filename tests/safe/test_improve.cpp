@@ -7,6 +7,7 @@
 #include <fixtures/guarded.hpp>
 #include <fixtures/mangle.hpp>
 #include <fixtures/square.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "morph/quality.hpp"
 #include "safe/improve.hpp"
@@ -54,12 +55,7 @@ struct Improved {
             walls.lay_out(arena, task.reference.face_markers.size());
             improvement.lay_out(arena, counts);
         };
-        harmorph::Arena query;
-        lay_out(query);
-        block = std::make_unique<Guarded>(query.bytes());
-        harmorph::Arena arena(block->data(), query.bytes());
-        lay_out(arena);
-        REQUIRE(!arena.overflown());
+        block = laid_out(lay_out);
         walls.choose(analysed->boundary(),
                      [&](Index face) { return analysed->boundary().marker[face] == body; });
         walls.build(view.points);
@@ -91,8 +87,8 @@ struct Improved {
 };
 
 // The inner circle turns and what is between shears: valid, but poor.
-Task sheared_annulus(Cells kind, double angle) {
-    Task task(annulus(12, 36, 0.5, 2, kind, true));
+Task sheared_annulus(Cells kind, double angle, int n = 12) {
+    Task task(annulus(n, 3 * n, 0.5, 2, kind, true));
     for (std::size_t k = 0; k < task.held.size(); ++k) {
         double const radius = std::hypot(task.now.x[k], task.now.y[k]),
                      turn = angle * (2 - radius) / 1.5;
@@ -152,6 +148,36 @@ TEST_CASE("the smallest quality of sheared rings rises") {
         INFO(out.before.min_quality << " " << out.before.mean_quality() << " "
                                     << out.after.min_quality << " " << out.after.mean_quality());
         CHECK(out.after.min_quality > 1.3 * out.before.min_quality);
+    }
+}
+
+TEST_CASE("the smallest quality rises without a loss of more than 3 % of the mean") {
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
+        Improved const out(sheared_annulus(kind, 0.8, 40));
+        INFO(out.before.min_quality << " " << out.before.mean_quality() << " "
+                                    << out.after.min_quality << " " << out.after.mean_quality());
+        CHECK(out.after.min_quality > 1.2 * out.before.min_quality);
+        CHECK(out.after.mean_quality() > 0.97 * out.before.mean_quality());
+    }
+}
+
+TEST_CASE("the work of all steps is limited, and a larger limit does not give a worse mesh") {
+    Task const task = sheared_annulus(Cells::quads, 2);
+    double smallest = 0, mean = 0;
+    for (double const work : {0.1, 10.0, 54.0, 200.0}) {
+        ImproveOptions options;
+        options.most_work = work;
+        Improved const out(task, {}, true, options);
+        // A step begins only below the limit: after the first product, a step is 4 blocks or more
+        // for each point, and the whole mesh has at most 5.
+        Index const n = out.report.unknowns;
+        double const limit = work * options.most_iterations * n;
+        CHECK(4.0 * n * (out.report.iterations - 1) < limit);
+        if (work == 0.1) CHECK(out.report.iterations == 1);
+        double const value = out.after.min_quality * out.after.mean_quality();
+        CHECK(value >= (1 - 1e-12) * smallest * mean);
+        smallest = out.after.min_quality;
+        mean = out.after.mean_quality();
     }
 }
 
@@ -239,28 +265,16 @@ TEST_CASE("the gradient is that of the energy, also where targets depend on the 
 TEST_CASE("turned, moved and scaled meshes are improved alike, and a power of two changes no bit") {
     Task const task = sheared_annulus(Cells::hybrid, 1.2);
     Improved const expected(task);
-    struct Similarity {
-        double scale, angle, x, y;
-    };
     for (Similarity const by :
          {Similarity{1, 1.1, 0, 0}, Similarity{1, 0, 3, -2}, Similarity{1e4, 0, 0, 0},
           Similarity{1e-7, 2, 1e-7, 0}, Similarity{0x1p20, 0, 0, 0}}) {
-        auto const image = [&](Mesh const& mesh) {
-            Mesh out = mesh;
-            double const c = by.scale * std::cos(by.angle), s = by.scale * std::sin(by.angle);
-            for (std::size_t k = 0; k < mesh.x.size(); ++k) {
-                out.x[k] = c * mesh.x[k] - s * mesh.y[k] + by.x;
-                out.y[k] = s * mesh.x[k] + c * mesh.y[k] + by.y;
-            }
-            return out;
-        };
         Task moved = task;
-        moved.reference = image(task.reference);
-        moved.now = image(task.now);
+        moved.reference = by.image(task.reference);
+        moved.now = by.image(task.now);
         Improved const found(moved);
         CHECK(found.report.iterations == expected.report.iterations);
-        CHECK(farthest(found.mesh, image(expected.mesh)) < 1e-8 * by.scale);
-        if (by.scale == 0x1p20) CHECK(found.same_bits(image(expected.mesh)));
+        CHECK(farthest(found.mesh, by.image(expected.mesh)) < 1e-8 * by.scale);
+        if (by.scale == 0x1p20) CHECK(found.same_bits(by.image(expected.mesh)));
     }
 }
 
