@@ -259,7 +259,7 @@ hm_status hm_step_gradient(const hm_basis* basis, const hm_mesh* mesh, const hm_
             return Status::ok;
         }
         Real const most = (1 + closeness) * limit.step;
-        find_step_corners(cells, start, change, most, threads, [&](StepCorner const& found) {
+        find_step_corners(cells, start, change, limit, most, threads, [&](StepCorner const& found) {
             if (found.has_derivative || failed(fault.status)) return;
             fault.refuse(Status::bad_mesh,
                          "the step has no derivative, because the area of a corner of cell # only "
@@ -269,7 +269,7 @@ hm_status hm_step_gradient(const hm_basis* basis, const hm_mesh* mesh, const hm_
         HARMORPH_TRY(fault.status);
         // The list is kept in the order of steps.
         Index count = 0;
-        find_step_corners(cells, start, change, most, threads, [&](StepCorner const& found) {
+        find_step_corners(cells, start, change, limit, most, threads, [&](StepCorner const& found) {
             Index to = min(count++, capacity);
             for (; to > 0 && found.step < corners[to - 1].step; --to) {
                 if (to < capacity) corners[to] = corners[to - 1];

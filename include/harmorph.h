@@ -448,11 +448,10 @@ typedef struct hm_problem {
  * harmorph_study.h). The value of a function at a point is a linear map of the plane: 1, 2 or 4
  * numbers (hm_basis_info.numbers_per_value). With slip, values are 2 x 2 matrices; with rigid
  * bodies "real" becomes "complex"; with HM_ROTATION_PAIR all values are complex, the engine is
- * HM_DIRECT, and slip and meshes in parts are excluded.
+ * HM_DIRECT, and slip and meshes in parts are excluded. HM_MULTIGRID excludes slip if conformal.
  *
  *   operator                  engine                       conditions      values
- *   HM_CONFORMAL              HM_DIRECT                    all but free    complex
- *                             HM_MULTIGRID                 no free, slip   complex
+ *   HM_CONFORMAL              HM_DIRECT, HM_MULTIGRID      all but free    complex
  *   HM_LAPLACE, HM_WEIGHTED   HM_DIRECT, HM_MULTIGRID      all             real
  *
  * The weight of an operator is k = 1 / d^q. d is the distance from the barycentre of a cell to the
@@ -477,8 +476,7 @@ enum {
     HM_DIRECT = 0,
     /* Conjugate gradients, preconditioned by algebraic multigrid. The iterations hardly depend on
      * the number of points nor on the thickness of cells along the wall; with triangles that are
-     * stretched in other directions there are more: see c_api/README.md. The plan takes 535 bytes
-     * per point. */
+     * stretched otherwise there are more (c_api/README.md). Plan: 455 to 500 bytes per point. */
     HM_MULTIGRID = 1
 };
 /* hm_options.precision, and hm_basis_info.storage */
@@ -576,8 +574,7 @@ typedef struct hm_solve_report {
 
 /* Solves for all functions of the basis with the factor of the plan. Both must come from the same
  * analysis. report may be NULL. If cancelled, the basis is not solved; the factor stays valid.
- * HM_MULTIGRID starts from the functions of a basis that is solved: after a small movement of the
- * mesh, iterations are needed only for the digits that have changed. */
+ * HM_MULTIGRID starts from the functions of a solved basis: few iterations after a small step. */
 HM_API hm_status hm_plan_solve(hm_plan* plan, hm_basis* basis, hm_solve_report* report,
                                hm_error* err);
 
@@ -835,10 +832,10 @@ HM_API hm_status hm_morph_safe_size(const hm_plan* plan, const hm_basis* basis, 
  * derivative: NULL, or another basis of the same analysis (hm_basis_init). It receives the sum of
  * the functions of all steps, weighted by their parts of the movement, so that hm_morph with this
  * basis is the derivative of `to` with respect to `move`, and hm_adjoint the transpose. This is
- * exact for wall points on their curve; of a body that rotates or scales by r, and has reached the
- * part t < 1, points move by t r^(t-1) sum_i N_i dP_i. It neglects changes of (r - 1) e, the
- * influence of `move` and of earlier steps on later functions, step lengths and rotations, and what
- * untangling, improvement and heights moved. */
+ * exact for wall points on their curve; where a body turns or scales by r and has reached the part
+ * t < 1, they move by t r^(t-1) sum_i N_i dP_i. Neglected are changes of (r - 1) e, the influence
+ * of `move` and earlier steps on later functions, steps and rotations, how inner points follow
+ * those that slip, and what untangling, improvement and heights moved. */
 HM_API hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move,
                                const hm_points_out* to, hm_basis* derivative, void* work,
                                size_t bytes, const hm_safe_options* options, hm_safe_report* report,
@@ -886,20 +883,18 @@ typedef struct hm_improve_report {
 
 /* Working memory of hm_improve. */
 HM_API hm_status hm_improve_size(const hm_plan* plan, size_t* bytes, hm_error* err);
-/* Moves the inner points of a mesh after a movement so that the cells are more like the cells
- * before the movement: target-matrix optimisation (Knupp, Eng. Comput. 28 (2012) 419) by Newton's
- * method. The plan needs no factor and keeps the one that it has. `from`: coordinates of a valid
- * mesh; `to` may be the arrays of `from`. Targets are the cells of the reference; thin cells at
- * walls are stretched with the wall. Then the points near the worst cells move until these cells
- * have the smallest quality of the reference, or half of their own quality there, or a little more.
- * `to` is the mesh on the way for which the product of the mean quality and of the smallest ratio
- * of a quality and these values is the largest. No cell is
- * inverted, and the smallest quality, as hm_assess reports it, never falls. Points on walls and on
- * fixed and free boundaries keep their bits. Outer ends of first-layer edges at walls get the
- * heights and angles of the reference, as far as this does not lower the smallest quality. Points
- * with slip stay on their lines and curves (call hm_slip before). Points of a cut or of a pair move
- * together. options and report may be NULL. Refused (HM_BAD_MESH), `to` unchanged: an inverted
- * cell, a coordinate beyond the range. */
+/* Moves the inner points of a mesh after a movement so that the cells resemble those of the
+ * reference: target-matrix optimisation (Knupp, Eng. Comput. 28 (2012) 419) by Newton's method. The
+ * plan needs no factor; a factor stays valid. `from`: coordinates of a valid mesh; `to` may be the
+ * arrays of `from`. Thin cells at walls are stretched with the wall. Then points
+ * near the worst cells raise these to the smallest quality of the reference, and to half of their
+ * own quality there. `to` is the mesh on the way with the largest product of the mean quality and
+ * the smallest ratio of a quality and these values. No cell is inverted, and the smallest quality
+ * never falls. Points on walls and on fixed and free
+ * boundaries keep their bits. Outer ends of first-layer edges at walls get the heights and angles
+ * of the reference, unless this lowers the smallest quality. Points with slip stay on their lines
+ * and curves (call hm_slip before). Points of a cut or pair move together. options and report may
+ * be NULL. Refused (HM_BAD_MESH), `to` unchanged: an inverted cell or a coordinate out of range. */
 HM_API hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* to,
                             void* work, size_t bytes, const hm_improve_options* options,
                             hm_improve_report* report, hm_error* err);

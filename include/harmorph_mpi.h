@@ -49,8 +49,10 @@ hm_status hm_mpi_exchange(hm_basis* rows, const hm_basis* share, int32_t n, cons
                           MPI_Comm comm, hm_error* err);
 
 /* hm_adjoint for the rows of all processes together: gradient [2*functions] is bitwise the same on
- * all processes. dj must be 0 at ghost points, so that every point counts once. Communication: an
- * all-reduce of four 32-bit integers, and one of 4 * numbers_per_value * functions 64-bit integers.
+ * all processes. The rows are those of one exchange; rows with another number of functions than
+ * those of rank 0 are refused (HM_BAD_BASIS). dj must be 0 at ghost points, so that every point
+ * counts once. Communication: an all-reduce of four 32-bit integers, and one of 4 *
+ * numbers_per_value * functions 64-bit integers.
  */
 hm_status hm_mpi_adjoint(const hm_basis* rows, const hm_points* dj, double* gradient,
                          const hm_executor* executor, MPI_Comm comm, hm_error* err);

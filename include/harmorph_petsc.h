@@ -83,8 +83,9 @@ hm_status hm_petsc_rows_size(const hm_petsc* system, size_t* bytes, hm_error* er
 hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t bytes,
                          hm_petsc_report* report, MPI_Comm comm, hm_error* err);
 /* Does hm_displace for one field of displacements: x and y [points] contain the given numbers at
- * points of markers with HM_GIVEN on every process that has such a point, and receive the
- * displacements of all points. After a refused call they are unchanged. */
+ * points of markers with HM_GIVEN on every process that has such a point, the same numbers on each
+ * (which is not examined), and receive the displacements of all points. After a refused call they
+ * are unchanged. */
 hm_status hm_petsc_displace(hm_petsc* system, const hm_points_out* displacement,
                             hm_petsc_report* report, MPI_Comm comm, hm_error* err);
 

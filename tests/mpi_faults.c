@@ -13,8 +13,8 @@ static solver with;
 static hm_plan* unfactored;
 static const hm_basis *share, *share_of_other_mesh, *share_of_less;
 static hm_basis *rows, *rows_of_less, *unsolved;
-static int32_t points[N_I * N_J], other_points[N_I * N_J], wall_points[N_I];
-static double x[N_I * N_J], y[N_I * N_J], numbers[2 * N_I * N_J], spoiled[2 * N_I * N_J];
+static int32_t points[N_I * N_J], other_points[N_I * N_J], wall_points[N_I + 1];
+static double x[N_I * N_J], y[N_I * N_J], spoiled[2 * N_I * N_J];
 static const double not_numbers[N_I * N_J] = {NAN};
 static double results[2 * N_I * N_J];
 
@@ -89,6 +89,7 @@ WRONG(other_plan, a->plan = a->plan == NULL ? with.plan : NULL)
 WRONG(no_factor, if (a->plan != NULL) a->plan = unfactored)
 WRONG(not_a_number, spoiled[0] = NAN)
 WRONG(infinite, spoiled[1] = INFINITY)
+WRONG(other_displacement, wall_points[a->n_wall] = (rank + 1) % size; spoiled[2 * a->n_wall++] = 5)
 WRONG(not_a_place, a->from_of_one.y = not_numbers; a->from = &a->from_of_one)
 
 /* NAMED: the text begins with the rank of the guilty process; BY_OTHERS: a process that receives
@@ -147,6 +148,8 @@ static const struct fault {
     OF_FIELDS(displace),
     OF_FIELDS(move),
     OF_FIELDS(transpose),
+    {"displace: other_displacement", displace, other_displacement, HM_BAD_ARGUMENT, BY_ROOT, 1,
+     "has two different displacements"},
     ARGUMENT(displace, not_a_number),
     ARGUMENT(displace, infinite),
     ARGUMENT(move, not_a_number),
@@ -243,7 +246,7 @@ static void make_right(attempt* its, hm_status (*call)(const arguments*, hm_erro
     a->n = own_points(N_I * N_J, points);
     for (k = 0; k < a->n; ++k) other_points[k] = points[a->n - 1 - k];
     a->n_wall = own_points(N_I, wall_points);
-    for (k = 0; k < 2 * N_I * N_J; ++k) spoiled[k] = numbers[k] = 1e-3 * cos(wall_points[0] + k);
+    for (k = 0; k < 2 * N_I * N_J; ++k) spoiled[k] = 1e-3 * cos(wall_points[0] + k);
     for (k = 0; k < 2 * N_I * N_J; ++k) results[k] = 7;
     if (call == displace || call == move) { /* both sides of the cut move together */
         for (k = 0; k < a->n_wall; ++k) spoiled[2 * k] = spoiled[2 * k + 1] = 1e-3;

@@ -18,7 +18,9 @@ hm_status hm_mpi_exchange(hm_basis* rows, const hm_basis* share, int32_t n, cons
     BEGIN_CALL(comm, err);
     status = begin(&exchange, comm, err);
     if (status >= 0 && (rows == NULL || share == NULL || n < 0 || (n > 0 && points == NULL))) {
-        status = refuse_argument(err, "an argument is NULL, or the number of points is negative");
+        status = refuse_argument(
+            err,
+            "rows, share or points is NULL, as where an earlier call has failed, or n is negative");
     }
     status = agree(status, comm, err);
     if (status >= 0) status = exchange_rows(&exchange, rows, share, n, points, err);

@@ -5,13 +5,14 @@
 # holds what the compiler has said of the headers that each object includes. All objects depend on BUILD/flags, which
 # changes when the compiler or its flags do.
 #
-# Each file of the library is an object of its own, so that a program links what it calls. Files of the program and of
-# the tests are compiled in groups: the headers that they share, which take most of the time, are read once a group.
+# Each file of the library is an object of its own, so that a program links what it calls. Files of the program with the
+# same level of optimisation, and files of the tests, are compiled in groups: headers that they share are read once a
+# group.
 # BUILD/objects/program.list and tests.list, for scripts that link objects to something else, have those of the program
 # without main, with -lz where the program uses zlib, and those of the tests.
 set -e
 build=$1
-in_program=100 in_tests=6   # files a group
+in_program=130 in_tests=6   # files a group
 
 # put FILE COMMAND...: what it writes takes its place in BUILD at once, if it is another text: several makes may run
 # beside each other.
@@ -75,6 +76,10 @@ groups() {
         object $part $build/objects/$part/$group.cpp $member
     done
 }
+# Each source of the program, behind its level and a bar.
+program_levels() {
+    for source in $(ls c_api/cli/*/*.cpp | grep -v /cgns); do echo "$(level $source)|$source"; done
+}
 in_turn() { for file do echo "#include \"$file\""; done; }
 # Tests use the same names for different things: each file is included in a namespace of its own, behind the headers of
 # all files of the group. Macros are in no namespace: files that define some are compiled alone.
@@ -103,9 +108,12 @@ all_rules() {
 
     flags='$(CLI)' list=
     objects cli $build/page_text.cpp c_api/cli/formats/cgns*.cpp
-    for rooms in "basics mesh formats" "commands curves page pictures sampling"; do
-        groups cli $in_program in_turn $(for room in $rooms; do ls c_api/cli/$room/*.cpp; done | grep -v /cgns)
-    done
+    program_levels >$build/levels.$$
+    cut -d '|' -f 1 $build/levels.$$ | sort -u >$build/each.$$
+    while read -r flag; do
+        groups cli $in_program in_turn $(awk -F '|' -v level="$flag" '$1 == level { print $2 }' $build/levels.$$)
+    done <$build/each.$$
+    rm -f $build/levels.$$ $build/each.$$
     parts=$list
     put objects/program.list echo $parts $zlib
     objects cli c_api/cli/main.cpp

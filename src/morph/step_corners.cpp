@@ -69,9 +69,10 @@ Index piece_of(OrientedMesh const& cells, Index guard) noexcept {
 
 }  // namespace
 
-void find_step_corners(OrientedMesh const& cells, Points points, Points displacement, Real most,
-                       Executor const& executor, void (*visit)(void* user, StepCorner const& found),
-                       void* user) noexcept {
+void find_step_corners(OrientedMesh const& cells, Points points, Points displacement,
+                       AdmissibleStep const& limit, Real most, Executor const& executor,
+                       void (*visit)(void* user, StepCorner const& found), void* user) noexcept {
+    bool is_limit_visited = false;
     auto const examine = [&](Index i) {
         Cell const cell = cells.cell(i);
         bool const is_guard = i >= cells.mesh.n_cells;
@@ -82,16 +83,19 @@ void find_step_corners(OrientedMesh const& cells, Points points, Points displace
         }
         for (Index k = first; k < end; ++k) {
             StepCorner const found = step_corner_at(cells, i, k, points, displacement);
-            if (found.step <= most) visit(user, found);
+            if (!(found.step <= most)) continue;
+            // A guard and its piece have the same step but for rounding.
+            if (found.step <= limit.step * (1 + 1e-12)) is_limit_visited = true;
+            visit(user, found);
         }
     };
     // The kernels tell which cells may invert before a step, which is a little larger here, so that
     // they do not leave out a corner at the limit.
-    Real const limit = most * (1 + 1e-6);
+    Real const largest = most * (1 + 1e-6);
     CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
     CellPlaces const places{points, displacement, {}};
     for_each_batch(cells, 0, cells.mesh.n_cells, [&](CellBatches const& batches) {
-        CellBounds const bounds = {limit};
+        CellBounds const bounds = {largest};
         std::uint64_t const triangles =
                                 kernels.triangles(batches.triangles, places, bounds, nullptr),
                             quads = kernels.quads(batches.quads, places, bounds, nullptr);
@@ -103,12 +107,14 @@ void find_step_corners(OrientedMesh const& cells, Points points, Points displace
     auto const is_close = [&](Index triangle) {
         return step_corner_at(cells, triangle, 1, points, displacement).step <= most;
     };
-    // A guard and its piece have the same step but for rounding, and one of them is visited.
+    // A guard is visited if its piece is not.
     for (Index guard = cells.mesh.n_cells; guard < cells.mesh.n_checked(); ++guard) {
         if (!is_close(guard)) continue;
         Index const piece = piece_of(cells, guard);
         if (piece == none || !is_close(piece)) examine(guard);
     }
+    // The kernels may leave out the limit itself if rounding alone makes the area 0 there.
+    if (!is_limit_visited) examine(limit.cell);
 }
 
 }  // namespace harmorph

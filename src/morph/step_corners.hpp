@@ -18,17 +18,19 @@ struct StepCorner {
 };
 
 // Calls visit(user, corner) for the corners whose step is at most `most`, in the order of the
-// cells; `most` must be finite, and no cell inverted at `points`.
-void find_step_corners(OrientedMesh const& cells, Points points, Points displacement, Real most,
-                       Executor const& executor, void (*visit)(void* user, StepCorner const& found),
-                       void* user) noexcept;
+// cells. limit is the admissible step, which is positive; `most` is finite and not below the limit.
+// A corner with the step of the limit is always visited.
+void find_step_corners(OrientedMesh const& cells, Points points, Points displacement,
+                       AdmissibleStep const& limit, Real most, Executor const& executor,
+                       void (*visit)(void* user, StepCorner const& found), void* user) noexcept;
 template <class Visit>
-void find_step_corners(OrientedMesh const& cells, Points points, Points displacement, Real most,
-                       Executor const& executor, Visit visit) noexcept {
+void find_step_corners(OrientedMesh const& cells, Points points, Points displacement,
+                       AdmissibleStep const& limit, Real most, Executor const& executor,
+                       Visit visit) noexcept {
     auto const call = [](void* user, StepCorner const& found) {
         (*static_cast<Visit*>(user))(found);
     };
-    find_step_corners(cells, points, displacement, most, executor, call, &visit);
+    find_step_corners(cells, points, displacement, limit, most, executor, call, &visit);
 }
 
 }  // namespace harmorph

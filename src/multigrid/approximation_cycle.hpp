@@ -307,8 +307,8 @@ private:
         for (Index l = last; l > 0; --l) {
             for (Index k = 0; k < starting_cycles; ++k) cycle(l, false);
             for (Index i = 0; i < a_.level[l - 1].n; ++i) {
-                store<W>(load<W>(at_[l].u + Offset{a_.cell_of[l - 1][i]} * W),
-                         at_[l - 1].u + Offset{i} * W);
+                Lanes<W, Real>(at_[l].u + Offset{a_.cell_of[l - 1][i]} * W)
+                    .store(at_[l - 1].u + Offset{i} * W);
             }
         }
     }

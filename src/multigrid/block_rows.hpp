@@ -9,28 +9,71 @@
 
 namespace harmorph::block {
 
+// The W numbers of a cell in registers of 16 bytes, which all processors with vectors have.
+template <Index W, class Number>
+struct Lanes {
+    static constexpr Index lanes = 16 / sizeof(Number), parts = W / lanes;
+    typedef Number Part __attribute__((vector_size(16)));
+    typedef Number Stored __attribute__((vector_size(16), aligned(sizeof(Number)), may_alias));
+
+    Part part[parts];
+
+    Lanes() noexcept {
+        for (Index p = 0; p < parts; ++p) part[p] = Part{};
+    }
+    explicit Lanes(const Number* from) noexcept {
+        for (Index p = 0; p < parts; ++p)
+            part[p] = *reinterpret_cast<const Stored*>(from + p * lanes);
+    }
+    template <class Other>
+    explicit Lanes(const Other* from) noexcept {
+        for (Index p = 0; p < parts; ++p) {
+            for (Index k = 0; k < lanes; ++k) part[p][k] = static_cast<Number>(from[p * lanes + k]);
+        }
+    }
+    void store(Number* to) const noexcept {
+        for (Index p = 0; p < parts; ++p) *reinterpret_cast<Stored*>(to + p * lanes) = part[p];
+    }
+    Lanes& operator+=(Lanes const& other) noexcept {
+        for (Index p = 0; p < parts; ++p) part[p] += other.part[p];
+        return *this;
+    }
+    Lanes& operator-=(Lanes const& other) noexcept {
+        for (Index p = 0; p < parts; ++p) part[p] -= other.part[p];
+        return *this;
+    }
+    Lanes& operator*=(Lanes const& other) noexcept {
+        for (Index p = 0; p < parts; ++p) part[p] *= other.part[p];
+        return *this;
+    }
+    Lanes& operator*=(Number factor) noexcept {
+        for (Index p = 0; p < parts; ++p) part[p] *= factor;
+        return *this;
+    }
+    friend Lanes operator*(Number factor, Lanes x) noexcept { return x *= factor; }
+    friend Lanes operator*(Lanes x, Lanes const& y) noexcept { return x *= y; }
+};
+
 // One number for each function.
 template <Index W, class Number = Real>
 struct PerFunction {
     Number at[W] = {};
+    PerFunction() noexcept = default;
+    explicit PerFunction(Lanes<W, Number> const& lanes) noexcept { lanes.store(at); }
     Number& operator[](Index k) noexcept { return at[k]; }
     Number operator[](Index k) const noexcept { return at[k]; }
 };
 
-template <Index W, class Number>
-PerFunction<W, Number> load(const Number* from) noexcept {
-    PerFunction<W, Number> out;
-    for (Index k = 0; k < W; ++k) out.at[k] = from[k];
-    return out;
-}
-template <Index W, class Number>
-void store(PerFunction<W, Number> const& from, Number* to) noexcept {
-    for (Index k = 0; k < W; ++k) to[k] = from.at[k];
-}
 // Computes to += a x.
 template <Index W, class Number>
+void add(Number a, Lanes<W, Number> const& x, Number* to) noexcept {
+    Lanes<W, Number> sum(to);
+    sum += a * x;
+    sum.store(to);
+}
+template <Index W, class Number>
 void add(Number a, const Number* x, Number* to) noexcept {
-    for (Index k = 0; k < W; ++k) to[k] += a * x[k];
+    add(a, Lanes<W, Number>(x), to);
 }
 
 template <Index W, class Number>
@@ -51,11 +94,10 @@ void convert(PerFunction<W> const& a, const From* from, To* to, Index n) noexcep
 
 template <Index W, class X, class Y>
 PerFunction<W> dot(const X* x, const Y* y, Index n) noexcept {
-    PerFunction<W> sum;
-    for (Offset i = 0; i < Offset{n} * W; i += W) {
-        for (Index k = 0; k < W; ++k) sum.at[k] += Real{x[i + k]} * Real{y[i + k]};
-    }
-    return sum;
+    Lanes<W, Real> sum;
+    for (Offset i = 0; i < Offset{n} * W; i += W)
+        sum += Lanes<W, Real>(x + i) * Lanes<W, Real>(y + i);
+    return PerFunction<W>(sum);
 }
 
 // Returns the largest absolute values, or NaN for a function that contains a NaN.
@@ -74,14 +116,15 @@ PerFunction<W> largest(const Number* x, Index n) noexcept {
 // Computes y += a x, with one factor for each function; returns the squared norms of y.
 template <Index W, class Number>
 PerFunction<W> add_multiple(PerFunction<W> const& a, const Number* x, Real* y, Index n) noexcept {
-    PerFunction<W> sum;
+    Lanes<W, Real> const factor(a.at);
+    Lanes<W, Real> sum;
     for (Offset i = 0; i < Offset{n} * W; i += W) {
-        for (Index k = 0; k < W; ++k) {
-            y[i + k] += a.at[k] * x[i + k];
-            sum.at[k] += y[i + k] * y[i + k];
-        }
+        Lanes<W, Real> value(y + i);
+        value += factor * Lanes<W, Real>(x + i);
+        value.store(y + i);
+        sum += value * value;
     }
-    return sum;
+    return PerFunction<W>(sum);
 }
 
 // Computes x = a x + b y.
@@ -99,26 +142,26 @@ void combine(PerFunction<W> const& a, Number* x, PerFunction<W> const& b, const 
 template <Index W, class Number>
 PerFunction<W> add_product(SymmetricRows const& rows, Real sign, const Number* x,
                            Real* y) noexcept {
-    PerFunction<W> squares;
+    using Numbers = Lanes<W, Real>;
+    Numbers squares;
     for (Index i = 0; i < rows.n; ++i) {
-        PerFunction<W> own;
-        for (Index k = 0; k < W; ++k) own.at[k] = x[Offset{i} * W + k];
-        PerFunction<W> sum = load<W>(y + Offset{i} * W);
-        add<W>(sign * rows.row_sum[i], own.at, sum.at);
-        for (Index k = 0; k < W; ++k) squares.at[k] += rows.row_sum[i] * own.at[k] * own.at[k];
+        Numbers const own(x + Offset{i} * W);
+        Numbers sum(y + Offset{i} * W);
+        sum += (sign * rows.row_sum[i]) * own;
+        squares += rows.row_sum[i] * own * own;
         for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
             Offset const j = Offset{rows.column[e]} * W;
-            Real const entry = sign * rows.value[e];
-            for (Index k = 0; k < W; ++k) {
-                Real const rise = x[j + k] - own.at[k], flux = entry * rise;
-                sum.at[k] += flux;
-                y[j + k] -= flux;
-                squares.at[k] -= rows.value[e] * rise * rise;
-            }
+            Numbers rise(x + j), other(y + j);
+            rise -= own;
+            Numbers const flux = (sign * rows.value[e]) * rise;
+            sum += flux;
+            other -= flux;
+            other.store(y + j);
+            squares -= rows.value[e] * rise * rise;
         }
-        store<W>(sum, y + Offset{i} * W);
+        sum.store(y + Offset{i} * W);
     }
-    return squares;
+    return PerFunction<W>(squares);
 }
 
 // Computes y = A x; returns x.y.
@@ -137,8 +180,8 @@ PerFunction<W> multiply(SymmetricRows const& rows, ImaginaryRows const& imaginar
     clear<W>(y, rows.n);
     PerFunction<W> energies;
     for (Index i = 0; i < rows.n; ++i) {
-        PerFunction<W> own, sum = load<W>(y + Offset{i} * W);
-        for (Index k = 0; k < W; ++k) own.at[k] = x[Offset{i} * W + k];
+        PerFunction<W> const own(Lanes<W, Real>(x + Offset{i} * W));
+        PerFunction<W> sum(Lanes<W, Real>(y + Offset{i} * W));
         Vec2 const row_sum{rows.row_sum[i], imaginary.row_sum[i]};
         for (Index k = 0; k < half; ++k) {
             Vec2 const here{own.at[k], own.at[k + half]}, flux = product(row_sum, here);
@@ -161,7 +204,7 @@ PerFunction<W> multiply(SymmetricRows const& rows, ImaginaryRows const& imaginar
                 energies.at[k] -= entry.x * dot(rise, rise) + 2 * entry.y * cross(here, rise);
             }
         }
-        store<W>(sum, y + Offset{i} * W);
+        Lanes<W, Real>(sum.at).store(y + Offset{i} * W);
     }
     for (Index k = 0; k < half; ++k) energies.at[k + half] = energies.at[k];
     return energies;
@@ -200,21 +243,31 @@ template <Index W, class Rows, class Number>
 void forward(Rows const& rows, Number* x) noexcept {
     for (Index i = 0; i < rows.n; ++i) {
         Number* const own = x + Offset{i} * W;
-        Number const inverse = static_cast<Number>(1 / rows.diagonal[i]);
-        PerFunction<W, Number> value;
-        for (Index k = 0; k < W; ++k) own[k] = value.at[k] = own[k] * inverse;
-        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
-            add<W>(-static_cast<Number>(rows.value[e]), value.at, x + Offset{rows.column[e]} * W);
-        }
+        Lanes<W, Number> value(own);
+        value *= static_cast<Number>(1 / rows.diagonal[i]);
+        value.store(own);
+        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e)
+            add(-static_cast<Number>(rows.value[e]), value, x + Offset{rows.column[e]} * W);
     }
 }
 
 template <Index W, class Rows, class Number>
 void scale_by_diagonal(Rows const& rows, Number* x) noexcept {
     for (Index i = 0; i < rows.n; ++i) {
-        Number const diagonal = static_cast<Number>(rows.diagonal[i]);
-        for (Index k = 0; k < W; ++k) x[Offset{i} * W + k] *= diagonal;
+        Lanes<W, Number> value(x + Offset{i} * W);
+        value *= static_cast<Number>(rows.diagonal[i]);
+        value.store(x + Offset{i} * W);
     }
+}
+
+// Adds to a sum the entries of a row times the numbers of their columns.
+template <Index W, class Rows, class Number>
+Lanes<W, Number> add_row(Rows const& rows, Index i, Number sign, const Number* x,
+                         Lanes<W, Number> sum) noexcept {
+    for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e)
+        sum += (sign * static_cast<Number>(rows.value[e])) *
+               Lanes<W, Number>(x + Offset{rows.column[e]} * W);
+    return sum;
 }
 
 template <Index W, class Rows, class Number>
@@ -222,16 +275,12 @@ void to_defect(Rows const& rows, Prolongation const& by, Index n_coarse, Number*
                Number* defect) noexcept {
     clear<W>(defect, n_coarse);
     for (Index i = 0; i < rows.n; ++i) {
-        PerFunction<W, Number> sum;
-        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
-            add<W>(static_cast<Number>(rows.value[e]), x + Offset{rows.column[e]} * W, sum.at);
-        }
-        for (Offset e = by.start[i]; e < by.start[i + 1]; ++e) {
-            add<W>(-static_cast<Number>(by.weight[e]), sum.at, defect + Offset{by.column[e]} * W);
-        }
-        Number const diagonal = static_cast<Number>(rows.diagonal[i]);
-        for (Index k = 0; k < W; ++k)
-            x[Offset{i} * W + k] *= diagonal;  // Later rows do not read this number.
+        Lanes<W, Number> const sum = add_row<W>(rows, i, Number{1}, x, {});
+        for (Offset e = by.start[i]; e < by.start[i + 1]; ++e)
+            add(-static_cast<Number>(by.weight[e]), sum, defect + Offset{by.column[e]} * W);
+        Lanes<W, Number> own(x + Offset{i} * W);
+        own *= static_cast<Number>(rows.diagonal[i]);
+        own.store(x + Offset{i} * W);  // Later rows do not read this number.
     }
 }
 
@@ -239,26 +288,22 @@ template <Index W, class Rows, class Number>
 void correct(Rows const& rows, Prolongation const& by, const Number* correction,
              Number* x) noexcept {
     for (Index i = 0; i < rows.n; ++i) {
-        PerFunction<W, Number> change;
-        for (Offset e = by.start[i]; e < by.start[i + 1]; ++e) {
-            add<W>(static_cast<Number>(by.weight[e]), correction + Offset{by.column[e]} * W,
-                   change.at);
-        }
-        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
-            add<W>(-static_cast<Number>(rows.value[e]), change.at, x + Offset{rows.column[e]} * W);
-        }
+        Lanes<W, Number> change;
+        for (Offset e = by.start[i]; e < by.start[i + 1]; ++e)
+            change += static_cast<Number>(by.weight[e]) *
+                      Lanes<W, Number>(correction + Offset{by.column[e]} * W);
+        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e)
+            add(-static_cast<Number>(rows.value[e]), change, x + Offset{rows.column[e]} * W);
     }
 }
 
 template <Index W, class Rows, class Number>
 void backward(Rows const& rows, Number* x) noexcept {
     for (Index i = rows.n - 1; i >= 0; --i) {
-        PerFunction<W, Number> sum = load<W>(x + Offset{i} * W);
-        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
-            add<W>(-static_cast<Number>(rows.value[e]), x + Offset{rows.column[e]} * W, sum.at);
-        }
-        Number const inverse = static_cast<Number>(1 / rows.diagonal[i]);
-        for (Index k = 0; k < W; ++k) x[Offset{i} * W + k] = sum.at[k] * inverse;
+        Number* const own = x + Offset{i} * W;
+        Lanes<W, Number> sum = add_row<W>(rows, i, Number{-1}, x, Lanes<W, Number>(own));
+        sum *= static_cast<Number>(1 / rows.diagonal[i]);
+        sum.store(own);
     }
 }
 

@@ -111,7 +111,7 @@ public:
         } else {
             clear<W>(x_, rows_.n);
         }
-        errors_ = {};
+        for (Index k = 0; k < W; ++k) errors_[k] = infinity;
         HARMORPH_TRY(after(0, largest_residual()));
         // The recursively updated residual drifts from the true one, so a function has converged
         // only if the true residual agrees.
@@ -249,16 +249,21 @@ private:
         return Status::ok;
     }
 
-    // Computes z = a B r, and the largest values of B r, which estimates the error. The factor a is
-    // a power of two that keeps z within the range of Number; conjugate gradients do not depend on
-    // the length of z.
+    // Computes z = a B r. The factor a is a power of two that keeps z within the range of Number;
+    // conjugate gradients do not depend on the length of z. If the residual of a function is small,
+    // the largest values of B r and of x are computed, too.
     void precondition() noexcept {
         constexpr Real smallest = 1e-290;
-        PerFunction<W> factor = largest_joined(largest<W>(r_, rows_.n));
-        for (Index k = 0; k < W; ++k)
-            factor[k] = factor[k] > smallest ? 1 / power_of_two_at(factor[k]) : 1;
+        PerFunction<W> factor;
+        bool any_small = false;
+        for (Index k = 0; k < W; ++k) {
+            Real const norm = sqrt(squares_[k]);
+            factor[k] = norm > smallest ? 1 / power_of_two_at(norm) : 1;
+            any_small = any_small || is_small(k);
+        }
         convert<W>(factor, r_, z_, rows_.n);
         cycle_.precondition(z_);
+        if (!any_small) return;
         errors_ = largest_joined(largest<W>(z_, rows_.n));
         for (Index k = 0; k < W; ++k) errors_[k] /= factor[k];
         sizes_ = largest_joined(largest<W>(x_, rows_.n));

@@ -148,8 +148,7 @@ TEST_CASE("a plan without a factor and the basis of another analysis are refused
 
     hm_mesh const mesh = other.mesh.view();
     std::vector<double> const d(setup.mesh.x.size(), 0.0);
-    hm_step_report step{};
-    step.struct_size = sizeof step;
+    auto step = sized<hm_step_report>();
     CHECK(hm_assess(attempt.basis, &mesh, nullptr, points_in(d, d), nullptr, nullptr, &step,
                     nullptr, nullptr) == HM_BAD_BASIS);
     Attempt only_mesh;

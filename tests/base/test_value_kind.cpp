@@ -237,8 +237,7 @@ TEST_CASE("a basis gives back the conditions and options it was solved with") {
     }
     // Together with curves and parameters, the conditions define the problem, and so the basis,
     // again.
-    hm_curves curves{};
-    curves.struct_size = sizeof curves;
+    auto curves = sized<hm_curves>();
     hm_curve shape[2];
     REQUIRE(hm_basis_curves(solved.basis, &curves, shape, 2, nullptr) == HM_OK);
     std::vector<std::int32_t> points, on;
@@ -250,8 +249,7 @@ TEST_CASE("a basis gives back the conditions and options it was solved with") {
         u.push_back(info.point_u[k]);
     }
     hm_mesh const mesh = setup.mesh.view();
-    hm_problem problem{};
-    problem.struct_size = sizeof problem;
+    auto problem = sized<hm_problem>();
     problem.mesh = &mesh;
     problem.curves = &curves;
     problem.n_conditions = n;

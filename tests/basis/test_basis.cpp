@@ -45,8 +45,7 @@ TEST_CASE("a basis gives back the curves, the points and the parameters of the s
         for (std::int32_t& index : shape.indices) ++index;
     for (int k = 0; k < 20; ++k) setup.curves.weights.push_back(1 + 0.01 * k);
     Solved const solved(setup);
-    hm_curves set{};
-    set.struct_size = sizeof set;
+    auto set = sized<hm_curves>();
     hm_curve shape[2];
     CHECK(hm_basis_curves(solved.basis, &set, shape, 1, nullptr) == HM_BAD_ARGUMENT);
     REQUIRE(hm_basis_curves(solved.basis, &set, shape, 2, nullptr) == HM_OK);

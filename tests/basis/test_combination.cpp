@@ -17,8 +17,7 @@ double difference(Moved const& a, Moved const& b) {
 Numbers moved_control_points(const hm_basis* basis, Numbers const& move) {
     Numbers out(std::size_t(2 * info_of(basis).control_points));
     hm_curve curve[2]{};
-    hm_curves curves{};
-    curves.struct_size = sizeof curves;
+    auto curves = sized<hm_curves>();
     REQUIRE(hm_moved_curves(basis, move.data(), out.data(), &curves, curve, 2, nullptr) == HM_OK);
     return out;
 }

@@ -152,10 +152,8 @@ TEST_CASE("rows refuse calls that need the mesh, and invalid lists are refused")
     Rows const rows(solved.basis, {1, 2, 3});
     REQUIRE(rows.status == HM_OK);
     hm_error error{};
-    hm_quality_report quality{};
-    quality.struct_size = sizeof quality;
-    hm_step_report step{};
-    step.struct_size = sizeof step;
+    auto quality = sized<hm_quality_report>();
+    auto step = sized<hm_step_report>();
     CHECK(hm_assess(rows.basis, &mesh, &mesh.points, nullptr, nullptr, nullptr, nullptr, &quality,
                     &error) == HM_BAD_BASIS);
     CHECK(std::string(error.text).find("list of points") != std::string::npos);

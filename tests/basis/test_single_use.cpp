@@ -97,8 +97,7 @@ TEST_CASE("calls that need the functions in double precision refuse those in sin
                              work.data(), bytes, options, nullptr, &error);
     };
     const hm_basis* const other = single.basis;
-    hm_safe_options options{};
-    options.struct_size = sizeof options;
+    auto options = sized<hm_safe_options>();
     options.n_others = 1;
     options.others = &other;
     CHECK(refused(safe(single.basis, nullptr, nullptr), error));

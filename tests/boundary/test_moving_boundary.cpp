@@ -95,10 +95,8 @@ TEST_CASE("points of a blunt base are on the second curve, and the ends belong t
     Naca4 naca;
     naca.blunt = true;
     Outline const outline = naca4(naca, 40);  // four edges on the base
-    hm_fit_options options{};
-    options.struct_size = sizeof options;
-    hm_fit_report report{};
-    report.struct_size = sizeof report;
+    auto options = sized<hm_fit_options>();
+    auto report = sized<hm_fit_report>();
     std::int32_t const n = std::int32_t(outline.points.size());
     std::size_t bytes = 0;
     REQUIRE(hm_fit_size(n, &options, &bytes, nullptr) == HM_OK);

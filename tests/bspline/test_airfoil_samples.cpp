@@ -3,6 +3,7 @@
 #include "bspline/airfoil_samples.hpp"
 
 #include <fixtures/spline.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include <algorithm>
 
@@ -12,18 +13,14 @@ using fixtures::Naca4;
 namespace {
 
 struct Sampled {
-    std::vector<unsigned char> block;
+    std::unique_ptr<fixtures::Guarded> block;
     AirfoilSamples samples;
     Fault fault;
     Status status;
 
     explicit Sampled(std::vector<Vec2> const& points, bool is_loop = true) {
         auto const n = Index(points.size());
-        Arena counting;
-        AirfoilSamples().lay_out(counting, n, 400);
-        block.resize(counting.bytes());
-        Arena placing(block.data(), block.size());
-        samples.lay_out(placing, n, 400);
+        block = fixtures::laid_out_part(samples, n, 400);
         status = samples.take({&points[0].x, &points[0].y, 2}, n, is_loop, fault);
     }
     std::vector<Vec2> line() const {

@@ -3,6 +3,7 @@
 #include "bspline/corners.hpp"
 
 #include <fixtures/spline.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include <algorithm>
 
@@ -12,18 +13,14 @@ namespace {
 
 struct Measured {
     std::vector<Vec2> points;
-    std::vector<unsigned char> block;
+    std::unique_ptr<fixtures::Guarded> block;
     Outline outline;
     std::vector<Index> corners;
 
     explicit Measured(std::vector<Vec2> const& given, bool is_loop = true)
         : points(given), corners(given.size()) {
         auto const n = Index(points.size());
-        Arena counting;
-        Outline().lay_out(counting, n);
-        block.resize(counting.bytes());
-        Arena placing(block.data(), block.size());
-        outline.lay_out(placing, n);
+        block = fixtures::laid_out_part(outline, n);
         outline.points = {points.data(), points.size()};
         outline.is_loop = is_loop;
         outline.measure();

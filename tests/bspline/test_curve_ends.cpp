@@ -5,6 +5,7 @@
 #include <fixtures/airfoil.hpp>
 #include <fixtures/section_families.hpp>
 #include <fixtures/spline.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include <algorithm>
 
@@ -21,12 +22,8 @@ struct Chosen {
 Chosen choose(std::vector<Vec2> const& points, Closure wanted, bool is_loop = true,
               Index most = 100) {
     auto const n = Index(points.size());
-    Arena counting;
-    Outline().lay_out(counting, n);
-    std::vector<unsigned char> block(counting.bytes());
-    Arena placing(block.data(), block.size());
     Outline outline;
-    outline.lay_out(placing, n);
+    auto const block = fixtures::laid_out_part(outline, n);
     outline.points = {points.data(), points.size()};
     outline.is_loop = is_loop;
     outline.measure();

@@ -3,6 +3,7 @@
 #include "bspline/least_squares.hpp"
 
 #include <fixtures/spline.hpp>
+#include <fixtures/laid_out.hpp>
 
 using namespace harmorph;
 using fixtures::Spline;
@@ -10,19 +11,14 @@ using fixtures::Spline;
 namespace {
 
 struct Problem {
-    std::vector<unsigned char> block;
+    std::unique_ptr<fixtures::Guarded> block;
     std::vector<Vec2> points;
     LeastSquares squares;
 
     // Points of the curve at evenly spread parameters, ends included.
     Problem(Spline const& spline, int n) {
         Curve const curve = spline.curve();
-        Arena counting;
-        LeastSquares().lay_out(counting, n, curve.n_control, curve.degree);
-        block.resize(counting.bytes());
-        Arena placing(block.data(), block.size());
-        squares.lay_out(placing, n, curve.n_control, curve.degree);
-        REQUIRE(!placing.overflown());
+        block = fixtures::laid_out_part(squares, n, curve.n_control, curve.degree);
         points.resize(std::size_t(n));
         squares.set_up(curve, {points.data(), points.size()});
         for (int k = 0; k < n; ++k) {

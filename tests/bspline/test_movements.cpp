@@ -1,43 +1,25 @@
 #include <harmorph_design.h>
 #include <doctest/doctest.h>
 
-#include <fixtures/curves.hpp>
-#include <fixtures/guarded.hpp>
+#include <fixtures/sections.hpp>
 
 #include <algorithm>
 #include <string>
 
+using fixtures::chord;
 using fixtures::CurveSet;
-using fixtures::FitRun;
 using fixtures::Spline;
 
 namespace {
 
 double const pi = std::acos(-1.0);
 
-// A cambered NACA section, tied at the trailing edge, or open with a base.
 CurveSet airfoil(bool blunt = false, double camber = 0.02) {
-    fixtures::Naca4 naca{camber, 0.4, 0.12, blunt};
-    harmorph::FitOptions options;
-    options.n_control = 30;
-    FitRun run(fixtures::vectors(fixtures::naca4(naca, 100)), options);
-    REQUIRE(run.status == harmorph::Status::ok);
-    Spline spline;
-    harmorph::Curve const& curve = run.fit.curve[0];
-    for (int i = 0; i < curve.n_control; ++i)
-        spline.control.insert(spline.control.end(), {run.control(i).x, run.control(i).y});
-    for (int k = 0; k < curve.n_indices; ++k) spline.indices.push_back(curve.control_point(k));
-    spline.knots.assign(curve.knots, curve.knots + curve.n_indices + 4);
-    CurveSet set(spline);
-    if (blunt)
-        set.add_over(1, {curve.control_point(curve.n_indices - 1), curve.control_point(0)},
-                     {0, 0, 1, 1});
-    return set;
+    return fixtures::naca_section(blunt, 30, camber);
 }
 
 hm_movement movement(int kind, double x = 0, double y = 0, double length = 0) {
-    hm_movement out{};
-    out.struct_size = sizeof out;
+    auto out = fixtures::sized<hm_movement>();
     out.kind = kind;
     out.x = x;
     out.y = y;
@@ -96,24 +78,12 @@ At curve_at(CurveSet& set, double u) {
     return {xy[0], xy[1]};
 }
 
-hm_section chord(double leading_x, double leading_y, double trailing_x, double trailing_y) {
-    hm_section out{};
-    out.struct_size = sizeof out;
-    out.leading_x = leading_x;
-    out.leading_y = leading_y;
-    out.trailing_x = trailing_x;
-    out.trailing_y = trailing_y;
-    return out;
-}
 hm_section const unit_chord = chord(0, 0, 1, 0);
 
 double measured(CurveSet& set, int kind, double station = 0) {
-    hm_quantity quantity{};
-    quantity.struct_size = sizeof quantity;
-    quantity.kind = kind;
-    quantity.station = station;
+    hm_quantity const asked = fixtures::quantity(kind, station);
     double value = 0;
-    REQUIRE(hm_measure(&set.view(), &unit_chord, 1, &quantity, &value, nullptr, nullptr, nullptr) ==
+    REQUIRE(hm_measure(&set.view(), &unit_chord, 1, &asked, &value, nullptr, nullptr, nullptr) ==
             HM_OK);
     return value;
 }
@@ -214,8 +184,7 @@ TEST_CASE("a turn of a periodic curve needs no chord, and moves its control poin
     CurveSet set;
     set.add(fixtures::ring(3, 12, 1, 0.5));
     set.add(fixtures::ring(3, 12, 1, 0.5, 5, 0));
-    hm_section second{};
-    second.struct_size = sizeof second;
+    auto second = fixtures::sized<hm_section>();
     second.first_curve = second.n_curves = 1;
     Moved const by = moved(set, {movement(HM_TURN, 5, 0)}, {180}, &second);
     REQUIRE(by.status == HM_OK);

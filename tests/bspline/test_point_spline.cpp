@@ -3,22 +3,19 @@
 #include "bspline/point_spline.hpp"
 
 #include <fixtures/spline.hpp>
+#include <fixtures/laid_out.hpp>
 
 using namespace harmorph;
 
 namespace {
 
 struct SplineRun {
-    std::vector<unsigned char> block;
+    std::unique_ptr<fixtures::Guarded> block;
     PointSpline spline;
 
     SplineRun(std::vector<Vec2> const& points, bool is_closed) {
         auto const n = Index(points.size());
-        Arena counting;
-        PointSpline().lay_out(counting, n);
-        block.resize(counting.bytes());
-        Arena placing(block.data(), block.size());
-        spline.lay_out(placing, n);
+        block = fixtures::laid_out_part(spline, n);
         spline.pass_through({points.data(), points.size()}, is_closed);
     }
 };

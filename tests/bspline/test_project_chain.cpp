@@ -3,6 +3,7 @@
 #include "bspline/projection.hpp"
 
 #include <fixtures/spline.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include <algorithm>
 
@@ -18,12 +19,8 @@ struct Chained {
 
 Chained chain(Curve const& curve, std::vector<Vec2> const& points, bool is_loop) {
     auto const n = Index(points.size());
-    Arena counting;
     ChainWork work;
-    work.lay_out(counting, n);
-    std::vector<unsigned char> block(counting.bytes());
-    Arena placing(block.data(), block.size());
-    work.lay_out(placing, n);
+    auto const block = fixtures::laid_out_part(work, n);
     Chained out;
     out.u.resize(points.size());
     out.sum = project_chain(curve, {points.data(), points.size()}, is_loop, work,

@@ -3,6 +3,7 @@
 #include "bspline/refit.hpp"
 
 #include <fixtures/spline.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include <algorithm>
 #include <string>
@@ -14,7 +15,7 @@ using fixtures::Naca4;
 namespace {
 
 struct RefitRun {
-    std::vector<unsigned char> block;
+    std::unique_ptr<fixtures::Guarded> block;
     Refit refit;
     RefitReport report;
     Fault fault;
@@ -23,12 +24,7 @@ struct RefitRun {
     RefitRun(Curve const& curve, Curve const* base, std::vector<Vec2> const& points,
              RefitOptions const& options = {}) {
         auto const n = Index(points.size());
-        Arena counting;
-        Refit().lay_out(counting, curve, n);
-        block.resize(counting.bytes());
-        Arena placing(block.data(), block.size());
-        refit.lay_out(placing, curve, n);
-        REQUIRE(!failed(placing.verify(block.size(), fault)));
+        block = fixtures::laid_out_part(refit, curve, n);
         status = refit.run(curve, base, {&points[0].x, &points[0].y, 2}, n, options, report, fault);
     }
     Vec2 control(Index i) const { return {refit.control[2 * i], refit.control[2 * i + 1]}; }

@@ -3,6 +3,7 @@
 
 #include <fixtures/curves.hpp>
 #include <fixtures/refused.hpp>
+#include <fixtures/sized.hpp>
 
 #include <cmath>
 #include <limits>
@@ -20,8 +21,7 @@ struct Square {
     hm_curves set{};
 
     explicit Square(std::size_t n = 1) {
-        hm_curve one{};
-        one.struct_size = sizeof one;
+        auto one = sized<hm_curve>();
         one.degree = 1;
         one.n_indices = 5;
         one.indices = indices.data();
@@ -162,14 +162,12 @@ TEST_CASE("a section without area has a finite thickness and camber, or is refus
 TEST_CASE("a curve that is constant has no curvature there") {
     std::vector<double> const control{1, 0, 0.5, 0.5, 0, 0, 0, 0, 0, 0, 0.5, -0.5, 1, 0};
     double const knots[] = {0, 0, 0, 1, 2, 3, 4, 5, 5, 5};
-    hm_curve curve{};
-    curve.struct_size = sizeof curve;
+    auto curve = sized<hm_curve>();
     curve.degree = 2;
     curve.n_indices = 7;
     curve.knots = knots;
     hm_curves const set{sizeof set, 0, 7, control.data(), nullptr, 1, &curve};
-    hm_quantity quantity{};
-    quantity.struct_size = sizeof quantity;
+    auto quantity = sized<hm_quantity>();
     quantity.kind = HM_MIN_RADIUS;
     double value = 7;
     hm_error error{};

@@ -5,6 +5,7 @@
 
 #include <fixtures/curves.hpp>
 #include <fixtures/perturb.hpp>
+#include <fixtures/sized.hpp>
 
 using namespace fixtures;
 
@@ -36,14 +37,12 @@ struct Result {
 };
 
 Result distance_of(CurveSet& set, double sharpness = 0, bool swapped = false) {
-    hm_quantity asked{};
-    asked.struct_size = sizeof asked;
+    auto asked = sized<hm_quantity>();
     asked.kind = HM_DISTANCE;
     asked.sharpness = sharpness;
     asked.other_curve = swapped ? 0 : 1;
     asked.n_other = 1;
-    hm_section section{};
-    section.struct_size = sizeof section;
+    auto section = sized<hm_section>();
     section.first_curve = swapped ? 1 : 0;
     section.n_curves = 1;
     Result out;

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "bspline/section.hpp"
-#include <fixtures/curves.hpp>
+#include <fixtures/sections.hpp>
 #include <fixtures/traps.hpp>
 
 #include <cmath>
@@ -10,19 +10,13 @@
 #include <string>
 
 using fixtures::CurveSet;
+using fixtures::quantity;
 using fixtures::Spline;
 
 namespace {
 
 double const pi = std::acos(-1.0);
 
-hm_quantity quantity(int kind, double station = 0) {
-    hm_quantity out{};
-    out.struct_size = sizeof out;
-    out.kind = kind;
-    out.station = station;
-    return out;
-}
 hm_quantity thinnest(double first, double last, double sharpness) {
     hm_quantity out = quantity(HM_MIN_THICKNESS, first);
     out.last_station = last;
@@ -61,20 +55,21 @@ double value_of(CurveSet& set, hm_quantity const& asked, hm_section const* secti
     return out.value;
 }
 
-// Differences of fourth order along random directions against the derivatives.
-void check_gradient(CurveSet& set, hm_quantity const& asked, hm_section const* section = nullptr,
-                    double tolerance = 2e-8) {
+// Calls compare(at, slope, size) for random directions: at(step) is the value of the quantity after
+// a step in the direction, slope what the derivatives say, size the largest derivative.
+template <class Compare>
+void along_directions(CurveSet& set, hm_quantity const& asked, hm_section const* section,
+                      unsigned seed, Compare const& compare) {
     Result const exact = measured(set, asked, section);
     REQUIRE_MESSAGE(exact.status == HM_OK, exact.error.text);
     std::vector<double> const start = set.control;
-    std::mt19937 random(3);
+    std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform(-1, 1);
-    double size = 0, worst = 0;
+    double size = 0;
     for (double const g : exact.gradient) size = std::max(size, std::fabs(g));
     for (int trial = 0; trial < 4; ++trial) {
         std::vector<double> direction(start.size());
         double slope = 0;
-        double const h = 1e-4;
         for (std::size_t k = 0; k < start.size(); ++k) {
             direction[k] = uniform(random);
             slope += exact.gradient[k] * direction[k];
@@ -84,45 +79,34 @@ void check_gradient(CurveSet& set, hm_quantity const& asked, hm_section const* s
                 set.control[k] = start[k] + step * direction[k];
             return value_of(set, asked, section);
         };
-        worst = std::max(
-            worst, std::fabs((8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h) - slope));
+        compare(at, slope, size);
     }
     set.control = start;
-    INFO("kind " << asked.kind << ", value " << exact.value << ", gradient up to " << size);
-    CHECK(worst <= tolerance * size);
+}
+
+// Differences of fourth order along random directions agree with the derivatives.
+void check_gradient(CurveSet& set, hm_quantity const& asked, hm_section const* section = nullptr,
+                    double tolerance = 2e-8) {
+    along_directions(set, asked, section, 3, [&](auto const& at, double slope, double size) {
+        double const h = 1e-4,
+                     by_steps = (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h);
+        INFO("kind " << asked.kind << ", derivatives of at most " << size);
+        CHECK(std::fabs(by_steps - slope) <= tolerance * size);
+    });
 }
 
 // Central differences along random directions converge to the derivatives with second order.
 void check_order(CurveSet& set, hm_quantity const& asked, hm_section const* section) {
-    Result const exact = measured(set, asked, section);
-    REQUIRE_MESSAGE(exact.status == HM_OK, exact.error.text);
-    std::vector<double> const start = set.control;
-    std::mt19937 random(4);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    double size = 0, errors[3] = {};
-    for (double const g : exact.gradient) size = std::max(size, std::fabs(g));
-    for (int trial = 0; trial < 4; ++trial) {
-        std::vector<double> direction(start.size());
-        double slope = 0;
-        for (std::size_t k = 0; k < start.size(); ++k) {
-            direction[k] = uniform(random);
-            slope += exact.gradient[k] * direction[k];
-        }
-        auto const at = [&](double step) {
-            for (std::size_t k = 0; k < start.size(); ++k)
-                set.control[k] = start[k] + step * direction[k];
-            return value_of(set, asked, section);
-        };
+    double errors[3] = {}, rounding = 0;
+    along_directions(set, asked, section, 4, [&](auto const& at, double slope, double size) {
+        rounding = 1e-9 * size;  // the error of an area, for instance, is rounding alone
         double h = 4e-4;
         for (double& error : errors) {
             error = std::max(error, std::fabs((at(h) - at(-h)) / (2 * h) - slope));
             h /= 2;
         }
-    }
-    set.control = start;
-    INFO("kind " << asked.kind << ": " << errors[0] << ", " << errors[1] << ", " << errors[2]
-                 << ", gradient up to " << size);
-    double const rounding = 1e-9 * size;  // the error of an area, for instance, is rounding alone
+    });
+    INFO("kind " << asked.kind << ": " << errors[0] << ", " << errors[1] << ", " << errors[2]);
     for (int k = 0; k < 2; ++k) CHECK(errors[k + 1] < 0.3 * errors[k] + rounding);
 }
 
@@ -195,11 +179,7 @@ BothDirections slopes(CurveSet set, hm_quantity const& asked, std::size_t k) {
 TEST_CASE("the measures of a circle are those of the formulas") {
     double const r = 0.7, cx = 3, cy = -2;
     CurveSet set = circle(r, cx, cy);
-    hm_section chord{};
-    chord.struct_size = sizeof chord;
-    chord.leading_x = cx - r;
-    chord.trailing_x = cx + r;
-    chord.leading_y = chord.trailing_y = cy;
+    hm_section const chord = fixtures::chord(cx - r, cy, cx + r, cy);
     auto const check_value = [&](int kind, double value) {
         CHECK(value_of(set, quantity(kind), &chord) == doctest::Approx(value).epsilon(1e-13));
     };
@@ -294,12 +274,8 @@ TEST_CASE("derivatives of all quantities agree with differences for sections of 
                 CurveSet set =
                     kind == 2 ? reversed(section(true, rational)) : section(kind == 1, rational);
                 if (kind == 1) set.add_over(1, {12, 0}, {0, 0, 1, 1});
-                hm_section chord{};
-                chord.struct_size = sizeof chord;
-                if (fixed) {
-                    chord.trailing_x = 0.999;
-                    chord.trailing_y = -0.001;
-                }
+                hm_section const chord =
+                    fixtures::chord(0, 0, fixed ? 0.999 : 0, fixed ? -0.001 : 0);
                 INFO("rational " << rational << ", kind " << kind << ", fixed chord " << fixed);
                 for (int k = HM_AREA; k <= HM_CURVATURE_VARIATION; ++k) {
                     if (k == HM_THICKNESS || k == HM_CAMBER) continue;
@@ -328,8 +304,7 @@ TEST_CASE("differences converge to the derivatives with second order") {
     std::vector<double> const box = {0.2, -0.03, 0.6, -0.02, 0.6, 0.05, 0.2, 0.06};
     for (bool const rational : {false, true}) {
         CurveSet set = section(true, rational);
-        hm_section chord{};
-        chord.struct_size = sizeof chord;
+        auto chord = fixtures::sized<hm_section>();
         INFO("rational " << rational);
         for (int k = HM_AREA; k <= HM_CURVATURE_VARIATION; ++k)
             if (k != HM_THICKNESS && k != HM_CAMBER) check_order(set, quantity(k), &chord);
@@ -422,9 +397,7 @@ TEST_CASE("the smallest thickness is no larger than any station, and the smooth 
     for (int k = 0; k < 9; ++k) waist.indices.push_back(k % 8);
     waist.knots = fixtures::clamped_knots(2, 9);
     CurveSet hourglass(waist);
-    hm_section chord{};
-    chord.struct_size = sizeof chord;
-    chord.trailing_x = 4;
+    hm_section const chord = fixtures::chord(0, 0, 4, 0);
     Result const middle = measured(hourglass, thinnest(0.2, 0.8, 0), &chord);
     REQUIRE(middle.status == HM_OK);
     CHECK(middle.at[0] == doctest::Approx(2).epsilon(1e-6));
@@ -558,10 +531,7 @@ TEST_CASE("quantities that cannot be measured are refused with the reason, and o
     CHECK(refusal(set, quantity(99), "is 99, but it must be one of HM_AREA") == HM_BAD_ARGUMENT);
     CHECK(refusal(set, quantity(HM_CLEARANCE), "polygon") == HM_BAD_ARGUMENT);
     CHECK(refusal(set, clearance({0, std::nan("")}), "point 0") == HM_BAD_ARGUMENT);
-    hm_section outside{};
-    outside.struct_size = sizeof outside;
-    outside.leading_x = 10;
-    outside.trailing_x = 11;
+    hm_section outside = fixtures::chord(10, 0, 11, 0);
     CHECK(refusal(set, quantity(HM_THICKNESS, 0.5), "fewer than two", &outside) == HM_BAD_CURVE);
     outside.n_curves = 2;
     CHECK(refusal(set, quantity(HM_AREA), "does not have these curves", &outside) ==

@@ -1,15 +1,14 @@
 #include <harmorph_design.h>
 #include <doctest/doctest.h>
 
-#include <fixtures/curves.hpp>
-#include <fixtures/guarded.hpp>
+#include <fixtures/sections.hpp>
 
 #include <algorithm>
 #include <functional>
 #include <string>
 
 using fixtures::CurveSet;
-using fixtures::FitRun;
+using fixtures::naca_section;
 using fixtures::Spline;
 
 namespace {
@@ -45,32 +44,11 @@ Map mapped(CurveSet& set, hm_variables const& variables, hm_section const* secti
 }
 
 hm_variables kind(int number, int n_upper = 0, int n_lower = 0) {
-    hm_variables out{};
-    out.struct_size = sizeof out;
+    auto out = fixtures::sized<hm_variables>();
     out.kind = number;
     out.n_upper = n_upper;
     out.n_lower = n_lower;
     return out;
-}
-
-// Fitted to a NACA section; tied at the trailing edge, or open with a base.
-CurveSet airfoil(bool blunt, int n_control) {
-    fixtures::Naca4 naca{0.02, 0.4, 0.12, blunt};
-    harmorph::FitOptions options;
-    options.n_control = n_control;
-    FitRun run(fixtures::vectors(fixtures::naca4(naca, 100)), options);
-    REQUIRE(run.status == harmorph::Status::ok);
-    Spline spline;
-    harmorph::Curve const& curve = run.fit.curve[0];
-    for (int i = 0; i < curve.n_control; ++i)
-        spline.control.insert(spline.control.end(), {run.control(i).x, run.control(i).y});
-    for (int k = 0; k < curve.n_indices; ++k) spline.indices.push_back(curve.control_point(k));
-    spline.knots.assign(curve.knots, curve.knots + curve.n_indices + 4);
-    CurveSet set(spline);
-    if (blunt)
-        set.add_over(1, {curve.control_point(curve.n_indices - 1), curve.control_point(0)},
-                     {0, 0, 1, 1});
-    return set;
 }
 
 // The displacement of the curve by a variable at a parameter, and the point of the curve there.
@@ -97,12 +75,7 @@ double bernstein(int degree, int k, double t) {
     return value;
 }
 
-hm_section unit_chord() {
-    hm_section out{};
-    out.struct_size = sizeof out;
-    out.trailing_x = 1;
-    return out;
-}
+hm_section unit_chord() { return fixtures::chord(0, 0, 1, 0); }
 
 // The largest difference between what a variable moves the curve by and shape(station, upper)
 // normal to the chord (0,0)
@@ -135,7 +108,7 @@ void check_shape(CurveSet& set, Map const& map, int variable, Shape const& shape
 }  // namespace
 
 TEST_CASE("an FFD box of degree 1 gives affine maps exactly; a box of any degree translations") {
-    CurveSet set = airfoil(false, 20);
+    CurveSet set = naca_section(false, 20);
     for (int const degree : {1, 3}) {
         hm_variables box = kind(HM_FFD);
         box.degree_x = degree;
@@ -168,7 +141,7 @@ TEST_CASE("an FFD box of degree 1 gives affine maps exactly; a box of any degree
 
 TEST_CASE("CST, bumps and NACA modes move the curve by their formulas within the reported error") {
     for (bool const blunt : {false, true}) {
-        CurveSet set = airfoil(blunt, 30);
+        CurveSet set = naca_section(blunt, 30);
         hm_section const chord = unit_chord();
         Map const cst = mapped(set, kind(HM_CST, 4, 3), &chord);
         REQUIRE_MESSAGE(cst.status == HM_OK, cst.error.text);
@@ -212,7 +185,7 @@ TEST_CASE("CST, bumps and NACA modes move the curve by their formulas within the
 TEST_CASE("more control points approximate the shapes better") {
     double before = 1;
     for (int const n : {12, 24, 48}) {
-        CurveSet set = airfoil(false, n);
+        CurveSet set = naca_section(false, n);
         Map const map = mapped(set, kind(HM_NACA4, 1));
         REQUIRE_MESSAGE(map.status == HM_OK, map.error.text);
         CHECK(map.errors[0] < 0.7 * before);
@@ -244,7 +217,7 @@ TEST_CASE("the given chord divides a periodic section of either direction") {
 }
 
 TEST_CASE("the unit of a curve's parameter does not matter") {
-    CurveSet set = airfoil(false, 20);
+    CurveSet set = naca_section(false, 20);
     hm_variables const modes = kind(HM_CST, 4, 4);
     Map const plain = mapped(set, modes);
     REQUIRE(plain.status == HM_OK);
@@ -263,7 +236,7 @@ TEST_CASE("the unit of a curve's parameter does not matter") {
 // The sides meet inside a span, at one fraction of the span or, backwards, at the rest.
 TEST_CASE("functions and errors of a section with an inner leading edge ignore direction") {
     for (int const n : {9, 10, 11, 12, 13}) {
-        CurveSet set = airfoil(false, n), back = set;
+        CurveSet set = naca_section(false, n), back = set;
         auto& shape = back.shapes[0];
         std::vector<std::int32_t> const indices = shape.indices;
         std::vector<double> const knots = shape.knots;
@@ -283,7 +256,7 @@ TEST_CASE("functions and errors of a section with an inner leading edge ignore d
 }
 
 TEST_CASE("variables without effect, repeated or out of range are refused by name") {
-    CurveSet set = airfoil(false, 20);
+    CurveSet set = naca_section(false, 20);
     auto const refusal = [&](hm_variables const& variables, std::string const& word) {
         Map const map = mapped(set, variables);
         CHECK_MESSAGE(std::string(map.error.text).find(word) != std::string::npos, map.error.text);
@@ -316,7 +289,7 @@ TEST_CASE("variables without effect, repeated or out of range are refused by nam
 }
 
 TEST_CASE("a tied trailing edge moves by the mean of what both sides ask for") {
-    CurveSet set = airfoil(false, 17);
+    CurveSet set = naca_section(false, 17);
     std::int32_t const edge = set.shapes[0].indices.front();
     REQUIRE(set.shapes[0].indices.back() == edge);
     int const n_upper = 4, n_lower = 3;
@@ -376,7 +349,7 @@ TEST_CASE("the residual of each shape is orthogonal to all free basis functions"
     };
     hm_section const chord = unit_chord();
     for (Shapes const& shapes : all) {
-        CurveSet set = airfoil(false, 24);
+        CurveSet set = naca_section(false, 24);
         Map const map = mapped(set, shapes.variables, &chord);
         REQUIRE_MESSAGE(map.status == HM_OK, map.error.text);
         int const n_samples = 20000;

@@ -129,26 +129,28 @@ awk -f "$here/../../c_api/packaging/table.awk" $(sed "s|^|$include/|" "$here/../
 check "fields are declared" [ -s "$tmp/declared" ]
 check "every field of the options has a line here" sh -c 'sort -u "$0" | diff "$1" -' "$fields" "$tmp/declared"
 
-# The choice of the engine: the first one whose bytes fit. The bytes are those that a limit of 8 MB is refused with.
+# The choice of the engine: the first one whose bytes fit. The bytes are those that a limit of 16 MB is refused with.
 make_ring 256 80 >"$tmp/many.su2"
 solve_many() { "$harmorph" solve "$tmp/many.su2" --curve body="$curve" -o "$tmp/many.basis" --json "$@"; }
 needs() { sed -n "s/.*$1 needs \([0-9.]*\) MB.*/\1/p; s/.*[,:] $1 \([0-9.]*\) MB.*/\1/p" "$tmp/err" | head -n 1; }
 engine() { sed -n 's/.*"engine": "\([^:]*\):.*/\1/p' "$tmp/out"; }
-for operator in laplace conformal; do
-    solve_many --operator $operator --memory 8 >"$tmp/out" 2>"$tmp/err"
+for options in "--operator laplace" "--operator conformal" "--operator conformal --slip far"; do
+    solve_many $options --memory 16 >"$tmp/out" 2>"$tmp/err"
     code=$?
-    check "--memory 8, $operator: refused" [ $code = 1 ]
-    cp "$tmp/err" "$tmp/needs"
+    check "--memory 16, $options: refused" [ $code = 1 ]
     list="direct:$(needs direct) single:$(needs 'direct in single precision')"
-    case $operator in laplace) list="$list multigrid:$(needs multigrid)" ;; esac
-    check "--memory 8, $operator: bytes of all engines ($list)" sh -c \
+    case $options in
+    *slip*) check "$options: not by multigrid" sh -c "! grep multigrid '$tmp/err'" ;;
+    *) list="$list multigrid:$(needs multigrid)" ;;
+    esac
+    check "--memory 16, $options: bytes of all engines ($list)" sh -c \
         'for one; do case $one in *:[1-9]*) ;; *) exit 1 ;; esac; done' sh $list
     for limit in $(echo "$list" | tr ' ' '\n' | awk -F: '{ print $2 * .999, $2 * 1.001 }') 1e6; do
         wanted=$(echo "$list" | tr ' ' '\n' | awk -F: -v limit="$limit" '$2 <= limit { print $1; exit }')
-        solve_many --operator $operator --memory "$limit" >"$tmp/out" 2>"$tmp/err"
+        solve_many $options --memory "$limit" >"$tmp/out" 2>"$tmp/err"
         case $? in 0) found=$(engine) ;; 1) found= ;; *) found=error ;; esac
         case $found in *single*) found=single ;; esac
-        check "--memory $limit, $operator: '$found' of $list" [ "$found" = "$wanted" ]
+        check "--memory $limit, $options: '$found' of $list" [ "$found" = "$wanted" ]
     done
 done
 runs "--engine auto: enough memory" 0 solve "$ring" --curve body="$curve" -o "$tmp/automatic.basis" --json

@@ -3,6 +3,7 @@
 
 #include <fixtures/guarded.hpp>
 #include <fixtures/perturb.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "direct/bicgstab.hpp"
 
@@ -59,11 +60,7 @@ struct Solved {
 
 Solved solve(Dense const& matrix, std::vector<double> const& right_hand_side, Index columns) {
     BiconjugateGradients engine;
-    harmorph::Arena counting;
-    engine.lay_out(counting, n, width);
-    Guarded block(counting.bytes());
-    harmorph::Arena arena(block.data(), block.size());
-    engine.lay_out(arena, n, width);
+    auto const block = laid_out_part(engine, n, width);
     Solved out{right_hand_side};
     auto const apply = [&](const double* from, double* to) { matrix.times(from, to); };
     auto const precondition = [&](double* rows) {
@@ -72,7 +69,7 @@ Solved solve(Dense const& matrix, std::vector<double> const& right_hand_side, In
     };
     Span<double> const rows(out.x.data(), out.x.size());
     out.status = engine.run(rows, columns, 1e-10, 100, out.iterations, apply, precondition);
-    CHECK(block.guards_intact());
+    CHECK(block->guards_intact());
     return out;
 }
 

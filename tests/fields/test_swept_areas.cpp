@@ -311,8 +311,7 @@ TEST_CASE("a side has exactly opposite areas in its two cells; threads do not ch
 TEST_CASE("the sign: a side that moves outwards from a counter-clockwise cell is positive") {
     double const x[] = {0, 1, 0}, y[] = {0, 0, 1}, to_x[] = {0, 2, 0};
     std::int32_t const cell[] = {0, 1, 2};
-    hm_mesh mesh{};
-    mesh.struct_size = sizeof mesh;
+    auto mesh = fixtures::sized<hm_mesh>();
     mesh.n_points = 3;
     mesh.points = {x, y, 1};
     mesh.cell_layout = HM_CELLS_TRIANGLES;

@@ -84,7 +84,7 @@ void break_curves(Problem& problem, Input& input) {
     CurveArrays& set = !along.curve.empty() && input.one_in(2) ? along : problem.on_walls;
     if (set.curve.empty()) return;
     hm_curve& curve = some(set.curve, input);
-    std::size_t const c = static_cast<std::size_t>(&curve - set.curve.data());
+    std::size_t const c = at(&curve - set.curve.data());
     switch (input.below(9)) {
         case 0: some(set.control, input) = input.wild(); break;
         case 1: some(set.control, input) *= 1e3; break;
@@ -94,7 +94,7 @@ void break_curves(Problem& problem, Input& input) {
         case 5: some(set.indices[c], input) = some(set.indices[c], input); break;
         case 6: curve.n_indices = std::min(curve.n_indices, input.from(-1, 3)); break;
         case 7:
-            set.weights.assign(static_cast<std::size_t>(set.view.n_control), 1.0);
+            set.weights.assign(at(set.view.n_control), 1.0);
             some(set.weights, input) = input.one_in(2) ? input.wild() : -1;
             set.view.weights = set.weights.data();
             break;

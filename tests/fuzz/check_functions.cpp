@@ -78,7 +78,7 @@ void SolutionCheck::derived_bases() {
     expect(hm_extract_init(&rows, its_.blocks.take(bytes).data(), bytes, whole, n, points.data(),
                            &error_) == HM_OK,
            "no extract");
-    Numbers matrix(static_cast<std::size_t>(2 * info_.functions));
+    Numbers matrix(at(2 * info_.functions));
     for (double& number : matrix) number = input_.between(-1, 1);
     its_.blocks.make(error_, size_by(hm_combine_size, its_.basis, 2, 1),
                      init_by(hm_combine, &combined, its_.basis, 2, 1, matrix.data()));
@@ -89,7 +89,7 @@ void SolutionCheck::derived_bases() {
     expect(hm_morph(rows, move_.data(), nullptr, &few, nullptr, &error_) == HM_OK,
            "no displacement of an extract");
     for (std::size_t k = 0; k < points.size(); ++k)
-        expect(few_x[k] == x[static_cast<std::size_t>(points[k] - problem_.mesh.index_base)],
+        expect(few_x[k] == x[at(points[k] - problem_.mesh.index_base)],
                "an extract moves otherwise");
 }
 

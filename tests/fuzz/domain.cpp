@@ -57,7 +57,7 @@ void add_cell(Domain& domain, Input& input, std::uint32_t split, std::int32_t a,
 void drop_unused(Domain& domain) {
     std::vector<std::int32_t> new_of(domain.points.size(), -1);
     for (Cell const& cell : domain.cells)
-        for (std::int32_t const k : cell) new_of[static_cast<std::size_t>(k)] = 0;
+        for (std::int32_t const k : cell) new_of[at(k)] = 0;
     std::int32_t n = 0;
     std::vector<Point> points;
     for (std::size_t k = 0; k < new_of.size(); ++k)
@@ -65,7 +65,7 @@ void drop_unused(Domain& domain) {
             new_of[k] = n++;
             points.push_back(domain.points[k]);
         }
-    auto const renumber = [&](std::int32_t& k) { k = new_of[static_cast<std::size_t>(k)]; };
+    auto const renumber = [&](std::int32_t& k) { k = new_of[at(k)]; };
     for (Cell& cell : domain.cells)
         for (std::int32_t& k : cell) renumber(k);
     for (Face& face : domain.faces) renumber(face.from), renumber(face.to);
@@ -81,7 +81,7 @@ void cut_ring(Domain& domain, Grid const& grid) {
     std::int32_t const n = grid.nx;
     auto const copy_of = [&](std::int32_t point) { return n * (grid.ny + 1) + point / n; };
     for (std::int32_t j = 0; j <= grid.ny; ++j) {
-        Point const copied = domain.points[static_cast<std::size_t>(n * j)];
+        Point const copied = domain.points[at(n * j)];
         domain.points.push_back(copied);
     }
     for (Cell& cell : domain.cells) {
@@ -108,8 +108,8 @@ void bend(Domain& domain, Grid const& grid, Input& input) {
     domain.is_passage = true;
     domain.turn = {std::cos(angle), -std::sin(angle)};
     for (Domain::Image const& image : domain.images) {
-        Point const from = domain.points[static_cast<std::size_t>(image.source)];
-        domain.points[static_cast<std::size_t>(image.at)] = turned(from, domain.turn);
+        Point const from = domain.points[at(image.source)];
+        domain.points[at(image.at)] = turned(from, domain.turn);
     }
 }
 
@@ -149,16 +149,16 @@ Domain make_domain(Input& input) {
     std::uint32_t const sides = grid.is_ring ? 2 : input.below(9);
     if (sides % 3 != 2) {  // sides are straight again, and opposite ones translates of each other
         for (std::int32_t i = 0; i < columns; ++i) {
-            Point &bottom = out.points[static_cast<std::size_t>(grid.at(i, 0))],
-                  &top = out.points[static_cast<std::size_t>(grid.at(i, grid.ny))];
+            Point &bottom = out.points[at(grid.at(i, 0))],
+                  &top = out.points[at(grid.at(i, grid.ny))];
             double const highest =
                 stretch == 1 ? grid.ny : (std::pow(stretch, grid.ny) - 1) / (stretch - 1);
             bottom = {i + 0.0, 0};
             top = {i + 0.0, highest};
         }
         for (std::int32_t j = 1; j < grid.ny; ++j) {
-            Point &start = out.points[static_cast<std::size_t>(grid.at(0, j))],
-                  &end = out.points[static_cast<std::size_t>(grid.at(grid.nx, j))];
+            Point &start = out.points[at(grid.at(0, j))],
+                  &end = out.points[at(grid.at(grid.nx, j))];
             start.x = 0;
             end = {grid.nx + 0.0, start.y};
         }

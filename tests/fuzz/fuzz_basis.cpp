@@ -72,8 +72,7 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
            "sizes that the block cannot hold");
     if (info.functions > 1 << 16)
         return;  // of a share, which holds few of the functions that it claims there are
-    std::size_t const n = static_cast<std::size_t>(info.points),
-                      pairs = 2 * static_cast<std::size_t>(info.functions);
+    std::size_t const n = at(info.points), pairs = 2 * at(info.functions);
     std::vector<double> move(pairs + 2), x(n + 1), y(n + 1), gradient(pairs + 2);
     for (double& number : move) number = input.between(-1, 1);
     hm_points_out const out{x.data(), y.data(), 1};
@@ -89,7 +88,7 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
                             work_bytes, &error);
         work.expect_intact();
     }
-    std::vector<hm_curve> curves(static_cast<std::size_t>(info.curves) + 1);
+    std::vector<hm_curve> curves(at(info.curves) + 1);
     hm_curves set = sized<hm_curves>();
     for (hm_curve& curve : curves) curve.struct_size = sizeof curve;
     if (hm_basis_curves(basis, &set, curves.data(), info.curves, &error) >= 0 && set.n_curves > 0) {

@@ -54,7 +54,7 @@ public:
         std::int32_t n = 0;
         hm_status status = hm_given_points(its_.plan, nullptr, 0, &n, &error_);
         expect(n >= 0 && status == (n > 0 ? HM_BAD_ARGUMENT : HM_OK), "the number of given points");
-        points_.resize(static_cast<std::size_t>(n));
+        points_.resize(at(n));
         expect(hm_given_points(its_.plan, points_.data(), n, &n, &error_) == HM_OK,
                "no given points");
         is_direct_ =
@@ -89,9 +89,7 @@ private:
                 std::swap(points_[k - 1], points_[input_.below(static_cast<std::uint32_t>(k))]);
         }
     }
-    std::size_t place(std::size_t k) const {
-        return static_cast<std::size_t>(points_[k] - its_.problem.mesh.index_base);
-    }
+    std::size_t place(std::size_t k) const { return at(points_[k] - its_.problem.mesh.index_base); }
     std::int32_t count() const { return static_cast<std::int32_t>(points_.size()); }
 
     hm_status displace(Field const& wall, Field& to) {

@@ -59,7 +59,7 @@ public:
                 has_twins = has_twins || std::hypot(dx, dy) <= 1e-6 * reach;
             }
         std::size_t const n = domain_.points.size();
-        std::vector<std::int32_t> order(n * static_cast<std::size_t>(layers_));
+        std::vector<std::int32_t> order(n * at(layers_));
         for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<std::int32_t>(k);
         if (input.one_in(2))
             for (std::size_t k = order.size(); k > 1; --k)
@@ -133,8 +133,7 @@ private:
     std::size_t number(std::vector<std::int32_t> const& order, std::int32_t layer,
                        std::int32_t k) const {
         std::size_t const n = domain_.points.size();
-        return static_cast<std::size_t>(
-            order[static_cast<std::size_t>(layer) * n + static_cast<std::size_t>(k)]);
+        return at(order[static_cast<std::size_t>(layer) * n + static_cast<std::size_t>(k)]);
     }
     std::int32_t numbered(std::vector<std::int32_t> const& order, std::int32_t layer,
                           std::int32_t k) const {
@@ -162,15 +161,14 @@ public:
         for (std::int32_t k = 0; k < info_.n_space_points; ++k) {
             std::int32_t const followed = info_.follows[k] - mesh_.index_base;
             expect(followed >= 0 && followed < info_.n_points, "a point follows none");
-            auto const found =
-                leader.insert({space_.plane_point[static_cast<std::size_t>(k)], followed}).first;
+            auto const found = leader.insert({space_.plane_point[at(k)], followed}).first;
             expect(found->second == followed, "layers follow different points");
         }
     }
 
     // <g, spread d> = <gather g, d>, and d = 0 moves no bit.
     void transpose(Input& input) {
-        std::size_t const n = static_cast<std::size_t>(info_.n_points), all = space_.x.size();
+        std::size_t const n = at(info_.n_points), all = space_.x.size();
         Numbers dx(n), dy(n), gx(all), gy(all), gz(all), sx(all, 7), sy(all, 7), sz(all, 7),
             px(n, 7), py(n, 7);
         for (std::size_t k = 0; k < n; ++k)

@@ -15,11 +15,10 @@ SolutionCheck::SolutionCheck(Solution& solution, Input& input)
     info_ = info_of(its_.basis);
     judged_ = judge_by_header(problem_.domain);
     n_ = problem_.domain.points.size();
-    move_.resize(2 * static_cast<std::size_t>(info_.functions));
+    move_.resize(2 * at(info_.functions));
     double const far = input_.any_of({1e-6, 0.02, 0.3, 2.0}) * extent();
     for (double& number : move_) number = far * input_.between(-1, 1);
-    for (std::size_t k = 2 * static_cast<std::size_t>(problem_.on_walls.view.n_control) + 2;
-         k < move_.size(); k += 4)
+    for (std::size_t k = 2 * at(problem_.on_walls.view.n_control) + 2; k < move_.size(); k += 4)
         move_[k] = input_.between(-2, 0.5),
         move_[k + 1] = input_.between(-1, 1);  // turns of bodies
 }
@@ -66,11 +65,11 @@ std::vector<double> results_of(Solution& solution) {
         }
     std::size_t bytes = 0;
     if (hm_morph_safe_size(solution.plan, solution.basis, &bytes, nullptr) < 0) return all;
-    std::vector<double> move(2 * static_cast<std::size_t>(info.functions));
+    std::vector<double> move(2 * at(info.functions));
     for (std::size_t k = 0; k < move.size(); ++k)
         move[k] = 0.05 * solution.problem.size() * (k % 3 == 0 ? 1 : -0.5);
-    for (std::size_t k = 2 * static_cast<std::size_t>(solution.problem.on_walls.view.n_control) + 2;
-         k < move.size(); k += 4)
+    for (std::size_t k = 2 * at(solution.problem.on_walls.view.n_control) + 2; k < move.size();
+         k += 4)
         move[k] = -0.5, move[k + 1] = 0.7;
     hm_points_out const out{x.data(), y.data(), 1};
     all.push_back(hm_morph_safe(solution.plan, solution.basis, move.data(), &out, nullptr,

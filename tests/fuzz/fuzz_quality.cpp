@@ -18,7 +18,7 @@ public:
         : solved_(solved), problem_(solved.problem), judged_(judged), input_(input) {
         start_ = problem_.domain.points;
         by_.resize(start_.size());
-        Numbers move(2 * static_cast<std::size_t>(problem_.functions()));
+        Numbers move(2 * at(problem_.functions()));
         double const size = problem_.size() * input_.any_of({0.01, 1.0, 10.0});
         for (double& number : move) number = size * input_.between(-1, 1);
         hm_points_out const out{&by_[0].x, &by_[0].y, 2};

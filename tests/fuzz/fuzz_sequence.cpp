@@ -96,7 +96,7 @@ private:
                            list[] = {base + 2, base, base + 1, base + 2};
         add(solution, Kind::rows, made, size_by(hm_extract_size, solution.basis, 4),
             init_by(hm_extract_init, &made, solution.basis, 4, &list[0]));
-        std::vector<double> const ones(static_cast<std::size_t>(n), 1.0);
+        std::vector<double> const ones(at(n), 1.0);
         add(solution, Kind::combined, made, size_by(hm_combine_size, solution.basis, 1, 1),
             init_by(hm_combine, &made, solution.basis, 1, 1, ones.data()));
         add(solution, Kind::single, made, size_by(hm_single_size, solution.basis),

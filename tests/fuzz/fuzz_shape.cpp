@@ -231,8 +231,7 @@ private:
         Exceptions::clear();
         hm_status status = hm_variables_size(&set_, given, &variables, &n, &size, &error_);
         if (judged(status) == Outcome::refused) return Outcome::refused;
-        Numbers matrix(problem_.on_walls.control.size() * static_cast<std::size_t>(n), 7),
-            error(2 * static_cast<std::size_t>(n), 7);
+        Numbers matrix(problem_.on_walls.control.size() * at(n), 7), error(2 * at(n), 7);
         status = blocks_.make(error_, size_by(hm_variables_size, &set_, given, &variables, &n),
                               [&](void* memory, std::size_t bytes, hm_error* e) {
                                   return hm_variables_map(&set_, given, &variables, memory, bytes,

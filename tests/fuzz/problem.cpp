@@ -110,8 +110,7 @@ void write_boundary(Problem& problem, Input& input) {
 
 std::vector<Point> points_of(Domain const& domain, std::vector<std::int32_t> const& numbers) {
     std::vector<Point> points;
-    for (std::int32_t const k : numbers)
-        points.push_back(domain.points[static_cast<std::size_t>(k)]);
+    for (std::int32_t const k : numbers) points.push_back(domain.points[at(k)]);
     return points;
 }
 
@@ -140,8 +139,7 @@ void write_conditions(Problem& problem, Input& input) {
         if (problem.domain.walls_are_loops && input.one_in(3)) {
             hm_condition& body = add(marker, HM_RIGID);
             body.body = bodies++;
-            Point const start =
-                problem.domain.points[static_cast<std::size_t>(problem.domain.walls[wall][0])];
+            Point const start = problem.domain.points[at(problem.domain.walls[wall][0])];
             body.x = start.x;
             body.y = start.y;
             continue;

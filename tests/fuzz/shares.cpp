@@ -65,7 +65,7 @@ private:
             std::int64_t doubles = 0;
             expect(hm_parcel_size(whole_share, n, &doubles, &error_) == HM_OK,
                    "no size of a parcel");
-            Numbers parcel(static_cast<std::size_t>(doubles));
+            Numbers parcel(at(doubles));
             expect(hm_parcel_pack(whole_share, n, points.data(), parcel.data(), &error_) == HM_OK,
                    "no parcel");
             expect(hm_parcel_unpack(rows, parcel.data(), doubles - 1, &error_) < 0,
@@ -92,16 +92,14 @@ private:
                 expect(hm_basis_values(its_.basis, i, number, of_all.data(), &error_) == HM_OK,
                        "no values");
                 for (std::size_t k = 0; k < list.size(); ++k)
-                    expect(of_rows[k] == of_all[static_cast<std::size_t>(list[k])],
-                           "a share has other bits");
+                    expect(of_rows[k] == of_all[at(list[k])], "a share has other bits");
             }
     }
 
     // Sums of two lists, elementwise, and the whole: bit by bit.
     void gradient() {
-        std::size_t const n_sums =
-            4 * static_cast<std::size_t>(info_.functions * info_.numbers_per_value);
-        Numbers x(n_), y(n_), whole(2 * static_cast<std::size_t>(info_.functions)), summed = whole;
+        std::size_t const n_sums = 4 * at(info_.functions * info_.numbers_per_value);
+        Numbers x(n_), y(n_), whole(2 * at(info_.functions)), summed = whole;
         for (std::size_t k = 0; k < n_; ++k)
             x[k] = input_.between(-1, 1), y[k] = input_.between(-1, 1);
         if (input_.one_in(8)) x[input_.below(static_cast<std::uint32_t>(n_))] = input_.wild();
@@ -114,8 +112,8 @@ private:
             for (std::size_t p = 0; p < 2; ++p) {
                 part_x[p].assign(n_, 0), part_y[p].assign(n_, 0);
                 for (std::int32_t const k : lists_[p]) {
-                    part_x[p][static_cast<std::size_t>(k)] = x[static_cast<std::size_t>(k)];
-                    part_y[p][static_cast<std::size_t>(k)] = y[static_cast<std::size_t>(k)];
+                    part_x[p][at(k)] = x[at(k)];
+                    part_y[p][at(k)] = y[at(k)];
                 }
                 hm_points const gradient_points{part_x[p].data(), part_y[p].data(), 1};
                 std::int32_t own_scale = 0;

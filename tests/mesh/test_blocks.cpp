@@ -34,14 +34,12 @@ std::vector<Topology> topologies() {
 }
 
 hm_mesh_report report_of(hm_mesh const& mesh) {
-    hm_problem problem{};
-    problem.struct_size = sizeof problem;
+    auto problem = sized<hm_problem>();
     problem.mesh = &mesh;
     Attempt attempt;
     INFO(attempt.error.text);
     REQUIRE(attempt.analyse(problem));
-    hm_mesh_report out{};
-    out.struct_size = sizeof out;
+    auto out = sized<hm_mesh_report>();
     REQUIRE(hm_analysis_report(attempt.analysis, &out, nullptr) == HM_OK);
     return out;
 }
@@ -115,8 +113,7 @@ TEST_CASE("blocks have the right numbers in reports, for both index bases, and w
         // The point (1, 1) of the last block goes to where its cell is turned over.
         std::int32_t const first = 7 * 25, point = first + 1 + 5;
         x[std::size_t(point)] += 10;
-        hm_quality_report quality{};
-        quality.struct_size = sizeof quality;
+        auto quality = sized<hm_quality_report>();
         REQUIRE(hm_assess(solved.basis, &mesh, points_in(x, y), nullptr, nullptr, nullptr, nullptr,
                           &quality, nullptr) == HM_OK);
         CHECK(quality.inverted >= 2);
@@ -158,8 +155,7 @@ TEST_CASE("blocks that are wrong are refused") {
         Blocks blocks = good;
         hm_mesh mesh = blocks.view();
         change(blocks, mesh);
-        hm_problem problem{};
-        problem.struct_size = sizeof problem;
+        auto problem = sized<hm_problem>();
         problem.mesh = &mesh;
         Attempt attempt;
         attempt.analyse(problem);

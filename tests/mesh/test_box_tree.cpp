@@ -1,5 +1,6 @@
 // The nearest of many items, against looking at all of them.
 #include <fixtures/core.hpp>
+#include <fixtures/laid_out.hpp>
 #include "mesh/box_tree.hpp"
 
 using namespace fixtures;
@@ -15,12 +16,8 @@ namespace {
 class Tree {
 public:
     explicit Tree(std::vector<Box> const& boxes) : boxes_(boxes) {
-        harmorph::Arena counting;
-        tree_.lay_out(counting, Index(boxes.size()));
-        block_ = std::make_unique<Guarded>(counting.bytes(), 8);
-        harmorph::Arena arena(block_->data(), block_->size());
-        tree_.lay_out(arena, Index(boxes.size()));
-        REQUIRE(!arena.overflown());
+        block_ =
+            laid_out([&](harmorph::Arena& arena) { tree_.lay_out(arena, Index(boxes.size())); }, 8);
         tree_.build([&](Index item) { return boxes_[std::size_t(item)]; });
         REQUIRE(block_->guards_intact());
     }

@@ -2,6 +2,7 @@
 #include <fixtures/core.hpp>
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/wrong.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "mesh/delaunay.hpp"
 #include "base/predicates.hpp"
@@ -26,12 +27,7 @@ struct Flipped {
 
     explicit Flipped(hm_mesh const& mesh) : seen(mesh) {
         harmorph::Mesh const view = core_mesh(mesh);
-        harmorph::Arena counting;
-        triangulation.lay_out(counting, view);
-        block_ = std::make_unique<Guarded>(counting.bytes());
-        harmorph::Arena placing(block_->data(), block_->size());
-        triangulation.lay_out(placing, view);
-        REQUIRE(!placing.overflown());
+        block_ = laid_out_part(triangulation, view);
         status = triangulation.build(seen->topology(), fault);
         CHECK(block_->guards_intact());
     }

@@ -1,6 +1,7 @@
 // Every edge once, with the cells at its two sides.
 #include <fixtures/core.hpp>
 #include <fixtures/wrong.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include <set>
 
@@ -21,11 +22,7 @@ struct Edges {
         for (std::size_t k = 0; k < representative.size(); ++k) representative[k] = Index(k);
         if (listed) representative[std::size_t(join.second)] = join.first;
         harmorph::Mesh const view = core_mesh(mesh);
-        harmorph::Arena counting;
-        edges.lay_out(counting, view);
-        block_ = std::make_unique<Guarded>(counting.bytes());
-        harmorph::Arena placing(block_->data(), block_->size());
-        edges.lay_out(placing, view);
+        block_ = laid_out_part(edges, view);
         status = edges.build(view, span(representative), fault);
         CHECK(block_->guards_intact());
     }

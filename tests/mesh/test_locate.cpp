@@ -2,6 +2,7 @@
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/traps.hpp>
+#include <fixtures/laid_out.hpp>
 #include "mesh/locate.hpp"
 
 using namespace fixtures;
@@ -15,11 +16,7 @@ namespace {
 class Finder {
 public:
     explicit Finder(Mesh const& mesh) : mesh_(mesh), analysed_(mesh_.view()) {
-        harmorph::Arena counting;
-        locator_.lay_out(counting, mesh_.n_cells());
-        block_ = std::make_unique<Guarded>(counting.bytes());
-        harmorph::Arena arena(block_->data(), block_->size());
-        locator_.lay_out(arena, mesh_.n_cells());
+        block_ = laid_out_part(locator_, mesh_.n_cells());
         locator_.build(analysed_->topology());
         REQUIRE(block_->guards_intact());
     }

@@ -96,8 +96,7 @@ TEST_CASE("inverted cells follow the sense of their neighbours, not that of thei
         if (clockwise) reverse_all(mesh);
         Analysed const seen(mesh);
         CHECK(reversed_of(seen) == all(mesh, clockwise ? 1 : 0));
-        hm_mesh_report report{};
-        report.struct_size = sizeof report;
+        auto report = sized<hm_mesh_report>();
         REQUIRE(hm_analysis_report(seen.analysis, &report, nullptr) == HM_OK);
         CHECK(report.inverted > 0);
         CHECK(report.inverted < 7);
@@ -128,8 +127,7 @@ TEST_CASE("a Moebius strip is refused, and the same strip without the twist is n
         CHECK(plain->boundary().n_loops == 2);
         Mesh const moebius = strip(n, true);
         hm_mesh const view = moebius.view();
-        hm_problem problem{};
-        problem.struct_size = sizeof problem;
+        auto problem = sized<hm_problem>();
         problem.mesh = &view;
         Attempt attempt;
         CHECK(!attempt.analyse(problem));

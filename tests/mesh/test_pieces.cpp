@@ -2,6 +2,7 @@
 // are; guards.
 #include <fixtures/core.hpp>
 #include <fixtures/polygons.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "mesh/pieces.hpp"
 
@@ -21,11 +22,7 @@ struct Divided {
         hm_mesh view = in_polygons(mesh.view());
         view.index_base = index_base;
         harmorph::Mesh const given = core_mesh(view);
-        harmorph::Arena counting;
-        division_.lay_out(counting, given);
-        block_ = std::make_unique<Guarded>(counting.bytes());
-        harmorph::Arena arena(block_->data(), block_->size());
-        division_.lay_out(arena, given);
+        block_ = laid_out_part(division_, given);
         division_.run(given);
         REQUIRE(block_->guards_intact());
         pieces = division_.pieces.mesh(given);

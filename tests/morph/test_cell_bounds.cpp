@@ -141,8 +141,7 @@ TEST_CASE("the values are those of the header, and the bounds their aggregates")
             }
         }
         // Below hm_assess, by the factor of the header.
-        hm_quality_report report{};
-        report.struct_size = sizeof report;
+        auto report = sized<hm_quality_report>();
         hm_points const points = pairs_in(at),
                         start = {mesh.setup.mesh.x.data(), mesh.setup.mesh.y.data(), 1};
         REQUIRE(hm_assess(mesh.attempt.basis, &mesh.mesh, &points, nullptr, &start, nullptr,

@@ -99,8 +99,7 @@ TEST_CASE("calls that cannot succeed are refused, and leave their outputs as the
     std::vector<double> gradient(2 * start.size(), -7);
     hm_points_out const to{gradient.data(), gradient.data() + 1, 2};
     auto const status = [&](hm_bound bound, hm_points const& points) {
-        hm_bound_value value{};
-        value.struct_size = sizeof value;
+        auto value = sized<hm_bound_value>();
         hm_status const found =
             hm_quality_bounds(mesh.quality, &points, 1, &bound, &value, &to, nullptr, &error);
         CHECK(value.count == 0);

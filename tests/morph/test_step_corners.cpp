@@ -7,8 +7,7 @@ using namespace fixtures;
 namespace {
 
 double step_of(Bounded const& mesh, Field const& from, Field const& displacement) {
-    hm_step_report report{};
-    report.struct_size = sizeof report;
+    auto report = sized<hm_step_report>();
     hm_points const start = pairs_in(from), change = pairs_in(displacement);
     REQUIRE(hm_assess(mesh.attempt.basis, &mesh.mesh, &start, &change, nullptr, nullptr, &report,
                       nullptr, nullptr) == HM_OK);
@@ -84,6 +83,26 @@ TEST_CASE("a finite step has a corner, also where rounding decides between a cor
     }
 }
 
+// All areas grow in proportion to the step, but for rounding, which makes some of them 0 far away.
+TEST_CASE("a finite step has a corner, also where rounding alone makes the area 0") {
+    Case setup = ring_case(6, 24, 0.5, 2, Cells::triangles);
+    Bounded const mesh(setup);
+    Field const from = mesh.start();
+    int finite = 0, without = 0;
+    for (int k = 1; k < 400; ++k) {
+        std::complex<double> const ahead = std::polar(1.0, 0.01 * k);
+        Field stretched;
+        for (std::complex<double> const point : from)
+            stretched.push_back(ahead * (1 + std::real(point * std::conj(ahead))));
+        double const step = step_of(mesh, from, stretched);
+        if (!std::isfinite(step)) continue;
+        ++finite;
+        without += corners_at(mesh, from, stretched).empty();
+    }
+    CHECK(finite > 0);
+    CHECK(without == 0);
+}
+
 TEST_CASE("where cells compete, the step has the one-sided derivatives of the header") {
     // All columns of a ring compete when the wall grows; a change that breaks the symmetry then
     // lowers the step to both sides.
@@ -120,7 +139,8 @@ TEST_CASE("where cells compete, the step has the one-sided derivatives of the he
 }
 
 TEST_CASE("no limit, and what is refused") {
-    Bounded const mesh(ring_case(6, 24, 0.5, 2));
+    Case setup = ring_case(6, 24, 0.5, 2, Cells::triangles);
+    Bounded const mesh(setup);
     Field const from = mesh.start();
     CHECK(corners_at(mesh, from, Field(from.size(), {1, 2})).empty());
 

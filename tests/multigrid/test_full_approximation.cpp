@@ -8,6 +8,7 @@
 #include <fixtures/agglomerated.hpp>
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/executors.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "multigrid/full_approximation.hpp"
 
@@ -64,11 +65,7 @@ struct Explicit {
             engine.lay_out(arena, front.rows.n, 8, iteration, {});
             engine.lay_out_work(arena, front.rows.n, front.rows.entries());
         };
-        harmorph::Arena counting;
-        lay_out(counting);
-        block = std::make_unique<Guarded>(counting.bytes());
-        harmorph::Arena placing(block->data(), block->size());
-        lay_out(placing);
+        block = laid_out(lay_out);
         harmorph::Mesh const& mesh = seen->problem().mesh;
         engine.volumes.measure(seen->topology(), mesh.points, front.matrix.rows_of_dofs());
         harmorph::Fault fault;

@@ -9,6 +9,7 @@
 #include <fixtures/executors.hpp>
 #include <fixtures/operators.hpp>
 #include <fixtures/parts.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "multigrid/multigrid.hpp"
 
@@ -65,11 +66,7 @@ void check_preconditioner(Case setup) {
         engine.lay_out_work(arena, front.rows.n, front.rows.entries());
         engine.lay_out_vectors(arena, front.rows.n);
     };
-    harmorph::Arena counting;
-    lay_out(counting);
-    Guarded block(counting.bytes());
-    harmorph::Arena placing(block.data(), block.size());
-    lay_out(placing);
+    auto const block = laid_out(lay_out);
     harmorph::Fault fault;
     REQUIRE(engine.set_up(front.rows, {}, fault) == harmorph::Status::ok);
     REQUIRE(engine.levels.count >= 3);
@@ -91,7 +88,7 @@ void check_preconditioner(Case setup) {
         for (std::size_t j = 0; j < i; ++j)
             CHECK(dot(i, j) == doctest::Approx(dot(j, i)).epsilon(1e-10));
     }
-    CHECK(block.guards_intact());
+    CHECK(block->guards_intact());
 }
 
 }  // namespace
@@ -330,17 +327,16 @@ TEST_CASE("the preconditioner is symmetric and positive definite") {
     check_preconditioner(setup);
 }
 
-TEST_CASE("memory: at most 530 bytes for each point with blocks of 4") {
+TEST_CASE("memory: at most 460 bytes for each point") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Case setup = o_mesh_case(100, 1e-5, 60, kind);
         Options options = multigrid();
-        options.block_width = 4;
         Attempt attempt;
         std::size_t bytes = 0;
         REQUIRE(attempt.analyse(setup.problem(), &options));
         REQUIRE(hm_plan_size(attempt.analysis, &bytes, nullptr) == HM_OK);
         INFO(bytes << " bytes for " << setup.mesh.n_points() << " points");
-        CHECK(bytes <= 530 * static_cast<std::size_t>(setup.mesh.n_points()));
+        CHECK(bytes <= 460 * static_cast<std::size_t>(setup.mesh.n_points()));
     }
 }
 

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/matrices.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "operators/bounded.hpp"
 #include "boundary/distance.hpp"
@@ -347,11 +348,7 @@ TEST_CASE("weights of edges are powers of their midpoints' distances from what m
     Bounded const scheme(setup);
     harmorph::Analysis const& a = scheme.core();
     harmorph::FaceDistance faces;
-    harmorph::Arena counting;
-    faces.lay_out(counting, static_cast<std::size_t>(a.count_wall_faces()));
-    Guarded block(counting.bytes());
-    harmorph::Arena placing(block.data(), block.size());
-    faces.lay_out(placing, static_cast<std::size_t>(a.count_wall_faces()));
+    auto const block = laid_out_part(faces, static_cast<std::size_t>(a.count_wall_faces()));
     faces.choose(a.boundary(), [&](Index face) { return a.is_wall_face(face); });
     faces.build(a.problem().mesh.points);
     std::vector<double> k(scheme.edges.size());

@@ -9,6 +9,7 @@
 #include <fixtures/matrices.hpp>
 #include <fixtures/operators.hpp>
 #include <fixtures/wrong.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "plan/plan.hpp"
 
@@ -55,15 +56,10 @@ TEST_CASE("one wrong value leaves its column of the matrix") {
     DenseMatrix const a = laplace.unknowns();
     harmorph::Plan& plan = inside(solved.plan);
     harmorph::Basis const basis = in_rows(solved);
-    harmorph::Arena counting;
     harmorph::Residual residual;
     Index const couplings = plan.equations().matrix().coupling_row.count();
-    residual.lay_out(counting, plan.equations().matrix().n, couplings,
-                     plan.equations().matrix().kind());
-    Guarded block(counting.bytes());
-    harmorph::Arena placing(block.data(), block.size());
-    residual.lay_out(placing, plan.equations().matrix().n, couplings,
-                     plan.equations().matrix().kind());
+    auto const block = laid_out_part(residual, plan.equations().matrix().n, couplings,
+                                     plan.equations().matrix().kind());
 
     Index const width = residual.width;
     Index const function = width + 1,
@@ -87,7 +83,7 @@ TEST_CASE("one wrong value leaves its column of the matrix") {
     CHECK(worst < 1e-15);
     CHECK(norms.relative(1) == doctest::Approx(std::sqrt(squares / b)).epsilon(1e-9));
     CHECK(norms.relative(0) < 1e-14);
-    CHECK(block.guards_intact());
+    CHECK(block->guards_intact());
 }
 
 TEST_CASE("the residual of points that slip is b - A F, also where lines meet at an angle") {

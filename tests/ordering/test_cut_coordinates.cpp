@@ -2,6 +2,7 @@
 // parts.
 #include <fixtures/graphs.hpp>
 #include <fixtures/wrong.hpp>
+#include <fixtures/laid_out.hpp>
 
 using namespace fixtures;
 using harmorph::Index;
@@ -10,13 +11,10 @@ namespace {
 
 struct PlacedGraph {
     explicit PlacedGraph(HandMadeGraph& graph) {
-        harmorph::Arena counting;
-        places.lay_out(counting, graph.n());
-        places.lay_out_layers(counting, graph.n());
-        block_ = std::make_unique<Guarded>(counting.bytes());
-        harmorph::Arena placing(block_->data(), block_->size());
-        places.lay_out(placing, graph.n());
-        places.lay_out_layers(placing, graph.n());
+        block_ = laid_out([&](harmorph::Arena& arena) {
+            places.lay_out(arena, graph.n());
+            places.lay_out_layers(arena, graph.n());
+        });
         find_coordinates(places, graph.view(), graph.points());
     }
     ~PlacedGraph() { CHECK(block_->guards_intact()); }

@@ -1,6 +1,7 @@
 // Parts are cut in the middle, across the shorter direction, behind the cheapest level, with
 // borders taken into account.
 #include <fixtures/graphs.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "ordering/cut_search.hpp"
 
@@ -13,13 +14,10 @@ namespace {
 
 struct Searched {
     explicit Searched(HandMadeGraph& graph) : order(graph.x.size()) {
-        harmorph::Arena counting;
-        places.lay_out(counting, graph.n());
-        places.lay_out_layers(counting, graph.n());
-        block_ = std::make_unique<Guarded>(counting.bytes());
-        harmorph::Arena placing(block_->data(), block_->size());
-        places.lay_out(placing, graph.n());
-        places.lay_out_layers(placing, graph.n());
+        block_ = laid_out([&](harmorph::Arena& arena) {
+            places.lay_out(arena, graph.n());
+            places.lay_out_layers(arena, graph.n());
+        });
         find_coordinates(places, graph.view(), graph.points());
         for (std::size_t k = 0; k < order.size(); ++k) order[k] = Index(k);
         search = std::make_unique<harmorph::CutSearch>(graph.view(), places, span(order));

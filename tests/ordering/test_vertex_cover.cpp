@@ -2,6 +2,7 @@
 // changes sides.
 #include <fixtures/graphs.hpp>
 #include <fixtures/wrong.hpp>
+#include <fixtures/laid_out.hpp>
 
 using fixtures::grid_graph;
 using fixtures::Guarded;
@@ -23,11 +24,7 @@ struct Covered {
     Covered(HandMadeGraph& graph, IsLeft is_left) {
         std::size_t const n = std::size_t(graph.n());
         harmorph::BorderCover cover;
-        harmorph::Arena counting;
-        cover.lay_out(counting, graph.n());
-        Guarded block(counting.bytes());
-        harmorph::Arena placing(block.data(), block.size());
-        cover.lay_out(placing, graph.n());
+        auto const block = fixtures::laid_out_part(cover, graph.n());
         for (Index u = 0; u < graph.n(); ++u) {
             bool is_near = false;
             for (Index const v : graph.near[std::size_t(u)])
@@ -39,7 +36,7 @@ struct Covered {
         std::vector<Index> queue(n);
         cover.find(graph.view(), span(near), span(queue));
         after.assign(cover.side.begin(), cover.side.end());
-        CHECK(block.guards_intact());
+        CHECK(block->guards_intact());
     }
     int count(Side side, std::vector<Side> const& sides) const {
         return int(std::count(sides.begin(), sides.end(), side));

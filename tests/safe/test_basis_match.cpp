@@ -13,8 +13,7 @@ hm_status safe_morph(hm_plan* plan, const hm_basis* basis, const hm_basis* other
     std::size_t bytes = 0;
     REQUIRE(hm_morph_safe_size(plan, basis, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
-    hm_safe_options options{};
-    options.struct_size = sizeof options;
+    auto options = sized<hm_safe_options>();
     options.n_others = 1;
     options.others = &other;
     hm_basis_info const info = info_of(basis);
@@ -77,8 +76,7 @@ TEST_CASE("the derivative is cleared at the beginning and cannot be a basis that
     std::vector<double> const move(std::size_t(2 * info_of(own.basis).functions), 1e-3);
     auto const morph = [&](std::vector<const hm_basis*> const& others, hm_basis* derivative,
                            hm_error& error) {
-        hm_safe_options safe{};
-        safe.struct_size = sizeof safe;
+        auto safe = sized<hm_safe_options>();
         safe.n_others = std::int32_t(others.size());
         safe.others = others.data();
         return hm_morph_safe(own.plan, own.basis, move.data(), points_out(x, y), derivative,

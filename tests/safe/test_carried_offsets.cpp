@@ -1,6 +1,7 @@
 // Wall points beside their curve: a body that turns takes them along, and the mesh near them.
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "plan/plan.hpp"
 #include "safe/carried_offsets.hpp"
@@ -36,11 +37,7 @@ struct Carried {
             path.lay_out(arena, basis.header->counts);
             carried.lay_out(arena, basis.header->counts);
         };
-        harmorph::Arena counting;
-        lay_out(counting);
-        block = std::make_unique<Guarded>(counting.bytes());
-        harmorph::Arena placing(block->data(), block->size());
-        lay_out(placing);
+        block = laid_out(lay_out);
         path.init(basis, move.data());
         carried.init(basis, path, plan.mesh().points);
         CHECK(block->guards_intact());

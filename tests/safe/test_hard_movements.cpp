@@ -28,8 +28,7 @@ std::vector<double> smooth_move(std::int32_t n, double size, unsigned seed) {
 
 double start_quality(Safe const& safe) {
     hm_mesh const view = safe.mesh.view();
-    hm_quality_report quality{};
-    quality.struct_size = sizeof quality;
+    auto quality = sized<hm_quality_report>();
     REQUIRE(hm_assess(safe.solved().basis, &view, nullptr, nullptr, nullptr, nullptr, nullptr,
                       &quality, nullptr) == HM_OK);
     return quality.min_quality;

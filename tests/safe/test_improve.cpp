@@ -7,6 +7,7 @@
 #include <fixtures/guarded.hpp>
 #include <fixtures/mangle.hpp>
 #include <fixtures/square.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "morph/quality.hpp"
 #include "safe/improve.hpp"
@@ -54,12 +55,7 @@ struct Improved {
             walls.lay_out(arena, task.reference.face_markers.size());
             improvement.lay_out(arena, counts);
         };
-        harmorph::Arena query;
-        lay_out(query);
-        block = std::make_unique<Guarded>(query.bytes());
-        harmorph::Arena arena(block->data(), query.bytes());
-        lay_out(arena);
-        REQUIRE(!arena.overflown());
+        block = laid_out(lay_out);
         walls.choose(analysed->boundary(),
                      [&](Index face) { return analysed->boundary().marker[face] == body; });
         walls.build(view.points);
@@ -269,28 +265,16 @@ TEST_CASE("the gradient is that of the energy, also where targets depend on the 
 TEST_CASE("turned, moved and scaled meshes are improved alike, and a power of two changes no bit") {
     Task const task = sheared_annulus(Cells::hybrid, 1.2);
     Improved const expected(task);
-    struct Similarity {
-        double scale, angle, x, y;
-    };
     for (Similarity const by :
          {Similarity{1, 1.1, 0, 0}, Similarity{1, 0, 3, -2}, Similarity{1e4, 0, 0, 0},
           Similarity{1e-7, 2, 1e-7, 0}, Similarity{0x1p20, 0, 0, 0}}) {
-        auto const image = [&](Mesh const& mesh) {
-            Mesh out = mesh;
-            double const c = by.scale * std::cos(by.angle), s = by.scale * std::sin(by.angle);
-            for (std::size_t k = 0; k < mesh.x.size(); ++k) {
-                out.x[k] = c * mesh.x[k] - s * mesh.y[k] + by.x;
-                out.y[k] = s * mesh.x[k] + c * mesh.y[k] + by.y;
-            }
-            return out;
-        };
         Task moved = task;
-        moved.reference = image(task.reference);
-        moved.now = image(task.now);
+        moved.reference = by.image(task.reference);
+        moved.now = by.image(task.now);
         Improved const found(moved);
         CHECK(found.report.iterations == expected.report.iterations);
-        CHECK(farthest(found.mesh, image(expected.mesh)) < 1e-8 * by.scale);
-        if (by.scale == 0x1p20) CHECK(found.same_bits(image(expected.mesh)));
+        CHECK(farthest(found.mesh, by.image(expected.mesh)) < 1e-8 * by.scale);
+        if (by.scale == 0x1p20) CHECK(found.same_bits(by.image(expected.mesh)));
     }
 }
 

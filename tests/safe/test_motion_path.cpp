@@ -3,6 +3,7 @@
 #include <fixtures/channels.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "safe/motion_path.hpp"
 
@@ -23,11 +24,7 @@ public:
     Path(Solved const& solved, std::vector<double> const& move) : n_(solved.info().functions) {
         REQUIRE(move.size() == 2 * std::size_t(n_));
         harmorph::Basis const basis = harmorph::Basis::view(static_cast<const void*>(solved.basis));
-        harmorph::Arena counting;
-        path.lay_out(counting, basis.header->counts);
-        block_ = std::make_unique<Guarded>(counting.bytes());
-        harmorph::Arena placing(block_->data(), block_->size());
-        path.lay_out(placing, basis.header->counts);
+        block_ = laid_out_part(path, basis.header->counts);
         path.init(basis, move.data());
         CHECK(block_->guards_intact());
     }

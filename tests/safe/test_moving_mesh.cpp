@@ -1,6 +1,7 @@
 // A mesh on the way of a large movement: one step ahead, and back to the start.
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "safe/moving_mesh.hpp"
 
@@ -16,11 +17,7 @@ struct Moving {
           solved(setup, &options),
           plan(*reinterpret_cast<harmorph::Plan*>(solved.plan)),
           basis(harmorph::Basis::view(static_cast<void*>(solved.basis))) {
-        harmorph::Arena counting;
-        mesh.lay_out(counting, plan, basis.header->counts);
-        block = std::make_unique<Guarded>(counting.bytes());
-        harmorph::Arena placing(block->data(), block->size());
-        mesh.lay_out(placing, plan, basis.header->counts);
+        block = laid_out_part(mesh, plan, basis.header->counts);
         plan.walls_at(plan.mesh().points);
         mesh.init(plan, basis, move.data());
         CHECK(block->guards_intact());
@@ -57,8 +54,7 @@ TEST_CASE("one step to the target is the morph, with the admissible step of the 
         dx.push_back(d.real());
         dy.push_back(d.imag());
     }
-    hm_step_report step{};
-    step.struct_size = sizeof step;
+    auto step = sized<hm_step_report>();
     hm_mesh const view = setup.mesh.view();
     REQUIRE(hm_assess(moving.solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr,
                       &step, nullptr, nullptr) >= HM_OK);

@@ -3,6 +3,7 @@
 #include <fixtures/core.hpp>
 #include <fixtures/mangle.hpp>
 #include <fixtures/square.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "safe/newton_system.hpp"
 #include "safe/untangling_energy.hpp"
@@ -20,7 +21,7 @@ struct System {
     std::vector<std::uint8_t> held;
     std::vector<Vec2> at;
     Analysed analysed;
-    std::vector<unsigned char> block;
+    std::unique_ptr<Guarded> block;
     harmorph::Tangle tangle;
     harmorph::Region region;
     harmorph::NewtonSystem newton;
@@ -44,11 +45,7 @@ struct System {
             region.lay_out(arena, counts);
             newton.lay_out(arena, counts);
         };
-        harmorph::Arena query;
-        lay_out(query);
-        block.resize(query.bytes());
-        harmorph::Arena arena(block.data(), block.size());
-        lay_out(arena);
+        block = laid_out(lay_out);
         tangle = {view, view.points, analysed->topology().reversed,
                   analysed->topology().representative, span(held)};
         region.link(tangle);

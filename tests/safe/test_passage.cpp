@@ -38,8 +38,7 @@ hm_improve_report improved(Solved const& solved, Mesh const& mesh, Field const& 
     to.resize(from.size());
     const double* const x = reinterpret_cast<const double*>(from.data());
     double* const better = reinterpret_cast<double*>(to.data());
-    hm_improve_report report{};
-    report.struct_size = sizeof report;
+    auto report = sized<hm_improve_report>();
     REQUIRE(hm_improve(solved.plan, points_in(x, x + 1, 2), points_out(better, better + 1, 2),
                        work.data(), bytes, nullptr, &report, nullptr) == HM_OK);
     CHECK(work.guards_intact());
@@ -102,8 +101,7 @@ TEST_CASE("given displacements of a passage are safe") {
         Field to(setup.mesh.x.size());
         double* const xy = reinterpret_cast<double*>(to.data());
         const double* const w = reinterpret_cast<const double*>(wall.data());
-        hm_safe_options safe{};
-        safe.struct_size = sizeof safe;
+        auto safe = sized<hm_safe_options>();
         safe.min_quality = -1;
         hm_error error;
         std::int32_t const n_wall = std::int32_t(wall.size());

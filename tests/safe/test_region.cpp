@@ -2,6 +2,7 @@
 #include <fixtures/core.hpp>
 #include <fixtures/mangle.hpp>
 #include <fixtures/square.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "base/parallel_reduce.hpp"
 #include "safe/region.hpp"
@@ -19,7 +20,7 @@ struct Grown {
     harmorph::Mesh view;
     std::vector<std::uint8_t> held;
     Analysed analysed;
-    std::vector<unsigned char> block;
+    std::unique_ptr<Guarded> block;
     harmorph::Tangle tangle;
     Region region;
 
@@ -27,11 +28,7 @@ struct Grown {
         : mesh(given_mesh), view(core_mesh(mesh)), held(mesh.x.size(), 0), analysed(mesh) {
         for (std::int32_t const point : mesh.faces) held[std::size_t(point)] = 1;
         auto const counts = harmorph::RegionCounts::of(analysed->topology());
-        harmorph::Arena query;
-        region.lay_out(query, counts);
-        block.resize(query.bytes());
-        harmorph::Arena arena(block.data(), block.size());
-        region.lay_out(arena, counts);
+        block = laid_out_part(region, counts);
         tangle = {view, view.points, analysed->topology().reversed,
                   analysed->topology().representative, span(held)};
         region.link(tangle);

@@ -28,8 +28,7 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     std::vector<double> move = {0.02, 0, 0, 0.1};
     hm_safe_options safe_options = reference.safe_options;
     safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});
-    hm_safe_report report{};
-    report.struct_size = sizeof report;
+    auto report = sized<hm_safe_report>();
     std::vector<double> x = setup.mesh.x, y = setup.mesh.y, reached(move.size());
     safe_options.reached = reached.data();
     hm_error error{};

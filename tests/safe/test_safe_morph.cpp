@@ -294,8 +294,7 @@ TEST_CASE("functions on the way that miss the tolerance give a warning and a val
     std::size_t bytes = 0;
     REQUIRE(hm_morph_safe_size(attempt.plan, attempt.basis, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
-    hm_safe_report report{};
-    report.struct_size = sizeof report;
+    auto report = sized<hm_safe_report>();
     std::vector<double> x(setup.mesh.x.size()), y(x.size());
     hm_error error{};
     CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(setup, 120).data(), points_out(x, y),

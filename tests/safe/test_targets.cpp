@@ -5,6 +5,7 @@
 #include <fixtures/perturb.hpp>
 #include <fixtures/quality_energy.hpp>
 #include <fixtures/square.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "morph/quality.hpp"
 #include "safe/targets.hpp"
@@ -21,7 +22,7 @@ struct Found {
     Mesh reference, now;
     harmorph::Mesh view;
     Analysed analysed;
-    std::vector<unsigned char> block;
+    std::unique_ptr<Guarded> block;
     harmorph::FaceDistance walls;
     harmorph::Targets targets;
 
@@ -31,11 +32,7 @@ struct Found {
             walls.lay_out(arena, reference.face_markers.size());
             targets.lay_out(arena, view.n_cells);
         };
-        harmorph::Arena query;
-        lay_out(query);
-        block.resize(query.bytes());
-        harmorph::Arena arena(block.data(), block.size());
-        lay_out(arena);
+        block = laid_out(lay_out);
         harmorph::Boundary const& boundary = analysed->boundary();
         walls.choose(boundary, [&](Index face) { return boundary.marker[face] == body; });
         walls.build(view.points);

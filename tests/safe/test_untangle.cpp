@@ -9,6 +9,7 @@
 #include <fixtures/mangle.hpp>
 #include <fixtures/square.hpp>
 #include <fixtures/traps.hpp>
+#include <fixtures/laid_out.hpp>
 
 #include "safe/untangle.hpp"
 
@@ -67,18 +68,12 @@ struct Outcome {
         harmorph::Mesh const view = core_mesh(tangled.reference);
         auto const counts = harmorph::RegionCounts::of(analysed->topology());
         Untangling untangling;
-        harmorph::Arena query;
-        untangling.lay_out(query, counts);
-        Guarded block(query.bytes());
-        harmorph::Arena arena(block.data(), query.bytes());
-        untangling.lay_out(arena, counts);
-        CHECK(!arena.overflown());
-        CHECK(arena.bytes() == query.bytes());
+        auto const block = laid_out_part(untangling, counts);
         untangling.tangle = {view, view.points, analysed->topology().reversed,
                              analysed->topology().representative, span(tangled.held)};
         untangling.executor = executor;
         status = untangling.run(options, {mesh.x.data(), mesh.y.data(), 1}, report, fault);
-        CHECK(block.guards_intact());
+        CHECK(block->guards_intact());
     }
 
     // Returns the smallest ratio of a corner area to that of the reference, among corners that can
@@ -195,26 +190,14 @@ TEST_CASE("a region that is too small is replaced by a larger one") {
 TEST_CASE("turned, moved and scaled meshes are repaired in the same way") {
     Tangled const tangled = twisted_annulus(Cells::hybrid, 0.6);
     Outcome const expected(tangled);
-    struct Similarity {
-        double scale, angle, x, y;
-    };
     for (Similarity const by : {Similarity{1, 1.1, 0, 0}, Similarity{1, 0, 3, -2},
                                 Similarity{1e4, 0, 0, 0}, Similarity{1e-7, 2, 1e-7, 0}}) {
-        auto const image = [&](Mesh const& mesh) {
-            Mesh out = mesh;
-            double const c = by.scale * std::cos(by.angle), s = by.scale * std::sin(by.angle);
-            for (std::size_t k = 0; k < mesh.x.size(); ++k) {
-                out.x[k] = c * mesh.x[k] - s * mesh.y[k] + by.x;
-                out.y[k] = s * mesh.x[k] + c * mesh.y[k] + by.y;
-            }
-            return out;
-        };
         Tangled moved = tangled;
-        moved.reference = image(tangled.reference);
-        moved.now = image(tangled.now);
+        moved.reference = by.image(tangled.reference);
+        moved.now = by.image(tangled.now);
         Outcome const found(moved);
         CHECK(found.report.iterations == expected.report.iterations);
-        Mesh const wanted = image(expected.mesh);
+        Mesh const wanted = by.image(expected.mesh);
         double worst = 0;
         for (std::size_t k = 0; k < wanted.x.size(); ++k)
             worst = std::fmax(

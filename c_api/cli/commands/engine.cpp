@@ -40,8 +40,8 @@ std::vector<Option> engine_options() {
          "auto (default): the first of direct, direct in single precision and multigrid that fits "
          "into the\n"
          "memory; direct: the fastest; multigrid: conjugate gradients; fas: the iteration of the "
-         "paper, slow\n"
-         "(the last two with laplace and weighted)"},
+         "paper, slow,\n"
+         "for laplace and weighted"},
         memory_option,
         {"--precision", "P",
          "of the direct engine's factor: double (default), or single: half the memory, refined in "

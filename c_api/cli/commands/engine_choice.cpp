@@ -12,8 +12,8 @@ namespace cli {
 
 namespace {
 
-// In the order of the time that they take. With 4 to 60 functions and 10 000 to a million points
-// the order is the same (tests/measure/bench), so that the first one that fits is the fastest one.
+// In the order of the time that they take, which is the same for 10 000 to a million points and for
+// 4, 20 and 60 functions (tests/measure/bench): the first one that fits is the fastest one.
 const std::vector<EngineKind> by_time = {{"direct", HM_DIRECT, HM_DOUBLE},
                                          {"direct in single precision", HM_DIRECT, HM_SINGLE},
                                          {"multigrid", HM_MULTIGRID, HM_DOUBLE}};

@@ -33,8 +33,7 @@ std::size_t number_length(const Mesh& mesh, std::size_t offset) {
     return end - offset;
 }
 
-std::size_t next_number(const Mesh& mesh, std::size_t offset) {
-    const std::size_t end = offset + number_length(mesh, offset);
+std::size_t next_number(const Mesh& mesh, std::size_t end) {
     if (mesh.in_file.kind != NumberKind::text) return end;
     return std::min(mesh.file.text().find_first_not_of(blanks, end), mesh.file.text().size());
 }

@@ -29,7 +29,8 @@ inline bool little_endian_machine() {
 // Returns the coordinate that begins at this place of the file.
 double read_number(const Mesh& mesh, std::size_t offset);
 std::size_t number_length(const Mesh& mesh, std::size_t offset);
-std::size_t next_number(const Mesh& mesh, std::size_t offset);  // begins behind this one
+// Returns where the coordinate begins that stands behind a number, which ends before `end`.
+std::size_t next_number(const Mesh& mesh, std::size_t end);
 void store_real(char* bytes, double value, const FileCoordinates& as);
 
 }  // namespace cli

@@ -100,7 +100,8 @@ void read_plain_rows(std::string_view text, std::size_t& at, std::int64_t n, std
             end.items += piece.to.items;
             piece.to = end;
         }
-        table.resize(end);
+        // Lines behind the table were counted, too: room for them would move all arrays.
+        table.resize({std::min(end.rows, n), end.items});
         run_tasks(pieces.size(), threads, [&](std::size_t k) {
             Piece& piece = pieces[k];
             PlainRow row(text, piece.begin);

@@ -37,18 +37,16 @@ public:
         copy(out, text.substr(0, offset_of(0)));
         write_rows(out, rows(), mesh_.threads, [&](std::size_t row, TextOut& to) {
             std::size_t at = offset_of(row);
-            for_each_slot(row, [&](const CoordinateSlot& slot) {
+            for_each_slot(row, [&](const CoordinateSlot& slot, std::size_t end) {
                 to << text.substr(at, slot.offset - at);
-                at = slot.offset + number_length(mesh_, slot.offset);
-                write_slot(slot, at, to);
+                at = end;
+                write_slot(slot, end, to);
             });
             if (row + 1 < rows()) to << text.substr(at, offset_of(row + 1) - at);
         });
-        std::size_t end = 0;
-        for_each_slot(rows() - 1, [&](const CoordinateSlot& slot) {
-            end = slot.offset + number_length(mesh_, slot.offset);
-        });
-        copy(out, text.substr(end));
+        std::size_t behind = 0;
+        for_each_slot(rows() - 1, [&](const CoordinateSlot&, std::size_t end) { behind = end; });
+        copy(out, text.substr(behind));
     }
 
 private:
@@ -66,13 +64,21 @@ private:
     std::size_t offset_of(std::size_t row) const {
         return in_pairs() ? mesh_.point_offset[row] : slots()[row].offset;
     }
+    // Calls visit(slot, end) for the slots of a row; the number of the slot ends before `end`.
     template <class Visit>
     void for_each_slot(std::size_t row, const Visit& visit) const {
-        if (!in_pairs()) return visit(slots()[row]);
-        const std::size_t offset = mesh_.point_offset[row];
+        const auto visit_one = [&](const CoordinateSlot& slot) {
+            const std::size_t end = slot.offset + number_length(mesh_, slot.offset);
+            visit(slot, end);
+            return end;
+        };
+        if (!in_pairs()) {
+            visit_one(slots()[row]);
+            return;
+        }
         const auto point = static_cast<std::int32_t>(row);
-        visit(CoordinateSlot{offset, point, takes_x});
-        visit(CoordinateSlot{next_number(mesh_, offset), point, takes_y});
+        const std::size_t end = visit_one({mesh_.point_offset[row], point, takes_x});
+        visit_one({next_number(mesh_, end), point, takes_y});
     }
 
     void sort() {  // by place in the file
@@ -82,7 +88,8 @@ private:
         if (is_sorted) return;
         std::vector<CoordinateSlot> all;
         for (std::size_t row = 0; row < rows(); ++row)
-            for_each_slot(row, [&all](const CoordinateSlot& slot) { all.push_back(slot); });
+            for_each_slot(row,
+                          [&all](const CoordinateSlot& slot, std::size_t) { all.push_back(slot); });
         std::sort(all.begin(), all.end(), [](const CoordinateSlot& a, const CoordinateSlot& b) {
             return a.offset < b.offset;
         });
@@ -184,12 +191,11 @@ private:
 
     void find_style() {
         std::vector<NumberStyle> styles(static_cast<std::size_t>(mesh_.threads));
-        run_ranges(rows(), mesh_.threads, [&](std::size_t begin, std::size_t end, std::size_t k) {
+        run_ranges(rows(), mesh_.threads, [&](std::size_t begin, std::size_t last, std::size_t k) {
             NumberStyle style;
-            for (std::size_t row = begin; row < end; ++row) {
-                for_each_slot(row, [&](const CoordinateSlot& slot) {
-                    const std::size_t offset = slot.offset;
-                    style.see(mesh_.file.text().substr(offset, number_length(mesh_, offset)));
+            for (std::size_t row = begin; row < last; ++row) {
+                for_each_slot(row, [&](const CoordinateSlot& slot, std::size_t end) {
+                    style.see(mesh_.file.text().substr(slot.offset, end - slot.offset));
                 });
             }
             styles[k] = style;

@@ -8,8 +8,6 @@
 #include "basics/numbers.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <ostream>
 #include <sstream>
 
@@ -17,30 +15,15 @@ namespace cli {
 
 namespace {
 
-Block read_block(const std::string& path) {
-    std::error_code error;
-    const std::uintmax_t bytes = std::filesystem::file_size(path, error);
-    if (error) throw Failure(exit_file, path + ": cannot be read: " + error.message());
-    Block block(static_cast<std::size_t>(bytes));
-    std::ifstream file(path, std::ios::binary);
-    if (!file.read(reinterpret_cast<char*>(block.data()), static_cast<std::streamsize>(bytes))) {
-        throw Failure(exit_file, path + ": cannot be read");
-    }
-    return block;
-}
-
 // The bytes that the file of a basis would have.
-Block as_file(const hm_basis* basis, const Mesh& mesh) {
+std::string as_file(const hm_basis* basis, const Mesh& mesh) {
     std::ostringstream out;
     write_basis(out, basis, mesh);
-    const std::string bytes = out.str();
-    Block block(bytes.size());
-    std::copy(bytes.begin(), bytes.end(), block.data());
-    return block;
+    return out.str();
 }
 
 // Attaches the basis. The library names blocks in its errors; a file that is cut off is named here.
-bool attach(const hm_basis** basis, const Block& block, const hm_mesh* mesh,
+bool attach(const hm_basis** basis, std::string_view block, const hm_mesh* mesh,
             const std::string& path) {
     hm_error error = {};
     const hm_status status = hm_basis_attach(basis, block.data(), block.size(), mesh, &error);
@@ -67,10 +50,8 @@ constexpr const char* title_of_names = "harmorph markers ";
 // Reads the text behind the first `bytes` of the file.
 class BehindBlock {
 public:
-    BehindBlock(const Block& block, std::uint64_t bytes, const std::string& path)
-        : path_(path),
-          text_(std::string(reinterpret_cast<const char*>(block.data()) + bytes,
-                            block.size() - bytes)) {
+    BehindBlock(std::string_view block, std::uint64_t bytes, const std::string& path)
+        : path_(path), text_(std::string(block.substr(static_cast<std::size_t>(bytes)))) {
         next_line();  // the line feed before the title
     }
 
@@ -151,23 +132,23 @@ void refuse_other_functions(const hm_basis_info& info, const std::string& path) 
 
 }  // namespace
 
-Basis::Basis(const std::string& path, const Mesh& mesh) : Basis(read_block(path), path, mesh) {}
+Basis::Basis(const std::string& path, const Mesh& mesh) : Basis(TextFile(path), mesh) {}
 
 Basis::Basis(const hm_basis* solved, const Mesh& mesh)
-    : Basis(as_file(solved, mesh), mesh.file.path(), mesh) {}
+    : Basis(TextFile(mesh.file.path(), as_file(solved, mesh)), mesh) {}
 
-Basis::Basis(Block block, const std::string& path, const Mesh& mesh)
-    : path_(path),
-      block_(std::move(block)),
+Basis::Basis(const TextFile& file, const Mesh& mesh)
+    : path_(file.path()),
+      file_(file),
       info_(sized<hm_basis_info>()),
       curves_(sized<hm_curves>()),
       moved_curves_(sized<hm_curves>()) {
-    attach(&basis_, block_, nullptr, path_);
+    attach(&basis_, file_.text(), nullptr, path_);
     info_ = info_of(basis_, path_);
-    BehindBlock text(block_, info_.bytes, path_);
+    BehindBlock text(file_.text(), info_.bytes, path_);
     refuse_other_markers(text.names(), path_, mesh);
     const hm_mesh view = mesh.view();
-    mesh_has_moved_ = attach(&basis_, block_, &view, path_);
+    mesh_has_moved_ = attach(&basis_, file_.text(), &view, path_);
     if (info_.solved == 0)
         throw Failure(exit_file, path_ + ": the basis has no functions, as it has not been solved");
     refuse_other_functions(info_, path_);

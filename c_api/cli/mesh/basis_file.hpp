@@ -8,6 +8,7 @@
 
 #include "curves/curves.hpp"
 #include "basics/library.hpp"
+#include "basics/text_file.hpp"
 
 #include <iosfwd>
 #include <memory>
@@ -53,12 +54,12 @@ public:
     std::vector<double> values(std::int32_t function, std::int32_t number, const Mesh& mesh) const;
 
 private:
-    Basis(Block block, const std::string& path, const Mesh& mesh);
+    Basis(const TextFile& file, const Mesh& mesh);
     void find_curves(const Mesh& mesh);
     void find_slip_curves();
 
     std::string path_;
-    Block block_;
+    TextFile file_;  // mapped where that is possible
     const hm_basis* basis_ = nullptr;
     bool mesh_has_moved_ = false;
     std::string why_on_no_curve_;

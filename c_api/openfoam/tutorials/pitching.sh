@@ -57,6 +57,7 @@ for solver; do
         /Failed [0-9]+ mesh geometry checks/ && first == "" { first = angle }
         /Mesh geometry OK/ && first == "" { last = angle }
         END {
+            if (!steps) { printf "%-34s does not begin\n", solver; exit }
             what = first != "" ? "first error at " first : angle < end ? "the run ends at " angle : "no error at all"
             printf "%-34s %6s degrees without an error, %s; %.1f ms a step\n",
                 solver, last, what, 1000 * seconds / steps

@@ -36,8 +36,9 @@ Needs largest(std::string const& kind, Index functions, Engine const& engine, do
     Needs best;
     double size = 1e6;
     for (int k = 0; k < 8; ++k) {
-        say(kind + ": " + engine.name + " with " + std::to_string(size) + " points");
-        Needs const found = ask(make_case(kind, static_cast<Index>(size)), functions, engine);
+        Case const mesh_case = make_case(kind, static_cast<Index>(size));
+        say(mesh_case.name() + ": " + engine.name);
+        Needs const found = ask(mesh_case, functions, engine);
         if (found.all() <= bytes && found.points > best.points) best = found;
         if (best.all() > .99 * bytes) break;
         size = .997 * found.points * bytes / found.all();
