@@ -7,8 +7,8 @@
 namespace harmorph {
 
 // Each corner has the energy 1 / q^2, with the quality q relative to the target, and if the power
-// is not 0 also (aim / Q)^(2 power), with the quality Q that the library reports. The functions are
-// those that NewtonSystem::assemble_lists() calls.
+// is not 0 also (least / Q)^(2 power), with the quality Q that the library reports. The functions
+// are those that NewtonSystem::assemble_lists() calls.
 struct CornerEnergies {
     static constexpr Index most_cells = CornerList::max_count / 4;
     // Curvatures are raised to this part of the curvature of scaling at the target; rotation, which
@@ -34,9 +34,8 @@ struct CornerEnergies {
         Real const share = targets.share(cell);
         relative.add(now, targets.of(cell, point), target.any_ratio, share, 1);
         if (power == 0) return;
-        Real const aim = target.least;
         ideal.add(now, targets.ideal(cell, point), target.is_quad && !target.is_part, share,
-                  aim * aim);
+                  target.least * target.least);
     }
     void differentiate() noexcept {
         kernels.differentiate(relative, least_curvature, by_relative);

@@ -37,14 +37,14 @@ struct ImproveReport {
 };
 
 // The energy is a sum over cells, with the mean over the corners of a quadrilateral:
-//   1 / q^2 + (aim / Q)^(2 power)
+//   1 / q^2 + (least / Q)^(2 power)
 // Here q is the size-skew quality relative to the target, Q is the size-skew quality that the
-// library reports, and `aim` lies between `least`, the value that Q should not fall below (see
-// Targets), and 1. The first term alone (power 0) makes cells similar to their targets; a mesh that
-// is its own target is at rest. The first steps lower this term in the whole mesh. If cells are
-// then below their aim, the second term is added with increasing powers, and only points near the
-// worst cells move, a few steps for each power: the term is negligible for cells well above the
-// aim, and among cells below their aim the worst one counts most.
+// library reports, and `least` is the value that Q should not fall below (see Targets). The first
+// term alone (power 0) makes cells similar to their targets; a mesh that is its own target is at
+// rest. The first steps lower this term in the whole mesh. If a cell was then or before clearly
+// below `least`, the second term is added with increasing powers, and only points near the worst
+// cells move, a few steps for each power: the term is negligible for cells well above `least`, and
+// among cells below `least` the worst one counts most.
 //
 // The minimiser is Newton's method. No step is longer than a part of the exact admissible step, so
 // that no cell is inverted on the way, and every step lowers the energy. Walls do not move; points
@@ -82,9 +82,9 @@ struct Improvement {
               ImproveReport& report) noexcept;
 
 private:
-    // Of two meshes the better one is nearer to options.lowest, if it is below; else the product of
-    // the mean quality and of the smallest Q / least is larger. A Q / least above 1 counts little,
-    // and nothing above the aim.
+    // The better one of two meshes is nearer to options.lowest, if a smallest Q is below; else the
+    // product of the mean quality and of the smallest Q / least is larger. A Q / least above 1
+    // counts little, and nothing above Targets::aim.
     struct Score {
         Real lowest = 1;  // the smallest Q / options.lowest, at most 1
         Real smallest = infinity;

@@ -52,6 +52,31 @@ check "--heights --improve: not below --improve alone" awk "BEGIN { exit !($(num
 runs "--safe --operator auto" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe \
     --operator auto --json
 check "--safe --operator auto: both are reported" says '"operators": [{"operator": '
+# The automatic choice is not worse than either operator, for movements of one control point, along and across the wall,
+# and of many.
+automatic() {   # MESH MARKER, movements in files
+    mesh=$1 marker=$2
+    shift 2
+    makes fit "$mesh" --marker "$marker" --points 14 -o "$tmp/auto.curve"
+    for operator in laplace conformal; do
+        makes solve "$mesh" --curve "$marker=$tmp/auto.curve" --operator $operator -o "$tmp/auto_$operator.basis"
+    done
+    for move; do
+        for operator in laplace conformal auto; do
+            makes morph "$mesh" "$tmp/auto_${operator#auto}$([ $operator = auto ] && echo conformal).basis" \
+                --move "$move" --safe $([ $operator = auto ] && echo --operator auto) --json
+            eval "$operator=$(grep -o '"min_quality": [^,]*' "$tmp/out" | head -n 1 | sed 's/.*: //')"
+        done
+        check "--safe --operator auto: $(basename "$mesh"), ${move##*/}: not worse than laplace or conformal" \
+            awk "BEGIN { exit !($auto >= $laplace && $auto >= $conformal) }"
+    done
+}
+echo '4 .08 0' >"$tmp/along"
+echo '4 0 -.1' >"$tmp/across"
+echo '9 .03 .06' >"$tmp/oblique"
+awk 'BEGIN { for (k = 2; k < 14; ++k) print k, 0, .02 * sin(k) }' >"$tmp/wavy"
+automatic "$meshes/naca0012.su2" airfoil "$tmp/along" "$tmp/across" "$tmp/oblique" "$tmp/wavy"
+automatic "$meshes/cascade.su2" blade "$tmp/along" "$tmp/across" "$tmp/oblique" "$tmp/wavy"
 refuses "--operator without --safe" 2 '--operator needs --safe' morph "$box" "$tmp/conformal.basis" \
     --move "$no_moves" --operator auto
 refuses "morph --operator laplace" 2 '--operator of this command must be auto' morph "$box" "$tmp/conformal.basis" \
