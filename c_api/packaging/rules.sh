@@ -76,9 +76,9 @@ groups() {
         object $part $build/objects/$part/$group.cpp $member
     done
 }
-# Each source of the program with its level in front.
+# Each source of the program, behind its level and a bar.
 program_levels() {
-    for source in $(ls c_api/cli/*/*.cpp | grep -v /cgns); do echo "$(level $source) $source"; done
+    for source in $(ls c_api/cli/*/*.cpp | grep -v /cgns); do echo "$(level $source)|$source"; done
 }
 in_turn() { for file do echo "#include \"$file\""; done; }
 # Tests use the same names for different things: each file is included in a namespace of its own, behind the headers of
@@ -109,10 +109,11 @@ all_rules() {
     flags='$(CLI)' list=
     objects cli $build/page_text.cpp c_api/cli/formats/cgns*.cpp
     program_levels >$build/levels.$$
-    for option in $(cut -d ' ' -f 1 $build/levels.$$ | sort -u); do
-        groups cli $in_program in_turn $(sed -n "s/^$option //p" $build/levels.$$)
-    done
-    rm -f $build/levels.$$
+    cut -d '|' -f 1 $build/levels.$$ | sort -u >$build/each.$$
+    while read -r flag; do
+        groups cli $in_program in_turn $(awk -F '|' -v level="$flag" '$1 == level { print $2 }' $build/levels.$$)
+    done <$build/each.$$
+    rm -f $build/levels.$$ $build/each.$$
     parts=$list
     put objects/program.list echo $parts $zlib
     objects cli c_api/cli/main.cpp

@@ -3,7 +3,6 @@
 namespace harmorph {
 
 void FullRows::lay_out(Arena& arena, Index rows, Offset entries) noexcept {
-    arena.take(diagonal, rows);
     arena.take(row_sum, rows);
     arena.take(strongest, rows);
     arena.take(start, Offset{rows} + 1);

@@ -27,10 +27,11 @@ struct FullRows {
     static constexpr Real strong = 0.25;
 
     Index n = 0;
-    Span<Real> diagonal, row_sum;  // [n]
-    Span<Real> strongest;          // [n] The size of the strongest coupling of each point.
-    Span<Offset> start;            // [n + 1]
-    Span<Index> column;            // [entries of both triangles]
+    Span<const Real> diagonal;  // [n] That of the triangle.
+    Span<Real> row_sum;         // [n]
+    Span<Real> strongest;       // [n] The size of the strongest coupling of each point.
+    Span<Offset> start;         // [n + 1]
+    Span<Index> column;         // [entries of both triangles]
     Span<Real> value;
 
     // entries: those of one triangle.
@@ -54,7 +55,7 @@ private:
 template <class HalfRows>
 void FullRows::take(HalfRows const& half) noexcept {
     n = half.n;
-    copy(diagonal.first(n), Span<const Real>(half.diagonal));
+    diagonal = half.diagonal;
     Span<Offset> const starts = start.first(n + 1);
     fill(starts, Offset{0});
     auto const for_each = [&](auto const& visit) {

@@ -11,6 +11,7 @@ void FullApproximation::lay_out(Arena& arena, Index n, Index functions, Iteratio
     if (chosen.max_iterations == 0) {
         chosen.max_iterations = chosen.merging.max_levels == 1 ? default_steps : default_cycles;
     }
+    if (chosen.block_width == 0) chosen.block_width = default_width;
     BlockIteration::lay_out(arena, functions, chosen, threads);
     levels.lay_out(arena, n);
     Offset const cells = n + Agglomeration::coarse_cells(n);

@@ -15,7 +15,7 @@ namespace harmorph {
 
 struct FullApproximation : BlockIteration {
     // The default number of cycles, or of steps if there is a single level.
-    static constexpr Index default_cycles = 2000, default_steps = 200000;
+    static constexpr Index default_cycles = 2000, default_steps = 200000, default_width = 8;
     // The vectors of a worker; each has block_width numbers for a cell.
     static constexpr Index finest_vectors = 5, coarse_vectors = 6;
     // The time step is dt_P = cfl (0.5 shortest edge)^2, but at most the step with which the scheme

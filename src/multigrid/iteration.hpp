@@ -12,7 +12,8 @@ namespace harmorph {
 
 struct Iteration {
     MergingRules merging;
-    Index block_width = 8;  // The number of functions that are solved at a time: 4, 8 or 16.
+    // The number of functions that are solved at a time: 4, 8, 16, or 0, the engine's own choice.
+    Index block_width = 0;
     Index max_iterations = 0;
     // The full approximation scheme starts from F = 0 instead of full multigrid (FMG).
     bool starts_from_zero = false;

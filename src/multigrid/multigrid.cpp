@@ -9,13 +9,16 @@ void Multigrid::lay_out(Arena& arena, Index n, Index functions, Iteration const&
                         Executor const& threads) noexcept {
     Iteration chosen = asked;
     if (chosen.max_iterations == 0) chosen.max_iterations = default_iterations;
+    if (chosen.block_width == 0) chosen.block_width = default_width;
     BlockIteration::lay_out(arena, functions, chosen, threads);
     levels.lay_out(arena, n);
     bottom.lay_out(arena, CoarsePoints::coarsest, CoarsePoints::coarsest - 1, false);
 }
 
 void Multigrid::lay_out_work(Arena& arena, Index n, Offset entries) noexcept {
+    Size const shared = arena.mark();
     levels.lay_out_work(arena, n, entries);
+    arena.release(shared);
     arena.take(loads_, n + CoarsePoints::coarse_points(n));
 }
 

@@ -21,7 +21,7 @@ namespace harmorph {
 // too: x.Re(A) x = x.A x for a real vector x. The preconditioner treats the real and the imaginary
 // parts of half as many functions as so many real vectors.
 struct Multigrid : BlockIteration {
-    static constexpr Index default_iterations = 200;
+    static constexpr Index default_iterations = 200, default_width = 4;
     // In trials, single and double precision took equally many iterations up to a condition number
     // of 1e7; from 6e8 on, single precision took up to 2.4 times as many.
     static constexpr Real largest_single_condition = 1e8;

@@ -6,13 +6,18 @@ void Contraction::lay_out(Arena& arena, Index n, Offset entries) noexcept {
     rows.lay_out(arena, n, entries);
     arena.take(coarse, n);
     arena.take(sum_, n);
+    arena.take(part_, n);
+    arena.take(coarse_sum_, n);
+}
+
+void Contraction::lay_out_interpolation(Arena& arena, Index n) noexcept {
     arena.take(candidates_, n);
     arena.take(of_, n);
-    arena.take(part_, n);
+}
+
+void Contraction::lay_out_product(Arena& arena, Index n) noexcept {
     arena.take(first_, Offset{n} + 1);
     arena.take(fine_, Offset{Prolongation::most_weights} * n);
-    arena.take(weight_, Offset{Prolongation::most_weights} * n);
-    arena.take(coarse_sum_, n);
     arena.take(last_, n);
 }
 
@@ -121,11 +126,7 @@ void Contraction::transpose(Prolongation const& by, Index n) noexcept {
     for (Offset e = 0; e < count; ++e) ++starts[by.column[e]];
     counts_to_starts(starts);
     for (Index i = 0; i < rows.n; ++i) {
-        for (Offset e = by.start[i]; e < by.start[i + 1]; ++e) {
-            Offset const to = starts[by.column[e]]++;
-            fine_[to] = i;
-            weight_[to] = by.weight[e];
-        }
+        for (Offset e = by.start[i]; e < by.start[i + 1]; ++e) fine_[starts[by.column[e]]++] = i;
     }
     rewind_starts(starts);
 }
@@ -156,9 +157,10 @@ bool Contraction::contract(Prolongation const& by, Offset room, CoarseRows& resu
         };
         for (Offset t = first_[c]; t < first_[c + 1]; ++t) {
             Index const i = fine_[t];
-            if (!add(i, weight_[t] * rows.diagonal[i])) return false;
+            Real const weight = by.at(i, c);
+            if (!add(i, weight * rows.diagonal[i])) return false;
             for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e)
-                if (!add(rows.column[e], weight_[t] * rows.value[e])) return false;
+                if (!add(rows.column[e], weight * rows.value[e])) return false;
         }
         result.start[c] = begin;
         for (Offset e = begin; e < used; ++e) result.value[e] = row[e - begin];

@@ -15,6 +15,13 @@ struct Prolongation {
     Span<Offset> start;  // [n + 1]
     Span<Index> column;
     Span<Real> weight;
+
+    // Returns the weight of a coarse point that the row contains.
+    Real at(Index row, Index coarse) const noexcept {
+        Offset e = start[row];
+        while (column[e] != coarse) ++e;
+        return weight[e];
+    }
 };
 
 // The working space with which interpolate() and contract() make the next level.
@@ -23,8 +30,11 @@ public:
     FullRows rows;       // the finer level
     Span<Index> coarse;  // [n] The numbers of the coarse points, and none for fine points.
 
-    // entries: the largest number of entries of one triangle of a finer level.
+    // entries: the largest number of entries of one triangle of a finer level. The working spaces
+    // of interpolate() and of contract() may occupy the same memory.
     void lay_out(Arena& arena, Index n, Offset entries) noexcept;
+    void lay_out_interpolation(Arena& arena, Index n) noexcept;
+    void lay_out_product(Arena& arena, Index n) noexcept;
 
     // Fills the rows of `to`, each with at most `most` weights. The largest weights are kept, and
     // scaled to the sum of all. Returns the number of weights.
@@ -52,10 +62,9 @@ private:
     Index n_candidates_ = 0;
     Span<Index> of_;   // [n] The fine point for which a point is a candidate.
     Span<Real> part_;  // [n] The part of the row of a fine point that falls on a candidate.
-    // The transpose of the prolongation.
-    Span<Offset> first_;  // [n + 1]
-    Span<Index> fine_;    // [most_weights n]
-    Span<Real> weight_;
+    // The pattern of the transpose of the prolongation.
+    Span<Offset> first_;     // [n + 1]
+    Span<Index> fine_;       // [most_weights n]
     Span<Real> coarse_sum_;  // [n] The row sums of the result.
     Span<Offset> last_;      // [n]
 };

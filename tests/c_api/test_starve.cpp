@@ -76,20 +76,24 @@ TEST_CASE("analysis: with curves and without, at every size below the required o
 
 TEST_CASE("plan: at every size below the required one; the smallest block solves") {
     Case setup = two_body_case(Cells::hybrid, 4, 3);
-    Attempt reference(setup.problem());
-    REQUIRE(reference.status == HM_OK);
-    std::size_t need = 0;
-    REQUIRE(hm_plan_size(reference.analysis, &need, nullptr) == HM_OK);
-    starve(need, [&](void* block, std::size_t bytes, hm_error& error) {
-        hm_plan* plan = nullptr;
-        hm_status const status = hm_plan_init(&plan, block, bytes, reference.analysis, &error);
-        CHECK((plan != nullptr) == (status >= 0));
-        if (status >= 0) {
-            REQUIRE(hm_plan_factor(plan, nullptr, nullptr) == HM_OK);
-            REQUIRE(hm_plan_solve(plan, reference.basis, nullptr, nullptr) == HM_OK);
-        }
-        return status;
-    });
+    for (std::int32_t const engine : {std::int32_t{HM_DIRECT}, std::int32_t{HM_MULTIGRID}}) {
+        Options options = options_of(HM_CONFORMAL);
+        options.engine = engine;
+        Attempt reference(setup.problem(), &options);
+        REQUIRE(reference.status == HM_OK);
+        std::size_t need = 0;
+        REQUIRE(hm_plan_size(reference.analysis, &need, nullptr) == HM_OK);
+        starve(need, [&](void* block, std::size_t bytes, hm_error& error) {
+            hm_plan* plan = nullptr;
+            hm_status const status = hm_plan_init(&plan, block, bytes, reference.analysis, &error);
+            CHECK((plan != nullptr) == (status >= 0));
+            if (status >= 0) {
+                REQUIRE(hm_plan_factor(plan, nullptr, nullptr) == HM_OK);
+                REQUIRE(hm_plan_solve(plan, reference.basis, nullptr, nullptr) == HM_OK);
+            }
+            return status;
+        });
+    }
 }
 
 TEST_CASE("basis: at every size below the required one; the smallest block holds the solution") {

@@ -172,14 +172,16 @@ void SolutionCheck::displace_by(hm_basis* basis, Numbers const& by, Numbers& dx,
 }
 
 // The derivative against differences of safe morphs that go the same way. One linear step is exact
-// at all points if no offset turns and nothing slides along a curve; elsewhere the header names
-// terms that are left out: HARMORPH_DERIVATIVE in the environment shows how large they are.
+// at all points if no offset turns and nothing slips; elsewhere the header names terms that are
+// left out: HARMORPH_DERIVATIVE in the environment shows how large they are.
 void SolutionCheck::field_follows(hm_basis* derivative, hm_safe_options const& given,
                                   hm_safe_report const& first) {
+    bool const slides =
+        std::any_of(problem_.conditions.begin(), problem_.conditions.end(),
+                    [](hm_condition const& condition) { return condition.kind == HM_SLIP; });
     bool const is_exact = first.strategy == HM_STRATEGY_LINEAR && first.steps == 1 &&
                           first.heights == 0 && first.step_fraction == 1 &&
-                          first.turned_offset == 0 && problem_.along[0].curve.empty() &&
-                          problem_.along[1].curve.empty();
+                          first.turned_offset == 0 && !slides;
     static bool const is_shown = std::getenv("HARMORPH_DERIVATIVE") != nullptr;
     if (its_.status != HM_OK || first.steps == 0 || (!is_exact && !is_shown)) return;
     Numbers const by = some_movement();

@@ -84,6 +84,47 @@ TEST_CASE("at most half of the points are coarse points, and rows have at most f
     }
 }
 
+TEST_CASE("a level that needs more entries than there are is interpolated with fewer weights") {
+    // Each point is coupled to the next one and to four random ones: the neighbours of neighbours
+    // of such a graph overlap far less than those of a mesh.
+    constexpr std::size_t n = 4000, partners = 5;
+    std::mt19937 random(5);
+    std::vector<double> diagonal(n, 0.01), row_sum(n, 0.01), value;
+    std::vector<Offset> start{0};
+    std::vector<Index> column;
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+        for (std::size_t k = 0; k < partners; ++k) {
+            std::size_t const j = k == 0 ? i + 1 : i + 1 + random() % (n - i - 1);
+            Index const to = static_cast<Index>(j);
+            auto const row = column.begin() + start.back();
+            if (std::find(row, column.end(), to) != column.end()) continue;
+            column.push_back(to);
+            value.push_back(-1);
+            diagonal[i] += 1;
+            diagonal[j] += 1;
+        }
+        start.push_back(static_cast<Offset>(column.size()));
+    }
+    start.push_back(start.back());
+    harmorph::SymmetricRows const rows{static_cast<Index>(n),
+                                       {diagonal.data(), n},
+                                       {row_sum.data(), n},
+                                       {start.data(), n + 1},
+                                       {column.data(), column.size()},
+                                       {value.data(), value.size()},
+                                       {}};
+    Levels const levels(rows);  // checks that nothing is written behind the memory
+    harmorph::CoarsePoints const& all = levels.points;
+    REQUIRE(all.count >= 2);
+    Offset entries = 0, widest = 0;
+    for (Index l = 1; l < all.count; ++l) entries += all.entries(l);
+    harmorph::Prolongation const& by = all.finer[0];
+    for (Index i = 0; i < rows.n; ++i) widest = std::max(widest, by.start[i + 1] - by.start[i]);
+    CHECK(widest < harmorph::Prolongation::most_weights);
+    CHECK(entries <= Offset{harmorph::CoarsePoints::entries_per_point} * rows.n +
+                         harmorph::CoarsePoints::coarsest * harmorph::CoarsePoints::coarsest);
+}
+
 TEST_CASE("constants are interpolated exactly where a row has no known neighbours") {
     Case setup = thin_cells();
     Analysed const seen(setup);

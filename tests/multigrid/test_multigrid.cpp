@@ -327,17 +327,16 @@ TEST_CASE("the preconditioner is symmetric and positive definite") {
     check_preconditioner(setup);
 }
 
-TEST_CASE("memory: at most 530 bytes for each point with blocks of 4") {
+TEST_CASE("memory: at most 460 bytes for each point") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Case setup = o_mesh_case(100, 1e-5, 60, kind);
         Options options = multigrid();
-        options.block_width = 4;
         Attempt attempt;
         std::size_t bytes = 0;
         REQUIRE(attempt.analyse(setup.problem(), &options));
         REQUIRE(hm_plan_size(attempt.analysis, &bytes, nullptr) == HM_OK);
         INFO(bytes << " bytes for " << setup.mesh.n_points() << " points");
-        CHECK(bytes <= 530 * static_cast<std::size_t>(setup.mesh.n_points()));
+        CHECK(bytes <= 460 * static_cast<std::size_t>(setup.mesh.n_points()));
     }
 }
 

@@ -7,6 +7,7 @@
 #include "formats/su2.hpp"
 
 #include "basics/failure.hpp"
+#include "basics/large_arrays.hpp"
 #include "basics/numbers.hpp"
 #include "basics/place.hpp"
 #include "formats/plain_rows.hpp"

@@ -74,7 +74,7 @@ Case make_case(std::string const& kind, Index size) {
     else if (kind == "viscous") out.mesh = viscous_mesh(size, 1e-5);
     else if (kind == "thin") out.mesh = viscous_mesh(size, 1e-6);
     else if (kind == "unstructured" || kind == "shuffled") out.mesh = unstructured_mesh(size);
-    else if (kind.rfind("stretched1", 0) == 0)
+    else if (kind == "stretched10" || kind == "stretched100" || kind == "stretched1000")
         out.mesh = stretched_mesh(size, std::stod(kind.substr(9)));
     else throw std::invalid_argument("no such kind of mesh: " + kind);
     for (Index const marker : out.mesh.face_markers) out.wall_points += marker == fixtures::body;

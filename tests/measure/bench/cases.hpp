@@ -28,8 +28,11 @@ std::vector<std::string> const& known_kinds();
 // viscous:      O-mesh of quads, the first 1e-5 chords high
 // thin:         the same, 1e-6 chords high
 // unstructured: Delaunay triangles that grow with the distance, numbered as a generator lays them
-// down shuffled:     the same, points and cells in random order About `size` points. An unknown
-// kind: std::invalid_argument.
+//               down
+// shuffled:     the same, points and cells in random order
+// stretched10, stretched100, stretched1000: the triangles of unstructured with all y divided by
+//               this number, turned by 30 degrees
+// The mesh has about `size` points. An unknown kind: std::invalid_argument.
 Case make_case(std::string const& kind, Index size);
 
 // A fit through the airfoil's points, in its own memory.

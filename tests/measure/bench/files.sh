@@ -16,10 +16,13 @@ if command -v gmsh >/dev/null 2>&1; then
 else
     echo "gmsh is not installed: harmorph alone"
 fi
-seconds() { # seconds PATTERN COMMAND...: the least of three runs; the pattern is (user|sys) or real
+# seconds PATTERN COMMAND...: the least of three runs that write a new file; the pattern is (user|sys) or real
+seconds() {
     pattern=$1; shift
-    for run in 1 2 3; do { time -p "$@" >/dev/null; } 2>&1 | awk "/^$pattern/"' { s += $2 } END { print s }'; done |
-        sort -n | head -n 1
+    for run in 1 2 3; do
+        rm -f "$out/converted.su2" "$out/peer.su2"
+        { time -p "$@" >/dev/null; } 2>&1 | awk "/^$pattern/"' { s += $2 } END { print s }'
+    done | sort -n | head -n 1
 }
 printf '%-17s %10s %12s %10s %12s %10s\n' "to SU2 from" MB "harmorph s" MB/s "2 threads s" "gmsh s"
 for mesh in $meshes; do

@@ -1,0 +1,21 @@
+// Memory for arrays whose lengths are known before they are filled.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace cli {
+
+// Touches the pages of memory that has not been used yet, by several threads: the system clears
+// each page at the first touch. Pages have two megabytes where the system has such pages.
+void touch_pages(void* memory, std::size_t bytes, std::int32_t threads);
+
+template <class Value>
+void reserve_by_threads(std::vector<Value>& values, std::size_t n, std::int32_t threads) {
+    values.reserve(n);
+    touch_pages(values.data() + values.size(), (values.capacity() - values.size()) * sizeof(Value),
+                threads);
+}
+
+}  // namespace cli
