@@ -862,9 +862,8 @@ HM_API hm_status hm_displace_safe(hm_plan* plan, const hm_basis* basis, const do
 
 typedef struct hm_improve_options {
     uint64_t struct_size;
-    /* Steps of Newton's method, 0 .. 10000; 0 means 60. The work of all steps is limited in
-     * proportion; with 60, a call takes up to about six times as long as the analysis and the
-     * solution of 20 conformal functions. */
+    /* Steps of Newton's method, 0 .. 10000; 0 means 60, whose work is limited to about six times
+     * that of analysis and solution of 20 conformal functions; the limit grows in proportion. */
     int32_t max_iterations;
     int32_t reserved; /* 0 */
     /* [n_points] coordinates before the movement: a valid mesh, whose cells are the targets. NULL:
@@ -885,16 +884,14 @@ typedef struct hm_improve_report {
 HM_API hm_status hm_improve_size(const hm_plan* plan, size_t* bytes, hm_error* err);
 /* Moves the inner points of a mesh after a movement so that the cells resemble those of the
  * reference: target-matrix optimisation (Knupp, Eng. Comput. 28 (2012) 419) by Newton's method. The
- * plan needs no factor; a factor stays valid. `from`: coordinates of a valid mesh; `to` may be the
- * arrays of `from`. Thin cells at walls are stretched with the wall. Then points near the worst
- * cells raise these to the smallest quality of the reference, and to half of their own quality
- * there. `to` is the mesh on the way with the largest product of the mean quality and the smallest
- * ratio of a quality and these values. No cell is inverted, and the smallest quality never falls.
- * Points on walls and on fixed and free boundaries keep their bits. Outer ends of first-layer edges
- * at walls get the heights and angles of the reference, unless this lowers the smallest quality.
- * Points with slip stay on their lines and curves (call hm_slip before). Points of a cut or pair
- * move together. options and report may be NULL. Refused (HM_BAD_MESH), `to` unchanged: an inverted
- * cell or a coordinate out of range. */
+ * plan needs no factor. `from`: coordinates of a valid mesh; `to` may be the arrays of `from`. Thin
+ * cells at walls are stretched with the wall. Then the worst cells are raised to the smallest
+ * quality of the reference, and to half of their own quality there. No cell is inverted, and the
+ * smallest quality never falls. Points on walls and on fixed and free boundaries keep their bits.
+ * Outer ends of first-layer edges at walls get the heights and angles of the reference, unless this
+ * lowers the smallest quality. Points with slip stay on their lines and curves (call hm_slip
+ * before). Points of a cut or pair move together. options and report may be NULL. Refused
+ * (HM_BAD_MESH), `to` unchanged: an inverted cell or a coordinate out of range. */
 HM_API hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* to,
                             void* work, size_t bytes, const hm_improve_options* options,
                             hm_improve_report* report, hm_error* err);
