@@ -104,10 +104,12 @@ private:
         }
     };
 
-    Score outside;        // of the cells that are not in the region
-    Real lowest = 0;      // options.lowest
-    Real work = 0;        // in products with a block of the Hessian
-    Offset n_blocks = 0;  // of the Hessian of the whole mesh
+    Score outside;    // of the cells that are not in the region
+    Real lowest = 0;  // options.lowest
+    Real work = 0;    // in products with a block of the Hessian
+    // Blocks above and on the diagonal of the Hessian, of the whole mesh and of the region, by any
+    // numbering of the points.
+    Real n_blocks = 0, n_region_blocks = 0;
 
     Score score_of(Index cell) const noexcept;
     Score score() const noexcept;
@@ -115,6 +117,7 @@ private:
                Score& found, Score& highest, ImproveReport& report) noexcept;
     void raise_worst(ImproveOptions const& options, Real most_work, Score found, Score& highest,
                      ImproveReport& report) noexcept;
+    void count_blocks() noexcept;
     bool begin_near(Real enough, Real part_of_aim, Index layers) noexcept;
     void assemble(Index power) noexcept;
     Real energy_of(Span<const Vec2> points, Index power) const noexcept;
