@@ -20,7 +20,7 @@ struct ImproveOptions {
     // The work of all steps, in products of a block of the Hessian and a vector, is at most this
     // number for each point that can move and each of most_iterations. A product with the whole
     // Hessian is 4 of them for each point of triangles, 5 for each point of quadrilaterals.
-    Real most_work = 54;
+    Real most_work = 48;
     // If a step decreases the energy by a smaller part, the next power begins.
     Real least_gain = 5e-4;
     // If cells have a quality Q (see below) less than this at the end, further steps, beyond
