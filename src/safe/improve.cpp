@@ -102,12 +102,20 @@ void Improvement::raise_worst(ImproveOptions const& options, Real most_work, Sco
         Real const smallest = found.smallest;
         if (!begin_near(0, min(most_part, max(least_part, width * smallest)), layers_of_worst))
             return;
-        work += work_of_region * static_cast<Real>(n_blocks);
+        work += work_of_region * n_blocks;
         climb(options, powers_of_worst[min(k, n_powers - 1)],
               min(most_for_power, options.most_iterations - report.iterations), most_work, found,
               highest, report);
         if (k + 1 >= n_powers && found.smallest < least_rise * smallest) return;
     }
+}
+
+// A block between two ranges is stored in both rows.
+void Improvement::count_blocks() noexcept {
+    Offset twice = 0;
+    for (Index u = 0; u < region.n; ++u)
+        twice += region.outer_start[u] - region.start[u] + region.start[u + 1] - region.start[u];
+    n_region_blocks = 0.5 * static_cast<Real>(twice);
 }
 
 // Begins at `now`, near cells whose quality is below `enough` or below this part of their aim.
@@ -121,6 +129,7 @@ bool Improvement::begin_near(Real enough, Real part_of_aim, Index layers) noexce
     });
     if (region.n_cells == 0) return false;
     region.grow(tangle, layers);
+    count_blocks();
     outside = reduce_cells<Score>(region.cell.count(), executor, [&](Index i, Score& result) {
         Cell const cell = tangle.cell(i);
         bool is_in_region = quality[i] < 0;
@@ -138,7 +147,8 @@ void Improvement::begin(Points points) noexcept {
     fill(quality, Real{-1});
     region.link(tangle);
     region.grow(tangle, Region::whole);
-    n_blocks = region.start[region.n];
+    count_blocks();
+    n_blocks = n_region_blocks;
     work = 0;
     outside = {};
 }
@@ -149,8 +159,7 @@ Real Improvement::step(ImproveOptions const& options, Index power, Real before,
     Index const products = system.solve(region, options.most_products, executor);
     report.products += products;
     ++report.iterations;
-    work += static_cast<Real>(products) * static_cast<Real>(region.start[region.n]) +
-            work_of_step * static_cast<Real>(n_blocks);
+    work += static_cast<Real>(products) * n_region_blocks + work_of_step * n_blocks;
     for_points([&](Index k, Vec2 step) { change[k] = step; });
     return descend(power, before);
 }
@@ -175,8 +184,7 @@ Improvement::Score Improvement::score() const noexcept {
 }
 
 void Improvement::assemble(Index power) noexcept {
-    work += (work_of_first + (power > 0 ? work_of_second : 0)) *
-            static_cast<Real>(region.start[region.n]);
+    work += (work_of_first + (power > 0 ? work_of_second : 0)) * n_region_blocks;
     system.assemble_lists(tangle, region, executor, [&] {
         return CornerEnergies(targets, executor.kernel, as_points(now), power);
     });
@@ -219,7 +227,7 @@ bool Improvement::is_valid(Span<const Vec2> points) const noexcept {
 }
 
 Real Improvement::energy_ahead(Index power) noexcept {
-    work += work_of_energy * static_cast<Real>(region.start[region.n]);
+    work += work_of_energy * n_region_blocks;
     return energy_of(ahead, power);
 }
 

@@ -20,7 +20,7 @@ struct ImproveOptions {
     // The work of all steps, in products of a block of the Hessian and a vector, is at most this
     // number for each point that can move and each of most_iterations. A product with the whole
     // Hessian is 4 of them for each point of triangles, 5 for each point of quadrilaterals.
-    Real most_work = 54;
+    Real most_work = 48;
     // If a step decreases the energy by a smaller part, the next power begins.
     Real least_gain = 5e-4;
     // If cells have a quality Q (see below) less than this at the end, further steps, beyond
@@ -104,10 +104,12 @@ private:
         }
     };
 
-    Score outside;        // of the cells that are not in the region
-    Real lowest = 0;      // options.lowest
-    Real work = 0;        // in products with a block of the Hessian
-    Offset n_blocks = 0;  // of the Hessian of the whole mesh
+    Score outside;    // of the cells that are not in the region
+    Real lowest = 0;  // options.lowest
+    Real work = 0;    // in products with a block of the Hessian
+    // Blocks above and on the diagonal of the Hessian, of the whole mesh and of the region, by any
+    // numbering of the points.
+    Real n_blocks = 0, n_region_blocks = 0;
 
     Score score_of(Index cell) const noexcept;
     Score score() const noexcept;
@@ -115,6 +117,7 @@ private:
                Score& found, Score& highest, ImproveReport& report) noexcept;
     void raise_worst(ImproveOptions const& options, Real most_work, Score found, Score& highest,
                      ImproveReport& report) noexcept;
+    void count_blocks() noexcept;
     bool begin_near(Real enough, Real part_of_aim, Index layers) noexcept;
     void assemble(Index power) noexcept;
     Real energy_of(Span<const Vec2> points, Index power) const noexcept;
