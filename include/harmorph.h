@@ -862,12 +862,11 @@ HM_API hm_status hm_displace_safe(hm_plan* plan, const hm_basis* basis, const do
 
 typedef struct hm_improve_options {
     uint64_t struct_size;
-    /* Steps of Newton's method, 0 .. 10000; 0 means 60, whose work is limited to about six times
-     * that of analysis and solution of 20 conformal functions; the limit grows in proportion. */
+    /* Steps of Newton's method, 0 .. 10000; 0 means 60. The limit of the work is proportional: with
+     * 60, about six times the work of analysis and solution of 20 conformal functions. */
     int32_t max_iterations;
     int32_t reserved; /* 0 */
-    /* [n_points] coordinates before the movement: a valid mesh, whose cells are the targets. NULL:
-     * the mesh's own coordinates, which must be those of the analysis (else HM_BAD_MESH). */
+    /* [n_points] a valid mesh before the movement; NULL: the mesh's arrays, if not moved since. */
     const hm_points* reference;
 } hm_improve_options;
 
@@ -880,8 +879,6 @@ typedef struct hm_improve_report {
     int32_t min_quality_cell_before, min_quality_cell;
 } hm_improve_report;
 
-/* Working memory of hm_improve. */
-HM_API hm_status hm_improve_size(const hm_plan* plan, size_t* bytes, hm_error* err);
 /* Moves the inner points of a mesh after a movement so that the cells resemble those of the
  * reference: target-matrix optimisation (Knupp, Eng. Comput. 28 (2012) 419) by Newton's method. The
  * plan needs no factor. `from`: coordinates of a valid mesh; `to` may be the arrays of `from`. Thin
@@ -892,6 +889,7 @@ HM_API hm_status hm_improve_size(const hm_plan* plan, size_t* bytes, hm_error* e
  * lowers the smallest quality. Points with slip stay on their lines and curves (call hm_slip
  * before). Points of a cut or pair move together. options and report may be NULL. Refused
  * (HM_BAD_MESH), `to` unchanged: an inverted cell or a coordinate out of range. */
+HM_API hm_status hm_improve_size(const hm_plan* plan, size_t* bytes, hm_error* err);
 HM_API hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* to,
                             void* work, size_t bytes, const hm_improve_options* options,
                             hm_improve_report* report, hm_error* err);

@@ -50,7 +50,8 @@ std::vector<Option> engine_options() {
          "multigrid and fas: levels at most (default: all there are, 5 or 6 at 10k "
          "points)"},
         {"--block-width", "N",
-         "multigrid and fas: functions that are solved at a time, 4, 8 (default) or 16"},
+         "multigrid and fas: functions that are solved at a time, 4 (default of multigrid), 8 (of "
+         "fas) or 16"},
         {"--max-iterations", "N",
          "multigrid and fas: iterations after which the solution is given up (default 200; fas "
          "2000 cycles, or\n"
@@ -114,7 +115,7 @@ void set_engine(const Arguments& arguments, Task& task) {
     options.levels = arguments.whole("--levels", 0, 1, 20);
     options.max_iterations = arguments.whole("--max-iterations", 0, 1, INT32_MAX);
     if (arguments.has("--block-width"))
-        options.block_width = arguments.choice("--block-width", {{"8", 8}, {"4", 4}, {"16", 16}});
+        options.block_width = arguments.choice("--block-width", {{"4", 4}, {"8", 8}, {"16", 16}});
 }
 
 void write_history(std::ostream& out, const std::vector<double>& residuals,
