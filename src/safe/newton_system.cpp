@@ -5,9 +5,11 @@ namespace {
 
 // Inverts a positive definite block. The entries have the size of 1 / length^2, and their products
 // are formed of parts of the size of 1. In a block that rounding has made singular, all directions
-// have equal weight.
+// have equal weight. Where rounding has cancelled the whole block, the point stays.
 Block inverse_of(Block const& block) noexcept {
-    Real const unit = 1 / power_of_two_at(block.a + block.d);
+    Real const size = abs(block.a) + abs(block.d);
+    if (size == 0) return {};
+    Real const unit = 1 / power_of_two_at(size);
     Real const a = unit * block.a, b = unit * block.b, c = unit * block.c, d = unit * block.d;
     Real const determinant = a * d - b * c;
     if (determinant <= 0) return {unit, 0, 0, unit};

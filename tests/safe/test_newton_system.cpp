@@ -188,3 +188,12 @@ TEST_CASE("the step descends, and more iterations bring the step nearer to Newto
     double const enough = harmorph::NewtonSystem::enough;
     CHECK(rest <= enough * enough * whole * (1 + 1e-6));
 }
+
+TEST_CASE("points whose cells have no energy stay") {
+    System system(some_mesh(), 0.2);
+    system.newton.assemble(
+        system.tangle, system.region, {},
+        [](Index, harmorph::CornerPoints const&, harmorph::CornerForm& form) { form = {}; });
+    CHECK(system.newton.solve(system.region, 10, {}) == 0);
+    for (Index u = 0; u < system.region.n; ++u) CHECK(length(system.newton.step[u]) == 0);
+}

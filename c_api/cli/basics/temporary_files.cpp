@@ -16,7 +16,7 @@ struct Slot {
     std::atomic<bool> is_used;
     std::array<char, 4096> path;
 };
-std::array<Slot, 32> slots;
+std::array<Slot, 32> all_slots;
 std::atomic<bool> signals_wait;
 std::atomic<int> waiting;  // the signal that has come meanwhile, or 0
 
@@ -35,7 +35,7 @@ extern "C" void remove_and_end(int signal) {
         waiting = signal;
         return;
     }
-    for (const Slot& slot : slots) {
+    for (const Slot& slot : all_slots) {
         if (slot.is_used) unlink(slot.path.data());
     }
     std::signal(signal, SIG_DFL);
@@ -57,7 +57,7 @@ void listen_once() {
 
 void remember_temporary(const std::string& path) {
     listen_once();
-    for (Slot& slot : slots) {
+    for (Slot& slot : all_slots) {
         if (slot.is_used || path.size() >= slot.path.size()) continue;
         std::memcpy(slot.path.data(), path.c_str(), path.size() + 1);
         slot.is_used = true;
@@ -66,7 +66,7 @@ void remember_temporary(const std::string& path) {
 }
 
 void forget_temporary(const std::string& path) {
-    for (Slot& slot : slots) {
+    for (Slot& slot : all_slots) {
         if (slot.is_used && path == slot.path.data()) slot.is_used = false;
     }
 }
