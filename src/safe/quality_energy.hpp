@@ -28,10 +28,10 @@ struct CornerList {
     Real any_ratio[max_count];
     Real weight[max_count], scale[max_count];
 
-    void add(Triangle const& corner, Triangle const& of, bool has_any_ratio, Real weight_of_one,
+    void add(Triangle const& corner, Triangle const& wanted, bool has_any_ratio, Real weight_of_one,
              Real scale_of_one) noexcept {
         put(now, corner);
-        put(target, of);
+        put(target, wanted);
         any_ratio[n] = has_any_ratio ? 1 : 0;
         weight[n] = weight_of_one;
         scale[n++] = scale_of_one;
