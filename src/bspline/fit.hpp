@@ -18,7 +18,8 @@ struct FitOptions {
     Real smoothing = 0;  // [length] waves much shorter than this are damped
     // [length] Not 0: the fewest control points, at most n_control, whose errors are below this.
     Real tolerance = 0;
-    Vec2 tangent[2] = {{0, 0}, {0, 0}};  // the directions of the curve at its first and last end; 0: any
+    // The directions of the curve at its first and last end; 0: any.
+    Vec2 tangent[2] = {{0, 0}, {0, 0}};
 };
 
 struct FitReport {
