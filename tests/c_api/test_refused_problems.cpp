@@ -144,28 +144,25 @@ TEST_CASE("numbers of options that are out of range or unknown") {
 TEST_CASE("options that do not go together, and structs without a size") {
     static hm_executor executor;
     static double history[2];
+    auto const slip_at_far_field = [](hm_problem& problem) {
+        static hm_condition conditions[2];
+        conditions[0] = conditions[1] = problem.conditions[0];
+        conditions[1].marker = far_field;
+        conditions[1].kind = HM_SLIP;
+        conditions[1].n_curves = 0;
+        problem.conditions = conditions;
+        problem.n_conditions = 2;
+    };
     check({
         {HM_UNSUPPORTED, "slip (HM_SLIP) needs the engine HM_DIRECT or HM_MULTIGRID",
-         [](auto& p, auto& o, auto&) {
-             static hm_condition conditions[2];
-             conditions[0] = conditions[1] = p.conditions[0];
-             conditions[1].marker = far_field;
-             conditions[1].kind = HM_SLIP;
-             conditions[1].n_curves = 0;
-             p.conditions = conditions;
-             p.n_conditions = 2;
+         [&](auto& p, auto& o, auto&) {
+             slip_at_far_field(p);
              o.engine = HM_FAS;
          }},
         {HM_UNSUPPORTED,
          "the conformal operator with slip (HM_SLIP) needs the direct engine (HM_DIRECT)",
-         [](auto& p, auto& o, auto&) {
-             static hm_condition conditions[2];
-             conditions[0] = conditions[1] = p.conditions[0];
-             conditions[1].marker = far_field;
-             conditions[1].kind = HM_SLIP;
-             conditions[1].n_curves = 0;
-             p.conditions = conditions;
-             p.n_conditions = 2;
+         [&](auto& p, auto& o, auto&) {
+             slip_at_far_field(p);
              o.engine = HM_MULTIGRID;
              o.operator_kind = HM_CONFORMAL;
          }},
