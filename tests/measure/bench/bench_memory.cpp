@@ -8,10 +8,6 @@
 namespace bench {
 namespace {
 
-struct Engine {
-    char const* name;
-    Index number, precision;
-};
 constexpr Engine engines[] = {{"direct", HM_DIRECT, HM_DOUBLE},
                               {"direct, single", HM_DIRECT, HM_SINGLE},
                               {"multigrid", HM_MULTIGRID, HM_DOUBLE}};

@@ -11,6 +11,12 @@
 
 namespace bench {
 
+// An engine with its precision, and the name that tables give to both.
+struct Engine {
+    char const* name;
+    Index number, precision;
+};
+
 struct Phases {
     double structure = 0, ordering = 0,
            symbolic = 0;              // hm_analysis_init; symbolic: with hm_plan_init as a whole
