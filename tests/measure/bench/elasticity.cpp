@@ -107,7 +107,7 @@ ElasticTimes solve_elasticity(Case const& mesh_case, std::vector<Index> const& p
         Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>>;
     Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower, Preconditioner> solver;
     solver.setTolerance(tolerance);
-    solver.setMaxIterations(most_elastic_iterations);
+    solver.setMaxIterations(max_elastic_iterations);
     solver.compute(elasticity.matrix());
     if (solver.info() != Eigen::Success)
         throw std::runtime_error("the incomplete Cholesky factorisation failed");
@@ -121,7 +121,7 @@ ElasticTimes solve_elasticity(Case const& mesh_case, std::vector<Index> const& p
 std::string elasticity_note() {
     return "Elasticity by Eigen: one run each, plane strain, Poisson's ratio 0.3, quads split; at "
            "most " +
-           std::to_string(most_elastic_iterations) +
+           std::to_string(max_elastic_iterations) +
            " iterations: where there are so many, 1e-6 was not reached.";
 }
 #pragma GCC diagnostic pop

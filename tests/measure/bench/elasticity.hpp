@@ -13,7 +13,7 @@ struct ElasticTimes {
     double iterations;
 };
 
-constexpr int most_elastic_iterations = 5000;
+constexpr int max_elastic_iterations = 5000;
 
 // Linear elements (a quad is split), Young's modulus 1/area of each cell, Poisson's ratio 0.3;
 // displacements x,y of the points of the body, 0 on the far field.

@@ -26,14 +26,14 @@ struct Row {
 // Processor time, as the machine may have other things to do.
 inline double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// Moves the mesh in one step or, if that inverts cells, in most_steps steps on the mesh as it
+// Moves the mesh in one step or, if that inverts cells, in max_steps steps on the mesh as it
 // moves, of which each prepares the method anew.
 template <class Method>
 Row moved_by(const Motion& motion) {
-    constexpr int most_steps = 10;
+    constexpr int max_steps = 10;
     Row row;
     std::vector<Point> at;
-    for (row.steps = 1; row.steps <= most_steps; row.steps *= most_steps) {
+    for (row.steps = 1; row.steps <= max_steps; row.steps *= max_steps) {
         at = motion.start;
         const double begin = seconds();
         for (int step = 1; step <= row.steps; ++step) {
@@ -44,7 +44,7 @@ Row moved_by(const Motion& motion) {
         }
         row.movement = seconds() - begin - row.setup;
         row.valid = motion.is_valid(at);
-        if (row.valid || row.steps == most_steps) break;
+        if (row.valid || row.steps == max_steps) break;
     }
     row.measures = measure(motion, at);
     return row;
