@@ -315,37 +315,6 @@ TEST_CASE("bad cells in two arrays") {
     }
 }
 
-TEST_CASE("bad curves") {
-    struct Bad {
-        hm_status status;
-        const char* word;
-        std::function<void(CurveSet&)> change;
-    };
-    Bad const all[] = {
-        {HM_BAD_CURVE, "degree", [](CurveSet& c) { c.shapes[0].degree = 0; }},
-        {HM_BAD_CURVE, "degree", [](CurveSet& c) { c.shapes[0].degree = 6; }},
-        {HM_BAD_CURVE, "knot", [](CurveSet& c) { c.shapes[0].knots[3] = 0.5; }},
-        {HM_BAD_CURVE, "knot", [](CurveSet& c) { c.shapes[0].knots[3] = not_a_number; }},
-        {HM_BAD_CURVE, "index", [](CurveSet& c) { c.shapes[0].indices[2] = 4; }},
-        {HM_BAD_CURVE, "index", [](CurveSet& c) { c.shapes[0].indices[2] = -1; }},
-        {HM_BAD_CURVE, "finite", [](CurveSet& c) { c.control[5] = not_a_number; }},
-        {HM_BAD_CURVE, "weight",
-         [](CurveSet& c) {
-             c.weights.assign({1, 1, 0, 1});
-         }},
-    };
-    for (Bad const& bad : all) {
-        Case setup = tiny_case();
-        bad.change(setup.curves);
-        hm_problem const problem = setup.problem();
-        Attempt const attempt(problem);
-        INFO(std::string(bad.word) << ": " << attempt.error.text);
-        CHECK(attempt.status == bad.status);
-        CHECK(std::string(attempt.error.text).find(bad.word) != std::string::npos);
-        CHECK(hm_curves_check(problem.curves, nullptr) == bad.status);
-    }
-}
-
 TEST_CASE("bad conditions and parameters") {
     Spoiled const all[] = {
         {HM_BAD_CONDITION, "no condition", nobody, [](Case& c) { c.conditions.clear(); }},
