@@ -219,7 +219,7 @@ TEST_CASE("bad boundaries") {
         {HM_BAD_MESH, "no marker", 24, drop_last_face},
         {HM_BAD_MESH, "no marker", 0,
          [](Case& c) { c.mesh.faces.clear(), c.mesh.face_markers.clear(); }},
-        {HM_BAD_MESH, "two markers", 1, [](Case& c) { c.mesh.add_face(1, 0, right); }},
+        {HM_BAD_MESH, "belongs to two markers", 1, [](Case& c) { c.mesh.add_face(1, 0, right); }},
     };
     for (Spoiled const& bad : all) check_refused(bad);
 
@@ -392,18 +392,10 @@ TEST_CASE("a region of the mesh in which no value is known is refused") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         for (int const n : {1, 2, 3, 10, 30}) {
             Case setup = tiny_case();
-            Mesh const island = square(n, kind);
-            std::int32_t const first = setup.mesh.n_points();
-            for (std::size_t k = 0; k < island.x.size(); ++k)
-                setup.mesh.add_point({10 + island.x[k], 1 + 0.7 * island.y[k]});
-            for (std::size_t cell = 0; cell + 1 < island.cell_start.size(); ++cell) {
-                for (std::int32_t k = island.cell_start[cell]; k < island.cell_start[cell + 1]; ++k)
-                    setup.mesh.cells.push_back(first + island.cells[static_cast<std::size_t>(k)]);
-                setup.mesh.cell_start.push_back(static_cast<std::int32_t>(setup.mesh.cells.size()));
-            }
-            for (std::size_t f = 0; f < island.face_markers.size(); ++f)
-                setup.mesh.add_face(first + island.faces[2 * f], first + island.faces[2 * f + 1],
-                                    50);
+            Mesh island = square(n, kind);
+            for (double& y : island.y) y *= 0.7;
+            for (std::int32_t& marker : island.face_markers) marker = 50;
+            std::int32_t const first = setup.mesh.append(island, 10, 1);
             setup.set_free(50);
             Attempt const attempt(setup.problem());
             INFO(n << " x " << n << ": " << attempt.reached << ": " << attempt.error.text);
