@@ -30,9 +30,7 @@ char const* const usage =
     "stretched1000\"] [--functions \"20 60\"] "
     "[--threads N] "
     "[--repeats N]\n"
-    "             [--kernel 0..4] [--precision double|single] [--elasticity POINTS] [--gibibytes "
-    "N] [--json "
-    "FILE]\n";
+    "             [--kernel 0..4] [--precision double|single] [--gibibytes N] [--json FILE]\n";
 
 template <class T>
 std::vector<T> words(std::string const& text) {
@@ -63,7 +61,6 @@ Settings read(int argc, char** argv) {
         else if (name == "--repeats") out.repeats = words<int>(text)[0];
         else if (name == "--kernel") out.kernel = words<int>(text)[0];
         else if (name == "--precision") out.precision = precision(text);
-        else if (name == "--elasticity") out.elasticity = words<std::int32_t>(text)[0];
         else if (name == "--gibibytes") out.gibibytes = words<int>(text)[0];
         else if (name == "--json") out.json = text;
         else throw std::invalid_argument("no such option: " + name);

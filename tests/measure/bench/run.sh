@@ -1,7 +1,7 @@
 #!/bin/sh
 # `make bench`: finds out which peers this machine has, builds what changed, runs. Everything may be set from outside:
-#   make bench SIZES="10000 100000" KINDS=iso PARTS="dense solve threads iterative iterations memory displace safe morph files" \
-#       FUNCTIONS="20 60" THREADS="1 2" REPEATS=5 PRECISION=single ELASTICITY=1000000 GIBIBYTES=24 JSON=bench.json
+#   make bench SIZES="10000 100000" KINDS=iso FUNCTIONS="20 60" THREADS="1 2" REPEATS=5 PRECISION=single \
+#       PARTS="dense solve threads iterative iterations memory displace safe morph files" GIBIBYTES=24 JSON=bench.json
 # BUILD_ONLY=1 only builds $BUILD/bench/bench.
 : "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS:=-O3}"
 : "${PARTS:=dense solve morph}"
@@ -72,7 +72,7 @@ results=
 for threads in $THREADS; do
     result=$out/result-$threads.json
     "$out/bench" --sizes "$SIZES" --kinds "$KINDS" --parts "$PARTS" --functions "$FUNCTIONS" --threads "$threads" \
-        --repeats "${REPEATS:-0}" --precision "${PRECISION:-double}" --elasticity "${ELASTICITY:-100000}" \
+        --repeats "${REPEATS:-0}" --precision "${PRECISION:-double}" \
         --gibibytes "${GIBIBYTES:-0}" --json "$result"
     results="$results $result"
 done
