@@ -125,6 +125,8 @@ hm_status hm_equations_entries(const hm_equations* equations, int32_t first, int
                                 "exist in this part",
                                 entry_item(first), plain(n));
         }
+        if (capacity > 0)
+            HARMORPH_TRY(require({{"row", row}, {"column", column}, {"values", values}}, fault));
         *n_entries = 0;
         opened->for_each_entry(first, n, [&](Index, Index, Real, Real) { ++*n_entries; });
         if (capacity < *n_entries) {
@@ -132,8 +134,6 @@ hm_status hm_equations_entries(const hm_equations* equations, int32_t first, int
                 Status::bad_argument,
                 "capacity is smaller than the number of entries, which *n_entries now contains");
         }
-        if (capacity > 0)
-            HARMORPH_TRY(require({{"row", row}, {"column", column}, {"values", values}}, fault));
         opened->for_each_entry(first, n, [&](Index i, Index j, Real re, Real im) {
             *row++ = i;
             *column++ = j;

@@ -49,48 +49,29 @@ TEST_CASE("each reason to refuse a basis has a sentence of its own") {
     BasisCopy copy(solved);
     harmorph::BasisHeader const good = copy.header();
 
-    harmorph::BasisHeader bad = good;
-    bad.magic[0] = 'H';
-    copy.set(bad);
-    CHECK(copy.attach() == HM_BAD_BASIS);
-    CHECK(copy.says("not a harmorph basis"));
-    bad = good;
-    bad.byte_order = 0x04030201;
-    copy.set(bad);
-    CHECK(copy.attach() == HM_BAD_BASIS);
-    CHECK(copy.says("with another byte order"));
-    bad = good;
-    bad.format = 1;
-    copy.set(bad);
-    CHECK(copy.attach() == HM_BAD_BASIS);
-    CHECK(copy.says("format version 1, but this library"));
-    bad = good;
-    bad.bytes += 8;
-    copy.set(bad);
-    CHECK(copy.attach() == HM_BAD_BASIS);
-    CHECK(copy.says("truncated: 8"));
-    bad = good;
-    bad.counts.points += 1;
-    copy.set(bad);
-    CHECK(copy.attach() == HM_BAD_BASIS);
-    CHECK(copy.says("counts in its header"));
-    for (harmorph::Index harmorph::BasisCounts::*count :
-         {&harmorph::BasisCounts::points, &harmorph::BasisCounts::control,
-          &harmorph::BasisCounts::loops}) {
-        for (harmorph::Index const wrong :
-             {-1, 0x7FFFFFFF, -0x7FFFFFFF - 1}) {  // no overflow, no reading far away
-            bad = good;
-            bad.counts.*count = wrong;
-            copy.set(bad);
-            CHECK(copy.attach() == HM_BAD_BASIS);
-            CHECK(copy.says("counts in its header"));
-        }
-    }
-    bad = good;
-    bad.checksum ^= 1;
-    copy.set(bad);
-    CHECK(copy.attach() == HM_BAD_BASIS);
-    CHECK(copy.says("checksum does not match"));
+    using Header = harmorph::BasisHeader;
+    std::string const format = "the basis has format version 1, but this library reads version " +
+                               std::to_string(Header::current_format) + "; solve the basis again";
+    auto const refused = [&](std::string const& words, auto const& change) {
+        Header bad = good;
+        change(bad);
+        copy.set(bad);
+        CHECK(copy.attach() == HM_BAD_BASIS);
+        CHECK(copy.says(words.c_str()));
+    };
+    refused("not a harmorph basis", [](Header& h) { h.magic[0] = 'H'; });
+    refused(
+        "the basis was written on a machine with another byte order; solve the basis again on "
+        "this machine",
+        [](Header& h) { h.byte_order = 0x04030201; });
+    refused(format, [](Header& h) { h.format = 1; });
+    refused("truncated: 8", [](Header& h) { h.bytes += 8; });
+    refused("counts in its header", [](Header& h) { h.counts.points += 1; });
+    refused("checksum does not match", [](Header& h) { h.checksum ^= 1; });
+    for (auto const count : {&harmorph::BasisCounts::points, &harmorph::BasisCounts::control,
+                             &harmorph::BasisCounts::loops})
+        for (Index const wrong : {-1, 0x7FFFFFFF, -0x7FFFFFFF - 1})  // no number overflows
+            refused("counts in its header", [&](Header& h) { h.counts.*count = wrong; });
     copy.set(good);
     CHECK(copy.attach() == HM_OK);
     const hm_basis* basis = nullptr;
@@ -226,35 +207,27 @@ TEST_CASE("a basis with another mesh is refused; other coordinates give a warnin
     BasisCopy copy(solved);
 
     Case other = setup;
-    other.mesh.add_point({9, 9});
-    hm_mesh view = other.mesh.view();
-    CHECK(copy.attach(&view) == HM_BAD_BASIS);
-    CHECK(copy.says("another mesh, which has 48 points"));
-    other = setup;
-    std::swap(other.mesh.cells[0], other.mesh.cells[2]);  // the same counts
-    view = other.mesh.view();
-    CHECK(copy.attach(&view) == HM_BAD_BASIS);
-    CHECK(copy.says("the cells differ"));
-    other = setup;
-    std::swap(other.mesh.face_markers.front(),
-              other.mesh.face_markers.back());  // a face each on the other's marker
-    REQUIRE(other.mesh.face_markers != setup.mesh.face_markers);
-    view = other.mesh.view();
-    CHECK(copy.attach(&view) == HM_BAD_BASIS);
-    CHECK(copy.says("the markers contain other points"));
-    other = setup;
-    for (std::int32_t& marker : other.mesh.face_markers)
-        marker += 7;  // the same points on markers of other numbers
-    view = other.mesh.view();
-    CHECK(copy.attach(&view) == HM_BAD_BASIS);
-    CHECK(copy.says("the markers contain other points"));
-    other = setup;
-    other.mesh.x[20] += 1e-12;
-    view = other.mesh.view();
-    CHECK(copy.attach(&view) == HM_MOVED);
-    CHECK(copy.says("other coordinates than the mesh"));
-    other.mesh.x[20] = std::nan("");
-    CHECK(copy.attach(&view) == HM_BAD_MESH);
+    hm_mesh view{};
+    auto const differs = [&](hm_status status, const char* words, auto const& change) {
+        other = setup;
+        change(other.mesh);
+        view = other.mesh.view();
+        CHECK(copy.attach(&view) == status);
+        CHECK(copy.says(words));
+    };
+    differs(HM_BAD_BASIS, "another mesh, which has 48 points", [](Mesh& mesh) {
+        mesh.add_point({9, 9});
+    });
+    differs(HM_BAD_BASIS, "the cells differ",
+            [](Mesh& mesh) { std::swap(mesh.cells[0], mesh.cells[2]); });
+    differs(HM_BAD_BASIS, "the markers contain other points",
+            [](Mesh& mesh) { std::swap(mesh.face_markers.front(), mesh.face_markers.back()); });
+    differs(HM_BAD_BASIS, "the markers contain other points", [](Mesh& mesh) {
+        for (std::int32_t& marker : mesh.face_markers) marker += 7;  // the same points
+    });
+    differs(HM_MOVED, "the mesh has other coordinates than the mesh on which the basis was solved",
+            [](Mesh& mesh) { mesh.x[20] += 1e-12; });
+    differs(HM_BAD_MESH, "", [](Mesh& mesh) { mesh.x[20] = std::nan(""); });
 
     // Numbering, layout and stride are ways of writing the same mesh; so are the order of faces and
     // that of their ends.

@@ -158,26 +158,6 @@ TEST_CASE("the box round all faces excludes no point within the reach and all at
     }
 }
 
-TEST_CASE("loops that are moved and turned have the same distances to rounding") {
-    std::mt19937 random(8);
-    FaceLoops loops;
-    loops.add(joukowski(0.1, 0.05, 200).points);
-    FaceTree const tree(loops);
-    double const c = std::cos(0.7), s = std::sin(0.7);
-    auto const turn = [&](Point p) { return Point{c * p.x - s * p.y + 5, s * p.x + c * p.y - 3}; };
-    FaceLoops turned = loops;
-    for (std::size_t k = 0; k < loops.x.size(); ++k) {
-        Point const p = turn({loops.x[k], loops.y[k]});
-        turned.x[k] = p.x;
-        turned.y[k] = p.y;
-    }
-    FaceTree const turned_tree(turned);
-    for (int trial = 0; trial < 200; ++trial) {
-        Point const p{4 * uniform(random) - 1.5, 4 * uniform(random) - 2};
-        CHECK(std::fabs(turned_tree.distance(vec(turn(p))) - tree.distance(vec(p))) < 1e-14);
-    }
-}
-
 TEST_CASE("faces that are far too small for the distance of a point are found, too") {
     for (double const size : {1e-90, 1e-30, 0.0}) {
         FaceLoops loops;

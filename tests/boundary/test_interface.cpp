@@ -14,18 +14,10 @@ Case rotor_in_stator(bool is_declared) {
     out.mesh = annulus(5, 24, 0.5, 1.0);
     for (std::int32_t& marker : out.mesh.face_markers)
         if (marker == far_field) marker = rotor_side;
-    Mesh const stator = annulus(6, 31, 1.0, 2.0);
-    std::int32_t const first = out.mesh.n_points();
-    for (std::int32_t k = 0; k < stator.n_points(); ++k) out.mesh.add_point(stator.point(k));
-    for (std::int32_t const point : stator.cells) out.mesh.cells.push_back(first + point);
-    std::int32_t const cells = out.mesh.cell_start.back();
-    for (std::size_t cell = 1; cell < stator.cell_start.size(); ++cell)
-        out.mesh.cell_start.push_back(cells + stator.cell_start[cell]);
-    for (std::size_t face = 0; face < stator.face_markers.size(); ++face) {
-        out.mesh.add_face(
-            first + stator.faces[2 * face], first + stator.faces[2 * face + 1],
-            stator.face_markers[face] == body ? stator_side : std::int32_t{far_field});
-    }
+    Mesh stator = annulus(6, 31, 1.0, 2.0);
+    for (std::int32_t& marker : stator.face_markers)
+        if (marker == body) marker = stator_side;
+    out.mesh.append(stator);
     if (is_declared) out.add_condition(rotor_side, HM_INTERFACE).partner = stator_side;
     return out;
 }
@@ -73,10 +65,8 @@ TEST_CASE("one step of a rotor touches and crosses nothing") {
     REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) ==
             HM_OK);
     hm_mesh const view = setup.mesh.view();
-    hm_step_report step{};
-    hm_quality_report quality{};
-    step.struct_size = sizeof step;
-    quality.struct_size = sizeof quality;
+    auto step = sized<hm_step_report>();
+    auto quality = sized<hm_quality_report>();
     REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr, &step,
                       &quality, nullptr) == HM_OK);
     CHECK(step.boundary > 1);  // farther on, the rotor grows until it reaches the outer boundary
@@ -131,22 +121,13 @@ TEST_CASE("conditions of interfaces that contradict each other are refused") {
 // Both halves of a channel end on the line x = 1 and slide along it: their walls end there.
 TEST_CASE("walls that end on an interface slide along the interface") {
     Case setup;
-    Mesh const left = square(6);
-    setup.mesh = left;
-    for (std::int32_t& marker : setup.mesh.face_markers)
+    Mesh moving = square(6), resting = moving;
+    for (std::int32_t& marker : moving.face_markers)
         marker = marker == right ? rotor_side : std::int32_t(body);
-    std::int32_t const first = left.n_points();
-    for (std::int32_t k = 0; k < left.n_points(); ++k)
-        setup.mesh.add_point({left.point(k).x + 1, left.point(k).y});
-    for (std::size_t cell = 0; cell < 36; ++cell) {
-        const std::int32_t* const p = &left.cells[4 * cell];
-        setup.mesh.add_cell({first + p[0], first + p[1], first + p[2], first + p[3]});
-    }
-    for (std::size_t face = 0; face < left.face_markers.size(); ++face) {
-        std::int32_t const marker = left.face_markers[face];
-        setup.mesh.add_face(first + left.faces[2 * face], first + left.faces[2 * face + 1],
-                            marker == fixtures::left ? stator_side : std::int32_t{far_field});
-    }
+    for (std::int32_t& marker : resting.face_markers)
+        marker = marker == left ? stator_side : std::int32_t(far_field);
+    setup.mesh = moving;
+    setup.mesh.append(resting, 1);
     setup.add_condition(stator_side, HM_INTERFACE).partner = rotor_side;
     setup.set_rigid(body, 0.5, 0.5);
     setup.set_rigid(rotor_side, 0.5, 0.5);

@@ -233,6 +233,9 @@ TEST_CASE("points farther from their curve than 5 % of its extent give a warning
                 continue;
             }
             CHECK(attempt.status == HM_FAR_FROM_CURVE);
+            CHECK(std::string(attempt.error.text)
+                      .find("away from its curve, more than 0.05 of the extent of the curve or "
+                            "wall; check the curve") != std::string::npos);
             CHECK(attempt.error.value == doctest::Approx(0.2 * part * size));
             CHECK(setup.mesh.y[std::size_t(attempt.error.item)] == 0.6 * size);
             CHECK(attempt.prepare());

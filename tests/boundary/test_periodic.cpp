@@ -23,6 +23,14 @@ hm_status refused(Case& setup, const char* words, std::int32_t item) {
     return attempt.status;
 }
 
+// Gives another marker to the faces of the right side that begin at such heights.
+void mark_right(Case& setup, bool (*at)(double)) {
+    for (std::size_t face = 0; face < setup.mesh.face_markers.size(); ++face)
+        if (setup.mesh.face_markers[face] == right &&
+            at(setup.mesh.point(setup.mesh.faces[2 * face]).y))
+            setup.mesh.face_markers[face] = 50;
+}
+
 }  // namespace
 
 TEST_CASE("both sides of a periodic pair move alike to the last bit, and not only along the wall") {
@@ -245,38 +253,29 @@ TEST_CASE("markers that are no periodic pair are refused with the place") {
         setup.mesh.x[std::size_t(point)] += 1e-8 * (point % 3);
     CHECK(Attempt(setup.problem(), &options).status == HM_OK);
 
-    setup = good;  // a side of another number of points
-    for (std::size_t face = 0; face < setup.mesh.face_markers.size(); ++face) {
-        Point const a = setup.mesh.point(setup.mesh.faces[2 * face]);
-        if (setup.mesh.face_markers[face] == right && a.y > 0.8) setup.mesh.face_markers[face] = 50;
+    struct {
+        const char* words;
+        std::int32_t item;
+        void (*spoil)(Case&);
+    } const cases[] = {
+        {"same number of points", left,
+         [](Case& c) { mark_right(c, [](double y) { return y > 0.8; }); }},
+        {"must form one connected line", right,  // two pieces
+         [](Case& c) { mark_right(c, [](double y) { return std::fabs(y - 0.5) < 0.01; }); }},
+        {"its own periodic partner", left, [](Case& c) { c.conditions.back().partner = left; }},
+        {"condition of its own", right, [](Case& c) { c.set_slip(right); }},
+        {"condition of its own", right, [](Case& c) { c.set_periodic(right, left); }},
+        {"no boundary face has marker", 99, [](Case& c) { c.conditions.back().partner = 99; }},
+    };
+    for (auto const& one : cases) {
+        setup = good;
+        one.spoil(setup);
+        CHECK(refused(setup, one.words, one.item) == HM_BAD_CONDITION);
     }
-    CHECK(refused(setup, "same number of points", left) == HM_BAD_CONDITION);
-
-    setup = good;  // two pieces
-    for (std::size_t face = 0; face < setup.mesh.face_markers.size(); ++face) {
-        Point const a = setup.mesh.point(setup.mesh.faces[2 * face]);
-        if (setup.mesh.face_markers[face] == right && std::fabs(a.y - 0.5) < 0.01)
-            setup.mesh.face_markers[face] = 50;
-    }
-    CHECK(refused(setup, "must form one connected line", right) == HM_BAD_CONDITION);
-
     setup = two_body_case(Cells::quads, 4, 3);  // closed
     setup.conditions.pop_back();
     setup.set_periodic(second_body, far_field);
     CHECK(refused(setup, "must form one connected line", second_body) == HM_BAD_CONDITION);
-
-    setup = good;  // of conditions
-    setup.conditions.back().partner = left;
-    CHECK(refused(setup, "its own periodic partner", left) == HM_BAD_CONDITION);
-    setup = good;
-    setup.set_slip(right);
-    CHECK(refused(setup, "condition of its own", right) == HM_BAD_CONDITION);
-    setup = good;
-    setup.set_periodic(right, left);
-    CHECK(refused(setup, "condition of its own", right) == HM_BAD_CONDITION);
-    setup = good;
-    setup.conditions.back().partner = 99;
-    CHECK(refused(setup, "no boundary face has marker", 99) == HM_BAD_CONDITION);
 
     setup = good;  // a wall that ends on the pair
     setup.curves.add([] {

@@ -2,8 +2,6 @@
 #include <fixtures/operators.hpp>
 #include <fixtures/parts.hpp>
 
-#include <limits>
-
 using namespace fixtures;
 
 namespace {
@@ -135,28 +133,4 @@ TEST_CASE("pieces that contradict each other are refused by name") {
     wholes.put_on_curves(body, 0);
     wholes.put_on_curves(body, 1);
     CHECK(refusal(wholes) == "marker 1 has two conditions");
-
-    Case pair = one_marker();
-    pair.put_on_curves(body, 0);
-    pair.set_periodic(far_field, 99);
-    choose_piece(pair, 0, 0);
-    CHECK(refusal(pair).find("a pair of whole markers") != std::string::npos);
-
-    Case point_only = one_marker();
-    point_only.put_on_curves(body, 0);
-    choose_piece(point_only, 0.5, 0.5);
-    point_only.conditions.back().piece = 0;
-    CHECK(refusal(point_only).find("but piece is 0") != std::string::npos);
-
-    Case neither = one_marker();
-    neither.put_on_curves(body, 0);
-    neither.conditions.back().piece = 2;
-    CHECK(refusal(neither).find("must be 0 or 1") != std::string::npos);
-
-    for (double const wild : {std::numeric_limits<double>::infinity(), 1e200}) {
-        Case far = one_marker();
-        far.put_on_curves(body, 0);
-        choose_piece(far, wild, 0.5);
-        CHECK(refusal(far).find("not finite or beyond 1e100") != std::string::npos);
-    }
 }

@@ -71,16 +71,3 @@ TEST_CASE("a curve in another unit, much larger than the wall, is refused") {
               std::string::npos);
     }
 }
-
-TEST_CASE("a warning about distances is a whole sentence") {
-    Case setup = hole();
-    for (std::size_t k = 1; k < setup.curves.control.size(); k += 2)
-        setup.curves.control[k] += 0.02;
-    setup.put_on_curves(body, 0, 2);
-    Attempt attempt;
-    CHECK(attempt.analyse(setup.problem()));
-    CHECK(attempt.status == HM_FAR_FROM_CURVE);
-    CHECK(std::string(attempt.error.text)
-              .find("away from its curve, more than 0.05 of the extent of the curve or wall; check "
-                    "the curve") != std::string::npos);
-}

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 using namespace harmorph;
+using fixtures::naca;
 using fixtures::Naca4;
 
 namespace {
@@ -30,10 +31,6 @@ struct Sampled {
         return out;
     }
 };
-
-std::vector<Vec2> naca(Naca4 const& shape, int n_side) {
-    return fixtures::vectors(fixtures::naca4(shape, n_side));
-}
 
 // Distance from the outline of a NACA section, by a fine polygon.
 double distance_from(std::vector<Vec2> const& fine, Vec2 p) {

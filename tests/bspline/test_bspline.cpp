@@ -10,6 +10,7 @@
 
 using namespace harmorph;
 using fixtures::Spline;
+using fixtures::with_weights;
 
 namespace {
 
@@ -25,12 +26,6 @@ std::vector<double> parameters(Curve const& curve) {
         out.push_back(curve.begin() + (curve.end() - curve.begin()) * k / 97.0);
     for (int k = curve.degree; k <= curve.n_indices; ++k) out.push_back(curve.knots[k]);
     return out;
-}
-
-Spline with_weights(Spline spline) {
-    for (int k = 0; 2 * k < int(spline.control.size()); ++k)
-        spline.weights.push_back(0.5 + 0.37 * (k % 5));
-    return spline;
 }
 
 double const not_finite = std::numeric_limits<double>::quiet_NaN();
@@ -130,13 +125,7 @@ TEST_CASE("without inner knots the curve is the Bezier curve") {
 }
 
 TEST_CASE("a rational quadratic curve is a circle") {
-    Spline circle;  // P&T example 7.1: the first control point again at the end
-    circle.degree = 2;
-    circle.knots = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4};
-    circle.control = {1, 0, 1, 1, 0, 1, -1, 1, -1, 0, -1, -1, 0, -1, 1, -1};
-    double const s = std::sqrt(0.5);
-    circle.weights = {1, s, 1, s, 1, s, 1, s};
-    circle.indices = {0, 1, 2, 3, 4, 5, 6, 7, 0};
+    Spline const circle = fixtures::exact_circle(1, 0, 0);  // The NURBS Book, example 7.1
     Fault fault;
     REQUIRE(check_curve(circle.curve(), 0, fault) == Status::ok);
     for (int k = 0; k <= 400; ++k) {

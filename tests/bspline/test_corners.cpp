@@ -8,6 +8,7 @@
 #include <algorithm>
 
 using namespace harmorph;
+using fixtures::naca;
 
 namespace {
 
@@ -32,11 +33,6 @@ using Indices = std::vector<Index>;
 
 Indices corners_of(std::vector<Vec2> const& points, bool is_loop = true) {
     return Measured(points, is_loop).corners;
-}
-
-std::vector<Vec2> naca(fixtures::Naca4 const& shape, int n_side, double clustering,
-                       int n_base = 4) {
-    return fixtures::vectors(fixtures::naca4(shape, n_side, clustering, n_base));
 }
 
 }  // namespace
@@ -108,8 +104,7 @@ TEST_CASE("polygons have their corners, and bends of less than five degrees are 
 
 TEST_CASE("a short side is short and straight") {
     for (int const n_base : {1, 5}) {
-        Measured const blunt(
-            fixtures::vectors(fixtures::naca4({0, 0.4, 0.12, true}, 50, 0.8, n_base)));
+        Measured const blunt(naca({0, 0.4, 0.12, true}, 50, 0.8, n_base));
         REQUIRE(blunt.corners.size() == 2);
         CHECK(is_short_side(blunt.outline, blunt.corners[0], blunt.corners[1]));
         CHECK(!is_short_side(blunt.outline, blunt.corners[1], blunt.corners[0]));

@@ -10,13 +10,9 @@
 
 using namespace harmorph;
 using fixtures::FitRun;
-using fixtures::Naca4;
+using fixtures::naca;
 
 namespace {
-
-std::vector<Vec2> naca(Naca4 const& shape, int n_side, double clustering = 0.8, int n_base = 4) {
-    return fixtures::vectors(fixtures::naca4(shape, n_side, clustering, n_base));
-}
 
 double max_error(std::vector<Vec2> const& points, FitOptions const& options = {},
                  bool is_loop = true) {
@@ -226,12 +222,6 @@ TEST_CASE("the fit does not depend on the direction of the points, nor on where 
     CHECK(a.fit.n_curves == 2);
     CHECK(b.fit.n_curves == 2);
     CHECK(difference(a, b, 20, 19, true) < 1e-8);
-}
-
-TEST_CASE("the same input gives the same bits") {
-    std::vector<Vec2> const points = naca({0.03, 0.4, 0.12, true}, 80);
-    FitRun const a(points, {}), b(points, {});
-    CHECK(std::equal(a.fit.control.begin(), a.fit.control.end(), b.fit.control.begin()));
 }
 
 TEST_CASE("points that cannot be fitted are refused with the reason") {

@@ -30,9 +30,7 @@ struct RefitRun {
     Vec2 control(Index i) const { return {refit.control[2 * i], refit.control[2 * i + 1]}; }
 };
 
-std::vector<Vec2> naca(Naca4 const& shape, int n_side = 60) {
-    return fixtures::vectors(fixtures::naca4(shape, n_side));
-}
+std::vector<Vec2> naca(Naca4 const& shape) { return fixtures::naca(shape, 60); }
 
 std::vector<Vec2> sampled(Curve const& curve, int n) {
     std::vector<Vec2> out;
@@ -107,7 +105,7 @@ TEST_CASE("the moved curve does not cross itself") {
         for (double const front : {0.15, 0.2, 0.25}) {
             for (double const thickness : {0.12, 0.16, 0.2}) {
                 RefitRun const run(fit.fit.curve[0], nullptr,
-                                   naca({camber, front, thickness, false}, 60));
+                                   naca({camber, front, thickness, false}));
                 REQUIRE(!failed(run.status));
                 Curve moved = fit.fit.curve[0];
                 moved.control = run.refit.control.data();
@@ -150,15 +148,13 @@ TEST_CASE("a blunt curve moves its base along, and a sharp or round curve closes
     RefitRun const run(fit.fit.curve[0], &fit.fit.curve[1], naca(other));
     REQUIRE_MESSAGE(!failed(run.status), run.fault.sentence);
     CHECK(run.report.max_error < 3e-4);
-    Vec2 const end = fixtures::vectors(fixtures::naca4(other, 60))[4];
-    CHECK(length(run.control(0) - end) < 1e-12);
+    std::vector<Vec2> const outline = naca(other);
+    CHECK(length(run.control(0) - outline[4]) < 1e-12);
 
     FitRun const sharp(naca(plain_section), twenty);
     RefitRun const closed(sharp.fit.curve[0], nullptr, naca(other));
     REQUIRE(!failed(closed.status));
-    double const width = length(fixtures::vectors(fixtures::naca4(other, 60))[4] -
-                                fixtures::vectors(fixtures::naca4(other, 60))[0]);
-    CHECK(std::fabs(closed.report.closed_width - width) < 1e-12);
+    CHECK(std::fabs(closed.report.closed_width - length(outline[4] - outline[0])) < 1e-12);
 }
 
 TEST_CASE("points that are no airfoil, or lack the base of the curve, are refused") {

@@ -11,25 +11,6 @@ using namespace fixtures;
 
 namespace {
 
-double const pi = std::acos(-1.0);
-
-// A circle of nine rational quadratic points, exact.
-Spline exact_circle(double radius, double cx, double cy) {
-    Spline out;
-    out.degree = 2;
-    for (int k = 0; k < 9; ++k) {
-        double const a = pi / 4 * k, far = k % 2 == 1 ? std::sqrt(2.0) : 1;
-        if (k < 8) {
-            out.control.push_back(cx + radius * far * std::cos(a));
-            out.control.push_back(cy + radius * far * std::sin(a));
-            out.weights.push_back(k % 2 == 1 ? std::sqrt(0.5) : 1);
-        }
-        out.indices.push_back(k % 8);
-    }
-    out.knots = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4};
-    return out;
-}
-
 struct Result {
     hm_status status;
     double value = 0, at[2] = {};

@@ -1,65 +1,31 @@
 #include <doctest/doctest.h>
 #include <harmorph_design.h>
 
-#include <fixtures/spline.hpp>
+#include <fixtures/curves.hpp>
+#include <fixtures/sized.hpp>
 
 #include <algorithm>
 #include <string>
 
+using fixtures::CurveSet;
 using fixtures::Spline;
 
 namespace {
 
-// A set of curves over common control points, and the call of the C interface.
-struct Set {
-    std::vector<double> control;
-    std::vector<Spline> splines;
-    std::vector<hm_curve> curves;
-    hm_curves view{};
+hm_status smooth(CurveSet& set, double length, std::vector<double> const& gradient,
+                 std::vector<double>& out, hm_error* error = nullptr) {
+    fixtures::Guarded work = fixtures::block_of(hm_smooth_gradient_size, &set.view());
+    return hm_smooth_gradient(&set.view(), length, gradient.data(), out.data(), work.data(),
+                              work.size(), error);
+}
+std::vector<double> smoothed(CurveSet& set, double length, std::vector<double> const& gradient) {
+    std::vector<double> out(gradient.size(), 7);
+    hm_error error{};
+    CHECK_MESSAGE(smooth(set, length, gradient, out, &error) == HM_OK, error.text);
+    return out;
+}
 
-    Set(std::vector<Spline> const& parts, int n_unused = 0) : splines(parts) {
-        for (Spline& s : splines) {
-            auto const first = std::int32_t(control.size() / 2);
-            if (s.indices.empty())
-                for (std::size_t k = 0; k < s.control.size() / 2; ++k)
-                    s.indices.push_back(std::int32_t(k));
-            for (std::int32_t& i : s.indices) i += first;
-            control.insert(control.end(), s.control.begin(), s.control.end());
-        }
-        control.resize(control.size() + 2 * std::size_t(n_unused), 0.5);
-        for (Spline const& s : splines) {
-            hm_curve curve{};
-            HM_INIT(curve);
-            curve.degree = s.degree;
-            curve.n_indices = std::int32_t(s.indices.size());
-            curve.indices = s.indices.data();
-            curve.knots = s.knots.data();
-            curves.push_back(curve);
-        }
-        HM_INIT(view);
-        view.n_control = std::int32_t(control.size() / 2);
-        view.control = control.data();
-        view.n_curves = std::int32_t(curves.size());
-        view.curve = curves.data();
-    }
-    hm_status smooth(double length, std::vector<double> const& gradient, std::vector<double>& out,
-                     hm_error* error = nullptr) const {
-        std::size_t bytes = 0;
-        hm_status const status = hm_smooth_gradient_size(&view, &bytes, error);
-        if (status != HM_OK) return status;
-        std::vector<unsigned char> work(bytes);
-        return hm_smooth_gradient(&view, length, gradient.data(), out.data(), work.data(), bytes,
-                                  error);
-    }
-    std::vector<double> smoothed(double length, std::vector<double> const& gradient) const {
-        std::vector<double> out(gradient.size(), 7);
-        hm_error error{};
-        CHECK_MESSAGE(smooth(length, gradient, out, &error) == HM_OK, error.text);
-        return out;
-    }
-};
-
-std::vector<double> random_gradient(Set const& set, unsigned seed) {
+std::vector<double> random_gradient(CurveSet const& set, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform(-1, 1);
     std::vector<double> out(set.control.size());
@@ -78,14 +44,13 @@ struct Dense {
     std::vector<double> mass;
     std::vector<std::vector<double>> stiffness;
 
-    explicit Dense(Set const& set) {
-        auto const n = std::size_t(set.view.n_control);
+    explicit Dense(CurveSet const& set) {
+        auto const n = std::size_t(set.n_control());
         mass.assign(n, 0);
         stiffness.assign(n, std::vector<double>(n, 0));
-        for (Spline const& s : set.splines) {
-            harmorph::Curve curve = s.curve();
-            curve.control = set.control.data();
-            curve.n_control = set.view.n_control;
+        for (CurveSet::Shape const& shape : set.shapes) {
+            Spline const spline{shape.degree, shape.knots, set.control, {}, shape.indices};
+            harmorph::Curve const curve = spline.curve();
             int const steps = 200000;
             double const width = (curve.end() - curve.begin()) / steps;
             for (int k = 0; k < steps; ++k) {
@@ -116,7 +81,7 @@ struct Dense {
     }
 };
 
-Set const round_body({fixtures::periodic(3, 14, 0.4, 2)});
+CurveSet round_body(fixtures::periodic(3, 14, 0.4, 2));
 
 }  // namespace
 
@@ -124,28 +89,28 @@ TEST_CASE("the smooth gradient solves the equation that the header states") {
     Dense const dense(round_body);
     std::vector<double> const g = random_gradient(round_body, 1);
     for (double const length : {0.01, 0.3, 5.0}) {
-        std::vector<double> const back = dense.apply(length, round_body.smoothed(length, g));
+        std::vector<double> const back = dense.apply(length, smoothed(round_body, length, g));
         for (std::size_t i = 0; i < g.size(); ++i) CHECK(std::fabs(back[i] - g[i]) < 1e-7);
     }
     // K annihilates constants: this gradient is as smooth as can be.
     std::vector<double> constant(g.size());
     for (std::size_t i = 0; i < g.size(); ++i) constant[i] = std::sqrt(dense.mass[i / 2]);
-    std::vector<double> const same = round_body.smoothed(1, constant);
+    std::vector<double> const same = smoothed(round_body, 1, constant);
     for (std::size_t i = 0; i < g.size(); ++i) CHECK(std::fabs(same[i] - constant[i]) < 1e-8);
 }
 
 TEST_CASE("smoothing is symmetric and positive, and longer lengths damp waves more") {
     std::vector<double> const a = random_gradient(round_body, 3),
                               b = random_gradient(round_body, 4);
-    std::vector<double> const smooth = round_body.smoothed(0.5, a);
+    std::vector<double> const smooth = smoothed(round_body, 0.5, a);
     CHECK(dot(smooth, a) > 0);
-    CHECK(std::fabs(dot(smooth, b) - dot(a, round_body.smoothed(0.5, b))) < 1e-13);
-    CHECK(round_body.smoothed(0, a) == a);
+    CHECK(std::fabs(dot(smooth, b) - dot(a, smoothed(round_body, 0.5, b))) < 1e-13);
+    CHECK(smoothed(round_body, 0, a) == a);
     std::vector<double> wave(a.size());
     for (std::size_t i = 0; i < wave.size(); ++i) wave[i] = i / 2 % 2 == 0 ? 1 : -1;
     double last = dot(wave, wave);
     for (double const length : {0.1, 0.3, 1.0}) {
-        std::vector<double> const damped = round_body.smoothed(length, wave);
+        std::vector<double> const damped = smoothed(round_body, length, wave);
         CHECK(dot(damped, damped) < last);
         last = dot(damped, damped);
     }
@@ -154,37 +119,30 @@ TEST_CASE("smoothing is symmetric and positive, and longer lengths damp waves mo
 
 TEST_CASE("units of length and gradient and the direction of the curve do not matter") {
     std::vector<double> const g = random_gradient(round_body, 5);
-    std::vector<double> const first = round_body.smoothed(0.4, g);
+    std::vector<double> const first = smoothed(round_body, 0.4, g);
     Spline large = fixtures::periodic(3, 14, 0.4, 2);
     for (double& c : large.control) c *= 1024;
     std::vector<double> huge = g;
     for (double& x : huge) x *= 1e250;
-    std::vector<double> const scaled = Set({large}).smoothed(0.4 * 1024, huge);
+    CurveSet large_body(large);
+    std::vector<double> const scaled = smoothed(large_body, 0.4 * 1024, huge);
     for (std::size_t i = 0; i < g.size(); ++i)
         CHECK(std::fabs(scaled[i] / 1e250 - first[i]) < 1e-13);
 
-    Spline forward = fixtures::clamped(3, 9, 6), backward = forward;
-    for (std::size_t i = 0; i < 9; ++i)
-        for (std::size_t c = 0; c < 2; ++c)
-            backward.control[2 * i + c] = forward.control[2 * (8 - i) + c];
-    for (std::size_t k = 0; k < forward.knots.size(); ++k)
-        backward.knots[k] = forward.knots.back() - forward.knots[forward.knots.size() - 1 - k];
-    Set const there({forward}), back({backward});
+    CurveSet there(fixtures::clamped(3, 9, 6)), back = reversed(there);
     std::vector<double> const h = random_gradient(there, 7);
-    std::vector<double> turned(h.size());
-    for (std::size_t i = 0; i < h.size(); ++i) turned[i] = h[h.size() - 2 - i + 2 * (i % 2)];
-    std::vector<double> const s = there.smoothed(2, h), t = back.smoothed(2, turned);
-    for (std::size_t i = 0; i < h.size(); ++i)
-        CHECK(std::fabs(s[i] - t[h.size() - 2 - i + 2 * (i % 2)]) < 1e-12);
+    std::vector<double> const s = smoothed(there, 2, h), t = smoothed(back, 2, h);
+    for (std::size_t i = 0; i < h.size(); ++i) CHECK(std::fabs(s[i] - t[i]) < 1e-12);
 }
 
 TEST_CASE("curves without common control points are independent; unused points stay") {
-    Spline const one = fixtures::clamped(2, 6, 8), two = fixtures::clamped(3, 7, 9);
-    Set const both({one, two}, 2);
+    CurveSet one(fixtures::clamped(2, 6, 8)), both = one;
+    both.add(fixtures::clamped(3, 7, 9));
+    both.control.resize(both.control.size() + 4, 0.5);
     std::vector<double> g = random_gradient(both, 10);
-    std::vector<double> const s = both.smoothed(1.5, g);
+    std::vector<double> const s = smoothed(both, 1.5, g);
     std::vector<double> const first(g.begin(), g.begin() + 12);
-    std::vector<double> const alone = Set({one}).smoothed(1.5, first);
+    std::vector<double> const alone = smoothed(one, 1.5, first);
     for (std::size_t i = 0; i < 12; ++i) CHECK(std::fabs(alone[i] - s[i]) < 1e-13);
     for (std::size_t i = g.size() - 4; i < g.size(); ++i) CHECK(std::fabs(s[i] - g[i]) < 1e-15);
 }
@@ -193,7 +151,7 @@ TEST_CASE("refused calls name the argument and leave the result unchanged") {
     std::vector<double> g = random_gradient(round_body, 11), out(g.size(), 7);
     hm_error error{};
     auto const refused = [&](double length, char const* words) {
-        CHECK(round_body.smooth(length, g, out, &error) == HM_BAD_ARGUMENT);
+        CHECK(smooth(round_body, length, g, out, &error) == HM_BAD_ARGUMENT);
         CHECK_MESSAGE(std::string(error.text).find(words) != std::string::npos, error.text);
         CHECK(std::count(out.begin(), out.end(), 7) == static_cast<long>(out.size()));
     };

@@ -219,7 +219,7 @@ TEST_CASE("bad boundaries") {
         {HM_BAD_MESH, "no marker", 24, drop_last_face},
         {HM_BAD_MESH, "no marker", 0,
          [](Case& c) { c.mesh.faces.clear(), c.mesh.face_markers.clear(); }},
-        {HM_BAD_MESH, "two markers", 1, [](Case& c) { c.mesh.add_face(1, 0, right); }},
+        {HM_BAD_MESH, "belongs to two markers", 1, [](Case& c) { c.mesh.add_face(1, 0, right); }},
     };
     for (Spoiled const& bad : all) check_refused(bad);
 
@@ -315,37 +315,6 @@ TEST_CASE("bad cells in two arrays") {
     }
 }
 
-TEST_CASE("bad curves") {
-    struct Bad {
-        hm_status status;
-        const char* word;
-        std::function<void(CurveSet&)> change;
-    };
-    Bad const all[] = {
-        {HM_BAD_CURVE, "degree", [](CurveSet& c) { c.shapes[0].degree = 0; }},
-        {HM_BAD_CURVE, "degree", [](CurveSet& c) { c.shapes[0].degree = 6; }},
-        {HM_BAD_CURVE, "knot", [](CurveSet& c) { c.shapes[0].knots[3] = 0.5; }},
-        {HM_BAD_CURVE, "knot", [](CurveSet& c) { c.shapes[0].knots[3] = not_a_number; }},
-        {HM_BAD_CURVE, "index", [](CurveSet& c) { c.shapes[0].indices[2] = 4; }},
-        {HM_BAD_CURVE, "index", [](CurveSet& c) { c.shapes[0].indices[2] = -1; }},
-        {HM_BAD_CURVE, "finite", [](CurveSet& c) { c.control[5] = not_a_number; }},
-        {HM_BAD_CURVE, "weight",
-         [](CurveSet& c) {
-             c.weights.assign({1, 1, 0, 1});
-         }},
-    };
-    for (Bad const& bad : all) {
-        Case setup = tiny_case();
-        bad.change(setup.curves);
-        hm_problem const problem = setup.problem();
-        Attempt const attempt(problem);
-        INFO(std::string(bad.word) << ": " << attempt.error.text);
-        CHECK(attempt.status == bad.status);
-        CHECK(std::string(attempt.error.text).find(bad.word) != std::string::npos);
-        CHECK(hm_curves_check(problem.curves, nullptr) == bad.status);
-    }
-}
-
 TEST_CASE("bad conditions and parameters") {
     Spoiled const all[] = {
         {HM_BAD_CONDITION, "no condition", nobody, [](Case& c) { c.conditions.clear(); }},
@@ -423,18 +392,10 @@ TEST_CASE("a region of the mesh in which no value is known is refused") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         for (int const n : {1, 2, 3, 10, 30}) {
             Case setup = tiny_case();
-            Mesh const island = square(n, kind);
-            std::int32_t const first = setup.mesh.n_points();
-            for (std::size_t k = 0; k < island.x.size(); ++k)
-                setup.mesh.add_point({10 + island.x[k], 1 + 0.7 * island.y[k]});
-            for (std::size_t cell = 0; cell + 1 < island.cell_start.size(); ++cell) {
-                for (std::int32_t k = island.cell_start[cell]; k < island.cell_start[cell + 1]; ++k)
-                    setup.mesh.cells.push_back(first + island.cells[static_cast<std::size_t>(k)]);
-                setup.mesh.cell_start.push_back(static_cast<std::int32_t>(setup.mesh.cells.size()));
-            }
-            for (std::size_t f = 0; f < island.face_markers.size(); ++f)
-                setup.mesh.add_face(first + island.faces[2 * f], first + island.faces[2 * f + 1],
-                                    50);
+            Mesh island = square(n, kind);
+            for (double& y : island.y) y *= 0.7;
+            for (std::int32_t& marker : island.face_markers) marker = 50;
+            std::int32_t const first = setup.mesh.append(island, 10, 1);
             setup.set_free(50);
             Attempt const attempt(setup.problem());
             INFO(n << " x " << n << ": " << attempt.reached << ": " << attempt.error.text);

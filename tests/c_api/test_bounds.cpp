@@ -95,19 +95,10 @@ TEST_CASE("blocks, and the distances between their points") {
         INFO(range.first << " " << range.n << ": " << error.text);
         CHECK(status == (range.exists ? HM_OK : HM_BAD_ARGUMENT));
     }
-    std::vector<std::int32_t> sizes = blocks.sizes;
-    hm_mesh flat = mesh;
-    flat.block_sizes = sizes.data();
-    hm_problem problem = sized<hm_problem>();
-    problem.mesh = &flat;
-    std::size_t bytes = 0;
-    for (std::int32_t const size : {1, 1 << 30}) {  // no cells, too many
-        sizes[2] = sizes[3] = size;
-        CHECK(hm_analysis_size(&problem, nullptr, &bytes, nullptr) == HM_BAD_MESH);
-    }
 }
 
 TEST_CASE("safe morphs and better cells") {
+    static hm_basis const* const nobody = nullptr;
     Case setup = tiny_case();
     Solved const solved(setup);
     std::vector<double> x = setup.mesh.x, y = setup.mesh.y, move(8, 0.0);
@@ -127,11 +118,40 @@ TEST_CASE("safe morphs and better cells") {
          {nullptr, [](S& s) { s.heights = 1, s.min_quality = 1; }},
          {nullptr, [](S& s) { s.min_quality = -1; }},
          {nullptr, [](S& s) { s.max_height_change = 1.001; }},
-         {"skipped_strategies is -1", [](S& s) { s.skipped_strategies = -1; }},
+         {"options.skipped_strategies is -1, but it must be a sum of 1 << HM_STRATEGY_..., that is "
+          "between 0 and 31",
+          [](S& s) { s.skipped_strategies = -1; }},
          {"skipped_strategies is", [](S& s) { s.skipped_strategies = 2 << HM_STRATEGY_IMPROVED; }},
          {"options.improve must be 0 or 1, not -1", [](S& s) { s.improve = -1; }},
-         {"max_height_change", [](S& s) { s.max_height_change = -1; }}},
+         {"options.improve must be 0 or 1, not 2", [](S& s) { s.improve = 2; }},
+         {"options.n_others must be between 0 and 64, not -1", [](S& s) { s.n_others = -1; }},
+         {"options.n_others must be between 0 and 64, not 65", [](S& s) { s.n_others = 65; }},
+         {"options.others is NULL, but n_others is 1", [](S& s) { s.n_others = 1; }},
+         {"basis 0 of options.others is NULL", [](S& s) { s.others = &nobody, s.n_others = 1; }},
+         {"options.heights must be between 0 and 1, not 2", [](S& s) { s.heights = 2; }},
+         {"options.heights must be between 0 and 1, not -1", [](S& s) { s.heights = -1; }},
+         {"options.min_quality must be at most 1, not 2", [](S& s) { s.min_quality = 2; }},
+         {"min_quality must be at most 1, not NaN", [](S& s) { s.min_quality = not_a_number; }},
+         {"max_height_change must be 0 or above 1, not 1", [](S& s) { s.max_height_change = 1; }},
+         {"max_height_change must be 0 or above 1, not -1", [](S& s) { s.max_height_change = -1; }},
+         {"options.max_height_change must be 0 or above 1, not NaN",
+          [](S& s) { s.max_height_change = not_a_number; }}},
         HM_BAD_ARGUMENT, morph);
+    using I = hm_improve_options;
+    Guarded room = block_of(hm_improve_size, solved.plan);
+    hm_points const at{setup.mesh.x.data(), setup.mesh.y.data(), 1};
+    auto const improve = [&](I const& options, hm_error* e) {
+        return hm_improve(solved.plan, &at, &to, room.data(), room.size(), &options, nullptr, e);
+    };
+    check_changes<I>(sized<I>(),
+                     {{nullptr, [](I&) {}},
+                      {nullptr, [](I& i) { i.max_iterations = 10000; }},
+                      {"options.max_iterations must be between 0 and 10000, not 10001",
+                       [](I& i) { i.max_iterations = 10001; }},
+                      {"options.max_iterations must be between 0 and 10000, not -1",
+                       [](I& i) { i.max_iterations = -1; }},
+                      {"options.reserved must be 0, not 1", [](I& i) { i.reserved = 1; }}},
+                     HM_BAD_ARGUMENT, improve);
     hm_error error{};
     CHECK(hm_morph_safe(solved.plan, solved.basis, move.data(), &to, solved.basis, work.data(),
                         work.size(), nullptr, nullptr, &error) == HM_BAD_ARGUMENT);
@@ -258,21 +278,6 @@ TEST_CASE("a given displacement whose target is out of range") {
     CHECK(std::string(error.text).find("in field 0 exceeds 1e100 in magnitude") !=
           std::string::npos);
     CHECK(x == setup.mesh.x);
-}
-
-TEST_CASE("rigid bodies are numbered without a gap") {
-    for (std::int32_t const second : {1, 2}) {
-        Case setup = two_body_case(Cells::hybrid, 4, 3);
-        setup.conditions.clear();
-        setup.curves = {};
-        setup.set_rigid(body, 0.5, 0.5, 0);
-        setup.set_rigid(second_body, 1.5, 0.5, second);
-        Attempt const attempt(setup.problem());
-        CHECK(attempt.status == (second == 1 ? HM_OK : HM_BAD_CONDITION));
-        if (second == 1) continue;
-        CHECK(std::string(attempt.error.text) ==
-              "condition 1 names rigid body 2, but rigid bodies must be numbered without gaps");
-    }
 }
 
 TEST_CASE("numbers in sentences: integers below 1e15 with all their digits, others with six") {

@@ -118,53 +118,9 @@ TEST_CASE("spoiled arguments of displacements and of the adjoint") {
     CHECK(good.adjoint(error) == HM_OK);
 }
 
-TEST_CASE("a repeated point with another displacement") {
-    Arguments arguments;
-    arguments.list.push_back(arguments.list[1]);
-    arguments.points = arguments.list.data();
-    arguments.n = 9;
-    std::vector<double> x(9, 0.125), y(9, 0.125);
-    for (hm_points& field : arguments.given) field = {x.data(), y.data(), 1};
-    hm_error error{};
-    CHECK(arguments.displace(error) == HM_OK);
-    y[8] = 0.25;
-    CHECK(arguments.displace(error) == HM_BAD_ARGUMENT);
-    CHECK(error.item == arguments.list[1]);
-    CHECK(std::string(error.text).find("two different displacements") != std::string::npos);
-}
-
-TEST_CASE("a plan needs a factor, a given marker, and no marker that is also on a curve") {
-    Case curves = tiny_case();
-    Solved const solved(curves);
-    std::size_t bytes = 0;
-    hm_error error{};
-    CHECK(hm_displace_size(solved.plan, 1, &bytes, &error) == HM_BAD_CONDITION);
-    CHECK(std::string(error.text).find("HM_GIVEN") != std::string::npos);
-
-    Arguments unfactored;
-    Attempt other;
-    REQUIRE(other.analyse(unfactored.setup.problem()));
-    REQUIRE(other.prepare());
-    unfactored.displaced.plan = other.plan;
-    CHECK(unfactored.displace(error) == HM_BAD_ARGUMENT);
-    CHECK(std::string(error.text).find("no factor") != std::string::npos);
-
-    curves.set_given(body);
-    Attempt const both(curves.problem());
-    CHECK(both.status == HM_BAD_CONDITION);
-    CHECK(std::string(both.error.text).find("two conditions") != std::string::npos);
-
+TEST_CASE("displacements are not given with the schemes of nodal gradients") {
+    Case setup = given_instead(tiny_case());
     Options nodal = laplace();
     nodal.scheme = HM_NODAL_GRADIENT;
-    Attempt const not_there(unfactored.setup.problem(), &nodal);
-    CHECK(not_there.status == HM_UNSUPPORTED);
-}
-
-TEST_CASE("hm_given_points: too small a capacity tells the number") {
-    Arguments arguments;
-    std::int32_t n = 0, few[3];
-    hm_error error{};
-    CHECK(hm_given_points(arguments.displaced.plan, few, 3, &n, &error) == HM_BAD_ARGUMENT);
-    CHECK(n == 8);
-    CHECK(hm_given_points(arguments.displaced.plan, few, 3, nullptr, &error) == HM_BAD_ARGUMENT);
+    CHECK(Attempt(setup.problem(), &nodal).status == HM_UNSUPPORTED);
 }

@@ -46,18 +46,3 @@ TEST_CASE("every kernel that an executor may name gives the same bits of movemen
         CHECK(same_bits(gradient(setup, solved, &executor), slopes));
     }
 }
-
-TEST_CASE("a kernel that is none is refused, and nothing is moved") {
-    Case setup = airfoil_case();
-    Solved const solved(setup);
-    std::vector<double> x = setup.mesh.x, y = setup.mesh.y,
-                        move(2 * static_cast<std::size_t>(setup.curves.n_control()), 1.0);
-    for (std::int32_t const kernel : {-1, 5}) {
-        hm_executor const executor{sizeof executor, nullptr, nullptr, 1, kernel};
-        hm_error error{};
-        CHECK(hm_morph(solved.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
-                       points_out(x, y), &executor, &error) == HM_UNSUPPORTED);
-        CHECK(std::string(error.text).find("executor.kernel") != std::string::npos);
-        CHECK(same_bits(x, setup.mesh.x));
-    }
-}

@@ -33,126 +33,109 @@ std::vector<std::size_t> sizes_below(std::size_t need) {
     return {sizes.begin(), sizes.end()};
 }
 
-// init(block, bytes, error) for each size at several misalignments.
-template <class Init>
-void starve(std::size_t need, Init init) {
+// Calls init(&object, block, bytes, error) for each size at several misalignments, and use(object)
+// where the block suffices.
+template <class Object, class Init, class Use>
+void starve(std::size_t need, Init const& init, Use const& use) {
     REQUIRE(need > 200);
+    auto const call = [&](Guarded& block, hm_error& error) {
+        Object* object = nullptr;
+        hm_status const status = init(&object, block.data(), block.size(), &error);
+        CHECK((object != nullptr) == (status >= 0));
+        if (status >= 0) use(object);
+        return status;
+    };
     for (std::size_t const shift : shifts) {
         for (std::size_t const size : sizes_below(need)) {
             Guarded block(size, shift);
             hm_error error{};
             INFO("size " << size << " of " << need << ", shift " << shift);
-            CHECK(init(block.data(), size, error) == HM_BLOCK_TOO_SMALL);
-            CHECK(error.value == static_cast<double>(need - size));
+            CHECK(call(block, error) == HM_BLOCK_TOO_SMALL);
+            CHECK(error.value == double(need - size));
             CHECK(block.untouched());
         }
         Guarded block(need, shift);
         hm_error error{};
-        CHECK(init(block.data(), need, error) >= 0);
+        CHECK(call(block, error) >= 0);
         CHECK(block.guards_intact());
     }
 }
 
 }  // namespace
 
-TEST_CASE("analysis: with curves and without, at every size below the required one") {
+TEST_CASE("analysis, plan and basis: every size below the required one is refused") {
     Case setup = two_body_case(Cells::hybrid, 4, 3);
     Mixed const mixed(setup.mesh);
     hm_mesh const in_two_arrays = mixed.put_into(mixed.rows.view());
     for (bool const with_curves : {true, false}) {
         hm_problem problem = with_curves ? setup.problem() : setup.problem(in_two_arrays);
         if (!with_curves) problem.curves = nullptr;
-        std::size_t need = 0;
-        REQUIRE(hm_analysis_size(&problem, nullptr, &need, nullptr) == HM_OK);
-        starve(need, [&](void* block, std::size_t bytes, hm_error& error) {
-            hm_analysis* analysis = nullptr;
-            hm_status const status =
-                hm_analysis_init(&analysis, block, bytes, &problem, nullptr, &error);
-            CHECK((analysis != nullptr) == (status >= 0));
-            return status;
-        });
+        starve<hm_analysis>(
+            block_of(hm_analysis_size, &problem, nullptr).size(),
+            [&](hm_analysis** analysis, void* block, std::size_t bytes, hm_error* e) {
+                return hm_analysis_init(analysis, block, bytes, &problem, nullptr, e);
+            },
+            [](hm_analysis*) {});
     }
-}
-
-TEST_CASE("plan: at every size below the required one; the smallest block solves") {
-    Case setup = two_body_case(Cells::hybrid, 4, 3);
-    for (std::int32_t const engine : {std::int32_t{HM_DIRECT}, std::int32_t{HM_MULTIGRID}}) {
+    for (std::int32_t const engine : {HM_DIRECT, HM_MULTIGRID}) {
         Options options = options_of(HM_CONFORMAL);
         options.engine = engine;
-        Attempt reference(setup.problem(), &options);
-        REQUIRE(reference.status == HM_OK);
-        std::size_t need = 0;
-        REQUIRE(hm_plan_size(reference.analysis, &need, nullptr) == HM_OK);
-        starve(need, [&](void* block, std::size_t bytes, hm_error& error) {
-            hm_plan* plan = nullptr;
-            hm_status const status = hm_plan_init(&plan, block, bytes, reference.analysis, &error);
-            CHECK((plan != nullptr) == (status >= 0));
-            if (status >= 0) {
+        Solved const solved(setup, options);
+        starve<hm_plan>(
+            block_of(hm_plan_size, solved.analysis).size(),
+            [&](hm_plan** plan, void* block, std::size_t bytes, hm_error* e) {
+                return hm_plan_init(plan, block, bytes, solved.analysis, e);
+            },
+            [&](hm_plan* plan) {
                 REQUIRE(hm_plan_factor(plan, nullptr, nullptr) == HM_OK);
-                REQUIRE(hm_plan_solve(plan, reference.basis, nullptr, nullptr) == HM_OK);
-            }
-            return status;
-        });
+                REQUIRE(hm_plan_solve(plan, solved.basis, nullptr, nullptr) == HM_OK);
+            });
+        starve<hm_basis>(
+            block_of(hm_basis_size, solved.analysis).size(),
+            [&](hm_basis** basis, void* block, std::size_t bytes, hm_error* e) {
+                return hm_basis_init(basis, block, bytes, solved.analysis, e);
+            },
+            [&](hm_basis* basis) {
+                REQUIRE(hm_plan_solve(solved.plan, basis, nullptr, nullptr) == HM_OK);
+            });
     }
 }
 
-TEST_CASE("basis: at every size below the required one; the smallest block holds the solution") {
-    Case setup = two_body_case(Cells::hybrid, 4, 3);
-    Attempt reference(setup.problem());
-    REQUIRE(reference.status == HM_OK);
-    std::size_t need = 0;
-    REQUIRE(hm_basis_size(reference.analysis, &need, nullptr) == HM_OK);
-    starve(need, [&](void* block, std::size_t bytes, hm_error& error) {
-        hm_basis* basis = nullptr;
-        hm_status const status = hm_basis_init(&basis, block, bytes, reference.analysis, &error);
-        CHECK((basis != nullptr) == (status >= 0));
-        if (status >= 0) REQUIRE(hm_plan_solve(reference.plan, basis, nullptr, nullptr) == HM_OK);
-        return status;
-    });
-}
-
-TEST_CASE("fit: at every size below the required one") {
-    Naca4 naca;
-    naca.blunt = true;
-    Outline const outline = naca4(naca, 30);
-    double const* const xy = &outline.points[0].x;
-    std::int32_t const n = static_cast<std::int32_t>(outline.points.size());
+TEST_CASE("fit: every size below the required one is refused") {
+    std::vector<harmorph::Vec2> const points = naca({0, 0.4, 0.12, true}, 30);
+    auto const n = std::int32_t(points.size());
     auto options = sized<hm_fit_options>();
     options.n_control = 12;
-    std::size_t need = 0;
-    REQUIRE(hm_fit_size(n, &options, &need, nullptr) == HM_OK);
-    starve(need, [&](void* block, std::size_t bytes, hm_error& error) {
-        const hm_curves* curves = nullptr;
-        hm_status const status = hm_fit(&curves, block, bytes, points_in(xy, xy + 1, 2), n, 1,
-                                        &options, nullptr, &error);
-        CHECK((curves != nullptr) == (status >= 0));
-        return status;
-    });
+    starve<const hm_curves>(
+        block_of(hm_fit_size, n, &options).size(),
+        [&](const hm_curves** curves, void* block, std::size_t bytes, hm_error* e) {
+            return hm_fit(curves, block, bytes, points_in(&points[0].x, &points[0].y, 2), n, 1,
+                          &options, nullptr, e);
+        },
+        [](const hm_curves*) {});
 }
 
-TEST_CASE("plane: at every size below the required one; the smallest block moves all points") {
+TEST_CASE("plane: every size below the required one is refused, and the smallest block suffices") {
     Case setup = tiny_case();
     Solved const solved(setup);
     std::vector<double> const move = some_move(4, 0.1, 1);
     for (Placement const& place : {along_axis(1), wedge(5)}) {
         Extruded const space(setup.mesh, place, 2);
         hm_space_mesh const view = space.view();
-        std::size_t need = 0;
-        REQUIRE(hm_plane_size(&view, &need, nullptr) == HM_OK);
-        starve(need, [&](void* block, std::size_t bytes, hm_error& error) {
-            hm_plane* plane = nullptr;
-            hm_status const status = hm_plane_init(&plane, block, bytes, &view, &error);
-            CHECK((plane != nullptr) == (status >= 0));
-            if (status < 0) return status;
-            std::vector<double> x = space.x, y = space.y, z = space.z, gradient(8);
-            hm_space_points const from = space.points();
-            hm_space_points_out const to{x.data(), y.data(), z.data(), 1};
-            REQUIRE(hm_plane_morph(plane, solved.basis, move.data(), &from, &to, nullptr,
-                                   nullptr) == HM_OK);
-            REQUIRE(hm_plane_adjoint(plane, solved.basis, &from, gradient.data(), nullptr,
-                                     nullptr) == HM_OK);
-            return status;
-        });
+        starve<hm_plane>(
+            block_of(hm_plane_size, &view).size(),
+            [&](hm_plane** plane, void* block, std::size_t bytes, hm_error* e) {
+                return hm_plane_init(plane, block, bytes, &view, e);
+            },
+            [&](hm_plane* plane) {
+                std::vector<double> x = space.x, y = space.y, z = space.z, gradient(8);
+                hm_space_points const from = space.points();
+                hm_space_points_out const to{x.data(), y.data(), z.data(), 1};
+                REQUIRE(hm_plane_morph(plane, solved.basis, move.data(), &from, &to, nullptr,
+                                       nullptr) == HM_OK);
+                REQUIRE(hm_plane_adjoint(plane, solved.basis, &from, gradient.data(), nullptr,
+                                         nullptr) == HM_OK);
+            });
     }
 }
 
@@ -170,7 +153,7 @@ TEST_CASE("blocks of exactly the stated size suffice at every alignment on every
                 REQUIRE(attempt.prepare(shift));
                 REQUIRE(attempt.solve());
                 CHECK(attempt.guards_intact());
-                std::vector<double> values(static_cast<std::size_t>(setup.mesh.n_points()));
+                std::vector<double> values(std::size_t(setup.mesh.n_points()));
                 REQUIRE(hm_basis_values(attempt.basis, 2, 0, values.data(), nullptr) == HM_OK);
                 if (first.empty()) first = values;
                 CHECK(same_bits(first, values));

@@ -90,7 +90,7 @@ TEST_CASE("cells that all run one way agree, and one that is turned does not") {
     CHECK(!Edges(mesh).edges.agree);
 }
 
-TEST_CASE("a cell with two corners in one point is accepted") {
+TEST_CASE("a cell with two corners that a cut joins is refused and named") {
     Mesh const mesh = square(5);
     std::int32_t const one = mesh.cells[0], other = mesh.cells[1];
     Edges const found(mesh, true, {std::min(one, other), std::max(one, other)});

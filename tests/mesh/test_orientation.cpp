@@ -106,14 +106,10 @@ TEST_CASE("inverted cells follow the sense of their neighbours, not that of thei
 
 TEST_CASE("parts that are not joined are oriented separately") {
     Mesh mesh = square(3);
-    std::int32_t const n = mesh.n_points();
-    Mesh const other = square(4, Cells::triangles);
-    for (std::size_t k = 0; k < other.x.size(); ++k) mesh.add_point({other.x[k] + 5, other.y[k]});
+    Mesh other = square(4, Cells::triangles);
+    reverse_all(other);
     std::int32_t const n_cells = mesh.n_cells();
-    for (std::size_t k = 0; k < other.cells.size(); k += 3)  // clockwise
-        mesh.add_cell({other.cells[k] + n, other.cells[k + 2] + n, other.cells[k + 1] + n});
-    for (std::size_t k = 0; k < other.faces.size(); k += 2)
-        mesh.add_face(other.faces[k] + n, other.faces[k + 1] + n, 77);
+    mesh.append(other, 5);
     Analysed const seen(mesh);
     std::vector<std::uint8_t> const found = reversed_of(seen);
     for (std::size_t k = 0; k < found.size(); ++k)

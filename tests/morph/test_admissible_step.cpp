@@ -175,13 +175,6 @@ TEST_CASE("the step of a needle has the digits of its short side") {
     CHECK(limited > 50);
 }
 
-TEST_CASE("a double root: the area touches 0 and grows again; that is a limit") {
-    Displaced displaced = one_triangle();
-    displaced.dx[1] = -1;
-    displaced.dy[2] = -1;  // (1 - s)^2
-    CHECK(displaced.step().step == 1);
-}
-
 TEST_CASE("rigid and growing motions are unlimited; a collapse is not") {
     Mesh const mesh = square(6, Cells::hybrid, 2, 2);
     Displaced displaced(mesh);
@@ -227,21 +220,6 @@ TEST_CASE("the admissible step on meshes is exact to a millionth") {
             CHECK(seen);
         }
     CHECK(limited == 60);
-}
-
-TEST_CASE("the same as bisection, where the motion is a bending that grows") {
-    for (Cells const kind : {Cells::quads, Cells::triangles}) {
-        Mesh const mesh = annulus(8, 40, 0.5, 2, kind);
-        Displaced displaced(mesh);
-        for (std::size_t k = 0; k < displaced.dx.size(); ++k)
-            displaced.dy[k] = std::exp(-10 * std::pow(mesh.x[k] - 0.4, 2)) *
-                              (2 - std::hypot(mesh.x[k], mesh.y[k]));
-        double low = 0, high = 1;
-        while (displaced.valid_after(high)) high *= 2;
-        for (int k = 0; k < 60; ++k)
-            (displaced.valid_after(0.5 * (low + high)) ? low : high) = 0.5 * (low + high);
-        CHECK(displaced.step().step == doctest::Approx(high).epsilon(1e-10));
-    }
 }
 
 TEST_CASE("clockwise cells have the same steps; an inverted mesh allows none") {
@@ -291,25 +269,6 @@ TEST_CASE("a smaller displacement allows the larger step, exactly so for powers 
         tiny.mesh.x[k] *= unit, tiny.mesh.y[k] *= unit;
     }
     CHECK(tiny.step().step == displaced.step().step);
-}
-
-TEST_CASE("with a basis: half the admissible step of a movement is a valid mesh, twice is not") {
-    Case setup = airfoil_case();
-    Solved const solved(setup);
-    hm_mesh const mesh = setup.mesh.view();
-    for (unsigned seed = 0; seed < 5; ++seed) {
-        std::vector<double> const move = some_move(setup.curves.n_control(), 0.05, seed);
-        Displaced displaced(setup.mesh);
-        REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(displaced.dx, displaced.dy),
-                         nullptr, nullptr) == HM_OK);
-        auto report = sized<hm_step_report>();
-        REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(displaced.dx, displaced.dy),
-                          nullptr, nullptr, &report, nullptr, nullptr) == HM_OK);
-        REQUIRE(report.admissible < HUGE_VAL);
-        CHECK(displaced.valid_after(0.5 * report.admissible));
-        CHECK(displaced.valid_after(0.999999 * report.admissible));
-        CHECK(!displaced.valid_after(1.000001 * report.admissible));
-    }
 }
 
 TEST_CASE("the step from other coordinates than the mesh's own is that of the start") {

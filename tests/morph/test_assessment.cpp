@@ -69,19 +69,6 @@ TEST_CASE("one assessment has the step and the quality of two calls in turn") {
             }
 }
 
-TEST_CASE("NULL and foreign meshes are refused") {
-    Case setup = tiny_case(), other = two_body_case();
-    Solved const solved(setup);
-    hm_mesh const mesh = setup.mesh.view(), foreign = other.mesh.view();
-    std::vector<double> const d(setup.mesh.x.size(), 0.0);
-    Both both;
-    CHECK(hm_assess(solved.basis, &mesh, nullptr, nullptr, nullptr, nullptr, &both.step,
-                    &both.quality, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_assess(solved.basis, &foreign, nullptr, points_in(d, d), nullptr, nullptr, &both.step,
-                    &both.quality, nullptr) == HM_BAD_BASIS);
-    CHECK(both.same_as(Both()));
-}
-
 TEST_CASE("each report alone, and a reference of its own: what both calls in turn say") {
     Case setup = two_body_case(Cells::quads, 8, 6);
     Solved const solved(setup);

@@ -14,6 +14,15 @@
 
 using namespace fixtures;
 
+namespace {
+
+void check_near(Moved const& found, Moved const& expected, double tolerance) {
+    CHECK(largest_difference(found.x, expected.x) < tolerance);
+    CHECK(largest_difference(found.y, expected.y) < tolerance);
+}
+
+}  // namespace
+
 TEST_CASE("B-spline functions given as tables are the functions of the curve") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL}) {
         Case curve = ring_case(6, 30, 0.5, 1);
@@ -35,10 +44,7 @@ TEST_CASE("B-spline functions given as tables are the functions of the curve") {
         Numbers const move = some_move(8, 0.1, 3);
         Moved const expected = morphed(solved.basis, curve.mesh, move),
                     found = morphed(tabulated.basis, curve.mesh, move);
-        for (std::size_t k = 0; k < found.x.size(); ++k) {
-            CHECK(found.x[k] == doctest::Approx(expected.x[k]).epsilon(1e-12));
-            CHECK(found.y[k] == doctest::Approx(expected.y[k]).epsilon(1e-12));
-        }
+        check_near(found, expected, 1e-12);
     }
 }
 
@@ -87,10 +93,7 @@ TEST_CASE("modes move as given displacements beside curves and bodies, with an e
                 REQUIRE(hm_displace(solved.plan, static_cast<std::int32_t>(points.size()), nullptr,
                                     1, &from, nullptr, &to, work.data(), work.size(), nullptr,
                                     nullptr) == HM_OK);
-                for (std::size_t k = 0; k < found.x.size(); ++k) {
-                    CHECK(std::fabs(found.x[k] - expected.x[k]) < 1e-14);
-                    CHECK(std::fabs(found.y[k] - expected.y[k]) < 1e-14);
-                }
+                check_near(found, expected, 1e-14);
                 for (std::size_t k = 0; k < points.size(); ++k) {
                     auto const at = static_cast<std::size_t>(points[k]);
                     CHECK(std::fabs(found.x[at] - wall_x[k]) < 1e-16);
@@ -147,10 +150,7 @@ TEST_CASE("modes move as given displacements beside curves and bodies, with an e
                 REQUIRE(hm_displace(solved.plan, static_cast<std::int32_t>(points.size()), nullptr,
                                     1, &from, nullptr, &to, work.data(), work.size(), nullptr,
                                     nullptr) == HM_OK);
-                for (std::size_t k = 0; k < again.x.size(); ++k) {
-                    CHECK(std::fabs(again.x[k] - expected.x[k]) < 1e-14);
-                    CHECK(std::fabs(again.y[k] - expected.y[k]) < 1e-14);
-                }
+                check_near(again, expected, 1e-14);
                 for (std::int32_t const point : points) {
                     auto const at = static_cast<std::size_t>(point);
                     CHECK(again.x[at] == found.x[at]);
@@ -188,11 +188,7 @@ TEST_CASE("a cancelled solution leaves the table, and the next one uses it") {
     }
     stop.phase = -1;
     REQUIRE(hm_plan_solve(second.plan, tabulated.basis, nullptr, nullptr) == HM_OK);
-    Moved const after = displaced(tabulated.basis, move);
-    for (std::size_t k = 0; k < before.x.size(); ++k) {
-        CHECK(std::fabs(after.x[k] - before.x[k]) < 1e-14);
-        CHECK(std::fabs(after.y[k] - before.y[k]) < 1e-14);
-    }
+    check_near(displaced(tabulated.basis, move), before, 1e-14);
 }
 
 TEST_CASE("modes on top of combined functions and of other modes; too many are not solved again") {

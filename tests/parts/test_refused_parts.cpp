@@ -126,45 +126,23 @@ TEST_CASE("conditions that are refused for a whole mesh are refused for parts as
     CHECK(refusal([](Options&) {}) == "problem.n_given must be 0 for a mesh in parts");
 }
 
-TEST_CASE("calls with parts, equations and rows that do not go together") {
+TEST_CASE("arrays that are too short for the edges or the entries of a part are refused") {
     Case setup = two_airfoils();
-    Parted parted(cut(setup.mesh, stripes(setup.mesh, 2), false)),
-        conformal(cut(setup.mesh, stripes(setup.mesh, 2), false));
+    Parted parted(cut(setup.mesh, stripes(setup.mesh, 2), false));
     REQUIRE(parted.match());
-    REQUIRE(conformal.match());
     PartOfMesh& one = parted.parts[0];
     std::int32_t n = 0, none = 0;
     hm_part_edges(one.part, nullptr, 0, &n, nullptr);
     REQUIRE(parted.equate(setup.problem(), options_of(HM_LAPLACE)));
-    REQUIRE(conformal.equate(setup.problem(), options_of(HM_CONFORMAL)));
-    parted.solve();
-    std::size_t bytes = 0;
-    Guarded block = block_of(hm_rows_size, one.equations);
-    hm_basis* rows = nullptr;
-    REQUIRE(hm_rows_init(&rows, block.data(), block.size(), one.equations, nullptr) == HM_OK);
-    hm_equations* const of_others = conformal.parts[0].equations;
-    std::vector<double> numbers(parted.size() * 4);
     std::int64_t entries = 0;
-    hm_mesh const view = setup.mesh.view();
-    hm_part_mesh no_size{};
-    no_size.mesh = &view;
     std::string const room = "edges has room for " + std::to_string(n - 1) +
                              " edges, but the part has " + std::to_string(n);
     check_texts({
-        {HM_BAD_ARGUMENT,
-         "mesh.struct_size is not the size of an hm_part_mesh; begin with HM_INIT(mesh)",
-         call_by(hm_part_size, &no_size, &bytes)},
         {HM_BAD_ARGUMENT, room.c_str(),
          call_by(hm_part_edges, one.part, parted.edges.data(), n - 1, &none)},
         {HM_BAD_ARGUMENT,
          "capacity is smaller than the number of entries, which *n_entries now contains",
          call_by(hm_equations_entries, one.equations, 0, 1, nullptr, nullptr, nullptr, 0,
                  &entries)},
-        {HM_BAD_BASIS, "the rows were made from other equations",
-         call_by(hm_rows_get, of_others, rows, 0, numbers.data())},
-        {HM_BAD_BASIS, "the rows are finished; make new ones by hm_rows_init",
-         call_by(hm_rows_finish, one.equations, one.rows, 0)},
-        {HM_BAD_ARGUMENT, "largest must be finite and at least 0, not infinity",
-         call_by(hm_rows_finish, one.equations, rows, HUGE_VAL)},
     });
 }

@@ -133,13 +133,3 @@ TEST_CASE("the matrix is positive definite with one known value on distorted and
             CHECK(a.factor());
         }
 }
-
-TEST_CASE("what is assembled twice is not doubled") {
-    Case setup = square_on_curve(6, Cells::hybrid, 0.3, 8);
-    Analysed const seen(setup);
-    AssembledMatrix once(*seen.operator->()), twice(*seen.operator->());
-    once.assemble();
-    twice.assemble();
-    twice.assemble();
-    CHECK(same_bits(once.unknowns().entries, twice.unknowns().entries));
-}

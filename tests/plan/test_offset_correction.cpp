@@ -174,16 +174,6 @@ TEST_CASE("offset correction gives no huge values where the derivative of the cu
         CHECK(std::fabs(value) < 2);  // what is added is smaller than 1
 }
 
-TEST_CASE("the correction is on or off: other numbers are refused") {
-    Case setup = tiny_case();
-    for (std::int32_t const correction : {-1, 2, 1 << 30}) {
-        Options const options = corrected(correction);
-        Attempt const attempt(setup.problem(), &options);
-        CHECK(attempt.status == HM_BAD_ARGUMENT);
-        CHECK(std::string(attempt.error.text).find("offset_correction") != std::string::npos);
-    }
-}
-
 TEST_CASE("only the conformal operator can turn anything: others refuse the correction") {
     Case setup = tiny_case();
     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED}) {

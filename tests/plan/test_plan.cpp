@@ -209,32 +209,6 @@ TEST_CASE("rational functions sum up to 1 on the curve as well") {
     CHECK(largest_difference(plain.values(3), rational.values(3)) > 1e-2);
 }
 
-TEST_CASE("the functions of one of two bodies vanish on the other body") {
-    for (Cells const kind : kinds) {
-        Case setup = two_body_case(kind);
-        Solved const solved(setup);
-        CHECK(solved.report.functions == 20);
-        CHECK(solved.report.boundary_error <= 1e-14);
-        CHECK(solved.report.residual <= 1e-12);
-        hm_basis_info const info = solved.info();
-        for (std::int32_t i = 0; i < 20; ++i) {
-            std::vector<double> const values = solved.values(i);
-            for (std::int32_t k = 0; k < info.curve_points; ++k) {
-                bool const own = info.point_curve[k] == (i < 11 ? 0 : 1);
-                if (!own) CHECK(values[static_cast<std::size_t>(info.curve_point[k])] == 0);
-            }
-            for (std::int32_t face = 0; face < setup.mesh.n_faces(); ++face)
-                if (setup.mesh.face_markers[static_cast<std::size_t>(face)] == far_field)
-                    CHECK(values[static_cast<std::size_t>(
-                              setup.mesh.faces[2 * static_cast<std::size_t>(face)])] == 0);
-        }
-        for (double const sum : solved.sum()) {
-            CHECK(sum >= -1e-12);
-            CHECK(sum <= 1 + 1e-12);
-        }
-    }
-}
-
 TEST_CASE("maximum principle: on Delaunay triangles the functions stay between 0 and 1") {
     Case setup = ring_case(14, 60, 0.5, 2, Cells::triangles, 3, 11);
     perturb(setup.mesh, 0.3, 5);

@@ -149,18 +149,3 @@ TEST_CASE("entries and right-hand sides beyond single precision are refused by n
     options.precision = HM_DOUBLE;
     CHECK(Attempt(body.problem(), &options).status == HM_OK);
 }
-
-TEST_CASE("an unknown precision is refused, and a single one where there is no factor") {
-    Case setup = tiny_case();
-    for (std::int32_t const engine : {int(HM_MULTIGRID), int(HM_FAS)}) {
-        Options options = with(HM_LAPLACE, HM_SINGLE);
-        options.engine = engine;
-        CHECK(Attempt(setup.problem(), &options).status == HM_UNSUPPORTED);
-        options.precision = HM_DOUBLE;
-        CHECK(Attempt(setup.problem(), &options).status == HM_OK);
-    }
-    for (std::int32_t const precision : {-1, 2}) {
-        Options const options = with(HM_LAPLACE, precision);
-        CHECK(Attempt(setup.problem(), &options).status == HM_UNSUPPORTED);
-    }
-}

@@ -46,15 +46,7 @@ Case plate(std::vector<double> const& steps, Cells kind, double lean) {
         out.mesh.add_face(k + n, k + n + row, far_field);
         out.mesh.add_face(k + row, k, far_field);
     }
-    Spline wall;
-    wall.degree = 3;
-    wall.knots = clamped_knots(3, 6);
-    for (int k = 0; k < 6; ++k) {  // Greville abscissae: x is linear in the parameter
-        std::size_t const first = static_cast<std::size_t>(k);
-        double const sum = wall.knots[first + 1] + wall.knots[first + 2] + wall.knots[first + 3];
-        wall.control.insert(wall.control.end(), {2 * sum / 3 - 1, 0.0});
-    }
-    out.curves = CurveSet(wall);
+    out.curves = flat_wall();
     out.put_on_curves(body);
     for (int i = 0; i <= n; ++i) out.give(i, 1.0 * i / n);
     return out;

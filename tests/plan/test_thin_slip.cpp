@@ -40,15 +40,7 @@ Case thin_plate(double first, Cells kind = Cells::quads) {
         out.mesh.add_face(k + n, k + n + row, far_field);
         out.mesh.add_face(k + row, k, far_field);
     }
-    Spline wall;
-    wall.degree = 3;
-    wall.knots = clamped_knots(3, 6);
-    for (int k = 0; k < 6; ++k) {  // Greville abscissae: x is linear in the parameter
-        double sum = 0;
-        for (int j = 1; j <= 3; ++j) sum += wall.knots[static_cast<std::size_t>(k + j)];
-        wall.control.insert(wall.control.end(), {2 * sum / 3 - 1, 0.0});
-    }
-    out.curves = CurveSet(wall);
+    out.curves = flat_wall();
     out.put_on_curves(body);
     out.set_slip(slip_line);
     for (int i = n_before; i <= n_before + n_wall; ++i) out.give(i, 1.0 * (i - n_before) / n_wall);

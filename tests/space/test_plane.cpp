@@ -179,26 +179,3 @@ TEST_CASE("a single plane of points is a mesh of one layer, in which each point 
     CHECK(plane.info.kind == HM_PLANES);
     CHECK(all_follow(plane, space));
 }
-
-TEST_CASE("numbers behind the points of a space mesh are not read") {
-    Case const setup = tiny_case();
-    for (Placement const& place : {inclined(), along_axis(1), wedge(5)}) {
-        Extruded space(setup.mesh, place);
-        Plane const plain(space.view());
-        REQUIRE(plain.status == HM_OK);
-        std::int32_t const n = space.n_points();
-        space.x.push_back(1e90);
-        space.y.push_back(-1e90);
-        space.z.push_back(1e90);
-        hm_space_mesh longer = space.view();
-        longer.n_points = n;
-        Plane const with(longer);
-        REQUIRE(with.status == HM_OK);
-        for (int d = 0; d < 3; ++d) {
-            CHECK(with.info.normal[d] == plain.info.normal[d]);
-            CHECK(with.info.origin[d] == plain.info.origin[d]);
-        }
-        CHECK(with.info.max_distance == plain.info.max_distance);
-        CHECK(with.mesh.n_points == plain.mesh.n_points);
-    }
-}
