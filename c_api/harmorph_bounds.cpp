@@ -63,7 +63,7 @@ hm_bound_value value_of(BoundAsked const& asked, SmoothMinimum const& found,
     Real const sign = asked.kind == HM_BOUND_STRETCH ? -1 : 1, bound = found.bound();
     hm_bound_value value = {};
     value.bound = sign * bound;
-    value.extreme = sign * found.least;
+    value.extreme = sign * found.smallest;
     value.item_kind = asked.is_layer() ? HM_ITEM_POINT : HM_ITEM_CELL;
     value.item = numbered(found.item, index_base);
     value.count = found.count;
@@ -258,32 +258,35 @@ hm_status hm_step_gradient(const hm_basis* basis, const hm_mesh* mesh, const hm_
             *n = 0;
             return Status::ok;
         }
-        Real const most = (1 + closeness) * limit.step;
-        find_step_corners(cells, start, change, limit, most, threads, [&](StepCorner const& found) {
-            if (found.has_derivative || failed(fault.status)) return;
-            fault.refuse(Status::bad_mesh,
-                         "the step has no derivative, because the area of a corner of cell # only "
-                         "touches 0",
-                         cell_item(cells.mesh.number(found.cell)));
-        });
+        Real const max_step = (1 + closeness) * limit.step;
+        find_step_corners(
+            cells, start, change, limit, max_step, threads, [&](StepCorner const& found) {
+                if (found.has_derivative || failed(fault.status)) return;
+                fault.refuse(
+                    Status::bad_mesh,
+                    "the step has no derivative, because the area of a corner of cell # only "
+                    "touches 0",
+                    cell_item(cells.mesh.number(found.cell)));
+            });
         HARMORPH_TRY(fault.status);
         // The list is kept in the order of steps.
         Index count = 0;
-        find_step_corners(cells, start, change, limit, most, threads, [&](StepCorner const& found) {
-            Index to = min(count++, capacity);
-            for (; to > 0 && found.step < corners[to - 1].step; --to) {
-                if (to < capacity) corners[to] = corners[to - 1];
-            }
-            if (to == capacity) return;
-            hm_step_corner& corner = corners[to];
-            corner.step = found.step;
-            corner.cell = numbered(cells.mesh.number(found.cell), view.index_base);
-            for (Index k = 0; k < 3; ++k) {
-                corner.points[k] = numbered(found.point[k], view.index_base);
-                corner.by_from[2 * k] = found.by_position[k].x;
-                corner.by_from[2 * k + 1] = found.by_position[k].y;
-            }
-        });
+        find_step_corners(
+            cells, start, change, limit, max_step, threads, [&](StepCorner const& found) {
+                Index to = min(count++, capacity);
+                for (; to > 0 && found.step < corners[to - 1].step; --to) {
+                    if (to < capacity) corners[to] = corners[to - 1];
+                }
+                if (to == capacity) return;
+                hm_step_corner& corner = corners[to];
+                corner.step = found.step;
+                corner.cell = numbered(cells.mesh.number(found.cell), view.index_base);
+                for (Index k = 0; k < 3; ++k) {
+                    corner.points[k] = numbered(found.point[k], view.index_base);
+                    corner.by_from[2 * k] = found.by_position[k].x;
+                    corner.by_from[2 * k + 1] = found.by_position[k].y;
+                }
+            });
         *n = count;
         return Status::ok;
     });

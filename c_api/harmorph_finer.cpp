@@ -45,8 +45,8 @@ private:
 // Reads which curve changes, and how. The degree is checked when the curves have been read.
 Status view_refinement(Index curve, Index degree, Index n, const double* u, FinerTask& task,
                        Fault& fault) noexcept {
-    constexpr Index most = Index{1} << 24;
-    if (n < 0 || n > most) {
+    constexpr Index max_count = Index{1} << 24;
+    if (n < 0 || n > max_count) {
         return fault.refuse(Status::bad_argument, "n must be between 0 and 2^24, not #", plain(n));
     }
     if (degree != 0 && n != 0) {

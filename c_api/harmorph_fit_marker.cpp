@@ -90,14 +90,14 @@ struct FitWork {
     Span<unsigned char> room;  // of the fit of any piece
 
     void lay_out(Arena& arena, WallRequest const& wall) noexcept {
-        Index const most = wall.max_points();
+        Index const max_points = wall.max_points();
         analysis.lay_out(arena, wall.request.problem, 0, 0);
-        arena.take(point, most);
-        arena.take(x, most);
-        arena.take(y, most);
-        arena.take(weight, wall.options.weight == nullptr ? 0 : most);
+        arena.take(point, max_points);
+        arena.take(x, max_points);
+        arena.take(y, max_points);
+        arena.take(weight, wall.options.weight == nullptr ? 0 : max_points);
         Arena counting;
-        Fit().lay_out(counting, most, wall.options);
+        Fit().lay_out(counting, max_points, wall.options);
         arena.take(room, counting.bytes());
     }
 };

@@ -81,10 +81,10 @@ Status view_quantity(const hm_curves* curves, const hm_quantity* array, Index nu
                                out.kind == QuantityKind::min_thickness ||
                                out.kind == QuantityKind::distance;
     // The products with lengths, and the quotients of logarithms, neither overflow nor underflow.
-    constexpr Real least = 1e-100, largest = 1e100;
+    constexpr Real smallest = 1e-100, largest = 1e100;
     bool const is_in_bounds =
         is_finite(q.sharpness) &&
-        (q.sharpness == 0 || (q.sharpness >= least && q.sharpness <= largest));
+        (q.sharpness == 0 || (q.sharpness >= smallest && q.sharpness <= largest));
     if (!is_in_bounds || (q.sharpness != 0 && !may_be_smooth)) {
         const char* const text =
             may_be_smooth || !is_in_bounds
@@ -95,8 +95,8 @@ Status view_quantity(const hm_curves* curves, const hm_quantity* array, Index nu
     }
     out.sharpness = q.sharpness;
     bool const has_polygon = out.kind == QuantityKind::clearance;
-    constexpr Index most = Index{1} << 20;
-    if (has_polygon ? q.n_polygon < 1 || q.n_polygon > most || q.polygon == nullptr
+    constexpr Index max_corners = Index{1} << 20;
+    if (has_polygon ? q.n_polygon < 1 || q.n_polygon > max_corners || q.polygon == nullptr
                     : q.n_polygon != 0) {
         const char* const text =
             has_polygon ? "the polygon of quantity # is NULL, empty or longer than 2^20 points"

@@ -182,12 +182,12 @@ hm_status hm_adjoint_sums(const hm_basis* basis, const hm_points* dj, int32_t sc
         HARMORPH_TRY(require({{"sums", sums}}, fault));
         HARMORPH_TRY(call.open(basis, dj, executor, fault));
         HARMORPH_TRY(check_scale(scale, fault));
-        Index const least = adjoint_scale(call.basis, call.points, call.threads).exponent;
-        if (scale < least) {
+        Index const min_scale = adjoint_scale(call.basis, call.points, call.threads).exponent;
+        if (scale < min_scale) {
             return fault.refuse(
                 Status::bad_argument,
                 "scale is #, but these points need at least @; take the largest scale of all parts",
-                plain(scale), plain(least));
+                plain(scale), plain(min_scale));
         }
         adjoint_sums(call.basis, call.points, {scale}, sums, call.threads);
         return Status::ok;

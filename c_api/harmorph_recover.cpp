@@ -52,10 +52,10 @@ hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double
         HARMORPH_TRY(place(work, bytes, fault,
                            [&](Arena& arena) { found.lay_out(arena, b.header->counts); }));
         BoundaryError const worst = found.find(b, now);
-        Real const most = tolerance > 0
-                              ? tolerance
-                              : WallMovement::default_tolerance * WallMovement::extent(b, now);
-        if (!(worst.error <= most)) {
+        Real const max_error = tolerance > 0
+                                   ? tolerance
+                                   : WallMovement::default_tolerance * WallMovement::extent(b, now);
+        if (!(worst.error <= max_error)) {
             Vec2 const place = now[worst.point];
             return fault.refuse_at(place.x, place.y, Status::bad_mesh,
                                    "the wall is on no curve of this basis: point # at $ is ~ away "

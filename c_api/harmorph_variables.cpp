@@ -36,9 +36,9 @@ Status check_numbers(hm_variables const& v, Fault& fault) noexcept {
     auto const refuse = [&](const char* why, Real value = 0) {
         return fault.refuse(Status::bad_argument, why, {}, {}, value);
     };
-    Index const least = v.kind == HM_FFD || v.kind == HM_NACA4 ? 0 : 1;
+    Index const min_total = v.kind == HM_FFD || v.kind == HM_NACA4 ? 0 : 1;
     if (v.n_upper < 0 || v.n_upper > Variables::max_count || v.n_lower < 0 ||
-        v.n_lower > Variables::max_count || v.n_upper + v.n_lower < least) {
+        v.n_lower > Variables::max_count || v.n_upper + v.n_lower < min_total) {
         return fault.refuse(Status::bad_argument,
                             "variables.n_upper is # and n_lower is @; each must be between 0 and "
                             "64, and their sum at least 1 (0 for HM_NACA4)",

@@ -20,12 +20,12 @@ Status view_curves(const hm_curves* given, CurvesView& view, CallFault& fault) n
     if (set.control == nullptr || set.curve == nullptr) {
         return fault.refuse(Status::bad_argument, "curves.control or curves.curve is NULL");
     }
-    constexpr Index most = Index{1} << 24;
-    if (set.n_control < 2 || set.n_control > most) {
+    constexpr Index max_count = Index{1} << 24;
+    if (set.n_control < 2 || set.n_control > max_count) {
         return fault.refuse(Status::bad_curve, "curves.n_control must be between 2 and 2^24, not #",
                             plain(set.n_control));
     }
-    if (set.n_curves < 1 || set.n_curves > most) {
+    if (set.n_curves < 1 || set.n_curves > max_count) {
         return fault.refuse(Status::bad_curve, "curves.n_curves must be between 1 and 2^24, not #",
                             plain(set.n_curves));
     }

@@ -111,7 +111,7 @@ enum {
     /* The mesh is valid, but only a part of the movement was possible. error.item: the cell that
      * limits the movement, or the end of a wall that leaves the straight boundary beside it. */
     HM_SHORT = 3,
-    HM_BACKTRACKS = 4, /* hm_fit: the curve runs backwards behind the point error.item */
+    HM_BACKTRACKS = 4, /* hm_fit: the curve runs backwards after the point error.item */
     /* hm_analysis_init: a point (error.item) is far from the curve of its marker, or beyond the end
      * of the curve, see hm_condition.first_curve. error.value: the distance. */
     HM_FAR_FROM_CURVE = 5,
@@ -215,7 +215,7 @@ typedef struct hm_executor {
 /* Coordinates, displacements, velocities, or derivatives with respect to the coordinates. The
  * numbers of point k, k from 0, are x[k*stride] and y[k*stride]. Fortran's x(n), y(n): {x, y, 1}.
  * Pairs xy(2,n): {xy, xy+1, 2}. xy(n,2): {xy, xy+n, 1}. An array of structs s: {&s[0].x, &s[0].y,
- * sizeof s[0] / sizeof(double)}. Nothing is read behind the last point. */
+ * sizeof s[0] / sizeof(double)}. Nothing is read after the last point. */
 typedef struct hm_points {
     const double *x, *y;
     int64_t stride; /* [doubles] from one point to the next, >= 1; 0 means 1 */

@@ -39,7 +39,7 @@ HM_API hm_status hm_single_init(hm_basis** single, void* block, size_t bytes, co
  * control point i by M_ij times itself. matrix [controls * n * numbers] with the n values of
  * control point 0 first; controls = functions - 2 * bodies - modes of the given basis; numbers 1:
  * real values, 2: pairs x,y, complex numbers (those of hm_variables_map). Rigid bodies and modes
- * keep their functions behind the n. Points are moved, gradients formed, and curves moved
+ * keep their functions after the n. Points are moved, gradients formed, and curves moved
  * (hm_moved_curves) by variables instead of control points; the basis has the memory of n
  * functions, and the first basis is no longer needed. Values are real if those of the first basis
  * and the matrix are. If the matrix of a variable or the functions are complex, the movement is
@@ -93,7 +93,7 @@ HM_API hm_status hm_transfer(hm_basis* basis, void* block, size_t bytes,
 
 /* ---- Functions by table: modes given at wall points ---- */
 
-/* Makes a second basis: the functions of `basis`, and behind them n_modes functions with given
+/* Makes a second basis: the functions of `basis`, and after them n_modes functions with given
  * values at the points of the markers with HM_GIVEN: structural modes, modes of a proper orthogonal
  * decomposition, anything linear. They are solved with the plan, as by hm_displace; an amplitude
  * moves wall point k by its mode times the amplitude. modes [n_modes * n * numbers]: mode by mode,

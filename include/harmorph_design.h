@@ -167,7 +167,7 @@ typedef struct hm_section {
     uint64_t struct_size;
     /* The curves first_curve .. first_curve+n_curves-1 are the outline, each joined to the one
      * before; 1 .. 8 curves; both 0: all curves of the set. A last curve of degree 1 with two
-     * control points, behind another one, is a blunt base. An outline that is not closed is closed
+     * control points, after another one, is a blunt base. An outline that is not closed is closed
      * by a straight line. */
     int32_t first_curve, n_curves;
     /* A chord line that does not move, from the leading to the trailing edge. All 0: the chord of

@@ -47,7 +47,7 @@ done
 while read -r mode words; do check "stop: $words" stops $mode "$words"; done <<END
 one_iteration harmorph: plan%solve: HM_NOT_CONVERGED: [a-z]
 part_of_the_way harmorph: plan%morph_safe: HM_SHORT: the mesh could follow
-save_nothing harmorph: basis%save: HM_BAD_ARGUMENT: the basis is empty, so that there is nothing to save
+save_nothing harmorph: basis%save: HM_BAD_ARGUMENT: the basis is empty: there is nothing to save
 one_array_twice harmorph: mesh%points: HM_BAD_ARGUMENT: x and y are the same array
 assign_mesh a mesh cannot be assigned
 assign_plan a plan cannot be assigned

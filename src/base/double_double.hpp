@@ -55,8 +55,8 @@ constexpr DoubleDoubleOf<Number> operator+(DoubleDoubleOf<Number> a,
                                            DoubleDoubleOf<Number> b) noexcept {
     DoubleDoubleOf<Number> const high = DoubleDoubleOf<Number>::sum(a.high, b.high),
                                  low = DoubleDoubleOf<Number>::sum(a.low, b.low),
-                                 most = normalised(high.high, high.low + low.high);
-    return normalised(most.high, most.low + low.low);
+                                 leading = normalised(high.high, high.low + low.high);
+    return normalised(leading.high, leading.low + low.low);
 }
 template <class Number>
 constexpr DoubleDoubleOf<Number> operator-(DoubleDoubleOf<Number> a,
@@ -65,21 +65,21 @@ constexpr DoubleDoubleOf<Number> operator-(DoubleDoubleOf<Number> a,
 }
 template <class Number>
 constexpr DoubleDoubleOf<Number> operator*(Real a, DoubleDoubleOf<Number> b) noexcept {
-    DoubleDoubleOf<Number> const most = DoubleDoubleOf<Number>::product(a, b.high);
-    return normalised(most.high, most.low + a * b.low);
+    DoubleDoubleOf<Number> const leading = DoubleDoubleOf<Number>::product(a, b.high);
+    return normalised(leading.high, leading.low + a * b.low);
 }
 template <class Number>
 constexpr DoubleDoubleOf<Number> doubled(DoubleDoubleOf<Number> a) noexcept {
     return {2.0 * a.high, 2.0 * a.low};
 }
 constexpr DoubleDouble operator*(DoubleDouble a, DoubleDouble b) noexcept {
-    DoubleDouble const most = DoubleDouble::product(a.high, b.high);
-    return normalised(most.high, most.low + (a.high * b.low + a.low * b.high));
+    DoubleDouble const leading = DoubleDouble::product(a.high, b.high);
+    return normalised(leading.high, leading.low + (a.high * b.low + a.low * b.high));
 }
 constexpr DoubleDouble operator/(DoubleDouble a, Real b) noexcept {
-    Real const most = a.high / b;
-    DoubleDouble const rest = a - DoubleDouble::product(most, b);
-    return normalised(most, rest.high / b);
+    Real const leading = a.high / b;
+    DoubleDouble const rest = a - DoubleDouble::product(leading, b);
+    return normalised(leading, rest.high / b);
 }
 
 }  // namespace harmorph

@@ -15,16 +15,16 @@ namespace harmorph {
 
 struct SmoothMinimum {
     Real sharpness = 0, shift = 0;
-    Real least = infinity;  // the smallest value so far
-    Index item = none;      // the first item with this value
-    Real sum = 0;           // the sum of the weights exp(sharpness (shift - v_k))
+    Real smallest = infinity;  // the smallest value so far
+    Index item = none;         // the first item with this value
+    Real sum = 0;              // the sum of the weights exp(sharpness (shift - v_k))
     std::int64_t count = 0;
 
     // Returns the weight by the formula of the kernels (morph/bound_kernel).
     Real weight(Real value) const noexcept {
-        constexpr Real most = 600, grid = 0x1.8p52, per_log_2 = 1.4426950408889634;
-        Real const exponent = min(sharpness * (shift - value), most);
-        if (!(exponent > -most)) return 0;
+        constexpr Real max_exponent = 600, grid = 0x1.8p52, per_log_2 = 1.4426950408889634;
+        Real const exponent = min(sharpness * (shift - value), max_exponent);
+        if (!(exponent > -max_exponent)) return 0;
         Real const shifted = exponent * per_log_2 + grid, n = shifted - grid;
         Real series;
         exponential_series((exponent - n * log_2_high) - n * log_2_low, series);
@@ -33,8 +33,8 @@ struct SmoothMinimum {
         return series;
     }
     void note(Real value, Index number) noexcept {
-        if (value < least || (value == least && number < item)) {
-            least = value;
+        if (value < smallest || (value == smallest && number < item)) {
+            smallest = value;
             item = number;
         }
     }
@@ -48,16 +48,16 @@ struct SmoothMinimum {
     }
     // Merges the values of items that come later.
     void merge(SmoothMinimum const& later) noexcept {
-        note(later.least, later.item);
+        note(later.smallest, later.item);
         sum += later.sum;
         count += later.count;
     }
     // Tells whether the shift is so close to the smallest value that neither the weights nor their
     // products with derivatives overflow or underflow.
-    bool is_accurate() const noexcept { return abs(sharpness * (least - shift)) <= 300; }
+    bool is_accurate() const noexcept { return abs(sharpness * (smallest - shift)) <= 300; }
     Real bound() const noexcept {
         // Rounding must not lift the bound above the smallest value.
-        return min(least, shift - logarithm(sum) / sharpness);
+        return min(smallest, shift - logarithm(sum) / sharpness);
     }
 };
 

@@ -95,7 +95,7 @@ BoundaryFunctions Basis::boundary_functions(Index slot) const noexcept {
     CurveBasis const functions = curve_basis(spline, wall_u[slot], 1);
     Vec2 const per_derivative = turns ? quotient(offset, derivative_of(spline, functions)) : Vec2{};
     out.order = functions.order;
-    for (Index k = 0; k < max_order; ++k) {  // The values behind the order are 0.
+    for (Index k = 0; k < max_order; ++k) {  // The values from the order on are 0.
         out.function[k] = functions.control[k];
         out.value[k] = {functions.value[0][k], 0};
         if (turns) out.value[k] = out.value[k] + functions.value[1][k] * per_derivative;

@@ -158,7 +158,7 @@ struct Basis {
     void column(Index number, Real* out) const noexcept;
     // Refuses single storage, for calls that write values or compute others from them.
     Status require_double(Fault& fault) const noexcept;
-    // Refuses combined functions and modes, for calls that evaluate boundary functions anew.
+    // Refuses combined functions and modes, for calls that evaluate boundary functions again.
     Status require_control_points(Fault& fault) const noexcept;
     Curve curve(Index number) const noexcept;
     bool is_on_curve(Index slot) const noexcept { return wall_curve[slot] < header->counts.curves; }

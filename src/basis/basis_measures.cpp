@@ -68,7 +68,7 @@ BasisMeasures measure_basis(Basis const& basis, Points points, Executor const& e
         measures.distance.include(length(points[point] - foot), point);
     }
     auto const include = [&](Index begin, Index end, Extremes& extremes) {
-        // Values behind the last point are 0, as the extremes are at the start.
+        // Values after the last point are 0, as the extremes are at the start.
         for (Index block = begin; block < end; ++block) {
             const Real* const values =
                 basis.value.data() + Offset{block} * block_points * basis.row_length();

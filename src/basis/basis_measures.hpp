@@ -1,4 +1,4 @@
-// How exactly a basis, and the points that it has moved, follow the B-spline.
+// How accurately a basis, and the points that it has moved, follow the B-spline.
 // tests/basis/test_basis.cpp and tests/plan/test_plan.cpp cover this file.
 #pragma once
 
@@ -18,7 +18,7 @@ struct BoundaryError {
 // difference.
 BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, Points to) noexcept;
 
-// Compares values on the curves with boundary functions that are evaluated anew, the sum of the
+// Compares values on the curves with boundary functions that are evaluated again, the sum of the
 // values with 1, and the points with the curves.
 struct BasisMeasures {
     BoundaryError value;

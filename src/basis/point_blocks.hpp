@@ -5,7 +5,7 @@
 //
 // A product with movements reads one stream, loads whole registers, and adds up each point's
 // products in the order of the numbers, in a lane of its own, for any width of the registers. All
-// kernels therefore give the same bits. Points behind the last one fill the last block; their
+// kernels therefore give the same bits. Places after the last point fill the last block; their
 // values are 0.
 #pragma once
 
@@ -54,12 +54,12 @@ struct RowsToBlocks {
     }
 
     Real* values;     // [whole_blocks(n_points) x numbers]
-    Index n_points;   // Numbers behind the last point are overwritten with 0.
+    Index n_points;   // Numbers after the last point are overwritten with 0.
     Index numbers;    // The numbers of a point.
     Span<Real> work;  // [work_numbers(numbers)] or fewer: at least block_points * numbers.
 
     void run(Executor const& executor) const noexcept;
-    // Turns blocks into rows again. The memory behind the last row is then undefined.
+    // Turns blocks into rows again. The memory after the last row is then undefined.
     void undo(Executor const& executor) const noexcept;
 
 private:

@@ -186,7 +186,7 @@ Status measure_smooth_thinnest(Section const& section, Real first, Real last, Re
         HARMORPH_TRY(measure_station(section, which, at(k), station, fault));
         found.note(station.value, k);
     }
-    found.shift = found.least;
+    found.shift = found.smallest;
     for (Index k = 0; k <= n; ++k) found.add(station_value(section, which, at(k), station), k);
     for (Index k = 0; k <= n; ++k) {
         Real const weight = found.weight(station_value(section, which, at(k), station)) / found.sum;

@@ -6,13 +6,13 @@ namespace harmorph {
 
 bool runs_one_way(Curve const& curve, Index span, Vec2 along) noexcept {
     if (curve.weights != nullptr) return false;
-    Real least = infinity, most = -infinity;
+    Real smallest = infinity, largest = -infinity;
     for (Index k = span - curve.degree + 1; k <= span; ++k) {
         Real const step = dot(curve.point(k) - curve.point(k - 1), along);
-        least = min(least, step);
-        most = max(most, step);
+        smallest = min(smallest, step);
+        largest = max(largest, step);
     }
-    return least > 0 || most < 0;
+    return smallest > 0 || largest < 0;
 }
 
 namespace {

@@ -77,7 +77,7 @@ void spread_rows(Executor const& executor, Index begin, Index end, Offset multip
     executor.for_each(ranges, [&](Index i) { body(bound(i), bound(i + 1)); });
 }
 
-// Returns how far behind the entry that is being read back substitution prefetches, counted in
+// Returns how far after the entry that is being read back substitution prefetches, counted in
 // numbers. Panels follow each other downwards in memory, which the hardware does not predict. In a
 // small panel the prefetched entries are those that are read some panels later; in a large panel
 // they lie two tiles further down in the same slab.
@@ -88,7 +88,7 @@ Offset prefetch_distance(Panel<Number> const& panel) noexcept {
     return numbers <= below ? -below : Offset{panel.planes} * 2 * max_tile_rows * slab;
 }
 
-// Calls body(columns, from, to, sums) for chunks of the columns behind those of a strip. The
+// Calls body(columns, from, to, sums) for chunks of the columns after those of a strip. The
 // columns of the border come last.
 template <class Front, class Number, class Body>
 void spread_columns(Executor const& executor, Front const& front, Index end,

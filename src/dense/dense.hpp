@@ -137,7 +137,7 @@ struct Workers {
     Number* min_pivot_ratio = nullptr;
 };
 
-// The rows of a strip are summed over the columns behind those of the strip: sum [plane][row] adds
+// The rows of a strip are summed over the columns after those of the strip: sum [plane][row] adds
 // the entries, `size` adds the magnitudes of the real parts.
 template <class Number>
 struct TailSums {

@@ -105,7 +105,7 @@ void subtract_sums(Slabs<Number> const& u, Index row, Index n, Range columns, co
 }
 
 // Eliminates the row sums of a diagonal block, which is replaced by its inverse already, and
-// subtracts the products from the sums of the columns behind the block.
+// subtracts the products from the sums of the columns after the block.
 template <Index planes, class Number>
 void eliminate_sums(Slabs<Number> const& u, Index first, Index n, Index end, Number* sums,
                     Offset plane) noexcept {

@@ -14,7 +14,7 @@ struct FrontKernels {
     // Subtracts the products of earlier strips from the rows of the strip.
     void (*subtract_earlier)(Slabs<Number> const& own, Slabs<Number> const& columns, Index first,
                              Index end, Index from, Index to) noexcept;
-    // Sums rows from .. to-1 of the strip over the columns behind those of the strip; see TailSums.
+    // Sums rows from .. to-1 of the strip over the columns after those of the strip; see TailSums.
     void (*sum_tails)(Panel<Number> const& panel, Index first, Index end, Index from, Index to,
                       TailSums<Number>& tails) noexcept;
     // Factors the columns of the strip. `sums` are those of all rows of the front; the sums of the

@@ -9,8 +9,8 @@
 namespace harmorph {
 
 // The share of corner k is the convex quadrilateral of the corner, the middle of the side ahead,
-// the mean of all corners, and the middle of the side behind. All places are relative to an origin,
-// which should be near, as differences of coordinates lose no digits then.
+// the mean of all corners, and the middle of the preceding side. All places are relative to an
+// origin, which should be near, as differences of coordinates lose no digits then.
 struct CornerPieces {
     Cell cell;
     Vec2 corner[4], middle[4], centre;  // middle k: of the side from corner k to the next one

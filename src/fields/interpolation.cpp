@@ -53,7 +53,7 @@ private:
         Index steps = topology_.mesh.n_cells;
         for (Index last = none; steps > 0; --steps) {
             CellShape const corners = shape(cell);
-            Real least = 1;
+            Real smallest = 1;
             Index next = none;
             bool leaves = false;
             for (Index k = 0; k < corners.n; ++k) {
@@ -64,10 +64,10 @@ private:
                 Real const outwards = -cross(side, along);
                 if (!(outwards > 0)) continue;
                 Real const parameter = cross(side, from - corners.at[k]) / outwards;
-                bool const better = parameter < least || (parameter == least && next == none);
+                bool const better = parameter < smallest || (parameter == smallest && next == none);
                 if (leaves && !better) continue;
                 leaves = true;
-                least = min(parameter, least);
+                smallest = min(parameter, smallest);
                 next = beyond;
             }
             if (!leaves) return cell;

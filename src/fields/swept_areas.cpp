@@ -18,8 +18,8 @@ DoubleDouble exact_cross(ExactVector a, ExactVector b) noexcept {
     Xy const high{b.high[1], b.high[0]}, low{b.low[1], b.low[0]};
     ExactVector const terms = ExactVector::product(a.high, high);
     Xy const mixed = terms.low + (a.high * low + a.low * high);
-    DoubleDouble const most = DoubleDouble::difference(terms.high[0], terms.high[1]);
-    return normalised(most.high, most.low + (mixed[0] - mixed[1]));
+    DoubleDouble const leading = DoubleDouble::difference(terms.high[0], terms.high[1]);
+    return normalised(leading.high, leading.low + (mixed[0] - mixed[1]));
 }
 
 // The two positions of the points of a mesh.

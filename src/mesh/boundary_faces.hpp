@@ -1,23 +1,22 @@
 // The faces of the boundary in the order of their loops. Each face begins at a boundary point and
-// ends at the next point of its loop. tests/morph/test_crossing.cpp and tests/morph/test_touch.cpp
-// cover this file. The faces of a sliding
-// interface know their side.
+// ends at the next point of its loop. Faces on a sliding interface have the number of their side.
+// tests/morph/test_crossing.cpp and tests/morph/test_touch.cpp cover this file.
 #pragma once
 
 #include "base/span.hpp"
 
 namespace harmorph {
 
-// A range of faces. Faces that follow each other lie close together, so half a range takes about
-// half the space.
+// A range of faces. Consecutive faces lie close together, so each half of a range occupies about
+// half of the area.
 struct FaceRange {
     Index begin, end;
     Index size() const noexcept { return end - begin; }
     Index middle() const noexcept { return begin + size() / 2; }
 };
 
-inline constexpr Index max_leaf_faces =
-    8;  // Ranges of at most so many faces are not halved any more.
+// Ranges of at most so many faces are not divided.
+inline constexpr Index max_leaf_faces = 8;
 
 class BoundaryFaces {
 public:

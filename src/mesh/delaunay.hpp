@@ -40,8 +40,8 @@ struct Triangulation : Topology {
 
 private:
     Span<Index> corner_;  // [3 * triangles]
-                          // [3 * triangles] For the side opposite to each corner, the same edge as
-                          // a side of the neighbour triangle, or none.
+    // [3 * triangles] For the side opposite to each corner, the same edge as a side of the
+    // neighbouring triangle, or none.
     Span<Index> across_;
     Span<Index> waiting_;  // [triangles] a stack
     Span<std::uint8_t> is_waiting_;

@@ -12,7 +12,7 @@ constexpr Index max_ranges = 16;
 constexpr Index min_blocks_to_gather = 128;
 constexpr Real not_a_number = __builtin_nan("");
 
-// Calls body(first block, one behind the last, i) for ranges of the points' blocks; returns the
+// Calls body(first block, end, i) for ranges of the points' blocks; returns the
 // number of ranges. The sums do not depend on that number.
 template <class Body>
 Index for_block_ranges(Index n_points, Executor const& executor, Body const& body) noexcept {
@@ -29,7 +29,7 @@ struct RowSlice {
     Index first, width;
 };
 
-// The gradients by the points of a block; they are 0 behind the last point.
+// The gradients by the points of a block; they are 0 after the last point.
 struct BlockGradient {
     Real x[block_points] = {}, y[block_points] = {};
 
@@ -170,9 +170,9 @@ BinaryScale adjoint_scale(Basis const& basis, Points gradient_by_points,
                           Executor const& executor) noexcept {
     LargestMagnitude largest[max_ranges];
     ProductKernels const& kernels = kernels_for(basis, executor);
-    for_block_ranges(basis.n_points(), executor, [&](Index first, Index behind, Index i) {
+    for_block_ranges(basis.n_points(), executor, [&](Index first, Index end_block, Index i) {
         Index const begin = first * block_points,
-                    end = min(behind * block_points, basis.n_points());
+                    end = min(end_block * block_points, basis.n_points());
         if (gradient_by_points.stride == 1) {
             largest[i].include_bits(
                 kernels.largest_bits(gradient_by_points.x + begin, end - begin));

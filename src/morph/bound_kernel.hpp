@@ -10,13 +10,15 @@ namespace {
 // relative error is a few units in the last place. The number n nearest to x / log 2 is found by
 // adding 1.5 * 2^52, of which n then is the lowest bits.
 HARMORPH_INLINE Vector exponentials(Vector x) noexcept {
-    constexpr Real least = -600, most = 600, grid = 0x1.8p52, per_log_2 = 1.4426950408889634;
-    Vector const zero = {}, within = lanes_min(lanes_max(x, zero + least), zero + most);
+    constexpr Real min_exponent = -600, max_exponent = 600, grid = 0x1.8p52,
+                   per_log_2 = 1.4426950408889634;
+    Vector const zero = {},
+                 within = lanes_min(lanes_max(x, zero + min_exponent), zero + max_exponent);
     Vector const shifted = within * per_log_2 + grid, n = shifted - grid;
     Vector series;
     exponential_series((within - n * log_2_high) - n * log_2_low, series);
     Vector const result = (Vector)((Words)series + ((Words)shifted << 52));
-    return x > least ? result : zero;
+    return x > min_exponent ? result : zero;
 }
 
 // Replaces four numbers by their inverses with one division. Products of four must not overflow or

@@ -60,7 +60,7 @@ struct Collector {
             return copy_one_by_one(first, first + n);
         }
         // While the kernels compute, the points of the next cells come from memory. Prefetching
-        // behind the end of the list does no harm.
+        // after the end of the list does no harm.
         for (Index k = 0; k < width * CellBatches::max_count; k += 16)
             __builtin_prefetch(points + width * n + k);
         visit_list<width>({points, n, cells.mesh.index_base, reversed}, first);

@@ -55,21 +55,21 @@ Real sum_of_weights(const Real* numbers, Index n) noexcept {
 }
 Real min_value_of(const Real* numbers, Index n) noexcept {
     constexpr Index lanes = 8;
-    Real least[lanes];
-    for (Real& number : least) number = infinity;
+    Real smallest[lanes];
+    for (Real& number : smallest) number = infinity;
     Index i = 0;
     for (; i + lanes <= n; i += lanes) {
 #pragma GCC unroll 8
         for (Index lane = 0; lane < lanes; ++lane)
-            least[lane] = min(least[lane], numbers[i + lane]);
+            smallest[lane] = min(smallest[lane], numbers[i + lane]);
     }
-    for (; i < n; ++i) least[0] = min(least[0], numbers[i]);
-    Real overall = least[0];
-    for (Index lane = 1; lane < lanes; ++lane) overall = min(overall, least[lane]);
+    for (; i < n; ++i) smallest[0] = min(smallest[0], numbers[i]);
+    Real overall = smallest[0];
+    for (Index lane = 1; lane < lanes; ++lane) overall = min(overall, smallest[lane]);
     return overall;
 }
 
-// Replaces the numbers of odd cells, so that they count nothing. Returns the number of these cells.
+// Replaces the numbers of odd cells, so that they add nothing. Returns the number of these cells.
 Index clear_odd_cells(CellList const& cells, SmoothList& list, bool quality, bool area) noexcept {
     Index n = 0;
     for (std::uint64_t left = list.odd; left != 0; left &= left - 1) {
@@ -141,8 +141,8 @@ void BoundPass::add_batches(CellBatches const& batches, const Index* numbers,
                 add_list_slopes(given, is_triangle, list.area_weight, list.by_area, gradients.area);
         }
     }
-    bool const has_least = min_quality < chunk.quality.least || min_area < chunk.area.least;
-    if (!has_least && (lists[0].odd | lists[1].odd) == 0) return;
+    bool const is_smaller = min_quality < chunk.quality.smallest || min_area < chunk.area.smallest;
+    if (!is_smaller && (lists[0].odd | lists[1].odd) == 0) return;
     batches.for_each([&](Index at, bool is_triangle, Index i) {
         Index const cell = numbers == nullptr ? at : numbers[at - batches.first];
         SmoothList const& list = lists[is_triangle ? 0 : 1];
@@ -271,8 +271,8 @@ void find_cell_bounds(OrientedMesh const& cells, Points at, Points start, Execut
     bool const quality_again = request.quality && !bounds.quality.found.is_accurate(),
                area_again = request.area && !bounds.area.found.is_accurate();
     if (quality_again || area_again) {
-        if (quality_again) request.quality_shift = bounds.quality.found.least;
-        if (area_again) request.area_shift = bounds.area.found.least;
+        if (quality_again) request.quality_shift = bounds.quality.found.smallest;
+        if (area_again) request.area_shift = bounds.area.found.smallest;
         clear_gradient(bounds.quality.gradient, n_points);
         clear_gradient(bounds.area.gradient, n_points);
         run_pass({cells, {at, {}, start}, request, kernels}, executor, bounds);

@@ -15,7 +15,7 @@ constexpr Index eight = 8;  // All kernels measure cells in groups of eight.
 // So many lanes are gathered at a time; 8 are no faster.
 constexpr Index few = lanes < 4 ? lanes : 4;
 using Few [[gnu::vector_size(8 * few)]] = Real;
-constexpr unsigned all = (1u << lanes) - 1;  // These are bits.
+constexpr unsigned all = (1u << lanes) - 1;  // one bit for each lane
 
 // These are harmorph::min() and max() in each lane: the result is a if one of the two is NaN.
 HARMORPH_INLINE Vector lanes_min(Vector a, Vector b) noexcept { return Registers::min(b, a); }
@@ -127,8 +127,8 @@ private:
         return shapes;
     }
 
-    // Finds the registers in which every point is the one behind that of the cell before. Words are
-    // two points of a cell.
+    // Finds the registers in which every point is the next one after that of the preceding cell.
+    // Words are two points of a cell.
     HARMORPH_INLINE void find_rows() noexcept {
         for (Index i = 0; i + lanes <= cells_.n; i += lanes) {
             const Index* const points = cells_.point + n * i;

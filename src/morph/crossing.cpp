@@ -15,9 +15,9 @@ struct FaceBox : Box {
     bool is_point() const noexcept { return low.x == high.x && low.y == high.y; }
 };
 
-// Where the points are that a pair of faces is looked at.
+// The places of the boundary points for which crossings are searched.
 struct Places {
-    Points points, displacement;  // the displacement may be not given
+    Points points, displacement;  // without a displacement, the places are the points
 
     Vec2 operator[](Index point) const noexcept {
         return displacement.given() ? points[point] + displacement[point] : points[point];
@@ -26,7 +26,7 @@ struct Places {
 
 class Search {
 public:
-    // start: two faces that cross each other there do not count; it may be not given.
+    // Two faces that cross each other at `start`, if given, are ignored.
     Search(BoundaryFaces const& faces, Places places, Points start, Overlaps overlaps,
            Span<const KnownEnd> ends = {}) noexcept
         : faces_(faces), places_(places), start_(start), overlaps_(overlaps), ends_(ends) {}
@@ -104,8 +104,8 @@ private:
         return before.cross(face, other);
     }
 
-    // From now on, points of the two faces and of their neighbours that stay at one place are where
-    // the first one of them is.
+    // Finds the points of the two faces and of their neighbours that stay at one place. at()
+    // returns the place of the first of them for all.
     void join_sides(Index face, Index other) noexcept {
         n_joined_ = 0;
         if (!start_.given()) return;
@@ -239,7 +239,7 @@ private:
     Points start_;
     Overlaps overlaps_;
     Span<const KnownEnd> ends_;
-    Real resolved_ = 0;  // no two places are closer if they are not one place, but for rounding
+    Real resolved_ = 0;  // the distance below which two places cannot be distinguished from one
     Joined joined_[8];
     Index n_joined_ = 0;
     Crossing result_;
@@ -248,7 +248,8 @@ private:
 }  // namespace
 
 bool stay_at_one_place(Vec2 a, Vec2 b, Vec2 a_moved, Vec2 b_moved) noexcept {
-    // The size of both places: a movement from far away rounds more than the new place does.
+    // Both places count, because a movement from a place with large coordinates has larger rounding
+    // errors than the new place.
     Real const size =
         max(max(largest_of(a), largest_of(b)), max(largest_of(a_moved), largest_of(b_moved)));
     Real const far = max(largest_of(a - b), largest_of(a_moved - b_moved));

@@ -1,5 +1,5 @@
-// Finds out whether the boundary crosses itself, or one body another one. Positive cell areas do
-// not exclude that.
+// Finds places where the boundary crosses itself, or where one body crosses another. Positive cell
+// areas do not exclude such places.
 #pragma once
 
 #include "base/vec2.hpp"
@@ -14,37 +14,36 @@ struct Crossing {
     Index second[2] = {none, none};
 };
 
-// Tells for two points whether the digits of their coordinates cannot tell the points apart,
-// neither before a movement nor after it. So are points on the two sides of a wall without
-// thickness, where a file has rounded both sides in different ways.
+// Tells whether the distance of two points is within the rounding of their coordinates, both before
+// a movement and after it. This holds for points on the two sides of a wall without thickness if a
+// file has rounded both sides differently.
 bool stay_at_one_place(Vec2 a, Vec2 b, Vec2 a_moved, Vec2 b_moved) noexcept;
 
-// Points that slip or are free follow the cells. Overlapping faces of such points at the end of one
-// linear step do not tell what several steps would lead to, so they may be ignored.
+// Points that slip or are free follow the cells. If faces of such points overlap at the end of one
+// linear step, they need not overlap after several steps, so these overlaps may be ignored.
 enum class Overlaps { cross, ignored };
 
-// The information on the final place of a boundary point before the mesh has moved: the place
-// itself; the line along which the point slips; nothing.
+// What is known of the final place of a boundary point before the mesh has moved: the place itself,
+// the line along which the point slips, or nothing.
 enum class KnownEnd : std::uint8_t { prescribed, on_line, unknown };
 
-// A boundary crosses where faces do, where faces lie on each other, and where it passes exactly
-// through a point of its own or a face; decided exactly. To touch in a point is not to cross, nor
-// are the two sides of a wall without thickness, whose faces have the same ends: of walls that came
-// to lie on each other face by face, mesh is between them where they part. Boundary faces in the
-// order of their loops, the mesh on the left (see Boundary). Faces that follow each other lie close
-// together, so halving the list halves the place it takes: boxes of list ranges prune the pairs,
-// without any memory. The two sides of a sliding interface may cross each other.
+// Finds a crossing of the boundary, decided without rounding: two faces cross, faces lie on each
+// other, or the boundary passes through a boundary point or a face. Loops that only touch in a
+// point do not cross. Two faces with the same ends are the two sides of a wall without thickness
+// and do not cross, unless mesh lies between the walls where they separate. The mesh is on the left
+// of the faces (see Boundary). Boxes of ranges of faces exclude most pairs, without any memory. The
+// two sides of a sliding interface may cross each other.
 Crossing find_crossing(BoundaryFaces const& faces, Points points) noexcept;
-// The same for points + displacement (not given: 0). Two faces that cross each other at `points`
-// already do not count, as the movement is not the reason. Points that stay at one place count as
-// one place.
+// The same for points + displacement, which is 0 if it is not given. Two faces that cross each
+// other already at `points` are ignored, because the movement is not the reason. Two points for
+// which stay_at_one_place() holds are one point.
 Crossing find_crossing(BoundaryFaces const& faces, Points points, Points displacement,
                        Overlaps overlaps = Overlaps::cross) noexcept;
-// The same for the points `now`, where two faces that cross each other at `start` do not count.
+// The same for the points `now`. Two faces that cross each other already at `start` are ignored.
 Crossing find_new_crossing(BoundaryFaces const& faces, Points start, Points now) noexcept;
-// The same with regard only to points whose places at the end are known, ends [n_points]. Points
-// that slip may stand anywhere on their line; faces of points of which nothing is known are passed
-// over, and so are pairs of a face along a line and a face of a wall that ends on this line.
+// The same for points whose final places are known, see ends [n_points]. Points that slip may be
+// anywhere on their line. Faces with a point of which nothing is known are ignored, and so are
+// pairs of a face along a line and a face of a wall that ends on this line.
 Crossing find_known_crossing(BoundaryFaces const& faces, Points start, Points points,
                              Span<const KnownEnd> ends) noexcept;
 

@@ -111,7 +111,7 @@ SmoothMinimum find_layer_bound(Span<const LayerEdge> edges, LayerValue which, Re
     found.sharpness = sharpness;
     for (LayerEdge const& edge : edges)
         found.note(LayerState(edge, at, start).value(which), edge.foot);
-    found.shift = found.least;
+    found.shift = found.smallest;
     for (LayerEdge const& edge : edges)
         found.add(LayerState(edge, at, start).value(which), edge.foot);
     if (!gradient.given()) return found;

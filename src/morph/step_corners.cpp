@@ -70,7 +70,7 @@ Index piece_of(OrientedMesh const& cells, Index guard) noexcept {
 }  // namespace
 
 void find_step_corners(OrientedMesh const& cells, Points points, Points displacement,
-                       AdmissibleStep const& limit, Real most, Executor const& executor,
+                       AdmissibleStep const& limit, Real max_step, Executor const& executor,
                        void (*visit)(void* user, StepCorner const& found), void* user) noexcept {
     bool is_limit_visited = false;
     auto const examine = [&](Index i) {
@@ -83,7 +83,7 @@ void find_step_corners(OrientedMesh const& cells, Points points, Points displace
         }
         for (Index k = first; k < end; ++k) {
             StepCorner const found = step_corner_at(cells, i, k, points, displacement);
-            if (!(found.step <= most)) continue;
+            if (!(found.step <= max_step)) continue;
             // A guard and its piece have the same step but for rounding.
             if (found.step <= limit.step * (1 + 1e-12)) is_limit_visited = true;
             visit(user, found);
@@ -91,7 +91,7 @@ void find_step_corners(OrientedMesh const& cells, Points points, Points displace
     };
     // The kernels tell which cells may invert before a step, which is a little larger here, so that
     // they do not leave out a corner at the limit.
-    Real const largest = most * (1 + 1e-6);
+    Real const largest = max_step * (1 + 1e-6);
     CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
     CellPlaces const places{points, displacement, {}};
     for_each_batch(cells, 0, cells.mesh.n_cells, [&](CellBatches const& batches) {
@@ -105,7 +105,7 @@ void find_step_corners(OrientedMesh const& cells, Points points, Points displace
         });
     });
     auto const is_close = [&](Index triangle) {
-        return step_corner_at(cells, triangle, 1, points, displacement).step <= most;
+        return step_corner_at(cells, triangle, 1, points, displacement).step <= max_step;
     };
     // A guard is visited if its piece is not.
     for (Index guard = cells.mesh.n_cells; guard < cells.mesh.n_checked(); ++guard) {

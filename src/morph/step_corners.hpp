@@ -17,20 +17,20 @@ struct StepCorner {
     bool has_derivative = false;
 };
 
-// Calls visit(user, corner) for the corners whose step is at most `most`, in the order of the
-// cells. limit is the admissible step, which is positive; `most` is finite and not below the limit.
-// A corner with the step of the limit is always visited.
+// Calls visit(user, corner) for the corners whose step is at most `max_step`, in the order of the
+// cells. limit is the admissible step, which is positive; `max_step` is finite and not below the
+// limit. A corner with the step of the limit is always visited.
 void find_step_corners(OrientedMesh const& cells, Points points, Points displacement,
-                       AdmissibleStep const& limit, Real most, Executor const& executor,
+                       AdmissibleStep const& limit, Real max_step, Executor const& executor,
                        void (*visit)(void* user, StepCorner const& found), void* user) noexcept;
 template <class Visit>
 void find_step_corners(OrientedMesh const& cells, Points points, Points displacement,
-                       AdmissibleStep const& limit, Real most, Executor const& executor,
+                       AdmissibleStep const& limit, Real max_step, Executor const& executor,
                        Visit visit) noexcept {
     auto const call = [](void* user, StepCorner const& found) {
         (*static_cast<Visit*>(user))(found);
     };
-    find_step_corners(cells, points, displacement, limit, most, executor, call, &visit);
+    find_step_corners(cells, points, displacement, limit, max_step, executor, call, &visit);
 }
 
 }  // namespace harmorph

@@ -67,7 +67,7 @@ struct Matrix : Unknowns {
     Span<Index> fixed_row;
     Span<Real> fixed_value;
     Span<Real> fixed_imaginary;
-    // So many columns may be read behind the first column of any row.
+    // So many columns may be read from the first column of any row on.
     static constexpr Index short_row = 8;
 
     static Sizes count(Graph const& graph, MatrixKind kind,

@@ -13,10 +13,10 @@ inline void put_in_order(Index& a, Index& b) noexcept {
 }
 
 // Sorts a row of at most short_row columns by a sorting network; returns whether any column is
-// repeated. The row must have room for short_row columns; those behind its end are overwritten.
+// repeated. The row must have room for short_row columns; those after its end are overwritten.
 bool sort_short_row(Index* row, Index length) noexcept {
     static_assert(Matrix::short_row == 8, "the network of 19 exchanges sorts eight numbers");
-    // Behind the end of the row the network gets larger numbers without repetition.
+    // After the end of the row the network gets larger numbers without repetition.
     auto const at = [&](Index k) { return k < length ? row[k] : INT32_MAX - k; };
     Index a = at(0), b = at(1), c = at(2), d = at(3), e = at(4), f = at(5), g = at(6), h = at(7);
     put_in_order(a, c), put_in_order(b, d), put_in_order(e, g), put_in_order(f, h);

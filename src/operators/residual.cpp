@@ -21,7 +21,7 @@ void list_couplings(Residual const& work, Matrix const& matrix) noexcept {
     }
 }
 
-// Moves rows that a subtree has left over to the lists of rows behind the subtrees.
+// Moves rows that a subtree has left over to the lists of rows after the subtrees.
 void list_rows_left_over(Residual const& work, Matrix const& matrix, Index left_over) noexcept {
     for (Index row = left_over; row != none;) {
         Index const next = work.next[row];

@@ -84,7 +84,7 @@ struct DofValues {
 // point is not used then, and is set at the very end of a solve. All terms of a row are added one
 // after the other. The entries left of the diagonal are stored in earlier rows; every earlier row
 // is in the list of the next row to which it is coupled, and so is every coupling to the wall. The
-// rows of a subtree of the assembly tree are only in lists of the same subtree and of rows behind
+// rows of a subtree of the assembly tree are only in lists of the same subtree and of rows after
 // all subtrees, so that subtrees are summed at the same time.
 struct Residual {
     static constexpr Index max_width = 24;

@@ -10,7 +10,7 @@ namespace harmorph {
 struct BalancedRows {
     PositionRange rows;
     Index limit;  // Rows below this one belong to the task.
-    // The list of the rows that are left over for rows behind the limit begins here; see
+    // The list of the rows that are left over for rows after the limit begins here; see
     // Residual::next.
     Index left_over = none;
 };

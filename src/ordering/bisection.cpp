@@ -77,7 +77,7 @@ void Dissector::find_across() const noexcept {
     for (Index const u : separator) side[u] = Side::inside;
 }
 
-// Moves a tiny left side behind the right side, into the separator.
+// Moves a tiny left side after the right side, into the separator.
 void Dissector::absorb(Index begin, DividedRange& division) const noexcept {
     auto& [middle, pivots] = division;
     Index const n = middle - begin;
@@ -140,7 +140,7 @@ DividedRange Dissector::partition(Cut const& cut, Index begin, Index end) const 
     Span<Side> const side = work_.cover.side;
     Index n_left, n_right, n_separator = 0;
     Index const n_near = set_sides(cut, begin, end, n_left, n_right);
-    // The n_near entries of `region` behind n_left are not in use yet: they serve as the queue.
+    // The n_near entries of `region` from n_left on are not in use yet: they serve as the queue.
     work_.cover.find(graph_, near.first(n_near), region.from(n_left, n_near));
     for (Index k = 0; k < n_near; ++k) {
         Index const u = near[k];

@@ -40,7 +40,7 @@ public:
     // Returns the straight cut, in one of the directions 0 .. n_directions-1, with the lowest
     // estimated cost.
     Cut best(Index begin, Index end, Index n_directions) const noexcept;
-    // Finds the cut behind the level that costs least, if the cost is less than `max_cost`. In
+    // Finds the cut after the level that costs least, if the cost is less than `max_cost`. In
     // strongly stretched or curved cells straight cuts run obliquely through thousands of cells;
     // steps from cell to cell do not depend on the shape of the cells.
     bool find_level_cut(Real max_cost, Index begin, Index end, Cut& cut) const noexcept;

@@ -1,4 +1,4 @@
-// The engine of a plan: one of a closed list, chosen by Method::engine, behind one interface.
+// The engine of a plan: one of a closed list, chosen by Method::engine, with one interface for all.
 // tests/plan/test_plan.cpp covers this file.
 #pragma once
 

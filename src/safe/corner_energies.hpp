@@ -35,7 +35,7 @@ struct CornerEnergies {
         relative.add(now, targets.of(cell, point), target.any_ratio, share, 1);
         if (power == 0) return;
         ideal.add(now, targets.ideal(cell, point), target.is_quad && !target.is_part, share,
-                  target.least * target.least);
+                  target.wanted * target.wanted);
     }
     void differentiate() noexcept {
         kernels.differentiate(relative, min_curvature, by_relative);

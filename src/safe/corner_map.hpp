@@ -58,12 +58,12 @@ public:
     MapSizes sizes(Triangle const& now) const noexcept {
         return {determinant(now), square(z(now)) + square(w(now)), twice_area_};
     }
-    // Finds the Hessian of the energy by z and w, with curvatures raised to `least` units.
+    // Finds the Hessian of the energy by z and w, with curvatures raised to `min_curvature` units.
     Curvatures curvatures(Triangle const& now, DensityDerivatives const& by,
-                          Real least) const noexcept;
+                          Real min_curvature) const noexcept;
     // Adds the derivatives by the sides now.at[1] - now.at[0] and now.at[2] - now.at[1] to `form`,
-    // with curvatures raised to `least` units.
-    void differentiate(Triangle const& now, DensityDerivatives const& by, Real least,
+    // with curvatures raised to `min_curvature` units.
+    void differentiate(Triangle const& now, DensityDerivatives const& by, Real min_curvature,
                        CornerForm& form) const noexcept;
 
 private:
@@ -82,7 +82,7 @@ inline CornerMap::CornerMap(Triangle const& reference) noexcept
 
 // Turning z or w changes neither p nor q, and scaling couples the two.
 inline Curvatures CornerMap::curvatures(Triangle const& now, DensityDerivatives const& by,
-                                        Real least) const noexcept {
+                                        Real min_curvature) const noexcept {
     Real const p = square(z(now)), q = square(w(now));
     Real const a = 2 * by.by_p + 4 * p * by.by_pp, b = 4 * sqrt(p) * sqrt(q) * by.by_pq,
                c = 2 * by.by_q + 4 * q * by.by_qq;
@@ -94,7 +94,7 @@ inline Curvatures CornerMap::curvatures(Triangle const& now, DensityDerivatives 
     Real const half = per_unit * whole, part = per_unit * b,
                radius = sqrt(half * half + part * part);
     Curvatures out{{2 * by.by_p, 2 * by.by_q, mean + unit * radius, mean - unit * radius}};
-    for (Real& value : out.value) value = max(value, least * by.unit);
+    for (Real& value : out.value) value = max(value, min_curvature * by.unit);
     if (radius > 0) {
         Real const per_radius = 1 / radius;
         out.cosine = per_radius * half;
@@ -107,15 +107,15 @@ inline Curvatures CornerMap::curvatures(Triangle const& now, DensityDerivatives 
 // is f s + g n and that of w is conj(f) s + conj(g) n. The Hessian by z maps v to a v + b conj(v),
 // as do its other parts (see complex_block()); a product with such a map from both sides is one
 // again.
-inline void CornerMap::differentiate(Triangle const& now, DensityDerivatives const& by, Real least,
-                                     CornerForm& form) const noexcept {
+inline void CornerMap::differentiate(Triangle const& now, DensityDerivatives const& by,
+                                     Real min_curvature, CornerForm& form) const noexcept {
     Vec2 const f = first_, g = second_, conj_f = conjugate(f), conj_g = conjugate(g);
     Vec2 const z_now = z(now), w_now = w(now);
     Vec2 const by_z = 2 * by.by_p * z_now, by_w = 2 * by.by_q * w_now;
     form.by_side = form.by_side + product(conj_f, by_z) + product(f, by_w);
     form.by_next = form.by_next + product(conj_g, by_z) + product(g, by_w);
 
-    Curvatures const hessian = curvatures(now, by, least);
+    Curvatures const hessian = curvatures(now, by, min_curvature);
     Real const mean = 0.5 * (hessian.value[2] + hessian.value[3]),
                difference = 0.5 * (hessian.value[2] - hessian.value[3]);
     Real const scaling_z = mean + difference * hessian.cosine,

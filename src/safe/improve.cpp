@@ -125,7 +125,7 @@ bool Improvement::begin_near(Real enough, Real part_of_aim, Index layers) noexce
     fill(change, Vec2{});
     region.choose([&](Index i) {
         return quality[i] >= 0 &&
-               quality[i] < max(enough, part_of_aim * targets.aim * targets.cell[i].least);
+               quality[i] < max(enough, part_of_aim * targets.aim * targets.cell[i].wanted);
     });
     if (region.n_cells == 0) return false;
     region.grow(tangle, layers);
@@ -168,7 +168,7 @@ Improvement::Score Improvement::score_of(Index cell) const noexcept {
     Targets::Cell const& target = targets.cell[cell];
     Real const found = quality[cell];
     bool const is_reported = lowest > 0 && !target.is_part;
-    return {is_reported ? min(found / lowest, 1.0) : 1, min(found / target.least, targets.aim),
+    return {is_reported ? min(found / lowest, 1.0) : 1, min(found / target.wanted, targets.aim),
             found};
 }
 
@@ -235,9 +235,10 @@ Real Improvement::descend(Index power, Real before) noexcept {
     Real const slope = system.slope(region, executor);
     if (!(-slope > at_rest * before)) return before;
     OrientedMesh const cells{tangle.mesh, tangle.reversed};
-    Real const most = share_of_admissible *
-                      admissible_step(cells, as_points(now), as_points(change), executor).step;
-    Real length = min(1.0, most), after = infinity;
+    Real const max_length =
+        share_of_admissible *
+        admissible_step(cells, as_points(now), as_points(change), executor).step;
+    Real length = min(1.0, max_length), after = infinity;
     auto const falls_enough = [&] {
         look_ahead(length);
         after = energy_ahead(power);
@@ -246,7 +247,7 @@ Real Improvement::descend(Index power, Real before) noexcept {
     for (Index halvings = 0; !falls_enough(); length *= 0.5) {
         if (++halvings > max_halvings) return before;
     }
-    for (Index doublings = 0; doublings < max_doublings && 2 * length <= most; ++doublings) {
+    for (Index doublings = 0; doublings < max_doublings && 2 * length <= max_length; ++doublings) {
         look_ahead(2 * length);
         Real const farther = energy_ahead(power);
         if (!(farther < after) || !is_valid(ahead)) break;

@@ -82,9 +82,9 @@ Index NewtonSystem::solve(Region const& region, Index max_products,
         search[u] = inverse[u] * rest[u];
         return dot(rest[u], search[u]);
     });
-    Real const least = enough * enough * size;
+    Real const min_size = enough * enough * size;
     Index products = 0;
-    while (products < max_products && size > least) {
+    while (products < max_products && size > min_size) {
         Real const curvature =
             reduce_ranges<Sum>(n, executor, [&](Index begin, Index end, Sum& sum) {
                 sum.value = multiply(region, begin, end, search, image);

@@ -66,9 +66,9 @@ struct QualityKernels {
     // from its target that a derivative would overflow. Returns the sum.
     Real (*energies)(CornerList& list, Real* energy) noexcept;
     // Finds the derivatives by the sides of the corners, the energies of which must be finite.
-    // Curvatures are raised to `least` times 4 power energy, the curvature of scaling at the
-    // target.
-    void (*differentiate)(CornerList& list, Real least, CornerForms& forms) noexcept;
+    // Curvatures are raised to `min_curvature` times 4 power energy, the curvature of scaling at
+    // the target.
+    void (*differentiate)(CornerList& list, Real min_curvature, CornerForms& forms) noexcept;
 };
 
 // Returns the kernels of this set; automatic: those of the baseline. The results have the same bits

@@ -129,7 +129,7 @@ struct Parts {
     Vector turning_z, along_z, turning_w, along_w, coupling;
 
     HARMORPH_INLINE Parts(Density const& by, Vector p, Vector q, Vector root,
-                          Vector least) noexcept {
+                          Vector min_curvature) noexcept {
         Vector const zero = {};
         Vector const a = 2 * by.by_p + 4 * p * by.by_pp, b = 4 * root * by.by_pq,
                      c = 2 * by.by_q + 4 * q * by.by_qq;
@@ -137,11 +137,11 @@ struct Parts {
         Vector const radius = Registers::sqrt(half * half + b * b);
         Vector const per_radius = 1 / (radius > 0 ? radius : zero + 1);
         Vector const cosine = radius > 0 ? per_radius * half : zero + 1, sine = per_radius * b;
-        Vector const high = Registers::max(middle + radius, least),
-                     low = Registers::max(middle - radius, least);
+        Vector const high = Registers::max(middle + radius, min_curvature),
+                     low = Registers::max(middle - radius, min_curvature);
         Vector const mean = 0.5 * (high + low), difference = 0.5 * (high - low);
-        Vector const turn_z = Registers::max(2 * by.by_p, least),
-                     turn_w = Registers::max(2 * by.by_q, least);
+        Vector const turn_z = Registers::max(2 * by.by_p, min_curvature),
+                     turn_w = Registers::max(2 * by.by_q, min_curvature);
         Vector const scaling_z = mean + difference * cosine, scaling_w = mean - difference * cosine;
         coupling = 0.5 * difference * sine;
         turning_z = 0.5 * (scaling_z + turn_z);
@@ -159,7 +159,7 @@ HARMORPH_INLINE void store_symmetric(Real (*to)[CornerList::max_count], Index i,
     Registers::store(to[2] + i, t - c.x);
 }
 
-void differentiate(CornerList& list, Real least, CornerForms& forms) noexcept {
+void differentiate(CornerList& list, Real min_curvature, CornerForms& forms) noexcept {
     // No q that is not 0 is smaller than this number.
     constexpr Real tiny = 1e-200;
     Real const power = static_cast<Real>(list.power);
@@ -189,7 +189,7 @@ void differentiate(CornerList& list, Real least, CornerForms& forms) noexcept {
         Density const by(s, determinant, power);
         Vector const safe_q = Registers::max(q, zero + tiny), root = Registers::sqrt(p * safe_q),
                      per_pq = 1 / (p * safe_q);
-        Parts const part(by, p, q, q > 0 ? root : zero, zero + 4 * least);
+        Parts const part(by, p, q, q > 0 ? root : zero, zero + 4 * min_curvature);
 
         Pair const by_z = 2 * factor * by.by_p * z, by_w = 2 * factor * by.by_q * w;
         Pair const by_side = product(conjugate(f), by_z) + product(f, by_w),

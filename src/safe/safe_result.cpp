@@ -116,7 +116,7 @@ void SafeMorph::finish_derivative(Work& work) noexcept {
 // The mesh ahead is at the target. Beside the end of a wall, neighbours on the line or curve of the
 // boundary stay or slip; the end leaves the line if the distance to them changes.
 void SafeMorph::find_end_that_leaves(Work& work) const noexcept {
-    constexpr Real least = 1e-6;  // in parts of the movement of the end
+    constexpr Real min_share = 1e-6;  // in parts of the movement of the end
     Plan const& plan = work.plan;
     Points const start = work.mesh().points, target = mesh.ahead();
     auto const distance = [&](Vec2 p, Index end, Index beside) {
@@ -133,7 +133,7 @@ void SafeMorph::find_end_that_leaves(Work& work) const noexcept {
         if (plan.kind(beside) != PointKind::slip && plan.kind(beside) != PointKind::fixed) return;
         Real const leaves =
             abs(distance(target[end], end, beside) - distance(start[end], end, beside));
-        if (!(leaves > least * length(target[end] - start[end]))) return;
+        if (!(leaves > min_share * length(target[end] - start[end]))) return;
         if (leaves <= work.report.end_distance) return;
         work.report.end = end;
         work.report.end_distance = leaves;

@@ -10,9 +10,9 @@ void SlippingPoints::find(SlipCurves const& slip_curves, Points now,
     slip_curves.for_each([&](Index place, Index point) {
         Vec2 const p = now[point], beside = p - slip_curves.nearest(place, p).at;
         Index const neighbour = slip_curves.is_last(place) ? place - 1 : place + 1;
-        Real const most =
+        Real const max_distance =
             max_distance_to_face * length(slip_curves.at[neighbour] - slip_curves.at[place]);
-        if (held[point] == 0 && length(beside) <= most) slot[point] = place;
+        if (held[point] == 0 && length(beside) <= max_distance) slot[point] = place;
         else held[point] = 1;
     });
     for (Index k = 0; k < slot.count(); ++k) {

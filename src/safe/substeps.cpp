@@ -190,9 +190,9 @@ Status SafeMorph::solve_by(Work& work, Basis const& here, OperatorChoice const& 
 // a step shorter than the pace that leads to the target.
 Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
     Index const planned = min(usual_resolves, work.options.max_resolves);
-    Index const most = work.report.resolves < planned ? planned : work.options.max_resolves;
+    Index const max_resolves = work.report.resolves < planned ? planned : work.options.max_resolves;
     Real const pace =
-        (1 - mesh.time) / static_cast<Real>(max(most - work.report.resolves, Index{0}) + 1);
+        (1 - mesh.time) / static_cast<Real>(max(max_resolves - work.report.resolves, Index{0}) + 1);
     Real length = 1 - mesh.time;
     for (Index trial = 0; trial < max_trials && length >= min_substep; ++trial) {
         Real const end = min(mesh.time + length, 1.0);

@@ -40,7 +40,7 @@ void Targets::find(OrientedMesh const& cells, FaceDistance const& walls, Points 
             target.area = corners.cell_area(shape.n);
             target.own = skew_quality(shape.n, corners);
             target.is_part = cells.mesh.is_piece_or_guard(i);
-            target.least = target.is_part ? part_of_own : max(smallest, part_of_own * target.own);
+            target.wanted = target.is_part ? part_of_own : max(smallest, part_of_own * target.own);
             if (walls.count > 0) find_stretch(target, shape, walls, now, group);
         }
     });

@@ -23,11 +23,11 @@ namespace harmorph {
 //     the angles count, as in the quality that the library reports.
 struct Targets {
     struct Cell {
-        Vec2 along;      // the unit tangent of the wall before the movement
-        Real more = 0;   // the factor of the stretch along the wall, minus 1
-        Real area = 0;   // the area of the reference cell
-        Real least = 0;  // the size-skew quality that the cell should have
-        Real own = 1;    // the skew quality of the reference cell
+        Vec2 along;       // the unit tangent of the wall before the movement
+        Real more = 0;    // the factor of the stretch along the wall, minus 1
+        Real area = 0;    // the area of the reference cell
+        Real wanted = 0;  // the size-skew quality that the cell should have
+        Real own = 1;     // the skew quality of the reference cell
         bool is_quad = false;
         // If true, the cell is one of several pieces of a polygon, or a guard, and its reference is
         // the ideal shape.
@@ -40,8 +40,8 @@ struct Targets {
 
     Points reference;
     Span<Cell> cell;  // [cells and guards]
-    // An improvement raises cells up to `aim` times `least`. The larger the smallest quality of the
-    // reference, the nearer is this factor to 1.
+    // An improvement raises cells up to `aim` times `wanted`. The larger the smallest quality of
+    // the reference, the nearer is this factor to 1.
     Real aim = 1;
 
     void lay_out(Arena& arena, Index n_cells) noexcept { arena.take(cell, n_cells); }

@@ -6,10 +6,10 @@ namespace {
 // Flat directions get this part of the curvature of |J|^2 / chi, so that steps stay bounded.
 constexpr Real min_curvature = 0.1;
 
-struct Least {
+struct Smallest {
     Real value = infinity;
     // NaN counts as the worst value, and remains.
-    void merge(Least const& later) noexcept {
+    void merge(Smallest const& later) noexcept {
         if (!(later.value >= value)) value = later.value == later.value ? later.value : -infinity;
     }
 };
@@ -87,8 +87,8 @@ bool Untangling::is_good(Index cell, Real margin) const noexcept {
         CornerPoints const& triangle = corners.point[k];
         Real const area = triangle_of(triangle, as_points(now)).twice_area();
         Real const wanted = triangle_of(triangle, tangle.reference).twice_area();
-        Real const least = region.can_move(triangle) ? margin * wanted : 0;
-        if (!(area > 0 && area >= least)) return false;
+        Real const min_area = region.can_move(triangle) ? margin * wanted : 0;
+        if (!(area > 0 && area >= min_area)) return false;
     }
     return true;
 }
@@ -171,15 +171,16 @@ Real Untangling::energy(Span<const Vec2> at, Real softness) const noexcept {
 }
 
 Real Untangling::smallest_determinant() const noexcept {
-    return reduce_cells<Least>(
+    return reduce_cells<Smallest>(
                region.n_cells, executor,
-               [&](Index k, Least& least) {
+               [&](Index k, Smallest& smallest) {
                    CellTriangles const corners(tangle, region.cell[k]);
                    for (Index corner = 0; corner < corners.n; ++corner) {
                        CornerPoints const& triangle = corners.point[corner];
                        if (!region.can_move(triangle)) continue;
                        Real const wanted = triangle_of(triangle, tangle.reference).twice_area();
-                       least.merge({triangle_of(triangle, as_points(now)).twice_area() / wanted});
+                       smallest.merge(
+                           {triangle_of(triangle, as_points(now)).twice_area() / wanted});
                    }
                })
         .value;

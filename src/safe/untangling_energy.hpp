@@ -30,9 +30,9 @@ struct Distortion {
     // with least >= 0 no curvature is negative; see CornerMap.
     DensityDerivatives derivatives(Triangle const& now, Real softness) const noexcept;
     // Adds the derivatives by the sides to `form`; see CornerMap.
-    void differentiate(Triangle const& now, Real softness, Real least,
+    void differentiate(Triangle const& now, Real softness, Real min_curvature,
                        CornerForm& form) const noexcept {
-        map_.differentiate(now, derivatives(now, softness), least, form);
+        map_.differentiate(now, derivatives(now, softness), min_curvature, form);
     }
     CornerMap const& map() const noexcept { return map_; }
 

@@ -78,8 +78,8 @@ void PlaneSearch::copy_cells(SpaceMesh const& mesh, Plane& plane) noexcept {
     plane.cell_start[mesh.n_faces] = n + plane.index_base;
 }
 
-// A follower may be as far away as the tolerance, but not farther than a quarter of the shortest
-// edge at the point of the plane.
+// Finds how far a follower may be from the point of the plane: as far as the tolerance, but not
+// farther than a quarter of the shortest edge at the point of the plane.
 void PlaneSearch::find_reach(Plane const& plane) noexcept {
     fill(reach, plane.frame.tolerance * plane.frame.tolerance);
     for (Index i = 0; i < plane.n_faces; ++i) {
@@ -103,7 +103,8 @@ void PlaneSearch::find_places(Plane const& plane) noexcept {
         Vec2 const here = place_of(plane, p);
         Index first = p;
         Real const bound = min(apart * apart, reach[p]);
-        // The search visits what is nearer than its start, which must not be 0 for equal points.
+        // The search visits points nearer than the given distance, which must not be 0: otherwise
+        // points at the same place would not be visited.
         tree.nearest(here, {none, bound > 0 ? 2 * bound : tiny_square}, [&](Index other) {
             if (other < first && square(place_of(plane, other) - here) <= bound) first = other;
             return infinity;  // lets the search visit all other points

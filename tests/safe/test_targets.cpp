@@ -145,7 +145,7 @@ TEST_CASE("the quality of targets is the reported one, or half of a cell's own a
                      own = harmorph::skew_quality(old.n, harmorph::CellCorners(old));
         sum += quality;
         least = std::fmin(least, quality);
-        CHECK(found.targets.cell[i].least == std::fmax(start.min_quality, 0.5 * own));
+        CHECK(found.targets.cell[i].wanted == std::fmax(start.min_quality, 0.5 * own));
     }
     CHECK(sum == doctest::Approx(whole.quality_sum).epsilon(1e-13));
     CHECK(least == doctest::Approx(whole.min_quality).epsilon(1e-13));

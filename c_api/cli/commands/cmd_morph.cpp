@@ -22,14 +22,6 @@ namespace cli {
 
 namespace {
 
-PointData displacement_data(const Field& displacement) {
-    PointData data = {"displacement", 3, {}};
-    for (std::size_t point = 0; point < displacement.x.size(); ++point) {
-        data.values.insert(data.values.end(), {displacement.x[point], displacement.y[point], 0.0});
-    }
-    return data;
-}
-
 Companions companions_of(const Arguments& arguments, const Basis& basis, const Morph& morph) {
     const bool has_reached = arguments.has("--reached") || !morph.refusal.empty();
     Companions names = {arguments.output("--curve-out"),

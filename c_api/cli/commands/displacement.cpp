@@ -50,11 +50,8 @@ void write_displacement(const Arguments& arguments, const Mesh& mesh, const Disp
         write_moved(files.add(moved_file(mesh, arguments.text("-o"))), mesh, found.moved.x.data(),
                     found.moved.y.data());
     if (arguments.has("--vtu")) {
-        PointData data = {"displacement", 3, {}};
-        for (std::size_t point = 0; point < found.by.x.size(); ++point) {
-            data.values.insert(data.values.end(), {found.by.x[point], found.by.y[point], 0.0});
-        }
-        write_vtu(files.add(arguments.text("--vtu")), mesh, found.moved.x, found.moved.y, {data});
+        write_vtu(files.add(arguments.text("--vtu")), mesh, found.moved.x, found.moved.y,
+                  {displacement_data(found.by)});
     }
 }
 

@@ -18,17 +18,13 @@ struct Row {
 
 void add_bodies(std::vector<Row>& rows, const std::vector<double>& g, const Basis& basis,
                 const Mesh& mesh) {
-    std::vector<bool> listed(static_cast<std::size_t>(basis.info().bodies));
-    for (const hm_condition& condition : basis.conditions()) {
-        if (condition.kind != HM_RIGID || listed[static_cast<std::size_t>(condition.body)])
-            continue;
-        listed[static_cast<std::size_t>(condition.body)] = true;
+    for_each_body(basis.conditions(), basis.info().bodies, [&](const hm_condition& condition) {
         const auto at = static_cast<std::size_t>(2 * basis.n_control() + 4 * condition.body);
         // s = scale (cos a, sin a): the derivative of s by the angle is (0, 1) at a = 0.
         rows.push_back({"rigid",
                         mesh.markers[static_cast<std::size_t>(condition.marker)],
                         {g[at], g[at + 1], g[at + 3] * pi / 180, g[at + 2]}});
-    }
+    });
 }
 
 std::vector<Row> rows_of(const Gradient& gradient, const Basis& basis, const Mesh& mesh) {

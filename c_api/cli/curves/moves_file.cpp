@@ -218,12 +218,7 @@ void write_moves(std::ostream& out, const std::vector<double>& moves, const Basi
         out << point + 1 << ' ' << exact(moves[2 * point]) << ' ' << exact(moves[2 * point + 1])
             << '\n';
     }
-    std::vector<bool> written(static_cast<std::size_t>(basis.info().bodies));
-    for (const hm_condition& condition : basis.conditions()) {
-        if (condition.kind != HM_RIGID || written[static_cast<std::size_t>(condition.body)])
-            continue;
-        // The body is written once, with the name of one of the markers.
-        written[static_cast<std::size_t>(condition.body)] = true;
+    for_each_body(basis.conditions(), basis.info().bodies, [&](const hm_condition& condition) {
         const double* const function =
             &moves[2 * (n_control + 2 * static_cast<std::size_t>(condition.body))];
         out << "# body, dx, dy, degrees, scale\nrigid "
@@ -231,7 +226,7 @@ void write_moves(std::ostream& out, const std::vector<double>& moves, const Basi
             << ' ' << exact(function[1]) << ' '
             << exact(std::atan2(function[3], 1 + function[2]) * 180 / pi) << ' '
             << exact(std::hypot(1 + function[2], function[3])) << '\n';
-    }
+    });
 }
 
 }  // namespace cli

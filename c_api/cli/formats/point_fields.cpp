@@ -5,6 +5,7 @@
 #include "formats/bytes.hpp"
 #include "formats/foam_list.hpp"
 #include "formats/number_reader.hpp"
+#include "formats/vtk_cells.hpp"
 #include "formats/vtk_parallel.hpp"
 #include "formats/vtk_xml_file.hpp"
 
@@ -16,15 +17,6 @@ namespace cli {
 namespace {
 
 constexpr const char* component_names[] = {"_x", "_y", "_z"};
-
-bool is_vtk_legacy(const TextFile& file) {
-    return file.text().compare(0, 22, "# vtk DataFile Version") == 0;
-}
-
-bool is_vtk_xml(const TextFile& file) {
-    const std::string_view start = file.text().substr(0, 1024);
-    return trimmed(start).substr(0, 1) == "<" && start.find("<VTKFile") != start.npos;
-}
 
 // Columns of the same length, which become the rows of a table.
 class Columns {

@@ -216,10 +216,6 @@ void VtkReader::read_types() {
     types_read_ = true;
 }
 
-bool probe_vtk(const TextFile& file) {
-    return file.text().compare(0, 22, "# vtk DataFile Version") == 0;
-}
-
 void read_vtk(Mesh& mesh, const ReadOptions&) { VtkReader(mesh).read(); }
 
 void create_vtk(std::ostream& out, const Mesh& mesh) {
@@ -244,8 +240,8 @@ void create_vtk(std::ostream& out, const Mesh& mesh) {
 
 }  // namespace
 
-const Format vtk_format = {"vtk",     ".vtk",   "VTK legacy unstructured and structured grids",
-                           probe_vtk, read_vtk, create_vtk,
+const Format vtk_format = {"vtk",         ".vtk",   "VTK legacy unstructured and structured grids",
+                           is_vtk_legacy, read_vtk, create_vtk,
                            false};
 
 }  // namespace cli

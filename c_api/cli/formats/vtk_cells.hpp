@@ -5,6 +5,11 @@
 
 namespace cli {
 
+// Tells whether the content is that of a legacy file of VTK.
+inline bool is_vtk_legacy(const TextFile& file) {
+    return file.text().compare(0, 22, "# vtk DataFile Version") == 0;
+}
+
 enum VtkCellType {
     vtk_line = 3,
     vtk_triangle = 5,

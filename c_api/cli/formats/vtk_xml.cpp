@@ -240,11 +240,6 @@ void VtkXmlReader::check_total(const VtkPiece& piece) {
     }
 }
 
-bool probe_vtu(const TextFile& file) {
-    const std::string_view start = file.text().substr(0, 1024);
-    return trimmed(start).substr(0, 1) == "<" && start.find("<VTKFile") != start.npos;
-}
-
 void read_vtu(Mesh& mesh, const ReadOptions&) {
     if (is_parallel_vtk(mesh.file)) {
         mesh.file = joined_pieces(mesh.file);
@@ -258,8 +253,8 @@ void create_vtu(std::ostream& out, const Mesh& mesh) { write_vtu(out, mesh); }
 }  // namespace
 
 const Format vtk_xml_format = {
-    "vtu",     ".vtu",   "VTK XML unstructured and structured grids: text, base64, appended, zlib",
-    probe_vtu, read_vtu, create_vtu,
+    "vtu",      ".vtu",   "VTK XML unstructured and structured grids: text, base64, appended, zlib",
+    is_vtk_xml, read_vtu, create_vtu,
     false};
 
 }  // namespace cli

@@ -157,6 +157,11 @@ std::int64_t TagReader::count(std::string_view key) const {
 
 }  // namespace
 
+bool is_vtk_xml(const TextFile& file) {
+    const std::string_view start = file.text().substr(0, 1024);
+    return trimmed(start).substr(0, 1) == "<" && start.find("<VTKFile") != start.npos;
+}
+
 VtkXmlFile read_vtk_xml_tags(const TextFile& file) { return TagReader(file).read(); }
 
 VtkEncoding vtk_encoding(const TextFile& file, const XmlTag& tag) {

@@ -26,6 +26,9 @@ struct VtkXmlFile {
     std::vector<VtkArray> appended;  // all appended arrays, also those that are not read
 };
 
+// Tells whether the content looks like a VTK XML file.
+bool is_vtk_xml(const TextFile& file);
+
 // Finds the arrays of all pieces. Refuses other kinds of files, and tags that VTK does not write.
 VtkXmlFile read_vtk_xml_tags(const TextFile& file);
 

@@ -77,6 +77,13 @@ void write_grid(std::ostream& out, const Mesh& mesh, const std::vector<double>& 
 
 }  // namespace
 
+PointData displacement_data(const Field& displacement) {
+    PointData data = {"displacement", 3, {}};
+    for (std::size_t point = 0; point < displacement.x.size(); ++point)
+        data.values.insert(data.values.end(), {displacement.x[point], displacement.y[point], 0.0});
+    return data;
+}
+
 void write_vtu(std::ostream& out, const Mesh& mesh) { write_grid(out, mesh, mesh.x, mesh.y, {}); }
 
 void write_vtu(std::ostream& out, const Mesh& mesh, const std::vector<double>& x,

@@ -1,6 +1,7 @@
 // Writes VTU files (VTK XML, unstructured grid, in text), which ParaView reads.
 #pragma once
 
+#include "basics/field.hpp"
 #include "mesh/mesh_file.hpp"
 
 #include <iosfwd>
@@ -14,6 +15,8 @@ struct PointData {
     std::size_t components;      // 1, or 3 for a vector
     std::vector<double> values;  // [points * components]
 };
+
+PointData displacement_data(const Field& displacement);  // vectors with z = 0
 
 void write_vtu(std::ostream& out, const Mesh& mesh);
 

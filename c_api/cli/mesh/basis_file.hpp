@@ -67,6 +67,19 @@ private:
     std::vector<std::shared_ptr<const CurveSet>> slip_curves_;
 };
 
+// Calls visit(condition) once for each rigid body, with the first of its conditions.
+template <class Visit>
+void for_each_body(const std::vector<hm_condition>& conditions, std::int32_t n_bodies,
+                   const Visit& visit) {
+    std::vector<bool> is_visited(static_cast<std::size_t>(n_bodies));
+    for (const hm_condition& condition : conditions) {
+        if (condition.kind != HM_RIGID || is_visited[static_cast<std::size_t>(condition.body)])
+            continue;
+        is_visited[static_cast<std::size_t>(condition.body)] = true;
+        visit(condition);
+    }
+}
+
 void write_basis(std::ostream& out, const hm_basis* basis, const Mesh& mesh);
 
 }  // namespace cli

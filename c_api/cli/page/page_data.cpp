@@ -197,15 +197,12 @@ private:
 
     void add_bodies() {
         std::vector<JsonObject> bodies(static_cast<std::size_t>(subject_.info.bodies));
-        std::vector<bool> named(bodies.size());
-        for (const hm_condition& condition : subject_.conditions) {
-            if (condition.kind != HM_RIGID || named[static_cast<std::size_t>(condition.body)])
-                continue;
-            named[static_cast<std::size_t>(condition.body)] = true;
+        const auto add_body = [&](const hm_condition& condition) {
             JsonObject& body = bodies[static_cast<std::size_t>(condition.body)];
             body.add("marker", mesh_.markers[static_cast<std::size_t>(condition.marker)]);
             body.add("x", condition.x).add("y", condition.y);
-        }
+        };
+        for_each_body(subject_.conditions, subject_.info.bodies, add_body);
         object_.add("bodies", bodies);
     }
 

@@ -38,11 +38,13 @@ void DesignFiles::write(const SampleFolder& folder, const MorphedDesign& design,
         write_moved(files.add(folder.mesh_of(number, ending_)), mesh_, moved.x.data(),
                     moved.y.data());
     if (has_vtk_) {
-        PointData displacement = {"displacement", 3, {}};
-        for (std::size_t k = 0; k < mesh_.x.size(); ++k)
-            displacement.values.insert(displacement.values.end(),
-                                       {moved.x[k] - mesh_.x[k], moved.y[k] - mesh_.y[k], 0.0});
-        write_vtu(files.add(folder.vtk_of(number)), mesh_, moved.x, moved.y, {displacement});
+        Field displacement(mesh_.x.size());
+        for (std::size_t k = 0; k < mesh_.x.size(); ++k) {
+            displacement.x[k] = moved.x[k] - mesh_.x[k];
+            displacement.y[k] = moved.y[k] - mesh_.y[k];
+        }
+        write_vtu(files.add(folder.vtk_of(number)), mesh_, moved.x, moved.y,
+                  {displacement_data(displacement)});
     }
     files.commit();
 }
