@@ -27,7 +27,8 @@ struct CoarsePoints {
 
     static Offset coarse_points(Index n) noexcept { return n; }
 
-    void lay_out(Arena& arena, Index n) noexcept;
+    // entries: those of the finest level.
+    void lay_out(Arena& arena, Index n, Offset entries) noexcept;
     // Lays out the working space of build().
     void lay_out_work(Arena& arena, Index n, Offset entries) noexcept;
     // levels: the largest number of levels; 0 means no limit.
