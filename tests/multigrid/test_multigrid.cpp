@@ -9,6 +9,7 @@
 #include <fixtures/executors.hpp>
 #include <fixtures/operators.hpp>
 #include <fixtures/parts.hpp>
+#include <fixtures/slip_channel.hpp>
 #include <fixtures/laid_out.hpp>
 
 #include "multigrid/multigrid.hpp"
@@ -176,6 +177,17 @@ TEST_CASE("multigrid finds the functions of the direct engine for points that sl
             CHECK(found.report.iterations <= 30);
             CHECK(found.report.levels >= 2);
         }
+    }
+}
+
+TEST_CASE("walls along which points slip, on opposite sides, take no more iterations than fixed") {
+    Options options = multigrid();
+    for (bool const periodic : {false, true}) {
+        Case slipping = slip_channel(60, periodic), fixed = slipping;
+        fixed.conditions.resize(1);
+        Solved const found(slipping, &options), other(fixed, &options);
+        INFO(found.report.iterations << " and " << other.report.iterations << " iterations");
+        CHECK(found.report.iterations <= other.report.iterations + 3);
     }
 }
 

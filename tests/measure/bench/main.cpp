@@ -22,7 +22,8 @@ namespace bench {
 namespace {
 
 char const* const usage =
-    "usage: bench [--parts \"dense solve threads iterative memory displace safe morph\"] [--sizes "
+    "usage: bench [--parts \"dense solve threads iterative iterations memory displace safe "
+    "morph\"] [--sizes "
     "\"10000 "
     "100000 1000000\"]\n"
     "             [--kinds \"iso viscous thin unstructured shuffled stretched10 stretched100 "
@@ -157,6 +158,7 @@ void run(Settings settings) {
     part("solve", [&] { bench_solve(settings, report); });
     part("threads", [&] { bench_threads(settings, report); });
     part("iterative", [&] { bench_iterative(settings, report); });
+    part("iterations", [&] { bench_iterations(settings, report); });
     part("memory", [&] { bench_memory(settings, report); });
     part("displace", [&] { bench_displace(settings, report); });
     part("safe", [&] { bench_safe(settings, report); });

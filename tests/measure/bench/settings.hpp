@@ -44,6 +44,7 @@ void bench_dense(Settings const& settings, Limits const& limits, Report& report)
 void bench_solve(Settings const& settings, Report& report);
 void bench_threads(Settings const& settings, Report& report);
 void bench_iterative(Settings const& settings, Report& report);
+void bench_iterations(Settings const& settings, Report& report);
 void bench_memory(Settings const& settings, Report& report);
 void bench_displace(Settings const& settings, Report& report);
 void bench_safe(Settings const& settings, Report& report);
