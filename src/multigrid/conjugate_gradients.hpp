@@ -32,14 +32,14 @@ public:
           n_(engine.levels.finest.n),
           r_(vectors),
           p_(r_ + Offset{n_} * width),
-          z_(p_ + Offset{n_} * width),
+          q_(p_ + Offset{n_} * width),
+          z_(q_ + Offset{n_} * width),
           cycle_(engine, width, z_ + Offset{n_} * width) {
         block_.width = width;
         block_.planes = engine.is_complex() ? 2 : 1;
         block_.values = dofs.rows(matrix);
         block_.first = first;
         block_.functions = min(block_.plane_width(), block_.values.width - first);
-        for (Real& one : change_) one = 1;
         for (Index k = block_.functions; k < columns(); ++k) is_confirmed_[k] = true;
     }
 
@@ -92,22 +92,33 @@ private:
 
     void begin() noexcept {
         for (Index k = 0; k < max_width; ++k) {
-            first_squares_[k] = squares_[k] = 0;
-            scale_[k] = 1;
+            squares_[k] = 0;
             errors_[k] = infinity;
+            scale_[k] = 1;
         }
         for_parts([&](Index from, Index n) {
             take_right_hand_sides(from, n);
             const Real* rest = wide();
-            Index const row = n * block_.planes;
-            for (Index i = 0; i < n_; ++i, rest += row) {
-                for (Index k = 0; k < row; ++k) first_squares_[from + k % n] += rest[k] * rest[k];
+            for (Index i = 0; i < n_; ++i) {
+                for (Index plane = 0; plane < block_.planes; ++plane) {
+                    for (Index k = from; k < from + n; ++k, ++rest) squares_[k] += *rest * *rest;
+                }
+            }
+            if (dofs_.is_start) return;
+            for (Index k = from; k < from + n; ++k) scale_[k] = factor_for(squares_[k]);
+            rest = wide();
+            for (Index i = 0; i < n_; ++i) {
+                for (Index plane = 0; plane < block_.planes; ++plane) {
+                    Number* const to = r_ + Offset{i} * block_.width + plane * columns();
+                    for (Index k = from; k < from + n; ++k, ++rest)
+                        to[k] = static_cast<Number>(scale_[k] * *rest);
+                }
             }
         });
-        for (Index k = 0; k < columns(); ++k) squares_[k] = first_squares_[k];
-        if (!dofs_.is_start) clear_values(every());
+        for (Index k = 0; k < columns(); ++k)
+            first_squares_[k] = replaced_squares_[k] = squares_[k];
+        if (!dofs_.is_start) return clear_values(every());
         find_residual(every());
-        if (!dofs_.is_start) return;
         // A function starts from its value if the energy of the error, x.A x - 2 b.x but for a
         // constant, is less than that of the start 0. A value that is no number is no such start.
         Choice is_worse;
@@ -171,17 +182,21 @@ private:
             }
         }
     }
+    // Returns a power of two that makes a vector with this squared norm about 1 long.
+    static Real factor_for(Real squares) noexcept {
+        constexpr Real smallest = 1e-290;
+        Real const norm = sqrt(squares);
+        return norm > smallest ? 1 / power_of_two_at(norm) : 1;
+    }
     // Replaces the residuals of the chosen functions by the true ones.
     void find_residual(Choice const& chosen) noexcept {
-        constexpr Real smallest = 1e-290;
         typename CycleKernels<Number>::Residual task{};
         task.rows = &engine_.levels.finest;
         task.imaginary = engine_.imaginary;
         task.rest = wide();
         task.r = r_;
         for (Index k = 0; k < columns(); ++k) {
-            Real const norm = sqrt(squares_[k]);
-            task.scale[k] = norm > smallest ? 1 / power_of_two_at(norm) : 1;
+            task.scale[k] = factor_for(squares_[k]);
             task.takes[k] = chosen.column[k];
         }
         for_parts([&](Index from, Index n) {
@@ -196,7 +211,6 @@ private:
         cycle_.count_products(0, 1);
         for (Index k = 0; k < columns(); ++k) {
             if (!chosen.column[k]) continue;
-            change_[k] *= scale_[k] / task.scale[k];
             scale_[k] = task.scale[k];
             squares_[k] = replaced_squares_[k] = task.squares[k];
             energy_[k] = task.energy[k];
@@ -234,11 +248,13 @@ private:
     template <class After>
     Status iterate(Index& iterations, After const& after) noexcept {
         std::memset(p_, 0, sizeof(Number) * static_cast<Size>(Offset{n_} * block_.width));
-        for (Index k = 0; k < max_width; ++k) fall_[k] = 0;
+        std::memset(q_, 0, sizeof(Number) * static_cast<Size>(Offset{n_} * block_.width));
+        for (Index k = 0; k < max_width; ++k) along_[k] = 0;
         descend();
         ascend();
         typename CycleKernels<Number>::Update update;
         update.p = p_;
+        update.q = q_;
         update.r = r_;
         while (iterations < engine_.iteration.max_iterations && !converged()) {
             find_steps(update);
@@ -267,6 +283,7 @@ private:
         product.imaginary = engine_.imaginary;
         product.r = r_;
         product.p = p_;
+        product.q = q_;
         product.z = z_;
         // Functions that are done keep their values, and would go on in the direction of B r.
         for (Index k = 0; k < columns(); ++k)
@@ -276,6 +293,7 @@ private:
         for (Index k = 0; k < columns(); ++k) {
             // The step leads to the minimum of the energy along p, so the energy of the error never
             // grows for any p.
+            along_[k] = product.energy[k];
             Real const step = is_done(k) ? 0 : per_energy(product.along[k], product.energy[k]);
             update.step[k] = static_cast<Number>(step);
             update.factor[k] = static_cast<Real>(update.step[k]) / scale_[k];
@@ -300,15 +318,12 @@ private:
     // Completes z = B r. If the residual of a function is small, the largest values of B r and of x
     // are computed, too.
     void ascend() noexcept {
-        Real falls[max_width] = {};
-        cycle_.ascend(z_, r_, falls);
-        join(falls);
+        Real products[max_width] = {};
+        cycle_.ascend(z_, q_, products);
+        join(products);
         bool any_small = false;
         for (Index k = 0; k < columns(); ++k) {
-            // change_ is the ratio of the scales, if the residual has been replaced.
-            beta_[k] = per_energy(falls[k], fall_[k]) * change_[k];
-            fall_[k] = falls[k];
-            change_[k] = 1;
+            beta_[k] = per_energy(-products[k], along_[k]);
             any_small = any_small || (is_small(k) && !is_confirmed_[k] && !is_settled(k));
         }
         if (any_small) find_largest();
@@ -340,15 +355,15 @@ private:
     Matrix const& matrix_;
     DofValues const& dofs_;
     Index n_;
-    Number *r_, *p_, *z_;
+    Number *r_, *p_, *q_, *z_;
     Cycle<Number> cycle_;
     FunctionBlock block_;
-    Real scale_[max_width], change_[max_width];
+    Real scale_[max_width];
     // The squared norms of the residuals: of the current ones, of those at the last replacement,
     // and of the right-hand sides.
     Real squares_[max_width], replaced_squares_[max_width] = {}, first_squares_[max_width];
     Real energy_[max_width] = {}, product_[max_width] = {};  // x.A x and x.r
-    Real fall_[max_width], beta_[max_width];          // r.B r, and the next p is B r + beta p
+    Real along_[max_width], beta_[max_width];         // p.A p, and the next p is B r + beta p
     Real errors_[max_width], sizes_[max_width] = {};  // the maxima of |B r| and |x|
     // The function has converged by the true residual and is not changed any more.
     bool is_confirmed_[max_width] = {};

@@ -154,8 +154,8 @@ void multiply_block(CycleLevel<Number> const& level,
     using Value = Values<Number, plane, planes>;
     CycleLevel<Number> const a = level;
     Row const beta = Row::load(task.beta);
-    Number *const p = task.p, *const z = task.z;
-    const Number* const r = task.r;
+    Number *const p = task.p, *const q = task.q;
+    const Number *const r = task.r, *const z = task.z;
     Index head = 0;
     for (Index i = 0; i < a.n; ++i) {
         for (Index const end = min(a.n, i + 1 + a.reach); head < end; ++head) {
@@ -163,18 +163,18 @@ void multiply_block(CycleLevel<Number> const& level,
             Row value = Row::load(z + Offset{head} * width);
             value += beta * Row::load(own);
             value.store(own);
-            Row::zero().store(z + Offset{head} * width);
+            Row::zero().store(q + Offset{head} * width);
         }
         Real const re = task.row_sum[i], im = planes == 2 ? task.imaginary.row_sum[i] : 0;
         Offset const here = Offset{i} * width;
         Value const own = Value::load(p + here, plane);
-        Value sum = Value::load(z + here, plane);
+        Value sum = Value::load(q + here, plane);
         sum += own.times(static_cast<Number>(re), static_cast<Number>(im));
         auto const at = [&](Index j) { return Value::load(p + Offset{j} * width, plane); };
         auto energy = static_cast<Number>(re) * own.dot(own);
         energy += add_fluxes<planes>(a.start, a.column, a.value, task.imaginary.value.data(), i,
-                                     Number{1}, own, at, z, width, plane, sum);
-        sum.store(z + here, plane);
+                                     Number{1}, own, at, q, width, plane, sum);
+        sum.store(q + here, plane);
         energy.add_to(task.energy);
         own.dot(Value::load(r + here, plane)).add_to(task.along);
     }
@@ -226,7 +226,7 @@ public:
         for (Offset e = a_.start[i]; e < a_.start[i + 1]; ++e)
             subtract(a_.value[e], change, at(a_.column[e]));
     }
-    HARMORPH_INLINE void sweep_backward(Index i, const Number* r, Real* product) const noexcept {
+    HARMORPH_INLINE void sweep_backward(Index i, const Number* q, Real* product) const noexcept {
         Number const inverse = 1 / a_.diagonal[i];
         Number* const own = at(i);
         Row sum = Row::load(own);
@@ -234,7 +234,7 @@ public:
             sum -= a_.value[e] * Row::load(at(a_.column[e]));
         sum = inverse * sum;
         sum.store(own);
-        if (r != nullptr) (sum * Row::load(r + Offset{i} * width)).add_to(product);
+        if (q != nullptr) (sum * Row::load(q + Offset{i} * width)).add_to(product);
     }
 
 private:
@@ -266,14 +266,14 @@ void descend_block(CycleLevel<Number> const& level, Number* x, Number* coarse) n
 }
 
 template <class Number, Index width>
-void ascend_block(CycleLevel<Number> const& level, const Number* coarse, Number* x, const Number* r,
+void ascend_block(CycleLevel<Number> const& level, const Number* coarse, Number* x, const Number* q,
                   Real* product) noexcept {
     Stages<Number, width> const stages(level, x);
     bool const corrects = level.by_start != nullptr;
     Offset const reach = level.reach;
     for (Offset i = level.n - 1; i >= -reach; --i) {
         if (corrects && i >= 0) stages.correct(static_cast<Index>(i), coarse);
-        if (i + reach < level.n) stages.sweep_backward(static_cast<Index>(i + reach), r, product);
+        if (i + reach < level.n) stages.sweep_backward(static_cast<Index>(i + reach), q, product);
     }
 }
 
@@ -302,7 +302,7 @@ void update_block(CycleLevel<Number> const& level, FunctionBlock const& block, N
         }
         Number* const own = task.r + Offset{i} * width;
         Row rest = Row::load(own);
-        rest -= step * Row::load(z + Offset{i} * width);
+        rest -= step * Row::load(task.q + Offset{i} * width);
         rest.store(own);
         rest.store(z + Offset{i} * width);
         (rest * rest).add_to(task.squares);
@@ -389,9 +389,9 @@ struct Kernels {
         });
     }
     static void ascend(CycleLevel<Number> const& level, Index width, const Number* coarse,
-                       Number* x, const Number* r, Real* product) noexcept {
+                       Number* x, const Number* q, Real* product) noexcept {
         with_width(width, [&](auto n) {
-            ascend_block<Number, decltype(n)::value>(level, coarse, x, r, product);
+            ascend_block<Number, decltype(n)::value>(level, coarse, x, q, product);
         });
     }
     static void find_residual(FunctionBlock const& block,

@@ -41,25 +41,25 @@ struct FunctionBlock {
 
 template <class Number>
 struct CycleKernels {
-    // p = z + beta p, and z = A p, flux by flux: row j loses what row i gains. Adds p.A p, as a sum
+    // p = z + beta p, and q = A p, flux by flux: row j loses what row i gains. Adds p.q, as a sum
     // of squares, to `energy`, and p.r to `along`.
     struct Product {
         const Real* row_sum;
         ImaginaryRows imaginary;
         Number beta[FunctionBlock::max_width];
-        const Number* r;
-        Number *p, *z;
+        const Number *r, *z;
+        Number *p, *q;
         Real energy[FunctionBlock::max_width], along[FunctionBlock::max_width];
     };
     void (*multiply)(CycleLevel<Number> const& level, Index width, Index planes,
                      Product& task) noexcept;
 
-    // r -= step z, z = r, and x += factor p, where x are the values of the block. Adds the squares
+    // r -= step q, z = r, and x += factor p, where x are the values of the block. Adds the squares
     // of r to `squares`.
     struct Update {
         Number step[FunctionBlock::max_width];
         Real factor[FunctionBlock::max_width];
-        const Number* p;
+        const Number *p, *q;
         Number* r;
         Real squares[FunctionBlock::max_width];
         bool descends;  // The pass also does what descend() does for a level.
@@ -72,9 +72,9 @@ struct CycleKernels {
                     Number* coarse) noexcept;
     void (*update)(CycleLevel<Number> const& level, FunctionBlock const& block, Number* z,
                    Number* coarse, Update& task) noexcept;
-    // Adds x.r to `product` if r is not null.
+    // Adds x.q to `product` if q is not null.
     void (*ascend)(CycleLevel<Number> const& level, Index width, const Number* coarse, Number* x,
-                   const Number* r, Real* product) noexcept;
+                   const Number* q, Real* product) noexcept;
 
     // rest = b - A x in double precision, for some columns of the block; the array `rest` contains
     // b before. Writes scale rest to r for the functions that are to be taken; adds the squares of

@@ -58,7 +58,7 @@ struct Multigrid : BlockIteration {
 
 private:
     // The vectors of the finest level; a coarse level has one.
-    static constexpr Index finest_vectors = 3;
+    static constexpr Index finest_vectors = 4;
     // Returns the number of numbers in single precision that a worker needs for each function.
     static Offset worker_numbers(Index n) noexcept {
         return Offset{finest_vectors} * n + CoarsePoints::coarse_points(n);

@@ -21,16 +21,16 @@ public:
     }
 
     // The first half of a cycle on the finest level is descend(), or is included in update(). The
-    // rest, ascend(), replaces z by B r and adds z.r to `product`.
+    // rest, ascend(), replaces z by B r and adds z.q to `product`.
     void update(FunctionBlock const& block, Number* z,
                 typename CycleKernels<Number>::Update& task) noexcept {
         if (task.descends) count_products(0, 1);
         kernels_.update(level_[0], block, z, coarse(0), task);
     }
     void descend(Number* z) noexcept { descend(0, z); }
-    void ascend(Number* z, const Number* r, Real* product) noexcept {
+    void ascend(Number* z, const Number* q, Real* product) noexcept {
         if (engine_.levels.count > 1) precondition(1, coarse_[1]);
-        ascend(0, z, r, product);
+        ascend(0, z, q, product);
     }
     void multiply(Index planes, typename CycleKernels<Number>::Product& task) noexcept {
         count_products(0, 1);
@@ -53,9 +53,9 @@ private:
         count_products(level, 1);
         kernels_.descend(level_[level], width_, x, coarse(level));
     }
-    void ascend(Index level, Number* x, const Number* r, Real* product) noexcept {
+    void ascend(Index level, Number* x, const Number* q, Real* product) noexcept {
         count_products(level, 1);
-        kernels_.ascend(level_[level], width_, coarse(level), x, r, product);
+        kernels_.ascend(level_[level], width_, coarse(level), x, q, product);
     }
     void precondition(Index level, Number* x) noexcept {
         bool const is_last = level + 1 == engine_.levels.count;
