@@ -54,7 +54,7 @@
 # cannot do without is added to CXXFLAGS.
 .POSIX:
 .SUFFIXES:
-.PHONY: all checked rules deform-driver test-programs unit fuzzer fuzz test library-only tests-only coverage mutate sanitize test-petsc test-python mpi \
+.PHONY: all checked rules deform-seeded test-programs unit fuzzer fuzz test library-only tests-only coverage mutate sanitize test-petsc test-python mpi \
 	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
 	test-openfoam test-saturne \
@@ -126,9 +126,9 @@ rules: checked
 	@LEVELS='$(LEVELS)' UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
 	    FLAGS='$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' sh c_api/packaging/rules.sh $(BUILD)
 
-# The drivers of `make deform`; the tests build and run them, too.
-deform-driver: all
-	+@$(MAKE_BY_RULES) $(BUILD)/deform-driver $(BUILD)/deform-seeded
+# The random movements of `make deform`; `make test` compiles them, too.
+deform-seeded: all
+	+@$(MAKE_BY_RULES) $(BUILD)/deform-seeded
 
 library-only: rules
 	+@$(MAKE_BY_RULES) $(LIBRARY)
@@ -144,7 +144,7 @@ unit: all
 
 # All programs that the tests run.
 test-programs: rules
-	+@$(MAKE_BY_RULES) $(LIBRARY) $(PROGRAM) $(BUILD)/tests $(BUILD)/fuzzer $(BUILD)/deform-driver $(BUILD)/deform-seeded
+	+@$(MAKE_BY_RULES) $(LIBRARY) $(PROGRAM) $(BUILD)/tests $(BUILD)/fuzzer $(BUILD)/deform-seeded
 
 fuzzer: rules
 	+@$(MAKE_BY_RULES) $(BUILD)/fuzzer
@@ -239,20 +239,20 @@ bench: all
 bench-rows: all
 	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' FILE='$(FILE)' sh tests/measure/bench/rows.sh
 
-deform: deform-driver
-	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' SEEDS='$(SEEDS)' sh tests/figures.sh '$(BUILD)/deform' 'Large movements of meshes' \
+deform: deform-seeded
+	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' SEEDS='$(SEEDS)' sh tests/figures.sh '$(BUILD)/deform' \
+	    'Large movements of meshes' \
 	    sh tests/measure/deform/run.sh
 
 compare: all
-	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' sh tests/figures.sh '$(BUILD)/compare' \
+	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' sh tests/figures.sh '$(BUILD)/compare' \
 	    'Methods that deform meshes' sh tests/measure/compare/run.sh
 
 claims: all
 	@$(SCRIPT_JOBS); $(PYTHON) tests/measure/claims/claims.py $(BUILD) $(NAMES)
 
 paper: all
-	@BUILD='$(BUILD)' CXX='$(CXX)' CC='$(CC)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' \
-	    sh tests/figures.sh '$(BUILD)/paper' 'The cases of the paper' sh tests/measure/paper/run.sh
+	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' sh tests/figures.sh '$(BUILD)/paper' 'The cases of the paper' sh tests/measure/paper/run.sh
 
 bench-mpi: all
 	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/measure/bench/mpi.sh

@@ -61,7 +61,7 @@ private:
     Size room_;
 };
 
-// The number that the first item of this kind has for the caller.
+// Returns the number that the first item of this kind has for the caller.
 Index base_of(ItemKind kind, Bases bases) noexcept {
     Index const known = bases.mesh != none ? bases.mesh : bases.curves;
     switch (kind) {

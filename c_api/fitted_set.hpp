@@ -1,4 +1,4 @@
-// What hm_fit and hm_fit_marker give back: a set of curves inside the caller's block, and the
+// The results of hm_fit and hm_fit_marker: a set of curves inside the caller's block, and the
 // report. tests/c_api/test_fit_marker.cpp covers this file.
 #pragma once
 

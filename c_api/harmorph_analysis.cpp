@@ -40,12 +40,7 @@ struct Piece {
     void find(Analysis const& analysis, Span<const Index> markers, Index* points) noexcept {
         n_points = 0;
         Boundary const& boundary = analysis.boundary();
-        auto const is_on = [&](Index face) {
-            for (Index const marker : markers) {
-                if (boundary.marker[face] == marker) return true;
-            }
-            return false;
-        };
+        auto const is_on = [&](Index face) { return contains(markers, boundary.marker[face]); };
         auto const visit = [&](Index piece, Index point) {
             if (piece != number) return;
             if (points != nullptr) points[n_points] = point + analysis.problem().mesh.index_base;

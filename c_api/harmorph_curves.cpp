@@ -11,12 +11,7 @@ namespace {
 Status open_curve(const hm_curves* curves, Index number, Curve& curve, CallFault& fault) noexcept {
     CurvesView view;
     HARMORPH_TRY(view_curves(curves, view, fault));
-    if (number < 0 || number >= view.count()) {
-        return fault.refuse(Status::bad_argument, "curve # does not exist; curves.n_curves is @",
-                            curve_item(number), plain(view.count()));
-    }
-    HARMORPH_TRY(view.curve(number, curve, fault));
-    return check_curve(curve, number, fault);
+    return view.checked_curve(number, curve, fault);
 }
 
 Status check_parameter(Curve const& curve, Real u, Index n_derivatives, Fault& fault) noexcept {
@@ -42,10 +37,7 @@ hm_status hm_curves_check(const hm_curves* curves, hm_error* err) {
         CurvesView view;
         HARMORPH_TRY(view_curves(curves, view, fault));
         Curve curve;
-        for (Index i = 0; i < view.count(); ++i) {
-            HARMORPH_TRY(view.curve(i, curve, fault));
-            HARMORPH_TRY(check_curve(curve, i, fault));
-        }
+        for (Index i = 0; i < view.count(); ++i) HARMORPH_TRY(view.checked_curve(i, curve, fault));
         return fault.status;
     });
 }

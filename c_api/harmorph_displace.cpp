@@ -8,11 +8,11 @@
 namespace harmorph {
 namespace {
 
-constexpr Index most_fields = Index{1} << 20;
+constexpr Index max_fields = Index{1} << 20;
 
 Status check_fields(Plan const& plan, Index n_fields, Fault& fault) noexcept {
     HARMORPH_TRY(require_given_points(plan, fault));
-    if (n_fields >= 1 && n_fields <= most_fields) return Status::ok;
+    if (n_fields >= 1 && n_fields <= max_fields) return Status::ok;
     return fault.refuse(Status::bad_argument, "n_fields must be between 1 and 2^20, not #",
                         plain(n_fields));
 }

@@ -7,7 +7,7 @@
 namespace harmorph {
 namespace {
 
-constexpr Index most_sides = 1024;
+constexpr Index max_sides = 1024;
 
 // The edges of the caller, and the cells that are made from them.
 struct EdgeCells {
@@ -55,20 +55,20 @@ private:
 };
 
 Status EdgeCells::check_sizes(Fault& fault) const noexcept {
-    constexpr Index most_points = Index{1} << 30, most_cells = Index{1} << 29;
+    constexpr Index max_points = Index{1} << 30, max_cells = Index{1} << 29;
     if (given.index_base != 0 && given.index_base != 1) {
         return fault.refuse(Status::bad_argument, "edges.index_base must be 0 or 1, not #",
                             plain(given.index_base));
     }
-    if (given.n_points < 3 || given.n_points > most_points) {
+    if (given.n_points < 3 || given.n_points > max_points) {
         return fault.refuse(Status::bad_mesh, "edges.n_points must be between 3 and 2^30, not #",
                             plain(given.n_points));
     }
-    if (given.n_cells < 1 || given.n_cells > most_cells) {
+    if (given.n_cells < 1 || given.n_cells > max_cells) {
         return fault.refuse(Status::bad_mesh, "edges.n_cells must be between 1 and 2^29, not #",
                             plain(given.n_cells));
     }
-    if (given.n_edges < 3 || given.n_edges > most_points) {
+    if (given.n_edges < 3 || given.n_edges > max_points) {
         return fault.refuse(Status::bad_mesh, "edges.n_edges must be between 3 and 2^30, not #",
                             plain(given.n_edges));
     }
@@ -141,7 +141,7 @@ void EdgeCells::sort_edges() const noexcept {
 // to the first.
 Status EdgeCells::order(Index cell, Fault& fault) const noexcept {
     Index const begin = start[cell], n = start[cell + 1] - begin;
-    if (n < 3 || n > most_sides) {
+    if (n < 3 || n > max_sides) {
         return fault.refuse(Status::bad_mesh, "cell # has @ edges, but a cell must have 3 to 1024",
                             cell_item(cell), plain(n));
     }

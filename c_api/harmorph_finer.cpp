@@ -23,8 +23,7 @@ struct FinerTask {
         }
         for (Index i = 0; i < view.count(); ++i) {
             Curve curve;
-            HARMORPH_TRY(view.curve(i, curve, fault));
-            HARMORPH_TRY(check_curve(curve, i, fault));
+            HARMORPH_TRY(view.checked_curve(i, curve, fault));
             if (i == refinement.curve) HARMORPH_TRY(check_refinement(curve, fault));
             counts.include(curve, i == refinement.curve, refinement);
         }

@@ -79,12 +79,6 @@ struct WallRequest {
         constexpr Offset limit = std::numeric_limits<Index>::max() - 2 * max_order;
         return static_cast<Index>(min(max(max_faces() + 1, Offset{options.n_control}), limit));
     }
-    bool is_on(Index marker) const noexcept {
-        for (Index const own : markers) {
-            if (own == marker) return true;
-        }
-        return false;
-    }
 };
 
 // Working memory of hm_fit_marker: the analysis of the mesh, the points of a piece, the fit.
@@ -117,11 +111,13 @@ public:
         HARMORPH_TRY(work_.analysis.run(wall_.request.problem, fault));
         Boundary const& boundary = work_.analysis.boundary();
         for (Index const marker : wall_.markers) {
-            if (has_face(boundary, marker)) continue;
+            if (boundary.has_marker(marker)) continue;
             return fault.refuse(Status::bad_condition, "no face of the boundary has the marker #",
                                 marker_item(marker));
         }
-        auto const is_on = [&](Index face) { return wall_.is_on(boundary.marker[face]); };
+        auto const is_on = [&](Index face) {
+            return contains(wall_.markers, boundary.marker[face]);
+        };
         auto const visit = [&](Index, Index point) { work_.point[n_points_++] = point; };
         auto const close = [&](Index, bool is_loop) {
             if (!failed(fault.status)) fit_piece(is_loop, fault);
@@ -133,12 +129,6 @@ public:
     }
 
 private:
-    static bool has_face(Boundary const& boundary, Index marker) noexcept {
-        for (Index face = 0; face < boundary.count; ++face) {
-            if (boundary.marker[face] == marker) return true;
-        }
-        return false;
-    }
     Index number_of(Index position) const noexcept {
         if (position == none) return none;
         return work_.point[position] + wall_.request.problem.mesh.index_base;

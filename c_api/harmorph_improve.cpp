@@ -18,12 +18,13 @@ Status check_own_reference(Plan const& plan, Fault& fault) noexcept {
                         "movement as options.reference");
 }
 
-// On entry, reference is the mesh's own coordinates.
-Status view_improve_options(const hm_improve_options* given, ImproveOptions& options,
-                            Points& reference, Fault& fault) noexcept {
-    constexpr Index most_iterations = 10000;
+// Without a given reference, `reference` becomes the mesh's own coordinates.
+Status view_improve_options(const hm_improve_options* given, Plan const& plan,
+                            ImproveOptions& options, Points& reference, Fault& fault) noexcept {
+    constexpr Index max_iterations = 10000;
     hm_improve_options o = {};
-    if (given == nullptr) return Status::ok;
+    reference = plan.mesh().points;
+    if (given == nullptr) return check_own_reference(plan, fault);
     if (!read_struct(given, o))
         return fault.refuse(Status::bad_argument,
                             "options.struct_size is not the size of an hm_improve_options; begin "
@@ -33,7 +34,7 @@ Status view_improve_options(const hm_improve_options* given, ImproveOptions& opt
                             "options contains fields that are set but unknown to this version of "
                             "the library; use the header of this version");
     }
-    if (o.max_iterations < 0 || o.max_iterations > most_iterations) {
+    if (o.max_iterations < 0 || o.max_iterations > max_iterations) {
         return fault.refuse(Status::bad_argument,
                             "options.max_iterations must be between 0 and 10000, not #",
                             plain(o.max_iterations));
@@ -42,10 +43,9 @@ Status view_improve_options(const hm_improve_options* given, ImproveOptions& opt
         return fault.refuse(Status::bad_argument, "options.reserved must be 0, not #",
                             plain(o.reserved));
     }
-    if (o.reference != nullptr)
-        HARMORPH_TRY(view_points(o.reference, "reference", reference, fault));
-    if (o.max_iterations != 0) options.most_iterations = o.max_iterations;
-    return Status::ok;
+    if (o.max_iterations != 0) options.max_iterations = o.max_iterations;
+    if (o.reference == nullptr) return check_own_reference(plan, fault);
+    return view_points(o.reference, "reference", reference, fault);
 }
 
 hm_improve_report report_of(ImproveReport const& improved, Quality const& before,
@@ -88,12 +88,10 @@ hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* 
         ImproveOptions asked;
         HARMORPH_TRY(open_plan(plan, p, fault));
         HARMORPH_TRY(check_report_if(report, "report", fault));
-        reference = p->mesh().points;
+
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(to, "to", after, fault));
-        HARMORPH_TRY(view_improve_options(options, asked, reference, fault));
-        if (options == nullptr || options->reference == nullptr)
-            HARMORPH_TRY(check_own_reference(*p, fault));
+        HARMORPH_TRY(view_improve_options(options, *p, asked, reference, fault));
         MeshImprovement improvement;
         HARMORPH_TRY(
             place(work, bytes, fault, [&](Arena& arena) { improvement.lay_out(arena, *p); }));

@@ -141,11 +141,11 @@ hm_status hm_measure(const hm_curves* curves, const hm_section* section, int32_t
             return fault.status;
         };
         // All quantities are checked before anything is written; the first ones are remembered.
-        constexpr Index most_kept = 32;
-        Measured kept[most_kept];
+        constexpr Index max_kept = 32;
+        Measured kept[max_kept];
         for (Index k = 0; k < n; ++k) {
             HARMORPH_TRY(find(k, {}));
-            if (k < most_kept) kept[k] = measured;
+            if (k < max_kept) kept[k] = measured;
         }
         Offset const length = 2 * Offset{view.set.n_control};
         for (Index k = 0; k < n; ++k) {
@@ -155,7 +155,7 @@ hm_status hm_measure(const hm_curves* curves, const hm_section* section, int32_t
                 fill(row, 0.0);
                 gradient = ControlGradient(row.data());
             }
-            if (gradients == nullptr && k < most_kept) measured = kept[k];
+            if (gradients == nullptr && k < max_kept) measured = kept[k];
             else find(k, gradient);
             values[k] = measured.value;
             if (at == nullptr) continue;

@@ -48,8 +48,8 @@ Status view_movement(const hm_movement* array, Index number, Movement& out, Faul
                            out.kind == MovementKind::flap || out.kind == MovementKind::blade;
     if (!is_coordinate(out.centre) || (!has_place && !(m.x == 0 && m.y == 0))) {
         return fault.refuse(Status::bad_argument,
-                            "the place (x, y) of movement # is not finite or beyond 1e100, or its "
-                            "kind has no place",
+                            "x and y of movement # must be finite and at most 1e100, and 0 if the "
+                            "kind of the movement has no centre",
                             entry_item(number));
     }
     bool const is_flap = out.kind == MovementKind::flap;
@@ -163,7 +163,8 @@ private:
         }
     }
     Status refuse_value(Index number, const Real* values, Fault& fault) const noexcept {
-        return fault.refuse(Status::bad_argument, "value # of the movements is ~, out of its range",
+        return fault.refuse(Status::bad_argument,
+                            "value # of the movements is ~, which is out of range",
                             variable_item(number), {}, values[number]);
     }
     void map_points(Movement const& movement, const Real* values, Index first) noexcept {
@@ -280,8 +281,7 @@ hm_status hm_family_modes(const hm_curves* curves, int32_t n, double* movements,
         modes.start();
         for (Index number = 0; number < view.count(); ++number) {
             Curve curve;
-            HARMORPH_TRY(view.curve(number, curve, fault));
-            HARMORPH_TRY(check_curve(curve, number, fault));
+            HARMORPH_TRY(view.checked_curve(number, curve, fault));
             modes.add(curve);
         }
         return modes.run(n, movements, singular, fault);

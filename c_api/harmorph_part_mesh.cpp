@@ -18,7 +18,7 @@ Status view_part_mesh(const hm_part_mesh* given, PartMesh& part, CallFault& faul
         return fault.refuse(
             Status::bad_argument,
             "mesh.struct_size is not the size of an hm_part_mesh; begin with HM_INIT(mesh)");
-    HARMORPH_TRY(require({{"part.numbers", p.numbers}}, fault));
+    HARMORPH_TRY(require({{"mesh.numbers", p.numbers}}, fault));
     HARMORPH_TRY(view_mesh(p.mesh, part.mesh, fault));
     part.number = p.numbers;
     part.ghosts = p.ghosts;

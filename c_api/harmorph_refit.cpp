@@ -14,29 +14,20 @@ struct AirfoilCurves {
 
     Status open(const hm_curves* curves, Index number, Index n_points, CallFault& fault) noexcept {
         HARMORPH_TRY(view_curves(curves, view, fault));
-        if (number < 0 || number >= view.count()) {
-            return fault.refuse(Status::bad_argument,
-                                "curve # does not exist; curves.n_curves is @", curve_item(number),
-                                plain(view.count()));
-        }
+        HARMORPH_TRY(view.checked_curve(number, curve, fault));
         constexpr Index min_points = 3, max_points = Index{1} << 24;
         if (n_points < min_points || n_points > max_points) {
             return fault.refuse(Status::bad_argument, "n must be between 3 and 2^24, not #",
                                 plain(n_points));
         }
-        HARMORPH_TRY(take(number, curve, fault));
         if (number + 1 == view.count()) return Status::ok;
-        HARMORPH_TRY(take(number + 1, base, fault));
+        HARMORPH_TRY(view.checked_curve(number + 1, base, fault));
         has_base = is_base();
         return Status::ok;
     }
     Curve const* base_if() const noexcept { return has_base ? &base : nullptr; }
 
 private:
-    Status take(Index number, Curve& out, CallFault& fault) const noexcept {
-        HARMORPH_TRY(view.curve(number, out, fault));
-        return check_curve(out, number, fault);
-    }
     bool is_base() const noexcept {
         Index const a = curve.control_point(0), b = curve.control_point(curve.n_indices - 1);
         Index const c = base.control_point(0), d = base.control_point(base.n_indices - 1);

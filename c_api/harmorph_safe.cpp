@@ -8,7 +8,7 @@
 namespace harmorph {
 namespace {
 
-constexpr Index most_others = 64;
+constexpr Index max_others = 64;
 
 Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeOptions& options,
                          double*& reached, Fault& fault) noexcept {
@@ -43,7 +43,7 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
         return fault.refuse(Status::bad_argument, "options.others is NULL, but n_others is #",
                             plain(o.n_others));
     }
-    if (o.max_resolves != 0) options.most_resolves = max(o.max_resolves, Index{0});
+    if (o.max_resolves != 0) options.max_resolves = max(o.max_resolves, Index{0});
     if (!is_between(0, o.heights, 1)) {
         return fault.refuse(Status::bad_argument, "options.heights must be between 0 and 1, not ~",
                             {}, {}, o.heights);
@@ -60,7 +60,7 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
                             "options.max_height_change must be 0 or above 1, not ~", {}, {},
                             o.max_height_change);
     }
-    if (o.max_height_change != 0) options.most_height_change = o.max_height_change;
+    if (o.max_height_change != 0) options.max_height_change = o.max_height_change;
     options.improves = o.improve == 1;
     reached = o.reached;
     options.skipped = static_cast<std::uint32_t>(o.skipped_strategies);
@@ -221,7 +221,7 @@ hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move
                         const hm_safe_options* options, hm_safe_report* report, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Plan* p = nullptr;
-        Basis b, sum, others[most_others];
+        Basis b, sum, others[max_others];
         SafeCall call;
         HARMORPH_TRY(open_solved(basis, b, fault));
         if (derivative == basis)
@@ -229,7 +229,7 @@ hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move
                                 "derivative and basis must be two different bases");
         if (derivative != nullptr) sum = view_basis(derivative, fault);
         HARMORPH_TRY(open_plan(plan, p, fault));
-        HARMORPH_TRY(call.open(to, options, report, {others, most_others}, fault));
+        HARMORPH_TRY(call.open(to, options, report, {others, max_others}, fault));
         HARMORPH_TRY(check_move(b, move, fault));
         HARMORPH_TRY(check_derivative_is_apart(sum, call.options.others, fault));
         HARMORPH_TRY(p->check_fit(b, fault));

@@ -10,7 +10,7 @@ SlipProjection slip_of(Analysis const& analysis) noexcept {
     return {analysis.slip_curves(), analysis.slip_followers(), analysis.problem().mesh.n_points};
 }
 
-Status check_sliding(SlipCurves const& curves, Points points, Fault& fault) noexcept {
+Status check_slipping(SlipCurves const& curves, Points points, Fault& fault) noexcept {
     curves.for_each([&](Index, Index point) {
         if (failed(fault.status) || is_coordinate(points[point])) return;
         fault.refuse(Status::bad_mesh,
@@ -37,7 +37,7 @@ hm_status hm_slip(const hm_analysis* analysis, const hm_points* from, const hm_p
         HARMORPH_TRY(open_complete(analysis, opened, fault));
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(to, "to", after, fault));
-        HARMORPH_TRY(check_sliding(opened->slip_curves(), before, fault));
+        HARMORPH_TRY(check_slipping(opened->slip_curves(), before, fault));
         slip_of(*opened).project(before, after);
         return Status::ok;
     });
@@ -53,7 +53,7 @@ hm_status hm_slip_derivative(const hm_analysis* analysis, const hm_points* from,
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(d_from, "d_from", velocity, fault));
         HARMORPH_TRY(view_points(d_to, "d_to", after, fault));
-        HARMORPH_TRY(check_sliding(opened->slip_curves(), before, fault));
+        HARMORPH_TRY(check_slipping(opened->slip_curves(), before, fault));
         slip_of(*opened).differentiate(before, velocity, after);
         return Status::ok;
     });
@@ -69,7 +69,7 @@ hm_status hm_slip_adjoint(const hm_analysis* analysis, const hm_points* from, co
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(dj, "dj", derivative, fault));
         HARMORPH_TRY(view_points(dj_from, "dj_from", transposed, fault));
-        HARMORPH_TRY(check_sliding(opened->slip_curves(), before, fault));
+        HARMORPH_TRY(check_slipping(opened->slip_curves(), before, fault));
         slip_of(*opened).transpose(before, derivative, transposed);
         return Status::ok;
     });

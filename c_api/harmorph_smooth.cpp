@@ -1,4 +1,5 @@
 // The C interface: smooth gradients.
+#include "base/box.hpp"
 #include "base/range.hpp"
 #include "bspline/smooth_gradient.hpp"
 #include "call.hpp"
@@ -12,21 +13,15 @@ constexpr Real max_lengths = 1e6;  // of the extent of the control points
 struct SmoothedCurves {
     CurvesView view;
     Index n_spans = 0, degree = 1, n_control = 0;
-    Vec2 low, high;  // box of the control points that the curves use
+    Box box;  // of the control points that the curves use
 
     Status open(const hm_curves* curves, CallFault& fault) noexcept {
         HARMORPH_TRY(view_curves(curves, view, fault));
         Offset spans = 0;
         for (Index number = 0; number < view.count(); ++number) {
             Curve curve;
-            HARMORPH_TRY(view.curve(number, curve, fault));
-            HARMORPH_TRY(check_curve(curve, number, fault));
-            if (number == 0) low = high = curve.point(0);
-            for (Index k = 0; k < curve.n_indices; ++k) {
-                Vec2 const p = curve.point(k);
-                low = {min(low.x, p.x), min(low.y, p.y)};
-                high = {max(high.x, p.x), max(high.y, p.y)};
-            }
+            HARMORPH_TRY(view.checked_curve(number, curve, fault));
+            for (Index k = 0; k < curve.n_indices; ++k) box.include(curve.point(k));
             spans += curve.n_indices - curve.degree;
             degree = max(degree, curve.degree);
             n_control = curve.n_control;
@@ -34,7 +29,7 @@ struct SmoothedCurves {
         n_spans = static_cast<Index>(spans);
         return Status::ok;
     }
-    Real extent() const noexcept { return max(high.x - low.x, high.y - low.y); }
+    Real extent() const noexcept { return box.extent(); }
     void lay_out(Arena& arena, SmoothGradient& smooth) const noexcept {
         smooth.lay_out(arena, n_control, n_spans, degree);
     }

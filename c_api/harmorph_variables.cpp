@@ -1,4 +1,5 @@
 // The C interface: computes the map from design variables to control points.
+#include "base/box.hpp"
 #include "base/range.hpp"
 #include "bspline/section_area.hpp"
 #include "bspline/variable_map.hpp"
@@ -73,15 +74,13 @@ void use_box(hm_variables const& v, CurvesView const& view, Variables& out) noex
     out.low = {v.x_min, v.y_min};
     out.high = {v.x_max, v.y_max};
     if (!(v.x_min == 0 && v.y_min == 0 && v.x_max == 0 && v.y_max == 0)) return;
-    const double* const p = view.set.control;
-    out.low = out.high = {p[0], p[1]};
-    for (Index i = 1; i < view.set.n_control; ++i) {
-        out.low = {min(out.low.x, p[2 * i]), min(out.low.y, p[2 * i + 1])};
-        out.high = {max(out.high.x, p[2 * i]), max(out.high.y, p[2 * i + 1])};
-    }
-    Vec2 const margin = 0.025 * (out.high - out.low);
-    out.low = out.low - margin;
-    out.high = out.high + margin;
+    Box box;
+    const double* const control = view.set.control;
+    for (Index i = 0; i < view.set.n_control; ++i)
+        box.include(Vec2{control[2 * i], control[2 * i + 1]});
+    Vec2 const margin = 0.025 * box.size();
+    out.low = box.low - margin;
+    out.high = box.high + margin;
 }
 
 Status open_variables(const hm_variables* given, CurvesView const& view, Variables& out,

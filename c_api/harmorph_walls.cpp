@@ -26,7 +26,7 @@ Status read_walls(const hm_analysis* handle, Index n_markers, const Index* marke
                             plain(n_markers));
     }
     for (Index k = 0; k < n_markers; ++k) {
-        if (Walls::count_faces(analysis->boundary(), {markers + k, 1}) > 0) continue;
+        if (analysis->boundary().has_marker(markers[k])) continue;
         return fault.refuse(Status::bad_condition, "no face of the boundary has the marker #",
                             marker_item(markers[k]));
     }

@@ -2,26 +2,30 @@
 
 namespace harmorph {
 
+namespace {
+
+Status view_problem(const hm_problem* given, hm_problem& p, Fault& fault) noexcept {
+    HARMORPH_TRY(require({{"problem", given}}, fault));
+    if (read_struct(given, p)) return Status::ok;
+    return fault.refuse(
+        Status::bad_argument,
+        "problem.struct_size is not the size of an hm_problem; begin with HM_INIT(problem)");
+}
+
+}  // namespace
+
 Status Request::read(const hm_problem* given, const hm_options* options,
                      CallFault& fault) noexcept {
-    HARMORPH_TRY(require({{"problem", given}}, fault));
     hm_problem p;
-    if (!read_struct(given, p))
-        return fault.refuse(
-            Status::bad_argument,
-            "problem.struct_size is not the size of an hm_problem; begin with HM_INIT(problem)");
+    HARMORPH_TRY(view_problem(given, p, fault));
     HARMORPH_TRY(view_mesh(p.mesh, problem.mesh, fault));
     return read_rest(p, options, fault);
 }
 
 Status Request::read_without_mesh(const hm_problem* given, const hm_options* options,
                                   CallFault& fault) noexcept {
-    HARMORPH_TRY(require({{"problem", given}}, fault));
     hm_problem p;
-    if (!read_struct(given, p))
-        return fault.refuse(
-            Status::bad_argument,
-            "problem.struct_size is not the size of an hm_problem; begin with HM_INIT(problem)");
+    HARMORPH_TRY(view_problem(given, p, fault));
     return read_rest(p, options, fault);
 }
 

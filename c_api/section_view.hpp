@@ -57,8 +57,7 @@ inline Status open_section(const hm_curves* curves, const hm_section* given, Cur
     section.n_curves = asked.n_curves;
     section.first_curve = asked.first_curve;
     for (Index k = 0; k < asked.n_curves; ++k) {
-        HARMORPH_TRY(view.curve(asked.first_curve + k, section.curve[k], fault));
-        HARMORPH_TRY(check_curve(section.curve[k], asked.first_curve + k, fault));
+        HARMORPH_TRY(view.checked_curve(asked.first_curve + k, section.curve[k], fault));
         HARMORPH_TRY(check_moments(section.curve[k], fault));
     }
     return section.connect(fault);

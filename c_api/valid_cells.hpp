@@ -7,7 +7,7 @@
 
 namespace harmorph {
 
-// text: the refusal, with # for the number of the cell.
+// `text` is the sentence of the refusal, in which # is the number of the first inverted cell.
 inline Status check_inverted(Topology const& topology, Points at, Executor const& threads,
                              const char* text, Fault& fault) noexcept {
     Index const bad = find_in_ranges(topology.mesh.n_cells, threads, [&](Index begin, Index end) {

@@ -138,11 +138,13 @@ inline Status view_points_if(const hm_points* given, const char* name, Points& p
 
 Status view_mesh(const hm_mesh* given, Mesh& mesh, CallFault& fault) noexcept;
 
-// The caller's curves, with checked counts and pointers. curve() makes a view of one curve.
+// The caller's curves, with checked counts and pointers. curve() makes a view of one curve;
+// checked_curve() also checks that the curve exists and is valid.
 struct CurvesView {
     hm_curves set;
     Index count() const noexcept { return set.n_curves; }
     Status curve(Index number, Curve& out, Fault& fault) const noexcept;
+    Status checked_curve(Index number, Curve& out, Fault& fault) const noexcept;
 };
 Status view_curves(const hm_curves* given, CurvesView& view, CallFault& fault) noexcept;
 

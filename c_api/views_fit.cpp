@@ -33,7 +33,7 @@ Status view_fit_details(const hm_fit_details* given, FitOptions& options,
     if ((d.weights == nullptr) == (d.n_weights == 0)) return Status::ok;
     return fault.refuse(
         Status::bad_argument,
-        "details.n_weights is #; it must be 0 exactly where details.weights is NULL",
+        "details.n_weights is #; it must be 0 if details.weights is NULL, and positive otherwise",
         plain(d.n_weights));
 }
 

@@ -42,8 +42,9 @@ Status view_operator(hm_options const& o, hm_study_options const& study, Method&
                      Fault& fault) noexcept {
     HARMORPH_TRY(check_combination(o, study, fault));
     bool const in_range = is_finite(o.exponent) && o.exponent <= 4;
-    Index const quarters = in_range && o.exponent > 0 ? static_cast<Index>(4 * o.exponent) : 0;
-    if (!in_range || (o.exponent > 0 && quarters != 4 * o.exponent)) {
+    Index const exponent_quarters =
+        in_range && o.exponent > 0 ? static_cast<Index>(4 * o.exponent) : 0;
+    if (!in_range || (o.exponent > 0 && exponent_quarters != 4 * o.exponent)) {
         return fault.refuse(Status::bad_argument,
                             "options.exponent must be a multiple of 0.25 up to 4, or negative "
                             "for no weight, not ~",
@@ -67,7 +68,7 @@ Status view_operator(hm_options const& o, hm_study_options const& study, Method&
             "options.offset_correction must be 0 unless the operator is HM_CONFORMAL");
     }
     method.exponent_quarters =
-        o.exponent == 0 ? method.operator_row().default_exponent_quarters : quarters;
+        o.exponent == 0 ? method.operator_row().default_exponent_quarters : exponent_quarters;
     method.offset_correction = o.offset_correction;
     return Status::ok;
 }

@@ -32,6 +32,15 @@ Status view_curves(const hm_curves* given, CurvesView& view, CallFault& fault) n
     return Status::ok;
 }
 
+Status CurvesView::checked_curve(Index number, Curve& out, Fault& fault) const noexcept {
+    if (number < 0 || number >= count()) {
+        return fault.refuse(Status::bad_argument, "curve # does not exist; curves.n_curves is @",
+                            curve_item(number), plain(count()));
+    }
+    HARMORPH_TRY(curve(number, out, fault));
+    return check_curve(out, number, fault);
+}
+
 Status CurvesView::curve(Index number, Curve& out, Fault& fault) const noexcept {
     hm_curve c;
     if (!read_struct(set.curve, c) || !read_struct(element(set.curve, number), c)) {
@@ -127,11 +136,11 @@ Status view_condition(const hm_condition* array, Index number, Condition& out,
     if (!has_row(condition_traits, c.kind)) {
         return fault.refuse(
             Status::bad_argument,
-            "the kind of condition # is @, but it must be one of HM_ON_CURVE to HM_ROTATION_PAIR",
+            "the kind of condition # is @, but it must be one of HM_ON_CURVE to HM_INTERFACE",
             condition_item(number), plain(c.kind));
     }
-    constexpr Index most_bodies = Index{1} << 20;
-    if (c.kind == HM_RIGID && (c.body < 0 || c.body >= most_bodies)) {
+    constexpr Index max_bodies = Index{1} << 20;
+    if (c.kind == HM_RIGID && (c.body < 0 || c.body >= max_bodies)) {
         return fault.refuse(Status::bad_condition,
                             "condition # names rigid body @, but there can be no more than 2^20 "
                             "bodies, numbered without gaps",

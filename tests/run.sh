@@ -78,7 +78,9 @@ steps() {
     step 1 "MPI" sh tests/mpi.sh "$BUILD"
     if pkg-config --exists petsc; then step 1 "PETSc" sh tests/petsc.sh "$BUILD"
     elif [ $doing = telling ]; then echo "== PETSc: not installed (Debian's petsc-dev), its tests are SKIPPED"; fi
-    if $PYTHON -c 'import numpy, cffi, pytest, setuptools' 2>/dev/null; then step 2 "Python" sh tests/python.sh "$BUILD"
+    if $PYTHON -c 'import numpy, cffi, pytest, setuptools' 2>/dev/null; then
+        step 2 "Python" sh tests/python.sh "$BUILD"
+        step 2 "given displacements on meshes" env MESHES="$MESHES" sh tests/measure/given/run.sh "$BUILD"
     elif [ $doing = telling ]; then
         echo "== Python: $PYTHON has no numpy, cffi, pytest or setuptools (Debian's python3-...), its tests are SKIPPED"
     fi
@@ -88,14 +90,11 @@ steps() {
     fi
     step 2 "program" sh tests/cli/run.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
     step 2 "faults of files" sh tests/faults.sh "$BUILD/harmorph" tests/meshes "$BUILD/faults"
-    step 2 "given displacements on meshes" env CXX="$CXX" CXXFLAGS="$CXXFLAGS" MESHES="$MESHES" \
-        sh tests/measure/given/run.sh \
-        "$BUILD"
     step 1 "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"
     step 2 "moved shapes" sh tests/airfoils.sh "$BUILD/harmorph" tests/meshes "$BUILD/airfoils-test"
     step 2 "pictures of the program" sh tests/pictures.sh "$BUILD/harmorph" tests/meshes "$BUILD/pictures-test"
     step 1 "page of the program" sh tests/page.sh "$BUILD/harmorph" tests/meshes "$BUILD/page-test"
-    step 2 "page of figures" sh tests/figures_test.sh "$BUILD/figures-test" "$BUILD/deform-driver"
+    step 2 "page of figures" sh tests/figures_test.sh "$BUILD/figures-test" "$BUILD"
     step 2 "includes point downwards" sh tests/includes.sh
 }
 

@@ -119,9 +119,6 @@ all_rules() {
     objects cli c_api/cli/main.cpp
     program harmorph
     list=$parts
-    objects cli tests/measure/deform/deform.cpp
-    program deform-driver
-    list=$parts
     objects cli tests/measure/deform/seeded.cpp
     program deform-seeded
 

@@ -59,6 +59,14 @@ void fill(Span<T> to, T value) noexcept {
 }
 
 template <class T>
+bool contains(Span<const T> list, T const& value) noexcept {
+    for (T const& element : list) {
+        if (element == value) return true;
+    }
+    return false;
+}
+
+template <class T>
 void copy(Span<T> to, Span<const T> from) noexcept {
     static_assert(__is_trivially_copyable(T), "copied as bytes");
     if (from.size() != 0) std::memcpy(to.data(), from.data(), from.size() * sizeof(T));

@@ -4,13 +4,6 @@ namespace harmorph {
 
 namespace {
 
-bool has_faces(Boundary const& boundary, Index marker) noexcept {
-    for (Index face = 0; face < boundary.count; ++face) {
-        if (boundary.marker[face] == marker) return true;
-    }
-    return false;
-}
-
 Real square_of_distance(Vec2 p, Vec2 begin, Vec2 end) noexcept {
     Vec2 const side = end - begin;
     Real const along = square(side) > 0 ? clamp(dot(p - begin, side) / square(side), 0.0, 1.0) : 0;
@@ -56,7 +49,7 @@ Status check_marker(Span<const Condition> conditions, Index i, Boundary const& b
                                 marker_item(marker));
         }
     }
-    if (!has_faces(boundary, marker)) {
+    if (!boundary.has_marker(marker)) {
         return fault.refuse(Status::bad_condition, "no boundary face has marker # of condition @",
                             marker_item(marker), condition_item(i));
     }
@@ -94,7 +87,7 @@ Status check_interface(Span<const Condition> conditions, Index i, Boundary const
     }
     Index const both[2] = {condition.marker, condition.partner};
     for (Index const marker : both) {
-        if (!has_faces(boundary, marker)) {
+        if (!boundary.has_marker(marker)) {
             return fault.refuse(Status::bad_condition,
                                 "marker # of condition @ is on no boundary face",
                                 marker_item(marker), condition_item(i));
@@ -147,7 +140,7 @@ Status check_partner(Span<const Condition> conditions, Index i, Boundary const& 
                             "of its own",
                             marker_item(condition.partner), marker_item(condition.marker));
     }
-    if (has_faces(boundary, condition.partner)) return Status::ok;
+    if (boundary.has_marker(condition.partner)) return Status::ok;
     return fault.refuse(Status::bad_condition,
                         "no boundary face has marker #, the periodic partner of marker @",
                         marker_item(condition.partner), marker_item(condition.marker));

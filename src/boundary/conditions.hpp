@@ -112,8 +112,8 @@ struct Demands {
 void assign_conditions(Points points, Span<const Condition> conditions,
                        Boundary& boundary) noexcept;
 
-// Sets on which side of which sliding interface each face is, see BoundaryFaces; side has
-// boundary.count entries, or none.
+// Writes the side of a sliding interface on which each face lies (see BoundaryFaces) to `side`,
+// which has boundary.count entries, or is empty if there are no interfaces.
 void find_interface_sides(Boundary const& boundary, Span<const Condition> conditions,
                           Span<Index> side) noexcept;
 

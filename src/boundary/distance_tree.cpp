@@ -1,4 +1,5 @@
 // Lays out and builds the tree of FaceDistance. tests/boundary/test_distance.cpp covers this file.
+#include "base/box.hpp"
 #include "boundary/distance.hpp"
 
 namespace harmorph {
@@ -16,16 +17,6 @@ Real distance_from_segment(Vec2 from, Vec2 to, Vec2 point) noexcept {
     Real const t = inverse_of(square(along)) * dot(point - from, along);
     return length(point - from - clamp(t, 0.0, 1.0) * along);
 }
-
-struct Extent {
-    Vec2 low{infinity, infinity}, high{-infinity, -infinity};
-
-    void include(Vec2 p) noexcept {
-        low = {min(low.x, p.x), min(low.y, p.y)};
-        high = {max(high.x, p.x), max(high.y, p.y)};
-    }
-    Vec2 size() const noexcept { return high - low; }
-};
 
 }  // namespace
 
@@ -119,11 +110,11 @@ void FaceDistance::find_unit(Points points) noexcept {
     range = infinity;
     middle = half_size = {};
     if (count == 0) return;
-    Extent all;
+    Box all;
     for (Face const& face : faces.first(count)) {
         for (Index const point : face.point) all.include(points[point]);
     }
-    extent = max(all.size().x, all.size().y);
+    extent = all.extent();
     unit = power_of_two_at(extent);  // is 0 for a denormal extent
     if (unit > 0) {
         inverse_unit = 1 / unit;
@@ -156,7 +147,7 @@ void FaceDistance::set_box(Boxes& node, Index lane, Points points, Offset first,
                            Offset last) const noexcept {
     node.clear(lane);
     if (first >= count) return;
-    Extent box;
+    Box box;
     for (Face const& face : faces.from(first, min(last, Offset{count}) - first)) {
         for (Index const point : face.point) box.include(inverse_unit * points[point]);
     }

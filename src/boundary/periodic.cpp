@@ -1,6 +1,7 @@
 #include "boundary/periodic.hpp"
 
 #include "base/angle.hpp"
+#include "base/box.hpp"
 
 namespace harmorph {
 namespace {
@@ -144,13 +145,12 @@ private:
     }
 
     Status check_images(SideMap const& map, const char* sentence, Fault& fault) const noexcept {
-        Vec2 low = position(chain_[0]), high = low;
+        Box box;
         Real worst = 0, distance = 0;
         Index worst_at = 0;
         for (Index k = 0; k < n_; ++k) {
             Vec2 const at = position(chain_[k]), image = position(image_of(k));
-            low = {min(low.x, at.x), min(low.y, at.y)};
-            high = {max(high.x, at.x), max(high.y, at.y)};
+            box.include(at);
             distance = max(distance, length(image - at));
             Real const misfit = length(image - map.image(at));
             if (misfit > worst) {
@@ -158,7 +158,7 @@ private:
                 worst_at = k;
             }
         }
-        if (worst <= mapped_within * (length(high - low) + distance)) return Status::ok;
+        if (worst <= mapped_within * (length(box.size()) + distance)) return Status::ok;
         return fault.refuse(Status::bad_condition, sentence, point_item(chain_[worst_at]),
                             point_item(image_of(worst_at)), worst);
     }

@@ -47,7 +47,7 @@ public:
                 from = to;
             }
         }
-        curves_.keep_sliding(kinds_);
+        curves_.keep_slipping(kinds_);
         return Status::ok;
     }
 

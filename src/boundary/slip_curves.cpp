@@ -96,7 +96,7 @@ void SlipCurves::find_tangents(Index curve, bool closed) const noexcept {
     }
 }
 
-void SlipCurves::keep_sliding(Span<const PointKind> kinds) const noexcept {
+void SlipCurves::keep_slipping(Span<const PointKind> kinds) const noexcept {
     for (Index slot = 0; slot < n_slots(); ++slot) {
         if (kinds[point[slot]] != PointKind::slip) own[slot] = none;
     }

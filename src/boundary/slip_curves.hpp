@@ -57,8 +57,8 @@ struct SlipCurves {
     // smoothly from each of these places to the next.
     template <class Along>
     bool give(Along const& along) noexcept;
-    // Lets only points of the kind slip move.
-    void keep_sliding(Span<const PointKind> kinds) const noexcept;
+    // Marks the points that are not of the kind slip as fixed.
+    void keep_slipping(Span<const PointKind> kinds) const noexcept;
     // Returns the fingerprint `others` of the other conditions, combined with the given curves; if
     // there are none, returns `others`.
     std::uint64_t fingerprint_with(std::uint64_t others) const noexcept;

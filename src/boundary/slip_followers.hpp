@@ -36,7 +36,7 @@ struct SlipFollowers {
     void copy_from(SlipFollowers const& other) noexcept;
 
     // Calls visit(point, slot, weight) for each slot that an inner or joined point follows and
-    // whose point slides.
+    // whose point slips.
     template <class Visit>
     void for_each(SlipCurves const& curves, Visit const& visit) const noexcept {
         for (Index k = 0; k < slot.count(); ++k) {

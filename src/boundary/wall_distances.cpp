@@ -1,22 +1,14 @@
 #include "boundary/wall_distances.hpp"
 
+#include "base/box.hpp"
+
 namespace harmorph {
 namespace {
 
-struct WallBox {
-    Vec2 low{infinity, infinity}, high{-infinity, -infinity};
-
-    void add(Vec2 p) noexcept {
-        low = {min(low.x, p.x), min(low.y, p.y)};
-        high = {max(high.x, p.x), max(high.y, p.y)};
-    }
-    Real extent() const noexcept { return max(high.x - low.x, high.y - low.y); }
-};
-
 // Returns the extent of the control polygon, whose bounding box contains the curve.
 Real extent_of(Curve const& curve) noexcept {
-    WallBox box;
-    for (Index k = 0; k < curve.n_indices; ++k) box.add(curve.point(k));
+    Box box;
+    for (Index k = 0; k < curve.n_indices; ++k) box.include(curve.point(k));
     return box.extent();
 }
 
@@ -25,9 +17,9 @@ public:
     DistanceCheck(Points points, Span<const Condition> conditions, Span<const Curve> curves,
                   Wall const& wall) noexcept
         : points_(points), conditions_(conditions), curves_(curves), wall_(wall) {
-        WallBox box;
+        Box box;
         for (Index slot = 0; slot < wall.count; ++slot) {
-            if (wall.curve[slot] < curves.count()) box.add(points[wall.point[slot]]);
+            if (wall.curve[slot] < curves.count()) box.include(points[wall.point[slot]]);
         }
         wall_extent_ = box.extent();
     }

@@ -1,4 +1,5 @@
-// Changes of the camber line with which the thickness turns, and changes of the thickness.
+// Changes the camber line and the thickness of a section. The thickness stays normal to the changed
+// camber line.
 // tests/bspline/test_movements.cpp covers this file.
 #pragma once
 
@@ -29,16 +30,16 @@ public:
     Real start(Index j) const noexcept;
     // Returns none, or the first value that is out of its range.
     Index set(const Real* values) noexcept;
-    // The movement by the values, and its derivatives by each value.
+    // Returns the movement by the values of set(), and the derivatives by each value.
     OutlineMovements movements() const noexcept;
 
 private:
     bool is_blade() const noexcept { return movement_->kind == MovementKind::blade; }
-    // Adds up the change of height and slope of the camber line and of half the thickness, and
-    // writes their derivatives by value j, if `by` is given.
+    // The changes of height and slope of the camber line and of half the thickness.
     struct Change {
         Real height = 0, slope = 0, thickness = 0;
     };
+    // Returns the change at a station, and writes the derivatives by each value to by [count].
     Change change_at(Real station, Change* by) const noexcept;
     void write(Vec2 point, bool upper, Real* pairs) const noexcept;
 
@@ -46,8 +47,9 @@ private:
     const Movement* movement_ = nullptr;
     const Real* values_ = nullptr;
     CamberLine line_;
-    Real end_slope_[2] = {};  // of the camber line at the leading and trailing edge
-    Real slope_change_[2] = {}, slope_by_[2] = {};  // blade: of these, and by degrees
+    Real end_slope_[2] = {};  // the slopes of the camber line at the leading and trailing edge
+    // For a blade: the changes of these slopes, and the derivatives of the changes by degrees.
+    Real slope_change_[2] = {}, slope_by_[2] = {};
 };
 
 }  // namespace harmorph

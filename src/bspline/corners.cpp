@@ -67,16 +67,15 @@ struct Walk {
     Real turn(Index point) const noexcept { return point == none ? 0 : outline.turn[point]; }
 };
 
-// Returns whether `turn` is larger than the next two turns let expect. On rounded leading edges,
-// turns grow up to fourfold from point to point.
-// Where the next turn alone is larger than that, the outline has a kink beside this point, and is
-// not round.
+// Returns whether `turn` is larger than can be expected from the next two turns. On rounded leading
+// edges, turns grow up to fourfold from point to point. If the next turn is far larger than that,
+// the outline has a kink beside this point, and is not round.
 bool stands_out(Real turn, Real next, Real after) noexcept {
-    constexpr Real excess = 2.5, most_growth = 4;
-    bool const is_kink = next > excess * most_growth * after;
+    constexpr Real excess = 2.5, max_growth = 4;
+    bool const is_kink = next > excess * max_growth * after;
     Real const growth = is_kink     ? 1
-                        : after > 0 ? clamp(next / after, Real(1), most_growth)
-                                    : most_growth;
+                        : after > 0 ? clamp(next / after, Real(1), max_growth)
+                                    : max_growth;
     return turn > excess * growth * next;
 }
 

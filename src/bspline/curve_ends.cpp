@@ -17,9 +17,10 @@ constexpr Real blunt_turn = 1;  // 2 sin(angle / 2) for 60 degrees
 // If the outline widens by more than 45 degrees within max_horn_length of the extent beside a
 // straight side, the body begins there, and the straight side is the end of a horn or lip.
 constexpr Real cosine_of_widening = 0.7, max_horn_length = 0.25, direction_reach = 0.01;
-// An edge with a larger turn, an interior angle below 36 degrees, is sharp. Behind the facet of a
-// nose with few points, the outline turns on by more than this at the two points beside the facet.
-constexpr Real sharp_turn = 1.9, min_nose_turn = 0.1;
+// An edge with a turn above sharp_turn, an interior angle below 36 degrees, is sharp. A leading
+// edge with few points turns further at the two points beside a facet, by more than
+// min_turn_beside.
+constexpr Real sharp_turn = 1.9, min_turn_beside = 0.1;
 
 // Returns one of the points whose turn is the largest, within the fraction `tie`: the point
 // farthest from the centroid (the origin), and among several such points the one nearest to either
@@ -105,20 +106,20 @@ bool widens(Outline const& outline, Index start, Index end, bool forward) noexce
     return false;
 }
 
-// Returns whether a short straight side is a facet of a nose with few points: the other end of the
-// section is a sharp edge, and the outline beside the facet is round.
-bool is_nose_facet(Outline const& outline, Index from, Index to) noexcept {
+// Returns whether a short straight side is a facet of a leading edge with few points: the other end
+// of the section is a sharp edge, and the outline beside the facet is round.
+bool is_leading_edge_facet(Outline const& outline, Index from, Index to) noexcept {
     Index const last = outline.count() - 1;
     Index const before = from == 0 ? last : from - 1, after = to == last ? 0 : to + 1;
     Vec2 const middle = 0.5 * (outline.points[from] + outline.points[to]);
     return outline.turn[farthest_from(outline, middle)] > sharp_turn &&
-           outline.turn[before] + outline.turn[after] > min_nose_turn;
+           outline.turn[before] + outline.turn[after] > min_turn_beside;
 }
 
 bool is_base(Outline const& outline, Index from, Index to) noexcept {
     if (!is_short_side(outline, from, to) || !comes_back(outline, from, to)) return false;
     if (widens(outline, from, to, true) || widens(outline, to, from, false)) return false;
-    if (is_nose_facet(outline, from, to)) return false;
+    if (is_leading_edge_facet(outline, from, to)) return false;
     Vec2 const begin = outline.points[from], end = outline.points[to];
     Vec2 const leading_edge = outline.points[farthest_from(outline, 0.5 * (begin + end))];
     Real const chord = length(outline.points[farthest_from(outline, leading_edge)] - leading_edge);
@@ -168,7 +169,7 @@ Course choose_course(Outline const& outline, Span<const Index> corner, Closure w
 Index drop_facets(Outline const& outline, Span<Index> corner, Index n) noexcept {
     auto const is_facet = [&](Index from, Index to) {
         if (!is_short_side(outline, from, to)) return false;
-        if (is_nose_facet(outline, from, to)) return true;
+        if (is_leading_edge_facet(outline, from, to)) return true;
         return outline.turn[from] < blunt_turn && outline.turn[to] < blunt_turn &&
                !is_base(outline, from, to);
     };

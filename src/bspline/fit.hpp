@@ -16,9 +16,10 @@ struct FitOptions {
     const Real* weight = nullptr;  // [n_weights], one for each point, or null: all 1
     Index n_weights = 0;
     Real smoothing = 0;  // [length] waves much shorter than this are damped
-    // [length] Not 0: the fewest control points, at most n_control, whose errors are below this.
+    // [length] If not 0, the fit has the fewest control points, at most n_control, with which no
+    // error exceeds the tolerance.
     Real tolerance = 0;
-    // The directions of the curve at its first and last end; 0: any.
+    // The directions of the curve at its first and last end; a zero vector is no condition.
     Vec2 tangent[2] = {{0, 0}, {0, 0}};
 };
 

@@ -155,8 +155,9 @@ struct CurveEnd {
           beside(curve.control_point(end == 0 ? 1 : curve.n_indices - 2)) {}
 };
 
-// The distance from the control point at an end to its neighbour at a third of the speed.
-Real least_length(LeastSquares const& fit, Index end) noexcept {
+// Returns the distance from the control point at an end to its neighbour at which the curve has a
+// third of the speed of the points there.
+Real min_length(LeastSquares const& fit, Index end) noexcept {
     Curve const& curve = fit.curve;
     const Real* const knots = curve.knots + (end == 0 ? 1 : curve.n_indices - 1);
     return fit.speed * (knots[curve.degree] - knots[0]) / (3 * curve.degree);
@@ -203,8 +204,8 @@ void hold_tangent(LeastSquares const& fit, Index end) noexcept {
     fit.control[row] = dot(right, t);
     fit.control[row + 1] = dot(right, n);
     fix_unknown(fit, row + 1, dot(at, n));
-    if (!fit.has_least_speed[end]) return;
-    fix_unknown(fit, row, dot(at, t) + (end == 0 ? 1 : -1) * least_length(fit, end));
+    if (!fit.has_min_speed[end]) return;
+    fix_unknown(fit, row, dot(at, t) + (end == 0 ? 1 : -1) * min_length(fit, end));
 }
 
 void place_beside_end(LeastSquares const& fit, Index end) noexcept {
@@ -221,7 +222,7 @@ bool is_too_slow(LeastSquares const& fit, Index end) noexcept {
     Vec2 const to{fit.control[2 * ends.beside], fit.control[2 * ends.beside + 1]};
     Vec2 const from = fit.points[fit.pinned[ends.at]];
     Real const length = (end == 0 ? 1 : -1) * dot(to - from, fit.direction[end]);
-    return !fit.has_least_speed[end] && length < least_length(fit, end);
+    return !fit.has_min_speed[end] && length < min_length(fit, end);
 }
 
 }  // namespace
@@ -254,7 +255,7 @@ void LeastSquares::set_up(Curve const& shape, Span<const Vec2> through) noexcept
 void LeastSquares::start() noexcept { fill(tangent, Vec2{}); }
 
 void LeastSquares::solve(Real along) noexcept {
-    has_least_speed[0] = has_least_speed[1] = false;
+    has_min_speed[0] = has_min_speed[1] = false;
     bool again = true;
     while (again) {
         solve_once(along);
@@ -264,7 +265,7 @@ void LeastSquares::solve(Real along) noexcept {
             place_beside_end(*this, end);
             bool const slow = is_too_slow(*this, end);
             again = again || slow;
-            has_least_speed[end] = has_least_speed[end] || slow;
+            has_min_speed[end] = has_min_speed[end] || slow;
         }
     }
 }

@@ -21,14 +21,15 @@ struct LeastSquares {
     Span<Index> pinned;
     // The weight of the integral of |C''|^2 by the parameter, which is added to the sum of squares.
     Real bending = 0;
-    // Unit tangents at the first and the last end of the curve, or 0. Where a tangent does not suit
-    // the points, the least squares would shorten the derivative there to nothing, or reverse it;
-    // it keeps a third of the speed of the points by their parameters.
+    // Unit tangents at the first and the last end of the curve, or 0. If a tangent does not suit
+    // the points, the least squares alone would shorten the derivative of the curve there to 0, or
+    // reverse the derivative. Therefore the derivative is at least a third of `speed`, the speed of
+    // the points by their parameters.
     Vec2 direction[2];
     Real speed = 1;
-    bool has_least_speed[2] = {};  // set by solve()
-    EnvelopeMatrix matrix;         // the unknowns have the order of `control`
-    Span<Real> largest_so_far;     // [n] working space
+    bool has_min_speed[2] = {};  // set by solve()
+    EnvelopeMatrix matrix;       // the unknowns have the order of `control`
+    Span<Real> largest_so_far;   // [n] working space
 
     void lay_out(Arena& arena, Index n_points, Index n_control, Index degree) noexcept;
     // Sets the curve and the points, and gives the arrays the sizes of this problem.

@@ -11,7 +11,7 @@ namespace {
 
 enum Parameter : Index {
     leading_edge_radius = 0,
-    crest = 1,  // station, height, second derivative; the same of the lower side follow
+    crest = 1,  // station, height, second derivative; the three of the lower side follow
     edge_height = 7,
     edge_thickness = 8,
     edge_direction = 9,
@@ -160,9 +160,10 @@ Status ParsecChange::measure(Section const& section, Fault& fault) noexcept {
     }
     if (!section.leading_edge_is_smooth)
         return fault.refuse(Status::bad_curve, "PARSEC needs a section with a round leading edge");
-    InFrame const nose(section, section.leading_edge_place);
-    Real const speed = length(nose.first);
-    p[leading_edge_radius] = speed * speed * speed / abs(cross(nose.first, nose.second));
+    InFrame const leading_edge(section, section.leading_edge_place);
+    Real const speed = length(leading_edge.first);
+    p[leading_edge_radius] =
+        speed * speed * speed / abs(cross(leading_edge.first, leading_edge.second));
     for (Index side = 0; side < 2; ++side) {
         CurvePlace const place = find_crest(section, side == 0 ? 1 : -1);
         Real const station = place.curve == nullptr ? 0 : InFrame(section, place).at.x;

@@ -32,7 +32,7 @@ public:
     Real start(Index j) const noexcept { return before_.parameter[j]; }
     // Changes the parameters. Returns none, or the first value that is out of its range.
     Index set(const Real* values) noexcept;
-    // The movement by the values, and its derivatives by each value.
+    // Returns the movement by the values of set(), and the derivatives by each value.
     OutlineMovements movements() const noexcept;
 
 private:

@@ -1,5 +1,7 @@
 #include "bspline/projection.hpp"
 
+#include "base/box.hpp"
+
 namespace harmorph {
 namespace {
 
@@ -15,16 +17,9 @@ struct Candidate {
 // Returns a lower bound of the squared distance of a span. The points of the span lie in the convex
 // hull of degree + 1 control points, and therefore in their bounding box.
 Real box_square_distance(Curve const& curve, Index span, Vec2 q) noexcept {
-    Vec2 low = curve.point(span);
-    Vec2 high = low;
-    for (Index k = span - curve.degree; k < span; ++k) {
-        Vec2 const p = curve.point(k);
-        low = {min(low.x, p.x), min(low.y, p.y)};
-        high = {max(high.x, p.x), max(high.y, p.y)};
-    }
-    Real const dx = max(Real(0), max(low.x - q.x, q.x - high.x));
-    Real const dy = max(Real(0), max(low.y - q.y, q.y - high.y));
-    return dx * dx + dy * dy;
+    Box box;
+    for (Index k = span - curve.degree; k <= span; ++k) box.include(curve.point(k));
+    return box.squared_distance(q);
 }
 
 Real rounding_of(Vec2 q) noexcept { return epsilon * (abs(q.x) + abs(q.y)); }

@@ -13,10 +13,10 @@ struct Projection {
 };
 
 // Returns the nearest point of the curve in the range low <= u <= high. Each knot span is sampled,
-// and Newton's method starts inside a bracket at the nearest samples. If several points are equally
-// near, low wins, or else the first point found from low on. A point that coincides with the
-// beginning or end of the curve, to rounding, gets exactly begin() or end(); on a closed curve it
-// gets begin(), if that is in the range.
+// and Newton's method starts inside a bracket at the nearest samples. Of several equally near
+// points, the one at `low` is returned, or else the first one found from `low` on. A point that
+// coincides with the beginning or end of the curve, to rounding, gets exactly begin() or end(); on
+// a closed curve it gets begin(), if that is in the range.
 Projection project(Curve const& curve, Vec2 point, Real low, Real high) noexcept;
 inline Projection project(Curve const& curve, Vec2 point) noexcept {
     return project(curve, point, curve.begin(), curve.end());

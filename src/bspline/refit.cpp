@@ -1,5 +1,6 @@
 #include "bspline/refit.hpp"
 
+#include "base/box.hpp"
 #include "bspline/projection.hpp"
 
 namespace harmorph {
@@ -76,7 +77,7 @@ Status Refit::take_curve(Curve const& curve, Fault& fault) noexcept {
     closure_ = closure_of(curve);
     Index const n = count_distinct(curve, closure_);
     fill(local_, none);
-    Vec2 low = curve.point(0), high = low;
+    Box box;
     for (Index k = 0; k < n; ++k) {
         Index const i = curve.control_point(k);
         if (local_[i] != none)
@@ -85,11 +86,10 @@ Status Refit::take_curve(Curve const& curve, Fault& fault) noexcept {
                 "the curve uses control point # twice, and not only where it closes",
                 control_point_item(i));
         local_[i] = k;
-        low = {min(low.x, curve.point(k).x), min(low.y, curve.point(k).y)};
-        high = {max(high.x, curve.point(k).x), max(high.y, curve.point(k).y)};
+        box.include(curve.point(k));
     }
-    centre_ = 0.5 * (low + high);
-    extent_ = max(high.x - low.x, high.y - low.y);
+    centre_ = 0.5 * (box.low + box.high);
+    extent_ = box.extent();
     if (!(extent_ > 0))
         return fault.refuse(Status::bad_curve,
                             "all control points of the curve are in the same place");

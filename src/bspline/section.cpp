@@ -1,5 +1,6 @@
 #include "bspline/section.hpp"
 
+#include "base/box.hpp"
 #include "bspline/projection.hpp"
 
 namespace harmorph {
@@ -11,15 +12,11 @@ CurvePlace Section::end_of(Index number, bool at_end) const noexcept {
 }
 
 Real Section::extent() const noexcept {
-    Vec2 low = curve[0].point(0), high = low;
+    Box box;
     for (Index c = 0; c < n_curves; ++c) {
-        for (Index k = 0; k < curve[c].n_indices; ++k) {
-            Vec2 const p = curve[c].point(k);
-            low = {min(low.x, p.x), min(low.y, p.y)};
-            high = {max(high.x, p.x), max(high.y, p.y)};
-        }
+        for (Index k = 0; k < curve[c].n_indices; ++k) box.include(curve[c].point(k));
     }
-    return max(high.x - low.x, high.y - low.y);
+    return box.extent();
 }
 
 Status Section::connect(Fault& fault) noexcept {

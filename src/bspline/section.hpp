@@ -22,19 +22,22 @@ struct Section {
     bool has_fixed_chord = false;
     Vec2 leading_edge, trailing_edge;  // the ends of the chord line
 
-    // connect() sets:
+    // connect() sets these:
     Index n_sides = 0;  // the number of curves without a blunt base
     bool backwards[max_curves] = {};
     bool is_closed = false;  // whether the last end is the first end
-    Real sign = 1;           // 1 if the outline is counter-clockwise, -1 if clockwise
-                             // find_chord() sets, if it finds the leading edge of the curves:
+
+    // area_moments() sets this: 1 if the outline is counter-clockwise, -1 if clockwise.
+    Real sign = 1;
+
+    // find_chord() sets these if it finds the leading edge of the curves:
     bool leading_edge_is_smooth = false;
     CurvePlace leading_edge_place;  // the place farthest from trailing_edge
 
-    bool has_chord = false, has_leading_edge = false;  // what find_chord() has found before
+    // Whether find_chord() has found the chord and the leading edge.
+    bool has_chord = false, has_leading_edge = false;
 
-    // Joins the curves to an outline; refuses curves whose ends do not meet. area_moments() sets
-    // the sign later.
+    // Joins the curves to an outline; refuses curves whose ends do not meet.
     Status connect(Fault& fault) noexcept;
     // Must be called before functions that use the chord. Finds leading_edge_place only if the
     // chord follows the curves, or if wants_leading_edge is true.

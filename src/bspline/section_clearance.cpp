@@ -81,6 +81,7 @@ Clearance measure_clearance(Section const& section, Points polygon, Index n) noe
     for (Index k = 0; k < n; ++k) try_point(polygon[k]);
     for (Index k = 0; k < (n > 2 ? n : n - 1); ++k) {
         Vec2 const a = polygon[k], side = polygon[(k + 1) % n] - a;
+        if (!(square(side) > 0)) continue;  // the polygon repeats a point
         auto const try_foot = [&](Vec2 place) {
             Real const along = dot(place - a, side) / square(side);
             if (along > 0 && along < 1) try_point(a + along * side);

@@ -15,9 +15,9 @@ Real station_place(Index k) noexcept {
     return t * t * (3 - 2 * t);
 }
 
-// The heights of the outline above and below the chord at all stations between its ends, found span
-// by span. In a span of a curve without weights, the distance along the chord and the height are
-// polynomials of the parameter.
+// Finds the heights of the outline above and below the chord at all stations between the ends of
+// the chord, span by span. In a span of a curve without weights, the distance along the chord and
+// the height are polynomials of the parameter.
 class HeightScan {
 public:
     // Returns false if a curve is rational; nothing is known then.
@@ -49,7 +49,7 @@ public:
         return true;
     }
 
-    // The value at station k in chords, or minus infinity.
+    // Returns the value at station k in chords, or minus infinity.
     Real value(Index k, StationValue which) const noexcept {
         if (!(highest_[k] > lowest_[k])) return -infinity;
         return which == StationValue::thickness ? highest_[k] - lowest_[k]
@@ -102,8 +102,8 @@ private:
 // The stations that a search tries, and the sign of the value that is made largest.
 struct StationSearch {
     static constexpr Index n = n_stations;
-    bool is_whole =
-        true;  // all stations; otherwise those from first to last, for the smallest value
+    // If true, all stations are tried; otherwise those from first to last, for the smallest value.
+    bool is_whole = true;
     Real first = 0, last = 1;
 
     Real place(Index k) const noexcept {

@@ -27,8 +27,9 @@ Real station_slope(Section const& section, StationValue which, Station const& st
 Status pull_station(Section const& section, StationValue which, Station const& station, Real weight,
                     ControlGradient const& gradient, Fault& fault) noexcept;
 
-// Returns true only if a span of a curve runs ahead along a direction everywhere, or back
-// everywhere. The control points of its derivative tell that, except for rational curves.
+// Returns true only if the component of a span of a curve along a direction is monotone. The
+// differences of the control points show this, except for rational curves, for which the result is
+// false.
 bool runs_one_way(Curve const& curve, Index span, Vec2 along) noexcept;
 
 }  // namespace harmorph

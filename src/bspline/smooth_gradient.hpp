@@ -31,8 +31,8 @@ private:
     Index order_ = 1, n_elements_ = 0;
     Span<Index> control_;   // [elements * order] the control points of each span
     Span<Real> stiffness_;  // [elements * order^2]
-    Span<Real>
-        scale_;  // [n_control] D at first, then D^-1/2, or 1 if no curve uses a control point
+    // [n_control] D at first, then D^-1/2, or 1 if no curve uses a control point.
+    Span<Real> scale_;
     Span<Vec2> residual_, direction_, product_, found_;
 };
 

@@ -87,7 +87,7 @@ OutlineMovements VariablesOfSection::movements() const noexcept {
     return {variables.count(), variables.needs_chord(), this, write};
 }
 
-// Computes `at_point`.
+// Writes the movements at a place of the outline to `at_point`.
 void VariableMap::evaluate(Section const& section, OutlineMovements const& movements,
                            CurvePlace const& place) const noexcept {
     movements.write(movements.context, place.point(),

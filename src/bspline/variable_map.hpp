@@ -28,10 +28,10 @@ struct VariablesOfSection {
 
 // Computes the control points' movements by least squares.
 struct VariableMap {
-    EnvelopeMatrix
-        mass;           // the mass matrix of the curves' basis functions, then its Cholesky factor
-    Span<Real> wanted;  // [n_control * n * 2] right-hand sides, then the map
-    Span<Real> trial;   // [n_control * n * 2] a copy of the map, which is orthogonalised
+    // The mass matrix of the basis functions of the curves, then the Cholesky factor of the matrix.
+    EnvelopeMatrix mass;
+    Span<Real> wanted;    // [n_control * n * 2] right-hand sides, then the map
+    Span<Real> trial;     // [n_control * n * 2] a copy of the map, which is orthogonalised
     Span<Real> at_point;  // [2 * n] the wanted movements of one point
     Span<Real> error;     // [2 * n] output: root mean square and largest difference
     Span<Real> pins;      // [n_control] the number of curve ends that are this control point

@@ -6,8 +6,8 @@
 namespace harmorph {
 namespace {
 
-// Twice the area of the part of the control volume of corner k in a cell: the quadrilateral of the
-// corner, the middles of its two sides and the mean of the corners.
+// Returns twice the area of the part of a cell that belongs to the control volume of corner k: the
+// quadrilateral of the corner, the middles of the two sides beside it, and the mean of all corners.
 DoubleDouble twice_corner_share(Cell const& cell, Index k, Points at) noexcept {
     Vec2 const here = at[cell.point[k]], next = at[cell.next(k)], previous = at[cell.previous(k)];
     DoubleDouble mean_x, mean_y;

@@ -23,9 +23,9 @@ struct CoarseLevels {
     Index n_volumes(Index level) const noexcept { return agglomeration.level[level].n; }
     // Computes the volume of a level in which each point is, or none.
     void cells(Index level, Span<Index> cell) const noexcept;
-    // Computes the areas of the volumes of a level at the mesh points `to`, or how much they are
-    // larger than at `from`, if `from` is given. Each corner of a cell contributes a number that is
-    // computed with twice the precision of doubles.
+    // Computes the areas of the volumes of a level at the mesh points `to`; if `from` is given,
+    // minus the areas at `from`. Each corner of a cell contributes a number that is computed with
+    // twice the precision of doubles.
     void areas(Index level, Points from, Points to, Span<Real> area) const noexcept;
 
 private:

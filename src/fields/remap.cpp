@@ -44,9 +44,11 @@ void Remap::list_corners(OrientedMesh const& to) noexcept {
     rewind_starts(start_);
 }
 
-// The differences to the volumes around are weighted with the inverse squares of the distances, so
-// that the neighbours across and along a thin layer count alike. A side inside the mesh is met
-// twice, which changes nothing where all are.
+// The differences to the neighbouring volumes are weighted with the inverse squares of the
+// distances, so that the neighbours across and along a thin layer count alike. An inner side is
+// visited from both of its cells, a side on the boundary once. Inside the mesh all sides of a point
+// therefore have equal weights; at a point of the boundary, sides on the boundary have half the
+// weight of the others.
 void Remap::find_gradients(OrientedMesh const& from, Points at, Fields const& fields) noexcept {
     Index const n_points = volume_.count();
     fill(volume_, Reconstruction{});

@@ -39,7 +39,8 @@ struct Remap {
                Fields const& fields, Span<Real> covered, Executor const& executor) noexcept;
 
 private:
-    // What the least squares of a volume need, and where its mean is the value of a linear field.
+    // The matrix of the least squares of a volume, and the centroid, at which a linear field has
+    // the mean value.
     struct Reconstruction {
         Real area = 0, xx = 0, xy = 0, yy = 0;
         Vec2 centroid;  // relative to the point

@@ -1,5 +1,7 @@
 #include "fields/sorted_points.hpp"
 
+#include "base/box.hpp"
+
 namespace harmorph {
 namespace {
 
@@ -17,16 +19,12 @@ std::uint64_t spread_bits(std::uint32_t number) noexcept {
 
 void SortedOrder::sort(Points points) noexcept {
     Index const n = entry.count();
-    Vec2 low{infinity, infinity}, high{-infinity, -infinity};
-    for (Index k = 0; k < n; ++k) {
-        Vec2 const p = points[k];
-        low = {min(low.x, p.x), min(low.y, p.y)};
-        high = {max(high.x, p.x), max(high.y, p.y)};
-    }
-    Real const extent = max(high.x - low.x, high.y - low.y);
+    Box box;
+    for (Index k = 0; k < n; ++k) box.include(points[k]);
+    Real const extent = box.extent();
     Real const scale = extent > smallest_height ? 0x1.fffffp+31 / extent : 0;
     for (Index k = 0; k < n; ++k) {
-        Vec2 const p = scale * (points[k] - low);
+        Vec2 const p = scale * (points[k] - box.low);
         entry[k] = {spread_bits(static_cast<std::uint32_t>(p.x)) |
                         spread_bits(static_cast<std::uint32_t>(p.y)) << 1,
                     k};

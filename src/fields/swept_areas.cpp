@@ -114,7 +114,7 @@ void clear_entry(SweptAreas const& areas, Offset entry) noexcept {
     if (!areas.halves.empty()) areas.halves[2 * entry] = areas.halves[2 * entry + 1] = 0;
 }
 
-// Returns the first entry and the number of entries of a cell.
+// The first entry and the number of entries of a cell.
 struct EntryPlace {
     Offset first;
     Index width;

@@ -3,20 +3,10 @@
 #include "base/angle.hpp"
 
 namespace harmorph {
-namespace {
-
-bool is_among(Index marker, Span<const Index> markers) noexcept {
-    for (Index const one : markers) {
-        if (one == marker) return true;
-    }
-    return false;
-}
-
-}  // namespace
 
 Index Walls::count_faces(Boundary const& boundary, Span<const Index> markers) noexcept {
     Index n = 0;
-    for (Index const marker : boundary.marker.first(boundary.count)) n += is_among(marker, markers);
+    for (Index const marker : boundary.marker.first(boundary.count)) n += contains(markers, marker);
     return n;
 }
 
@@ -39,7 +29,7 @@ void Walls::find(Analysis const& analysis, Span<const Index> markers, Points at)
     tree.kernel = resolved(Kernel::automatic, analysis.problem().executor.kernel);
     Index n = 0;
     tree.choose(boundary, [&](Index face) {
-        bool const chosen = is_among(boundary.marker[face], markers);
+        bool const chosen = contains(markers, boundary.marker[face]);
         if (chosen) face_marker[n++] = boundary.marker[face];
         return chosen;
     });
@@ -71,7 +61,7 @@ WallFoot Walls::place_on(Index face, Vec2 from) const noexcept {
                off_end = from - segment.end;
     WallFoot out;
     out.face = face;
-    // Both ends are asked for themselves, so that a foot at an end is exactly this end.
+    // Both ends are tested separately, so that a foot at an end is exactly this end.
     Real const covered = dot(off_begin, along);
     if (!(covered > 0)) {
         out.distance = length(off_begin);

@@ -41,6 +41,10 @@ struct Boundary {
     template <class IsOn, class Visit, class Close>
     Index for_each_chain(IsOn is_on, Visit visit, Close close) const noexcept;
 
+    // Returns whether any face has the marker.
+    bool has_marker(Index wanted) const noexcept {
+        return contains<Index>(marker.first(count), wanted);
+    }
     // Returns the next face of the same loop.
     Index after(Index face, Index loop) const noexcept {
         return face + 1 == loop_start[loop + 1] ? loop_start[loop] : face + 1;

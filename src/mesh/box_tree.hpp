@@ -3,32 +3,9 @@
 #pragma once
 
 #include "base/arena.hpp"
-#include "base/vec2.hpp"
+#include "base/box.hpp"
 
 namespace harmorph {
-
-struct Box {
-    Vec2 low{infinity, infinity}, high{-infinity, -infinity};
-
-    void include(Vec2 p) noexcept {
-        low = {min(low.x, p.x), min(low.y, p.y)};
-        high = {max(high.x, p.x), max(high.y, p.y)};
-    }
-    void include(Box const& other) noexcept {
-        include(other.low);
-        include(other.high);
-    }
-    Vec2 centre() const noexcept { return 0.5 * low + 0.5 * high; }
-    bool meets(Box const& other) const noexcept {
-        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
-               other.low.y <= high.y;
-    }
-    Real squared_distance(Vec2 p) const noexcept {
-        Real const x = max(max(low.x - p.x, p.x - high.x), 0.0);
-        Real const y = max(max(low.y - p.y, p.y - high.y), 0.0);
-        return x * x + y * y;
-    }
-};
 
 struct Nearest {
     Index item = none;

@@ -10,7 +10,7 @@ namespace {
 // derivatives by the points of its range, and computes all chunks that have such points: the sum at
 // each point then has the order of the cells, whatever the number of threads. Where neighbouring
 // cells have neighbouring points, few chunks are computed by several threads.
-constexpr Index most_bound_chunks = 128, least_cells_in_bound_chunk = 1024;
+constexpr Index max_bound_chunks = 128, min_cells_in_bound_chunk = 1024;
 
 struct BoundChunk {
     SmoothMinimum quality, area;
@@ -53,7 +53,7 @@ Real sum_of_weights(const Real* numbers, Index n) noexcept {
     for (Index lane = 0; i < n; ++i, ++lane) sum[lane] += numbers[i];
     return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
-Real least_value_of(const Real* numbers, Index n) noexcept {
+Real min_value_of(const Real* numbers, Index n) noexcept {
     constexpr Index lanes = 8;
     Real least[lanes];
     for (Real& number : least) number = infinity;
@@ -116,7 +116,7 @@ void BoundPass::add_batches(CellBatches const& batches, const Index* numbers,
     SmoothList lists[2];  // triangles, quads
     kernels.triangles(batches.triangles, places, request, lists[0]);
     kernels.quads(batches.quads, places, request, lists[1]);
-    Real least_quality = infinity, least_area = infinity;
+    Real min_quality = infinity, min_area = infinity;
     for (Index kind = 0; kind < 2; ++kind) {
         CellList const& given = kind == 0 ? batches.triangles : batches.quads;
         SmoothList& list = lists[kind];
@@ -126,7 +126,7 @@ void BoundPass::add_batches(CellBatches const& batches, const Index* numbers,
         if (list.odd != 0) n_odd = clear_odd_cells(given, list, request.quality, request.area);
         Index const n_regular = given.n - n_odd;
         if (request.quality) {
-            least_quality = min(least_quality, least_value_of(list.quality, given.n));
+            min_quality = min(min_quality, min_value_of(list.quality, given.n));
             chunk.quality.sum += sum_of_weights(list.quality_weight, given.n);
             chunk.quality.count += n_regular;
             if (gradients.quality.wanted())
@@ -134,14 +134,14 @@ void BoundPass::add_batches(CellBatches const& batches, const Index* numbers,
                                 gradients.quality);
         }
         if (request.area) {
-            least_area = min(least_area, least_value_of(list.area, given.n));
+            min_area = min(min_area, min_value_of(list.area, given.n));
             chunk.area.sum += sum_of_weights(list.area_weight, given.n);
             chunk.area.count += std::int64_t{n_regular} * (is_triangle ? 1 : 4);
             if (gradients.area.wanted())
                 add_list_slopes(given, is_triangle, list.area_weight, list.by_area, gradients.area);
         }
     }
-    bool const has_least = least_quality < chunk.quality.least || least_area < chunk.area.least;
+    bool const has_least = min_quality < chunk.quality.least || min_area < chunk.area.least;
     if (!has_least && (lists[0].odd | lists[1].odd) == 0) return;
     batches.for_each([&](Index at, bool is_triangle, Index i) {
         Index const cell = numbers == nullptr ? at : numbers[at - batches.first];
@@ -205,7 +205,7 @@ void find_chunk_points(OrientedMesh const& cells, Index begin, Index end,
 void run_pass(BoundPass const& pass, Executor const& executor, CellBoundPair& bounds) noexcept {
     OrientedMesh const& cells = pass.cells;
     Index const n_cells = cells.mesh.n_given_cells(), n_points = cells.mesh.n_points;
-    Index const n_chunks = clamp(n_cells / least_cells_in_bound_chunk, Index{1}, most_bound_chunks);
+    Index const n_chunks = clamp(n_cells / min_cells_in_bound_chunk, Index{1}, max_bound_chunks);
     auto const start_of = [&](Index chunk) {
         return static_cast<Index>(Offset{n_cells} * chunk / n_chunks);
     };
@@ -214,7 +214,7 @@ void run_pass(BoundPass const& pass, Executor const& executor, CellBoundPair& bo
     empty.quality.shift = pass.request.quality_shift;
     empty.area.sharpness = pass.request.area_sharpness;
     empty.area.shift = pass.request.area_shift;
-    BoundChunk chunks[most_bound_chunks];
+    BoundChunk chunks[max_bound_chunks];
     BoundGradients const wanted{{bounds.quality.gradient, 0, n_points},
                                 {bounds.area.gradient, 0, n_points}};
     if (!wanted.wanted() || executor.is_serial()) {

@@ -1,27 +1,18 @@
 #include "morph/crossing.hpp"
 
+#include "base/box.hpp"
 #include "base/predicates.hpp"
 #include "mesh/cell_shape.hpp"
 
 namespace harmorph {
 namespace {
 
-struct FaceBox {
-    Vec2 low{infinity, infinity}, high{-infinity, -infinity};
-
-    void include(Vec2 p) noexcept {
-        low = {min(low.x, p.x), min(low.y, p.y)};
-        high = {max(high.x, p.x), max(high.y, p.y)};
-    }
+struct FaceBox : Box {
     void widen(Real by) noexcept {
         low = {low.x - by, low.y - by};
         high = {high.x + by, high.y + by};
     }
     bool is_point() const noexcept { return low.x == high.x && low.y == high.y; }
-    bool overlaps(FaceBox const& other) const noexcept {
-        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
-               other.low.y <= high.y;
-    }
 };
 
 // Where the points are that a pair of faces is looked at.
@@ -72,7 +63,7 @@ private:
 
     bool between(FaceRange a, FaceRange b) noexcept {
         FaceBox const box_a = box_of(a), box_b = box_of(b);
-        if (!box_a.overlaps(box_b) || (box_a.is_point() && box_b.is_point())) return false;
+        if (!box_a.meets(box_b) || (box_a.is_point() && box_b.is_point())) return false;
         if (a.size() <= max_leaf_faces && b.size() <= max_leaf_faces) {
             for (Index face = a.begin; face < a.end; ++face) {
                 if (face_against(face, b)) return true;
@@ -88,7 +79,7 @@ private:
         FaceBox const box = box_of({face, face + 1});
         for (Index other = others.begin; other < others.end; ++other) {
             FaceBox const other_box = box_of({other, other + 1});
-            if (!other_box.overlaps(box) || (other_box.is_point() && box.is_point())) continue;
+            if (!other_box.meets(box) || (other_box.is_point() && box.is_point())) continue;
             join_sides(face, other);
             if (!cross(face, other) || !is_known(face, other) || faces_.may_slide(face, other) ||
                 crossed_before(face, other))

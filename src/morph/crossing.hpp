@@ -43,7 +43,7 @@ Crossing find_crossing(BoundaryFaces const& faces, Points points, Points displac
 // The same for the points `now`, where two faces that cross each other at `start` do not count.
 Crossing find_new_crossing(BoundaryFaces const& faces, Points start, Points now) noexcept;
 // The same with regard only to points whose places at the end are known, ends [n_points]. Points
-// that slide may stand anywhere on their line; faces of points of which nothing is known are passed
+// that slip may stand anywhere on their line; faces of points of which nothing is known are passed
 // over, and so are pairs of a face along a line and a face of a wall that ends on this line.
 Crossing find_known_crossing(BoundaryFaces const& faces, Points start, Points points,
                              Span<const KnownEnd> ends) noexcept;

@@ -6,7 +6,7 @@ namespace harmorph {
 namespace {
 
 // Sines, areas and sides below these numbers count as 0, so that no quotient overflows.
-constexpr Real least_sine = 1e-100, least_area = 1e-280, least_side = 1e-140;
+constexpr Real min_sine = 1e-100, min_area = 1e-280, min_side = 1e-140;
 
 // A corner of a cell: three points, and the sides into and out of the corner. The first side has
 // been turned back, as guards require.
@@ -35,7 +35,7 @@ struct OddAngle {
 
     explicit OddAngle(OddCorner const& corner) noexcept {
         Real const long_in = length(corner.in), long_out = length(corner.out);
-        if (!(long_in > least_side) || !(long_out > least_side)) return;
+        if (!(long_in > min_side) || !(long_out > min_side)) return;
         per_in = 1 / long_in;
         per_out = 1 / long_out;
         in = per_in * corner.in;
@@ -115,15 +115,15 @@ OddCell::Skew OddCell::skew(Points points) const noexcept {
         CellCorners const corners(CellShape(cell, points, false));
         for (Index k = 0; k < 3; ++k) skew.sum += square(corners.side[k]);
         skew.factor = 2 * 1.7320508075688772 * corners.twice_area[0];
-        skew.is_inverted = !(corners.twice_area[0] > least_area);
-        if (skew.sum > least_area) skew.value = skew.factor / skew.sum;
+        skew.is_inverted = !(corners.twice_area[0] > min_area);
+        if (skew.sum > min_area) skew.value = skew.factor / skew.sum;
         return skew;
     }
     Index m = 0;
     Real negative = 0;
     for_each_corner(points, [&](OddCorner const& corner, bool counts) {
         Real const sine = OddAngle(corner).sine;
-        if (!(sine > least_sine)) {
+        if (!(sine > min_sine)) {
             skew.is_inverted = true;
             negative += min(sine, 0.0);
         } else if (counts) {
@@ -133,7 +133,7 @@ OddCell::Skew OddCell::skew(Points points) const noexcept {
     });
     bool const is_quad = cells_.mesh.pieces_of(number_).count() == 1;
     for_each_piece(points, [&](OddCorner const& corner) {
-        if (!is_quad && !(corner.twice_area() > least_area)) skew.is_inverted = true;
+        if (!is_quad && !(corner.twice_area() > min_area)) skew.is_inverted = true;
     });
     if (skew.is_inverted) {
         skew.value = 4 * negative;
@@ -150,7 +150,7 @@ OddCell::Skew OddCell::skew(Points points) const noexcept {
 void OddCell::add_skew_slopes(Skew const& skew, Real scale,
                               PointGradient const& gradient) const noexcept {
     if (is_triangle()) {
-        if (!(skew.sum > least_area)) return;
+        if (!(skew.sum > min_area)) return;
         Cell const cell = cells_.cell(cells_.mesh.pieces_of(number_).first);
         CellShape const shape(cell, at_, false);
         corner_of(cell, shape, 1, {1, 0})

@@ -46,8 +46,8 @@ inline void clear_gradient(MutablePoints gradient, Index n) noexcept {
 inline void scale_gradient(MutablePoints gradient, Index n, Real factor,
                            Executor const& executor) noexcept {
     if (!gradient.given()) return;
-    constexpr Index least_points = 16384;
-    executor.for_ranges(n, least_points, [&](Index begin, Index end) {
+    constexpr Index min_points = 16384;
+    executor.for_ranges(n, min_points, [&](Index begin, Index end) {
         if (gradient.stride == 1) {
             for (Index k = begin; k < end; ++k) gradient.x[k] *= factor;
             for (Index k = begin; k < end; ++k) gradient.y[k] *= factor;

@@ -1,5 +1,6 @@
 #include "morph/touch.hpp"
 
+#include "base/box.hpp"
 #include "morph/admissible_step.hpp"
 #include "morph/crossing.hpp"
 
@@ -37,23 +38,23 @@ struct Window {
 
 // Points that are somewhere in a box and move by some displacement in another box.
 struct MovingBox {
-    Vec2 low{infinity, infinity}, high{-infinity, -infinity};
-    Vec2 min_change{infinity, infinity}, max_change{-infinity, -infinity};
+    Box place, change;
 
     void include(Vec2 p, Vec2 by) noexcept {
-        low = {min(low.x, p.x), min(low.y, p.y)};
-        high = {max(high.x, p.x), max(high.y, p.y)};
-        min_change = {min(min_change.x, by.x), min(min_change.y, by.y)};
-        max_change = {max(max_change.x, by.x), max(max_change.y, by.y)};
+        place.include(p);
+        change.include(by);
     }
     // Tells whether the two boxes can have a point in common for any s < limit.
     bool may_meet(MovingBox const& other, Real limit) const noexcept {
         Window window;
         window.end = limit;
-        window.require_negative(low.x - other.high.x, min_change.x - other.max_change.x);
-        window.require_negative(other.low.x - high.x, other.min_change.x - max_change.x);
-        window.require_negative(low.y - other.high.y, min_change.y - other.max_change.y);
-        window.require_negative(other.low.y - high.y, other.min_change.y - max_change.y);
+        auto const require = [&](MovingBox const& a, MovingBox const& b) {
+            Vec2 const gap = a.place.low - b.place.high, by = a.change.low - b.change.high;
+            window.require_negative(gap.x, by.x);
+            window.require_negative(gap.y, by.y);
+        };
+        require(*this, other);
+        require(other, *this);
         return !window.is_empty();
     }
 };

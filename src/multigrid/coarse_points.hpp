@@ -7,25 +7,28 @@
 
 namespace harmorph {
 
-// Each level has at most half of the points of the finer one, so all coarse levels together have at
-// most n points. A row of a prolongation has one weight for a coarse point and at most four for a
-// fine point; the sum over the levels, of 4 n_fine - 3 n_coarse, is at most 5 n. The entries of all
-// coarse matrices share an array of fixed size, of which a level may take two thirds of the rest. A
-// level that needs more is interpolated with fewer weights for each point. With one weight, a level
-// has at most as many entries as the finer one. If even this does not fit, no coarser level is
-// made.
+// Each level has at most half of the points of the finer one, but the first coarse level may have
+// 9/16 of all n points, so that all coarse levels together have at most 9/8 n points. A row of a
+// prolongation has one weight for a coarse point and at most four for a fine point, and room for
+// four while the level is made; so the prolongations need room for 4 n weights and one for each
+// point of a coarse level. The entries of all coarse matrices share an array of fixed size, of
+// which a level may take two thirds of the rest. A level that needs more is interpolated with fewer
+// weights for each point. With one weight, a level has at most as many entries as the finer one. If
+// even this does not fit, no coarser level is made.
 struct CoarsePoints {
     static constexpr Index max_levels = 20;
     // A level of so many points or fewer needs no coarser one.
     static constexpr Index coarsest = 48;
-    static constexpr Index weights_per_point = 5, entries_per_point = 7;
+    static constexpr Index entries_per_point = 7;
 
     Index count = 0;
     SymmetricRows finest;            // The caller's arrays: level 0.
     CoarseRows coarse[max_levels];   // The levels from 1 on.
     Prolongation finer[max_levels];  // The interpolation from level l + 1 to level l.
 
-    static Offset coarse_points(Index n) noexcept { return n; }
+    // The largest number of points of the first coarse level, and of all coarse levels.
+    static Index most_first(Index n) noexcept { return n / 2 + n / 16; }
+    static Offset coarse_points(Index n) noexcept { return Offset{2} * most_first(n); }
 
     void lay_out(Arena& arena, Index n) noexcept;
     // Lays out the working space of build().
@@ -44,6 +47,9 @@ struct CoarsePoints {
     }
 
 private:
+    static Offset weight_room(Index n) noexcept {
+        return Offset{Prolongation::most_weights} * n + coarse_points(n);
+    }
     static Offset entry_room(Index n) noexcept {
         return Offset{entries_per_point} * n + coarsest * coarsest;
     }

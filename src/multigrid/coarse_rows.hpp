@@ -24,8 +24,10 @@ struct CoarseRows {
 
 struct FullRows {
     // A coupling is strong for a point if its size is at least this fraction of the strongest one.
-    static constexpr Real strong = 0.25;
+    // Coarse levels, whose rows have more and smaller entries, have a fraction of their own.
+    static constexpr Real strong_on_finest_level = 0.25, strong_on_coarse_levels = 0.1;
 
+    Real strong = strong_on_finest_level;
     Index n = 0;
     Span<const Real> diagonal;  // [n] That of the triangle.
     Span<Real> row_sum;         // [n]

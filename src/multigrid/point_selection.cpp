@@ -30,7 +30,7 @@ void PointSelection::change_weight(Index point, Index by) noexcept {
     insert(point);
 }
 
-Index PointSelection::select(FullRows const& rows, Span<Index> coarse) noexcept {
+Index PointSelection::select(FullRows const& rows, Index most, Span<Index> coarse) noexcept {
     for (Index& list : first_) list = none;
     heaviest_ = 0;
     for (Index i = rows.n - 1; i >= 0; --i) {
@@ -59,6 +59,9 @@ Index PointSelection::select(FullRows const& rows, Span<Index> coarse) noexcept 
         }
     }
     Index n = 0;
+    for (Index i = 0; i < rows.n; ++i) n += coarse[i] != none;
+    add_common_points(rows, most - n, coarse);
+    n = 0;
     for (Index i = 0; i < rows.n; ++i)
         if (coarse[i] != none) coarse[i] = n++;
     return n;
@@ -86,6 +89,49 @@ void PointSelection::leave(FullRows const& rows, Span<Index> coarse, Index point
         Index const j = rows.column[e];
         if (coarse[j] == undecided && rows.depends(point, j, rows.value[e])) change_weight(j, 1);
     }
+}
+
+// The second pass, which makes at most `count` coarse points.
+void PointSelection::add_common_points(FullRows const& rows, Index count,
+                                       Span<Index> coarse) noexcept {
+    fill(next_.first(rows.n), none);
+    for (Index i = 0; i < rows.n && count > 0; ++i) {
+        if (coarse[i] != none) continue;
+        Index const lonely = find_lonely(rows, coarse, i);
+        if (lonely == none) continue;
+        coarse[lonely] = 0;
+        --count;
+    }
+}
+
+// Returns a fine point on which this fine point depends, and which depends on no coarse point on
+// which this one depends: the point itself if there are two such points, none if there is none.
+// next_[j] is the last fine point found to depend on the coarse point j.
+Index PointSelection::find_lonely(FullRows const& rows, Span<const Index> coarse,
+                                  Index point) noexcept {
+    auto const for_couplings = [&](Index i, auto const& visit) {
+        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e)
+            if (rows.depends(i, rows.column[e], rows.value[e]) && !visit(rows.column[e])) return;
+    };
+    for_couplings(point, [&](Index j) {
+        if (coarse[j] != none) next_[j] = point;
+        return true;
+    });
+    Index lonely = none;
+    for_couplings(point, [&](Index j) {
+        if (coarse[j] != none) return true;
+        bool shares = false;
+        for_couplings(j, [&](Index k) {
+            shares = next_[k] == point;
+            return !shares;
+        });
+        if (shares) return true;
+        bool const is_second = lonely != none;
+        lonely = is_second ? point : j;
+        next_[j] = point;
+        return !is_second;
+    });
+    return lonely;
 }
 
 }  // namespace harmorph

@@ -1,11 +1,16 @@
 #include "multigrid/prolongation.hpp"
 
 namespace harmorph {
+namespace {
+
+constexpr Offset row_begin(Index row) noexcept { return Offset{Prolongation::most_weights} * row; }
+
+}  // namespace
 
 void Contraction::lay_out(Arena& arena, Index n, Offset entries) noexcept {
     rows.lay_out(arena, n, entries);
     arena.take(coarse, n);
-    arena.take(sum_, n);
+    arena.take(deficit_, n);
     arena.take(part_, n);
     arena.take(coarse_sum_, n);
 }
@@ -21,86 +26,71 @@ void Contraction::lay_out_product(Arena& arena, Index n) noexcept {
     arena.take(last_, n);
 }
 
+// Until the gaps are closed, row i begins at `most_weights` times i, and `none` ends a shorter row.
 Offset Contraction::interpolate(Index most, Prolongation const& to) noexcept {
-    fill(of_.first(rows.n), none);
-    Offset used = 0;
     for (Index i = 0; i < rows.n; ++i) {
-        to.start[i] = used;
-        Weight weights[Prolongation::most_weights];
-        Index count = 1;
-        if (coarse[i] != none) {
-            weights[0] = {i, 1};
-            sum_[i] = 1;
-        } else {
-            count = weigh(i, most, weights);
-        }
-        for (Index k = 0; k < count; ++k) {
-            to.column[used] = coarse[weights[k].point];
-            to.weight[used++] = weights[k].value;
-        }
+        deficit_[i] = coarse[i] != none ? 0 : 1;
+        Offset const begin = row_begin(i);
+        to.column[begin] = coarse[i];
+        to.weight[begin] = 1;
+        to.column[begin + 1] = none;
     }
-    to.start[rows.n] = used;
-    return used;
+    auto const for_fine_points = [&](auto const& visit) {
+        fill(of_.first(rows.n), none);
+        for (Index i = 0; i < rows.n; ++i)
+            if (coarse[i] == none) visit(i);
+    };
+    for_fine_points([&](Index i) { weigh(i, most, to); });
+    for_fine_points([&](Index i) { relax(i, most, to); });
+    return close_gaps(to);
 }
 
 // The value of a fine point follows from its row with the residual 0. Entries that lead to no
 // candidate are moved to the diagonal, except that the entries of other fine points on which it
 // depends are distributed among the candidates and itself.
-Index Contraction::weigh(Index point, Index most, Weight* weights) noexcept {
+void Contraction::weigh(Index point, Index most, Prolongation const& to) noexcept {
     gather_candidates(point);
     for (Offset e = rows.start[point]; e < rows.start[point + 1]; ++e) {
         Index const j = rows.column[e];
-        if (of_[j] == point) {
-            part_[j] += rows.value[e];
-        } else if (coarse[j] == none && rows.depends(point, rows.column[e], rows.value[e])) {
+        if (is_candidate(point, j)) {
+            part_[coarse[j]] += rows.value[e];
+        } else if (coarse[j] == none && rows.depends(point, j, rows.value[e])) {
             spread(point, j, rows.value[e]);
         }
     }
-    Real all = 0, kept = 0;
-    Index count = 0;
-    for (Index c = 0; c < n_candidates_; ++c) {
-        Index const j = candidates_[c];
-        Real const part = part_[j];
-        all += part;
-        Index k = count < most ? count++ : most;
-        for (; k > 0 && abs(part) > abs(weights[k - 1].value); --k)
-            if (k < most) weights[k] = weights[k - 1];
-        if (k < most) weights[k] = {j, part};
+    Choice const choice = choose(most);
+    // This is the diagonal with the entries that were moved to it. It is exactly -choice.all if the
+    // row sum is 0, so that constants are interpolated exactly.
+    Real const diagonal = rows.row_sum[point] - choice.all;
+    if (diagonal > 0 && choice.is_sound()) {
+        put(point, choice, choice.count, rows.row_sum[point] / diagonal, to);
+    } else if (choice.count > 0) {
+        put(point, choice, 1, 0, to);
     }
-    for (Index k = 0; k < count; ++k) kept += weights[k].value;
-    // This is the diagonal with the entries that were moved to it: exactly -all if the row sum is
-    // 0, so that constants are interpolated exactly.
-    Real const diagonal = rows.row_sum[point] - all;
-    constexpr Real smallest = 0.1;
-    bool const is_sound = diagonal > 0 && kept < smallest * all;
-    sum_[point] = is_sound ? -all / diagonal : min(count, Index{1});
-    if (!is_sound) {
-        count = min(count, Index{1});
-        kept = count > 0 ? weights[0].value : 1;
-    }
-    for (Index k = 0; k < count; ++k) weights[k].value *= sum_[point] / kept;
-    return count;
 }
 
 void Contraction::gather_candidates(Index point) noexcept {
     n_candidates_ = 0;
-    auto const add = [&](Index j) {
-        if (of_[j] == point) return;
-        of_[j] = point;
-        part_[j] = 0;
-        candidates_[n_candidates_++] = j;
-    };
     for (Offset e = rows.start[point]; e < rows.start[point + 1]; ++e) {
-        if (!rows.depends(point, rows.column[e], rows.value[e])) continue;
         Index const j = rows.column[e];
+        if (!rows.depends(point, j, rows.value[e])) continue;
         if (coarse[j] != none) {
-            add(j);
+            add_candidate(point, coarse[j]);
             continue;
         }
-        for (Offset f = rows.start[j]; f < rows.start[j + 1]; ++f)
-            if (coarse[rows.column[f]] != none && rows.depends(j, rows.column[f], rows.value[f]))
-                add(rows.column[f]);
+        for (Offset f = rows.start[j]; f < rows.start[j + 1]; ++f) {
+            Index const k = rows.column[f];
+            if (coarse[k] != none && rows.depends(j, k, rows.value[f]))
+                add_candidate(point, coarse[k]);
+        }
     }
+}
+
+void Contraction::add_candidate(Index point, Index column) noexcept {
+    if (of_[column] == point) return;
+    of_[column] = point;
+    part_[column] = 0;
+    candidates_[n_candidates_++] = column;
 }
 
 // Distributes an entry of a point in the column of the fine point `over` in proportion to the
@@ -110,13 +100,83 @@ void Contraction::spread(Index point, Index over, Real entry) noexcept {
     auto const for_each = [&](auto const& visit) {
         for (Offset f = rows.start[over]; f < rows.start[over + 1]; ++f) {
             Index const j = rows.column[f];
-            if (rows.value[f] < 0 && (j == point || of_[j] == point)) visit(j, rows.value[f]);
+            if (rows.value[f] < 0 && (j == point || is_candidate(point, j)))
+                visit(j, rows.value[f]);
         }
     };
     for_each([&](Index, Real share) { all += share; });
     for_each([&](Index j, Real share) {
-        if (j != point) part_[j] += entry * (share / all);
+        if (j != point) part_[coarse[j]] += entry * (share / all);
     });
+}
+
+// Makes the residual of the row of a fine point 0, where its neighbours are interpolated as they
+// are now. Neighbours without weights are moved to the diagonal.
+void Contraction::relax(Index point, Index most, Prolongation const& to) noexcept {
+    n_candidates_ = 0;
+    Real diagonal = rows.row_sum[point], deficit = diagonal;
+    for (Offset e = rows.start[point]; e < rows.start[point + 1]; ++e) {
+        Index const j = rows.column[e];
+        Offset const begin = row_begin(j);
+        if (to.column[begin] == none) continue;
+        diagonal -= rows.value[e];
+        deficit -= rows.value[e] * deficit_[j];
+        for (Offset f = begin; f < begin + Prolongation::most_weights && to.column[f] != none;
+             ++f) {
+            add_candidate(point, to.column[f]);
+            part_[to.column[f]] += rows.value[e] * to.weight[f];
+        }
+    }
+    Choice const choice = choose(most);
+    if (diagonal > 0 && choice.is_sound())
+        put(point, choice, choice.count, clamp(deficit / diagonal, 0.0, 1.0), to);
+}
+
+Contraction::Choice Contraction::choose(Index most) const noexcept {
+    Choice out;
+    Weight* const weights = out.weights;
+    for (Index c = 0; c < n_candidates_; ++c) {
+        Index const column = candidates_[c];
+        Real const part = part_[column];
+        out.all += part;
+        Index k = out.count < most ? out.count++ : most;
+        for (; k > 0 && abs(part) > abs(weights[k - 1].value); --k)
+            if (k < most) weights[k] = weights[k - 1];
+        if (k < most) weights[k] = {column, part};
+    }
+    while (out.count > 0 && abs(weights[out.count - 1].value) <
+                                Prolongation::smallest_weight * abs(weights[0].value))
+        --out.count;
+    for (Index k = 0; k < out.count; ++k) out.kept += weights[k].value;
+    return out;
+}
+
+// Writes the row of a fine point: `count` weights of the choice, in proportion to their parts.
+void Contraction::put(Index point, Choice const& choice, Index count, Real deficit,
+                      Prolongation const& to) noexcept {
+    deficit_[point] = deficit;
+    Real const kept = count == 1 ? choice.weights[0].value : choice.kept;
+    Offset const begin = row_begin(point);
+    for (Index k = 0; k < count; ++k) {
+        to.column[begin + k] = choice.weights[k].column;
+        to.weight[begin + k] = choice.weights[k].value * ((1 - deficit) / kept);
+    }
+    if (count < Prolongation::most_weights) to.column[begin + count] = none;
+}
+
+Offset Contraction::close_gaps(Prolongation const& to) const noexcept {
+    Offset used = 0;
+    for (Index i = 0; i < rows.n; ++i) {
+        to.start[i] = used;
+        Offset const begin = row_begin(i);
+        for (Offset e = begin; e < begin + Prolongation::most_weights && to.column[e] != none;
+             ++e) {
+            to.column[used] = to.column[e];
+            to.weight[used++] = to.weight[e];
+        }
+    }
+    to.start[rows.n] = used;
+    return used;
 }
 
 void Contraction::transpose(Prolongation const& by, Index n) noexcept {
@@ -183,9 +243,9 @@ bool Contraction::contract(Prolongation const& by, Offset room, CoarseRows& resu
 void Contraction::contract_row_sums(Prolongation const& by, Index n) noexcept {
     fill(coarse_sum_.first(n), 0.0);
     for (Index i = 0; i < rows.n; ++i) {
-        Real flow = rows.row_sum[i] * sum_[i];
+        Real flow = rows.row_sum[i] * (1 - deficit_[i]);
         for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e)
-            flow += rows.value[e] * (sum_[rows.column[e]] - sum_[i]);
+            flow += rows.value[e] * (deficit_[i] - deficit_[rows.column[e]]);
         for (Offset e = by.start[i]; e < by.start[i + 1]; ++e)
             coarse_sum_[by.column[e]] += by.weight[e] * flow;
     }
@@ -193,6 +253,7 @@ void Contraction::contract_row_sums(Prolongation const& by, Index n) noexcept {
 
 void Contraction::descend(CoarseRows const& result) noexcept {
     copy(rows.row_sum.first(result.n), Span<const Real>(coarse_sum_.first(result.n)));
+    rows.strong = FullRows::strong_on_coarse_levels;
     rows.take(result);
 }
 

@@ -20,7 +20,7 @@ namespace harmorph {
 // (2.3e-2, 1.5e-2, 2.0e-2 on 32 x 32, 64 x 64, 128 x 128 against 5.2e-4, 1.5e-4, 3.7e-5). On
 // viscous meshes functions leave [0, 1] by 0.03 to 0.14, and eigenvalues may have the wrong sign,
 // so that explicit steps slowly diverge. On the paper's second case these are five modes that
-// alternate from point to point; `make paper` shows them (tests/measure/paper/schemes.cpp).
+// alternate from point to point; `make paper` shows them (tests/measure/paper/schemes.py).
 //
 // The scheme with correction is about as accurate as the compact one: 3.0e-5 on those 128 x 128
 // squares, 3.8e-5 against 4.5e-5 on perturbed triangles, but 4.1e-5 against 1.1e-5 on uniform

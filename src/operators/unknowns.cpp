@@ -23,7 +23,7 @@ void Unknowns::find(Span<const Index> representative, Graph const& graph,
                                                     ? wall(components() * slot[same] + c)
                                                     : none;
         }
-        if (couples_xy()) direction_[point] = tangent[same];
+        if (couples_xy()) set_tangent(point, tangent[same]);
         else if (!direction_.empty())
             direction_[point] = periodicity.rotation.power(periodicity.times[point]);
     }

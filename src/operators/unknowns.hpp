@@ -25,9 +25,11 @@ inline MatrixKind matrix_kind(Method const& method, Demands const& demands) noex
 
 // Degrees of freedom (dofs): a point has one (a real or a complex number), or two if x and y are
 // coupled: dof 2 p moves point p along its direction, dof 2 p + 1 normal to it. A point that slips
-// has the first one only, along the tangent. If sides of a passage are turned against each other,
-// the direction of a point is the factor that turns the complex number of its dof into the
-// displacement of the point.
+// has the first one only, along the tangent or against it: the larger component of the direction is
+// positive, so that the entry between a slipping point and a neighbour inside is negative, as
+// between two points inside. The coarse levels of multigrid depend on that sign. If sides of a
+// passage are turned against each other, the direction of a point is the factor that turns the
+// complex number of its dof into the displacement of the point.
 //
 // After find(), points that are joined have the same rows, and directions of points that slip are
 // unit vectors.
@@ -81,7 +83,10 @@ public:
     // Directions change with the coordinates if points slip along curves. This must be set before
     // find().
     void set_directions_change(bool change) noexcept { directions_change_ = change; }
-    void set_tangent(Index point, Vec2 tangent) const noexcept { direction_[point] = tangent; }
+    void set_tangent(Index point, Vec2 tangent) const noexcept {
+        bool const is_against = abs(tangent.x) < abs(tangent.y) ? tangent.y < 0 : tangent.x < 0;
+        direction_[point] = is_against ? -1 * tangent : tangent;
+    }
 
 protected:
     void lay_out_rows(Arena& arena, Index n_points, MatrixKind kind) noexcept;

@@ -127,7 +127,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     if (problem_.demands.periodic()) {
         HARMORPH_TRY(tie_periodic(topology_, boundary_, conditions_, wall_work_.chain_point, kinds_,
                                   tangent_, periodicity_, fault));
-        slip_curves_.keep_sliding(kinds_);
+        slip_curves_.keep_slipping(kinds_);
     }
     if (!tangent_.empty()) {
         slip_followers_.find(topology_, boundary_, conditions_, kinds_, slip_curves_,

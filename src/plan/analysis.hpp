@@ -40,8 +40,8 @@ class Analysis {
 public:
     // Lays out by the counts alone.
     void lay_out(Arena& arena, Problem const& asked, Index n_curves, Index n_conditions) noexcept;
-    // The caller sets these before run(). slip_along() has the curves that slip boundaries have
-    // given. Without conditions the analysis stops after the mesh.
+    // The caller sets these before run(). slip_along() has the curves that conditions give for slip
+    // boundaries. Without conditions the analysis stops after the mesh.
     Span<Curve> curves() const noexcept { return curves_; }
     Span<Curve> slip_along() const noexcept { return slip_along_; }
     Span<Condition> conditions() const noexcept { return conditions_; }

@@ -8,7 +8,7 @@ namespace harmorph {
 
 // The arrays are empty if no displacements are given.
 struct GivenWall {
-    // So many fields are solved as one block of right-hand sides.
+    // This many fields are solved as one block of right-hand sides.
     static constexpr Index fields_at_once = 12;
 
     Span<Index> point;     // [given points] The points in the order of their slots.
@@ -22,7 +22,8 @@ struct GivenWall {
     void lay_out(Arena& arena, Analysis const& analysis) noexcept;
     void init(Analysis const& analysis) noexcept;
 
-    // Returns the number of right-hand sides of such a block.
+    // Returns the number of right-hand sides of a block of fields, or 0 without given
+    // displacements.
     static Index columns(Analysis const& analysis) noexcept;
 };
 

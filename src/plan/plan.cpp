@@ -5,7 +5,7 @@
 namespace harmorph {
 namespace {
 
-// A task treats at least so many points.
+// A task has at least this many points.
 constexpr Index min_task_points = 4096;
 
 }  // namespace

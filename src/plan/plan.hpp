@@ -16,7 +16,7 @@ enum class Sealing { complete, skipped };
 // solve() and solve_fields().
 class Plan {
 public:
-    // solve() has memory for so many numbers of modes at a point, beside those of the functions.
+    // solve() has memory for this many numbers of modes at a point, beside those of the functions.
     static constexpr Index max_mode_numbers = 1024;
 
     void lay_out(Arena& arena, Analysis const& analysis) noexcept;
@@ -45,7 +45,8 @@ public:
     // accepted, and so are bases that are derived from it.
     Status check_fit(Basis const& basis, Fault& fault) const noexcept;
 
-    // Returns vector fields beside the functions, as numbers of dofs.
+    // Returns a view of n vector fields, from number `first` on, that `rows` stores in the layout
+    // of the functions: a row of numbers for each dof.
     DofValues fields(Span<Real> rows, Index first, Index n) const noexcept {
         return {rows, first, n, equations_.dof_of(), wall_point_, equations_.matrix().components()};
     }
@@ -72,8 +73,8 @@ public:
     RegionCounts const& region_counts() const noexcept { return region_counts_; }
     PointKind kind(Index point) const noexcept { return equations_.kind(point); }
     bool is_unknown(Index point) const noexcept { return unknowns().is_unknown(point); }
-    // Returns the point with the same unknown whose number the equations have; other points
-    // represent themselves.
+    // Returns the point that stands in the equations for all points with the same unknown; a point
+    // without an unknown represents itself.
     Index representative(Index point) const noexcept {
         Index const row = unknowns().first_row(point);
         return row < 0 ? point : equations_.point_of(row);
@@ -81,9 +82,8 @@ public:
     Index wall_slot(Index point) const noexcept { return unknowns().wall_slot(point); }
     bool couples_xy() const noexcept { return unknowns().couples_xy(); }
     bool slips(Index point) const noexcept { return unknowns().slips(point); }
-    Vec2 tangent(Index point) const noexcept {
-        return unknowns().direction(point);
-    }  // The point must slip.
+    // The point must slip.
+    Vec2 tangent(Index point) const noexcept { return unknowns().direction(point); }
     bool turns_sides() const noexcept { return unknowns().turns_sides(); }
     Vec2 turn(Index point) const noexcept { return unknowns().turn(point); }
     // Returns the factor from the displacement of `same_point(point)` to that of the point.

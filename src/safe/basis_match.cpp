@@ -40,7 +40,8 @@ Status check_other(Basis const& basis, Basis const& other, Fault& fault) noexcep
                       std::memcmp(theirs.data(), own.data(), own.size()) == 0;
     if (same && other.header->solved == 1 && same_modes(basis, other)) return Status::ok;
     return fault.refuse(Status::bad_basis,
-                        "one of the other bases is not solved, or of another mesh or other curves");
+                        "one of the other bases is not solved, or belongs to another mesh or to "
+                        "other curves");
 }
 
 Status check_derivative(Plan const& plan, Basis const& basis, Basis const& derivative,

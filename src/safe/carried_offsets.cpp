@@ -5,10 +5,10 @@
 namespace harmorph {
 namespace {
 
-// One thread has at least this number of points.
-constexpr Index least_carried_points = 4096;
+// A task has at least this many points.
+constexpr Index min_carried_points = 4096;
 // Offsets below this part of the extent of the control points are rounding.
-constexpr Real least_residual = 1e-12;
+constexpr Real min_residual = 1e-12;
 
 Real fade_of_offset(Real x) noexcept { return x < 1 ? (1 - x) * (1 - x) * (1 + 2 * x) : 0; }
 
@@ -19,7 +19,7 @@ void CarriedOffsets::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(x, counts.points);
     arena.take(y, counts.points);
     arena.take(group, counts.points);
-    arena.take(part, counts.points);
+    arena.take(fade, counts.points);
     arena.take(control, 2 * Offset{counts.functions()});
 }
 
@@ -37,7 +37,7 @@ void CarriedOffsets::init(Basis const& basis, MovementPath const& path, Points s
         largest = max(largest, length(wall[slot]));
         extent = max(extent, length(path.start[curve.control_point(0)]));
     }
-    reach = largest > least_residual * extent ? reach_per_residual * largest : 0;
+    reach = largest > min_residual * extent ? reach_per_residual * largest : 0;
     if (reach == 0) fill(wall, Vec2{});
 }
 
@@ -47,7 +47,7 @@ void CarriedOffsets::find_groups(Basis const& basis, MovementPath const& path, P
     if (reach == 0 || has_groups) return;
     has_groups = true;
     walls.build(start);
-    executor.for_ranges(group.count(), least_carried_points, [&](Index begin, Index end) {
+    executor.for_ranges(group.count(), min_carried_points, [&](Index begin, Index end) {
         Index nearest = 0;
         for (Index k = begin; k < end; ++k) {
             group[k] = none;
@@ -58,8 +58,8 @@ void CarriedOffsets::find_groups(Basis const& basis, MovementPath const& path, P
             Index const slot = path.slot_of[walls.faces[foot.face].point[0]];
             if (slot == none || !basis.is_on_curve(slot)) continue;
             Index const group_of_point = path.group_of_slot(basis, slot);
-            part[k] = fade_of_offset(length(start[k] - walls.at(foot, start)) / reach);
-            if (part[k] > 0 && !path.groups[group_of_point].is_straight())
+            fade[k] = fade_of_offset(length(start[k] - walls.at(foot, start)) / reach);
+            if (fade[k] > 0 && !path.groups[group_of_point].is_straight())
                 group[k] = group_of_point;
         }
     });
@@ -78,8 +78,8 @@ void CarriedOffsets::find(Basis const& by, Span<const Real> reached, Points now,
     morph(by, control.data(), {}, {x.data(), y.data(), 1}, executor);
     for (Index k = 0; k < group.count(); ++k) {
         if (group[k] == none || representative[k] != k) continue;
-        x[k] = part[k] * (now[k].x - x[k]);
-        y[k] = part[k] * (now[k].y - y[k]);
+        x[k] = fade[k] * (now[k].x - x[k]);
+        y[k] = fade[k] * (now[k].y - y[k]);
     }
     // Points of a cut or of a pair move alike.
     for (Index k = 0; k < group.count(); ++k) {
@@ -91,16 +91,16 @@ void CarriedOffsets::find(Basis const& by, Span<const Real> reached, Points now,
 
 Real CarriedOffsets::largest(Basis const& basis, MovementPath const& path, Real t) const noexcept {
     TurnAt turn(path, t);
-    Real most = 0;
+    Real longest = 0;
     for (Index slot = 0; slot < wall.count(); ++slot)
-        most = max(most, length(of_wall(basis, path, slot, turn)));
-    return most;
+        longest = max(longest, length(of_wall(basis, path, slot, turn)));
+    return longest;
 }
 
 void CarriedOffsets::add(MovementPath const& path, Real from, Real to, MutablePoints displacement,
                          Executor const& executor) const noexcept {
     if (reach == 0) return;
-    executor.for_ranges(group.count(), least_carried_points, [&](Index begin, Index end) {
+    executor.for_ranges(group.count(), min_carried_points, [&](Index begin, Index end) {
         TurnAt before(path, from), after(path, to);
         for (Index k = begin; k < end; ++k) {
             if (group[k] == none) continue;

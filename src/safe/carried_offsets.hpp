@@ -9,9 +9,9 @@
 //
 // Inside the mesh the similarity is carried exactly near the wall and fades with the distance to
 // the movement that the functions give:
-//   dz = sum_i F_i dP_i + (rho - 1) fade(d / reach) (z - sum_i F_i P_i).
-// Here d is the distance to the wall at the start, P_i are the control points, and rho is the part
-// of r that the step makes; on the wall the bracket is e.
+//   dz = sum_i F_i dP_i + (rho - 1) fade(h / reach) (z - sum_i F_i P_i).
+// Here h is the distance to the wall at the start, P_i are the control points, and rho is the
+// similarity of the step, as r is that of the whole movement; on the wall, z - sum_i F_i P_i is e.
 #pragma once
 
 #include "boundary/distance.hpp"
@@ -27,11 +27,11 @@ struct CarriedOffsets {
     Span<Vec2> wall;    // [wall points] the residual e
     Span<Real> x, y;    // [n_points] fade (z - sum F_i P_i) on the present mesh
     Span<Index> group;  // [n_points] the group that turns the point, or none
-    // [n_points] The fade of points that have a group and are their own representatives.
-    Span<Real> part;
+    // [n_points] fade(h / reach) of points that have a group and are their own representatives.
+    Span<Real> fade;
     Span<Real> control;       // [2 * functions]
     Real reach = 0;           // 0: there are no offsets to carry
-    bool has_groups = false;  // whether `group` and `part` have been found
+    bool has_groups = false;  // whether `group` and `fade` have been found
     // The functions that x and y were found with; null as long as x and y are not known.
     const void* found_with = nullptr;
 
@@ -41,7 +41,7 @@ struct CarriedOffsets {
     void init(Basis const& basis, MovementPath const& path, Points start) noexcept;
     // Must be called when the mesh or its functions have changed.
     void forget() noexcept { found_with = nullptr; }
-    // Finds the group and the part of all points at their start, unless they are known. Tangle
+    // Finds the group and the fade of all points at their start, unless they are known. Tangle
     // describes representative and held [n_points].
     void find_groups(Basis const& basis, MovementPath const& path, Points start,
                      FaceDistance& walls, Span<const Index> representative,

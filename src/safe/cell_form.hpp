@@ -13,7 +13,8 @@ struct CellForm {
     Vec2 by[n];
     Block hessian[n][n];
 
-    // Adds those of the corner at point `own`, which goes from point `before` to point `after`.
+    // Adds the derivatives of the corner at point `own`, the sides of which go from point `before`
+    // to point `own` and from there to point `after`.
     void add(Index before, Index own, Index after, CornerForm const& corner) noexcept {
         by[before] = by[before] - corner.by_side;
         by[own] = by[own] + (corner.by_side - corner.by_next);

@@ -10,10 +10,10 @@ namespace harmorph {
 // is not 0 also (least / Q)^(2 power), with the quality Q that the library reports. The functions
 // are those that NewtonSystem::assemble_lists() calls.
 struct CornerEnergies {
-    static constexpr Index most_cells = CornerList::max_count / 4;
+    static constexpr Index max_cells = CornerList::max_count / 4;
     // Curvatures are raised to this part of the curvature of scaling at the target; rotation, which
     // changes nothing at the target, has this curvature, too.
-    static constexpr Real least_curvature = 0.02;
+    static constexpr Real min_curvature = 0.02;
 
     Targets const& targets;
     QualityKernels const& kernels;
@@ -38,8 +38,8 @@ struct CornerEnergies {
                   target.least * target.least);
     }
     void differentiate() noexcept {
-        kernels.differentiate(relative, least_curvature, by_relative);
-        if (power > 0) kernels.differentiate(ideal, least_curvature, by_ideal);
+        kernels.differentiate(relative, min_curvature, by_relative);
+        if (power > 0) kernels.differentiate(ideal, min_curvature, by_ideal);
     }
     void next(Index, CornerPoints const&, CornerForm& form) noexcept {
         by_relative.add_to(form, taken);

@@ -9,21 +9,23 @@ namespace {
 // A step takes at most this share of the admissible step.
 constexpr Real share_of_admissible = 0.9;
 // Armijo's rule: the energy must fall by at least this part of what the slope promises.
-constexpr Real least_slope = 1e-4;
-constexpr Index most_halvings = 30;
+constexpr Real min_slope = 1e-4;
+constexpr Index max_halvings = 30;
 // If a step promises a smaller relative decrease of the energy, the decrease is rounding.
 constexpr Real at_rest = 1e-12;
 // Where the power is large, Newton's step improves one of the worst cells only by a small factor;
 // then a longer step is better.
-constexpr Index most_doublings = 8;
-// Part of the work that steps of the whole mesh may use.
+constexpr Index max_doublings = 8;
+// Steps that move points of the whole mesh may use this part of the work.
 constexpr Real share_of_whole = 0.65;
-// Cells are raised only if the quality of one of them, divided by `least` or by the smallest of the
-// given mesh, was less than this number, so that a small movement changes the mesh little.
+// The worst cells are improved only if the quality of one of them, divided by Targets::Cell::least
+// or by the smallest quality of the given mesh, was less than this number. A small movement
+// therefore changes the mesh little.
 constexpr Real clearly_below = 0.999;
-// Measured times for one block of the Hessian, in products with the block: computing the block for
-// each of the two terms of the energy, and the energy. Those of a region or a step that do not
-// depend on the size of the region are for each block of the whole mesh.
+// Measured times for each block of the Hessian, in units of one product of the block and a vector:
+// computing the block for the first and for the second term of the energy, and computing the
+// energy. The last two are times of a region and of a step that do not depend on the size of the
+// region; they count for each block of the whole mesh.
 constexpr Real work_of_first = 20, work_of_second = 7, work_of_energy = 6.5, work_of_region = 10,
                work_of_step = 5;
 
@@ -54,63 +56,61 @@ void Improvement::run(ImproveOptions const& options, Points from, MutablePoints 
     copy(best, Span<const Vec2>(now));
     Score highest = score();
     if (region.n > 0) {
-        Real const most_work = options.most_work * static_cast<Real>(options.most_iterations) *
-                               static_cast<Real>(region.n);
+        Real const max_work = options.max_work * static_cast<Real>(options.max_iterations) *
+                              static_cast<Real>(region.n);
         Real const given = highest.smallest;
         Score found = highest;
-        climb(options, 0, min(options.most_in_whole, options.most_iterations),
-              share_of_whole * most_work, found, highest, report);
+        climb(options, 0, min(options.max_in_whole, options.max_iterations),
+              share_of_whole * max_work, found, highest, report);
         if (min(given, min(found.smallest, found.lowest)) < clearly_below)
-            raise_worst(options, most_work, found, highest, report);
+            raise_worst(options, max_work, found, highest, report);
     }
-    for (Index layers = least_layers; options.enough > 0 && layers <= most_layers; layers *= 2) {
+    for (Index layers = min_layers; options.enough > 0 && layers <= max_layers; layers *= 2) {
         begin(as_points(best));
         Score found = score();
         if (!begin_near(options.enough, 0, layers)) break;
         for (Index const power : powers_near_poor)
-            climb(options, power, most_near_poor, infinity, found, highest, report);
+            climb(options, power, max_near_poor, infinity, found, highest, report);
     }
     for (Index k = 0; k < now.count(); ++k) to.set(k, best[k]);
 }
 
 // Begins at `now`. The best mesh on the way replaces `best`, the score of which is `highest`.
 // `found` is the score of the last mesh.
-void Improvement::climb(ImproveOptions const& options, Index power, Index most_steps,
-                        Real most_work, Score& found, Score& highest,
-                        ImproveReport& report) noexcept {
+void Improvement::climb(ImproveOptions const& options, Index power, Index max_steps, Real max_work,
+                        Score& found, Score& highest, ImproveReport& report) noexcept {
     Real before = energy(power);
-    for (Index k = 0; k < most_steps && before < infinity && work < most_work; ++k) {
+    for (Index k = 0; k < max_steps && before < infinity && work < max_work; ++k) {
         Real const after = step(options, power, before, report);
         found = score();
         if (found.is_better_than(highest)) {
             highest = found;
             copy(best, Span<const Vec2>(now));
         }
-        bool const gains = before - after > options.least_gain * before;
+        bool const gains = before - after > options.min_gain * before;
         before = after;
         if (!gains) break;
     }
 }
 
 // Moves points near the cells that are not much better than the worst one. The last power is
-// repeated as long as the worst cell rises.
-void Improvement::raise_worst(ImproveOptions const& options, Real most_work, Score found,
+// repeated as long as the quality of the worst cell increases.
+void Improvement::raise_worst(ImproveOptions const& options, Real max_work, Score found,
                               Score& highest, ImproveReport& report) noexcept {
-    constexpr Real width = 1.5, least_part = 0.6, most_part = 0.999, least_rise = 1.005;
+    constexpr Real width = 1.5, min_part = 0.6, max_part = 0.999, min_rise = 1.005;
     constexpr Index n_powers = sizeof powers_of_worst / sizeof *powers_of_worst;
-    for (Index k = 0; work < most_work && report.iterations < options.most_iterations; ++k) {
+    for (Index k = 0; work < max_work && report.iterations < options.max_iterations; ++k) {
         Real const smallest = found.smallest;
-        if (!begin_near(0, min(most_part, max(least_part, width * smallest)), layers_of_worst))
-            return;
+        if (!begin_near(0, min(max_part, max(min_part, width * smallest)), layers_of_worst)) return;
         work += work_of_region * n_blocks;
         climb(options, powers_of_worst[min(k, n_powers - 1)],
-              min(most_for_power, options.most_iterations - report.iterations), most_work, found,
+              min(max_for_power, options.max_iterations - report.iterations), max_work, found,
               highest, report);
-        if (k + 1 >= n_powers && found.smallest < least_rise * smallest) return;
+        if (k + 1 >= n_powers && found.smallest < min_rise * smallest) return;
     }
 }
 
-// A block between two ranges is stored in both rows.
+// The block of two unknowns in different ranges is stored in both rows.
 void Improvement::count_blocks() noexcept {
     Offset twice = 0;
     for (Index u = 0; u < region.n; ++u)
@@ -121,7 +121,7 @@ void Improvement::count_blocks() noexcept {
 // Begins at `now`, near cells whose quality is below `enough` or below this part of their aim.
 // Returns false if there is none.
 bool Improvement::begin_near(Real enough, Real part_of_aim, Index layers) noexcept {
-    sliding.turn_lines(as_points(now));
+    slipping.turn_lines(as_points(now));
     fill(change, Vec2{});
     region.choose([&](Index i) {
         return quality[i] >= 0 &&
@@ -142,7 +142,7 @@ bool Improvement::begin_near(Real enough, Real part_of_aim, Index layers) noexce
 
 void Improvement::begin(Points points) noexcept {
     for (Index k = 0; k < now.count(); ++k) now[k] = points[k];
-    sliding.turn_lines(as_points(now));
+    slipping.turn_lines(as_points(now));
     fill(change, Vec2{});
     fill(quality, Real{-1});
     region.link(tangle);
@@ -156,7 +156,7 @@ void Improvement::begin(Points points) noexcept {
 Real Improvement::step(ImproveOptions const& options, Index power, Real before,
                        ImproveReport& report) noexcept {
     assemble(power);
-    Index const products = system.solve(region, options.most_products, executor);
+    Index const products = system.solve(region, options.max_products, executor);
     report.products += products;
     ++report.iterations;
     work += static_cast<Real>(products) * n_region_blocks + work_of_step * n_blocks;
@@ -197,7 +197,7 @@ Real Improvement::energy_of(Span<const Vec2> points, Index power) const noexcept
                    CornerEnergies list(targets, executor.kernel, as_points(points), power);
                    for (Index k = begin; k < end;) {
                        list.clear();
-                       for (Index const part = min(end, k + CornerEnergies::most_cells); k < part;
+                       for (Index const part = min(end, k + CornerEnergies::max_cells); k < part;
                             ++k) {
                            Index const cell = region.cell[k];
                            CellTriangles const corners(tangle, cell);
@@ -241,12 +241,12 @@ Real Improvement::descend(Index power, Real before) noexcept {
     auto const falls_enough = [&] {
         look_ahead(length);
         after = energy_ahead(power);
-        return after < before && after <= before + least_slope * length * slope && is_valid(ahead);
+        return after < before && after <= before + min_slope * length * slope && is_valid(ahead);
     };
     for (Index halvings = 0; !falls_enough(); length *= 0.5) {
-        if (++halvings > most_halvings) return before;
+        if (++halvings > max_halvings) return before;
     }
-    for (Index doublings = 0; doublings < most_doublings && 2 * length <= most; ++doublings) {
+    for (Index doublings = 0; doublings < max_doublings && 2 * length <= most; ++doublings) {
         look_ahead(2 * length);
         Real const farther = energy_ahead(power);
         if (!(farther < after) || !is_valid(ahead)) break;
@@ -255,16 +255,16 @@ Real Improvement::descend(Index power, Real before) noexcept {
     }
     look_ahead(length);
     copy(now, Span<const Vec2>(ahead));
-    sliding.turn_lines(as_points(now));
+    slipping.turn_lines(as_points(now));
     return after;
 }
 
-// Sets the points ahead to now + length * change, with sliding points on their curves.
+// Sets the points ahead to now + length * change, with slipping points on their curves.
 void Improvement::look_ahead(Real length) const noexcept {
     executor.for_ranges(now.count(), 4096, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
             bool const moves = region.unknown[k] != none;
-            ahead[k] = moves ? sliding.placed(k, now[k] + length * change[k]) : now[k];
+            ahead[k] = moves ? slipping.placed(k, now[k] + length * change[k]) : now[k];
         }
     });
 }

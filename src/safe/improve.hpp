@@ -5,26 +5,26 @@
 
 #include "safe/newton_system.hpp"
 #include "safe/corner_energies.hpp"
-#include "safe/sliding_points.hpp"
+#include "safe/slipping_points.hpp"
 #include "safe/targets.hpp"
 
 namespace harmorph {
 
 struct ImproveOptions {
     // The largest number of Newton steps.
-    Index most_iterations = 60;
+    Index max_iterations = 60;
     // The largest number of steps that move points of the whole mesh.
-    Index most_in_whole = 8;
+    Index max_in_whole = 8;
     // The largest number of products with the Hessian in each step.
-    Index most_products = 50;
+    Index max_products = 50;
     // The work of all steps, in products of a block of the Hessian and a vector, is at most this
-    // number for each point that can move and each of most_iterations. A product with the whole
+    // number for each point that can move and each of max_iterations. A product with the whole
     // Hessian is 4 of them for each point of triangles, 5 for each point of quadrilaterals.
-    Real most_work = 48;
+    Real max_work = 48;
     // If a step decreases the energy by a smaller part, the next power begins.
-    Real least_gain = 5e-4;
+    Real min_gain = 5e-4;
     // If cells have a quality Q (see below) less than this at the end, further steps, beyond
-    // most_iterations and most_work, move the points near these cells.
+    // max_iterations and max_work, move the points near these cells.
     Real enough = 0;
     // The smallest Q should not fall below this value.
     Real lowest = 0;
@@ -48,18 +48,18 @@ struct ImproveReport {
 //
 // The minimiser is Newton's method. No step is longer than a part of the exact admissible step, so
 // that no cell is inverted on the way, and every step lowers the energy. Walls do not move; points
-// that slide stay on their lines and curves.
+// that slip stay on their lines and curves.
 struct Improvement {
-    static constexpr Index powers_of_worst[] = {2, 4, 8, 16, 32}, most_for_power = 2,
+    static constexpr Index powers_of_worst[] = {2, 4, 8, 16, 32}, max_for_power = 2,
                            layers_of_worst = 3;
-    static constexpr Index powers_near_poor[] = {2, 4, 8, 16, 32}, most_near_poor = 60,
-                           least_layers = 6, most_layers = 24;
+    static constexpr Index powers_near_poor[] = {2, 4, 8, 16, 32}, max_near_poor = 60,
+                           min_layers = 6, max_layers = 24;
 
-    Tangle tangle;          // set by the caller, with the reference of the targets
-    Targets targets;        // found by the caller
-    SlidingPoints sliding;  // set by the caller: sliding along curves, the lines of which are those
-                            // of the tangle
-    Executor executor;      // set by the caller
+    Tangle tangle;    // set by the caller, with the reference of the targets
+    Targets targets;  // found by the caller
+    // Set by the caller: the points that slip along curves; their lines are those of the tangle.
+    SlippingPoints slipping;
+    Executor executor;  // set by the caller
     Region region;
     NewtonSystem system;
     Span<Vec2> now, change, ahead, best;  // [n_points]
@@ -73,18 +73,19 @@ struct Improvement {
     void run(ImproveOptions const& options, Points from, MutablePoints to,
              ImproveReport& report) noexcept;
 
-    // These are the parts of run(). The first sets `now` to `points`. The second makes a Newton
-    // step that lowers the energy of the given power from `before` to the returned value, which is
-    // `before` if no step lowers the energy.
+    // These are the parts of run(). begin() sets `now` to `points`. step() makes a Newton step that
+    // lowers the energy of the given power from `before` to the returned value, which is `before`
+    // if no step lowers the energy.
     void begin(Points points) noexcept;
     Real energy(Index power) const noexcept { return energy_of(now, power); }
     Real step(ImproveOptions const& options, Index power, Real before,
               ImproveReport& report) noexcept;
 
 private:
-    // The better one of two meshes is nearer to options.lowest, if a smallest Q is below; else the
-    // product of the mean quality and of the smallest Q / least is larger. A Q / least above 1
-    // counts little, and nothing above Targets::aim.
+    // If the smallest Q of one of two meshes is below options.lowest, the mesh with the larger
+    // smallest Q is better. Otherwise the mesh is better whose product of the mean quality and the
+    // smallest Q / least is larger; values of Q / least above 1 have a small weight in this
+    // product, and are at most Targets::aim.
     struct Score {
         Real lowest = 1;  // the smallest Q / options.lowest, at most 1
         Real smallest = infinity;
@@ -104,18 +105,18 @@ private:
         }
     };
 
-    Score outside;    // of the cells that are not in the region
+    Score outside;    // the score of the cells that are not in the region
     Real lowest = 0;  // options.lowest
     Real work = 0;    // in products with a block of the Hessian
-    // Blocks above and on the diagonal of the Hessian, of the whole mesh and of the region, by any
-    // numbering of the points.
+    // The numbers of blocks on and above the diagonal of the Hessian, for the whole mesh and for
+    // the region. They do not depend on the numbering of the points.
     Real n_blocks = 0, n_region_blocks = 0;
 
     Score score_of(Index cell) const noexcept;
     Score score() const noexcept;
-    void climb(ImproveOptions const& options, Index power, Index most_steps, Real most_work,
+    void climb(ImproveOptions const& options, Index power, Index max_steps, Real max_work,
                Score& found, Score& highest, ImproveReport& report) noexcept;
-    void raise_worst(ImproveOptions const& options, Real most_work, Score found, Score& highest,
+    void raise_worst(ImproveOptions const& options, Real max_work, Score found, Score& highest,
                      ImproveReport& report) noexcept;
     void count_blocks() noexcept;
     bool begin_near(Real enough, Real part_of_aim, Index layers) noexcept;

@@ -4,29 +4,29 @@
 
 namespace harmorph {
 
-// Corrects sliding points ahead of the present mesh, which is valid. If some of them have passed a
-// neighbour on their line, as happens beside the end of a wall that leaves the line, all sliding
-// points go only a part of their way, or stay. Returns whether any point slides.
-bool SafeMorph::keep_order_of_sliding(Work const& work) noexcept {
+// Corrects slipping points ahead of the present mesh, which is valid. If some of them have passed a
+// neighbour on their line, as happens beside the end of a wall that leaves the line, all slipping
+// points go only a part of their way, or stay. Returns whether any point slips.
+bool SafeMorph::keep_order_of_slipping(Work const& work) noexcept {
     BoundaryFaces const faces = work.basis.faces();
-    auto const slides = [&](Index point) {
+    auto const slips = [&](Index point) {
         return mobility.held[mobility.representative[point]] == 0 &&
                work.plan.kind(point) == PointKind::slip;
     };
     bool any = false;
-    for (Index k = 0; k < work.mesh().n_points && !any; ++k) any = slides(k);
+    for (Index k = 0; k < work.mesh().n_points && !any; ++k) any = slips(k);
     if (!any) return false;
     Real part = 1;
     auto const ahead = [&](Index point) {
         Vec2 const there = mesh.ahead()[point], here = mesh.now()[point];
-        return slides(point) && part < 1
-                   ? mobility.sliding.placed(point, here + part * (there - here))
+        return slips(point) && part < 1
+                   ? mobility.slipping.placed(point, here + part * (there - here))
                    : there;
     };
     auto const is_in_order = [&] {
         for (Index face = 0; face < faces.count(); ++face) {
             Index const begin = faces.begin_of(face), end = faces.end_of(face);
-            if (!slides(begin) && !slides(end)) continue;
+            if (!slips(begin) && !slips(end)) continue;
             Vec2 const side = mesh.now()[end] - mesh.now()[begin];
             if (!(dot(side, ahead(end) - ahead(begin)) > 0)) return false;
         }
@@ -36,21 +36,21 @@ bool SafeMorph::keep_order_of_sliding(Work const& work) noexcept {
     for (Index k = 0; k < 3 && !is_in_order(); ++k) part = parts[k];
     if (part == 1 || !is_in_order()) return true;
     for (Index k = 0; k < work.mesh().n_points; ++k) {
-        if (slides(k)) mesh.to_ahead().set(k, ahead(k));
+        if (slips(k)) mesh.to_ahead().set(k, ahead(k));
     }
     return true;
 }
 
 // Untangles the mesh ahead with all boundary points held, and if that fails, with points that
-// slide.
+// slip.
 bool SafeMorph::untangle_ahead(Work& work) noexcept {
     mobility.find(work.plan, mesh.ahead());
-    bool const any_slides = keep_order_of_sliding(work);
+    bool const any_slips = keep_order_of_slipping(work);
     untangling.executor = work.executor();
-    auto const run = [&](Tangle const& tangle, SlidingPoints const& sliding) {
+    auto const run = [&](Tangle const& tangle, SlippingPoints const& slipping) {
         Fault why;
         untangling.tangle = tangle;
-        untangling.sliding = sliding;
+        untangling.slipping = slipping;
         Status const status =
             untangling.run(work.options.untangle, mesh.to_ahead(), work.report.untangle, why);
         // A boundary may cross itself although no cell is inverted.
@@ -59,7 +59,7 @@ bool SafeMorph::untangle_ahead(Work& work) noexcept {
     Points const start = work.mesh().points;
     if (run({work.mesh(), start, work.basis.reversed, mesh.representative, mesh.held}, {}))
         return true;
-    return any_slides && run(mobility.tangle(work.plan, start), mobility.sliding);
+    return any_slips && run(mobility.tangle(work.plan, start), mobility.slipping);
 }
 
 // Makes the rest of the movement in one step, however many cells the step inverts; then untangling
@@ -123,7 +123,7 @@ void SafeMorph::improve_at_end(Work& work) noexcept {
     bool const is_improved = work.best().strategy == Strategy::improved && work.report.heights == 0;
     if (improves && !is_improved) improve(work, result());
     if (improves && work.report.heights > 0 && improve(work, mesh.now())) work.report.heights = 0;
-    bool const is_limited = work.best().height_change > options.most_height_change;
+    bool const is_limited = work.best().height_change > options.max_height_change;
     if (is_limited && options.heights == 0) restore_heights(work);
 }
 

@@ -41,7 +41,7 @@ void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points refe
     first_layer.find(plan.mesh(), reference, mobility.representative, walls.chosen());
     improvement.executor = plan.executor();
     improvement.tangle = mobility.tangle(plan, reference);
-    improvement.sliding = mobility.sliding;
+    improvement.slipping = mobility.slipping;
     improvement.targets.find(plan.cells(), walls, reference, from, plan.executor());
     auto const smallest = [&](Points points) {
         return measure_quality(plan.cells(), points, reference, plan.executor()).min_quality;
@@ -104,11 +104,11 @@ void MeshImprovement::carry_first_layer(Points reference, Points from) noexcept 
         Vec2 const edge =
             turned(reference[top] - reference[foot], wall.turn(slot, reference, from));
         Vec2 way = from[foot] + edge - start[top];
-        if (improvement.tangle.slides(top)) way = dot(mobility.line[top], way) * mobility.line[top];
+        if (improvement.tangle.slips(top)) way = dot(mobility.line[top], way) * mobility.line[top];
         if (!(square(way) > rounding * rounding * square(edge))) continue;
         Vec2 const here = start[top];
         for (Real part = 1; part > 0.1; part *= 0.5) {
-            if (try_top(top, mobility.sliding.placed(top, here + part * way), from)) break;
+            if (try_top(top, mobility.slipping.placed(top, here + part * way), from)) break;
         }
     }
     for (Index k = 0; k < start.count(); ++k) start[k] = position(k, from);

@@ -8,7 +8,7 @@ void Mobility::lay_out(Arena& arena, Plan const& plan) noexcept {
     arena.take(held, n);
     arena.take(line, plan.couples_xy() ? n : 0);
     arena.take(turn, plan.turns_sides() ? n : 0);
-    arena.take(sliding.slot, plan.slip_curves().count > 0 ? n : 0);
+    arena.take(slipping.slot, plan.slip_curves().count > 0 ? n : 0);
 }
 
 void Mobility::find(Plan const& plan, Points now) noexcept {
@@ -20,8 +20,8 @@ void Mobility::find(Plan const& plan, Points now) noexcept {
             line[k] = plan.kind(k) == PointKind::slip ? plan.tangent(representative[k]) : Vec2{};
         if (!turn.empty()) turn[k] = plan.turn(k);
     }
-    sliding.line = line;
-    sliding.find(plan.slip_curves(), now, representative, held);
+    slipping.line = line;
+    slipping.find(plan.slip_curves(), now, representative, held);
     for (Index k = 0; k < plan.mesh().n_points; ++k) held[k] = held[representative[k]];
 }
 

@@ -76,7 +76,7 @@ void MovementPath::fit_all(Basis const& basis, bool straight) noexcept {
         Index const translation = n_shapes + 2 * body, turn_of_it = translation + 1;
         Vec2 const ratio = Vec2{1, 0} + Vec2{target[2 * turn_of_it], target[2 * turn_of_it + 1]};
         bool const anchored = groups[turn_of_it].anchored;
-        bool const turns = !straight && !anchored && length(ratio) > Similarity::least_ratio;
+        bool const turns = !straight && !anchored && length(ratio) > Similarity::min_ratio;
         set_alone(translation, {}, not_at_all, anchored);
         set_alone(turn_of_it, {1, 0}, turns ? ratio : not_at_all, anchored);
         if (turns) drift[turn_of_it] = {};

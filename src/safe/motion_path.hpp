@@ -5,18 +5,18 @@
 
 namespace harmorph {
 
-// Returns r^t for 0 <= t <= 1, along the shorter way round 0, computed by square roots alone.
+// Returns r^t for 0 <= t <= 1, with the argument of r between -pi and pi, by square roots alone.
 Vec2 complex_power(Vec2 r, Real t) noexcept;
 
 // Control points that curves connect turn and scale together. The similarity z -> c + d + r (z - c)
 // that fits their movement best proceeds along r^t, and the remainder of the movement grows
 // linearly in the turning frame:
 //   P_i(t) = c + t d + r^t (P_i - c + t D_i),   D_i = (P_i + dP_i - c - d) / r - (P_i - c).
-// So a rotation is a rotation all the way, whereas a straight line would shrink the body. Rigid
+// So a rotation is a rotation at each time, whereas a straight line would shrink the body. Rigid
 // bodies move in the same way. Three kinds of groups go straight, with r = 1: groups with functions
-// of real values, which cannot turn; walls that end on another boundary, because their ends stay on
-// that boundary, or where it holds them, only on a straight line; and combined functions and modes,
-// for which no rotation is defined unless a mode has a ModeWay. All curves round one body turn
+// of real values, which cannot turn; walls that end on another boundary, because only on a straight
+// path do their ends stay on that boundary, or where they are held; and combined functions and
+// modes, for which no rotation is defined unless a mode has a ModeWay. All curves of one body turn
 // together.
 struct MovementPath {
     // The amplitude of a mode is r^t (start + t drift) - start, where the drift leads to the target
@@ -35,10 +35,9 @@ struct MovementPath {
 
     Span<Index> group_of;  // [functions]
     Span<Group> groups;    // [functions] at most
-    Span<Vec2> start,
-        // [functions] P_i - c and D_i of a group; 1 and 0 for the turn of a rigid body; P_i and
-        // dP_i if the group goes straight.
-        drift;
+    // [functions] P_i - c and D_i of a group; 1 and 0 for the turn of a rigid body; P_i and dP_i if
+    // the group goes straight.
+    Span<Vec2> start, drift;
     Span<Real> target;              // [2 * functions] dP
     Span<const ModeWay> mode_ways;  // [modes], or empty: all modes go straight
 

@@ -18,7 +18,7 @@ void MovingMesh::lay_out(Arena& arena, Plan const& plan, BasisCounts const& coun
     arena.take(ends, counts.points);
     arena.take(representative, counts.points);
     arena.take(held, counts.points);
-    arena.take(slid, plan.slip_curves().n_slots());
+    arena.take(slip_place, plan.slip_curves().n_slots());
 }
 
 void MovingMesh::init(Plan const& plan, Basis const& basis, const Real* move) noexcept {
@@ -83,16 +83,16 @@ void MovingMesh::put_on_slip_curves(Plan const& plan) noexcept {
     SlipCurves const& curves = plan.slip_curves();
     if (curves.count == 0) return;
     curves.for_each([&](Index slot, Index point) {
-        slid[slot] = curves.nearest(slot, now()[point] + ahead()[point]);
+        slip_place[slot] = curves.nearest(slot, now()[point] + ahead()[point]);
     });
     plan.slip_followers().for_each(curves, [&](Index k, Index slot, Real part) {
         Index const point = curves.point[slot];
-        Vec2 const back = slid[slot].at - (now()[point] + ahead()[point]);
+        Vec2 const back = slip_place[slot].at - (now()[point] + ahead()[point]);
         if (back.x != 0 || back.y != 0) to_ahead().set(k, ahead()[k] + part * back);
     });
     curves.for_each([&](Index slot, Index point) {
         Vec2 const by = ahead()[point];
-        if (by.x != 0 || by.y != 0) to_ahead().set(point, slid[slot].at - now()[point]);
+        if (by.x != 0 || by.y != 0) to_ahead().set(point, slip_place[slot].at - now()[point]);
     });
     for (Index k = 0; k < x.count(); ++k) {  // the displacements keep their bits
         if (plan.slips(k)) to_ahead().set(k, ahead()[plan.representative(k)]);

@@ -14,19 +14,18 @@ struct MovingMesh {
     Real time = 0;                // the present time on the path, between 0 and 1
     Span<Real> x, y;              // [n_points] the present coordinates
     Span<Real> ahead_x, ahead_y;  // [n_points] the coordinates after the last trial step
-    Span<Real> reached, aimed,
-        // [2 * functions] Movements since the start: at present, after the trial step, and their
-        // difference.
-        difference;
+    // [2 * functions] Movements since the start: at present, after the trial step, and their
+    // difference.
+    Span<Real> reached, aimed, difference;
     Real aimed_time = 0;
     Span<KnownEnd> ends;  // [n_points] what is known about the final positions
     // [n_points] The representative of points that a cut joins.
     Span<Index> representative;
     Span<std::uint8_t> held;  // [n_points] 1: on the boundary, where the step moves the point
-    // [slots of slip curves] The positions of sliding points after the trial step.
-    Span<SlipCurves::Place> slid;
-    // [given points] Their whole displacements, which are reached exactly. Empty: the modes alone
-    // move these points.
+    // [slots of slip curves] The positions of slipping points after the trial step.
+    Span<SlipCurves::Place> slip_place;
+    // [given points] The whole displacements of these points, which are reached exactly. Empty: the
+    // modes alone move the points.
     Span<const Vec2> given;
 
     void lay_out(Arena& arena, Plan const& plan, BasisCounts const& counts) noexcept;

@@ -3,9 +3,9 @@
 namespace harmorph {
 namespace {
 
-// Inverts a positive definite block. The entries have the size of 1 / length^2, and their products
-// are formed of parts of the size of 1. In a block that rounding has made singular, all directions
-// have equal weight. Where rounding has cancelled the whole block, the point stays.
+// Inverts a positive definite block. The entries have the size of 1 / length^2; they are scaled to
+// the size of 1 before they are multiplied. In a block that rounding has made singular, all
+// directions have equal weight. If rounding has cancelled the whole block, the point stays.
 Block inverse_of(Block const& block) noexcept {
     Real const size = abs(block.a) + abs(block.d);
     if (size == 0) return {};
@@ -45,12 +45,12 @@ void NewtonSystem::constrain_row(Tangle const& tangle, Region const& region,
     for (Index entry = 0; !tangle.line.empty() && entry < neighbours.count(); ++entry) {
         Index const v = neighbours[entry];
         Block& block = row[entry];
-        if (tangle.slides(region.point[v])) {
+        if (tangle.slips(region.point[v])) {
             Vec2 const line = line_of(v), moved = block * line;
             block = {};
             block.add(1, moved, line);
         }
-        if (tangle.slides(region.point[u])) {
+        if (tangle.slips(region.point[u])) {
             Vec2 const line = line_of(u);
             Vec2 const moved = {block.a * line.x + block.c * line.y,
                                 block.b * line.x + block.d * line.y};
@@ -59,7 +59,7 @@ void NewtonSystem::constrain_row(Tangle const& tangle, Region const& region,
         }
     }
     Block own = row[0];
-    if (tangle.slides(region.point[u])) {
+    if (tangle.slips(region.point[u])) {
         Vec2 const line = line_of(u), across = {-line.y, line.x};
         own.add(dot(line, own * line), across, across);
         gradient[u] = dot(line, gradient[u]) * line;
@@ -69,7 +69,7 @@ void NewtonSystem::constrain_row(Tangle const& tangle, Region const& region,
 
 // Each pass over the rows is one pass over the memory: the sums of computed values are formed in
 // the same pass.
-Index NewtonSystem::solve(Region const& region, Index most_products,
+Index NewtonSystem::solve(Region const& region, Index max_products,
                           Executor const& executor) const noexcept {
     Index const n = region.n;
     auto const sum_over_rows = [&](auto const& body) {
@@ -84,7 +84,7 @@ Index NewtonSystem::solve(Region const& region, Index most_products,
     });
     Real const least = enough * enough * size;
     Index products = 0;
-    while (products < most_products && size > least) {
+    while (products < max_products && size > least) {
         Real const curvature =
             reduce_ranges<Sum>(n, executor, [&](Index begin, Index end, Sum& sum) {
                 sum.value = multiply(region, begin, end, search, image);
@@ -98,7 +98,7 @@ Index NewtonSystem::solve(Region const& region, Index most_products,
             image[u] = inverse[u] * rest[u];
             return dot(rest[u], image[u]);
         });
-        executor.for_ranges(n, least_rows, [&](Index begin, Index end) {
+        executor.for_ranges(n, min_rows, [&](Index begin, Index end) {
             for (Index u = begin; u < end; ++u) search[u] = image[u] + size / before * search[u];
         });
     }

@@ -14,14 +14,14 @@ struct Sum {
     void merge(Sum const& later) noexcept { value += later.value; }
 };
 
-// The unknowns are the movements of points; sliding points move along their lines.
+// The unknowns are the movements of points; slipping points move along their lines.
 struct NewtonSystem {
     // A direction with this relative residual is good enough, because the energy changes in the
     // next step anyway.
     static constexpr Real enough = 0.2;
 
     // The rows are those of region.neighbour; blocks below the diagonal are not stored, because
-    // those above represent them. Blocks are 0 across lines of sliding points.
+    // those above represent them. Blocks are 0 across lines of slipping points.
     Span<Block> hessian;
     Span<Block> inverse;             // [n] the inverses of the diagonal blocks
     Span<Vec2> gradient;             // [n]
@@ -37,7 +37,7 @@ struct NewtonSystem {
         assemble_lists(tangle, region, executor, [&] { return EachCorner<Visit>{visit}; });
     }
     // Does the same for corners that are computed in lists. The function make() returns an object
-    // for one thread: after clear(), add(cell, points) adds corners of at most most_cells cells to
+    // for one thread: after clear(), add(cell, points) adds corners of at most max_cells cells to
     // its list, differentiate() computes the derivatives of all, and next(cell, points, form) adds
     // those of the next corner to `form`, in the order of the list.
     template <class Make>
@@ -45,7 +45,7 @@ struct NewtonSystem {
                         Make const& make) const noexcept;
     // Solves approximately for step = -hessian^-1 gradient, which is a direction of descent.
     // Returns the number of products.
-    Index solve(Region const& region, Index most_products, Executor const& executor) const noexcept;
+    Index solve(Region const& region, Index max_products, Executor const& executor) const noexcept;
     // Computes to = hessian v in the rows begin .. end-1 of one range (see region.neighbour) and
     // returns v . to.
     Real multiply(Region const& region, Index begin, Index end, Span<const Vec2> v,
@@ -54,12 +54,12 @@ struct NewtonSystem {
     Real slope(Region const& region, Executor const& executor) const noexcept;
 
 private:
-    static constexpr Index least_rows = 512;  // a task has at least so many rows
+    static constexpr Index min_rows = 512;  // a task has at least so many rows
 
     // Corners that are computed one by one.
     template <class Visit>
     struct EachCorner {
-        static constexpr Index most_cells = 8;
+        static constexpr Index max_cells = 8;
         Visit const& visit;
 
         void clear() noexcept {}
@@ -112,7 +112,7 @@ void NewtonSystem::assemble_lists(Tangle const& tangle, Region const& region,
         for (Index u = 0; u < region.n; ++u) constrain_row(tangle, region, u);
         return;
     }
-    executor.for_ranges(region.n, least_rows, [&](Index begin, Index end) {
+    executor.for_ranges(region.n, min_rows, [&](Index begin, Index end) {
         auto corners = make();
         for (Index u = begin; u < end; ++u) {
             clear_row(region, u);
@@ -127,9 +127,9 @@ void NewtonSystem::assemble_lists(Tangle const& tangle, Region const& region,
 template <class IsWanted, class Corners>
 void NewtonSystem::add_cells(Tangle const& tangle, Region const& region, Span<const Index> cells,
                              IsWanted const& is_wanted, Corners& corners) const noexcept {
-    for (Index begin = 0; begin < cells.count(); begin += Corners::most_cells) {
+    for (Index begin = 0; begin < cells.count(); begin += Corners::max_cells) {
         Span<const Index> const part =
-            cells.from(begin, static_cast<Size>(min(Corners::most_cells, cells.count() - begin)));
+            cells.from(begin, static_cast<Size>(min(Corners::max_cells, cells.count() - begin)));
         corners.clear();
         for (Index const i : part) {
             auto const list = [&](Index, Index, Index, CornerPoints const& point) {

@@ -9,8 +9,8 @@ using Registers = simd::HARMORPH_SET::Registers<Real>;
 using Vector = Registers::Vector;
 
 constexpr Index lanes = Registers::lanes;
-// The numbers behind the last corner of a list are those of the last corner.
-constexpr Index most_lanes = 8;
+// A list is filled up to a multiple of this number of corners, the largest number of lanes.
+constexpr Index max_lanes = 8;
 
 struct Pair {
     Vector x, y;
@@ -46,9 +46,9 @@ struct Corners {
     HARMORPH_INLINE Vector determinant() const noexcept { return per_area * cross(c, d); }
 };
 
-// Copies the last corner to the places behind the corner, up to a full register of any set.
+// Copies the last corner to the places after it, up to a full register of any set.
 void fill_up(CornerList& list) noexcept {
-    for (Index i = list.n; i % most_lanes != 0; ++i) {
+    for (Index i = list.n; i % max_lanes != 0; ++i) {
         for (Index k = 0; k < 4; ++k) {
             list.now[k][i] = list.now[k][list.n - 1];
             list.target[k][i] = list.target[k][list.n - 1];
@@ -70,11 +70,11 @@ HARMORPH_INLINE Vector raised(Vector base, Index power) noexcept {
 // derivatives could overflow: they are up to 4 power energy max(s, 1) / d^2, divided by the area of
 // the target.
 Real energies(CornerList& list, Real* energy) noexcept {
-    constexpr Real least_area = 1e-50, largest = 1e280;
-    Real most_base = 1e256;  // the power of this number is not above 1e256
-    for (Index k = 1; k < list.power; k *= 2) most_base = sqrt(most_base);
+    constexpr Real min_area = 1e-50, largest = 1e280;
+    Real max_base = 1e256;  // the power of this number is not above 1e256
+    for (Index k = 1; k < list.power; k *= 2) max_base = sqrt(max_base);
     fill_up(list);
-    Vector const zero = {}, one = zero + 1, highest = zero + most_base;
+    Vector const zero = {}, one = zero + 1, highest = zero + max_base;
     for (Index i = 0; i < list.n; i += lanes) {
         Corners const corner(list, i);
         Vector const per_area = corner.per_area, determinant = corner.determinant();
@@ -86,7 +86,7 @@ Real energies(CornerList& list, Real* energy) noexcept {
         Vector const s =
             lengths - (per_area * dot(corner.a, corner.b)) * (per_area * dot(corner.c, corner.d));
         Vector const unit = Registers::max(s, one);
-        auto const is_valid = (determinant > least_area * unit) & (determinant < 1 / least_area);
+        auto const is_valid = (determinant > min_area * unit) & (determinant < 1 / min_area);
         Vector const d = is_valid ? determinant : one, per_d = 1 / d;
         Vector const shape = (is_valid ? s : one) * per_d;
         Vector const base = corner.scale * shape * shape * (0.5 * (d + per_d));

@@ -1,5 +1,5 @@
-// The part of a mesh round its inverted corners: the points that may move there, their cells and
-// their neighbours.
+// The part of a mesh around chosen cells: the points that may move there, their cells and their
+// neighbours.
 #pragma once
 
 #include "base/arena.hpp"
@@ -16,13 +16,12 @@ struct Tangle {
     // [n_points] Points of a cut, or of a periodic pair, move together and have one representative.
     Span<const Index> representative;
     Span<const std::uint8_t> held;  // [n_points] 1: the representative does not move
-    // [n_points] The unit vector along the line on which a representative slides; (0, 0) if it
+    // [n_points] The unit vector along the line on which a representative slips; (0, 0) if it
     // moves in any direction. Empty: all representatives move in any direction.
     Span<const Vec2> line = {};
     // [n_points] The factor that turns the movement of an unknown into that of the point, on sides
     // of a passage that are turned against each other. Empty: no point is turned.
     Span<const Vec2> turn = {};
-    // sides of a passage that are turned against each other. Empty: nothing
 
     // Returns the corners of a cell or guard in counter-clockwise order.
     Cell cell(Index i) const noexcept {
@@ -40,7 +39,7 @@ struct Tangle {
     Vec2 turned_to_unknown(Index point, Vec2 derivative) const noexcept {
         return turn.empty() ? derivative : product(conjugate(turn[point]), derivative);
     }
-    bool slides(Index point) const noexcept { return !line.empty() && square(line[point]) > 0; }
+    bool slips(Index point) const noexcept { return !line.empty() && square(line[point]) > 0; }
 };
 
 // A corner, which is the second point, with its two neighbours. If the side to the first point is
@@ -95,8 +94,8 @@ struct Region {
     void lay_out(Arena& arena, RegionCounts const& counts) noexcept;
     // Finds the cells of each point. This is done once for a mesh.
     void link(Tangle const& tangle) noexcept;
-    // Starts with those cells of the mesh for which is_one(cell) holds; or keeps only those cells
-    // of the region for which it holds.
+    // choose() sets the cells to those of the mesh for which is_one(cell) holds; keep() removes the
+    // cells for which it does not hold.
     template <class IsOne>
     void choose(IsOne is_one) noexcept;
     template <class IsOne>

@@ -34,7 +34,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
         (derivative != nullptr && !derivative->header->counts.complete())) {
         return fault.refuse(
             Status::bad_basis,
-            "a share of the functions cannot move the mesh: all of them are needed");
+            "a basis with a share of the functions cannot move the mesh: all functions are needed");
     }
     if (derivative != nullptr) HARMORPH_TRY(check_derivative(plan, basis, *derivative, fault));
     for (Basis const& other : options.others) HARMORPH_TRY(check_other(basis, other, fault));
@@ -125,12 +125,12 @@ void SafeMorph::single_step(Work& work, Basis const& by, Strategy strategy, Inde
 // Goes straight ahead with the functions of the start, as far as no cell is inverted. No other
 // strategy ends with a worse mesh than this one.
 void SafeMorph::longest_linear_step(Work& work) noexcept {
-    constexpr Index most_trials = 8;
+    constexpr Index max_trials = 8;
     if (mesh.path.is_bent())
         return;  // the derivative of a path that turns does not fit a straight step
     begin(work);
     Real length = min(0.98 * look_ahead(work, work.basis, 1).step, 1.0);
-    for (Index trial = 0; trial < most_trials && length > work.best().fraction;
+    for (Index trial = 0; trial < max_trials && length > work.best().fraction;
          ++trial, length *= 0.8) {
         look_ahead(work, work.basis, length);
         if (!is_valid(work, mesh.ahead())) continue;
@@ -158,7 +158,7 @@ void SafeMorph::take_step(Work& work, Basis const& by) noexcept {
             weight[i] = mesh.path.weight(i, mesh.aimed_time) - mesh.path.weight(i, mesh.time);
         }
         add_weighted(*work.derivative, by, weight, work.executor());
-        turn_sliding(work);
+        turn_slipping(work);
     }
     mesh.advance();
     work.attempt.turned_offset = mesh.carried.largest(work.basis, mesh.path, mesh.time);
@@ -168,13 +168,13 @@ void SafeMorph::take_step(Work& work, Basis const& by) noexcept {
 
 // Turns the derivative of the last trial step at points that slip along curves, which the step
 // puts back onto their curves.
-void SafeMorph::turn_sliding(Work const& work) const noexcept {
+void SafeMorph::turn_slipping(Work const& work) const noexcept {
     SlipCurves const& curves = work.plan.slip_curves();
     if (curves.count == 0) return;
     Index const half = work.derivative->row_length() / 2;  // numbers of x, then of y
     curves.for_each([&](Index slot, Index point) {
         auto const row = work.derivative->row(point);
-        SlipCurves::Place const& place = mesh.slid[slot];
+        SlipCurves::Place const& place = mesh.slip_place[slot];
         for (Index k = 0; k < half; ++k) {
             Real const along =
                 place.stretch * (place.tangent.x * row[k] + place.tangent.y * row[half + k]);
@@ -192,7 +192,7 @@ void SafeMorph::turn_sliding(Work const& work) const noexcept {
 void SafeMorph::measure(Work const& work, Points points, Outcome& outcome) const noexcept {
     outcome.min_quality =
         measure_quality(work.cells(), points, work.mesh().points, work.executor()).min_quality;
-    if (!is_finite(work.options.most_height_change)) return;
+    if (!is_finite(work.options.max_height_change)) return;
     FirstLayerChange const change = compare(first_layer, work.mesh().points, points);
     if (change.points == 0) return;
     outcome.height_change =

@@ -21,7 +21,7 @@ enum class Strategy : std::int32_t {
 };
 
 struct SafeOptions {
-    Index most_resolves = 10;
+    Index max_resolves = 10;
     std::uint32_t skipped = 0;  // bit k: strategy k is skipped
     Span<const Basis> others;   // solved with other operators or exponents
     // If true, the morph solves functions of other operators at the start where they are needed;
@@ -32,12 +32,12 @@ struct SafeOptions {
     bool improves = false;  // the mesh at the target is always improved
     // A fraction, 0 to 1, of the smallest quality of the start. If the quality of an acceptable
     // mesh at the target is below this value, other operators and improvement are tried, but no
-    // steps.
+    // substeps.
     Real fair_quality = 0;
     Real heights = 0;  // 0 to 1: the part of the heights near walls that is restored at the end
     Real min_quality = 0.05;  // 0 to 1: in parts of the smallest quality of the start
     // A factor > 1, by which heights of the first layer may grow or shrink.
-    Real most_height_change = infinity;
+    Real max_height_change = infinity;
 
     bool tries(Strategy strategy) const noexcept {
         return (skipped >> static_cast<std::int32_t>(strategy) & 1) == 0;
@@ -47,7 +47,8 @@ struct SafeOptions {
 // The mesh that a strategy ended with.
 struct Outcome {
     Strategy strategy = Strategy::linear;  // the last strategy that moved the mesh
-    // The index in `others`, or the operator if the morph solves for other operators; or none.
+    // The index in SafeOptions::others, or the operator if SafeOptions::solves_others is true; none
+    // if the functions were those of the given basis.
     Index other = none;
     Index steps = 0;
     Real fraction = 0;     // of the whole movement
@@ -66,7 +67,7 @@ struct WorstCell {
 };
 
 struct SafeReport {
-    static constexpr Index most_worst = 5;
+    static constexpr Index max_worst = 5;
 
     Outcome outcome;       // of the returned mesh
     Index resolves = 0;    // by all strategies together
@@ -81,7 +82,7 @@ struct SafeReport {
     Index end = none;
     Real end_distance = 0;
     Index n_worst = 0;
-    WorstCell worst[most_worst];  // the worst cell first
+    WorstCell worst[max_worst];  // the worst cell first
 };
 
 struct SafeMorph {
@@ -122,7 +123,7 @@ private:
     AdmissibleStep look_ahead(Work& work, Basis const& by, Real to) noexcept;
     bool is_valid(Work const& work, Points points) const noexcept;
     void take_step(Work& work, Basis const& by) noexcept;
-    void turn_sliding(Work const& work) const noexcept;
+    void turn_slipping(Work const& work) const noexcept;
     void keep_if_better(Work& work) noexcept;
     void keep(Work& work, Outcome const& outcome, Span<const Real> x, Span<const Real> y,
               Span<const Real> movement) noexcept;
@@ -152,7 +153,7 @@ private:
     void restore_heights(Work& work) noexcept;
     void measure_worst(Work& work) const noexcept;
     void finish_derivative(Work& work) noexcept;
-    bool keep_order_of_sliding(Work const& work) noexcept;
+    bool keep_order_of_slipping(Work const& work) noexcept;
     bool untangle_ahead(Work& work) noexcept;
     void find_end_that_leaves(Work& work) const noexcept;
     bool is_beside(Work const& work, Index cell, Index point) const noexcept;

@@ -9,7 +9,7 @@ namespace {
 
 // Restored heights may reduce the smallest quality to this part of it, as long as the quality asked
 // for remains.
-constexpr Real least_kept_quality = 0.5;
+constexpr Real min_kept_quality = 0.5;
 
 // Returns the mean of the corners of one of the caller's cells. A polygon has its corners in its
 // triangles, and those at diagonals repeatedly.
@@ -37,7 +37,7 @@ Real quality_of(OrientedMesh const& cells, Index cell, Points points, Points ref
 // heights are restored, or a half, or a quarter and so on: the first part that makes the mesh
 // better.
 void SafeMorph::restore_heights(Work& work) noexcept {
-    constexpr Index most_trials = 6, most_halvings = 4;
+    constexpr Index max_trials = 6, max_halvings = 4;
     Points const before = work.mesh().points;
     for (Index k = 0; k < kinds.count(); ++k)
         kinds[k] = mesh.held[k] != 0 ? PointKind::fixed : PointKind::inside;
@@ -46,7 +46,7 @@ void SafeMorph::restore_heights(Work& work) noexcept {
                       work.executor());
     bool const is_asked_for = work.options.heights > 0;
     Real const quality = work.best().min_quality;
-    Real const permitted = min(quality, max(work.goal(), least_kept_quality * quality));
+    Real const permitted = min(quality, max(work.goal(), min_kept_quality * quality));
     // Restores a part of the heights in the mesh ahead.
     Outcome outcome;
     auto const accepts = [&](Real amount) {
@@ -63,12 +63,12 @@ void SafeMorph::restore_heights(Work& work) noexcept {
     Real const all = is_asked_for ? work.options.heights : 1;
     Real accepted = accepts(all) ? all : 0;
     Real amount = all;
-    for (Index halving = 0; !is_asked_for && accepted == 0 && halving < most_halvings; ++halving) {
+    for (Index halving = 0; !is_asked_for && accepted == 0 && halving < max_halvings; ++halving) {
         amount *= 0.5;
         if (accepts(amount)) accepted = amount;
     }
     Real refused = all;
-    for (Index trial = 0; is_asked_for && accepted < all && trial < most_trials; ++trial) {
+    for (Index trial = 0; is_asked_for && accepted < all && trial < max_trials; ++trial) {
         amount = 0.5 * (accepted + refused);
         (accepts(amount) ? accepted : refused) = amount;
     }
@@ -86,8 +86,8 @@ void SafeMorph::measure_worst(Work& work) const noexcept {
         Real const quality = quality_of(work.cells(), cell, result(), work.mesh().points);
         Index place = report.n_worst;
         while (place > 0 && quality < report.worst[place - 1].quality) --place;
-        if (place == SafeReport::most_worst) continue;
-        if (report.n_worst < SafeReport::most_worst) ++report.n_worst;
+        if (place == SafeReport::max_worst) continue;
+        if (report.n_worst < SafeReport::max_worst) ++report.n_worst;
         for (Index k = report.n_worst - 1; k > place; --k) report.worst[k] = report.worst[k - 1];
         report.worst[place] = {
             cell, quality, quality_of(work.cells(), cell, work.mesh().points, work.mesh().points),
@@ -106,7 +106,7 @@ void SafeMorph::finish_derivative(Work& work) noexcept {
             add_weighted(derivative, by, weight, work.executor());
             mesh.begin(work.plan);
             look_ahead(work, by, best.fraction);
-            turn_sliding(work);
+            turn_slipping(work);
         }
     }
     derivative.header->coordinates = work.basis.header->coordinates;
@@ -114,7 +114,7 @@ void SafeMorph::finish_derivative(Work& work) noexcept {
 }
 
 // The mesh ahead is at the target. Beside the end of a wall, neighbours on the line or curve of the
-// boundary stay or slide; the end leaves the line if the distance to them changes.
+// boundary stay or slip; the end leaves the line if the distance to them changes.
 void SafeMorph::find_end_that_leaves(Work& work) const noexcept {
     constexpr Real least = 1e-6;  // in parts of the movement of the end
     Plan const& plan = work.plan;
@@ -175,15 +175,15 @@ Status SafeMorph::finish(Work& work) noexcept {
         if (is_beside(work, report.limit.cell, report.end)) {
             Vec2 const at = work.mesh().points[report.end];
             return work.fault.refuse_at(at.x, at.y, Status::short_of_target,
-                                        "the wall's end, point # at $, leaves the line beside it "
-                                        "by ~: the mesh cannot follow all of that",
+                                        "the wall's end, point # at $, moves ~ off the line of the "
+                                        "boundary beside it, farther than the mesh can follow",
                                         point_item(report.end), {}, report.end_distance);
         }
         Index const cell = work.mesh().number(report.limit.cell);
         Vec2 const at = cell != none ? centre_of(work.mesh(), cell, result()) : Vec2{};
         const char* const text =
             cell != none
-                ? "the mesh could follow ~ of the movement; then cell # at $ stands in the way"
+                ? "the mesh could follow ~ of the movement; beyond that, cell # at $ would invert"
                 : "the mesh could follow ~ of the movement";
         return work.fault.refuse_at(at.x, at.y, Status::short_of_target, text,
                                     cell != none ? cell_item(cell) : Item{}, {}, best.fraction);
@@ -201,7 +201,8 @@ Status SafeMorph::finish(Work& work) noexcept {
     Vec2 const at = result()[point];
     return work.fault.refuse_at(
         at.x, at.y, Status::poor,
-        "the height of the first layer at point # $ is ~ of what it was, beyond what was asked for",
+        "the height of the first layer at point # $ is ~ times the height at the start, beyond the "
+        "limit that was asked for",
         point_item(point), {},
         shrunk ? report.first_layer.min_ratio : report.first_layer.max_ratio);
 }

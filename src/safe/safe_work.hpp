@@ -31,7 +31,7 @@ struct SafeMorph::Work {
     // Returns the quality in parts of the quality asked for; 1 is enough.
     Real score(Outcome const& outcome) const noexcept {
         Real const quality = goal() > 0 ? outcome.min_quality / goal() : 1;
-        return min(min(quality, options.most_height_change / outcome.height_change), 1.0);
+        return min(min(quality, options.max_height_change / outcome.height_change), 1.0);
     }
     bool is_good(Outcome const& outcome) const noexcept {
         return outcome.fraction >= 1 && score(outcome) >= 1;

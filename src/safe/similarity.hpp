@@ -8,7 +8,7 @@ namespace harmorph {
 struct Similarity {
     // A body that collapses or turns inside out has a smaller ratio than this; the path of such a
     // body goes straight.
-    static constexpr Real least_ratio = 0.05;
+    static constexpr Real min_ratio = 0.05;
 
     Vec2 centre, shift, ratio{1, 0};  // c, d, r
     Index members = 0;
@@ -34,7 +34,7 @@ Similarity fit_similarity(ForEach const& for_each) noexcept {
         squares += square(point - fit.centre);
     });
     Vec2 const ratio = squares > 0 ? Vec2{1, 0} + (1 / squares) * turned : Vec2{};
-    if (length(ratio) > Similarity::least_ratio) fit.ratio = ratio;
+    if (length(ratio) > Similarity::min_ratio) fit.ratio = ratio;
     return fit;
 }
 

@@ -8,14 +8,14 @@ namespace {
 // A substep takes this part of the admissible step.
 constexpr Real substep_of_admissible = 0.5;
 // Steps that are shorter than this part of the whole movement do not help.
-constexpr Real least_step = 1e-4;
+constexpr Real min_substep = 1e-4;
 // The largest number of trials of the length of a substep, which are needed because the path is not
 // straight.
-constexpr Index most_trials = 12;
+constexpr Index max_trials = 12;
 // The number of solutions that should suffice for a large movement.
 constexpr Index usual_resolves = 5;
 // The largest number of leaps over the rest of the movement before all solutions are used up.
-constexpr Index most_leaps = 2;
+constexpr Index max_leaps = 2;
 // A step is too short if it is less than this part of the pace that leads to the target with the
 // remaining solutions.
 constexpr Real stuck_below = 0.5;
@@ -26,7 +26,7 @@ constexpr Real worth_changing = 1.5;
 
 struct SafeMorph::OperatorChoice {
     Operator kind;
-    Index quarters;
+    Index exponent_quarters;
 };
 
 // The operator of the basis, and those operators that may help if it allows short steps only.
@@ -43,7 +43,9 @@ struct SafeMorph::Operators {
 
     void add(OperatorChoice choice) noexcept {
         for (Index k = 0; k < count; ++k) {
-            if (list[k].kind == choice.kind && list[k].quarters == choice.quarters) return;
+            if (list[k].kind == choice.kind &&
+                list[k].exponent_quarters == choice.exponent_quarters)
+                return;
         }
         list[count++] = choice;
     }
@@ -60,7 +62,7 @@ Status SafeMorph::other_operators(Work& work) noexcept {
     begin(work);
     Basis const here = copy_to_solve(work);
     Operators const operators(work.basis.header->method);
-    for (Index k = 1; k < operators.count && work.report.resolves < work.options.most_resolves;
+    for (Index k = 1; k < operators.count && work.report.resolves < work.options.max_resolves;
          ++k) {
         Status const status = solve_by(work, here, operators.list[k]);
         if (status == Status::cancelled) return status;
@@ -77,7 +79,7 @@ Status SafeMorph::substeps(Work& work) noexcept {
     Basis const here = copy_to_solve(work);
     Operators operators(work.basis.header->method);
     Index leaps = work.derivative == nullptr
-                      ? most_leaps
+                      ? max_leaps
                       : 0;  // the derivative does not include movements by untangling
     // After a solution that failed, `here` may contain any values; the functions of the start can
     // always be used.
@@ -85,14 +87,14 @@ Status SafeMorph::substeps(Work& work) noexcept {
     if (work.options.tries(Strategy::substeps)) {
         Real length = 0;
         by = &choose_first(work, length);
-        while (length >= least_step) {
+        while (length >= min_substep) {
             work.attempt.strategy = Strategy::substeps;
             take_step(work, *by);
             if (work.attempt.fraction >= 1) {
                 keep_if_better(work);
                 return Status::ok;
             }
-            if (work.report.resolves >= work.options.most_resolves) break;
+            if (work.report.resolves >= work.options.max_resolves) break;
             Status status = solve_by(work, here, operators.now());
             if (!failed(status)) {
                 by = &here;
@@ -108,7 +110,7 @@ Status SafeMorph::substeps(Work& work) noexcept {
             if (status == Status::cancelled) return status;
             by = here.header->solved == 1 ? &here : &work.basis;
             if (failed(status)) break;  // the scheme does not apply, or the mesh is too poor
-            if (length >= least_step) look_ahead(work, here, min(mesh.time + length, 1.0));
+            if (length >= min_substep) look_ahead(work, here, min(mesh.time + length, 1.0));
         }
         if (work.attempt.steps > 0) keep_if_better(work);
     }
@@ -119,12 +121,12 @@ Status SafeMorph::substeps(Work& work) noexcept {
 // Returns whether a step is too short to reach the target with the remaining solutions.
 bool SafeMorph::is_stuck(Work const& work, Real length) const noexcept {
     Real const left =
-        static_cast<Real>(max(work.options.most_resolves - work.report.resolves, Index{1}));
+        static_cast<Real>(max(work.options.max_resolves - work.report.resolves, Index{1}));
     return length < stuck_below * (1 - mesh.time) / left;
 }
 
-// All bases are those of the start. Returns the one with the longest step if the step of the own
-// basis is too short.
+// Returns the given basis, or the other basis with the longest step if the step of the given one is
+// too short. All these bases were solved at the start.
 Basis const& SafeMorph::choose_first(Work& work, Real& length) noexcept {
     const Basis* best = &work.basis;
     const Basis* last = best;
@@ -155,7 +157,7 @@ Status SafeMorph::change_operator(Work& work, Basis const& here, Operators& oper
     Index solved = first;
     for (Index k = 1; k < operators.count && is_stuck(work, length); ++k) {
         Index const number = (first + k) % operators.count;
-        if (work.report.resolves + 2 > work.options.most_resolves)
+        if (work.report.resolves + 2 > work.options.max_resolves)
             break;  // it may have to be solved twice
         Status const status = solve_by(work, here, operators.list[number]);
         if (status == Status::unsupported) continue;
@@ -175,11 +177,11 @@ Status SafeMorph::change_operator(Work& work, Basis const& here, Operators& oper
 Status SafeMorph::solve_by(Work& work, Basis const& here, OperatorChoice const& choice) noexcept {
     Method& method = here.header->method;
     bool const is_new =
-        method.operator_kind != choice.kind || method.exponent_quarters != choice.quarters;
-    if (!work.plan.change_operator(choice.kind, choice.quarters) && is_new)
+        method.operator_kind != choice.kind || method.exponent_quarters != choice.exponent_quarters;
+    if (!work.plan.change_operator(choice.kind, choice.exponent_quarters) && is_new)
         return Status::unsupported;
     method.operator_kind = choice.kind;
-    method.exponent_quarters = choice.quarters;
+    method.exponent_quarters = choice.exponent_quarters;
     return solve_at_present(work, here);
 }
 
@@ -187,12 +189,12 @@ Status SafeMorph::solve_by(Work& work, Basis const& here, OperatorChoice const& 
 // the admissible step and leaves enough quality for the rest. The criterion of quality never makes
 // a step shorter than the pace that leads to the target.
 Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
-    Index const planned = min(usual_resolves, work.options.most_resolves);
-    Index const most = work.report.resolves < planned ? planned : work.options.most_resolves;
+    Index const planned = min(usual_resolves, work.options.max_resolves);
+    Index const most = work.report.resolves < planned ? planned : work.options.max_resolves;
     Real const pace =
         (1 - mesh.time) / static_cast<Real>(max(most - work.report.resolves, Index{0}) + 1);
     Real length = 1 - mesh.time;
-    for (Index trial = 0; trial < most_trials && length >= least_step; ++trial) {
+    for (Index trial = 0; trial < max_trials && length >= min_substep; ++trial) {
         Real const end = min(mesh.time + length, 1.0);
         work.report.limit = look_ahead(work, by, end);
         Real const share = work.report.limit.step * substep_of_admissible;
@@ -211,7 +213,7 @@ Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
     return 0;
 }
 
-// Returns a copy of the basis, in which functions are solved on the way; without values, unless
+// Returns a copy of the basis, in which functions are solved on the way. Values are copied only if
 // they are needed.
 Basis SafeMorph::copy_to_solve(Work const& work) const noexcept {
     Basis const& basis = work.basis;

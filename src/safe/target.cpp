@@ -1,5 +1,6 @@
 #include "safe/target.hpp"
 
+#include "base/box.hpp"
 #include "base/predicates.hpp"
 #include "mesh/guard_shape.hpp"
 
@@ -77,7 +78,7 @@ Status check_loops(Target const& target, Fault& fault) noexcept {
         Vec2 const place = target.at_target[loop.point[0]];
         if (moves && loop.sense(target.start) * loop.sense(target.at_target) < 0) {
             return fault.refuse_at(place.x, place.y, Status::crossing,
-                                   "the boundary through point # at $ is inside out",
+                                   "the boundary through point # at $ is turned inside out",
                                    point_item(loop.point[0]));
         }
         for (Index other_number = 0; other_number < n_loops; ++other_number) {
@@ -156,20 +157,17 @@ Status check_image(Target const& target, WallImage const& image, Crossing& cross
                    Fault& fault) noexcept {
     Points const at = target.at_target;
     FaceDistance const& walls = image.walls;
-    Vec2 low{infinity, infinity}, high{-infinity, -infinity};
+    Box images;
     for (Index face = 0; face < walls.count; ++face) {
-        for (Index const point : walls.faces[face].point) {
-            Vec2 const p = image.of(at[point]);
-            low = {min(low.x, p.x), min(low.y, p.y)};
-            high = {max(high.x, p.x), max(high.y, p.y)};
-        }
+        for (Index const point : walls.faces[face].point) images.include(image.of(at[point]));
     }
     for (Index face = 0; face < walls.count; ++face) {
         Index const(&ends)[2] = walls.faces[face].point;
         Vec2 const a = at[ends[0]], b = at[ends[1]];
-        if (max(a.x, b.x) < low.x || min(a.x, b.x) > high.x || max(a.y, b.y) < low.y ||
-            min(a.y, b.y) > high.y)
-            continue;
+        Box box;
+        box.include(a);
+        box.include(b);
+        if (!box.meets(images)) continue;
         for (Index other = 0; other < walls.count; ++other) {
             if (!image.cross(face, other, at) || image.cross(face, other, target.start)) continue;
             Index const(&others)[2] = walls.faces[other].point;

@@ -6,11 +6,11 @@
 namespace harmorph {
 namespace {
 
-constexpr Real most_of_extent = 0.25;
+constexpr Real max_share_of_extent = 0.25;
 // The ratio of sides matters for cells with less than this ratio of height and length.
 constexpr Real thin = 0.5;
-// One thread has at least this number of cells.
-constexpr Index least_cells = 4096;
+// A task has at least this many cells.
+constexpr Index min_cells = 4096;
 
 Real extent_along(CellShape const& shape, Vec2 direction) noexcept {
     Real low = 0, high = 0;
@@ -29,7 +29,7 @@ void Targets::find(OrientedMesh const& cells, FaceDistance const& walls, Points 
     reference = before;
     Real const smallest = measure_quality(cells, before, {}, executor).min_quality;
     aim = 1 + 0.4 * (1 - smallest);
-    executor.for_ranges(cells.mesh.n_checked(), least_cells, [&](Index begin, Index end) {
+    executor.for_ranges(cells.mesh.n_checked(), min_cells, [&](Index begin, Index end) {
         Index group = 0;
         for (Index i = begin; i < end; ++i) {
             CellShape const shape = shape_of(cells, i, before);
@@ -55,7 +55,7 @@ void Targets::find_stretch(Cell& target, CellShape const& shape, FaceDistance co
     if (foot.face == none) return;
     const Index(&end)[2] = walls.faces[foot.face].point;
     Vec2 const face = reference[end[1]] - reference[end[0]];
-    Real const reach = most_of_extent * walls.extent, size = length(face);
+    Real const reach = max_share_of_extent * walls.extent, size = length(face);
     Real const distance = length(middle - walls.at(foot, reference));
     if (!(size > 0) || !(distance < reach)) return;
     Vec2 const along = 1 / size * face;

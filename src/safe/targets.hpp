@@ -10,15 +10,17 @@
 namespace harmorph {
 
 // The target of a cell is the cell of the reference mesh, with two exceptions:
-//   Thin cells along walls are stretched along the wall by 1 + thinness fade (stretch - 1). They
-//   must become longer where the wall does; so their targets keep the heights, instead of trading
-//   them for the shape.
-//       stretch    length of the nearest wall face, now divided by before;
-//       thinness   max(0, 1 - a), a the extent of the reference cell normal to that face divided by
-//       that along it; fade       max(0, 1 - d / reach), d the distance from the wall, reach a
-//       quarter of the extent of all walls.
-//   Of quadrilaterals that are not thin only the area and the angles matter, as in their quality,
-//   not the ratio of their sides.
+//   - The targets of thin cells along walls are stretched along the wall by the factor
+//         1 + thinness fade (stretch - 1),
+//     because these cells must become longer where the wall becomes longer, and must keep their
+//     heights. Here
+//         stretch   is the length of the nearest wall face now, divided by the length before;
+//         thinness  is max(0, 1 - a), where a is the extent of the reference cell normal to that
+//                   face, divided by the extent along the face;
+//         fade      is max(0, 1 - d / reach), where d is the distance from the wall and the reach
+//                   is a quarter of the extent of all walls.
+//   - The targets of quadrilaterals that are not thin have any ratio of sides: only the area and
+//     the angles count, as in the quality that the library reports.
 struct Targets {
     struct Cell {
         Vec2 along;      // the unit tangent of the wall before the movement

@@ -4,7 +4,7 @@ namespace harmorph {
 namespace {
 
 // Flat directions get this part of the curvature of |J|^2 / chi, so that steps stay bounded.
-constexpr Real least_curvature = 0.1;
+constexpr Real min_curvature = 0.1;
 
 struct Least {
     Real value = infinity;
@@ -31,7 +31,7 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
     report.inverted_before = report.left = region.n_cells;
     if (region.n_cells == 0) return Status::ok;
     for (Index k = 0; k < now.count(); ++k) now[k] = given[k];
-    sliding.turn_lines(as_points(now));
+    slipping.turn_lines(as_points(now));
     region.link(tangle);
     for (Index const i : region.cell.first(region.n_cells)) {
         if (!is_stuck(i)) continue;
@@ -93,18 +93,18 @@ bool Untangling::is_good(Index cell, Real margin) const noexcept {
     return true;
 }
 
-void Untangling::repair_region(UntangleOptions const& options, Index most_iterations,
+void Untangling::repair_region(UntangleOptions const& options, Index max_iterations,
                                UntangleReport& report) noexcept {
-    constexpr Real least_gain =
+    constexpr Real min_gain =
         0.1;  // the softness falls at least by this part, even if the energy does not
     copy(trial, Span<const Vec2>(now));
     Real smallest = smallest_determinant();
     Real softness = sqrt(1e-12 + 0.04 * smallest * smallest);
-    for (Index k = 0; k < most_iterations; ++k) {
+    for (Index k = 0; k < max_iterations; ++k) {
         Real const before = energy(now, softness);
         if (!is_finite(before)) return;
         assemble(softness);
-        report.products += system.solve(region, options.most_products, executor);
+        report.products += system.solve(region, options.max_products, executor);
         ++report.iterations;
         Real const after = descend(softness, before);
         smallest = smallest_determinant();
@@ -113,7 +113,7 @@ void Untangling::repair_region(UntangleOptions const& options, Index most_iterat
         bool const at_rest = softness == 0 && after > (1 - 1e-4) * before;
         if (smallest >= options.margin && at_rest) return;
         Real const wanted =
-            (1 - max(1 - after / before, least_gain)) * regularised(smallest, softness);
+            (1 - max(1 - after / before, min_gain)) * regularised(smallest, softness);
         softness = wanted > smallest ? 2 * sqrt(wanted * (wanted - smallest)) : 0;
     }
 }
@@ -123,14 +123,14 @@ void Untangling::assemble(Real softness) const noexcept {
     system.assemble(
         tangle, region, executor, [&](Index, CornerPoints const& point, CornerForm& form) {
             Distortion const distortion(triangle_of(point, tangle.reference));
-            distortion.differentiate(triangle_of(point, at), softness, least_curvature, form);
+            distortion.differentiate(triangle_of(point, at), softness, min_curvature, form);
         });
 }
 
 // Halves the step until the energy falls enough (Armijo's rule). Returns the energy; if no step
 // lowers it enough, no point moves.
 Real Untangling::descend(Real softness, Real before) noexcept {
-    constexpr Index most_halvings = 30;
+    constexpr Index max_halvings = 30;
     Real const slope = system.slope(region, executor);
     auto const for_points = [&](auto const& body) {
         executor.for_ranges(now.count(), 4096, [&](Index begin, Index end) {
@@ -141,14 +141,14 @@ Real Untangling::descend(Real softness, Real before) noexcept {
         });
     };
     Real length = 1;
-    for (Index halvings = 0; halvings < most_halvings; ++halvings, length *= 0.5) {
+    for (Index halvings = 0; halvings < max_halvings; ++halvings, length *= 0.5) {
         for_points([&](Index point, Vec2 step) {
-            trial[point] = sliding.placed(point, now[point] + length * step);
+            trial[point] = slipping.placed(point, now[point] + length * step);
         });
         Real const after = energy(trial, softness);
         if (!(after <= before + 1e-4 * length * slope)) continue;
         for_points([&](Index point, Vec2) { now[point] = trial[point]; });
-        sliding.turn_lines(as_points(now));
+        slipping.turn_lines(as_points(now));
         return after;
     }
     return before;

@@ -1,11 +1,11 @@
-// Moves inner points until no cell is inverted. The boundary stays, and points that slide stay on
+// Moves inner points until no cell is inverted. The boundary stays, and points that slip stay on
 // their lines and curves. Newton's method minimises the energy of Distortion, the softness of which
 // goes to 0 by the rule of Garanzha et al. (2021), with one step for each softness. At first only
 // points near inverted cells move.
 #pragma once
 
 #include "safe/newton_system.hpp"
-#include "safe/sliding_points.hpp"
+#include "safe/slipping_points.hpp"
 #include "safe/untangling_energy.hpp"
 
 namespace harmorph {
@@ -16,7 +16,7 @@ struct UntangleOptions {
     Index layers = 6;
     Index iterations_in_part = 30;    // the largest number in a part of the mesh
     Index iterations_in_whole = 200;  // the largest number in the whole mesh
-    Index most_products = 200;  // the largest number of products with the Hessian in each iteration
+    Index max_products = 200;  // the largest number of products with the Hessian in each iteration
     // Areas of corners in units of those of the reference. A region is finished when its smallest
     // area is at least `goal`, or is at least `margin` and no longer grows; if it stays below
     // `margin`, a larger region is tried. In the whole mesh, and at corners that cannot move, any
@@ -44,9 +44,10 @@ struct UntangleReport {
 // their areas; then viscous layers, the areas of which are ten orders of magnitude smaller, would
 // be sacrificed for the cells outside them.
 struct Untangling {
-    Tangle tangle;          // set by the caller
-    SlidingPoints sliding;  // set by the caller: sliding along curves, with the lines of the tangle
-    Executor executor;      // set by the caller
+    Tangle tangle;  // set by the caller
+    // Set by the caller: the points that slip along curves; their lines are those of the tangle.
+    SlippingPoints slipping;
+    Executor executor;  // set by the caller
     Region region;
     NewtonSystem system;
     Span<Vec2> now, trial;  // [n_points]
@@ -63,7 +64,7 @@ private:
     Status check_reference(Fault& fault) const noexcept;
     bool is_stuck(Index cell) const noexcept;
     bool is_good(Index cell, Real margin) const noexcept;
-    void repair_region(UntangleOptions const& options, Index most_iterations,
+    void repair_region(UntangleOptions const& options, Index max_iterations,
                        UntangleReport& report) noexcept;
     void assemble(Real softness) const noexcept;
     Real descend(Real softness, Real before) noexcept;

@@ -13,8 +13,8 @@ DensityDerivatives Distortion::derivatives(Triangle const& now, Real softness) c
     Real const root = sqrt(softness * softness + d * d);
     Real const numerator = 2 * (p + q) + size_weight * (d * d + 1);
     Real const scale = 1 / regularised(d, softness);
-    Real const slope = -scale / root,
-               bend = 2 / (root * root * root);   // the derivative of 1 / chi by the determinant
+    // The first and the second derivative of 1 / chi by the determinant.
+    Real const slope = -scale / root, bend = 2 / (root * root * root);
     Real const grow = 2 + 2 * size_weight * d;    // the derivative of the numerator by p
     Real const shrink = 2 - 2 * size_weight * d;  // the derivative of the numerator by q
     DensityDerivatives by;

@@ -14,7 +14,7 @@ struct Kind {
     const char* name;
     std::int32_t operator_kind;
     bool rigid, slip;
-    std::int32_t least_numbers;  // fewer cannot express the values
+    std::int32_t min_numbers;  // fewer cannot express the values
 };
 constexpr Kind kinds[] = {{"Laplace", HM_LAPLACE, false, false, 1},
                           {"weighted", HM_WEIGHTED, false, false, 1},
@@ -55,7 +55,7 @@ TEST_CASE("the numbers of a value are the linear map that a morph applies") {
         Case setup = case_of(kind);
         Solved const solved(setup, options_of(kind.operator_kind));
         hm_basis_info const info = solved.info();
-        CHECK(info.numbers_per_value >= kind.least_numbers);
+        CHECK(info.numbers_per_value >= kind.min_numbers);
         CHECK((info.numbers_per_value == 1 || info.numbers_per_value == 2 ||
                info.numbers_per_value == 4));
         CHECK(info.functions == setup.curves.n_control() + 2 * info.bodies);

@@ -160,6 +160,10 @@ TEST_CASE("the measures of a circle are those of the formulas") {
     CHECK(distance(box(0.3)) == doctest::Approx(r - 0.3 * std::sqrt(2.0)).epsilon(1e-12));
     CHECK(distance(box(0.6)) == doctest::Approx(r - 0.6 * std::sqrt(2.0)).epsilon(1e-12));
     CHECK(distance({cx, cy, cx + 0.2, cy}) == doctest::Approx(r - 0.2).epsilon(1e-12));
+    // Repeated points, as in a polygon that ends with its first point, raise no exception.
+    std::vector<double> repeated = box(0.3);
+    repeated.insert(repeated.end(), {repeated[6], repeated[7], repeated[0], repeated[1]});
+    CHECK(distance(repeated) == distance(box(0.3)));
     CHECK(distance({cx + 2, cy}) == doctest::Approx(r - 2).epsilon(1e-12));
 }
 
@@ -468,7 +472,7 @@ TEST_CASE("quantities that cannot be measured are refused with the reason, and o
 TEST_CASE("a change of sign lies between neighbouring numbers, and few values find it") {
     struct {
         double (*function)(double);
-        int most_values;
+        int max_values;
     } const cases[] = {{[](double u) { return u - 0.3; }, 30},
                        {[](double u) { return 0.123 - u * u * u; }, 40},
                        {[](double u) { return std::pow(u - 0.7, 9); }, 200},     // flat
@@ -482,7 +486,7 @@ TEST_CASE("a change of sign lies between neighbouring numbers, and few values fi
             return one.function(u);
         });
         CAPTURE(found.low);
-        CHECK(values <= one.most_values);
+        CHECK(values <= one.max_values);
         CHECK(found.high == std::nextafter(found.low, 2.0));
         bool const changes = (one.function(found.low) < 0) != (one.function(found.high) < 0);
         CHECK((changes || one.function(0) == one.function(1)));

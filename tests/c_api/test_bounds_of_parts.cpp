@@ -101,7 +101,7 @@ TEST_CASE("columns and unknowns of a part's equations") {
     hm_part_mesh nobody = sized<hm_part_mesh>();
     hm_mesh const mesh = parted.parts[0].mesh.view();
     nobody.mesh = &mesh;
-    says(hm_part_size(&nobody, &bytes, &error), "part.numbers is NULL");
+    says(hm_part_size(&nobody, &bytes, &error), "mesh.numbers is NULL");
     nobody.numbers = parted.parts[0].numbers.data();
     nobody.mesh = nullptr;
     says(hm_part_size(&nobody, &bytes, &error), "mesh is NULL");

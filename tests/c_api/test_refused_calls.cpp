@@ -298,6 +298,7 @@ TEST_CASE("a safe displacement that turns a body inside out") {
     CHECK(hm_displace_safe(displaced.plan, displaced.basis, nullptr, std::int32_t(dx.size()),
                            displaced.points.data(), &wall, &to, work.data(), work.size(), nullptr,
                            nullptr, &error) == HM_CROSSING);
-    CHECK(std::string(error.text) == "the boundary through point 17 at (3, 2) is inside out");
+    CHECK(std::string(error.text) ==
+          "the boundary through point 17 at (3, 2) is turned inside out");
     CHECK(x == setup.mesh.x);
 }

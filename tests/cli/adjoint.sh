@@ -48,7 +48,7 @@ if command -v perl >/dev/null; then
     runs "adjoint: SU2's restart" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/restart.dat" -o "$tmp/other"
     check "adjoint: SU2's restart: the same bits" same_lines "$tmp/gradient" "$tmp/other"
     head -c 3000 "$tmp/restart.dat" >"$tmp/short.dat"
-    refuses "adjoint: a short restart" 3 'and is shorter' adjoint "$mesh" "$basis" \
+    refuses "adjoint: a short restart" 3 'but is shorter' adjoint "$mesh" "$basis" \
         --sensitivity "$tmp/short.dat" -o "$tmp/x"
 fi
 

@@ -16,7 +16,7 @@ makes morph "$ring" "$basis" --move "$tmp/small.txt" -o "$tmp/once.su2"
 runs "again: a mesh that was morphed" 0 morph "$tmp/once.su2" "$basis" --move "$tmp/second.txt" -o "$tmp/twice.su2" \
     --svg "$tmp/twice.svg" --boundary-svg "$tmp/twice-boundary.svg" --csv "$tmp/twice.csv" \
     --report "$tmp/twice.html" --json
-check "again: it says that the mesh has moved" says 'is not where it was'
+check "again: it says that the mesh has moved" says 'mesh has moved since'
 check "again: off the curve by rounding" test "$(number boundary_error | awk '{ print ($1 < 1e-13) }')" = 1
 sum_of "$curve" "$tmp/small.txt" "$tmp/second.txt" >"$tmp/wanted"
 sum_of "$tmp/twice.su2.curve" >"$tmp/found"
@@ -33,7 +33,7 @@ check "again: --to-airfoil: the wall is on it" awk '
     /^NPOIN/ { left = 48; next }
     left > 0 { r = sqrt($1 * $1 + $2 * $2); left--; seen++; if (r < .998 || r > 1.002) exit 1 }
     END { exit seen != 48 }' "$tmp/back.su2"
-refuses "again: transfer" 1 'is not where it was' transfer "$tmp/once.su2" "$basis" "$ring" -o "$tmp/x"
+refuses "again: transfer" 1 'mesh has moved since' transfer "$tmp/once.su2" "$basis" "$ring" -o "$tmp/x"
 runs "again: explore" 0 explore "$tmp/once.su2" "$basis" -o "$tmp/once.html"
 runs "again: explore, as it was" 0 explore "$ring" "$basis" -o "$tmp/start.html"
 control_of() { sed -n 's/.*"control": "\([^"]*\)".*/\1/p' "$1"; }

@@ -56,7 +56,7 @@ refuses "movements: no number" 3 '--by:2: the file needs a finite number' morph 
     --by 'shift airfoil 0 0' --by 'turn airfoil x' -o "$tmp/x"
 refuses "movements: too few words" 3 'flap MARKER X,Y degrees' morph "$mesh" "$basis" --by 'flap airfoil 3' -o "$tmp/x"
 refuses "movements: a factor of 0" 3 'a factor above 0' morph "$mesh" "$basis" --by 'scale airfoil 0' -o "$tmp/x"
-refuses "movements: too many degrees" 3 'out of its range' morph "$mesh" "$basis" --by 'turn airfoil 400' -o "$tmp/x"
+refuses "movements: too many degrees" 3 'out of range' morph "$mesh" "$basis" --by 'turn airfoil 400' -o "$tmp/x"
 refuses "movements: --by and --variables" 2 'exclude each other' morph "$mesh" "$basis" --by 'turn airfoil 4' \
     --variables "$airfoil" --move "$airfoil" -o "$tmp/x"
 

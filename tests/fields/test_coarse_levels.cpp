@@ -1,5 +1,6 @@
-// Coarse levels of control volumes: every level is a partition of connected volumes, directional
-// merging follows thin cells, areas add up and change as the faces of the volumes sweep.
+// Coarse levels of control volumes: every level is a partition of connected volumes, and
+// directional merging follows thin cells. The kind `fields` of tests/fuzz compares areas and
+// increases of areas with sums in more digits.
 #include <harmorph_fields.h>
 #include <doctest/doctest.h>
 
@@ -151,52 +152,6 @@ TEST_CASE("directional merging joins points across thin layers, isotropic mergin
     };
     CHECK(along_layers(HM_AGGLOMERATE_DIRECTIONAL) == 0);
     CHECK(along_layers(HM_AGGLOMERATE_ISOTROPIC) > 100);
-}
-
-TEST_CASE("areas of volumes add up to the mesh, and grow by what their faces sweep") {
-    LevelSet const set(two_bodies(40, 20, {}, Ellipse{0.25, 0.06, 0.4}, Cells::hybrid),
-                       HM_AGGLOMERATE_AUTO);
-    std::vector<double> x = set.mesh.x, y = set.mesh.y;
-    for (std::size_t k = 0; k < x.size(); ++k) {
-        x[k] += 0.01 * std::sin(3 * set.mesh.y[k]);
-        y[k] *= 1.1;
-    }
-    hm_points const from = {set.mesh.x.data(), set.mesh.y.data(), 1}, to = {x.data(), y.data(), 1};
-    double const whole = check(set.mesh).area;
-    hm_mesh const view = set.mesh.view();
-    std::int64_t n_entries = 0;
-    REQUIRE(hm_swept_count(&view, &n_entries, nullptr) == HM_OK);
-    std::vector<double> duals(static_cast<std::size_t>(n_entries)), halves(2 * duals.size());
-    REQUIRE(hm_swept_areas(&view, nullptr, &to, nullptr, duals.data(), halves.data(), nullptr,
-                           nullptr) == HM_OK);
-    for (std::int32_t level = 0; level < set.n_levels; ++level) {
-        std::vector<double> const start = areas_of(set, level, from),
-                                  end = areas_of(set, level, to),
-                                  growth = areas_of(set, level, to, &from);
-        double sum = 0;
-        for (double const area : start) {
-            CHECK(area > 0);
-            sum += area;
-        }
-        CHECK(std::fabs(sum - whole) < 1e-13 * whole);
-        std::int32_t n = 0;
-        std::vector<std::int32_t> const cell = set.cells(level, n);
-        std::vector<double> swept(growth.size(), 0.0);
-        for (std::size_t i = 0; i + 1 < set.mesh.cell_start.size(); ++i) {
-            std::size_t const first = static_cast<std::size_t>(set.mesh.cell_start[i]),
-                              w = static_cast<std::size_t>(set.mesh.cell_start[i + 1]) - first;
-            for (std::size_t k = 0; k < w; ++k) {
-                std::size_t const e = first + k, before = first + (k == 0 ? w : k) - 1;
-                swept[static_cast<std::size_t>(
-                    cell[static_cast<std::size_t>(set.mesh.cells[e])])] +=
-                    duals[e] - duals[before] + halves[2 * e] + halves[2 * before + 1];
-            }
-        }
-        for (std::size_t k = 0; k < growth.size(); ++k) {
-            CHECK(std::fabs(growth[k] - (end[k] - start[k])) < 1e-14 * whole);
-            CHECK(std::fabs(growth[k] - swept[k]) < 1e-14 * whole);
-        }
-    }
 }
 
 TEST_CASE("polygons, a bound of levels, refused levels") {

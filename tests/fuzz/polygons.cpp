@@ -9,7 +9,7 @@ namespace {
 
 using Wide = long double;
 using Side = std::pair<std::int32_t, std::int32_t>;  // from a point to the next one of a cell
-constexpr std::size_t most_corners = 10;
+constexpr std::size_t max_corners = 10;
 
 std::map<Side, std::size_t> cells_by_side(std::vector<Cell> const& cells) {
     std::map<Side, std::size_t> out;
@@ -42,7 +42,7 @@ void merge_some(Domain& domain, Input& input) {
             std::int32_t const from = cells[c][k], to = cells[c][(k + 1) % cells[c].size()];
             auto const other = cell_at.find({to, from});
             if (other == cell_at.end() ||
-                cells[c].size() + cells[other->second].size() > most_corners)
+                cells[c].size() + cells[other->second].size() > max_corners)
                 continue;
             std::size_t const d = other->second;
             if (common_points(cells[c], cells[d]) != 2)

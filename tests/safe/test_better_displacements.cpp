@@ -7,7 +7,7 @@ using namespace fixtures;
 
 namespace {
 
-// Returns displacements by which the wall of a nozzle with a sliding axis comes to `part` of its
+// Returns displacements by which the wall of a nozzle with a slipping axis comes to `part` of its
 // height.
 Field squeezed(SafeDisplaced const& safe, double part) {
     Field out;

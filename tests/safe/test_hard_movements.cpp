@@ -58,7 +58,7 @@ TEST_CASE("the ends of a piece of a channel's floor stay where they are on the w
     }
 }
 
-TEST_CASE("the wall of a nozzle moves from corner to corner while its axis slides") {
+TEST_CASE("the wall of a nozzle moves from corner to corner while its axis slips") {
     Case setup = nozzle(40, 20, 1e-4, 16);
     Safe safe(setup);
     safe.safe_options.min_quality = 0;
@@ -233,7 +233,7 @@ TEST_CASE("a wall that ends beside a fixed line is stopped there, and the end is
             if (status != HM_SHORT) continue;
             std::string const text = safe.error.text;
             named += text.find("the wall's end, point") != std::string::npos;
-            CHECK(text.find("leaves the line beside it by ") != std::string::npos);
+            CHECK(text.find("off the line of the ") != std::string::npos);
             CHECK(safe.report.end_point == safe.error.item);
             CHECK(safe.report.end_distance == doctest::Approx(std::fabs(by.imag())));
             CHECK(std::find(wall.begin(), wall.end(), safe.error.item) != wall.end());

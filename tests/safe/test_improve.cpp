@@ -117,7 +117,7 @@ TEST_CASE("displaced points return to the mesh that was their target") {
         Task task(square(12, kind));
         task.scatter(0.5, 4);
         ImproveOptions options;
-        options.most_products = 500;
+        options.max_products = 500;
         Improved out(task, {}, false);
         out.improvement.begin(out.at());
         double before = HUGE_VAL, after = out.improvement.energy(0);
@@ -153,12 +153,12 @@ TEST_CASE("the work of all steps is limited, and a larger limit does not give a 
     double smallest = 0, mean = 0;
     for (double const work : {0.1, 10.0, 54.0, 200.0}) {
         ImproveOptions options;
-        options.most_work = work;
+        options.max_work = work;
         Improved const out(task, {}, true, options);
         // A step begins only below the limit: after the first product, a step is 4 blocks or more
         // for each point, and the whole mesh has at most 5.
         Index const n = out.report.unknowns;
-        double const limit = work * options.most_iterations * n;
+        double const limit = work * options.max_iterations * n;
         CHECK(4.0 * n * (out.report.iterations - 1) < limit);
         if (work == 0.1) CHECK(out.report.iterations == 1);
         double const value = out.after.min_quality * out.after.mean_quality();
@@ -174,7 +174,7 @@ TEST_CASE("only points near a cell that is not good enough move, until it is") {
         std::size_t const middle = 20 * 41 + 20;  // its cells are still valid
         task.now.x[middle] += 0.95 / 40;
         ImproveOptions options;
-        options.most_iterations = 0;
+        options.max_iterations = 0;
         Improved const still(task, {}, true, options);
         CHECK(still.same_bits(task.now));
         CHECK(still.before.min_quality < 0.75);
@@ -310,19 +310,19 @@ TEST_CASE("the points of a cut are improved as one") {
     CHECK(moved);
 }
 
-TEST_CASE("points that slide along an inclined line stay on the line and find better places") {
+TEST_CASE("points that slip along an inclined line stay on the line and find better places") {
     double const c = std::cos(0.4), s = std::sin(0.4);
     Task task(square(10, Cells::hybrid));
     task.line.assign(task.held.size(), Vec2{});
-    std::vector<std::size_t> sliding;
+    std::vector<std::size_t> slipping;
     for (std::size_t k = 0; k < task.held.size(); ++k) {
         double const x = task.reference.x[k], y = task.reference.y[k];
         task.now.x[k] =
-            x + (y < 1 ? 0 : 0.25 * x * (1 - x));  // the top is squeezed to the right, and slides
+            x + (y < 1 ? 0 : 0.25 * x * (1 - x));  // the top is squeezed to the right, and slips
         if (y == 1 && x > 0 && x < 1) {
             task.held[k] = 0;
             task.line[k] = {c, s};
-            sliding.push_back(k);
+            slipping.push_back(k);
         }
     }
     for (Mesh* const mesh : {&task.reference, &task.now}) {
@@ -333,11 +333,11 @@ TEST_CASE("points that slide along an inclined line stay on the line and find be
         }
     }
     Task held = task;
-    for (std::size_t const k : sliding) held.held[k] = 1;
+    for (std::size_t const k : slipping) held.held[k] = 1;
     held.line.clear();
     Improved const out(task), stiff(held);
     double moved = 0;
-    for (std::size_t const k : sliding) {
+    for (std::size_t const k : slipping) {
         double const height = -s * out.mesh.x[k] + c * out.mesh.y[k];
         CHECK(height == doctest::Approx(1).epsilon(1e-14));
         moved = std::fmax(moved,

@@ -1,5 +1,5 @@
 // Safe given displacements beside other conditions: curves, design variables, and lines along which
-// points slide.
+// points slip.
 #include <fixtures/derived.hpp>
 #include <fixtures/half_ring.hpp>
 #include <fixtures/safe_displaced.hpp>
@@ -43,7 +43,7 @@ TEST_CASE("both bodies turn with points beside a curve, and each wall is where i
     CHECK(safe.run(wall, nullptr, tabulated.basis) == HM_UNSUPPORTED);
 }
 
-TEST_CASE("a wall that ends on a slip line goes straight and slides along the line") {
+TEST_CASE("a wall that ends on a slip line goes straight and slips along the line") {
     Case setup = given_instead(half_ring(8, 16, Cells::quads, 0, 4));
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
         SafeDisplaced safe(setup, options_of(kind));

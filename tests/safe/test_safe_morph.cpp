@@ -13,16 +13,17 @@ TEST_CASE("slip points stay on lines and periodic sides move alike, also in unta
     pair.set_periodic(left, right);
     for (std::int32_t const skipped :
          {without({HM_STRATEGY_UNTANGLED}), without({HM_STRATEGY_SUBSTEPS})}) {
-        Safe sliding(slip), alike(pair);
-        sliding.safe_options.skipped_strategies = alike.safe_options.skipped_strategies = skipped;
-        REQUIRE(sliding.run(turn_of(slip, 120, {0.1, 0.02})) == HM_OK);
-        REQUIRE(sliding.report.strategy != HM_STRATEGY_LINEAR);
-        double slid = 0;
+        Safe slipping(slip), alike(pair);
+        slipping.safe_options.skipped_strategies = alike.safe_options.skipped_strategies = skipped;
+        REQUIRE(slipping.run(turn_of(slip, 120, {0.1, 0.02})) == HM_OK);
+        REQUIRE(slipping.report.strategy != HM_STRATEGY_LINEAR);
+        double slip_place = 0;
         for (std::int32_t const point : points_on(slip.mesh, bottom)) {
-            CHECK(sliding.y[std::size_t(point)] == 0);
-            slid = std::fmax(slid, std::fabs(sliding.moved()[std::size_t(point)].real()));
+            CHECK(slipping.y[std::size_t(point)] == 0);
+            slip_place =
+                std::fmax(slip_place, std::fabs(slipping.moved()[std::size_t(point)].real()));
         }
-        CHECK(slid > 1e-3);
+        CHECK(slip_place > 1e-3);
         REQUIRE(alike.run(turn_of(pair, 110, {0.1, 0.05})) == HM_OK);
         REQUIRE(alike.report.strategy != HM_STRATEGY_LINEAR);
         std::vector<std::int32_t> const l = points_on(pair.mesh, left),
@@ -33,7 +34,7 @@ TEST_CASE("slip points stay on lines and periodic sides move alike, also in unta
     }
 }
 
-TEST_CASE("sliding points that would pass each other in one step do not in several steps") {
+TEST_CASE("slipping points that would pass each other in one step do not in several steps") {
     Case setup;
     setup.mesh = square(25, Cells::quads, 5, 1);
     setup.curves = polyline({{0.4, 0.48}, {0.6, 0.48}, {0.6, 0.52}, {0.4, 0.52}});

@@ -31,7 +31,7 @@ TEST_CASE("no cell with a given angle is better than the bound, and one is as go
     for (double const angle : {0.01, 0.2, 0.7, 1.0}) {
         for (int const n : {3, 4}) {
             double const bound = best_quality(angle, n == 3 ? 1 : 0, n == 3 ? 0 : 1);
-            CHECK(least_angle(n, bound) == doctest::Approx(angle).epsilon(1e-9));
+            CHECK(min_angle(n, bound) == doctest::Approx(angle).epsilon(1e-9));
             double best = 0;
             for (int trial = 0; trial < 20000; ++trial) {
                 double const a = std::pow(10, uniform(random) - 0.5);

@@ -13,7 +13,7 @@ using harmorph::Kernel;
 
 namespace fixtures {
 
-constexpr Index most_lanes = 8;
+constexpr Index max_lanes = 8;
 
 template <class Number>
 struct OperationsOf {
@@ -95,7 +95,7 @@ TEST_CASE_TEMPLATE("one number in all lanes keeps its bits", Number, double, flo
         auto const& by = operations(kernel).with(Number{});
         for (Number const x :
              {Number{0}, -Number{0}, Number{1.5}, -std::numeric_limits<Number>::infinity()}) {
-            Number out[most_lanes];
+            Number out[max_lanes];
             by.all(x, out);
             for (Index lane = 0; lane < by.lanes; ++lane) {
                 CHECK(out[lane] == x);
@@ -112,7 +112,7 @@ TEST_CASE_TEMPLATE("parts of a register are loaded with zeros behind, and nothin
         for (Index n = 0; n < lanes; ++n) {
             // On the heap, so that a memory checker sees a number too many.
             std::vector<Number> const from = some<Number>(std::size_t(n), 4);
-            double out[most_lanes];
+            double out[max_lanes];
             operations(kernel).with(Number{}).load_part(from.data(), n, out);
             for (Index lane = 0; lane < lanes; ++lane)
                 CHECK(out[lane] == (lane < n ? double(from[std::size_t(lane)]) : 0));
@@ -121,9 +121,9 @@ TEST_CASE_TEMPLATE("parts of a register are loaded with zeros behind, and nothin
 }
 
 TEST_CASE("single precision becomes double precision exactly") {
-    std::vector<float> const from = some<float>(most_lanes, 5);
+    std::vector<float> const from = some<float>(max_lanes, 5);
     for (Kernel const kernel : usable_kernels()) {
-        double out[most_lanes];
+        double out[max_lanes];
         operations(kernel).load_single(from.data(), out);
         for (Index lane = 0; lane < operations(kernel).in_double.lanes; ++lane)
             CHECK(out[lane] == double(from[std::size_t(lane)]));
@@ -136,9 +136,9 @@ TEST_CASE_TEMPLATE("lanes are picked from two registers or from none", Number, d
         auto const& by = operations(kernel).with(Number{});
         for (int attempt = 0; attempt < 200; ++attempt) {
             std::vector<Number> const both = some<Number>(std::size_t(2 * by.lanes), 7);
-            Index picked[most_lanes];
+            Index picked[max_lanes];
             for (Index& from : picked) from = Index(random() % unsigned(2 * by.lanes + 1)) - 1;
-            Number out[most_lanes];
+            Number out[max_lanes];
             by.pick(both.data(), both.data() + by.lanes, picked, out);
             for (Index lane = 0; lane < by.lanes; ++lane)
                 CHECK(out[lane] == (picked[lane] < 0 ? 0 : both[std::size_t(picked[lane])]));

@@ -15,7 +15,7 @@ enum class FileUse {
     none,                // the word is no file
     mesh,                // reads a mesh, with the files beside the mesh that belong to it
     input,               // reads the file
-    input_after_equals,  // reads the file that stands behind the first `=` of the value, if any
+    input_after_equals,  // reads the file whose name follows the first `=` of the value, if any
     output,              // writes the file
     moved_mesh           // writes a moved mesh, which may replace the mesh of the first operand
 };
@@ -64,31 +64,30 @@ struct Command {
 // the options.
 class Arguments {
 public:
-    Arguments(const Command& command,
-              const std::vector<std::string>& words);  // refuses what the command does not know
+    // Refuses operands and options that the command does not have.
+    Arguments(const Command& command, const std::vector<std::string>& words);
 
     const std::string& operand(std::size_t index) const { return operands_[index]; }
     std::vector<NamedFile> files() const;  // all files that the words name or imply
     bool has(std::string_view option) const;
-    std::vector<std::string> all(
-        std::string_view option) const;  // all values of an option that may be repeated
+    // Returns all values of an option that may be repeated.
+    std::vector<std::string> all(std::string_view option) const;
     std::string text(std::string_view option) const;  // the option must be given
     // Returns the file of an option that may have an ending; empty if there is none to write.
     std::string output(std::string_view option) const;
     std::int32_t whole(std::string_view option, std::int32_t fallback, std::int32_t low,
                        std::int32_t high) const;
-    // A list such as "3,5"; the option must be given.
+    // Reads a list such as "3,5"; the option must be given.
     std::vector<std::int32_t> whole_list(std::string_view option, std::int32_t low,
                                          std::int32_t high) const;
-    std::int32_t choice(
-        std::string_view option,
-        const std::vector<Choice>& choices) const;  // without the option, the first one
-    // The choice that has this name: a value of an option that may be repeated.
+    // Returns the first choice if the option is not given.
+    std::int32_t choice(std::string_view option, const std::vector<Choice>& choices) const;
+    // Returns the choice with the name `given`, which is a value of an option that may be repeated.
     std::int32_t choice(std::string_view option, const std::string& given,
                         const std::vector<Choice>& choices) const;
     double positive(std::string_view option, double fallback) const;
-    double real(std::string_view option, double fallback, double low,
-                double high) const;  // low and high are allowed
+    // Reads a number from low to high; both bounds are allowed.
+    double real(std::string_view option, double fallback, double low, double high) const;
 
     [[noreturn]] void refuse(std::string_view message) const;  // wrong usage of this command
 

@@ -12,15 +12,15 @@ namespace {
 
 __extension__ using Wide = unsigned __int128;
 
-constexpr int most_digits = 18, most_powers = 27;  // 10^18 < 2^63, 5^27 < 2^63
+constexpr int max_digits = 18, max_powers = 27;  // 10^18 < 2^63, 5^27 < 2^63
 constexpr std::uint64_t hidden_bit = std::uint64_t{1} << 52;
 
 struct Powers {
-    std::uint64_t of5[most_powers + 1] = {1}, of10[most_digits + 1] = {1};
+    std::uint64_t of5[max_powers + 1] = {1}, of10[max_digits + 1] = {1};
     char pairs[200] = {};  // the digits of 0 to 99
     constexpr Powers() {
-        for (int k = 1; k <= most_powers; ++k) of5[k] = 5 * of5[k - 1];
-        for (int k = 1; k <= most_digits; ++k) of10[k] = 10 * of10[k - 1];
+        for (int k = 1; k <= max_powers; ++k) of5[k] = 5 * of5[k - 1];
+        for (int k = 1; k <= max_digits; ++k) of10[k] = 10 * of10[k - 1];
         for (int k = 0; k < 100; ++k) {
             pairs[2 * k] = static_cast<char>('0' + k / 10);
             pairs[2 * k + 1] = static_cast<char>('0' + k % 10);
@@ -34,16 +34,17 @@ struct Binary {
     std::uint64_t mantissa;
     int exponent;
 
-    // The number times 10^k, product / 2^shift. Returns false if k or the result is out of range.
-    // The product with 5^k is exact in 128 bits.
+    // Computes the number times 10^k, which is product / 2^shift. Returns false if k or the result
+    // is out of range. The product with 5^k is exact in 128 bits.
     bool scale(int k, Wide& product, int& shift) const {
-        if (k < 0 || k > most_powers) return false;
+        if (k < 0 || k > max_powers) return false;
         product = Wide{mantissa} * powers.of5[k];
         shift = -(exponent + k);
         return shift >= 1 && shift <= 126;
     }
 
-    // Rounds the number times 10^k to a whole number, of two equally near ones to the even one.
+    // Rounds the number times 10^k to the nearest whole number; of two equally near ones, to the
+    // even one.
     bool scaled(int k, std::uint64_t& result) const {
         Wide product = 0;
         int shift = 0;
@@ -51,7 +52,7 @@ struct Binary {
         const Wide whole = product >> shift, half = Wide{1} << (shift - 1);
         const Wide rest = product - (whole << shift);
         const bool up = rest > half || (rest == half && (whole & 1) != 0);
-        if (whole >= powers.of10[most_digits]) return false;
+        if (whole >= powers.of10[max_digits]) return false;
         result = static_cast<std::uint64_t>(whole) + (up ? 1 : 0);
         return true;
     }
@@ -72,7 +73,7 @@ bool split(double value, Binary& number, int& power) {
 
 void put_pair(char* to, std::uint32_t pair) { std::memcpy(to, powers.pairs + 2 * pair, 2); }
 
-// Puts a whole number of n digits, with zeros in front where it has less.
+// Prints a whole number as n digits, with leading zeros if the number has fewer.
 void put_whole(char* to, std::uint64_t whole, int n) {
     for (; n >= 8; n -= 8) {
         const std::uint64_t above = whole / 100000000;
@@ -89,7 +90,7 @@ void put_whole(char* to, std::uint64_t whole, int n) {
     if (n == 1) *to = static_cast<char>('0' + rest);
 }
 
-// Puts digits 10^-behind, as n digits with a point among them or in front of them.
+// Prints digits * 10^-behind, as n digits with a point among them or in front of them.
 char* put_fixed(char* to, std::uint64_t digits, int n, int behind) {
     if (behind >= n) {
         std::memset(to, '0', static_cast<std::size_t>(behind - n) + 2);
@@ -107,7 +108,7 @@ char* put_fixed(char* to, std::uint64_t digits, int n, int behind) {
     return to + n + 1;
 }
 
-// Puts digits of n digits as d.ddde+XX, with the power of the first digit.
+// Prints a whole number of n digits as d.ddde+XX, where XX is the power of the first digit.
 char* put_scientific(char* to, std::uint64_t digits, int n, int power) {
     to = put_fixed(to, digits, n, n - 1);
     *to++ = 'e';
@@ -118,9 +119,9 @@ char* put_scientific(char* to, std::uint64_t digits, int n, int power) {
 
 }  // namespace
 
-// The number and the neighbours half way to the next doubles are multiplied by 10^k, so that 17
-// digits stand before the point. Of all whole numbers between the neighbours the one with most
-// zeros at its end is taken, and of several the nearest.
+// The number, and the two numbers half way to the next doubles, are multiplied by 10^k, so that 17
+// digits precede the point. Of all whole numbers between the two, the one with most trailing zeros
+// is taken, and of several such numbers the nearest.
 char* print_shortest(char* to, double value) {
     Binary number = {};
     int power = 0, shift = 0;
@@ -170,13 +171,13 @@ char* print_decimal(char* to, char style, int precision, double value) {
     if (!split(value, number, power)) return nullptr;
     if (std::signbit(value)) *to++ = '-';
     if (style == 'f') {
-        if (precision > most_digits || !number.scaled(precision, digits)) return nullptr;
+        if (precision > max_digits || !number.scaled(precision, digits)) return nullptr;
         int n = precision + 1;
-        while (n < most_digits && digits >= powers.of10[n]) ++n;
+        while (n < max_digits && digits >= powers.of10[n]) ++n;
         return put_fixed(to, digits, n, precision);
     }
     int n = style == 'e' ? precision + 1 : precision;
-    if (n < 1 || n > most_digits) return nullptr;
+    if (n < 1 || n > max_digits) return nullptr;
     if (!number.scaled(n - 1 - power, digits)) return nullptr;
     if (digits >= powers.of10[n] && !number.scaled(n - 1 - ++power, digits)) return nullptr;
     if (digits < powers.of10[n - 1] || digits >= powers.of10[n]) return nullptr;

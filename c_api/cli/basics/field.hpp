@@ -1,4 +1,4 @@
-// Two numbers for each point of a mesh.
+// A field of two numbers for each point of a mesh.
 #pragma once
 
 #include <harmorph.h>

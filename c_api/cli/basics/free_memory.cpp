@@ -16,7 +16,8 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-// The number behind a name in a file, or the first number of the file; infinite if there is none.
+// Returns the number that follows a name in a file, or the first number of the file if the name is
+// empty; infinity if there is no such number.
 double number_in(const char* path, const std::string& name) {
     std::ifstream file(path);
     if (name.empty()) {

@@ -15,7 +15,7 @@ void touch_pages(void* memory, std::size_t bytes, std::int32_t threads) {
     if (bytes < before + large_page) return;
     auto* const first = static_cast<char*>(memory) + before;
 #ifdef MADV_HUGEPAGE
-    // A wish only: without such pages the program is slower, and nothing else.
+    // This is advice to the system: without such pages the program is slower, but works.
     madvise(first, (bytes - before) / large_page * large_page, MADV_HUGEPAGE);
 #endif
     run_ranges((bytes - before) / page, threads,

@@ -20,7 +20,7 @@ ExitCode exit_code(hm_status status) {
     }
 }
 
-// The offset of an item in the file of the mesh; nullptr: the item is not in the file.
+// Returns the offset of an item in the file of the mesh, or nullptr if the item is not in the file.
 const std::size_t* offset_of(std::int32_t kind, std::int32_t item, const Mesh& mesh) {
     const std::vector<std::size_t>* offsets = nullptr;
     if (kind == HM_ITEM_CELL) offsets = &mesh.cell_offset;
@@ -31,7 +31,7 @@ const std::size_t* offset_of(std::int32_t kind, std::int32_t item, const Mesh& m
     return number < offsets->size() ? &(*offsets)[number] : nullptr;
 }
 
-// The line of the first item that stands in the file.
+// Returns the line of the first of the error's items that is in the file, or the path alone.
 std::string place_of(const hm_error& error, const Mesh& mesh) {
     const std::size_t* offset = offset_of(error.item_kind, error.item - error.item_base, mesh);
     if (offset == nullptr)

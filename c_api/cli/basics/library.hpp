@@ -13,8 +13,8 @@
 
 namespace cli {
 
-// Memory for an object of the library, in huge pages where the system has them. The
-// memory is not filled: pages cost nothing until the library touches them.
+// Memory for an object of the library, in huge pages where the system has them. The memory is not
+// filled: pages cost nothing until the library touches them.
 class Block {
 public:
     Block() = default;
@@ -41,11 +41,12 @@ Struct sized() {
     return result;
 }
 
-[[noreturn]] void refuse(const hm_error& error,
-                         const std::string& path);  // path: the file that causes the error
+// Throws a Failure for an error of the library. `path` is the file that causes the error.
+[[noreturn]] void refuse(const hm_error& error, const std::string& path);
 [[noreturn]] void refuse(const hm_error& error, const Mesh& mesh);
 
-// call(about, hm_function, arguments without the hm_error) returns the status, 0 or a warning.
+// Calls a function of the library with its arguments, to which the hm_error is added. Returns the
+// status, which is 0 or a warning. A refusal is about `about`, a path or a mesh.
 template <class About, class Function, class... Arguments>
 hm_status call(const About& about, Function function, Arguments... arguments) {
     hm_error error = {};

@@ -61,8 +61,7 @@ static bool parse_slowly(std::string_view word, double& value) {
 }
 
 bool parse(std::string_view word, double& value) {
-#if defined(__cpp_lib_to_chars)  // several times as fast, but some C++17 libraries lack it for real
-                                 // numbers
+#if defined(__cpp_lib_to_chars)  // std::from_chars is faster; some libraries lack it for doubles
     const char* end = word.data() + word.size();
     const auto result = std::from_chars(word.data(), end, value);
     if (result.ec == std::errc() && result.ptr == end) return std::isfinite(value);

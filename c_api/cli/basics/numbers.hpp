@@ -13,8 +13,8 @@ bool parse(std::string_view word, std::int32_t& value);
 bool parse(std::string_view word, std::int64_t& value);
 bool parse(std::string_view word, double& value);
 
-// Appends a number as printf does by "%.*e", "%.*f" or "%.*g" (style e, f, g) with this precision,
-// several times as fast for the numbers of a mesh.
+// Appends a number as printf does by "%.*e", "%.*f" or "%.*g" (style e, f, g) with this precision.
+// For the numbers of a mesh this is several times as fast.
 void append_number(std::string& text, char style, int precision, double value);
 
 std::string exact(double value);  // 17 significant digits, which are read back as the same bits

@@ -92,7 +92,7 @@ OutputFile::OutputFile(const std::string& path)
     if (!stream_) fail();
 }
 
-// Nobody else may read what replaces a file until it has the permissions of that file.
+// Only the owner may read the new file until it has the permissions of the file that it replaces.
 void OutputFile::create_privately() const {
     constexpr int owner_reads_and_writes = 0600;
     const int file = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL, owner_reads_and_writes);

@@ -11,25 +11,26 @@
 
 namespace cli {
 
-// A device or a pipe, into which one writes; nothing belongs beside it.
+// Returns whether the path is a device or a pipe: the program writes to it directly, and writes no
+// other files beside it.
 bool is_device(const std::string& path);
 
-// Do both paths lead to one file, by symbolic or hard links or another spelling? Neither of them
-// need exist. Devices and pipes are no files.
+// Returns whether both paths lead to one file, by symbolic or hard links or another spelling. The
+// file need not exist. Devices and pipes do not count as files.
 bool is_same_file(const std::string& path, const std::string& other);
 
 class OutputFile {
 public:
     explicit OutputFile(const std::string& path);
-    ~OutputFile();  // removes what has no place yet
+    ~OutputFile();  // removes a file that still has the temporary name
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
     std::ostream& stream() { return stream_; }
-    void finish();  // everything has been written, or a Failure
+    void finish();  // throws a Failure if not everything has been written
 
-    // Takes the place of an older file of that name. A copy of the older file stays until keep() if
-    // undo() may be called.
+    // Gives the file its final name, in place of an older file of that name. If undo() may be
+    // called, the older file is kept under another name until keep().
     void replace(bool may_be_undone);
     void undo() noexcept;
     void keep() noexcept;

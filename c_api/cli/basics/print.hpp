@@ -8,8 +8,8 @@ namespace cli {
 #ifdef __GNUC__
 __attribute__((format(printf, 1, 2)))
 #endif
-void print(const char* format, ...);  // to standard output, with the format of printf
+void print(const char* format, ...);  // prints to standard output, with the format of printf
 
-void print_error(const std::string& message);  // "harmorph: ", the message, to standard error
+void print_error(const std::string& message);  // prints "harmorph: MESSAGE" to standard error
 
 }  // namespace cli

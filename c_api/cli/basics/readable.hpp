@@ -7,14 +7,14 @@
 
 namespace cli {
 
-// The number of bytes of the character with which the text begins; 0 if the text does not begin
-// with a character of UTF-8, or begins with a control character or one that XML does not allow.
+// Returns the number of bytes of the first character of the text; 0 if the text does not begin with
+// a character of UTF-8, or begins with a control character or one that XML does not allow.
 std::size_t readable_character(std::string_view text);
 
 std::string byte_in_hexadecimal(char byte);  // "\x1B"
 
-// The text with each byte that belongs to no such character in hexadecimal. Ends of lines are kept
-// where a text of several lines is expected.
+// Returns the text, in which each byte that belongs to no such character is in hexadecimal. If a
+// text of several lines is expected, ends of lines are kept.
 std::string readable(std::string_view text, bool of_several_lines = false);
 
 }  // namespace cli

@@ -11,7 +11,7 @@ namespace cli {
 namespace {
 
 // The handler may run at any time, so it reads arrays of fixed size only. A name that is too long,
-// or one too many, is not remembered: its file then stays after a signal.
+// or for which there is no slot, is not remembered: the file then stays after a signal.
 struct Slot {
     std::atomic<bool> is_used;
     std::array<char, 4096> path;

@@ -7,8 +7,8 @@
 
 namespace cli {
 
-void remember_temporary(const std::string& path);  // before the file exists
-void forget_temporary(const std::string& path);    // the file has another name, or is gone
+void remember_temporary(const std::string& path);  // to be called before the file exists
+void forget_temporary(const std::string& path);    // to be called when the file has been renamed
 
 // While this object exists, these signals wait.
 class SignalsWait {

@@ -11,7 +11,7 @@ namespace cli {
 
 namespace {
 
-// The class of each byte for a reader of lines.
+// The kind of each byte for a reader of lines.
 enum : unsigned char { part_of_word, blank, end_of_line };
 
 constexpr auto kinds_of_bytes() {

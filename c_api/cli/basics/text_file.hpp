@@ -21,8 +21,8 @@ public:
 
     const std::string& path() const { return path_; }
     std::string_view text() const { return text_; }  // copies of a TextFile share the text
-    std::string place(std::size_t offset) const;  // "FILE:LINE"; behind binary parts "FILE: byte N"
-    // Gives other names to offsets, where the text in memory is not the text of the file.
+    std::string place(std::size_t offset) const;  // "FILE:LINE"; after binary parts "FILE: byte N"
+    // Sets other names of offsets, for a text in memory that is not the text of the file.
     void name_places(std::function<std::string(std::size_t)> name) {
         name_of_place_ = std::move(name);
     }
@@ -51,16 +51,16 @@ class LineReader {
 public:
     LineReader(const TextFile& file, char comment);
 
-    bool next();                                              // false: the end of the file
-    std::string_view line() const { return line_; }           // trimmed
-    const std::vector<std::string_view>& words();             // between blanks and tabs
-    std::size_t offset() const { return offset(line_); }      // of the line in the file's text
-    std::size_t offset(std::string_view part) const;          // of a part of the line
-    std::size_t next_offset() const { return next_; }         // of the next line
-    void jump(std::size_t offset) { next_ = offset; }         // next() goes on there
-    [[noreturn]] void fail(std::string_view message) const;   // about this line
-    [[noreturn]] void expected(std::string_view what) const;  // "the file needs WHAT here, but LINE
-                                                              // follows"
+    bool next();                                             // false: the end of the file
+    std::string_view line() const { return line_; }          // trimmed
+    const std::vector<std::string_view>& words();            // between blanks and tabs
+    std::size_t offset() const { return offset(line_); }     // of the line in the file's text
+    std::size_t offset(std::string_view part) const;         // of a part of the line
+    std::size_t next_offset() const { return next_; }        // of the next line
+    void jump(std::size_t offset) { next_ = offset; }        // next() goes on there
+    [[noreturn]] void fail(std::string_view message) const;  // about this line
+    // Fails with "the file needs WHAT here, but LINE follows".
+    [[noreturn]] void expected(std::string_view what) const;
     [[noreturn]] void expected(std::string_view what, std::string_view found) const;
 
 private:

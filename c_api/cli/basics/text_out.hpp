@@ -1,6 +1,6 @@
-// Appends many numbers to a text, several times as fast as the operators of a stream. They are
-// collected in a small buffer, which the text gets when the buffer is full, and at the end of this
-// object.
+// Appends many numbers to a text, several times as fast as the operators of a stream. The
+// characters are collected in a small buffer, and are appended to the text when the buffer is full
+// and when this object is destroyed.
 #pragma once
 
 #include "basics/decimals.hpp"
@@ -68,7 +68,7 @@ public:
         return *this;
     }
 
-    // The text with all that has been written, to which one may append.
+    // Returns the text with everything that has been written; the caller may append to the text.
     std::string& text() {
         flush();
         return text_;

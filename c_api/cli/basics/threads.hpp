@@ -1,5 +1,5 @@
-// Threads for the library, as many as --threads says, and the kernel; with one thread, only the
-// thread of the program runs.
+// Starts the threads of --threads for the library, and selects the kernel. With one thread, only
+// the main thread of the program runs.
 #pragma once
 
 #include "harmorph_pthreads.h"

@@ -7,11 +7,12 @@ namespace cli {
 
 namespace {
 
-// Reads moves of control points and bodies, or values of variables; with variables, bodies stay.
+// Reads moves of control points and bodies, or values of variables. With variables, bodies do not
+// move.
 std::vector<double> moves_of_file(const Arguments& arguments, const Basis& basis,
                                   const Mesh& mesh) {
     if (!arguments.has("--variables")) {
-        if (!arguments.has("--by")) arguments.text("--move");  // one of both is needed
+        if (!arguments.has("--by")) arguments.text("--move");  // one of the two options is needed
         return read_moves(texts_of_moves(arguments), movable_of(basis), mesh);
     }
     if (arguments.has("--by")) arguments.refuse("--by and --variables exclude each other");

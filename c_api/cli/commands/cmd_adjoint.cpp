@@ -1,5 +1,5 @@
-// harmorph adjoint: from derivatives by mesh points, as an adjoint flow solver writes them, to
-// derivatives by control points, bodies and design variables.
+// harmorph adjoint: computes derivatives by control points, bodies and design variables from
+// derivatives by mesh points, which an adjoint flow solver writes.
 #include <harmorph_design.h>
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
@@ -46,8 +46,8 @@ SensitivityColumns columns_of(const Arguments& arguments) {
     return columns;
 }
 
-// The largest s for which the movement -s * gradient inverts no cell, and for which the boundary
-// does not touch itself.
+// Returns the largest s for which the movement -s * gradient inverts no cell, and for which the
+// boundary does not touch itself.
 double admissible_descent(const Mesh& mesh, const Basis& basis, std::vector<double> gradient,
                           const Threads& threads) {
     for (double& g : gradient) g = -g;
@@ -142,12 +142,12 @@ void run_adjoint(const Arguments& arguments) {
         print("objective        %s: derivatives at %s of the mesh's %d\n",
               gradient.objective.c_str(),
               plural(static_cast<std::int64_t>(gradient.points), "point").c_str(), mesh.points());
-        const double most = gradient.admissible_descent;
+        const double limit = gradient.admissible_descent;
         print("steepest descent %s\n",
-              std::isinf(most) ? "no limit"
-                               : (brief(most) + " times the gradient, subtracted from the "
-                                                "control points, is admissible")
-                                     .c_str());
+              std::isinf(limit) ? "no limit"
+                                : (brief(limit) + " times the gradient, subtracted from the "
+                                                  "control points, is admissible")
+                                      .c_str());
     }
 }
 
@@ -178,8 +178,8 @@ const Command adjoint_command = {
     "dJ/dy dJ/ddegrees dJ/dscale\",\n"
     "\"mode K dJ/damplitude dJ/damplitude-y\"; with --variables \"variable dJ/dvalue "
     "dJ/dvalue-y\". Morphs are linear in\n"
-    "the control points: second derivatives by control points are F^T H F with the solver's H, and "
-    "have no other term.\n",
+    "the control points: second derivatives by control points are F^T H F, where H are the second "
+    "derivatives by mesh points.\n",
     std::vector<Option>{
         {"--sensitivity", "FILE",
          "derivatives by mesh points; may be repeated, once for each objective", FileUse::input},

@@ -19,7 +19,7 @@ namespace cli {
 
 namespace {
 
-// The ordered boundary points of a marker.
+// Returns the boundary points of a marker in order.
 Section outline(const Mesh& mesh, const std::string& marker) {
     const BoundaryPiece piece = MeshAnalysis(mesh).boundary(mesh.find_markers(marker));
     Section section;
@@ -59,7 +59,7 @@ Task task_on(const Mesh& mesh, const std::string& marker, const Curves& curves) 
     return task;
 }
 
-// The columns of --fields, and the coordinates of the points before the mesh moved.
+// Returns the columns of --fields, and the coordinates of the points before the mesh moved.
 std::vector<Column> fields_to_bring(const Arguments& arguments, const Mesh& mesh) {
     std::vector<Column> fields;
     if (arguments.has("--fields"))
@@ -128,13 +128,13 @@ const Command align_command = {
     "Moves a mesh to the shape of a reference mesh, and brings its fields there",
     "Fits a B-spline to the marker of MESH, solves, and moves the mesh until the curve is as near "
     "as possible (least\n"
-    "squares) to the points of the marker of REFERENCE, in several steps where one is not enough. "
+    "squares) to the points of the marker of REFERENCE, in several steps if one is not enough. "
     "Then the fields of MESH\n"
     "are interpolated from the moved mesh to the points of REFERENCE, so that all shapes of a set "
     "have their fields on one\n"
     "mesh. The columns from_x and from_y say where each point of REFERENCE lies in MESH before the "
-    "movement. The inverse map\n"
-    "for values that a model predicts on REFERENCE: `harmorph interpolate REFERENCE VALUES "
+    "movement. Values that a\n"
+    "model predicts on REFERENCE are brought back by `harmorph interpolate REFERENCE VALUES "
     "ALIGNED`, where ALIGNED is the\n"
     "file of -o, whose points have the numbers of MESH.\n",
     {{"--to", "REFERENCE", "the reference mesh (required)", FileUse::mesh},

@@ -39,10 +39,10 @@ void print_json(const hm_mesh_report& report, const Mesh& mesh) {
     print("%s\n", object.text().c_str());
 }
 
-// Prints all markers; where there are many, the first ones and the loops that the markers form.
+// Prints all markers. If there are many, prints the first ones and the loops that the markers form.
 void print_markers(const Mesh& mesh) {
-    constexpr std::size_t most_printed = 20;
-    const std::size_t n = mesh.markers.size(), printed = n > most_printed ? most_printed / 2 : n;
+    constexpr std::size_t max_printed = 20;
+    const std::size_t n = mesh.markers.size(), printed = n > max_printed ? max_printed / 2 : n;
     for (std::size_t marker = 0; marker < printed; ++marker) {
         print("marker        %s: %s\n", mesh.markers[marker].c_str(),
               plural(mesh.faces(static_cast<std::int32_t>(marker)), "face").c_str());
@@ -65,7 +65,7 @@ void print_markers(const Mesh& mesh) {
             extent.high[d] = std::max(extent.high[d], at[d]);
         }
     }
-    for (std::size_t loop = 0; loop < extents.size() && loop < most_printed; ++loop) {
+    for (std::size_t loop = 0; loop < extents.size() && loop < max_printed; ++loop) {
         const Extent& extent = extents[loop];
         print("loop          loop:%s: %s, x = %s .. %s, y = %s .. %s\n",
               std::to_string(loop + 1).c_str(), plural(extent.faces, "face").c_str(),
@@ -92,7 +92,7 @@ void print_for_people(const hm_mesh_report& report, const Mesh& mesh) {
     print("inverted      %d\n", report.inverted);
 }
 
-// Draws the mesh, or volumes round some points of the mesh.
+// Draws the mesh, or volumes around some points of the mesh.
 void write_picture(const Arguments& arguments, const Mesh& mesh) {
     const std::optional<Box> window = window_of(arguments);
     OutputFiles files;
@@ -155,11 +155,12 @@ const Command check_command = {
     "check",
     {{"MESH", FileUse::mesh}},
     "Checks a mesh and reports its size and quality",
-    "Refused with the line of the first offender: wrong indices, "
-    "points repeated in a cell, edges of more than two cells,\n"
-    "faces that are not boundary edges, boundary edges on no marker. Inverted cells are counted "
-    "(exit code 1).\n"
-    "Then what solve refuses beside: cells too thin for the size of their coordinates.\n",
+    "The command refuses wrong indices, points repeated in a cell, edges of more than two cells, "
+    "faces that are not boundary\n"
+    "edges, and boundary edges without a marker, and names the line of the first such error. "
+    "Inverted cells are counted (exit\n"
+    "code 1). Cells that are too thin for the size of their coordinates are refused, too, as "
+    "`harmorph solve` does.\n",
     {format_option,
      zone_option,
      {"--svg", "FILE", "picture of the mesh, its markers in colours", FileUse::output},
@@ -170,10 +171,10 @@ const Command check_command = {
      {"--window", "X,Y,X,Y",
       "lower left and upper right corner of what --svg shows (default: all of the mesh)"},
      {"--dual-volumes", "P[,Q..]",
-      "--svg shows the control volumes (median dual) round these points, numbered from 0 as in the "
-      "file"},
+      "--svg shows the control volumes (median dual) around these points, numbered from 0 as in "
+      "the file"},
      {"--gradient-volumes", "P[,Q..]",
-      "--svg shows the cells round these points, over which gradients at points are formed"},
+      "--svg shows the cells around these points, over which nodal gradients are formed"},
      {"--json", nullptr,
       "print one JSON object: points, cells, triangles, quads, polygons, inverted, min_area,\n"
       "min_quality, mean_quality, markers (name, faces)"}},

@@ -29,14 +29,12 @@ const Command convert_command = {
     "convert",
     {{"MESH", FileUse::mesh}, {"NEW", FileUse::output}},
     "Writes a mesh as a new file of another format",
-    "The new file has the points, cells and markers (not in VTK files, which have none) that the "
-    "other commands see:\n"
-    "of meshes one cell thick those of the plane. What else stands in MESH is not in it. Numbers "
-    "are written with all\n"
-    "their digits.\n",
+    "The new file has the points, cells and markers of MESH; files of VTK have no markers. Of a "
+    "mesh one cell thick it has\n"
+    "those of the plane. Other contents of MESH are not written. Numbers have all digits.\n",
     {format_option,
      zone_option,
-     {"--to", "NAME", "format of NEW (otherwise its extension tells)"},
+     {"--to", "NAME", "format of NEW (default: that of the extension of NEW)"},
      threads_option},
     "  harmorph convert naca0012.su2 naca0012.msh\n",
     run_convert};

@@ -83,7 +83,7 @@ std::vector<Wanted> wanted_of(const Arguments& arguments, const std::vector<doub
         {"max_camber", "largest camber", quantity_of(HM_MAX_CAMBER)},
         {"leading_edge_radius", "leading-edge radius", quantity_of(HM_LEADING_EDGE_RADIUS)},
         {"trailing_edge_angle", "trailing-edge angle", quantity_of(HM_TRAILING_EDGE_ANGLE)},
-        {"edge_gap", "trailing-edge gap", quantity_of(HM_TRAILING_EDGE_GAP)},
+        {"trailing_edge_gap", "trailing-edge gap", quantity_of(HM_TRAILING_EDGE_GAP)},
         {"min_radius", "smallest radius", quantity_of(HM_MIN_RADIUS)},
         {"curvature_variation", "curvature variation", quantity_of(HM_CURVATURE_VARIATION)}};
     if (arguments.has("--stations")) {
@@ -148,8 +148,8 @@ const Command curve_command = {
     "Prints area, centroid, second moments, chord, thickness, camber, "
     "radii of curvature, and the angle and gap of the\n"
     "trailing edge, with the place of each. Lengths are in the unit of the file, "
-    "angles in degrees. What a section does\n"
-    "not have is printed as none with the reason, and left out with --json.\n"
+    "angles in degrees. For a quantity that the\n"
+    "section does not have, `none` and the reason are printed; --json omits the quantity.\n"
     "--elevate, --halve and --insert give the curve more control points without changing its "
     "shape; "
     "they are applied in\n"
@@ -157,7 +157,7 @@ const Command curve_command = {
     {{"--stations", "S[,S..]",
       "also thickness and camber at these stations, 0 to 1 along the chord"},
      {"--box", "X,Y,X,Y,..",
-      "also the distance between the outline and this polygon that is to fit inside"},
+      "also the distance between the outline and this polygon, which must fit inside"},
      chord_option,
      {"--curve", "K", "the curve that changes, from 1 (default 1)"},
      {"--elevate", nullptr, "raise the degree by 1"},

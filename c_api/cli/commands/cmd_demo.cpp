@@ -28,8 +28,8 @@ void step(const std::string& purpose, const std::vector<std::string>& words) {
     run_command(words);
 }
 
-constexpr double camber = .03,
-                 thickening = .4;  // camber in chords, thickening as a share of the thickness
+// The camber is in chords, the thickening a fraction of the thickness.
+constexpr double camber = .03, thickening = .4;
 
 // Returns moves that give an airfoil of chord 1 from x = 0 to 1 more camber (a parabolic arc) and
 // more thickness.
@@ -171,12 +171,12 @@ void run_demo(const Arguments& arguments) {
 const Command demo_command = {
     "demo",
     {{"DIR", FileUse::none}},
-    "Goes the whole path on the shipped mesh and leaves all files in DIR",
-    "Each step is printed as the command that does the same. In DIR are then, among others: "
+    "Runs all steps on the shipped mesh and leaves the files in DIR",
+    "Each step is printed as a command that can be repeated. DIR then contains, among others: "
     "mesh.su2, airfoil.curve,\n"
-    "airfoil.basis; moves.txt, a movement that one step follows, and far.txt, "
-    "one that only --safe does; fine.su2, the\n"
-    "mesh with each cell divided in four. The commands that --help shows work on them.\n",
+    "airfoil.basis; moves.txt, a movement for one step, and far.txt, a movement for --safe; "
+    "fine.su2, the mesh with each\n"
+    "cell divided in four. The examples of the other commands can be run on these files.\n",
     {{"--mesh", "FILE",
       "mesh with a marker `airfoil` of chord 1 (default tests/meshes/naca0012.su2)",
       FileUse::input}},

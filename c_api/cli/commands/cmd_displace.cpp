@@ -33,8 +33,8 @@ void displace_by_moves(const Mesh& mesh, const Solver& solver, const WallMovemen
          threads.executor());
 }
 
-// The given walls start from where control points and bodies have moved the mesh: whether the
-// boundary crosses itself is judged where everything has moved.
+// The given displacements are added to those by control points and bodies: the boundary is checked
+// for crossings with all displacements.
 void at_once(const Mesh& mesh, Solver& solver, const WallMovement& movement, std::int32_t repeats,
              const Threads& threads, Displacement& found) {
     std::size_t bytes = 0;
@@ -105,7 +105,7 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
         safely(mesh, solver, movement, safe_options_of(arguments), found);
     } else {
         at_once(mesh, solver, movement, repeats, threads, found);
-        solver.slide(found.moved, found.by);
+        solver.put_on_curves(found.moved, found.by);
     }
     const hm_points linear = found.by.read();
     const hm_mesh view = mesh.view();
@@ -114,7 +114,8 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
     const bool may_improve = found.step.admissible > 1;
     if (!arguments.has("--safe") && arguments.has("--improve") && may_improve)
         solver.improve(found.moved, found.by, improve_options_of(arguments));
-    round_as_file(mesh, found.moved.x, found.moved.y);  // what is judged is what can be written
+    // The quality is that of the coordinates in the file.
+    round_as_file(mesh, found.moved.x, found.moved.y);
     const hm_points at = found.moved.read(), start = mesh.coordinates();
     call(mesh, hm_assess, solver.basis(), &view, &at, nullptr, &start, threads.executor(), nullptr,
          &found.quality);
@@ -139,8 +140,8 @@ WallMovement movement_of(const Arguments& arguments, const Mesh& mesh, const Tas
     return movement;
 }
 
-// By one operator; by the better one of two, where they are compared or the own one does not reach
-// the target safely.
+// Displaces by one operator. If operators are compared, or the chosen one does not reach the target
+// safely, displaces by two and returns the better result.
 Displacement best_displacement(const Arguments& arguments, const Mesh& mesh, const Task& task,
                                const WallMovement& movement, const Threads& threads) {
     const std::int32_t own = task.options.operator_kind;
@@ -207,12 +208,14 @@ const Command displace_command = {
     "markers that are not named are fixed. A mesh with inverted\n"
     "cells is not written, and a wall that would cross itself is refused. With `--operator auto` "
     "the mesh is moved by conformal and\n"
-    "by Laplace functions; the better mesh is taken, and what both reached and cost is reported.\n",
+    "by Laplace functions; the better mesh is taken, and the results and times of both are "
+    "reported.\n",
     std::vector<Option>{
         {"--given", "A[,B..]", "markers whose displacements FIELD has (required; may be repeated)"},
         {"--wall", "FIELD", "their displacements (required)", FileUse::input},
         {"--move", "MOVES",
-         "with --curve or --rigid: what control points and bodies move by, see `harmorph morph`",
+         "with --curve or --rigid: the movements of control points and bodies, see `harmorph "
+         "morph`",
          FileUse::input},
         by_option,
         {"-o", "MESH", "moved mesh to write", FileUse::moved_mesh},
@@ -228,7 +231,7 @@ const Command displace_command = {
             threads_option,
             kernel_option,
             {"--force", nullptr,
-             "write the files even if cells are inverted (exit code 1 all the same)"},
+             "write the files even if cells are inverted (the exit code is still 1)"},
             format_option,
             zone_option,
             {"--json", nullptr,
@@ -238,7 +241,7 @@ const Command displace_command = {
              "displace_seconds; with --safe no\n"
              "admissible_step but the keys of `harmorph morph --safe`; with --operator auto "
              "operators (operator,\n"
-             "step_fraction, min_quality, seconds, refusal; the one that is taken first)"}},
+             "step_fraction, min_quality, seconds, refusal; the better one first)"}},
     "  harmorph displace mesh.su2 --given airfoil --wall field.txt -o moved.su2\n"
     "  harmorph displace mesh.su2 --given airfoil --wall large.txt --safe -o moved.su2\n",
     run_displace};

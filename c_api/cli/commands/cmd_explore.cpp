@@ -28,10 +28,9 @@ void refuse_inverted_cells(const Mesh& mesh, const Basis& basis) {
                                      mesh.file.place(line));
 }
 
-// Returns the number of points that a page shows if the user does not wish another one: as many as
-// are drawn at once in 0.1 s by a processor alone, but no more than 8 million numbers of functions,
-// which take 43 megabytes.
-std::int32_t usual_points(const Basis& basis) {
+// Returns the default number of points of a page. A processor without a graphics card draws 200000
+// points in 0.1 s; 8 million numbers of functions take 43 megabytes.
+std::int32_t default_points(const Basis& basis) {
     const double per_point =
         static_cast<double>(basis.functions()) * basis.info().numbers_per_value;
     return static_cast<std::int32_t>(std::clamp(8e6 / per_point, 50000., 200000.));
@@ -47,7 +46,7 @@ void run_explore(const Arguments& arguments) {
     if (arguments.has("--move")) {
         const TextFile text = text_of_moves(arguments.text("--move"));
         const std::vector<double> by = read_moves({text}, movable_of(basis), mesh);
-        std::ostringstream lines;  // the page knows no movements of sections
+        std::ostringstream lines;  // the page cannot read movements of sections
         if (has_section_movements(text)) write_moves(lines, by, basis, mesh);
         else lines << text.text();
         moves = lines.str();
@@ -55,7 +54,7 @@ void run_explore(const Arguments& arguments) {
     const hm_basis_info& info = basis.info();
     const std::vector<std::int32_t> body(info.curve_point, info.curve_point + info.curve_points);
     const PageSelection selection =
-        select_for_page(mesh, body, wished > 0 ? wished : usual_points(basis));
+        select_for_page(mesh, body, wished > 0 ? wished : default_points(basis));
     OutputFiles files;
     std::ostream& out = files.add(path);
     out << page_head << explore_page.before_data << "<script>\nconst page_data = ";
@@ -67,8 +66,9 @@ void run_explore(const Arguments& arguments) {
     const auto n_cells = static_cast<std::int32_t>(selection.cells.size());
     if (n_cells < mesh.cells()) {
         print(
-            "left out: %d of %d cells, far from what moves, are drawn thinned and not judged (see "
-            "--points)\n",
+            "left out: %d of %d cells, far from the moving walls, are drawn coarsened and not "
+            "judged "
+            "(see --points)\n",
             mesh.cells() - n_cells, mesh.cells());
     }
 }
@@ -78,22 +78,22 @@ void run_explore(const Arguments& arguments) {
 const Command explore_command = {
     "explore",
     {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}},
-    "Writes a page to drag control points on while the mesh follows",
+    "Writes a page on which control points can be dragged, and the mesh follows",
     "One self-contained file for any browser, without a network: control points, "
     "rigid bodies and design variables to drag;\n"
-    "inverted cells, admissible step, quality, heights and angles at the wall, "
-    "the section's thickness and area, as they\n"
-    "become. It saves and loads MOVES as `harmorph morph` reads them. "
-    "Points on the page are those of `harmorph morph`\n"
-    "within 2^-24 sum |F_i| |dP_i|: functions are in single precision there, all else in double "
-    "precision.\n"
+    "inverted cells, admissible step, quality, heights and angles at the wall, and thickness and "
+    "area of the section are\n"
+    "updated meanwhile. It saves and loads MOVES as `harmorph morph` reads them. "
+    "Points on the page are those of\n"
+    "`harmorph morph` within 2^-24 sum |F_i| |dP_i|: functions are in single precision there, all "
+    "else in double precision.\n"
     "Points that slip along curves (--slip) move along the tangents on the page; "
     "`harmorph morph` puts them onto the curves.\n",
     {{"-o", "PAGE", "page to write, HTML (required)", FileUse::output},
      {"--points", "N",
       "how many points nearest to the body are shown with all their cells; farther away the mesh "
-      "is thinned\n"
-      "for drawing (default 200000; 50000 at least if there are many functions)"},
+      "is coarsened\n"
+      "for drawing (default 200000, down to 50000 if there are many functions)"},
      {"--move", "MOVES", "movement of the control points to begin with", FileUse::input},
      format_option,
      zone_option},

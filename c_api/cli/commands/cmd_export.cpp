@@ -20,7 +20,7 @@ namespace cli {
 
 namespace {
 
-// The numbers of a function's value: a real one, a complex one or a 2 x 2 matrix.
+// Returns the numbers of the values of a function, which are real, complex or 2 x 2 matrices.
 std::vector<Column> columns_of(const Basis& basis, const Mesh& mesh, std::int32_t function) {
     static const std::vector<std::string> complex = {"value", "imaginary"},
                                           matrix = {"xx", "xy", "yx", "yy"};
@@ -47,7 +47,8 @@ std::vector<Level> levels_of(const Arguments& arguments, const Mesh& mesh, const
     Task task = task_of(basis);
     if (task.options.engine != HM_FAS) {
         arguments.refuse(
-            "--level needs a basis that the engine fas solved: the others merge no volumes");
+            "--level needs a basis that the engine fas solved: the other engines have no "
+            "agglomerated volumes");
     }
     set_agglomeration(arguments, task.options);
     task.options.levels = 20;
@@ -119,7 +120,7 @@ void write_pictures(const Arguments& arguments, const Mesh& mesh, const Basis& b
 
 void run_export(const Arguments& arguments) {
     if (arguments.has("--level")) return export_levels(arguments);
-    arguments.text("--function");  // there is no default
+    arguments.text("--function");  // refuses a missing option
     if (!arguments.has("--csv") && !arguments.has("--vtu") && !arguments.has("--svg") &&
         !arguments.has("--contour-csv")) {
         arguments.refuse(
@@ -127,7 +128,7 @@ void run_export(const Arguments& arguments) {
     }
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
-    if (basis.mesh_has_moved()) warn("the mesh is not where it was when the basis was solved");
+    if (basis.mesh_has_moved()) warn("the mesh has moved since the basis was solved");
     const std::vector<std::int32_t> functions =
         arguments.whole_list("--function", 1, basis.functions());
     const bool has_table = arguments.has("--csv") || arguments.has("--vtu");
@@ -160,10 +161,10 @@ const Command export_command = {
     "export",
     {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}},
     "Writes one function of a basis for other programs and as a picture",
-    "Functions are numbered from 1 as their control points are. With --level: "
-    "the volumes that agglomeration merges instead,\n"
-    "for a basis solved with --engine fas. Lists make pictures of several panels with "
-    "one scale.\n",
+    "Functions are numbered from 1 as their control points are. With --level, the picture shows "
+    "the volumes that\n"
+    "agglomeration merges, for a basis solved with --engine fas. Lists make pictures of several "
+    "panels with one scale.\n",
     {format_option,
      zone_option,
      {"--function", "I[,J..]", "which functions (required without --level)"},

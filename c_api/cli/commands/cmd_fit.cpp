@@ -19,7 +19,7 @@ namespace {
 struct Fit {
     Curves curves;
     hm_fit_report report = sized<hm_fit_report>();
-    bool is_asked = false;  // the closure is that of --closed
+    bool is_asked = false;  // whether the closure is that of --closed
 };
 
 // The ordered points of a piece of the boundary of a mesh, or of a file with a section.
@@ -64,7 +64,7 @@ hm_fit_options fit_options(const Arguments& arguments) {
     return options;
 }
 
-// Lines "point weight" with the numbers that the points have in the mesh, or in the file.
+// Reads lines "point weight" with the numbers that the points have in the mesh, or in the file.
 std::vector<double> read_weights(const std::string& path, const Outline& outline) {
     const TextFile file(path);
     LineReader lines(file, '#');
@@ -105,7 +105,7 @@ hm_fit_details fit_details(const Arguments& arguments, const std::vector<double>
     return details;
 }
 
-// path: the file of the points.
+// `path` is the file of the points, which error messages name.
 Fit fit(const std::string& path, const Outline& outline, const hm_fit_options& options) {
     Fit fit;
     fit.is_asked = options.closed != HM_CLOSED_AUTO;
@@ -175,7 +175,7 @@ void print_json(const Fit& fit) {
 }
 
 Outline outline_of(const Arguments& arguments, const std::string& path) {
-    // Files of airfoils and of grids may both end in .dat: options or else the content decide.
+    // Files of airfoils and of grids may both end in .dat. The options decide, or else the content.
     const bool is_mesh = arguments.has("--format") || arguments.has("--zone") ||
                          (ends_with(path, ".dat") && is_mesh_file(TextFile(path)));
     const bool is_section = !is_mesh && ends_with(path, ".dat"),
@@ -233,15 +233,16 @@ const Command fit_command = {
     "squares. The curve\n"
     "and its control points go to a small text file that `harmorph solve` reads. Errors are "
     "distances of the mesh's\n"
-    "points from the curve: in chords (the boundary's largest extent) for people, in the mesh's "
-    "unit with --json.\n"
-    "In place of MESH: a file .dat with an airfoil's coordinates in Selig's or "
-    "Lednicer's order (where its content is no mesh), or a file .curve, as fit and\n"
-    "morph write them, of which points are taken.\n",
+    "points from the curve, in chords (the largest extent of the boundary); with --json in the "
+    "unit of the mesh.\n"
+    "MESH may also be a file .dat with the coordinates of an airfoil in the order of Selig or "
+    "Lednicer, or a file .curve of fit\n"
+    "or morph, from which points are sampled.\n",
     {{"--marker", "A[,B..]",
       "markers of the boundary (required with a mesh); A@X:Y: its piece nearest to (X, Y)"},
      {"--degree", "P", "degree of the curve, 1 to 5 (default 3)"},
-     {"--points", "N", "number of control points (default 20; with --tolerance the most, 100)"},
+     {"--points", "N",
+      "number of control points (default 20); with --tolerance the largest number (default 100)"},
      {"--tolerance", "LENGTH",
       "insert control points until no point is farther from the curve than LENGTH (in the mesh's "
       "unit)"},
@@ -259,8 +260,7 @@ const Command fit_command = {
       "open: clamped at the first and the last point of the outline, which stay apart;\n"
       "auto (default): no corner: periodic; a straight blunt base between two corners at the end\n"
       "away from the leading edge: open, with a second curve over the base; else tied at the "
-      "sharpest "
-      "corner"},
+      "sharpest corner"},
      {"-o", "CURVE", "file to write (required)\n" CURVE_FORMATS, FileUse::output},
      format_option,
      zone_option,

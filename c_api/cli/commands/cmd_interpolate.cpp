@@ -77,10 +77,10 @@ const Command interpolate_command = {
     "interpolate",
     {{"FROM", FileUse::mesh}, {"FIELDS", FileUse::input}, {"TO", FileUse::mesh}},
     "Fields of one mesh at the points of another mesh",
-    "Values are linear inside triangles and the mean of both divisions in quadrilaterals: linear "
-    "fields are exact but for\n"
-    "rounding. A point outside FROM gets the value of the nearest place of the boundary, linear by "
-    "arc length.\n"
+    "Values are linear inside triangles; in quadrilaterals they are the mean of both divisions "
+    "into triangles. Linear fields\n"
+    "are exact to rounding. A point outside FROM gets the value of the nearest place of the "
+    "boundary, linear by arc length.\n"
     "FIELDS is a file with one row for each point of FROM: a CSV file with the names of columns in "
     "the first line, a table\n"
     "\"point value value\", a binary restart file of SU2, a file .vtk or .vtu with arrays at the "
@@ -95,8 +95,8 @@ const Command interpolate_command = {
      max_outside_option,
      {"--conservative", nullptr,
       "values are means over control volumes (median dual), of second order; integrals over the "
-      "area that both\nmeshes have in common stay, and the column `covered` has the area of each "
-      "volume that FROM covers"},
+      "area that both\nmeshes have in common do not change, and the column `covered` has the area "
+      "of each volume that FROM covers"},
      format_option,
      zone_option,
      threads_option,

@@ -103,8 +103,9 @@ Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     return best;
 }
 
-// Refuses outputs that need the curves, if the places of the curves are unknown.
-void tell_of_earlier_movement(const Arguments& arguments, const Basis& basis) {
+// Warns that the mesh has moved since the basis was solved. Refuses outputs that need the curves,
+// if the places of the curves are unknown.
+void warn_of_earlier_movement(const Arguments& arguments, const Basis& basis) {
     const bool needs_curves = arguments.has("--curve-out") || arguments.has("--svg") ||
                               arguments.has("--boundary-svg") || arguments.has("--csv") ||
                               arguments.has("--report") || arguments.has("--to-airfoil") ||
@@ -112,15 +113,17 @@ void tell_of_earlier_movement(const Arguments& arguments, const Basis& basis) {
     if (needs_curves) basis.curves();
     if (basis.info().curves > 0 && !basis.why_on_no_curve().empty())
         return warn(basis.why_on_no_curve() + "; the morphed mesh is written without a curve");
-    warn("the mesh is not where it was when the basis was solved: its wall is " +
-         brief(basis.distance_from_curves()) + " at most from where a movement of the basis leads");
+    warn("the mesh has moved since the basis was solved: wall points are up to " +
+         brief(basis.distance_from_curves()) +
+         " from the places to which a movement of the basis "
+         "takes them");
 }
 
 void run_morph(const Arguments& arguments) {
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
-    if (basis.mesh_has_moved()) tell_of_earlier_movement(arguments, basis);
+    if (basis.mesh_has_moved()) warn_of_earlier_movement(arguments, basis);
     std::optional<ToAirfoil> airfoil;
     const std::vector<double> moves = asked_moves(arguments, mesh, basis, airfoil);
     const Threads threads(threads_of(arguments), kernel_of(arguments));
@@ -136,12 +139,13 @@ void run_morph(const Arguments& arguments) {
     if (safe) warn_of_heights(arguments, morph.safe, morph.valid());
     const bool strict = arguments.has("--strict") && !morph.warning.empty();
     const bool reached = morph.valid() && morph.refusal.empty() && !strict;
-    OutputFiles files;  // --report and --moves-out are written for invalid meshes, too
+    OutputFiles files;
     Companions written;
     if (reached || arguments.has("--force")) {
         written = companions_of(arguments, basis, morph);
         write_files(arguments, mesh, basis, morph, written, files);
     }
+    // These two files are written for invalid meshes too.
     if (arguments.has("--report"))
         write_report(files.add(arguments.text("--report")), mesh, basis, morph, safe);
     if (arguments.has("--moves-out"))
@@ -174,15 +178,16 @@ const Command morph_command = {
     "\"shift MARKER dx dy\",\n"
     "\"scale MARKER factor [X,Y]\" and \"flap MARKER X,Y degrees [length]\", a smooth "
     "deflection behind the hinge X,Y, over a\n"
-    "tenth of the chord or `length`. Lines are applied in their order. What is not\n"
-    "named stays; `#` starts a comment. Points of the mesh on the curve move exactly as the "
-    "B-spline does.\n"
-    "A mesh with inverted cells or a boundary that crosses itself is not written.\n"
-    "The morphed mesh keeps the text of its file; only coordinates that changed are new. "
-    "Beside it, in MESH.curve, is the\n"
-    "moved B-spline. With --safe --force the mesh may have moved less than MOVES says, "
-    "and then not by a fraction of it, as\n"
-    "bodies turn on the way: MESH.reached is the file of moves that it has.\n",
+    "tenth of the chord or `length`. Lines are applied in their order. Control points\n"
+    "and bodies without a line do not move; `#` starts a comment. Points of the mesh on the curve "
+    "move exactly as the\n"
+    "B-spline does. A mesh with inverted cells or a boundary that crosses itself is not written.\n"
+    "The file of the morphed mesh has the text of MESH with other coordinates. The moved B-spline "
+    "is written beside the\n"
+    "file, with .curve appended to its name. With --safe --force the mesh may stop before the "
+    "target; the movement that the\n"
+    "mesh then has is not a fraction of MOVES where bodies turn, and is written to a file with "
+    ".reached appended.\n",
     std::vector<Option>{
         {"--move", "MOVES",
          "movement of the control points (this, --by or --to-airfoil is required)", FileUse::input},
@@ -193,14 +198,16 @@ const Command morph_command = {
          "`harmorph variables`; bodies stay",
          FileUse::input},
         {"--to-airfoil", "DAT",
-         "make this airfoil of the mesh's (.dat in Selig's or Lednicer's order): control points by "
-         "least\n"
-         "squares, with the curve's own knots; how far its points are off is reported",
+         "morph the airfoil of the mesh to this one (.dat in Selig's or Lednicer's order): the "
+         "control points\n"
+         "are fitted by least squares, the knots stay; the distances of the points of DAT from the "
+         "curve are\n"
+         "reported",
          FileUse::input},
         {"--on-chord", nullptr,
-         "for --to-airfoil: scale, turn and move it so that its leading and trailing edges come to "
-         "where the\n"
-         "curve's are (default: coordinates are those of the mesh)"},
+         "for --to-airfoil: scale, turn and shift the points of DAT so that their leading and "
+         "trailing edges\n"
+         "are those of the curve (default: DAT has the coordinates of the mesh)"},
         {"--airfoil-curve", "N",
          "for --to-airfoil: which curve of the basis is the airfoil (default 1)"},
         {"--moves-out", "MOVES",
@@ -209,7 +216,8 @@ const Command morph_command = {
          FileUse::output},
         {"-o", "MESH", "morphed mesh to write, in the format of MESH", FileUse::moved_mesh},
         {"--curve-out", "CURVE",
-         "where to write the moved curve (default: -o with .curve behind)\n" CURVE_FORMATS,
+         "where to write the moved curve (default: the file of -o with .curve "
+         "appended)\n" CURVE_FORMATS,
          FileUse::output, ".curve"},
         {"--vtu", "FILE", "morphed mesh and its displacement for ParaView", FileUse::output},
         {"--svg", "FILE", "picture: mesh before in blue, after in red, with the control points",
@@ -236,11 +244,11 @@ const Command morph_command = {
             {"--operator", "auto",
              "for --safe: laplace and conformal functions are both tried, and the mesh with the "
              "larger smallest\n"
-             "quality is taken; what both reached and cost is reported"},
+             "quality is taken; the quality and the time of both are reported"},
             {"--reached", "MOVES",
-             "for --safe: where to write the movement that the mesh has (default where it falls "
-             "short of the\n"
-             "target: -o with .reached behind)",
+             "for --safe: where to write the movement that the mesh has (default, if the mesh does "
+             "not reach the\n"
+             "target: the file of -o with .reached appended)",
              FileUse::output, ".reached", "--force"},
             {"--repeat", "N",
              "morph N times after a warm-up, in memory, and report the median time (default 1, no "
@@ -250,7 +258,7 @@ const Command morph_command = {
             {"--force", nullptr,
              "write the files even if the morphed mesh is not valid, with --safe the last valid "
              "mesh\n"
-             "(exit code 1 all the same)"},
+             "(the exit code is still 1)"},
             format_option,
             zone_option,
             {"--json", nullptr,
@@ -263,15 +271,18 @@ const Command morph_command = {
              "step_fraction\n"
              "(1: all of the movement), steps, resolves, strategy (linear, other, substeps, "
              "untangled, improved),\n"
-             "last_step_admissible (of the last step that was tried, in parts of it), heights (the "
-             "part of the\n"
-             "distances from the wall that came back), reached_moves (the file),\n"
-             "turned_offset (of wall points from the curve, turned with the body beside the "
-             "B-spline's movement),\n"
-             "start_quality, end_point (of a wall, which leaves the line beside it; -1: none), "
-             "end_distance, warning, worst_cells (cell, quality, start_quality, x, y); with "
-             "--to-airfoil\n"
-             "airfoil_max_error and airfoil_rms_error (distances of its points from the curve)"}},
+             "last_step_admissible (the admissible multiple of the last step that was tried), "
+             "heights (the part of\n"
+             "the change of the distances from the wall that was undone), reached_moves (the "
+             "file),\n"
+             "turned_offset (the largest change of a wall point's offset from the curve, because "
+             "the body turned),\n"
+             "start_quality, end_point (the end of a wall that leaves the line of the neighbouring "
+             "boundary;\n"
+             "-1: none), end_distance, warning, worst_cells (cell, quality, start_quality, x, y); "
+             "with --to-airfoil\n"
+             "airfoil_max_error and airfoil_rms_error (distances of the points of DAT from the "
+             "curve)"}},
     "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg "
     "morphed.svg\n"
     "  harmorph morph naca0012.su2 airfoil.basis --to-airfoil naca2412.dat --safe -o "

@@ -43,7 +43,7 @@ public:
           files_(arguments, mesh_) {
         if (basis_.mesh_has_moved())
             throw Failure(exit_unusable, arguments.operand(0) +
-                                             ": the mesh is not where it was when the basis was "
+                                             ": the mesh has moved since the basis was "
                                              "solved; solve again on this mesh");
         for (const char* const name : final_files)
             refuse_overwriting(arguments, {FileUse::output, "a file of -o,", folder_.file(name)});

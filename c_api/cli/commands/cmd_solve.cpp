@@ -21,9 +21,10 @@ namespace cli {
 
 namespace {
 
-constexpr std::size_t longest_history = 200001;  // steps of Runge-Kutta on one level, and the start
+constexpr std::size_t max_history = 200001;  // Runge-Kutta steps on one level, and the start
 
-// The caller has made a first run, which warms up: later runs find the memory ready.
+// Returns the median times of further runs. The first run, which also touches the memory for the
+// first time, was made by the caller.
 SolveTimes repeat(Solver& solver, std::int32_t runs) {
     std::vector<double> setup, factor, solve;
     for (std::int32_t i = 0; i < runs; ++i) {
@@ -97,7 +98,8 @@ void print_for_people(const Solver& solver, const Stored& stored, const Mesh& me
           stored.in_single() ? " in single precision" : "");
 }
 
-// Functions given by tables, one for each file of --mode, which are solved after all others.
+// The functions whose wall values are tables, one for each file of --mode. They follow all other
+// functions of the basis.
 class Modes {
 public:
     Modes(const Arguments& arguments, const Mesh& mesh) : paths_(arguments.all("--mode")) {
@@ -124,7 +126,7 @@ public:
     }
 
 private:
-    // Adds the values in the order of the first file.
+    // Adds the values of a file, in the order of the points of the first file.
     void add(const std::string& path, const WallField& field) {
         if (points_.empty()) points_ = field.points;
         std::vector<std::size_t> place(points_.size());
@@ -151,7 +153,7 @@ private:
     Block block_;
 };
 
-std::string what_is_missed(const Solver& solver, const hm_options& options) {
+std::string why_not_converged(const Solver& solver, const hm_options& options) {
     const double residual = solver.report().residual;
     if (!(residual <= options.tolerance))
         return "the residual " + brief(residual) + " is above " + brief(options.tolerance);
@@ -171,7 +173,7 @@ void run_solve(const Arguments& arguments) {
     const Mesh mesh = read_mesh(arguments, 0);
     Modes modes(arguments, mesh);
     Task task = task_of(arguments, mesh);
-    std::vector<double> history(arguments.has("--history") ? longest_history : 0);
+    std::vector<double> history(arguments.has("--history") ? max_history : 0);
     task.options.history = history.data();
     task.options.history_length = static_cast<std::int32_t>(history.size());
     const Threads threads(threads_of(arguments), kernel_of(arguments));
@@ -192,7 +194,7 @@ void run_solve(const Arguments& arguments) {
     }
     if (!converged)
         throw Failure(exit_unusable,
-                      "the solution has not converged: " + what_is_missed(solver, task.options));
+                      "the solution has not converged: " + why_not_converged(solver, task.options));
 }
 
 }  // namespace
@@ -200,7 +202,7 @@ void run_solve(const Arguments& arguments) {
 const Command solve_command = {
     "solve",
     {{"MESH", FileUse::mesh}},
-    "Solves the functions that carry control points' movements to the mesh",
+    "Solves the functions by which control points move the mesh",
     "Each control point's function has the values of its B-spline basis function on the curve and "
     "0 on fixed boundaries.\n"
     "In between, --operator selects the function: conformal (the default), the complex function "
@@ -241,7 +243,7 @@ const Command solve_command = {
             kernel_option,
             {"-o", "BASIS", "file to write (required)", FileUse::output},
             {"--force", nullptr,
-             "write the basis even if it has not converged (exit code 1 all the same)"},
+             "write the basis even if it has not converged (the exit code is still 1)"},
             format_option,
             zone_option,
             {"--json", nullptr,

@@ -1,4 +1,4 @@
-// harmorph transfer: interpolates functions from one mesh to a denser mesh of the same domain.
+// harmorph transfer: interpolates functions from one mesh to a finer mesh of the same domain.
 #include <harmorph_bases.h>
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
@@ -29,7 +29,8 @@ std::int32_t same_marker(const Arguments& arguments, const Mesh& mesh, std::int3
     return static_cast<std::int32_t>(found - fine.markers.begin());
 }
 
-// The problem that the basis was solved for, on the fine mesh, whose points get new parameters.
+// Returns the problem of the basis with the markers of the fine mesh. The parameters of points on
+// curves are not copied: they are computed for the points of the fine mesh.
 Task task_on(const Arguments& arguments, const Basis& basis, const Mesh& mesh, const Mesh& fine) {
     Task task = task_of(basis);
     task.given_points.clear();
@@ -133,7 +134,7 @@ void run_transfer(const Arguments& arguments) {
     if (basis.mesh_has_moved()) {
         throw Failure(
             exit_unusable,
-            mesh.file.path() + ": the mesh is not where it was when " + basis.path() +
+            mesh.file.path() + ": the mesh has moved since " + basis.path() +
                 " was solved; transfer from the mesh before it moved, and morph FINE_MESH");
     }
     const Mesh fine = read_mesh(arguments, 2);
@@ -157,14 +158,15 @@ void run_transfer(const Arguments& arguments) {
 const Command transfer_command = {
     "transfer",
     {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}, {"FINE_MESH", FileUse::mesh}},
-    "Interpolates solved functions to a denser mesh of the same domain",
+    "Interpolates solved functions to a finer mesh of the same domain",
     "Both meshes have the same markers; curves, conditions and operator are those of BASIS. "
-    "Points on curves get their basis\n"
-    "functions themselves, so the fine mesh moves with the B-spline as exactly "
-    "as the coarse one does, and the points near\n"
-    "them move along. Points a little beyond a curved boundary take the nearest cell's functions; "
-    "farther ones than half a\n"
-    "cell's side are refused.\n",
+    "Points on curves get the values of\n"
+    "the B-spline basis functions, so the walls of the fine mesh follow the B-spline as exactly as "
+    "those of the coarse mesh;\n"
+    "this correction is carried to the points near them. Points outside of MESH, as near a curved "
+    "boundary, take the\n"
+    "functions of the nearest cell. A point that is farther outside than half a side of that cell "
+    "is refused.\n",
     {{"-o", "BASIS", "file to write, for FINE_MESH (required)", FileUse::output},
      storage_option,
      threads_option,

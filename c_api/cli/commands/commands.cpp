@@ -46,7 +46,7 @@ std::string program_help() {
     std::string text = introduction;
     for (const Command* command : commands) {
         std::string name = std::string("  ") + command->name;
-        name.resize(15, ' ');  // two blanks at least
+        name.resize(15, ' ');
         text += name + command->summary + '\n';
     }
     return text + conclusion + "\nFormats of meshes:\n" + format_table();
@@ -88,9 +88,10 @@ Mesh read_mesh(const std::string& path, const ReadOptions& options) {
 
 const Option format_option = {
     "--format", "NAME",
-    "format of the mesh, if its content does not tell: `harmorph --help` has them"};
+    "format of the mesh, if its content does not show it: `harmorph --help` lists the formats"};
 const Option zone_option = {"--zone", "Z",
-                            "which zone of a file of several; the others stay as they are"};
+                            "the zone to use of a file with several zones; the other zones stay "
+                            "as they are"};
 
 Mesh read_mesh(const Arguments& arguments, std::size_t operand) {
     ReadOptions options;

@@ -17,7 +17,8 @@ extern const Command fit_command, solve_command, morph_command, export_command, 
 // words: all words after the name of the program. Throws a Failure that says what went wrong.
 void run_command(const std::vector<std::string>& words);
 
-// Reads a mesh, and warns of what was passed over. Commands that read meshes have both options.
+// Reads a mesh, and warns of all parts of the file that were ignored. Commands that read meshes
+// have both options.
 extern const Option format_option, zone_option;
 Mesh read_mesh(const Arguments& arguments, std::size_t operand);
 Mesh read_mesh(const std::string& path, const ReadOptions& options = {});

@@ -26,7 +26,7 @@ std::int32_t whole(const Arguments& arguments, const std::string& option, double
     return static_cast<std::int32_t>(number);
 }
 
-// Reads two whole numbers, for example of the upper and the lower side.
+// Reads two whole numbers, for example those of shapes on the upper and on the lower side.
 void take_pair(const Arguments& arguments, const std::string& option, std::int32_t& first,
                std::int32_t& second) {
     const std::vector<double> numbers = number_list(arguments, option);
@@ -80,7 +80,7 @@ hm_variables variables_of(const Arguments& arguments, std::vector<double>& peaks
     return variables;
 }
 
-// X,Y or X,Y,LENGTH of an option, as the place of a movement.
+// Reads the text X,Y or X,Y,LENGTH of an option. Returns the movement at this place.
 hm_movement placed(const Arguments& arguments, const std::string& option, const std::string& text,
                    std::int32_t kind) {
     auto movement = sized<hm_movement>();
@@ -98,7 +98,7 @@ hm_movement placed(const Arguments& arguments, const std::string& option, const 
     return movement;
 }
 
-// The movements of the options, in the order in which they are applied.
+// Returns the movements of the options, in the order in which they are applied.
 std::vector<hm_movement> movements_of(const Arguments& arguments) {
     std::vector<hm_movement> movements;
     const auto add = [&](const char* option, std::int32_t kind) {

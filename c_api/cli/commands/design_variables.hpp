@@ -12,8 +12,8 @@ namespace cli {
 
 struct MadeVariables {
     VariableMap map;
-    std::vector<JsonObject> rows;  // of the variables
-    std::string table;             // the same for people
+    std::vector<JsonObject> rows;  // one for each variable or mode
+    std::string table;             // the text to print without --json, with the same numbers
 };
 
 MadeVariables make_variables(const Arguments& arguments);

@@ -15,7 +15,8 @@ namespace cli {
 
 namespace {
 
-// Returns the largest distance of a given wall point from where its displacement leads.
+// Returns the largest distance of a wall point from the target that its given displacement leads
+// to.
 double distance_from_targets(const Mesh& mesh, const WallMovement& movement,
                              const Displacement& found) {
     double largest = 0;
@@ -35,12 +36,12 @@ void write_displacement_page(std::ostream& out, const Mesh& mesh, const Task& ta
     const CurvesView curves(task.curves);
     std::vector<std::int32_t> body = found.curve_points;
     body.insert(body.end(), movement.wall.points.begin(), movement.wall.points.end());
-    const auto no_way = sized<hm_safe_report>();
+    const auto empty = sized<hm_safe_report>();
     write_report(out, mesh, {"", found.info, *curves.get(), task.conditions}, body,
                  {found.by, movement.moves, found.step, found.quality,
                   distance_from_targets(mesh, movement, found),
                   "largest distance of given points from their targets", found.safe.has_value(),
-                  found.safe ? *found.safe : no_way, found.refusal});
+                  found.safe ? *found.safe : empty, found.refusal});
 }
 
 void write_displacement(const Arguments& arguments, const Mesh& mesh, const Displacement& found,

@@ -1,4 +1,4 @@
-// What `harmorph displace` asks for, what it finds, and how it writes and prints what it finds.
+// The given movement and the result of `harmorph displace`, and the output of the result.
 #pragma once
 
 #include "basics/field.hpp"

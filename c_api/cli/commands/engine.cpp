@@ -11,11 +11,11 @@ namespace cli {
 
 namespace {
 
-// Options that only some engines have; the others refuse them.
+// An option that only some engines have. With other engines the option is refused.
 struct EngineOption {
     const char* name;
     std::vector<std::int32_t> engines;
-    const char* names;  // of these engines
+    const char* engine_names;
 };
 const EngineOption engine_option_list[] = {
     {"--precision", {HM_DIRECT}, "direct"},
@@ -47,15 +47,16 @@ std::vector<Option> engine_options() {
          "of the direct engine's factor: double (default), or single: half the memory, refined in "
          "double"},
         {"--levels", "N",
-         "multigrid and fas: levels at most (default: all there are, 5 or 6 at 10k "
+         "multigrid and fas: levels at most (default: down to the coarsest, 5 or 6 levels at 10k "
          "points)"},
         {"--block-width", "N",
-         "multigrid and fas: functions that are solved at a time, 4 (default of multigrid), 8 (of "
-         "fas) or 16"},
+         "multigrid and fas: functions that are solved at a time, 4 (default of multigrid), 8 "
+         "(default of fas)\n"
+         "or 16"},
         {"--max-iterations", "N",
-         "multigrid and fas: iterations after which the solution is given up (default 200; fas "
-         "2000 cycles, or\n"
-         "200000 steps on one level)"},
+         "multigrid and fas: iterations at most (default: 200 of multigrid; fas 2000 cycles, or "
+         "200000 steps on\n"
+         "one level)"},
         agglomeration_option,
         {"--start", "START", "of fas: fmg (default), level by level from the coarsest, or zero"},
         {"--cycle", "CYCLE",
@@ -105,7 +106,7 @@ void set_engine(const Arguments& arguments, Task& task) {
         const auto& engines = option.engines;
         if (arguments.has(option.name) &&
             std::find(engines.begin(), engines.end(), options.engine) == engines.end())
-            arguments.refuse(std::string(option.name) + " needs --engine " + option.names);
+            arguments.refuse(std::string(option.name) + " needs --engine " + option.engine_names);
     }
     set_agglomeration(arguments, options);
     options.start =

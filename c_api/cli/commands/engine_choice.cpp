@@ -12,8 +12,8 @@ namespace cli {
 
 namespace {
 
-// In the order of the time that they take, which is the same for 10 000 to a million points and for
-// 4, 20 and 60 functions (tests/measure/bench): the first one that fits is the fastest one.
+// The fastest engine first. The order is the same for 10 000 to a million points and for 4, 20 and
+// 60 functions (tests/measure/bench).
 const std::vector<EngineKind> by_time = {{"direct", HM_DIRECT, HM_DOUBLE},
                                          {"direct in single precision", HM_DIRECT, HM_SINGLE},
                                          {"multigrid", HM_MULTIGRID, HM_DOUBLE}};
@@ -59,7 +59,7 @@ std::string choose_engine(
     const std::function<std::optional<MemoryNeed>(const EngineKind&, double)>& try_kind) {
     const bool is_automatic = choice.kinds.size() > 1;
     const EngineKind* smallest = nullptr;
-    double least = 0;
+    double min_bytes = 0;
     std::string too_large;  // "direct needs 412 MB, multigrid 380 MB"
     for (const EngineKind& kind : choice.kinds) {
         const std::optional<MemoryNeed> need = try_kind(kind, choice.memory);
@@ -77,15 +77,15 @@ std::string choose_engine(
         too_large += (too_large.empty() ? "" : ", ") + kind.name +
                      (too_large.empty() ? " needs " : " ") + (need->is_of_all ? "" : "more than ") +
                      bytes;
-        if (smallest != nullptr && need->bytes >= least) continue;
+        if (smallest != nullptr && need->bytes >= min_bytes) continue;
         smallest = &kind;
-        least = need->bytes;
+        min_bytes = need->bytes;
     }
     const std::string reason = "no engine fits into " + named_limit(choice) + ": " + too_large;
     if (choice.is_asked) throw Failure(exit_unusable, reason);
     warn(reason);
     try_kind(*smallest, unlimited_memory);
-    return smallest->name + ": the one of the least memory; " + reason;
+    return smallest->name + ": the engine that needs the smallest memory; " + reason;
 }
 
 }  // namespace cli

@@ -30,7 +30,7 @@ struct EngineChoice {
 extern const Option memory_option;
 EngineChoice engine_choice_of(const Arguments& arguments);
 
-// What analysis, plan and functions need; or the analysis alone, if that is more than the limit.
+// The memory of analysis, plan and functions; or of the analysis alone, if that exceeds the limit.
 struct MemoryNeed {
     double bytes = 0;
     bool is_of_all = true;

@@ -13,11 +13,6 @@ namespace cli {
 
 namespace {
 
-bool slips(const Task& task) {
-    return std::any_of(task.conditions.begin(), task.conditions.end(),
-                       [](const hm_condition& condition) { return condition.kind == HM_SLIP; });
-}
-
 void move_points(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, Field& to,
                  const Threads& threads) {
     const hm_points from = mesh.coordinates();
@@ -70,7 +65,7 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& mo
       safe(sized<hm_safe_report>()) {
     if (repeats > 1) move_points(basis, mesh, moves, moved, threads);  // a warm-up
     seconds = median_seconds(basis, mesh, moves, moved, repeats, threads);
-    slide(basis, mesh, threads);
+    put_on_curves(basis, mesh, threads);
     judge(basis, mesh, threads);
 }
 
@@ -146,11 +141,11 @@ Curves Morph::moved_curves(const Basis& basis) const {
 }
 
 // Puts points that slip along curves onto the curves.
-void Morph::slide(const Basis& basis, const Mesh& mesh, const Threads& threads) {
+void Morph::put_on_curves(const Basis& basis, const Mesh& mesh, const Threads& threads) {
     const Task task = task_of(basis);
-    if (!slips(task)) return;
+    if (!task.slips()) return;
     Solver solver(mesh, task, threads);
-    solver.slide(moved, displacement);
+    solver.put_on_curves(moved, displacement);
 }
 
 void Morph::judge(const Basis& basis, const Mesh& mesh, const Threads& threads) {

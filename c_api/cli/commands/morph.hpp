@@ -29,8 +29,8 @@ struct Morph {
     Field displacement, moved;
     hm_step_report step;
     hm_quality_report quality;  // relative to the mesh before the morph
-    double boundary_error =
-        0;  // largest distance from the B-spline that `moves` moved from the place on the mesh
+    // The largest distance of wall points from the B-spline that `moves` moved.
+    double boundary_error = 0;
     double seconds = 0;       // of hm_morph: the median of all repeats; or of hm_morph_safe
     hm_safe_report safe;      // set by the safe morph, as are all members below
     std::string refusal;      // why the mesh does not reach the target
@@ -40,8 +40,7 @@ struct Morph {
 
     Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves_of_functions,
           std::int32_t repeats, const Threads& threads);
-    // The safe morph, which solves again where that is needed, and at the start where the operator
-    // is not that of the basis.
+    // The safe morph. If the operator is not that of the basis, the functions are solved first.
     Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target,
           hm_safe_options options, std::int32_t operator_kind, const Threads& threads);
     // Moves inner points to where cells are better. Walls, and therefore `moves`, stay.
@@ -53,7 +52,7 @@ struct Morph {
     Curves moved_curves(const Basis& basis) const;  // the curves of the basis on the moved mesh
 
 private:
-    void slide(const Basis& basis, const Mesh& mesh, const Threads& threads);
+    void put_on_curves(const Basis& basis, const Mesh& mesh, const Threads& threads);
     void judge(const Basis& basis, const Mesh& mesh, const Threads& threads);
 };
 

@@ -13,16 +13,16 @@ const std::vector<Choice> strategies = {{"linear", HM_STRATEGY_LINEAR},
                                         {"untangled", HM_STRATEGY_UNTANGLED},
                                         {"improved", HM_STRATEGY_IMPROVED}};
 
-const char* strategy_name(std::int32_t strategy) {
-    return strategies[static_cast<std::size_t>(strategy)].name;
-}
-
-// The part of the heights of the first layer that is to be restored.
+// Returns the part of the change of the distances from the wall that --heights is to undo.
 double asked_heights(const Arguments& arguments) {
     return arguments.real("--heights-part", arguments.has("--heights") ? 1 : 0, 0, 1);
 }
 
 }  // namespace
+
+const char* strategy_name(std::int32_t strategy) {
+    return strategies[static_cast<std::size_t>(strategy)].name;
+}
 
 void add_safe(JsonObject& object, const hm_safe_report& safe, const std::string& warning,
               const std::string* reached_moves) {
@@ -111,35 +111,38 @@ void print_worst_cells(const hm_safe_report& safe) {
 std::vector<Option> safe_options() {
     return {
         {"--safe", nullptr,
-         "reach the target with good cells whatever it takes: other operators, several steps "
-         "on the mesh as it\n"
-         "moves, untangling. A body that turns takes along the offsets of its points from the "
-         "curve"},
+         "reach the target with good cells where one linear step does not: by other operators, by "
+         "several steps,\n"
+         "each solved on the mesh as it has moved, and by untangling. The offsets of wall points "
+         "from their curve\n"
+         "turn with a body that turns"},
         {"--min-quality", "Q",
-         "for --safe: smallest quality, in parts of the smallest before, 0 to 1 (default "
-         "0.05); where it cannot\n"
-         "be had, the best mesh is written with a warning"},
+         "for --safe: smallest quality, relative to the smallest of MESH, 0 to 1 (default 0.05); "
+         "if no strategy\n"
+         "attains this quality, the best mesh is written with a warning"},
         {"--max-height-change", "F",
          "for --safe: first-layer heights may grow and shrink by this factor at most (default: "
          "any)"},
         {"--strict", nullptr,
-         "for --safe: a mesh poorer than asked for is not written, exit code 1"},
+         "for --safe: a mesh with a quality below --min-quality is not written, and the exit code "
+         "is 1"},
         {"--heights", nullptr,
-         "for --safe: bring distances from the wall back to what they were, near it, as far as "
-         "the smallest\n"
-         "quality is neither halved nor less than is asked for; a warning says if only a part "
-         "comes back"},
+         "for --safe: restore the distances of points near the wall from the wall, as far as the "
+         "smallest\n"
+         "quality is neither halved nor below --min-quality; a warning says if only a part was "
+         "restored"},
         {"--heights-part", "F",
-         "for --safe: --heights, but only this part of the change is undone, 0 to 1"},
+         "for --safe: as --heights, but only this part of the change of the distances is undone, 0 "
+         "to 1"},
         {"--max-resolves", "N", "for --safe: new solutions of the functions at most (default 10)"},
         {"--skip", "STRATEGY",
          "for --safe: do not try linear, other, substeps, untangled or improved (may be "
          "repeated)"},
         {"--improve", nullptr,
-         "make the moved mesh better where it is valid: inner points move to where cells are "
-         "more like those of\n"
-         "MESH, and the worst ones are raised; the first layer at walls gets its heights and "
-         "angles back"},
+         "improve the moved mesh, if it is valid: inner points move so that cells are more like "
+         "those of MESH,\n"
+         "and so that the worst cells are better; heights and angles of the first layer at walls "
+         "are restored"},
         {"--improve-iterations", "N",
          "for --improve without --safe: steps of Newton's method at most (default 60)"}};
 }
@@ -156,8 +159,7 @@ void check_safe_options(const Arguments& arguments) {
 }
 
 void warn_of_heights(const Arguments& arguments, const hm_safe_report& safe, bool is_valid) {
-    const double asked = asked_heights(arguments);
-    if (safe.heights >= asked || !is_valid) return;
+    if (safe.heights >= asked_heights(arguments) || !is_valid) return;
     warn(brief(100 * safe.heights) +
          " % of the change of the distances from the wall was undone by --heights, because more "
          "would "
@@ -173,8 +175,8 @@ hm_safe_options safe_options_of(const Arguments& arguments) {
     if (arguments.has("--max-height-change"))
         options.max_height_change = arguments.real("--max-height-change", 2, 1.0001, 1e9);
     if (arguments.has("--max-resolves")) {
-        const std::int32_t most = arguments.whole("--max-resolves", 10, 0, 1000000);
-        options.max_resolves = most > 0 ? most : -1;
+        const std::int32_t resolves = arguments.whole("--max-resolves", 10, 0, 1000000);
+        options.max_resolves = resolves > 0 ? resolves : -1;
     }
     for (const std::string& name : arguments.all("--skip"))
         options.skipped_strategies |= 1 << arguments.choice("--skip", name, strategies);

@@ -29,16 +29,17 @@ struct OperatorTrial {
 
 // --operator auto: conformal and Laplace functions are both tried, and the better mesh is taken.
 bool compares_operators(const Arguments& arguments);
-// The operator of the basis or of the options, and the one to be compared: conformal, or else
-// Laplace.
+// Returns the given operator, and the operator to compare with it: conformal, or Laplace if the
+// given operator is conformal.
 std::vector<std::int32_t> operators_to_compare(std::int32_t own);
 void add_trials(JsonObject& object, const std::vector<OperatorTrial>& trials);
 void print_trials(const std::vector<OperatorTrial>& trials);
 
-// The result of run(operator_kind, trial), which fills in the trial: by the first operator, and by
-// the others too if `all` are to be compared or those before have stopped short of the target. The
-// best one is returned, and the trials, if there are several, in `trials`, the best first. Of all
-// that are compared, an operator that refuses the problem does not count if another one takes it.
+// Calls run(operator_kind, trial), which fills in the trial, for the first operator, and for the
+// other operators if `all` are to be compared or no result so far reaches the target. Returns the
+// best result. `trials` gets the trials, the best first; none if there was only one. The Failure of
+// an operator becomes the refusal of its trial. It is thrown if no operator has a result, and for
+// the first operator if not `all` are to be compared.
 template <class Run>
 auto best_of_operators(const std::vector<std::int32_t>& kinds, bool all,
                        std::vector<OperatorTrial>& trials, const Run& run) {
@@ -68,13 +69,14 @@ auto best_of_operators(const std::vector<std::int32_t>& kinds, bool all,
     return std::move(*best);
 }
 
-std::vector<Option> safe_options();  // all but --other
+const char* strategy_name(std::int32_t strategy);  // HM_STRATEGY_...; the name in --skip
+std::vector<Option> safe_options();                // all but --other
 hm_safe_options safe_options_of(const Arguments& arguments);
 // Refuses options of --safe and --improve without these.
 void check_safe_options(const Arguments& arguments);
 // Returns hm_improve_options with the value of --improve-iterations.
 hm_improve_options improve_options_of(const Arguments& arguments);
-// A warning where --heights could not bring all of the distances back.
+// Warns if --heights could not restore the distances from the wall as far as was asked.
 void warn_of_heights(const Arguments& arguments, const hm_safe_report& safe, bool is_valid);
 
 // Adds the keys of JSON, and prints lines for people. reached_moves: the file of moves, or NULL

@@ -1,4 +1,4 @@
-// The option of measuring commands for the chord of the section in a curve file.
+// The option for the chord of the section in a curve file, of all commands that measure sections.
 #pragma once
 
 #include <harmorph_design.h>

@@ -60,7 +60,7 @@ std::optional<MemoryNeed> Solver::memory_with(const EngineKind& kind, double lim
     options_.precision = kind.precision;
     std::size_t analysis = 0, plan = 0, basis = 0;
     hm_error error = {};
-    const bool is_first = kind.name == choice_.kinds[0].name;  // whose refusal is that of the task
+    const bool is_first = kind.name == choice_.kinds[0].name;  // its refusal ends the command
     if (!is_first && hm_analysis_size(&problem_, &options_, &analysis, &error) == HM_UNSUPPORTED)
         return {};
     call(mesh_, hm_analysis_size, &problem_, &options_, &analysis);
@@ -75,7 +75,7 @@ std::optional<MemoryNeed> Solver::memory_with(const EngineKind& kind, double lim
     return need;
 }
 
-void Solver::slide(Field& moved, Field& displacement) {
+void Solver::put_on_curves(Field& moved, Field& displacement) {
     if (analysis_ == nullptr) analyse();
     const Field before = moved;
     const hm_points from = before.read();
@@ -110,7 +110,8 @@ void Solver::improve(Field& moved, Field& displacement, const hm_improve_options
     std::size_t bytes = 0;
     call(mesh_, hm_improve_size, plan_, &bytes);
     Block work(bytes);
-    slide(moved, displacement);  // rounded points may be beside their curves, where they are held
+    // hm_improve holds slipping points on the curves. Rounded coordinates may be beside the curves.
+    put_on_curves(moved, displacement);
     const hm_points from = moved.read();
     const hm_points_out to = moved.write();
     call(mesh_, hm_improve, plan_, &from, &to, work.data(), bytes, &options, nullptr);

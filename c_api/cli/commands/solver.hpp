@@ -29,9 +29,9 @@ public:
 
     void prepare();  // the choice of the engine, analysis and plan, without the factor
 
-    // Puts points of a moved mesh that slide along curves onto these curves, and changes the
+    // Puts the points of a moved mesh that slip along curves onto these curves, and changes the
     // displacement accordingly.
-    void slide(Field& moved, Field& displacement);
+    void put_on_curves(Field& moved, Field& displacement);
 
     // Puts inner points of a moved mesh where cells are better.
     void improve(Field& moved, Field& displacement, const hm_improve_options& options);
@@ -40,9 +40,8 @@ public:
     const hm_basis* basis() const { return basis_; }
     hm_basis* unsolved() { return basis_; }  // after prepare()
     const hm_solve_report& report() const { return report_; }
-    double found() const {
-        return found_;
-    }  // hm_error.value of the last solution, if that has not converged
+    // hm_error.value of the last solution, if that has not converged.
+    double found() const { return found_; }
     const SolveTimes& times() const { return times_; }
     std::size_t plan_bytes() const { return plan_block_.size(); }
     // The reason for the engine; empty if the task leaves no choice.

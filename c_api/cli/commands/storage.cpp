@@ -5,9 +5,9 @@ namespace cli {
 
 const Option storage_option = {
     "--storage", "P",
-    "of the functions in BASIS: double (default), or single: half the memory, faster morphs, each "
-    "value\n"
-    "within 2^-24 of itself, exact on curves; not for --safe and transfer"};
+    "precision of the functions in BASIS: double (default), or single: half the memory, faster "
+    "morphs, values\n"
+    "rounded by 2^-24 at most but exact on curves; not for --safe and transfer"};
 
 Stored::Stored(const Arguments& arguments, const Mesh& mesh, const hm_basis* solved)
     : basis_(solved) {

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <harmorph_study.h>
 #include "commands/task.hpp"
 
@@ -6,11 +5,15 @@
 #include "basics/numbers.hpp"
 #include "basics/operators.hpp"
 #include "commands/safe_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+
 namespace cli {
 
 namespace {
 
-// The library's default is 0, and no weight a negative exponent.
+// Returns the exponent as the library expects it: 0 for the default, -1 for no weight.
 double exponent_of(const Arguments& arguments) {
     if (!arguments.has("--exponent")) return 0;
     double exponent = 0;
@@ -24,8 +27,13 @@ double exponent_of(const Arguments& arguments) {
 
 }  // namespace
 
+bool Task::slips() const {
+    return std::any_of(conditions.begin(), conditions.end(),
+                       [](const hm_condition& condition) { return condition.kind == HM_SLIP; });
+}
+
 std::vector<Option> task_options() {
-    const std::vector<Option> of_scheme = {
+    const std::vector<Option> scheme_options = {
         {"--scheme", "SCHEME",
          "compact (default): on the mesh's cells; bounded: on Delaunay triangles of its points, so "
          "that\n"
@@ -33,9 +41,9 @@ std::vector<Option> task_options() {
          "averaged\n"
          "gradients, engines direct and fas; nodal-gradient-plain: the paper's text, engine fas"},
         {"--offset-correction", nullptr,
-         "conformal: what the mesh is off its curve turns with the curve"},
+         "conformal: the offsets of wall points from their curve turn with the curve"},
         {"--tol", "T", "largest relative residual that counts as converged (default 1e-10)"}};
-    return condition_options() + operator_options() + of_scheme;
+    return condition_options() + operator_options() + scheme_options;
 }
 
 Task task_of(const Arguments& arguments, const Mesh& mesh) {

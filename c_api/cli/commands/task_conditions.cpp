@@ -55,10 +55,10 @@ void put_on_curves(const Arguments& arguments, const Mesh& mesh, Task& task,
     }
 }
 
-// binding: "A[,B..]" or "A[,B..]=FILE"; the points of these markers slide, along the curves of that
+// binding: "A[,B..]" or "A[,B..]=FILE"; the points of these markers slip, along the curves of that
 // file if there is one.
-void let_slide(const Arguments& arguments, const Mesh& mesh, Task& task,
-               const std::string& binding) {
+void let_slip(const Arguments& arguments, const Mesh& mesh, Task& task,
+              const std::string& binding) {
     const std::size_t equals = binding.find('=');
     hm_condition along = condition_on(0, HM_SLIP);
     if (equals != std::string::npos) {
@@ -75,8 +75,8 @@ void let_slide(const Arguments& arguments, const Mesh& mesh, Task& task,
     }
 }
 
-// Finds the middle of the box round the points of the markers; for pieces, the point that names the
-// first piece.
+// Finds the centre of the smallest box that contains the points of the markers; for pieces, the
+// point X:Y that selects the first piece.
 void centre_of(const Mesh& mesh, const std::vector<MarkerPiece>& pieces, double& x, double& y) {
     std::vector<std::int32_t> markers;
     for (const MarkerPiece& piece : pieces) {
@@ -106,7 +106,7 @@ void centre_of(const Mesh& mesh, const std::vector<MarkerPiece>& pieces, double&
     y = .5 * (low[1] + high[1]);
 }
 
-// binding: "A[,B..]" or "A[,B..]=X,Y", the markers of one body and the centre of its turns.
+// binding: "A[,B..]" or "A[,B..]=X,Y", the markers of one body and its centre of rotation.
 void make_rigid(const Arguments& arguments, const Mesh& mesh, Task& task,
                 const std::string& binding, std::int32_t body) {
     const std::size_t equals = binding.find('=');
@@ -130,7 +130,7 @@ void make_rigid(const Arguments& arguments, const Mesh& mesh, Task& task,
     }
 }
 
-// The markers that a name stands for; none if the mesh has no such marker.
+// Returns the markers that a name or a pattern stands for; none if the mesh has no such marker.
 std::vector<std::int32_t> markers_called(const Mesh& mesh, const std::string& name) {
     try {
         return mesh.find_markers(name);
@@ -139,8 +139,8 @@ std::vector<std::int32_t> markers_called(const Mesh& mesh, const std::string& na
     }
 }
 
-// The two markers of "A:B", two names or patterns that stand for one marker each. Names may hold
-// colons.
+// Returns the two markers of "A:B", two names or patterns that stand for one marker each. Names may
+// contain colons.
 std::pair<std::int32_t, std::int32_t> marker_pair(const Arguments& arguments, const Mesh& mesh,
                                                   const std::string& option,
                                                   const std::string& binding) {
@@ -171,7 +171,7 @@ std::int32_t marker_of(const Mesh& mesh, const std::string& tag) {
     return static_cast<std::int32_t>(std::distance(mesh.markers.begin(), found));
 }
 
-// The interfaces of the options and those that the mesh file names.
+// Adds the interfaces of the options and those that the mesh file names.
 void add_interfaces(const Arguments& arguments, const Mesh& mesh, Task& task) {
     std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
     const auto is_known = [&pairs](std::int32_t one, std::int32_t other) {
@@ -218,17 +218,18 @@ std::vector<Option> condition_options() {
          "of marker A nearest to (X, Y): one of several bodies or sides, here and below",
          FileUse::input_after_equals},
         {"--rigid", "A[,B..][=X,Y]",
-         "markers of a body that only moves, turns about X,Y (default: its middle; of a piece, "
-         "the\n"
-         "point that it is near to) and scales (may be repeated)"},
+         "markers of a body that only moves, turns about X,Y (default: the centre of its bounding "
+         "box; of a\n"
+         "piece, the point after the @) and scales (may be repeated)"},
         {"--slip", "C[,D..][=CURVE]",
          "markers along which points slip, straight or curved without corners, or along the\n"
          "curves of a file, which BASIS keeps (may be repeated)",
          FileUse::input_after_equals},
         {"--periodic", "E:F",
-         "a pair of markers, one the other moved: their points move alike; or one the other "
-         "turned, as\n"
-         "the sides of a passage of an annulus: then their points move turned (may be repeated)"},
+         "a pair of markers, one a translation of the other: their points move alike; or one a "
+         "rotation of the\n"
+         "other, as the sides of a passage of an annulus: their movements are rotated too (may be "
+         "repeated)"},
         {"--interface", "E:F",
          "a pair of markers that slide along each other, as those of a rotor and a stator: their "
          "faces may\n"
@@ -255,7 +256,7 @@ void add_conditions(const Arguments& arguments, const Mesh& mesh, Task& task) {
         }
     }
     for (const std::string& binding : arguments.all("--slip"))
-        let_slide(arguments, mesh, task, binding);
+        let_slip(arguments, mesh, task, binding);
     add_interfaces(arguments, mesh, task);
 }
 

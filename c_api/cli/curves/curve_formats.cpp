@@ -1,4 +1,4 @@
-// The ending of the name selects the format of a curve file.
+// The extension of the path selects the format of a curve file.
 #include "curves/cad_curves.hpp"
 #include "curves/curve_file.hpp"
 #include "curves/section.hpp"

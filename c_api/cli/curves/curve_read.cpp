@@ -31,13 +31,13 @@ private:
     std::vector<Number> numbers(std::int32_t n, const char* what);
     template <class Number>
     Number number(std::string_view word, const char* what) const;
-    void only_once(bool there_already) const;
-    void points_first() const;
+    void refuse_repeated(bool is_there) const;
+    void require_points() const;
 
     TextFile file_;
     LineReader lines_;
     Curves curves_;
-    Curve curve_;  // the present curve
+    Curve curve_;  // the curve that is being read
     bool has_closed_ = false;
     std::size_t knots_offset_ = 0, indices_offset_ = 0;
 };
@@ -63,13 +63,13 @@ void CurveReader::read_keyword() {
 }
 
 void CurveReader::read_degree() {
-    only_once(curve_.degree != 0);
+    refuse_repeated(curve_.degree != 0);
     curve_.degree = count("degree", 1);
     if (curve_.degree > 5) lines_.expected("a degree between 1 and 5");
 }
 
 void CurveReader::read_closed() {
-    only_once(has_closed_);
+    refuse_repeated(has_closed_);
     const auto& words = lines_.words();
     for (const std::int32_t closed : {HM_OPEN, HM_TIED, HM_PERIODIC}) {
         if (words.size() == 2 && words[1] == closed_name(closed)) {
@@ -97,15 +97,15 @@ void CurveReader::read_points() {
 }
 
 void CurveReader::read_knots() {
-    only_once(!curve_.knots.empty());
+    refuse_repeated(!curve_.knots.empty());
     const std::int32_t n = count("knots", 4);
     knots_offset_ = lines_.offset();
     curve_.knots = numbers<double>(n, "knot");
 }
 
 void CurveReader::read_indices() {
-    only_once(!curve_.indices.empty());
-    points_first();
+    refuse_repeated(!curve_.indices.empty());
+    require_points();
     const std::int32_t n = count("indices", 2);
     indices_offset_ = lines_.offset();
     curve_.indices = numbers<std::int32_t>(n, "index");
@@ -120,8 +120,8 @@ void CurveReader::read_indices() {
 }
 
 void CurveReader::read_weights() {
-    only_once(!curves_.weights.empty());
-    points_first();
+    refuse_repeated(!curves_.weights.empty());
+    require_points();
     const std::int32_t n = count("weights", 2);
     if (n != curves_.points())
         lines_.expected("weights " + std::to_string(curves_.points()) + ", one for each point");
@@ -137,7 +137,7 @@ void CurveReader::read_weights() {
 void CurveReader::finish_curve() {
     if (curve_.degree == 0) lines_.expected("degree");
     if (!has_closed_) lines_.expected("closed");
-    points_first();
+    require_points();
     if (curve_.knots.empty()) lines_.expected("knots");
     if (curve_.indices.empty()) {
         curve_.indices = default_indices(curves_.points(), curve_.degree, curve_.closed);
@@ -193,12 +193,12 @@ Number CurveReader::number(std::string_view word, const char* what) const {
     return value;
 }
 
-void CurveReader::only_once(bool there_already) const {
-    if (there_already)
-        lines_.fail(in_quotes(lines_.line()) + " stands here a second time for one curve");
+void CurveReader::refuse_repeated(bool is_there) const {
+    if (is_there)
+        lines_.fail(in_quotes(lines_.line()) + " is a second line of this kind for one curve");
 }
 
-void CurveReader::points_first() const {
+void CurveReader::require_points() const {
     if (curves_.control.empty()) lines_.expected("points");
 }
 

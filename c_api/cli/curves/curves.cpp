@@ -9,8 +9,8 @@ namespace cli {
 
 void Curves::append(const Curves& others) {
     const std::int32_t first = points();
-    if (!weights.empty() ||
-        !others.weights.empty()) {  // points that were given without weights have the weight 1
+    // Points that were given without weights have the weight 1.
+    if (!weights.empty() || !others.weights.empty()) {
         weights.resize(control.size() / 2, 1.0);
         weights.insert(weights.end(), others.weights.begin(), others.weights.end());
         weights.resize((control.size() + others.control.size()) / 2, 1.0);
@@ -52,8 +52,8 @@ Curves copied(const hm_curves& from) {
         if (given.indices) curve.indices.assign(given.indices, given.indices + given.n_indices);
         for (std::int32_t& index : curve.indices) index -= given.indices ? from.index_base : 0;
         curve.knots.assign(given.knots, given.knots + given.n_indices + given.degree + 1);
-        for (const std::int32_t closed :
-             {HM_TIED, HM_PERIODIC}) {  // the indices tell how the curve closes
+        // The library derives from the indices how a curve closes.
+        for (const std::int32_t closed : {HM_TIED, HM_PERIODIC}) {
             curve.closed = closed;
             if (closes(curve)) break;
             curve.closed = HM_OPEN;

@@ -25,20 +25,18 @@ struct Curves {
     void append(const Curves& others);  // renumbers the control points of `others`
 };
 
-// Returns the indices of a curve that uses n points in order and closes as `closed` says: the first
+// Returns the indices of a curve that uses n points in order. If the curve is closed, the first
 // points are repeated at the end.
 std::vector<std::int32_t> default_indices(std::int32_t n, std::int32_t degree, std::int32_t closed);
 
-// Tells whether the repeated indices close the curve as curve.closed says.
+// Tells whether the indices agree with curve.closed.
 bool closes(const Curve& curve);
 
-// Copies the arrays of the library.
 Curves copied(const hm_curves& from);
 
 const char* closed_name(std::int32_t closed);  // "open", "tied", "periodic"
 
-// The view of curves that the library takes. The view points into the curves, which must not
-// change.
+// Curves as an argument of the library. The view points into the curves, which must not change.
 class CurvesView {
 public:
     explicit CurvesView(const Curves& curves);
@@ -50,7 +48,8 @@ private:
     hm_curves view_;
 };
 
-// Curves that conditions point to (hm_condition.along). Neither the curves nor their view move.
+// Curves that conditions point to (hm_condition.along). The addresses of the curves and of their
+// view must not change.
 struct CurveSet {
     explicit CurveSet(const Curves& given) : curves(given), view(curves) {}
     const Curves curves;

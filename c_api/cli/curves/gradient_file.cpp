@@ -10,7 +10,7 @@ namespace cli {
 
 namespace {
 
-// One line of the output: what moves, and the derivatives by its numbers.
+// One line of the output: a movable object and the derivatives with respect to its movement.
 struct Row {
     std::string kind, name;  // kind: "point", "rigid", "mode", "variable"
     std::vector<double> values;

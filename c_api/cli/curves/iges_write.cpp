@@ -124,8 +124,7 @@ void write_iges(std::ostream& out, const Curves& curves) {
         const auto n_lines = static_cast<std::int64_t>(entities.back().size());
         const std::string zeros = right(0, 8);
         const std::string type = right(126, 8), four_zeros = zeros + zeros + zeros + zeros;
-        const std::int32_t form =
-            is_straight(curve) ? 1 : 0;  // 1: a line; 0: the form is that of the data
+        const std::int32_t form = is_straight(curve) ? 1 : 0;  // 1: a line; 0: any form
         put_line(out,
                  type + right(parameter_line, 8) + zeros + right(1, 8) + four_zeros + "00000000",
                  'D', directory_line);

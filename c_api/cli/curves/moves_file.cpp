@@ -175,10 +175,10 @@ const Option by_option = {
 TextFile text_of_moves(const std::string& path) {
     TextFile file(path);
     if (trimmed(file.text()).empty())
-        file.fail(
-            0,
-            "the file of moves is empty; if nothing is to move, write a comment such as `# nothing "
-            "moves`");
+        file.fail(0,
+                  "the file of moves is empty; write a comment such as `# nothing moves` to it if "
+                  "nothing "
+                  "is to move");
     return file;
 }
 
@@ -222,8 +222,8 @@ void write_moves(std::ostream& out, const std::vector<double>& moves, const Basi
     for (const hm_condition& condition : basis.conditions()) {
         if (condition.kind != HM_RIGID || written[static_cast<std::size_t>(condition.body)])
             continue;
-        written[static_cast<std::size_t>(condition.body)] =
-            true;  // one marker of each body is written
+        // The body is written once, with the name of one of the markers.
+        written[static_cast<std::size_t>(condition.body)] = true;
         const double* const function =
             &moves[2 * (n_control + 2 * static_cast<std::size_t>(condition.body))];
         out << "# body, dx, dy, degrees, scale\nrigid "

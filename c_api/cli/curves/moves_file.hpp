@@ -1,7 +1,8 @@
 // Files of movements: lines "index dx dy", the control point counted from 1, lines that move a
 // section (section_movement.hpp), "rigid MARKER dx dy degrees [scale]", and "mode K amplitude
-// [amplitude-y]" for functions by table. Lines are applied in their order: a section moves from
-// where the lines before have put its control points. What is not named does not move.
+// [amplitude-y]" for functions whose values are a table. Lines are applied in their order: a line
+// moves a section from the place that the lines above have given it. Control points, bodies and
+// modes without a line do not move.
 #pragma once
 
 #include "basics/arguments.hpp"
@@ -15,16 +16,16 @@
 
 namespace cli {
 
-// Lists what a file may move: control points, the bodies of these conditions, and modes.
+// What a file of moves may name: control points, the bodies of these conditions, and modes.
 struct Movable {
     std::int32_t n_control = 0, n_bodies = 0, n_modes = 0;
     std::vector<hm_condition> conditions;
-    std::function<const hm_curves&()> curves;  // where they are; a Failure if they are on no wall
+    std::function<const hm_curves&()> curves;  // throws a Failure if their places are unknown
 
     std::int32_t functions() const { return n_control + 2 * n_bodies + n_modes; }
 };
 
-// The option `--by LINE`, and the texts of `--move` and of all `--by`, in this order.
+// The option `--by LINE`, and the texts of `--move` and of all options `--by`, in this order.
 extern const Option by_option;
 std::vector<TextFile> texts_of_moves(const Arguments& arguments);
 TextFile text_of_moves(const std::string& path);  // refuses an empty file

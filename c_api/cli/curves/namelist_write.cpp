@@ -8,13 +8,13 @@ namespace cli {
 
 namespace {
 
-// Writes name = values, with `in_a_line` values in each line.
+// Writes name = values, with at most `per_line` values in each line.
 template <class Values, class Text>
-void put(std::ostream& out, const char* name, const Values& values, std::size_t in_a_line,
+void put(std::ostream& out, const char* name, const Values& values, std::size_t per_line,
          Text text) {
     out << "  " << name << " =";
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (i % in_a_line == 0) out << "\n   ";
+        if (i % per_line == 0) out << "\n   ";
         out << ' ' << text(values[i]) << (i + 1 < values.size() ? "," : "");
     }
     out << '\n';

@@ -55,7 +55,7 @@ private:
         section_.y.push_back(y);
     }
 
-    void read_side(double count, const char* side) {  // begins at the leading edge
+    void read_side(double count, const char* side) {
         for (std::int32_t point = 1; point <= count; ++point) {
             double x = 0, y = 0;
             const bool found = lines_.next();
@@ -75,7 +75,8 @@ private:
             section_.y.pop_back();
         }
         if (section_.x.size() < 3)
-            lines_.fail("the section has " + plural(std::int64_t(section_.x.size()), "point"));
+            lines_.fail("the section has only " + plural(std::int64_t(section_.x.size()), "point") +
+                        "; 3 are needed at least");
     }
 
     TextFile file_;
@@ -115,8 +116,8 @@ Section sampled(const Curves& curves) {
             add(begin + (end - begin) * i / points_per_span);
     }
     if (curve.closed == HM_OPEN) add(curve.knots[last]);
-    section.is_loop =
-        curve.closed != HM_OPEN || curves.curves.size() > 1;  // a second curve is the base
+    // If there is a second curve, it is the base, which closes the section.
+    section.is_loop = curve.closed != HM_OPEN || curves.curves.size() > 1;
     return section;
 }
 
@@ -128,8 +129,7 @@ void write_selig(std::ostream& out, const Curves& curves) {
         std::rotate(section.x.begin(), section.x.begin() + first, section.x.end());
         std::rotate(section.y.begin(), section.y.begin() + first, section.y.end());
     }
-    if (curves.curves.front().closed !=
-        HM_OPEN) {  // published closed sections repeat the first point
+    if (curves.curves.front().closed != HM_OPEN) {  // closed sections repeat the first point
         section.x.push_back(section.x[0]);
         section.y.push_back(section.y[0]);
         ++n;

@@ -100,7 +100,7 @@ std::vector<std::string> value_names(const hm_movement& movement) {
     switch (movement.kind) {
         case HM_TURN: return {"turn [degrees]"};
         case HM_SHIFT: return {"shift dx", "shift dy"};
-        case HM_SCALE: return {"scale, less 1"};
+        case HM_SCALE: return {"scale minus 1"};
         case HM_FLAP: return {"flap [degrees]"};
         case HM_PARSEC:
             return {"leading-edge radius",

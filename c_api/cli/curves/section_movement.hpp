@@ -1,7 +1,6 @@
-// Movements of whole sections, as lines of files of moves have them, and their values as design
-// variables.
+// Movements of whole sections: lines of a file of moves, and design variables.
 //
-//     turn MARKER degrees [X,Y]            about (X, Y); without, about the quarter chord
+//     turn MARKER degrees [X,Y]            about (X, Y); default: about the quarter chord
 //     shift MARKER dx dy
 //     scale MARKER factor [X,Y]
 //     flap MARKER X,Y degrees [length]     see HM_FLAP in harmorph_design.h
@@ -27,22 +26,23 @@ struct SectionMovement {
 bool is_section_movement(std::string_view word);  // the first word of a line
 SectionMovement section_movement_of(LineReader& lines);
 
-// The two numbers of "X,Y".
+// Reads the two numbers of "X,Y". Returns false for other texts.
 bool parse_place(std::string_view word, double& x, double& y);
 
-// The movement of the control points [2*n_control] by values of movements, and, unless NULL, its
-// derivatives and the values that the curves have. Returns false if the library refuses.
 struct MovedSection {
-    std::vector<double> move, derivatives, start;
+    std::vector<double> move;         // of the control points [2*n_control]
+    std::vector<double> derivatives;  // of `move` by each value [values * 2*n_control]
+    std::vector<double> start;        // the values of the curves before the movement
     double rms_error = 0, max_error = 0;
 };
+// Applies movements with these values. Returns false, with the error, if the library refuses.
 bool move_section(const hm_curves& curves, const hm_section& section,
                   const std::vector<hm_movement>& movements, const std::vector<double>& values,
                   MovedSection& moved, hm_error& error);
 bool find_quarter_chord(const hm_curves& curves, const hm_section& section, double& x, double& y,
                         hm_error& error);
 
-// What the values of a movement are, in their order.
+// Returns the names of the values of a movement, in their order, with the unit of angles.
 std::vector<std::string> value_names(const hm_movement& movement);
 
 }  // namespace cli

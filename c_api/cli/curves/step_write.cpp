@@ -18,22 +18,22 @@ std::string list_of(const Values& values, Word word) {
     return text + ")";
 }
 
-struct Knots {  // distinct ones, and how often each stands there
-    std::vector<double> value;
-    std::vector<int> times;
+struct Knots {
+    std::vector<double> value;  // the distinct knots
+    std::vector<int> multiplicity;
 
     explicit Knots(const std::vector<double>& all) {
         for (const double knot : all) {
             if (value.empty() || value.back() != knot) {
                 value.push_back(knot);
-                times.push_back(0);
+                multiplicity.push_back(0);
             }
-            ++times.back();
+            ++multiplicity.back();
         }
     }
 };
 
-// Numbers the records as they come.
+// Writes records, numbered from 1, and returns the name of each.
 class StepWriter {
 public:
     explicit StepWriter(std::ostream& out) : out_(out) {}
@@ -55,9 +55,8 @@ std::string put_curve(StepWriter& step, const Curves& curves, const Curve& curve
         curve.indices, [&](std::int32_t index) { return points[static_cast<std::size_t>(index)]; });
     const std::string shape = std::to_string(curve.degree) + "," + control + ",.UNSPECIFIED.," +
                               logical(curve.closed != HM_OPEN) + ",.F.";
-    const std::string spans =
-        list_of(knots.times, [](int times) { return std::to_string(times); }) + "," +
-        list_of(knots.value, scientific) + ",.UNSPECIFIED.";
+    const std::string spans = list_of(knots.multiplicity, [](int n) { return std::to_string(n); }) +
+                              "," + list_of(knots.value, scientific) + ",.UNSPECIFIED.";
     if (curves.weights.empty())
         return step.put("B_SPLINE_CURVE_WITH_KNOTS(''," + shape + "," + spans + ")");
     const std::string weights = list_of(curve.indices, [&](std::int32_t index) {

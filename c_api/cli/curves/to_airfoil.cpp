@@ -32,8 +32,8 @@ ToAirfoil moves_to_airfoil(const Basis& basis, std::int32_t curve, const Section
     const ToAirfoil result = fit_to_airfoil(basis, curve, section, path, on_chord);
     if (result.closed_width > 0) {
         warn(path + ": the blunt base, " + brief(result.closed_width) +
-             " wide, becomes one point, as the mesh's airfoil has it: both sides are tapered from "
-             "the leading edge on");
+             " wide, becomes one point, because the airfoil of the mesh has a sharp trailing edge: "
+             "the thickness is reduced linearly from the leading to the trailing edge");
     }
     return result;
 }

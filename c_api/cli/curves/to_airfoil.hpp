@@ -1,5 +1,5 @@
-// The movement of control points that makes another airfoil of the mesh's: least squares with the
-// knots that the curve has.
+// The movement of control points that changes the airfoil of a mesh into another airfoil. The other
+// airfoil is approximated in the least-squares sense with the knots of the curve.
 #pragma once
 
 #include "mesh/basis_file.hpp"
@@ -19,11 +19,11 @@ struct ToAirfoil {
     std::int32_t points = 0, worst_point = 0;  // worst: from 1, in the order of the section
 };
 
-// path: of the section's file, for messages. curve: which of the basis's curves (from 0) is the
-// airfoil; a next one that begins or ends where it ends is its base. On the chord, the section is
-// scaled, turned and moved so that the line from its leading to its trailing edge becomes that of
-// the curve; else its coordinates are those of the mesh. moves_to_airfoil() also warns of a blunt
-// base that becomes one point. Several threads may call fit_to_airfoil().
+// path: of the section's file, for messages. curve: the airfoil among the curves of the basis, from
+// 0; the next curve is its base if it connects both ends of the airfoil. on_chord: the section is
+// scaled, turned and shifted so that its chord becomes that of the curve; otherwise the section has
+// the coordinates of the mesh. moves_to_airfoil() also warns of a blunt base that becomes one
+// point. Several threads may call fit_to_airfoil().
 ToAirfoil fit_to_airfoil(const Basis& basis, std::int32_t curve, const Section& section,
                          const std::string& path, bool on_chord);
 ToAirfoil moves_to_airfoil(const Basis& basis, std::int32_t curve, const Section& section,

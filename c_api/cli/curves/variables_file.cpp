@@ -11,7 +11,7 @@ namespace cli {
 
 namespace {
 
-// The number on a line "keyword number".
+// Returns the number on the line "keyword number".
 std::int32_t count(LineReader& lines, const char* keyword) {
     std::int32_t n = 0;
     if (lines.words().size() != 2 || lines.words()[0] != keyword || !parse(lines.words()[1], n) ||
@@ -21,10 +21,10 @@ std::int32_t count(LineReader& lines, const char* keyword) {
     return n;
 }
 
-std::int32_t index(LineReader& lines, std::size_t word, std::int32_t most, const char* what) {
+std::int32_t index(LineReader& lines, std::size_t word, std::int32_t count, const char* what) {
     std::int32_t number = 0;
-    if (!parse(lines.words()[word], number) || number < 1 || number > most) {
-        lines.expected(std::string(what) + " between 1 and " + std::to_string(most),
+    if (!parse(lines.words()[word], number) || number < 1 || number > count) {
+        lines.expected(std::string(what) + " between 1 and " + std::to_string(count),
                        lines.words()[word]);
     }
     return number - 1;
@@ -36,7 +36,7 @@ double value(LineReader& lines, std::size_t word) {
     return number;
 }
 
-// The movements as a file names them, with the numbers that follow the name.
+// The name of a movement in files, and the count of the numbers that follow the name.
 struct MovementName {
     const char* name;
     std::int32_t kind;
@@ -89,7 +89,7 @@ void read_movements(LineReader& lines, std::int32_t n, VariableMap& map) {
         map.section.trailing_y = value(lines, 4);
     }
     if (static_cast<std::int32_t>(map.movements.size()) != n)
-        lines.fail("the file announces " + plural(n, "movement") + " and has " +
+        lines.fail("the file announces " + plural(n, "movement") + ", but has " +
                    std::to_string(map.movements.size()));
 }
 
@@ -113,7 +113,7 @@ void write_movements(std::ostream& out, const VariableMap& map) {
     }
 }
 
-// values: pairs, of which the first numbers count.
+// values: pairs, of which only the first numbers are used.
 MovedSection moved_by(const VariableMap& map, const hm_curves& curves,
                       const std::vector<double>& values, const std::string& path) {
     std::vector<double> own;

@@ -1,12 +1,12 @@
-// Files of design variables. Linear ones have the movement of each control point by one unit of
-// each variable:
+// Files of design variables. A file of linear variables has the movement of each control point by
+// one unit of each variable:
 //
-//     variables 12           # how many
-//     points 20              # control points
-//     1 3 0 0.0125           # control point, variable, dx, dy; pairs that are not named are 0
+//     variables 12           # the number of variables
+//     points 20              # the number of control points
+//     1 3 0 0.0125           # control point, variable, dx, dy; other pairs move by 0
 //
-// Other ones are movements of the section, in the order in which they are applied (hm_movement);
-// the variables are their values:
+// Other files list movements of the section (hm_movement), in the order in which they are applied.
+// The variables are the values of the movements:
 //
 //     movements 3
 //     points 20
@@ -27,15 +27,15 @@ namespace cli {
 struct VariableMap {
     std::int32_t points = 0, variables = 0;
     std::vector<double> matrix;          // [points * variables * 2], as hm_variables_map fills it
-    std::vector<hm_movement> movements;  // not empty: they take the place of the matrix
+    std::vector<hm_movement> movements;  // if not empty, used instead of the matrix
     hm_section section;
 
-    // Returns the movements of the control points from where they are on `curves` for these values
-    // of the variables, both as pairs.
+    // Returns the movements of the control points of `curves` for these values of the variables,
+    // both as pairs.
     std::vector<double> control_moves(const hm_curves& curves, const std::vector<double>& values,
                                       const std::string& path) const;
-    // The transpose: derivatives by the values at these values, both pairs. gradient: by the
-    // control points at least.
+    // Returns the derivatives by the variables at these values, as pairs, from derivatives by the
+    // control points. `gradient` may have more pairs, which are not used.
     std::vector<double> variable_gradient(const hm_curves& curves,
                                           const std::vector<double>& values,
                                           const std::vector<double>& gradient,
@@ -44,8 +44,8 @@ struct VariableMap {
 
 VariableMap read_variables(const std::string& path);
 void write_variables(std::ostream& out, const VariableMap& map);
-// Reads lines "variable value" or "variable x y"; variables are counted from 1, and those that are
-// not named are 0. Returns pairs.
+// Reads lines "variable value" or "variable x y"; variables are counted from 1, and those without a
+// line are 0. Returns pairs.
 std::vector<double> read_values(const std::string& path, const VariableMap& map);
 
 }  // namespace cli

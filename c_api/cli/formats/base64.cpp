@@ -22,19 +22,19 @@ bool decode_base64(std::string_view text, std::size_t& at, std::size_t n, std::s
     const std::size_t wanted = to.size() + n;
     while (to.size() < wanted) {
         std::uint32_t bits = 0;
-        int characters = 0, filling = 0;
+        int characters = 0, padding = 0;
         for (; characters < 4; ++at) {
             if (at >= text.size()) return false;
             const char c = text[at];
             if (c == ' ' || (c >= '\t' && c <= '\r')) continue;
             const int digit = digit_of_64(c);
-            filling += c == '=' ? 1 : 0;
-            if ((digit < 0 && c != '=') || (digit >= 0 && filling > 0)) return false;
+            padding += c == '=' ? 1 : 0;
+            if ((digit < 0 && c != '=') || (digit >= 0 && padding > 0)) return false;
             bits = bits << 6 | static_cast<std::uint32_t>(digit < 0 ? 0 : digit);
             ++characters;
         }
-        if (filling > 2) return false;
-        for (int k = 0; k < 3 - filling; ++k) to += static_cast<char>(bits >> (16 - 8 * k) & 0xff);
+        if (padding > 2) return false;
+        for (int k = 0; k < 3 - padding; ++k) to += static_cast<char>(bits >> (16 - 8 * k) & 0xff);
     }
     return true;
 }

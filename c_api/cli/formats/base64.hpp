@@ -7,9 +7,9 @@
 
 namespace cli {
 
-// Decodes the text from `at` on, until `to` has `n` bytes more or the text ends; `at` moves behind
-// the last group of four characters that was taken. Blanks are passed over, and several texts with
-// their own filling (=) may follow each other. Returns false if another character is
+// Decodes the text from `at` on, and appends n bytes or up to two more to `to`. `at` becomes the
+// place after the last group of four characters that was decoded. Blanks are skipped, and several
+// texts, each with its padding (=), may follow each other. Returns false if another character is
 // found, or the text ends before n bytes.
 bool decode_base64(std::string_view text, std::size_t& at, std::size_t n, std::string& to);
 

@@ -29,7 +29,7 @@ inline bool little_endian_machine() {
 // Returns the coordinate that begins at this place of the file.
 double read_number(const Mesh& mesh, std::size_t offset);
 std::size_t number_length(const Mesh& mesh, std::size_t offset);
-// Returns where the coordinate begins that stands behind a number, which ends before `end`.
+// Returns the place of the coordinate that follows a number which ends before `end`.
 std::size_t next_number(const Mesh& mesh, std::size_t end);
 void store_real(char* bytes, double value, const FileCoordinates& as);
 

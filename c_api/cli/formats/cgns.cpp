@@ -4,8 +4,8 @@
 // refuse it.
 //
 // libcgns reads and writes; mesh.file keeps the coordinates alone, all x, then all y, then all z,
-// as the machine has them. A morphed file is a copy of the file in which the coordinate arrays are
-// written anew. Markers are boundary conditions. Zones meet where their points have equal
+// in the machine's number format. A morphed file is a copy of the file in which libcgns overwrites
+// the coordinate arrays. Markers are boundary conditions. Zones meet where their points have equal
 // coordinates, as cuts do; connectivities are not read.
 #include "formats/cgns.hpp"
 

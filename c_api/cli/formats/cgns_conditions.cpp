@@ -109,7 +109,7 @@ void CgnsConditions::add_conditions(std::size_t z) {
 }
 
 // Returns the points of a condition on a structured zone. A face has the indices of its first
-// corner, so that the next points along the side belong to the face, too.
+// corner; the next points along the side also belong to the face.
 CgnsConditions::Points CgnsConditions::structured_points(const CgnsZone& zone,
                                                          const std::vector<cgsize_t>& items,
                                                          std::size_t dimensions, bool is_range,

@@ -15,7 +15,8 @@ using CgnsSides = std::map<std::pair<std::size_t, cgsize_t>, std::vector<std::in
 
 class CgnsConditions {
 public:
-    // plane_point: for each point of the file, the point of the mesh that it is or follows.
+    // plane_point: for each point of the file, the point of the mesh with whose coordinates it
+    // moves.
     CgnsConditions(Mesh& mesh, const Cgns& cgns, const std::vector<CgnsZone>& zones,
                    int cell_dimension, std::vector<std::int32_t> plane_point,
                    const CgnsSides& sides)

@@ -50,7 +50,7 @@ std::size_t check_points(const Cgns& cgns, const CgnsZone& zone, std::size_t fil
         points *= n;
     }
     const auto n_points = static_cast<std::size_t>(points);
-    if (n_points > file_size * largest_ratio_of_zlib / 8) {
+    if (n_points > file_size * max_zlib_ratio / 8) {
         cgns.fail(in_zone(zone) + " has " + plural(points, "point") +
                   ", which is more than a file of this size can hold");
     }

@@ -44,9 +44,9 @@ private:
 struct CgnsZone {
     std::string name;
     bool is_structured = false;
-    std::array<std::int64_t, 3> n = {
-        1, 1, 1};  // points along i, j, k; an unstructured zone has all points in the first
-    std::size_t first = 0;  // the number of points in the zones before
+    // Points along i, j, k. n[0] of an unstructured zone is the number of all points.
+    std::array<std::int64_t, 3> n = {1, 1, 1};
+    std::size_t first = 0;  // the number of points in the preceding zones
     std::size_t points() const { return static_cast<std::size_t>(n[0] * n[1] * n[2]); }
     // Returns "zone 'a', point 12" or "zone 'a', point (4, 1, 1)", as the file numbers points. k is
     // counted from 0.

@@ -44,8 +44,8 @@ public:
     }
 
 private:
-    // Names a coordinate by its number among all coordinates of n points, where all x stand first:
-    // "zone 'a', point 12, CoordinateX".
+    // Names a coordinate by its number in the order all x, all y, all z of n points: "zone 'a',
+    // point 12, CoordinateX".
     static std::string place(const std::vector<CgnsZone>& zones, std::size_t n,
                              std::size_t number) {
         std::size_t z = zones.size() - 1;
@@ -137,10 +137,10 @@ private:
         return static_cast<std::int32_t>(zone.first) + static_cast<std::int32_t>(number) - 1;
     }
 
-    // last: the number of elements less 1; size: how many whole numbers they have.
+    // last: the number of elements minus 1; size: the number of their whole numbers.
     void check_section(const std::string& where, cgsize_t last, cgsize_t size) const {
         const bool is_in_file =
-            size >= 0 && static_cast<std::size_t>(size) <= file_size_ * largest_ratio_of_zlib / 4;
+            size >= 0 && static_cast<std::size_t>(size) <= file_size_ * max_zlib_ratio / 4;
         if (last >= 0 && last < size && is_in_file) return;
         cgns_.fail(where + " announces " + std::to_string(last + 1) + " elements with " +
                    plural(size, "whole number") + ", which the file cannot hold");
@@ -181,6 +181,10 @@ private:
                 ElementType_t element_type = type;
                 std::size_t count = static_cast<std::size_t>(n_points);
                 if (has_start) {
+                    if (start[e] < 0 || start[e + 1] < start[e] || start[e + 1] > size) {
+                        cgns_.fail(where + ": the ElementStartOffset of element " +
+                                   std::to_string(element) + " is out of range");
+                    }
                     at = static_cast<std::size_t>(start[e]);
                     count = static_cast<std::size_t>(start[e + 1] - start[e]);
                 }
@@ -189,8 +193,7 @@ private:
                     --count;
                 }
                 if (at + count > data.size()) {
-                    cgns_.fail(in_zone(zones_[z]) + ", section " + in_quotes(name) +
-                               " ends inside element " + std::to_string(element));
+                    cgns_.fail(where + " ends inside element " + std::to_string(element));
                 }
                 std::vector<std::int32_t> points;
                 for (std::size_t k = 0; k < count; ++k) {
@@ -221,7 +224,7 @@ private:
         }
     }
 
-    // Returns for each point of the file the point of the plane that it is or follows.
+    // Returns for each point of the file the point of the mesh with whose coordinates it moves.
     std::vector<std::int32_t> find_plane_points() const {
         const std::size_t n = space_.x[0].size();
         std::vector<std::int32_t> plane_point(n, -1);

@@ -21,13 +21,12 @@ enum class NumberKind { text, real32, real64 };
 struct CoordinateSlot {
     std::size_t offset;  // place of the first byte in the file
     std::int32_t point;  // a point of the mesh; from the number of points on, one of `between`
-    std::int32_t
-        rule;  // takes_x, takes_y: the number is that coordinate; otherwise a place in `directions`
+    std::int32_t rule;   // takes_x, takes_y: that coordinate; otherwise an index of `directions`
     std::int64_t number = -1;  // 3 k + d: coordinate d of point k of a file with three coordinates
 };
 enum CoordinateRule : std::int32_t { takes_x = -1, takes_y = -2 };
 
-// A number of the file grows by dx along[0] + dy along[1] if its point moves by dx, dy.
+// A number of the file changes by dx along[0] + dy along[1] if its point moves by dx, dy.
 struct Direction {
     double along[2];
 };
@@ -51,8 +50,8 @@ struct FileCoordinates {
     std::size_t axes[2] = {0,
                            1};  // which coordinates of a file of one plane are x and y of the mesh
     std::int64_t n_points = 0;  // of a file with three coordinates, which slots then number
-    // Coordinate x of point k is at Mesh::point_offset[k], and y is the number behind x: such a
-    // file has no slots, which would take more memory than the rest of its mesh.
+    // The x of point k is at Mesh::point_offset[k], and y is the next number. Such a file has no
+    // slots, because slots would need more memory than the rest of the mesh.
     bool in_pairs = false;
     std::vector<CoordinateSlot> slots;
     std::vector<Direction> directions;

@@ -21,14 +21,12 @@ TextFile read_unpacked(const std::string& path) {
 #ifdef HARMORPH_ZLIB
 namespace {
 
-constexpr int window_bits = 15,
-              gzip_header =
-                  16;  // flags of zlib: the largest window; a header of gzip around the data
-constexpr std::size_t most_at_once = 1 << 30;  // zlib counts bytes in 32 bits
+constexpr int window_bits = 15, gzip_header = 16;  // flags of zlib: largest window, gzip format
+constexpr std::size_t max_at_once = 1 << 30;       // zlib counts bytes in 32 bits
 
-// Appends all that the data hold, stream after stream, but no more than `most` bytes. Returns false
-// if the data are damaged.
-bool inflate_all(std::string_view data, int bits, std::size_t most, std::string& to) {
+// Appends the bytes of all compressed streams in the data. Returns false if the data are damaged or
+// hold more than max_bytes.
+bool inflate_all(std::string_view data, int bits, std::size_t max_bytes, std::string& to) {
     z_stream stream = {};
     if (inflateInit2(&stream, bits) != Z_OK) return false;
     char buffer[1 << 16];
@@ -38,7 +36,7 @@ bool inflate_all(std::string_view data, int bits, std::size_t most, std::string&
         if (status == Z_STREAM_END &&
             (!is_gzip(data.substr(taken)) || inflateReset(&stream) != Z_OK))
             break;
-        const std::size_t part = std::min(data.size() - taken, most_at_once);
+        const std::size_t part = std::min(data.size() - taken, max_at_once);
         stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(data.data() + taken));
         stream.avail_in = static_cast<uInt>(part);
         stream.next_out = reinterpret_cast<Bytef*>(buffer);
@@ -47,7 +45,7 @@ bool inflate_all(std::string_view data, int bits, std::size_t most, std::string&
         taken += part - stream.avail_in;
         const std::size_t n = sizeof buffer - stream.avail_out;
         appended += n;
-        if (appended > most) status = Z_DATA_ERROR;
+        if (appended > max_bytes) status = Z_DATA_ERROR;
         if (status == Z_OK || status == Z_STREAM_END) to.append(buffer, n);
     }
     inflateEnd(&stream);
@@ -64,7 +62,7 @@ std::string deflate_all(std::string_view bytes, int bits) {
     char buffer[1 << 16];
     int status = Z_OK;
     for (std::size_t taken = 0; status == Z_OK;) {
-        const std::size_t part = std::min(bytes.size() - taken, most_at_once);
+        const std::size_t part = std::min(bytes.size() - taken, max_at_once);
         stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data() + taken));
         stream.avail_in = static_cast<uInt>(part);
         stream.next_out = reinterpret_cast<Bytef*>(buffer);
@@ -83,7 +81,7 @@ std::string lack_of_zlib() { return ""; }
 
 bool inflate_block(std::string_view data, std::size_t size, std::string& to) {
     const std::size_t before = to.size();
-    if (size > largest_ratio_of_zlib * (data.size() + 1)) return false;
+    if (size > max_zlib_ratio * (data.size() + 1)) return false;
     return inflate_all(data, window_bits, size, to) && to.size() == before + size;
 }
 

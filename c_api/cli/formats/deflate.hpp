@@ -10,8 +10,7 @@
 
 namespace cli {
 
-constexpr std::size_t largest_ratio_of_zlib =
-    1032;  // the largest number of bytes that a compressed byte can hold
+constexpr std::size_t max_zlib_ratio = 1032;  // of sizes, uncompressed to compressed
 
 // Returns a clause that says that the program has no zlib, or nothing if it has.
 std::string lack_of_zlib();

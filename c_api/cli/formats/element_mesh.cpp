@@ -59,8 +59,7 @@ void ElementMesh::find_dimension() {
     const std::string found = lines > 0 ? plural(lines, "line element") + " and " : "";
     mesh_.file.fail(mesh_.file.text().size(),
                     "the file has " + found +
-                        "no triangles or quadrilaterals: mesh the surface, too, and save "
-                        "the cells");
+                        "no triangles or quadrilaterals: mesh the surface and save its cells");
 }
 
 // Makes a point of each node that is a corner of an element which is read.

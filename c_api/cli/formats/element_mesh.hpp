@@ -12,8 +12,8 @@ namespace cli {
 // cell.
 struct ElementShape {
     int dimension, corners, nodes;
-    const char* middles;  // the nodes behind the corners: "01 12 012" are the middles of two edges
-                          // and of the triangle, each by its corners
+    const char* middles;  // the nodes after the corners: "01 12 012" are the middles of two edges
+                          // and of the triangle, each named by its corners
 
     constexpr ElementShape(int dimension_, int corners_, const char* middles_ = "")
         : dimension(dimension_), corners(corners_), nodes(corners_), middles(middles_) {
@@ -38,7 +38,7 @@ struct Elements {
 };
 
 // Elements of the largest dimension are cells; those of one dimension less are the boundary, and
-// others are passed over. Triangles, quadrilaterals and polygons must lie in one plane; prisms,
+// others are ignored. Triangles, quadrilaterals and polygons must lie in one plane; prisms,
 // hexahedra, pyramids and tetrahedra form a mesh one cell thick. An edge of several groups gets the
 // marker "a+b", and the mesh knows it by both names. Edges of the boundary in no group get the
 // markers boundary1, boundary2, ...

@@ -25,8 +25,8 @@ enum SectionType {
     face_tree_section = 59
 };
 enum ZoneType { no_type = 0, interior = 2 };
-// In sections of these types of faces, the number of nodes stands before each face. The other types
-// are the number of nodes of each face.
+// In sections of these types, each face begins with the number of its nodes. Another type is itself
+// the number of nodes of each face.
 enum FaceType { mixed = 0, polygonal = 5 };
 
 class FluentReader {
@@ -59,7 +59,7 @@ private:
     Mesh& mesh_;
     NumberReader numbers_;
     FluentSections sections_;
-    FluentSection section_;  // the present one
+    FluentSection section_;  // the section that is being read
     FluentContent content_;
 };
 
@@ -88,7 +88,7 @@ void FluentReader::read_dimension() {
     if (dimension != 2 && dimension != 3) numbers_.expected("the dimension, 2 or 3");
     if (!content_.nodes.empty() || !content_.faces.empty()) {
         mesh_.file.fail(section_.begin,
-                        "the dimension stands behind nodes or faces; save the mesh anew");
+                        "the dimension must come before nodes and faces; save the mesh again");
     }
     content_.dimension = static_cast<int>(dimension);
 }
@@ -126,7 +126,7 @@ std::int64_t FluentReader::hexadecimal(const char* what, std::int64_t low, std::
 }
 
 // The head has the zone, the first node, the last node, the type, and mostly the dimension. Zone 0
-// tells how many nodes there are in all.
+// states the number of all nodes.
 void FluentReader::read_nodes() {
     const std::int64_t zone = hexadecimal("a zone");
     const std::int64_t first = hexadecimal("the first node", 0, INT32_MAX);
@@ -140,7 +140,7 @@ void FluentReader::read_nodes() {
                                                                       : NumberKind::real32;
     if (!content_.nodes.empty() && kind != mesh_.in_file.kind) {
         mesh_.file.fail(section_.begin,
-                        "the sections of nodes are stored in several ways; save the mesh anew");
+                        "the sections of nodes have different number formats; save the mesh again");
     }
     mesh_.in_file.kind = kind;
     const int bytes = kind == NumberKind::real32 ? 4 : 8;
@@ -214,7 +214,7 @@ void FluentReader::lacks(const std::string& what) const {
                     "the file needs " + what + " here, but the end of the file follows");
 }
 
-// Sections of nodes may stand in any order.
+// Sections of nodes may be in any order.
 void FluentReader::check() {
     std::vector<FluentNode>& nodes = content_.nodes;
     if (nodes.empty()) lacks("a section (10 ...) with nodes");

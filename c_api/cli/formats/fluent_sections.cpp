@@ -9,8 +9,8 @@ void FluentSections::over_blanks() {
     at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size());
 }
 
-// Returns the place behind the bracket that closes the list which begins here. Brackets in
-// quotation marks do not count.
+// Returns the place after the bracket that closes the list which begins here. Brackets in quotation
+// marks are ignored.
 std::size_t FluentSections::end_of_list(std::size_t begin) const {
     int depth = 0;
     for (std::size_t at = begin; (at = text_.find_first_of("()\"", at)) != text_.npos; ++at) {
@@ -25,7 +25,7 @@ std::size_t FluentSections::end_of_list(std::size_t begin) const {
     file_.fail(begin, "this bracket is not closed before the end of the file");
 }
 
-// Returns the place behind "End of Binary Section NUMBER)". Brackets in binary data do not count.
+// Returns the place after "End of Binary Section NUMBER)". Brackets in binary data are ignored.
 std::size_t FluentSections::end_of_binary(std::size_t begin) const {
     const std::size_t mark = text_.find("End of Binary Section", begin);
     const std::size_t end = mark == text_.npos ? mark : text_.find(')', mark);

@@ -14,7 +14,7 @@ constexpr std::int64_t first_binary_section = 2000, first_double_section = 3000;
 
 struct FluentSection {
     std::int64_t number = 0;
-    std::size_t begin = 0;  // all members are places in the file; here the first bracket
+    std::size_t begin = 0;  // all members are places in the file; here: the first bracket
     std::size_t head = 0, head_end = 0;  // without the brackets
     std::size_t body = 0, body_end = 0;  // without the brackets; 0: there is none
 };
@@ -33,7 +33,7 @@ private:
 
     const TextFile& file_;
     std::string_view text_;
-    std::size_t at_ = 0;  // the place behind the section
+    std::size_t at_ = 0;  // the place after the section
     FluentSection section_;
 };
 

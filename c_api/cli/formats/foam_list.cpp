@@ -13,7 +13,7 @@ namespace {
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 bool is_single(char c) { return c == '(' || c == ')' || c == '{' || c == '}' || c == ';'; }
 
-// Returns the number of bytes that an entry "arch" has behind "label=" or "scalar=".
+// Returns the number of bytes that an entry "arch" states after "label=" or "scalar=".
 int bytes_of(const std::string& arch, const std::string& kind, int usual) {
     const std::size_t at = arch.find(kind + "=");
     return at == std::string::npos ? usual
@@ -110,7 +110,9 @@ const char* FoamReader::binary(std::int64_t n, int bytes, const char* what) {
     const std::string_view text = file_.text();
     const std::size_t size = static_cast<std::size_t>(n) * static_cast<std::size_t>(bytes),
                       begin = at_;
-    if (size > text.size() - begin || text.size() - begin - size < 1 || text[begin + size] != ')') {
+    const bool is_there =
+        begin < text.size() && n <= static_cast<std::int64_t>(text.size() - begin - 1) / bytes;
+    if (!is_there || text[begin + size] != ')') {
         file_.fail(begin,
                    "the file needs " + plural(n, what) + " of " + plural(bytes, "byte") +
                        " and a closing bracket here; either the file is cut off, or its header "
@@ -126,11 +128,11 @@ std::int64_t FoamReader::label_at(const char* at) const {
                                     : load<std::int32_t>(at, swapped);
 }
 
-std::vector<std::int64_t> FoamReader::labels(std::int64_t most) {
+std::vector<std::int64_t> FoamReader::labels(std::int64_t max_count) {
     const std::int64_t n = count("the number of labels");
-    if (n > most)
-        fail("the list has " + std::to_string(n) + " numbers, but at most " + std::to_string(most) +
-             " are possible");
+    if (n > max_count)
+        fail("the list has " + std::to_string(n) + " numbers, but at most " +
+             std::to_string(max_count) + " are possible");
     std::vector<std::int64_t> values;
     if (is_next("{")) {
         word();
@@ -154,11 +156,11 @@ std::vector<std::int64_t> FoamReader::labels(std::int64_t most) {
 void FoamReader::faces(std::vector<std::int64_t>& start, std::vector<std::int64_t>& points,
                        std::vector<std::size_t>& offsets) {
     if (header_.type == "faceCompactList") {
-        const auto most =
+        const auto max_count =
             static_cast<std::int64_t>(std::min<std::size_t>(file_.text().size(), INT32_MAX));
-        start = labels(most);  // a list of one repeated value cannot be a list of faces
+        start = labels(max_count);
         const std::size_t here = word_;
-        points = labels(most);
+        points = labels(max_count);
         if (start.empty() || start[0] != 0 ||
             start.back() != static_cast<std::int64_t>(points.size()) ||
             !std::is_sorted(start.begin(), start.end())) {

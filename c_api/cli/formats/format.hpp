@@ -13,10 +13,9 @@ namespace cli {
 
 struct ReadOptions {
     std::int32_t threads = 1;
-    std::string format;  // empty: the content tells the format
-    std::string zone;    // the zone to read, of several; empty: the file must have one
-    std::function<void(double)>
-        progress;  // is called with the part of the file that has been read, 0 .. 1; may be empty
+    std::string format;                    // the name of the format; empty: found from the content
+    std::string zone;                      // the zone to read; empty: the file must have only one
+    std::function<void(double)> progress;  // gets the part that has been read, 0 .. 1; may be empty
 };
 
 struct Format {
@@ -24,12 +23,10 @@ struct Format {
     const char* extension;  // of new files, with the dot
     const char* title;
     bool (*probe)(const TextFile& file);  // tells whether the content looks like this format
-    void (*read)(
-        Mesh& mesh,
-        const ReadOptions& options);  // mesh.file is filled; fills the rest, or throws a Failure
-    void (*create)(std::ostream& out,
-                   const Mesh& mesh);  // writes a new file with points, cells and markers; NULL:
-                                       // convert cannot write the format
+    // Reads mesh.file and fills all other members of the mesh, or throws a Failure.
+    void (*read)(Mesh& mesh, const ReadOptions& options);
+    // Writes a new file with points, cells and markers. NULL: convert cannot write the format.
+    void (*create)(std::ostream& out, const Mesh& mesh);
     bool has_markers = true;
     const char* not_in_names = "";  // characters that names of markers in new files cannot have
 };
@@ -49,8 +46,8 @@ std::vector<std::string> files_beside_mesh(const std::string& path);
 
 // Returns the file that a morphed mesh with this path is written to, as mesh_file() does. If the
 // path is a time of a case of OpenFOAM, CASE/1, this is CASE/1/polyMesh/points; the folders are
-// made. Wrong usage if the name does not end in .gz exactly where the mesh was compressed, or not
-// in .vtu where the mesh was a file .pvtu.
+// made. Refuses a path as wrong usage that ends in .gz although the mesh was not compressed, that
+// does not although it was, or that does not end in .vtu although the mesh was a file .pvtu.
 std::string moved_file(const Mesh& mesh, const std::string& path);
 
 // Reads a mesh, which may be compressed by gzip. Refuses, with the line or byte of the file, other
@@ -61,7 +58,7 @@ Mesh read_mesh_file(const std::string& path, const ReadOptions& options);
 // file has, or more where these would move a point by more than a thousandth of its shortest edge.
 void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const double* y);
 
-// Rounds the coordinates to single precision if the file holds them so.
+// Rounds the coordinates to single precision if the file has them in single precision.
 void round_as_file(const Mesh& mesh, std::vector<double>& x, std::vector<double>& y);
 
 // Returns the format of this name, or, if the name is empty, the format of the extension of the

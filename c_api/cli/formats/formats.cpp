@@ -122,8 +122,9 @@ std::vector<std::string> files_beside_mesh(const std::string& path) {
 
 namespace {
 
-// A time of a case of OpenFOAM: a number beside the folder constant. OpenFOAM reads the points of a
-// mesh that has moved from polyMesh in this folder, and everything else from constant/polyMesh.
+// Tells whether the folder is a time of a case of OpenFOAM: its name is a number, and it is beside
+// the folder constant. OpenFOAM reads the points of a mesh that has moved from polyMesh in this
+// folder, and everything else from constant/polyMesh.
 bool is_time_of_case(const std::filesystem::path& path) {
     const std::string name = path.filename().string();
     std::error_code ignored;
@@ -132,7 +133,7 @@ bool is_time_of_case(const std::filesystem::path& path) {
            std::filesystem::is_directory(path.parent_path() / "constant" / "polyMesh", ignored);
 }
 
-// The file of the points at a time, whose folders are made if they do not exist.
+// Returns the file of the points at a time, and makes its folders if they do not exist.
 std::string points_at_time(const Mesh& mesh, const std::filesystem::path& time) {
     std::error_code error;
     std::filesystem::create_directories(time / "polyMesh", error);

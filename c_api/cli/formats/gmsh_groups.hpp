@@ -1,5 +1,5 @@
 // The physical groups of a Gmsh file, from which the markers get their names. The sections that
-// define groups may stand behind the elements that are in them.
+// define groups may follow the elements that are in them.
 #pragma once
 
 #include <cstdint>
@@ -21,13 +21,13 @@ public:
     // groups.
     bool add_to_group(int dimension, std::int64_t entity, std::int64_t physical);
 
-    // Returns the place in names() of the elements of an entity, or -1 for elements that are no
-    // curve and no surface. Physical group 0: version 2 has none, version 4.1 has those of the
-    // entity.
+    // Returns the index in names() of the elements of an entity, or -1 for elements that are no
+    // curve and no surface. physical: the group of the element; 0 if the element has none (version
+    // 2), or if the groups are those of the entity (version 4.1).
     std::int32_t find(int dimension, std::int64_t physical, std::int64_t entity);
 
-    // Returns the names of each place that find() returned: the names or numbers of the physical
-    // groups, or else "curve:TAG" or "surface:TAG". To be called after all sections were read.
+    // Returns the names for each index that find() returned: the names or numbers of the physical
+    // groups, or else "curve:TAG" or "surface:TAG". All sections must have been read.
     std::vector<std::vector<std::string>> names() const;
 
     static constexpr std::size_t max_groups = 16;  // of one curve or surface

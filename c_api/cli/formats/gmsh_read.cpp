@@ -32,6 +32,7 @@ private:
     const ElementShape& element_shape(std::int64_t number);
     void pass_over_section(std::string_view name);
     void end_section(std::string_view name);
+    std::int64_t physical_group();
 
     std::int64_t size(const char* what) { return numbers_.count(what, 8); }  // 4.1: size_t
 
@@ -149,6 +150,14 @@ void GmshReader::read_names() {
     }
 }
 
+// Reads the number of a physical group, whose sign is the orientation.
+std::int64_t GmshReader::physical_group() {
+    const std::int64_t group = numbers_.whole("a physical group");
+    if (group < -INT32_MAX || group > INT32_MAX)
+        numbers_.expected("a physical group between -2147483647 and 2147483647");
+    return group;
+}
+
 void GmshReader::read_entities() {
     std::int64_t counts[4];
     for (std::int64_t& n : counts) n = size("a number of entities");
@@ -158,7 +167,7 @@ void GmshReader::read_entities() {
             for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) numbers_.real("an entity's bounds");
             const std::int64_t n_groups = size("a number of physical groups");
             for (std::int64_t k = 0; k < n_groups; ++k) {
-                const std::int64_t group = numbers_.whole("a physical group");
+                const std::int64_t group = physical_group();
                 if (!groups_.add_to_group(dimension, tag, group)) {
                     numbers_.fail("a curve or a surface is in more than " +
                                   std::to_string(GmshGroups::max_groups) + " physical groups");
@@ -190,7 +199,7 @@ void GmshReader::read_nodes_2() {
 
 void GmshReader::read_nodes_4() {
     const std::int64_t n_blocks = size("the number of blocks of nodes");
-    for (const char* what : {"the number of nodes", "the least node", "the largest node"})
+    for (const char* what : {"the number of nodes", "the smallest node", "the largest node"})
         numbers_.whole(what, 8);
     std::vector<std::int64_t> tags;
     for (std::int64_t block = 0; block < n_blocks; ++block) {
@@ -223,8 +232,7 @@ void GmshReader::read_element(const ElementShape& shape, std::int32_t group, std
         element_nodes_.push_back(numbers_.whole("a node of an element", version_ == 4 ? 8 : 4));
     }
     if (shape.dimension == 0) {
-        element_nodes_.resize(
-            first);  // elements that are points stay in the file, but are no boundary
+        element_nodes_.resize(first);  // elements that are points are not part of the mesh
     } else {
         content_.elements.push_back({shape, group, offset, first});
     }
@@ -248,7 +256,8 @@ void GmshReader::read_elements_2() {
             if (binary) offset = numbers_.number_offset();
             std::int64_t tags[2] = {0, 0};
             for (std::int64_t t = 0; t < n_tags; ++t) {
-                const std::int64_t tag = numbers_.whole("a tag of an element");
+                const std::int64_t tag =
+                    t == 0 ? physical_group() : numbers_.whole("a tag of an element");
                 if (t < 2) tags[t] = tag;
             }
             read_element(shape, groups_.find(shape.dimension, std::abs(tags[0]), tags[1]), offset);
@@ -259,7 +268,8 @@ void GmshReader::read_elements_2() {
 
 void GmshReader::read_elements_4() {
     const std::int64_t n_blocks = size("the number of blocks of elements");
-    for (const char* what : {"the number of elements", "the least element", "the largest element"})
+    for (const char* what :
+         {"the number of elements", "the smallest element", "the largest element"})
         numbers_.whole(what, 8);
     for (std::int64_t block = 0; block < n_blocks; ++block) {
         numbers_.whole("an entity's dimension");

@@ -13,7 +13,7 @@ bool separates(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ','
 
 }  // namespace
 
-// Commas separate numbers in what Fortran's list-directed output and C programs write.
+// Commas separate numbers in the output of many Fortran and C programs.
 std::string_view NumberReader::word() {
     const std::string_view text = file_.text();
     file_.passed(at_);

@@ -1,4 +1,4 @@
-// Reads numbers that stand one after another in a file, in text with blanks and ends of lines
+// Reads the numbers of a file one after another, in text with blanks, commas and ends of lines
 // between them, or in binary. Every error names the line, or the byte, and what was expected there.
 #pragma once
 
@@ -21,8 +21,8 @@ public:
     std::int64_t count(const char* what, int bytes = 4);  // between 0 and 2^31 - 1
 
     std::string_view word();       // the next word; empty at the end
-    std::string_view next_line();  // the next line that is not empty, trimmed; the rest of the
-                                   // present line counts as a line
+    std::string_view next_line();  // the rest of this line, or the next line that is not empty;
+                                   // without outer blanks
     void skip_bytes(std::size_t n, const char* what);
     bool at_end();  // only blanks follow (text), nothing follows (binary)
 

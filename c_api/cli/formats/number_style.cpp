@@ -53,9 +53,9 @@ void NumberStyle::see(std::string_view word) {
         // Zero counts as written in both ways.
         leading_zero_ += digits == 0 || first == '0' || first == '.' ? 1 : 0;
     }
-    least_decimals_ = std::min(least_decimals_, decimals);
-    most_decimals_ = std::max(most_decimals_, decimals);
-    most_digits_ = std::max(most_digits_, digits);
+    min_decimals_ = std::min(min_decimals_, decimals);
+    max_decimals_ = std::max(max_decimals_, decimals);
+    max_digits_ = std::max(max_digits_, digits);
 }
 
 void NumberStyle::see(const NumberStyle& later) {
@@ -63,26 +63,25 @@ void NumberStyle::see(const NumberStyle& later) {
     words_ += later.words_;
     with_exponent_ += later.with_exponent_;
     leading_zero_ += later.leading_zero_;
-    least_decimals_ = std::min(least_decimals_, later.least_decimals_);
-    most_decimals_ = std::max(most_decimals_, later.most_decimals_);
-    most_digits_ = std::max(most_digits_, later.most_digits_);
+    min_decimals_ = std::min(min_decimals_, later.min_decimals_);
+    max_decimals_ = std::max(max_decimals_, later.max_decimals_);
+    max_digits_ = std::max(max_digits_, later.max_digits_);
 }
 
 bool NumberStyle::fixed() const {
-    return with_exponent_ == 0 && least_decimals_ == most_decimals_ &&
-           most_decimals_ >= evident_digits;
+    return with_exponent_ == 0 && min_decimals_ == max_decimals_ && max_decimals_ >= evident_digits;
 }
 
 bool NumberStyle::needs_tolerance() const { return fixed() || digits() < exact_digits; }
 
 bool NumberStyle::scientific() const {
-    return with_exponent_ == words_ && most_digits_ >= evident_digits;
+    return with_exponent_ == words_ && max_digits_ >= evident_digits;
 }
 
 int NumberStyle::digits() const {
-    if (fixed()) return most_decimals_;
-    const bool evident = scientific() || most_digits_ > evident_digits + 2;
-    return evident ? most_digits_ : exact_digits;
+    if (fixed()) return max_decimals_;
+    const bool evident = scientific() || max_digits_ > evident_digits + 2;
+    return evident ? max_digits_ : exact_digits;
 }
 
 void NumberStyle::append(std::string& text, double value, double tolerance) const {
@@ -98,7 +97,7 @@ void NumberStyle::append(std::string& text, double value, double tolerance) cons
     if (fixed()) {
         const int wanted =
             std::min(decimals(), exact_digits - std::min(magnitude(0), exact_digits));
-        return append_number(text, 'f', std::min(std::max(most_decimals_, wanted), 40), value);
+        return append_number(text, 'f', std::min(std::max(max_decimals_, wanted), 40), value);
     }
     int significant = digits();
     if (significant < exact_digits)

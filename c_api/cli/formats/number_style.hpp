@@ -20,11 +20,11 @@ public:
 private:
     bool fixed() const;
     bool scientific() const;
-    int digits() const;  // significant digits, or digits behind the point if all numbers are
+    int digits() const;  // significant digits, or digits after the point if all numbers are
                          // written without exponent
 
     long words_ = 0, with_exponent_ = 0, leading_zero_ = 0;
-    int least_decimals_ = 1000, most_decimals_ = 0, most_digits_ = 0;
+    int min_decimals_ = 1000, max_decimals_ = 0, max_digits_ = 0;
     char exponent_ = 'e';
 };
 

@@ -89,8 +89,8 @@ public:
             if (patch.start_face + patch.n_faces > n_faces()) {
                 const std::string name = in_quotes(patch.name),
                                   last = std::to_string(n_faces() - 1);
-                boundary.fail(patch.offset,
-                              "the patch " + name + " ends behind face " + last + ", the last");
+                boundary.fail(patch.offset, "the patch " + name + " ends after face " + last +
+                                                ", which is the last face of the mesh");
             }
             in_patches += patch.n_faces;
             if (in_patches > n_faces()) {
@@ -110,7 +110,7 @@ public:
 
 private:
     TextFile beside(const char* name) const {
-        // Of a mesh that has moved, a time has the points alone: CASE/1/polyMesh/points.
+        // The folder of a time may have only the points of a mesh that has moved.
         for (const std::filesystem::path& folder :
              {folder_, folder_ / ".." / ".." / "constant" / "polyMesh"}) {
             const std::filesystem::path path = folder / name;
@@ -191,8 +191,8 @@ private:
         return plane;
     }
 
-    // Returns those of the faces in both planes that are connected with the first face, in each
-    // connected part of the mesh.
+    // Returns the faces of one of the two planes, from the faces of both. The planes have no common
+    // point, and each cell has one face in each plane.
     std::vector<std::int64_t> one_side(const std::vector<std::int64_t>& faces) const {
         std::vector<std::int32_t> parent(space_.points.x[0].size());
         std::iota(parent.begin(), parent.end(), 0);
@@ -258,7 +258,7 @@ private:
         }
     }
 
-    // Two patches that name each other as neighbours across a sliding interface.
+    // Adds pairs of patches that name each other as neighbours across a sliding interface.
     void add_interfaces() {
         for (std::size_t i = 0; i < patches_.size(); ++i) {
             for (std::size_t k = i + 1; k < patches_.size(); ++k) {

@@ -1,8 +1,8 @@
 // Reads long tables of text by several threads. The text is divided at ends of lines. First all
 // rows are counted, so that the number of each row is known; then the pieces are read at the same
-// time, each row at its place. A row that is not plain (a comment, an empty line, a rare notation,
-// an error) ends this: the reader of the format takes the row, and refuses the row with its own
-// message.
+// time, each row into its place of the table. A row that is not plain (a comment, an empty line, a
+// rare notation, an error) ends the reading; the reader of the format then reads or refuses this
+// row.
 #pragma once
 
 #include "basics/tasks.hpp"
@@ -30,18 +30,18 @@ public:
         while (at_ < end_ && (*at_ == ' ' || *at_ == '\t')) ++at_;
     }
     bool at_digit() const { return at_ < end_ && *at_ >= '0' && *at_ <= '9'; }
-    // Reads digits up to a blank or the end of the line, and passes over the blanks.
+    // Reads digits up to a blank or the end of the line, and skips the blanks.
     bool whole(std::int32_t& value) {
-        constexpr int most_digits = 9;  // every such number fits
+        constexpr int max_digits = 9;  // every such number fits
         const char* const first = at_;
         std::int32_t read = 0;
-        for (; at_digit() && at_ - first < most_digits; ++at_) read = 10 * read + (*at_ - '0');
+        for (; at_digit() && at_ - first < max_digits; ++at_) read = 10 * read + (*at_ - '0');
         if (at_ == first || !ends_word()) return false;
         value = read;
         over_blanks();
         return true;
     }
-    bool real(double& value);  // finite; does the same
+    bool real(double& value);  // reads a finite number in the same way
     bool end_of_line() {       // LF, or CR LF
         if (at_ < end_ && *at_ == '\r') ++at_;
         if (at_ == end_ || *at_ != '\n') return false;
@@ -57,12 +57,12 @@ private:
     const char *begin_, *at_, *end_;
 };
 
-// Appends rows to a table until n rows are there, or the next row is not plain; goes on at `at`,
-// which is moved to the next row. A table has
-//     std::int64_t items(PlainRow row) const       the items of a row
-//     void resize(TableEnd end)                    makes room for so many rows and items
-//     bool read(PlainRow& row, TableEnd& end)      stores a row behind `end`, and moves both behind
-//                                                  the row; false: the row is not plain
+// Appends rows to a table until the table has n rows, or the next row is not plain. Begins at `at`,
+// which becomes the place of the next row. A table has
+//     std::int64_t items(PlainRow row) const       the number of items of a row
+//     void resize(TableEnd end)                    makes room for these numbers of rows and items
+//     bool read(PlainRow& row, TableEnd& end)      stores a row at `end`, and advances `row` and
+//                                                  `end`; false: the row is not plain
 template <class Table>
 void read_plain_rows(std::string_view text, std::size_t& at, std::int64_t n, std::int32_t threads,
                      Table& table, TableEnd& done) {
@@ -100,7 +100,7 @@ void read_plain_rows(std::string_view text, std::size_t& at, std::int64_t n, std
             end.items += piece.to.items;
             piece.to = end;
         }
-        // Lines behind the table were counted, too: room for them would move all arrays.
+        // Lines after the table were counted too, but room for them could exceed the capacity.
         table.resize({std::min(end.rows, n), end.items});
         run_tasks(pieces.size(), threads, [&](std::size_t k) {
             Piece& piece = pieces[k];

@@ -2,12 +2,12 @@
 // dimensions or one cell thick (between planes of any direction, or in a wedge), in text, in
 // binary, or in unformatted records of Fortran; plot3d_layout finds out which.
 //
-// Points of blocks' sides at the same coordinates (to 1e-12 of the largest) are one point of the
-// mesh, so that interfaces and cuts close and cells at a pole become triangles. The
-// remaining sides are the boundary, with the names in a .nmf file beside the grid, or else
-// BLOCK:SIDE, such as 1:jmin.
-// Numbers with a repeat count, 3*1.0, are written out when the file is read: the morphed file has
-// them one by one.
+// Points on the sides of blocks with equal coordinates (within 1e-12 of the largest coordinate) are
+// one point of the mesh. Thus interfaces between blocks and cuts are closed, and cells at a pole
+// become triangles. The remaining sides are the boundary, with the names in a .nmf file beside the
+// grid, or else BLOCK:SIDE, such as 1:jmin.
+// Numbers with a repeat count, as 3*1.0, are expanded when the file is read, and remain expanded in
+// the morphed file.
 #include "formats/format.hpp"
 
 #include "formats/plot3d_layout.hpp"
@@ -53,7 +53,7 @@ void read_plot3d(Mesh& mesh, const ReadOptions&) {
     std::string reason, expanded;
     if (expand_repeats(mesh.file, expanded)) {
         mesh.file = TextFile(mesh.file.path(), std::move(expanded));
-        mesh.remark("repeat counts, as 3*1.0, are written out");
+        mesh.remark("repeat counts, as 3*1.0, are written out as single numbers");
     }
     if (!find_plot3d_layout(mesh.file, layout, reason)) {
         mesh.file.fail(mesh.file.text().size(),

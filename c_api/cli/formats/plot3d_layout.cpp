@@ -10,7 +10,7 @@ namespace cli {
 
 namespace {
 
-constexpr std::int64_t most_blocks = 1 << 20;
+constexpr std::int64_t max_blocks = 1 << 20;
 constexpr int word_bytes = 4;  // bytes of a whole number in binary files
 
 std::string sizes(const Plot3dLayout& layout) {
@@ -23,16 +23,16 @@ std::string sizes(const Plot3dLayout& layout) {
     return text;
 }
 
-// Returns how many numbers of the file are those of a block, without the sizes.
+// Returns the number of values of a block in the file.
 std::int64_t numbers_of(const Plot3dLayout& layout, const Plot3dBlock& block) {
     return block.points() * (layout.dimensions + (layout.has_iblank ? 1 : 0));
 }
 
 // Tells whether the sizes are plausible; products of plausible sizes do not overflow.
-bool plausible(const Plot3dBlock& block, std::int64_t most) {
+bool plausible(const Plot3dBlock& block, std::int64_t max_points) {
     std::int64_t points = 1;
     for (const std::int64_t n : block.n) {
-        if (n < 1 || n > most / points) return false;
+        if (n < 1 || n > max_points / points) return false;
         points *= n;
     }
     return true;
@@ -47,7 +47,7 @@ public:
         std::int64_t value = 0;
         // Numbers that could be sizes are kept; the others are counted.
         while (parse(numbers.word(), value)) {
-            if (whole_.size() < 3 * most_blocks) whole_.push_back(value);
+            if (whole_.size() < 3 * max_blocks) whole_.push_back(value);
             end_of_whole_.push_back(numbers.offset());
             if (whole_.size() == 1 && (value < 1 || value > INT32_MAX)) return;
         }
@@ -70,7 +70,7 @@ public:
         const std::int64_t n_blocks = layout.has_count ? whole_[0] : 1;
         const std::int64_t first = layout.has_count ? 1 : 0,
                            n_sizes = first + n_blocks * layout.dimensions;
-        if (n_blocks < 1 || n_blocks > most_blocks ||
+        if (n_blocks < 1 || n_blocks > max_blocks ||
             n_sizes > static_cast<std::int64_t>(whole_.size()))
             return false;
         layout.blocks.clear();
@@ -110,7 +110,7 @@ public:
     bool fits(std::string& reason) {
         std::int64_t n_blocks = 1;
         if (layout_.has_count && !(open(word_bytes) && take(n_blocks) && close())) return false;
-        if (n_blocks < 1 || n_blocks > most_blocks) return false;
+        if (n_blocks < 1 || n_blocks > max_blocks) return false;
         if (!open(n_blocks * layout_.dimensions * word_bytes)) return false;
         layout_.blocks.clear();
         for (std::int64_t block = 0; block < n_blocks; ++block) {
@@ -136,7 +136,7 @@ public:
                 reason = "byte " + std::to_string(begin) + ": the record of block " +
                          std::to_string(block + 1) + " (" + sizes(layout_) + ") has " +
                          std::to_string(bytes) + " bytes, but " +
-                         (there ? "another length behind it"
+                         (there ? "another length after it"
                                 : "the file ends after " + std::to_string(left()));
             }
             return false;
@@ -153,7 +153,7 @@ private:
         at_ += word_bytes;
         return true;
     }
-    // Reads the length before a record, which close() compares with the length behind the record.
+    // Reads the length before a record, which close() compares with the length after the record.
     bool open(std::int64_t bytes) {
         length_ = bytes;
         return close();

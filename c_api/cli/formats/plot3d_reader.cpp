@@ -16,8 +16,9 @@ namespace cli {
 
 namespace {
 
-constexpr double rounding_of_cuts =
-    1e-12;  // times the largest coordinate: both sides of a cut are computed
+// Points on both sides of a cut may differ by rounding errors of this size, relative to the largest
+// coordinate.
+constexpr double rounding_of_cuts = 1e-12;
 
 class Plot3dReader {
 public:
@@ -45,7 +46,7 @@ private:
 
     Mesh& mesh_;
     const Plot3dLayout& layout_;
-    SpacePoints in_file_, points_;  // all points; joined, so that each place on a side is one point
+    SpacePoints in_file_, points_;  // all points; points on sides at one place joined
     std::vector<SpaceCopy> copies_;
     std::vector<std::int64_t> first_;     // the number of the first point of each block in the file
     std::vector<std::int32_t> point_of_;  // for each point of the file: its point in points_
@@ -119,9 +120,9 @@ void Plot3dReader::read_points() {
     }
 }
 
-// Returns the direction from one plane of a block to the other, which has two points, or one point
-// where there is one plane. Returns -1 if several directions have two points, so that only the
-// whole mesh tells.
+// Returns the direction across a block, from one plane to the other: the direction with two points,
+// or with one point if the block is one plane. Returns -1 if no or several directions have two
+// points; the direction then follows from the whole mesh.
 int Plot3dReader::across(const Plot3dBlock& block) const {
     for (const int d : {2, 1, 0}) {
         if (block.n[static_cast<std::size_t>(d)] == 1) return d;
@@ -276,7 +277,7 @@ void Plot3dReader::build_sides(std::size_t block) {
 
 void Plot3dReader::add_side(const NmfPatch& side) {
     const std::vector<std::int32_t> ends = corners(side.block, side.low, side.high, side.direction);
-    if (ends.size() < (solid_ ? 3 : 2)) return;  // a side that is a pole has no faces
+    if (ends.size() < (solid_ ? 3 : 2)) return;  // the side is a pole
     const auto first = static_cast<std::size_t>(ends[0]);
     if (solid_) {
         solid_->add_side(ends.data(), ends.size(), mesh_.add_marker(side.name),

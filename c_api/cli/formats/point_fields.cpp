@@ -29,7 +29,7 @@ bool is_vtk_xml(const TextFile& file) {
 // Columns of the same length, which become the rows of a table.
 class Columns {
 public:
-    // values [n * components], point by point. Arrays of more than three components are left out.
+    // values [n * components], point by point. Arrays of more than three components are ignored.
     void add(const std::string& name, std::size_t components, const std::vector<double>& values) {
         if (components < 1 || components > 3) return;
         for (std::size_t d = 0; d < components; ++d) {
@@ -135,8 +135,8 @@ Columns piece_columns(const TextFile& file, const VtkEncoding& as, const VtkPiec
 PointTable read_vtk_xml(const std::shared_ptr<const TextFile>& file) {
     if (is_parallel_vtk(*file)) {
         file->fail(0,
-                   "fields in the pieces of a file .pvtu are not read: points where pieces meet "
-                   "come more than once; join the pieces and these points in one file .vtu "
+                   "fields in the pieces of a file .pvtu are not read, because pieces repeat the "
+                   "points where they meet; join the pieces and these points in one file .vtu "
                    "(ParaView: Clean to Grid)");
     }
     const VtkXmlFile content = read_vtk_xml_tags(*file);
@@ -161,10 +161,10 @@ public:
     Columns read() {
         const std::string_view text = file_.text();
         is_binary_ = text.find("\nBINARY") < text.find("\nDATASET");
-        jump_behind("\nPOINTS ", 0);
+        jump_after("\nPOINTS ", 0);
         n_ = numbers_.count("the number of points");
         columns_.add_coordinates(array(3));
-        jump_behind("\nPOINT_DATA ", numbers_.offset());
+        jump_after("\nPOINT_DATA ", numbers_.offset());
         if (numbers_.count("the number of points") != n_)
             numbers_.expected("the number of points, " + std::to_string(n_));
         while (read_section()) {}
@@ -172,7 +172,7 @@ public:
     }
 
 private:
-    void jump_behind(const std::string& name, std::size_t from) {
+    void jump_after(const std::string& name, std::size_t from) {
         const std::size_t at = file_.text().find(name, from);
         if (at == std::string::npos)
             file_.fail(0, "the file has no section" + name.substr(0, name.size() - 1));
@@ -187,8 +187,8 @@ private:
             const std::string name(numbers_.word()), type(numbers_.word());
             const std::string components = rest_of_line();
             std::int64_t n = 1;
-            if (!components.empty() && !parse(components, n))
-                numbers_.expected("1 to 4 components");
+            if (!components.empty() && (!parse(components, n) || n < 1 || n > 4))
+                numbers_.expected("1 to 4 components after the type");
             const std::size_t here = numbers_.offset();
             if (numbers_.word() != "LOOKUP_TABLE") numbers_.jump(here);
             else rest_of_line();
@@ -210,14 +210,15 @@ private:
             if (end == std::string::npos) return false;
             numbers_.jump(end + 2);
         } else {
-            return false;  // the end, or other data, which are not read
+            return false;  // the end of the file, or the beginning of data that are not read
         }
         return true;
     }
-    // Goes to the end of the line, where the numbers of a binary array begin behind.
+    std::size_t end_of_line() const {
+        return std::min(file_.text().find('\n', numbers_.offset()), file_.text().size());
+    }
     std::string rest_of_line() {
-        const std::size_t begin = numbers_.offset(),
-                          end = std::min(file_.text().find('\n', begin), file_.text().size());
+        const std::size_t begin = numbers_.offset(), end = end_of_line();
         numbers_.jump(end);
         return std::string(trimmed(file_.text().substr(begin, end - begin)));
     }
@@ -230,7 +231,7 @@ private:
         if (!is_real && !is_long && type != "int" && type != "vtktypeint32")
             numbers_.expected("an array of type float, double or int");
         const int bytes = type == "double" || is_long ? 8 : 4;
-        if (is_binary_) numbers_.jump(file_.text().find('\n', numbers_.offset()) + 1);
+        if (is_binary_) numbers_.jump(std::min(end_of_line() + 1, file_.text().size()));
         numbers_.is_binary = is_binary_;
         std::vector<double> values;
         for (std::size_t k = 0; k < static_cast<std::size_t>(n_) * components; ++k) {

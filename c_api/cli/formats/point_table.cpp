@@ -38,11 +38,11 @@ PointTable read_restart(const std::shared_ptr<const TextFile>& file) {
     const std::int64_t columns = number(1), rows = number(2);
     const auto size = static_cast<std::int64_t>(text.size());
     const std::int64_t names = columns * static_cast<std::int64_t>(restart_name);
-    if (columns < 1 || rows < 1 || columns > size || rows > size ||
-        static_cast<std::int64_t>(restart_header) + names + 8 * columns * rows > size) {
+    const std::int64_t left = size - static_cast<std::int64_t>(restart_header) - names;
+    if (columns < 1 || rows < 1 || rows > left / 8 / columns) {
         throw Failure(exit_file, file->path() + ": this SU2 restart file announces " +
                                      std::to_string(rows) + " points with " +
-                                     std::to_string(columns) + " numbers each and is shorter");
+                                     std::to_string(columns) + " numbers each, but is shorter");
     }
     for (std::int64_t k = 0; k < columns; ++k) {
         const char* const name =
@@ -118,16 +118,16 @@ public:
             return x(a) != x(b) ? x(a) < x(b) : a < b;
         });
     }
-    // -1: none is as near as this.
+    // Returns the point nearest to a place, or -1 if no point is within `reach`.
     std::int32_t nearest(double at_x, double at_y, double reach) const {
         auto next = std::lower_bound(order_.begin(), order_.end(), at_x - reach,
                                      [&](std::int32_t p, double value) { return x(p) < value; });
         std::int32_t best = -1;
-        double least = reach;
+        double min_distance = reach;
         for (; next != order_.end() && x(*next) <= at_x + reach; ++next) {
             const double distance = std::hypot(x(*next) - at_x, y(*next) - at_y);
-            if (distance > least) continue;
-            least = distance;
+            if (distance > min_distance) continue;
+            min_distance = distance;
             best = *next;
         }
         return best;

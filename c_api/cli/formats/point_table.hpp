@@ -20,7 +20,7 @@ struct PointTable {
     std::vector<double> values;        // [rows * columns]
     std::vector<std::size_t> offsets;  // [rows] of the lines in the file; empty: a binary file
     bool has_file_points = false;      // rows may be points of a mesh file with three coordinates
-    std::string left_out;              // why arrays of the file are no columns; may be empty
+    std::string left_out;              // the reason why arrays of the file are not columns, if any
 
     std::size_t rows() const { return names.empty() ? 0 : values.size() / names.size(); }
     double at(std::size_t row, std::size_t column) const {
@@ -28,21 +28,22 @@ struct PointTable {
     }
     // NAME_x is also the name of a column NAMEX, as CGNS names the components of vectors.
     bool has(const std::string& name) const { return find(name) < names.size(); }
-    std::size_t column(const std::string& name) const;  // a Failure lists the names that there are
+    std::size_t column(const std::string& name) const;  // throws a Failure that lists all names
     std::string place(std::size_t row) const;
 
 private:
-    std::size_t find(const std::string& name) const;  // the number of names: there is no column
+    std::size_t find(const std::string& name) const;  // names.size() if there is no such column
 };
 
 PointTable read_point_table(const std::string& path);
 
-// How far a place in a file may be from a point of the mesh: text files have 6 digits or more.
+// Returns the distance within which a place in a table is a point of the mesh. Coordinates in text
+// have 6 digits or more.
 double reach_of(const Mesh& mesh);
 
-// The mesh point of each row: by the column PointID, else by the columns x and y, else by the order
-// of the rows, which must then be as many as the points. Where a file has numbers and coordinates,
-// both must agree. No point may come twice.
+// Returns the mesh point of each row: by the column PointID, or else by the columns x and y, or
+// else by the order of the rows, whose number must then be that of the points. Refuses a table
+// whose numbers and coordinates do not agree, or in which a point occurs twice.
 std::vector<std::int32_t> points_of(const PointTable& table, const Mesh& mesh);
 
 }  // namespace cli

@@ -9,9 +9,9 @@ namespace cli {
 
 namespace {
 
-constexpr std::size_t longest_value = 64;  // characters of a number
-constexpr std::int64_t most_per_word = 8,
-                       most_of_few = 1000;  // numbers; at a pole all coordinates are repeated
+constexpr std::size_t max_value_length = 64;  // characters of a number
+constexpr std::int64_t max_per_word = 8,
+                       max_of_few = 1000;  // numbers; at a pole all coordinates are repeated
 
 std::int64_t count_words(std::string_view text) {
     std::int64_t words = 0;
@@ -38,7 +38,7 @@ bool expand_repeats(const TextFile& file, std::string& expanded) {
     expanded.clear();
     std::size_t copied = 0;
     bool any = false;
-    std::int64_t left = most_per_word * count_words(text) + most_of_few;
+    std::int64_t left = max_per_word * count_words(text) + max_of_few;
     for (std::size_t star = text.find('*'); star != std::string::npos;
          star = text.find('*', star + 1)) {
         std::size_t begin = star, end = star + 1;
@@ -46,7 +46,7 @@ bool expand_repeats(const TextFile& file, std::string& expanded) {
         while (end < text.size() && is_part_of_number(text[end])) ++end;
         std::int64_t count = 0;
         const std::string_view value = std::string_view(text).substr(star + 1, end - star - 1);
-        const bool is_value = !value.empty() && value.size() <= longest_value;
+        const bool is_value = !value.empty() && value.size() <= max_value_length;
         if (!is_value || !parse(std::string_view(text).substr(begin, star - begin), count) ||
             count < 1)
             continue;

@@ -44,9 +44,9 @@ public:
             });
             if (row + 1 < rows()) to << text.substr(at, offset_of(row + 1) - at);
         });
-        std::size_t behind = 0;
-        for_each_slot(rows() - 1, [&](const CoordinateSlot&, std::size_t end) { behind = end; });
-        copy(out, text.substr(behind));
+        std::size_t rest = 0;
+        for_each_slot(rows() - 1, [&](const CoordinateSlot&, std::size_t end) { rest = end; });
+        copy(out, text.substr(rest));
     }
 
 private:
@@ -111,7 +111,8 @@ private:
         }
     }
 
-    // If the number differs from that of the file, finds the value and the largest error.
+    // Tells whether the number differs from that of the file, and finds the value and the largest
+    // error with which the value may be written.
     bool is_changed(const CoordinateSlot& slot, double& value, double& tolerance) const {
         const auto point = static_cast<std::size_t>(slot.point);
         if (point >= mesh_.x.size())
@@ -165,13 +166,13 @@ private:
     Complex before(std::size_t point) const { return {mesh_.x[point], mesh_.y[point]}; }
     Complex after(std::size_t point) const { return {x_[point], y_[point]}; }
 
-    // A thousandth of the shortest edge at the point, before or after the movement.
+    // Returns a thousandth of the shortest edge at the point, before or after the movement.
     double tolerance_of(std::size_t point) const {
         return shortest_.empty() ? std::numeric_limits<double>::infinity()
                                  : std::sqrt(shortest_[point]) / 1000;
     }
 
-    void find_tolerances() {  // squares
+    void find_tolerances() {
         shortest_.assign(mesh_.x.size(), std::numeric_limits<double>::infinity());
         for (std::size_t cell = 0; cell + 1 < mesh_.cell_start.size(); ++cell) {
             const auto first = static_cast<std::size_t>(mesh_.cell_start[cell]);
@@ -182,9 +183,9 @@ private:
                     static_cast<std::size_t>(mesh_.cell_points[first + (i + 1 < n ? i + 1 : 0)]);
                 const double dx = mesh_.x[a] - mesh_.x[b], dy = mesh_.y[a] - mesh_.y[b];
                 const double ex = x_[a] - x_[b], ey = y_[a] - y_[b];
-                const double least = std::min(dx * dx + dy * dy, ex * ex + ey * ey);
-                shortest_[a] = std::min(shortest_[a], least);
-                shortest_[b] = std::min(shortest_[b], least);
+                const double shorter = std::min(dx * dx + dy * dy, ex * ex + ey * ey);
+                shortest_[a] = std::min(shortest_[a], shorter);
+                shortest_[b] = std::min(shortest_[b], shorter);
             }
         }
     }
@@ -206,7 +207,7 @@ private:
     const Mesh& mesh_;
     const double *x_, *y_;
     std::vector<CoordinateSlot> sorted_;  // by place in the file; empty: the rows are sorted
-    std::vector<double> shortest_;        // empty: tolerances are not needed
+    std::vector<double> shortest_;        // squares of edges; empty: tolerances are not needed
     NumberStyle style_;
 };
 

@@ -33,9 +33,9 @@ void for_each_edge(const Mesh& mesh, std::size_t begin, std::size_t end, Visit v
     }
 }
 
-// Removes edges (two points each) that lie in pairs at the same place: they are both sides of a
-// cut, as in the wake of a C-mesh or between the blocks of a grid, which the library closes if the
-// edges have no marker. Returns pairs of points at one place, both of which are on remaining edges.
+// Removes pairs of edges (two points each) at the same place. Such a pair is a cut, as in the wake
+// of a C-mesh or between the blocks of a grid; the library closes cuts whose edges have no marker.
+// Returns the pairs of points at one place that are both on remaining edges.
 std::vector<std::int32_t> drop_cuts(Mesh& mesh, std::vector<std::int32_t>& edges) {
     using Ends = std::array<double, 4>;  // x and y of both ends, the lower one first
     const auto ends_of = [&](std::size_t edge) {
@@ -78,7 +78,7 @@ std::vector<std::int32_t> drop_cuts(Mesh& mesh, std::vector<std::int32_t>& edges
     }
     edges.resize(2 * kept);
     mesh.remark(plural(cuts, "pair") +
-                " of boundary edges without a marker at the same places: taken for a cut, which "
+                " of boundary edges without a marker at the same places: they are a cut, which "
                 "stays closed");
     std::vector<char> is_left(mesh.x.size(), 0);
     for (const std::int32_t point : edges) is_left[static_cast<std::size_t>(point)] = 1;
@@ -102,8 +102,7 @@ void check_points(const Mesh& mesh) {
         mesh.file.fail(offset, "the file needs points between 0 and " + last + " here, but " +
                                    found + " follows");
     };
-    // All points are looked at by threads, and the first wrong one is searched only if there is
-    // one.
+    // Threads find out whether there is a wrong point. Only then the first one is searched.
     const auto n = static_cast<std::uint32_t>(mesh.points());
     std::vector<char> is_wrong(static_cast<std::size_t>(mesh.threads));
     run_ranges(mesh.cell_points.size(), mesh.threads,
@@ -131,7 +130,7 @@ void drop_interior_faces(Mesh& mesh, bool remark) {
         cells_at[edge_of(a, b)] = 0;
         on_face[static_cast<std::size_t>(a)] = on_face[static_cast<std::size_t>(b)] = 1;
     }
-    // Few edges have both ends on faces: each thread finds those of a range of cells.
+    // Few edges have both ends on faces. Each thread collects these edges of a range of cells.
     std::vector<std::vector<EdgeKey>> near(static_cast<std::size_t>(mesh.threads));
     run_ranges(
         mesh.cell_start.size() - 1, mesh.threads,
@@ -164,11 +163,11 @@ void drop_interior_faces(Mesh& mesh, bool remark) {
     mesh.face_points.resize(2 * kept);
     mesh.face_markers.resize(kept);
     if (!mesh.face_offset.empty()) mesh.face_offset.resize(kept);
-    constexpr int most_named = 5;
+    constexpr int max_named = 5;
     int named = 0;
     for (std::size_t marker = 0; marker < dropped.size(); ++marker) {
         if (dropped[marker] == 0 || !remark) continue;
-        if (++named > most_named) {
+        if (++named > max_named) {
             mesh.remark(
                 "faces of other markers between two cells are ignored, and kept in the file");
             break;
@@ -187,8 +186,8 @@ void join_double_faces(Mesh& mesh) {
     }
     std::sort(order.begin(), order.end());
     std::vector<char> is_double(order.size(), 0);
-    std::map<std::set<std::int32_t>, std::int32_t>
-        joint;  // sets of markers, and the marker of faces that have all of them
+    // The marker of faces that have several markers, for each set of markers.
+    std::map<std::set<std::int32_t>, std::int32_t> joint;
     for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
         std::set<std::int32_t> markers;
         for (end = begin; end < order.size() && order[end].first == order[begin].first; ++end) {
@@ -222,7 +221,7 @@ void join_double_faces(Mesh& mesh) {
     for (const auto& [markers, name] : joint) {
         mesh.remark("some edges are in several groups: their marker is " +
                     in_quotes(mesh.markers[static_cast<std::size_t>(name)]) +
-                    ", and each name alone selects it, too");
+                    ", and each of the names selects it");
     }
     drop_empty_markers(mesh);
 }
@@ -243,7 +242,8 @@ void drop_empty_markers(Mesh& mesh) {
 }
 
 void name_open_boundary(Mesh& mesh, const std::string& name) {
-    // Edges of cells are sorted by their lower points. Edges of one cell without a marker are open.
+    // Edges of cells are sorted by their lower points. An edge of only one cell that has no marker
+    // is open.
     std::vector<std::size_t> start(mesh.x.size() + 1);
     const auto low = [](std::int32_t a, std::int32_t b) {
         return static_cast<std::size_t>(std::min(a, b));
@@ -252,16 +252,16 @@ void name_open_boundary(Mesh& mesh, const std::string& name) {
     const auto exists = [n](std::int32_t a, std::int32_t b) {
         return a >= 0 && b >= 0 && a < n && b < n;
     };
-    const auto for_each_side =
-        [&](auto visit) {  // visits faces, too, which count as a second cell beside an edge
-            for_each_edge(mesh, 0, mesh.cell_start.size() - 1, [&](std::int32_t a, std::int32_t b) {
-                if (exists(a, b)) visit(a, b);
-            });
-            for (std::size_t i = 0; i < mesh.face_points.size(); i += 2) {
-                if (exists(mesh.face_points[i], mesh.face_points[i + 1]))
-                    visit(mesh.face_points[i], mesh.face_points[i + 1]);
-            }
-        };
+    // Also visits faces, which count as a second cell beside an edge.
+    const auto for_each_side = [&](auto visit) {
+        for_each_edge(mesh, 0, mesh.cell_start.size() - 1, [&](std::int32_t a, std::int32_t b) {
+            if (exists(a, b)) visit(a, b);
+        });
+        for (std::size_t i = 0; i < mesh.face_points.size(); i += 2) {
+            if (exists(mesh.face_points[i], mesh.face_points[i + 1]))
+                visit(mesh.face_points[i], mesh.face_points[i + 1]);
+        }
+    };
     for_each_side([&](std::int32_t a, std::int32_t b) { ++start[low(a, b) + 1]; });
     std::partial_sum(start.begin(), start.end(), start.begin());
     std::vector<std::pair<std::int32_t, std::int32_t>> sides(start.back());
@@ -285,7 +285,7 @@ void name_open_boundary(Mesh& mesh, const std::string& name) {
     const std::vector<std::int32_t> meeting = drop_cuts(mesh, open);
     if (open.empty()) return;
     std::vector<std::int32_t> connected =
-        open;  // edges that are connected across the ends of cuts, too
+        open;  // with edges that connect both sides at ends of cuts
     connected.insert(connected.end(), meeting.begin(), meeting.end());
     const BoundaryLoops loops(connected, n);
     for (std::size_t edge = 0; 2 * edge < open.size(); ++edge) {

@@ -11,7 +11,7 @@ void check_points(const Mesh& mesh);
 // Removes faces between two cells, which belong to no boundary. `remark`: reports them.
 void drop_interior_faces(Mesh& mesh, bool remark);
 
-// Joins faces that are in the file several times. A face with the markers "a" and "b" gets the
+// Joins faces with the same two points. A face with the markers "a" and "b" gets the
 // marker "a+b", to which mesh.groups assigns both names.
 void join_double_faces(Mesh& mesh);
 

@@ -26,7 +26,7 @@ struct Layout {
     int real_bytes = 8;
 };
 
-// Returns how many whole numbers stand behind the coordinates: points of faces, tags of faces and
+// Returns the number of whole numbers after the coordinates: points of faces, tags of faces and
 // points of cells.
 std::int64_t whole_numbers(const Counts& n) {
     return 4 * n[triangles] + 5 * n[quads] + 4 * n[tetrahedra] + 5 * n[pyramids] + 6 * n[prisms] +
@@ -46,8 +46,8 @@ bool is_binary(const TextFile& file) {
     return file.text().substr(0, 4 * n_counts).find('\0') != std::string::npos;
 }
 
-// Returns the bytes that a binary file of such a layout has at least. Files with grid levels have
-// more.
+// Returns the smallest size of a binary file of such a layout, in bytes. Files with grid levels are
+// larger.
 std::int64_t binary_size(const Counts& n, int real_bytes) {
     return 4 * n_counts + 3 * real_bytes * n[nodes] + 4 * whole_numbers(n);
 }
@@ -67,7 +67,7 @@ bool find_layout(const TextFile& file, Layout& layout) {
     return false;
 }
 
-// Returns the layout that fits the size of the file. If none fits, the name tells the layout.
+// Returns the layout that fits the size of the file. If none fits, the name selects the layout.
 Layout layout_of(const TextFile& file) {
     Layout layout;
     if (find_layout(file, layout) || layout.is_text) return layout;

@@ -125,7 +125,7 @@ void VtkReader::read_section(const std::string& name) {
     }
 }
 
-// Other sections stay as they are.
+// Skips a section that is not read.
 void VtkReader::pass_over() {
     std::size_t next = std::string::npos;
     for (const char* name : {"\nDIMENSIONS ", "\nPOINTS ", "\nCELLS ", "\nCELL_TYPES "}) {
@@ -162,7 +162,7 @@ void VtkReader::read_points() {
     points_read_ = true;
 }
 
-// Version 5.1 has two arrays; before it, each cell began with the number of its points.
+// Version 5.1 has two arrays. In older versions each cell begins with the number of its points.
 void VtkReader::read_cells() {
     const std::int64_t n = text_count("the number of cells"),
                        size = text_count("the number of whole numbers of cells");

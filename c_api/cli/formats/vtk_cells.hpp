@@ -31,8 +31,9 @@ struct VtkCells {
     std::size_t starts_offset = 0;     // the place in the file of the first of `starts`
 };
 
-// Adds cells of points first_point, first_point + 1, ... of `elements`, passes over vertices and
-// lines of several segments, and refuses other cells. VTK has no names for boundaries.
+// Adds cells of points first_point, first_point + 1, ... of `elements`. Vertices and lines of
+// several segments are ignored, and other types of cells are refused. VTK has no names for
+// boundaries.
 void add_vtk_cells(const TextFile& file, const VtkCells& cells, std::int32_t first_point,
                    Elements& elements);
 

@@ -48,7 +48,7 @@ public:
         return value;
     }
     std::size_t offset() const { return at_; }
-    bool at_filling() const {
+    bool at_padding() const {
         return !is_raw_ && used_ == decoded_.size() && at_ > 0 && text_[at_ - 1] == '=';
     }
     [[noreturn]] void fail(std::size_t n) const {
@@ -87,7 +87,7 @@ void decode_blocks(EncodedBytes& bytes, const TextFile& file, const VtkEncoding&
     for (std::int64_t k = 0; k < n; ++k)
         sizes.push_back(static_cast<std::size_t>(bytes.number(as)));
     found.block = static_cast<std::size_t>(block);
-    found.has_own_header = bytes.at_filling();
+    found.has_own_header = bytes.at_padding();
     for (std::size_t k = 0; k < sizes.size(); ++k) {
         const bool is_short = k + 1 == sizes.size() && last > 0;
         const std::string_view data = bytes.take(sizes[k]);
@@ -112,11 +112,11 @@ VtkDecoded decode_vtk(const TextFile& file, const VtkEncoding& as, const VtkArra
            blanks.find(file.text()[found.begin]) != blanks.npos)
         ++found.begin;
     if (found.begin > end)
-        file.fail(array.tag, "the array " + name + " begins behind the end of the file");
+        file.fail(array.tag, "the array " + name + " begins after the end of the file");
     EncodedBytes bytes(file, found.is_raw, found.begin, end, name);
     if (as.compressor.empty()) {
         const auto n = static_cast<std::size_t>(bytes.number(as));
-        found.has_own_header = bytes.at_filling();
+        found.has_own_header = bytes.at_padding();
         text += bytes.take(n);
     } else {
         if (as.compressor != zlib_compressor) {
@@ -131,9 +131,8 @@ VtkDecoded decode_vtk(const TextFile& file, const VtkEncoding& as, const VtkArra
         decode_blocks(bytes, file, as, array, name, found, text);
     }
     // Arrays that overlap could need more memory than the file can hold.
-    const std::size_t most =
-        (as.compressor.empty() ? 1 : largest_ratio_of_zlib) * file.text().size();
-    if (text.size() - file.text().size() > most)
+    const std::size_t max_bytes = (as.compressor.empty() ? 1 : max_zlib_ratio) * file.text().size();
+    if (text.size() - file.text().size() > max_bytes)
         file.fail(array.tag, "the arrays of the file overlap");
     found.end = bytes.offset();
     found.bytes_end = text.size();

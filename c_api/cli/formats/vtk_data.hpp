@@ -1,5 +1,5 @@
-// Arrays of VTK XML files with binary data: raw or in base64, behind each other or each in its tag,
-// and compressed block by block or not.
+// Arrays of VTK XML files with binary data: raw or in base64, in the section AppendedData or each
+// in its tag, and compressed block by block or not.
 #pragma once
 
 #include "mesh/mesh_file.hpp"
@@ -15,7 +15,7 @@ struct VtkEncoding {
     int header_bytes = 4;    // bytes of each number before an array
     std::string compressor;  // empty: none
     std::size_t appended =
-        0;                // the place in the file where appended arrays begin; 0: there are none
+        0;                // the place in the file where appended arrays begin; 0: no such arrays
     bool is_raw = false;  // appended arrays are raw, and not in base64
 };
 
@@ -32,7 +32,8 @@ struct VtkArray {
     }
 };
 
-// The place of an array that is_encoded, and the place of its bytes behind the text of the file.
+// The place of an array that is_encoded, and the place of its decoded bytes, which are appended to
+// the text of the file.
 struct VtkDecoded {
     std::size_t begin = 0, end = 0;  // in the file
     std::size_t bytes = 0, bytes_end = 0;
@@ -49,8 +50,8 @@ VtkDecoded decode_vtk(const TextFile& file, const VtkEncoding& as, const VtkArra
 std::string encode_vtk(const VtkEncoding& as, const VtkDecoded& array, std::string_view bytes);
 
 // Writes the file with other coordinates, for FileCoordinates::store: `text` is the file and,
-// behind the file, the decoded arrays. The text of arrays with other bytes is replaced, and the
-// offsets of the arrays behind them change with the length.
+// after the file, the decoded arrays. The text of arrays whose bytes have changed is replaced, and
+// the offsets of later arrays are changed by the differences in length.
 struct VtkStore {
     VtkEncoding encoding;
     std::size_t file_size = 0;

@@ -112,7 +112,7 @@ void JoinedPieces::read_head(const TextFile& file, const XmlTag& tag) {
         encoding.header_bytes != encoding_.header_bytes) {
         file.fail(tag.begin,
                   "the piece differs from the first one in byte_order, header_type or compressor; "
-                  "save all pieces in one way");
+                  "save all pieces with the same settings");
     }
 }
 

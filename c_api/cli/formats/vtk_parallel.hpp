@@ -12,9 +12,9 @@ namespace cli {
 bool is_parallel_vtk(const TextFile& file);
 
 // Returns one file of all pieces, as a file .vtu has them: the pieces are copied byte by byte, and
-// the offsets of appended arrays grow by what stands before them. Places in the text are named
-// after the files of the pieces. Refuses pieces that store numbers in different ways, pieces with
-// ghost cells, and a file that is named twice.
+// the offsets of appended arrays are increased by the length of preceding data. Messages name the
+// file of the piece and the place in it. Refuses pieces that store numbers in different ways,
+// pieces with ghost cells, and a file that is named twice.
 TextFile joined_pieces(const TextFile& parallel);
 
 // Returns the paths of the files of the pieces, or nothing if the file cannot be read.

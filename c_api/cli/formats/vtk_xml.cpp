@@ -1,7 +1,7 @@
 // VTK's XML files of unstructured grids (.vtu, .pvtu) and of structured grids (.vts,
 // https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html), of one piece or
-// several, in two dimensions or one cell thick. Arrays are in text, in base64, or behind each other
-// in the section AppendedData, also compressed by zlib. Pieces meet where their points have equal
+// several, in two dimensions or one cell thick. Arrays are in text, in base64, or in the section
+// AppendedData, also compressed by zlib. Pieces meet where their points have equal
 // coordinates, as cuts do.
 #include "formats/format.hpp"
 
@@ -25,7 +25,7 @@ public:
     void read();
 
 private:
-    struct Source {  // where the numbers of an array stand in mesh_.file once it is decoded
+    struct Source {  // the place of the numbers of an array in mesh_.file after decode()
         std::size_t begin, end;
         bool is_binary;
     };
@@ -176,7 +176,7 @@ void VtkXmlReader::read_points(const VtkPiece& piece) {
     if (has_kind_ && kind != mesh_.in_file.kind) {
         mesh_.file.fail(
             array.tag,
-            "the points of the pieces are stored in several ways: save the grid as one piece");
+            "the points of the pieces have different number formats: save the grid as one piece");
     }
     has_kind_ = true;
     mesh_.in_file.kind = kind;

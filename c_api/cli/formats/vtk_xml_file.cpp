@@ -100,7 +100,7 @@ void TagReader::read_extent() {
     }
 }
 
-// Returns the member of the present piece that the array belongs to, or NULL for other arrays.
+// Returns the member of the last piece that the array belongs to, or NULL for other arrays.
 VtkArray* TagReader::place_of(std::string_view name) {
     if (found_.pieces.empty()) return nullptr;
     VtkPiece& piece = found_.pieces.back();
@@ -172,7 +172,7 @@ VtkEncoding vtk_encoding(const TextFile& file, const XmlTag& tag) {
     VtkEncoding encoding;
     encoding.swapped = (order != "BigEndian") != little_endian_machine();
     encoding.header_bytes = header == "UInt64" ? 8 : 4;
-    // VTK names a compressor in files in text, too.
+    // VTK also names a compressor in files that are text.
     encoding.compressor = std::string(tag.attribute("compressor"));
     return encoding;
 }

@@ -29,11 +29,11 @@ struct VtkXmlFile {
 // Finds the arrays of all pieces. Refuses other kinds of files, and tags that VTK does not write.
 VtkXmlFile read_vtk_xml_tags(const TextFile& file);
 
-// Reads the tag <VTKFile>. Refuses a byte order or a type of headers that VTK does not have. The
-// type of the grid is not looked at.
+// Reads the tag <VTKFile>. Refuses a byte order or a type of headers that VTK does not have. Does
+// not check the type of the grid.
 VtkEncoding vtk_encoding(const TextFile& file, const XmlTag& tag);
 
-// Finds where the data begin behind the tag <AppendedData>.
+// Finds where the data begin after the tag <AppendedData>.
 void find_appended(const TextFile& file, const XmlTag& tag, VtkEncoding& encoding);
 
 // Returns the attribute "offset" of an appended array. Refuses what is no place in the file.

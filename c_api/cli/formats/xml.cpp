@@ -42,7 +42,7 @@ bool XmlReader::next() {
     }
 }
 
-// Reads NAME KEY="VALUE" KEY='VALUE' ... behind the character <, up to > or />.
+// Reads NAME KEY="VALUE" KEY='VALUE' ... after the character <, up to > or />.
 void XmlReader::read_attributes(std::size_t at) {
     const std::string_view text = file_.text();
     const auto over_blanks = [&] {

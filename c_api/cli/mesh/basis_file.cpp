@@ -15,14 +15,15 @@ namespace cli {
 
 namespace {
 
-// The bytes that the file of a basis would have.
+// Returns the bytes of the file of a basis.
 std::string as_file(const hm_basis* basis, const Mesh& mesh) {
     std::ostringstream out;
     write_basis(out, basis, mesh);
     return out.str();
 }
 
-// Attaches the basis. The library names blocks in its errors; a file that is cut off is named here.
+// Attaches the basis. Returns whether the mesh has moved. The library's message about a block that
+// is cut off is replaced by one about the file.
 bool attach(const hm_basis** basis, std::string_view block, const hm_mesh* mesh,
             const std::string& path) {
     hm_error error = {};
@@ -47,18 +48,18 @@ hm_basis_info info_of(const hm_basis* basis, const std::string& path) {
 
 constexpr const char* title_of_names = "harmorph markers ";
 
-// Reads the text behind the first `bytes` of the file.
-class BehindBlock {
+// Reads the text after the first `bytes` of the file.
+class TextAfterBlock {
 public:
-    BehindBlock(std::string_view block, std::uint64_t bytes, const std::string& path)
+    TextAfterBlock(std::string_view block, std::uint64_t bytes, const std::string& path)
         : path_(path), text_(std::string(block.substr(static_cast<std::size_t>(bytes)))) {
         next_line();  // the line feed before the title
     }
 
     std::vector<std::string> names() {
         std::int32_t n = 0;
-        if (!next_line() || !begins_with(title_of_names) ||
-            !parse(rest_behind(title_of_names), n) || n < 0) {
+        if (!next_line() || !begins_with(title_of_names) || !parse(rest_after(title_of_names), n) ||
+            n < 0) {
             refuse("the file has no names of markers");
         }
         std::vector<std::string> names;
@@ -75,7 +76,7 @@ private:
     bool begins_with(std::string_view word) const {
         return line_.compare(0, word.size(), word) == 0;
     }
-    std::string_view rest_behind(std::string_view word) const {
+    std::string_view rest_after(std::string_view word) const {
         return std::string_view(line_).substr(word.size());
     }
     [[noreturn]] void refuse(const char* text) const {
@@ -96,9 +97,8 @@ void refuse_other_markers(const std::vector<std::string>& names, const std::stri
                                  listed(mesh.markers));
 }
 
-// The library compares which points are on which marker, and leaves the numbers of markers in
-// conditions to the caller. Everything in the program that asks for the marker of a condition
-// relies on this check.
+// Checks the numbers of markers in conditions, which the library does not compare with the mesh.
+// The program then uses them as indices.
 void refuse_unknown_markers(const std::vector<hm_condition>& conditions, const std::string& path,
                             const Mesh& mesh) {
     const auto n = static_cast<std::int32_t>(mesh.markers.size());
@@ -116,8 +116,8 @@ void refuse_unknown_markers(const std::vector<hm_condition>& conditions, const s
     }
 }
 
-// The program moves control points, bodies and modes, and its arrays of movements are as long as
-// these need.
+// Refuses functions of design variables and a share of the functions: the program moves all control
+// points, bodies and modes.
 void refuse_other_functions(const hm_basis_info& info, const std::string& path) {
     if (info.combined > 0) {
         throw Failure(exit_file, path +
@@ -145,7 +145,7 @@ Basis::Basis(const TextFile& file, const Mesh& mesh)
       moved_curves_(sized<hm_curves>()) {
     attach(&basis_, file_.text(), nullptr, path_);
     info_ = info_of(basis_, path_);
-    BehindBlock text(file_.text(), info_.bytes, path_);
+    TextAfterBlock text(file_.text(), info_.bytes, path_);
     refuse_other_markers(text.names(), path_, mesh);
     const hm_mesh view = mesh.view();
     mesh_has_moved_ = attach(&basis_, file_.text(), &view, path_);
@@ -156,7 +156,7 @@ Basis::Basis(const TextFile& file, const Mesh& mesh)
     call(path_, hm_basis_curves, basis_, &curves_, curve_.data(), info_.curves);
     std::int32_t n = 0;
     hm_basis_conditions(basis_, nullptr, 0, &n, nullptr);
-    // There is at least one, whose size tells the size of all.
+    // One element more, so that the array has a first element, whose struct_size counts for all.
     conditions_.assign(static_cast<std::size_t>(n) + 1, sized<hm_condition>());
     call(path_, hm_basis_conditions, basis_, conditions_.data(), n + 1, &n);
     conditions_.resize(static_cast<std::size_t>(n));

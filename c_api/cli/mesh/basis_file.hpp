@@ -1,7 +1,7 @@
-// Basis files have the block of the library, which hm_basis_attach takes, and behind the block the
-// names of the markers, which the block has by number only:
+// Basis files have the block of the library, which hm_basis_attach takes, and after the block the
+// names of the markers, because the block has only their numbers:
 //
-//     harmorph markers 2        (behind a line feed)
+//     harmorph markers 2        (after a line feed)
 //     far field                 marker 0
 //     airfoil                   marker 1
 #pragma once
@@ -31,26 +31,21 @@ public:
     // Returns the curves on the mesh, which may have moved since the basis was solved. Throws a
     // Failure if the wall is on no curve.
     const hm_curves& curves() const;
-    const hm_curves& curves_at_start() const {
-        return curves_;
-    }  // the curves that the basis was solved with
+    // Returns the curves that the basis was solved with.
+    const hm_curves& curves_at_start() const { return curves_; }
     std::int32_t n_control() const { return curves_.n_control; }
     bool mesh_has_moved() const { return mesh_has_moved_; }
-    const std::string& why_on_no_curve() const {
-        return why_on_no_curve_;
-    }  // empty if the wall is on the curves
-    double distance_from_curves() const {
-        return distance_;
-    }  // for a mesh that has moved; see hm_recover_movement
+    // The reason why curves() throws; empty if the wall is on the curves.
+    const std::string& why_on_no_curve() const { return why_on_no_curve_; }
+    // For a mesh that has moved; see hm_recover_movement.
+    double distance_from_curves() const { return distance_; }
     const hm_basis_info& info() const { return info_; }
-    const std::vector<hm_condition>& conditions() const {
-        return conditions_;
-    }  // on the markers of the mesh
-    const std::vector<std::shared_ptr<const CurveSet>>& slip_curves() const {
-        return slip_curves_;
-    }  // curves of conditions
+    // Markers are those of the mesh.
+    const std::vector<hm_condition>& conditions() const { return conditions_; }
+    // The curves that conditions point to.
+    const std::vector<std::shared_ptr<const CurveSet>>& slip_curves() const { return slip_curves_; }
     std::int32_t functions() const { return info_.functions; }
-    // Returns one of the numbers of the value of a function, at every point of the mesh.
+    // Returns component `number` of the values of a function, at every point of the mesh.
     std::vector<double> values(std::int32_t function, std::int32_t number, const Mesh& mesh) const;
 
 private:
@@ -59,7 +54,7 @@ private:
     void find_slip_curves();
 
     std::string path_;
-    TextFile file_;  // mapped where that is possible
+    TextFile file_;  // mapped into memory where that is possible
     const hm_basis* basis_ = nullptr;
     bool mesh_has_moved_ = false;
     std::string why_on_no_curve_;

@@ -9,8 +9,8 @@ namespace cli {
 
 struct BoundaryLoops {
     std::int32_t count = 0;
-    std::vector<std::int32_t>
-        of_edge;  // the loop of each edge, from 0; loops are in the order of their smallest points
+    // The loop of each edge, from 0. Loops are in the order of their smallest points.
+    std::vector<std::int32_t> of_edge;
 
     // ends: two points of each edge, between 0 and n_points - 1.
     BoundaryLoops(const std::vector<std::int32_t>& ends, std::int32_t n_points);

@@ -20,8 +20,9 @@ constexpr FaceCorners of_prism[] = {
 constexpr FaceCorners of_hexahedron[] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4},
                                          {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
 
-// Edges of cells whose faces have more points in all are looked up, and not searched for.
-constexpr std::int32_t most_searched = 64;
+// Edges of a cell are searched in all its faces if these have at most so many points together, and
+// otherwise in a sorted list.
+constexpr std::int32_t max_searched = 64;
 
 }  // namespace
 
@@ -96,7 +97,7 @@ void CellFaces::index_large_cells() {
         const std::int32_t begin = start[place(cell)], end = start[place(cell) + 1];
         std::int32_t n_points = 0;
         for (std::int32_t f = begin; f < end; ++f) n_points += faces[place(f)].n;
-        for (std::int32_t f = begin; f < end && n_points > most_searched; ++f) {
+        for (std::int32_t f = begin; f < end && n_points > max_searched; ++f) {
             const std::int32_t* const corners = &points[place(faces[place(f)].first)];
             const std::int32_t n = faces[place(f)].n;
             for (std::int32_t k = 0; k < n; ++k) {

@@ -1,5 +1,5 @@
-// The faces of cells in three dimensions, and which faces two cells share. Only topology is
-// considered, no coordinates.
+// The faces of cells in three dimensions, and the faces that two cells share. Only the topology is
+// used, not the coordinates.
 #pragma once
 
 #include <array>
@@ -36,11 +36,11 @@ public:
     // none.
     std::int32_t connect();
 
-    // Returns a face with these points (at least three), or -1. To be called after connect().
+    // Returns a face with these points (at least three), or -1. Needs connect().
     std::int32_t find(const std::int32_t* corners, std::size_t n) const;
 
-    // Returns the other face at the edge a, b of the cell of `face`, or -1 if there is none. To be
-    // called after connect(). The time grows at most with the logarithm of the number of edges.
+    // Returns the other face at the edge a, b of the cell of `face`, or -1 if there is none. Needs
+    // connect(). The time grows at most with the logarithm of the number of edges.
     std::int32_t across(std::int32_t face, std::int32_t a, std::int32_t b) const;
 
 private:

@@ -13,9 +13,9 @@ namespace cli {
 namespace {
 
 constexpr std::string_view loop_prefix = "loop:";
-constexpr std::size_t most_listed = 12;  // largest number of names in a message
+constexpr std::size_t max_listed = 12;  // largest number of names in a message
 
-// In a pattern, * stands for any characters, and ? for one character.
+// In a pattern, * matches any characters, and ? matches one character.
 bool matches(std::string_view pattern, std::string_view name) {
     std::size_t p = 0, n = 0, star = pattern.npos, from = 0;
     while (n < name.size()) {
@@ -118,13 +118,13 @@ private:
 
     [[noreturn]] void refuse(std::string_view name) const {
         std::string known;
-        for (std::size_t k = 0; k < mesh_.markers.size() && k < most_listed; ++k)
+        for (std::size_t k = 0; k < mesh_.markers.size() && k < max_listed; ++k)
             known += (known.empty() ? "" : ", ") + in_quotes(mesh_.markers[k]);
-        if (mesh_.markers.size() > most_listed) {
-            known += " and " + std::to_string(mesh_.markers.size() - most_listed) +
-                     " more; a name may have * for any characters, and loop:1, loop:2, ... are "
-                     "whole loops of the "
-                     "boundary";
+        if (mesh_.markers.size() > max_listed) {
+            known +=
+                " and " + std::to_string(mesh_.markers.size() - max_listed) +
+                " more; in a name, * matches any characters, and loop:1, loop:2, ... are whole "
+                "loops of the boundary";
         }
         throw Failure(exit_usage, mesh_.file.path() + " has no marker " + in_quotes(name) +
                                       (known.empty() ? "; the mesh has no markers"
@@ -135,7 +135,7 @@ private:
     std::vector<std::int32_t> faces_;  // number of faces of each marker
 };
 
-// Calls visit(name) for each name of a list. A name that stands alone may hold commas.
+// Calls visit(name) for each name of a list. A single name may contain commas.
 template <class Visit>
 void for_each_name(const Selection& selection, const std::string& list, const Visit& visit) {
     if (selection.is_known(list)) return visit(std::string_view(list));

@@ -33,13 +33,13 @@ BoundaryPiece MeshAnalysis::boundary(const std::vector<std::int32_t>& markers,
                                     mesh_.points(), &n, &is_loop, error);
     };
     std::int32_t chosen = 0;
-    double least = HUGE_VAL;
+    double min_distance = HUGE_VAL;
     for (std::int32_t index = 0; near != nullptr && piece(index, nullptr) == HM_OK; ++index) {
         for (std::int32_t k = 0; k < n; ++k) {
             const auto point = static_cast<std::size_t>(points[static_cast<std::size_t>(k)]);
             const double distance = std::hypot(mesh_.x[point] - near->x, mesh_.y[point] - near->y);
-            if (distance >= least) continue;
-            least = distance;
+            if (distance >= min_distance) continue;
+            min_distance = distance;
             chosen = index;
         }
     }

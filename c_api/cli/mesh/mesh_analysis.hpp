@@ -16,8 +16,8 @@ struct BoundaryPiece {  // points in order, with the mesh on the left
 
 class MeshAnalysis {
 public:
-    explicit MeshAnalysis(
-        const Mesh& mesh);  // refuses a mesh that is not well formed; allows inverted cells
+    // Refuses a mesh that is not well formed, but allows inverted cells.
+    explicit MeshAnalysis(const Mesh& mesh);
     MeshAnalysis(const MeshAnalysis&) = delete;
 
     const hm_analysis* get() const { return analysis_; }

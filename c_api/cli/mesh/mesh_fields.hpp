@@ -29,7 +29,7 @@ struct Interpolated {
     hm_interpolation_report report;
 };
 
-// The fields of `from`, whose points are at `at`, at the points of `to`.
+// Interpolates fields of `from`, whose points are at `at`, to the points of `to`.
 Interpolated interpolated(const Mesh& from, const Field& at, const std::vector<Column>& fields,
                           const Mesh& to, const Threads& threads);
 
@@ -38,8 +38,8 @@ struct Remapped {
     hm_remap_report report;
 };
 
-// Means over the control volumes of `to` from those of `from`, so that integrals over the area that
-// both meshes have in common stay.
+// Computes means over the control volumes of `to` from means over those of `from`. Integrals over
+// the area that both meshes cover are conserved.
 Remapped remapped(const Mesh& from, const std::vector<Column>& fields, const Mesh& to,
                   const Threads& threads);
 

@@ -40,9 +40,8 @@ std::int32_t Mesh::add_marker(std::string_view tag) {
 }
 
 void Mesh::remark(const std::string& text) {
-    constexpr std::size_t most_remarks =
-        100;  // more do not help, and each is compared with all before
-    if (remarks.size() >= most_remarks) return;
+    constexpr std::size_t max_remarks = 100;  // each remark is compared with all earlier ones
+    if (remarks.size() >= max_remarks) return;
     if (std::find(remarks.begin(), remarks.end(), text) == remarks.end()) remarks.push_back(text);
 }
 
@@ -69,18 +68,18 @@ void Mesh::find_polygons() {
     for (std::size_t cell = 0; cell + 1 < cell_start.size() && !has_polygons; ++cell) {
         const std::int32_t first = cell_start[cell], n = cell_start[cell + 1] - first;
         has_polygons = n > 4;
-        double least = 0, most = 0;  // sines of the turns at the corners
+        double min_turn = 0, max_turn = 0;  // sines of the turns at the corners
         for (std::int32_t k = 0; k < n && n == 4; ++k) {
             const std::size_t a = at(first + k), b = at(first + (k + 1) % n),
                               c = at(first + (k + 2) % n);
             const double ux = x[b] - x[a], uy = y[b] - y[a], vx = x[c] - x[b], vy = y[c] - y[b];
             const double size = std::hypot(ux, uy) * std::hypot(vx, vy);
             const double turn = size > 0 ? (ux * vy - uy * vx) / size : 0;
-            least = k == 0 ? turn : std::min(least, turn);
-            most = k == 0 ? turn : std::max(most, turn);
+            min_turn = k == 0 ? turn : std::min(min_turn, turn);
+            max_turn = k == 0 ? turn : std::max(max_turn, turn);
         }
         constexpr double flat = 1e-6;
-        has_polygons = has_polygons || (n == 4 && least < flat && most > -flat);
+        has_polygons = has_polygons || (n == 4 && min_turn < flat && max_turn > -flat);
     }
 }
 

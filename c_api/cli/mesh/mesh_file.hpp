@@ -1,5 +1,5 @@
-// A mesh as it was read from a file of any format. The mesh keeps the text of the file, as a
-// morphed mesh is the same file with other numbers.
+// A mesh as it was read from a file of any format. The mesh keeps the text of the file, because a
+// morphed mesh is written as the same file with other numbers.
 #pragma once
 
 #include "formats/coordinates.hpp"
@@ -29,14 +29,14 @@ struct Mesh {
     bool has_polygons = false;  // cells of more than four corners, or with hanging nodes
     std::vector<std::int32_t> face_points, face_markers;
     std::vector<std::string> markers;  // the names; the number of a marker is its place here
-    // Names that stand for other markers: faces in the groups "a" and "b" of a file have the marker
-    // "a+b", which the names "a" and "b" stand for, with other markers perhaps.
+    // The markers that a name selects besides a marker of this name: faces in the groups "a" and
+    // "b" of a file have the marker "a+b", which both "a" and "b" select.
     std::map<std::string, std::vector<std::string>> groups;
-    // Pairs of tags: the file says that these markers slide along each other.
+    // Pairs of markers that slide along each other according to the file.
     std::vector<std::pair<std::string, std::string>> interfaces;
     std::vector<std::size_t> point_offset, cell_offset,
         face_offset;                   // places in file.text(); may be empty
-    std::vector<std::string> remarks;  // for the user: sections that were passed over, and the like
+    std::vector<std::string> remarks;  // for the user, such as names of ignored sections
     std::string likely_fault;  // the probable reason if the library refuses the mesh; may be
                                // empty
     FileCoordinates in_file;
@@ -50,14 +50,12 @@ struct Mesh {
     std::int32_t faces() const { return static_cast<std::int32_t>(face_markers.size()); }
     std::int32_t faces(std::int32_t marker) const;
 
-    hm_points coordinates() const {
-        return {x.data(), y.data(), 1};
-    }  // a view of these arrays for the library
+    hm_points coordinates() const { return {x.data(), y.data(), 1}; }
     hm_mesh view() const;
 
     // Returns the numbers of the markers in a list "A,B". An entry is a marker, a name of `groups`,
-    // a pattern with * and ?, or a whole loop of the boundary, "loop:1". A name that the file does
-    // not have is wrong usage. A name may hold commas.
+    // a pattern with * and ?, or a whole loop of the boundary, "loop:1". Refuses a name that the
+    // file does not have as wrong usage. A name may contain commas.
     std::vector<std::int32_t> find_markers(const std::string& list) const;
     // Does the same, except that an entry may be "A@X:Y": the piece of a marker that is nearest to
     // a point.
@@ -74,15 +72,16 @@ struct Mesh {
         cell_start.push_back(static_cast<std::int32_t>(cell_points.size()));
         cell_offset.push_back(offset);
     }
-    // Refuses cells of more than four corners as wrong usage. `who` names what does not take them.
+    // Refuses cells of more than four corners as wrong usage. `who`: the format or command that
+    // does not take them.
     void refuse_polygons(const std::string& who) const;
-    void find_polygons();  // for formats with polygons: also finds cells of four corners that are
-                           // not convex
+    // Sets has_polygons for formats with polygons. Cells of four corners that are not convex count
+    // as polygons.
+    void find_polygons();
     void add_face(std::int32_t a, std::int32_t b, std::int32_t marker, std::size_t offset);
 
 private:
-    std::unordered_map<std::string, std::int32_t>
-        marker_numbers_;  // numbers of `markers`, for add_marker()
+    std::unordered_map<std::string, std::int32_t> marker_numbers_;  // of `markers`
 };
 
 }  // namespace cli

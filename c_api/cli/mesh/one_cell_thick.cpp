@@ -36,9 +36,9 @@ void OneCellThick::add_side(const std::int32_t* points, std::size_t n, std::int3
     side_points_.insert(side_points_.end(), points, points + n);
 }
 
-// Goes from a face of one cell to the faces beyond its edges, in the neighbours there, until no new
-// cell is reached. Returns false if these faces are no plane of the mesh: one of the faces has
-// cells on both sides, or a neighbour of a cell that was reached was not reached.
+// Collects the faces that are connected with the first face by edges, one in each cell. Returns
+// false if these faces are no plane of the mesh: one of the faces has cells on both sides, or one
+// of the cells has a neighbour that is not among the cells.
 bool OneCellThick::spread(std::int32_t first, PlaneFaces& plane,
                           std::vector<std::int32_t>& cells) const {
     const std::vector<CellFaces::Face>& faces = cells_.faces;
@@ -88,8 +88,8 @@ double OneCellThick::distance(const PlaneFaces& plane,
     return sum;
 }
 
-// Sets the plane of the mesh by the first cell: the plane of the lower coordinates. Returns whether
-// that is the second plane that was found.
+// Selects the plane of the mesh by the first cell: the plane with the lower coordinates. Returns
+// whether this is the second plane in found_.
 bool OneCellThick::put_in_order(std::int32_t cell) {
     std::array<double, 3> centre[2] = {};
     for (const int side : {0, 1}) {
@@ -120,8 +120,8 @@ bool OneCellThick::put_in_order(std::int32_t cell) {
     return swapped;
 }
 
-// Finds both planes of the cells that are connected with this cell. Planes of several such parts
-// that lie together are one plane.
+// Finds both planes of the cells that are connected with this cell. The planes of another connected
+// part are assigned to the planes of the first part that are closer.
 void OneCellThick::find_planes(std::int32_t cell) {
     std::vector<std::int32_t> cells;
     const std::int32_t first = cells_.start[place(cell)], end = cells_.start[place(cell) + 1];

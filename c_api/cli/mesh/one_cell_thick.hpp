@@ -23,8 +23,8 @@ public:
     void add_cell_face(const std::int32_t* points, std::size_t n) { cells_.add_face(points, n); }
     void end_cell(std::size_t offset);
 
-    // Adds a face of the boundary with a marker of the mesh. finish() passes over faces that lie in
-    // the planes, and refuses other faces of more than 4 points.
+    // Adds a face of the boundary with a marker of the mesh. finish() ignores faces in the planes,
+    // and refuses other faces of more than 4 points.
     void add_side(const std::int32_t* points, std::size_t n, std::int32_t marker,
                   std::size_t offset);
     void add_middle(SpaceMiddle middle) { space_.middles.push_back(std::move(middle)); }
@@ -36,8 +36,8 @@ public:
     void finish();
 
 private:
-    using PlaneFaces = std::vector<std::int32_t>;  // [cells] the face of each cell that lies in a
-                                                   // plane; -1: not known
+    // [cells] The face of each cell in a plane; -1: not known.
+    using PlaneFaces = std::vector<std::int32_t>;
 
     struct Side {
         std::size_t first, n, offset;  // its points are side_points_[first], ...
@@ -59,7 +59,7 @@ private:
     std::vector<Side> sides_;
     std::vector<std::int32_t> side_points_;
     PlaneFaces planes_[2];  // the plane of the mesh, and the opposite one
-    PlaneFaces found_[2];   // used by find_planes() for one connected part of the mesh
+    PlaneFaces found_[2];   // the planes of one connected part of the mesh
     std::array<double, 3> origin_ = {}, normal_ = {};  // of the first face in the plane
 };
 

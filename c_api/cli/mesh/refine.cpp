@@ -14,7 +14,6 @@ class Refined {
 public:
     explicit Refined(const Mesh& mesh)
         : mesh_(mesh), edges_(mesh_edges(mesh, [](Edge) { return true; })) {
-        std::sort(edges_.begin(), edges_.end(), precedes);
         for (std::int32_t point = 0; point < mesh.points(); ++point)
             points_.push_back(old_point(point));
         for (const Edge& edge : edges_)
@@ -53,7 +52,6 @@ public:
     }
 
 private:
-    static bool precedes(Edge a, Edge b) { return a.a != b.a ? a.a < b.a : a.b < b.b; }
     static Point middle(Point a, Point b) { return {.5 * (a.x + b.x), .5 * (a.y + b.y)}; }
     Point old_point(std::int32_t point) const {
         return {mesh_.x[static_cast<std::size_t>(point)], mesh_.y[static_cast<std::size_t>(point)]};
@@ -95,8 +93,8 @@ private:
 
     const Mesh& mesh_;
     std::vector<Edge> edges_;
-    std::vector<Point>
-        points_;  // the old points, then one on each edge and one in each quadrilateral
+    // The old points, then one point on each edge and one in each quadrilateral.
+    std::vector<Point> points_;
     std::vector<std::vector<std::int32_t>> cells_;
 };
 

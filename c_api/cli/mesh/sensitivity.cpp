@@ -19,11 +19,12 @@ double finite(const PointTable& table, std::size_t row, std::size_t column) {
     return value;
 }
 
-// At each boundary point: the sum of the normals of the faces beside it, half the length of the
-// face each, into the fluid.
+// Returns for each boundary point the sum of the normals of both faces at the point. A normal
+// points into the fluid and is half as long as the face.
 Field boundary_normals(const Mesh& mesh) {
     Field normals(mesh.x.size());
-    std::map<std::pair<std::int32_t, std::int32_t>, bool> runs_as_cell;  // faces; found below
+    // For each face: whether the cell beside it is on the left.
+    std::map<std::pair<std::int32_t, std::int32_t>, bool> runs_as_cell;
     for (std::int32_t face = 0; face < mesh.faces(); ++face) {
         const std::int32_t* ends = &mesh.face_points[2 * static_cast<std::size_t>(face)];
         runs_as_cell[{ends[0], ends[1]}] = false;
@@ -67,8 +68,8 @@ bool has_points_of_file(const PointTable& table, const Mesh& mesh) {
            mesh.in_file.n_points == static_cast<std::int64_t>(table.rows());
 }
 
-// Each coordinate of the file that moves with a point of the mesh adds to the derivatives by this
-// point, also in both planes of a mesh that is one cell thick.
+// Adds to the derivatives by each point of the mesh those by all coordinates of the file that move
+// with this point, in both planes of a mesh that is one cell thick.
 Sensitivity by_points_of_file(const PointTable& table, const SensitivityColumns& columns,
                               const Mesh& mesh) {
     if (!mesh.in_file.between.empty()) {

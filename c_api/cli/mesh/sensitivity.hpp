@@ -13,8 +13,8 @@ struct SensitivityColumns {
     std::string x = "Sensitivity_x", y = "Sensitivity_y";
     std::string normal;       // not empty: derivatives along the normals of the boundary instead
     bool into_fluid = true;   // the direction of these normals
-    bool per_length = false;  // these are by the length of the wall: a point counts half the length
-                              // of both faces beside it
+    bool per_length = false;  // derivatives are per length of the wall: they are multiplied by half
+                              // the length of both faces at the point
 };
 
 struct Sensitivity {

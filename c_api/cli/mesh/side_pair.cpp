@@ -15,7 +15,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double fits_within = 1e-6;  // times the extent, as in the library
+constexpr double max_relative_misfit = 1e-6;  // of the extent, as in the library
 
 struct Sides {
     std::vector<Complex> from, to;  // points that are images of each other, in order
@@ -31,14 +31,14 @@ struct Sides {
         for (std::size_t k = 0; k < from.size(); ++k) {
             extent = std::max({extent, std::abs(from[k] - from[0]), std::abs(to[k] - from[k])});
         }
-        return misfit(turn, shift) <= fits_within * extent;
+        return misfit(turn, shift) <= max_relative_misfit * extent;
     }
     Complex mean(const std::vector<Complex>& side) const {
         Complex sum = 0;
         for (const Complex z : side) sum += z;
         return sum / static_cast<double>(side.size());
     }
-    // Returns the rotation that maps `from` - a to `to` - b best, by least squares.
+    // Returns the rotation that maps `from` - a to `to` - b best in the least-squares sense.
     Complex turn_about(Complex a, Complex b) const {
         Complex sum = 0;
         for (std::size_t k = 0; k < from.size(); ++k) sum += std::conj(from[k] - a) * (to[k] - b);

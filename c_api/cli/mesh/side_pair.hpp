@@ -1,4 +1,4 @@
-// Finds how one side of a pair of --periodic is mapped onto the other.
+// Finds the translation or rotation that maps one side of a pair of --periodic onto the other.
 #pragma once
 
 #include "mesh/mesh_file.hpp"
@@ -7,9 +7,9 @@
 
 namespace cli {
 
-// The sides are translates of each other (HM_PERIODIC_PAIR), or, if a translation does not fit, one
-// is the other one turned (HM_ROTATION_PAIR) about the origin, or else about the centre that fits
-// best. Sides that are neither count as translates, which the library refuses with the place.
+// A translation is tried first (HM_PERIODIC_PAIR), then a rotation about the origin, then a
+// rotation about the centre that fits best (HM_ROTATION_PAIR). If no map fits, the condition is
+// that of a translation, which the library refuses with the place of the misfit.
 struct SidePair {
     hm_condition condition;
     std::string

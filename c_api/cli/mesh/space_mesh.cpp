@@ -14,7 +14,7 @@ namespace cli {
 
 namespace {
 
-// Collects the coordinates of the file that move: a number moves by dx along[0] + dy along[1] if
+// Collects the coordinates of the file that move: a number changes by dx along[0] + dy along[1] if
 // its point of the plane, or the point between points of the plane, moves by dx, dy.
 class Slots {
 public:
@@ -65,8 +65,8 @@ private:
                                std::string(error.text));
 }
 
-// Adds the marker "axis": in a wedge that reaches to the axis, the edges there are a boundary of
-// the plane, but no face of the file.
+// Adds the marker "axis": if a wedge includes the axis, the edges on the axis are a boundary of the
+// plane, but the file has no faces there.
 void add_axis(Mesh& mesh) {
     double largest = 0;
     for (const double y : mesh.y) largest = std::max(largest, std::fabs(y));
@@ -85,7 +85,7 @@ void add_axis(Mesh& mesh) {
     }
 }
 
-// Adds the middle of corners that follow one point of the plane or several.
+// Adds a node in the middle of corners, which may move with one or several points of the plane.
 void add_middle(Mesh& mesh, const hm_plane_info& info, const SpaceMiddle& middle,
                 Slots& slots_of_file) {
     Between between = {{}, 0, 0, 0};

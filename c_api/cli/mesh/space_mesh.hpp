@@ -1,6 +1,6 @@
-// A mesh of three dimensions that is one cell thick, as a file has it, and the mesh of its symmetry
-// plane. The library finds which points of space follow which point of the plane, between planes of
-// any direction and in wedges.
+// A mesh of three dimensions that is one cell thick, and the mesh of its symmetry plane. The
+// library assigns each point of space to the point of the plane with which it moves, between planes
+// of any direction and in wedges.
 #pragma once
 
 #include <harmorph_space.h>
@@ -14,7 +14,7 @@ namespace cli {
 struct SpacePoints {
     std::array<std::vector<double>, 3> x;            // x, y, z
     std::array<std::vector<std::size_t>, 3> offset;  // the places of the coordinates in the file
-    std::vector<std::int32_t> number;  // among all points of the file; empty: these are all
+    std::vector<std::int32_t> number;  // among all points of the file; empty: no other points
     std::int32_t n_in_file = 0;        // all points of the file, if `number` is not empty
 
     std::int32_t points() const { return static_cast<std::int32_t>(x[0].size()); }

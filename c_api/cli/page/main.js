@@ -83,7 +83,7 @@ class App {
         note.hidden = rest === 0;
         note.textContent =
             `${data.cells.toLocaleString("en")} of ${data.all_cells.toLocaleString("en")} cells are shown and judged; ` +
-            "farther away the mesh is thinned";
+            "farther away the mesh is coarsened";
     }
 
     // ---- Changes of the shape

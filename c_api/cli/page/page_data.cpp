@@ -2,6 +2,7 @@
 
 #include "basics/json.hpp"
 #include "basics/operators.hpp"
+#include "formats/base64.hpp"
 #include "page/page_text.hpp"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace cli {
 
 namespace {
 
-// Encodes the bytes of numbers in base 64, the lowest byte first on any processor.
+// The bytes of numbers as text, the lowest byte first on any processor.
 class Base64 {
 public:
     template <class Number>
@@ -23,36 +24,19 @@ public:
         Bits bits;
         std::memcpy(&bits, &number, sizeof bits);
         for (std::size_t i = 0; i < sizeof bits; ++i)
-            add_byte(static_cast<std::uint32_t>(bits >> (8 * i)) & 255u);
+            bytes_ += static_cast<char>(bits >> (8 * i) & 255u);
     }
-    std::string text() && {
-        const std::size_t missing = (3 - pending_count_) % 3;
-        for (std::size_t i = 0; i < missing; ++i) add_byte(0);
-        text_.replace(text_.size() - missing, missing, missing, '=');
-        return std::move(text_);
-    }
+    std::string text() const { return encode_base64(bytes_); }
 
 private:
-    void add_byte(std::uint32_t byte) {
-        constexpr const char* digits =
-            "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-        pending_ = pending_ << 8 | byte;
-        if (++pending_count_ < 3) return;
-        for (int shift = 18; shift >= 0; shift -= 6) text_ += digits[pending_ >> shift & 63u];
-        pending_ = 0;
-        pending_count_ = 0;
-    }
-
-    std::string text_;
-    std::uint32_t pending_ = 0;
-    std::size_t pending_count_ = 0;
+    std::string bytes_;
 };
 
 template <class Number>
 std::string base64(const Number* numbers, std::size_t n) {
     Base64 result;
     for (std::size_t i = 0; i < n; ++i) result.add(numbers[i]);
-    return std::move(result).text();
+    return result.text();
 }
 
 template <class Number>
@@ -97,7 +81,7 @@ public:
                 }
             }
         }
-        object_.add("functions", std::move(all).text());
+        object_.add("functions", all.text());
     }
 
     void add_displacement(const Field& displacement) {
@@ -231,7 +215,7 @@ private:
     JsonObject object_;
 };
 
-// Escapes "<": a marker name with a tag in it might end the script.
+// Escapes "<", because a tag in the name of a marker could end the script.
 std::string for_script(std::string json) {
     for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;)
         json.replace(at, 1, "\\u003c");

@@ -1,6 +1,5 @@
 // The data of mesh and basis for the pages of `harmorph explore`, and of `morph` and `displace`
-// with
-// --report.
+// with the option --report.
 #pragma once
 
 #include "basics/field.hpp"
@@ -13,7 +12,7 @@
 
 namespace cli {
 
-// What the pages show: a mesh, and the conditions and curves by which it moves.
+// The basis, the curves and the conditions of the mesh on a page.
 struct PageSubject {
     std::string basis;  // the file, or empty
     hm_basis_info info;
@@ -21,26 +20,26 @@ struct PageSubject {
     const std::vector<hm_condition>& conditions;
 };
 
-// What a command found about a moved mesh.
+// The movement of a mesh and the results of its assessment.
 struct MovedMesh {
     const Field& displacement;
     const std::vector<double>& moves;  // of the functions, as far as they were reached
     const hm_step_report& step;
     const hm_quality_report& quality;
     double boundary_error;
-    std::string boundary_error_note;  // what the number is
+    std::string boundary_error_note;  // the meaning of boundary_error
     bool is_safe;
     const hm_safe_report& safe;
     std::string refusal;
 };
 
-// Writes one JSON object, which page/decode.js describes. moves is the text of a file of movements
-// to begin with, or empty.
+// Writes one JSON object, which page/decode.js describes. moves: the text of the file of movements
+// that the page begins with, or empty.
 void write_page_data(std::ostream& out, const Mesh& mesh, const Basis& basis,
                      const PageSelection& selection, const std::string& moves);
-// Writes the report page, whose data are the same object without functions, and with the
-// displacement of each point and the program's findings; page/report.js describes these. `body` are
-// the mesh points beside which cells are shown.
+// Writes the report page. Its data are the same object without functions, but with the displacement
+// of each point and with `moved`; page/report.js describes these data. body: the mesh points near
+// which cells are shown.
 void write_report(std::ostream& out, const Mesh& mesh, const PageSubject& subject,
                   const std::vector<std::int32_t>& body, const MovedMesh& moved);
 

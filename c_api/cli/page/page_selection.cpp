@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::int32_t unselected = -1;
 
-// Computes the length of the shortest way along edges of the mesh from given points to each point;
-// the length is infinite where no way leads.
+// Computes the length of the shortest path along edges of the mesh from given points to each point.
+// The length is infinite if there is no path.
 class Distances {
 public:
     explicit Distances(const Mesh& mesh) : mesh_(mesh), start_(mesh.x.size() + 1) {
@@ -70,14 +70,14 @@ private:
 
 class Selector {
 public:
-    Selector(const Mesh& mesh, const std::vector<std::int32_t>& body, std::int32_t most)
+    Selector(const Mesh& mesh, const std::vector<std::int32_t>& body, std::int32_t max_points)
         : mesh_(mesh), slot_(mesh.x.size(), unselected) {
-        is_whole_ = mesh.x.size() <= place(most);
+        is_whole_ = mesh.x.size() <= place(max_points);
         if (is_whole_) return;
         distance_ = Distances(mesh).from(body);
         std::vector<double> sorted = distance_;
-        std::nth_element(sorted.begin(), sorted.begin() + most, sorted.end());
-        reach_ = sorted[place(most)];
+        std::nth_element(sorted.begin(), sorted.begin() + max_points, sorted.end());
+        reach_ = sorted[place(max_points)];
     }
 
     PageSelection select() {
@@ -116,15 +116,15 @@ private:
         }
     }
 
-    // One point stands for all points in a square of a grid that is the coarser, the farther the
-    // square is from the body. Two such points are joined if a mesh edge leads from one square to
-    // the other. The boundary keeps its points.
+    // Selects one point of each square of a grid, whose squares are larger far from the body. Two
+    // such points are joined by an edge if a mesh edge connects their squares. All points of the
+    // boundary are selected.
     void thin_the_rest() {
         for (const std::int32_t point : mesh_.face_points) add(point);
-        const std::size_t most = place(selection_.in_cells) / 4 + 100;
+        const std::size_t max_stand_ins = place(selection_.in_cells) / 4 + 100;
         for (double share = 1.0 / 64; share < 16; share *= 1.5) {
             group(share);
-            if (stand_ins_.size() <= most) break;
+            if (stand_ins_.size() <= max_stand_ins) break;
         }
         const auto outside = [this](Edge edge) {
             return !is_in_cells(edge.a) || !is_in_cells(edge.b);
@@ -135,17 +135,11 @@ private:
             const std::int32_t a = stand_in(edge.a), b = stand_in(edge.b);
             if (a != b) selection_.edges.push_back({std::min(a, b), std::max(a, b)});
         }
-        const auto less = [](Edge one, Edge other) {
-            return one.a != other.a ? one.a < other.a : one.b < other.b;
-        };
-        const auto same = [](Edge one, Edge other) { return one.a == other.a && one.b == other.b; };
-        std::sort(selection_.edges.begin(), selection_.edges.end(), less);
-        selection_.edges.erase(std::unique(selection_.edges.begin(), selection_.edges.end(), same),
-                               selection_.edges.end());
+        remove_repeats(selection_.edges);
     }
 
-    // The sides of the squares are about `share` times the distance to the body. This distance is
-    // not 0, as points on the body have been selected.
+    // Makes squares whose sides are about `share` times the distance to the body. The distance is
+    // positive, because all points on the body have been selected.
     void group(double share) {
         std::unordered_map<std::uint64_t, std::int32_t> first;
         stand_ins_.clear();
@@ -175,7 +169,7 @@ private:
     double reach_ = 0;
     std::vector<double> distance_;     // of each point from the body
     std::vector<std::int32_t> slot_;   // place of each point in the selection
-    std::vector<std::int32_t> group_;  // point that stands for each point of the rest
+    std::vector<std::int32_t> group_;  // the selected point in the square of each other point
     std::vector<std::int32_t> stand_ins_;
     PageSelection selection_;
 };
@@ -183,8 +177,8 @@ private:
 }  // namespace
 
 PageSelection select_for_page(const Mesh& mesh, const std::vector<std::int32_t>& body,
-                              std::int32_t most) {
-    return Selector(mesh, body, most).select();
+                              std::int32_t max_points) {
+    return Selector(mesh, body, max_points).select();
 }
 
 }  // namespace cli

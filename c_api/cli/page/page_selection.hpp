@@ -1,6 +1,6 @@
-// The part of a mesh that the page of `harmorph explore` shows, so that any browser can follow: the
-// mesh near the moving body with all its cells, and fewer points far from the body, for drawing
-// alone.
+// The part of a mesh that the page of `harmorph explore` shows. The page is small enough for any
+// browser: it has all cells near the moving body, and a selection of the other points and edges,
+// which is only drawn.
 #pragma once
 
 #include "pictures/edge_chains.hpp"
@@ -18,9 +18,9 @@ struct PageSelection {
     std::vector<std::int32_t> faces;  // faces of the boundary between two of the points
 };
 
-// Selects the whole cells among the `most` points nearest to the body, which is given by its mesh
-// points.
+// Selects the cells all of whose points are among the max_points points nearest to the body. body:
+// its mesh points.
 PageSelection select_for_page(const Mesh& mesh, const std::vector<std::int32_t>& body,
-                              std::int32_t most);
+                              std::int32_t max_points);
 
 }  // namespace cli

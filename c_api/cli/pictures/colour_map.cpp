@@ -12,7 +12,7 @@ struct Colour {
     double red, green, blue;
 };
 
-// These colours have equal distances, from 0 on; colours between two of them are interpolated.
+// The colours at equal distances from 0 on. Colours between two of them are interpolated.
 constexpr Colour upwards[] = {{250, 252, 247}, {214, 239, 209}, {150, 213, 195}, {78, 175, 195},
                               {40, 125, 182},  {35, 74, 147},   {20, 28, 84}};
 constexpr Colour downwards[] = {{250, 252, 247}, {254, 226, 190}, {252, 187, 120}, {238, 137, 58},
@@ -41,9 +41,9 @@ std::string colour(double value) {
                         a.blue + t * (b.blue - a.blue)});
 }
 
-double colour_place(double value, double most) {
-    return most > 0 ? std::copysign(std::pow(std::min(std::fabs(value) / most, 1.0), 2. / 3), value)
-                    : 0;
+double colour_place(double value, double max) {
+    return max > 0 ? std::copysign(std::pow(std::min(std::fabs(value) / max, 1.0), 2. / 3), value)
+                   : 0;
 }
 
 }  // namespace cli

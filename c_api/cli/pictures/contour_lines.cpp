@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-// One end of a piece of a line. The end lies on an edge of the mesh, where the piece of the
-// neighbouring triangle begins.
+// One end of the piece of a line in a triangle. The end lies on an edge of the triangle, where the
+// piece in the neighbouring triangle begins.
 struct End {
     std::int32_t multiple, a, b;  // a < b are the points of the edge
     Point at;
@@ -95,8 +95,7 @@ private:
     const std::vector<double>& values_;
     double step_;
     std::vector<End> ends_;
-    std::vector<std::size_t>
-        partner_;  // the end of the neighbour at each end, or none at a boundary
+    std::vector<std::size_t> partner_;  // the end in the neighbouring triangle, or none
 };
 
 }  // namespace

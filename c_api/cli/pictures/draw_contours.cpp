@@ -9,7 +9,7 @@ namespace cli {
 
 namespace {
 
-// Returns the line in pixels, without points that nobody could distinguish.
+// Returns the line in pixels, without points that are not visibly apart from the preceding one.
 std::vector<Point> in_pixels(const Plot& plot, const ContourLine& line) {
     constexpr double visible = .4;
     std::vector<Point> pixels;
@@ -21,17 +21,17 @@ std::vector<Point> in_pixels(const Plot& plot, const ContourLine& line) {
     return pixels;
 }
 
-// Values are written inside the frame, apart from each other, where there is most room.
+// Writes values on lines, inside the frame, at the points farthest from the values already written.
 class Labels {
 public:
     Labels(Plot& plot, const std::vector<Point>& taken) : plot_(plot), taken_(taken) {}
 
     void add(const std::vector<Point>& line, const std::string& text) {
-        constexpr double least_length = 90, least_room = 46;
+        constexpr double min_length = 90, min_room = 46;
         double length = 0;
         for (std::size_t i = 1; i < line.size(); ++i) length += distance(line[i - 1], line[i]);
-        if (length < least_length) return;
-        double best_room = least_room;
+        if (length < min_length) return;
+        double best_room = min_room;
         std::size_t best = 0;
         for (std::size_t i = 2; i + 2 < line.size(); ++i) {
             const double room = room_at(line[i]);

@@ -6,7 +6,7 @@
 
 namespace cli {
 
-// taken are the places where something else is written [pixels].
+// taken: places where no value may be written [pixels].
 void draw_contours(Plot& plot, const std::vector<ContourLine>& lines, double step,
                    const std::vector<Point>& taken);
 

@@ -62,8 +62,8 @@ Point outward(const hm_curves& curves, const std::vector<std::int32_t>& polygon,
     return {-left * (b.y - a.y) / length, left * (b.x - a.x) / length};
 }
 
-// Returns a place so many pixels outside the control polygon at a control point, or the control
-// point if it belongs to no polygon.
+// Returns the place at a distance, in pixels, from a control point to the outside of the control
+// polygon, or the control point if it belongs to no polygon.
 Point beside(const Plot& plot, const hm_curves& curves, std::int32_t index, double distance) {
     const Point pixel = plot.pixel(control_point(curves, index));
     for (std::int32_t i = 0; i < curves.n_curves; ++i) {

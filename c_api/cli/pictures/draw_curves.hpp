@@ -9,12 +9,12 @@ namespace cli {
 // Returns the parameters at which a picture samples a curve, 24 between two knots.
 std::vector<double> sample_parameters(const hm_curve& curve);
 
-// Returns the box round the curves (not round all control points) and round the mesh points on
-// rigid bodies.
+// Return the boxes that contain the curves (not all control points), and the mesh points on rigid
+// bodies.
 Box box_of(const hm_curves& curves);
 Box box_of_bodies(const hm_basis_info& info, const std::vector<double>& x,
                   const std::vector<double>& y);
-// Returns the part of the plane that shows the boxes and so many chords round them.
+// Returns a window with the boxes and a margin of so many times the larger side of all boxes.
 Box window_round(const std::vector<Box>& boxes, double chords);
 
 void draw_outlines(Plot& plot, const hm_curves& curves, const std::string& attributes);
@@ -22,9 +22,9 @@ void draw_control_polygons(Plot& plot, const hm_curves& curves, const std::strin
 void draw_control_points(Plot& plot, const hm_curves& curves, double radius,
                          const std::string& attributes);
 
-// Writes the numbers (from 1) of control points, so many pixels outside the control polygon. A
-// number that would hide another one is left out. The number of `chosen` (-1: none) has its own
-// attributes and is written first.
+// Writes the numbers (from 1) of control points, style.distance pixels outside the control polygon.
+// Numbers that would overlap others are not written. The number of `chosen` (-1: none) has its own
+// style and is written first.
 struct LabelStyle {
     double distance, font_size;
     const char* attributes;

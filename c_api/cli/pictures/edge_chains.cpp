@@ -1,7 +1,6 @@
 #include "pictures/edge_chains.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 namespace cli {
 
@@ -44,11 +43,18 @@ private:
 
     const std::vector<Edge>& edges_;
     std::vector<bool> used_;
-    std::vector<std::size_t> begin_, next_,
-        at_point_;  // compressed rows; next_ is the first edge that may be unused
+    // Compressed rows: the edges of point p are at_point_[begin_[p]] ...; next_[p] is the index of
+    // the first one that may be unused.
+    std::vector<std::size_t> begin_, next_, at_point_;
 };
 
 }  // namespace
+
+void remove_repeats(std::vector<Edge>& edges) {
+    const auto is_same = [](Edge one, Edge other) { return one.a == other.a && one.b == other.b; };
+    std::sort(edges.begin(), edges.end(), precedes);
+    edges.erase(std::unique(edges.begin(), edges.end(), is_same), edges.end());
+}
 
 std::vector<Edge> mesh_edges(const Mesh& mesh, const std::function<bool(Edge)>& visible) {
     std::vector<Edge> edges;
@@ -61,11 +67,7 @@ std::vector<Edge> mesh_edges(const Mesh& mesh, const std::function<bool(Edge)>& 
             if (visible(edge)) edges.push_back(edge);
         }
     }
-    const auto key = [](const Edge& edge) { return std::tie(edge.a, edge.b); };
-    const auto is_before = [&](const Edge& e, const Edge& f) { return key(e) < key(f); };
-    const auto is_same = [&](const Edge& e, const Edge& f) { return key(e) == key(f); };
-    std::sort(edges.begin(), edges.end(), is_before);
-    edges.erase(std::unique(edges.begin(), edges.end(), is_same), edges.end());
+    remove_repeats(edges);
     return edges;
 }
 

@@ -13,9 +13,9 @@ namespace cli {
 
 namespace {
 
-// Up to so many triangles are drawn as shapes, provided that each has some pixels. Otherwise a
-// raster makes a smaller file; contour lines hide that its colours end at pixels.
-constexpr double most_triangles = 60000, least_pixels = 16;
+// Up to max_triangles triangles are drawn as shapes if they have min_pixels pixels on average.
+// Otherwise a raster makes a smaller file.
+constexpr double max_triangles = 60000, min_pixels = 16;
 
 // A function is linear on each triangle. The parts of all triangles between two levels are one
 // path, so that files are small, and the edges of the bands are level lines of the function.
@@ -31,10 +31,10 @@ public:
             triangle.push_back({corners[i], values[i] / bands_.step - bands_.first});
         const auto [low, high] =
             std::minmax({triangle[0].level, triangle[1].level, triangle[2].level});
-        const double most = bands_.count() - 1;
-        const auto first = static_cast<std::size_t>(std::clamp(std::floor(low), 0.0, most));
+        const double last_band = bands_.count() - 1;
+        const auto first = static_cast<std::size_t>(std::clamp(std::floor(low), 0.0, last_band));
         const auto last = static_cast<std::size_t>(
-            std::clamp(std::ceil(high) - 1, static_cast<double>(first), most));
+            std::clamp(std::ceil(high) - 1, static_cast<double>(first), last_band));
         for (std::size_t band = first; band <= last; ++band) {
             Piece piece = triangle;
             if (band > first) piece = part_above(piece, static_cast<double>(band), 1);
@@ -86,17 +86,17 @@ Bands::Bands(double low, double high) {
 }
 
 std::string Bands::colour(std::int32_t band) const {
-    const double most = step * std::max(std::abs(first), std::abs(last));
-    return cli::colour(colour_place((first + band + .5) * step, most));
+    const double max = step * std::max(std::abs(first), std::abs(last));
+    return cli::colour(colour_place((first + band + .5) * step, max));
 }
 
 std::string paint_function(Plot& plot, const Mesh& mesh, const std::vector<double>& values,
                            const Bands& bands) {
     std::size_t triangles = 0;
     for_each_triangle(mesh, plot.window(), [&](const Corners&) { ++triangles; });
-    const double most =
-        std::min(most_triangles, plot.frame().width() * plot.frame().height() / least_pixels);
-    const bool is_raster = static_cast<double>(triangles) > most;
+    const double max_shapes =
+        std::min(max_triangles, plot.frame().width() * plot.frame().height() / min_pixels);
+    const bool is_raster = static_cast<double>(triangles) > max_shapes;
     BandPainter painter(bands);
     Raster raster(is_raster ? plot.frame() : Box{{0, 0}, {1, 1}});
     for_each_triangle(mesh, plot.window(), [&](const Corners& corners) {
@@ -123,8 +123,7 @@ std::string paint_function(Plot& plot, const Mesh& mesh, const std::vector<doubl
     }
     for (std::int32_t band = 0; band < bands.count(); ++band) {
         const std::string shade = bands.colour(band);
-        // The line of the same colour covers the thin gaps that renderers leave between
-        // neighbours.
+        // A line of the same colour covers the thin gaps that renderers leave between neighbours.
         const std::string line = is_raster ? " shape-rendering=\"crispEdges\""
                                            : " stroke=\"" + shade + "\" stroke-width=\".5\"";
         plot.svg().path(painter.paths()[static_cast<std::size_t>(band)],
@@ -136,11 +135,11 @@ std::string paint_function(Plot& plot, const Mesh& mesh, const std::vector<doubl
 }
 
 void draw_colour_bar(Sheet& sheet, const Bands& bands, const std::string& name) {
-    constexpr double least_between = 20;  // least distance of two numbers [pixels]
+    constexpr double min_between = 20;  // the smallest distance of two numbers [pixels]
     const Box frames = sheet.frames();
     const Box bar = {{frames.high.x + 20, frames.low.y}, {frames.high.x + 40, frames.high.y}};
     const double height = bar.height() / bands.count();
-    const auto every = static_cast<std::int32_t>(std::ceil(least_between / height));
+    const auto every = static_cast<std::int32_t>(std::ceil(min_between / height));
     Svg& svg = sheet.svg();
     double widest = 0;
     for (std::int32_t band = 0; band <= bands.count(); ++band) {

@@ -15,13 +15,12 @@ struct Bands {
 
     Bands(double low, double high);  // makes ten to twenty bands between these values
     std::int32_t count() const { return last - first; }
-    double level(std::int32_t band) const {
-        return (first + band) * step + 0.0;
-    }  // the value at which the band begins
+    // Returns the value at which the band begins.
+    double level(std::int32_t band) const { return (first + band) * step + 0.0; }
     std::string colour(std::int32_t band) const;
 };
 
-// values are given at the mesh points. Returns a note on the way of drawing, or "".
+// values: at the mesh points. Returns a note if the function is drawn as a raster, or "".
 std::string paint_function(Plot& plot, const Mesh& mesh, const std::vector<double>& values,
                            const Bands& bands);
 

@@ -21,8 +21,7 @@ constexpr const char* wall = "stroke=\"#111\" stroke-width=\"1.8\"";
 constexpr const char* curve = "stroke=\"#111\" stroke-width=\"1.8\"";
 constexpr const char* polygon = "stroke=\"#555\" stroke-width=\".8\"";
 constexpr const char* control = "fill=\"white\" stroke=\"#111\" stroke-width=\"1.2\"";
-constexpr const char* chosen =
-    "fill=\"none\" stroke=\"#d6006c\" stroke-width=\"2.6\"";  // a ring hides nothing
+constexpr const char* chosen = "fill=\"none\" stroke=\"#d6006c\" stroke-width=\"2.6\"";
 }  // namespace function_style
 
 struct Range {
@@ -31,7 +30,7 @@ struct Range {
         low = std::min(low, value);
         high = std::max(high, value);
     }
-    double most() const { return std::max(std::fabs(low), std::fabs(high)); }
+    double max_size() const { return std::max(std::fabs(low), std::fabs(high)); }
 };
 
 // Returns the range of the values that the window shows.
@@ -44,7 +43,7 @@ Range visible_range(const Mesh& mesh, const std::vector<FunctionPanel>& panels, 
         }
     });
     if (!(range.low <= range.high)) return {0, 1};
-    const double rounding = 1e-9 * range.most();  // smaller changes have no contour lines
+    const double rounding = 1e-9 * range.max_size();
     if (std::fabs(range.low) <= rounding) range.low = 0;
     if (std::fabs(range.high) <= rounding) range.high = 0;
     return range;
@@ -121,7 +120,8 @@ struct Words {
     std::vector<std::string> heads;
 };
 
-// The title says what all panels have in common; the rest stands above each panel.
+// Puts words that are the same for all panels into title and subtitle, and the others into the
+// headings of the panels.
 Words words_of(const std::vector<FunctionPanel>& panels) {
     const auto kind = [](const FunctionPanel& panel) {
         return joined(functions_of(panel), exponent(panel));
@@ -199,7 +199,7 @@ std::string function_picture(const Mesh& mesh, std::vector<FunctionPanel> panels
     std::string note;
     for (std::size_t k = 0; k < panels.size(); ++k) {
         for (double& value : panels[k].values) {
-            if (std::fabs(value) <= 1e-9 * range.most()) value = 0;
+            if (std::fabs(value) <= 1e-9 * range.max_size()) value = 0;
         }
         Plot& plot = sheet.plot(k);
         if (panels.size() > 1) sheet.head(k, words.heads[k]);

@@ -19,7 +19,7 @@ constexpr std::array<const char*, 7> shades = {"#f2d7b6", "#bcd9ea", "#c9e4bd", 
 constexpr std::size_t known_shade = shades.size(), side_shade = known_shade + 1;
 constexpr const char* known_colour = "#8d969e";
 constexpr const char* side_colour = "#333";
-constexpr std::size_t most_cells = 40000;  // more cells than these are drawn as a raster
+constexpr std::size_t max_cells = 40000;  // more cells than these are drawn as a raster
 
 // Returns the merged cell to which a point belongs; a point whose value is known has a cell of its
 // own in the picture.
@@ -75,7 +75,7 @@ public:
     }
 
     std::string paint() {
-        const bool is_raster = visible_.size() > most_cells;
+        const bool is_raster = visible_.size() > max_cells;
         if (is_raster) {
             paint_pixels();
         } else {

@@ -12,10 +12,10 @@ namespace cli {
 
 namespace {
 
-constexpr std::size_t most_edges = 80000;
+constexpr std::size_t max_edges = 80000;
 
-// The first point in each square of so many pixels stands for all points in the square. Two such
-// points are joined if an edge leads from one square to the other.
+// Replaces each point by the first point in the same square of `side` pixels. Returns the edges
+// between different squares.
 std::vector<Edge> thinned(const std::vector<Edge>& edges, const std::vector<Point>& pixels,
                           double side) {
     std::unordered_map<std::int64_t, std::int32_t> first;
@@ -32,12 +32,7 @@ std::vector<Edge> thinned(const std::vector<Edge>& edges, const std::vector<Poin
         const std::int32_t a = stand_in(edge.a), b = stand_in(edge.b);
         if (a != b) fewer.push_back({std::min(a, b), std::max(a, b)});
     }
-    const auto less = [](Edge one, Edge other) {
-        return one.a != other.a ? one.a < other.a : one.b < other.b;
-    };
-    const auto same = [](Edge one, Edge other) { return one.a == other.a && one.b == other.b; };
-    std::sort(fewer.begin(), fewer.end(), less);
-    fewer.erase(std::unique(fewer.begin(), fewer.end(), same), fewer.end());
+    remove_repeats(fewer);
     return fewer;
 }
 
@@ -57,7 +52,7 @@ std::string draw_mesh(Plot& plot, const Mesh& mesh, const std::vector<double>& x
     const std::vector<Edge> all = mesh_edges(mesh, visible);
     std::vector<Edge> edges = all;
     double side = 1;
-    while (edges.size() > most_edges) edges = thinned(all, pixels, side *= 1.5);
+    while (edges.size() > max_edges) edges = thinned(all, pixels, side *= 1.5);
     SvgPath path;
     for (const std::vector<std::int32_t>& chain : edge_chains(edges, mesh.points())) {
         path.move_to(pixels[place(chain[0])]);

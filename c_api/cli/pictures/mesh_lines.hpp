@@ -9,7 +9,7 @@
 namespace cli {
 
 // Draws all edges that the frame shows, with the points at x, y. If there are more than 80 000 of
-// them, one point stands for all points in a square of some pixels. Returns a note on that, or "".
+// them, points in one square of some pixels are drawn as one point. Returns a note on that, or "".
 std::string draw_mesh(Plot& plot, const Mesh& mesh, const std::vector<double>& x,
                       const std::vector<double>& y, const std::string& attributes);
 

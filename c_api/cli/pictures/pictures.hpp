@@ -1,5 +1,5 @@
-// The pictures of the program, as SVG documents. Without a wished window, a picture shows the part
-// of the plane that matters.
+// The pictures of the program, as SVG documents. Without a given window, a picture shows the body,
+// or the whole mesh if there is none.
 #pragma once
 
 #include "basics/geometry.hpp"
@@ -16,8 +16,8 @@ namespace cli {
 std::string mesh_picture(const Mesh& mesh, bool boundaries_alone, const hm_curves& curves,
                          const std::optional<Box>& window = {});
 
-// Draws the volumes round these points: those of the median dual, for which fluxes are balanced, or
-// the cells round each point, from which gradients at points are computed.
+// Draws the volumes of these points: those of the median dual, for which fluxes are balanced, or
+// the cells at each point, from which the gradient at the point is computed.
 enum class Volume { dual, gradient };
 std::string volume_picture(const Mesh& mesh, const std::vector<std::int32_t>& points, Volume kind,
                            const std::optional<Box>& window = {});

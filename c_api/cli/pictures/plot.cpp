@@ -22,14 +22,14 @@ std::size_t columns_for(std::size_t panels) {
     return panels <= 3 ? panels : panels == 4 ? 2 : panels <= 9 ? 3 : 4;
 }
 
-// Returns the wished window, extended on two sides to the shape of the frame.
+// Returns the window of the frame's shape with this centre.
 Box fill(const Box& frame, double scale, Point centre) {
     const double x = frame.width() / scale / 2, y = frame.height() / scale / 2;
     return {{centre.x - x, centre.y - y}, {centre.x + x, centre.y + y}};
 }
 
-// Breaks a text into lines that fit into a width. Sentences are shorter than width_of_text()
-// estimates for short labels.
+// Breaks a text into lines that fit into a width. Long lines are shorter than the estimate of
+// width_of_text(), which is for short labels.
 std::vector<std::string> broken(const std::string& text, double font_size, double width) {
     std::vector<std::string> lines(1);
     std::istringstream words(text);
@@ -95,7 +95,7 @@ void Plot::draw_scale(bool numbers_along_x, bool numbers_along_y) {
     for (double i = std::ceil(window_.low.x / step); i * step <= window_.high.x; ++i) {
         const double x = pixel({i * step, 0}).x;
         svg_.line({x, frame_.high.y}, {x, frame_.high.y + 5}, tick_style);
-        if (!numbers_along_x || x > frame_.high.x - 24) continue;  // the x stands there
+        if (!numbers_along_x || x > frame_.high.x - 24) continue;  // the place of the letter x
         svg_.text({x, frame_.high.y + 19}, brief(i * step + 0.0),
                   std::string("text-anchor=\"middle\" ") + number_style);
     }
@@ -103,7 +103,7 @@ void Plot::draw_scale(bool numbers_along_x, bool numbers_along_y) {
     for (double i = std::ceil(window_.low.y / step); i * step <= window_.high.y; ++i) {
         const double y = pixel({0, i * step}).y;
         svg_.line({frame_.low.x - 5, y}, {frame_.low.x, y}, tick_style);
-        if (!numbers_along_y || y < frame_.low.y + 20) continue;  // the y stands there
+        if (!numbers_along_y || y < frame_.low.y + 20) continue;  // the place of the letter y
         svg_.text({frame_.low.x - 8, y + 4.5}, brief(i * step + 0.0),
                   std::string("text-anchor=\"end\" ") + number_style);
     }
@@ -116,15 +116,15 @@ void Plot::draw_scale(bool numbers_along_x, bool numbers_along_y) {
 Sheet::Sheet(const Box& window, const std::string& title, const std::string& subtitle,
              SheetLayout layout)
     : width_(columns_for(layout.panels) < 3 ? 960 : 1200), svg_(width_, title, subtitle) {
-    constexpr double lowest[] = {320, 180},
-                     highest[] = {900, 420};  // heights of one frame, and of each of several frames
+    // The height of a single frame, and of each of several frames.
+    constexpr double min_height[] = {320, 180}, max_height[] = {900, 420};
     const std::size_t columns = columns_for(layout.panels);
     const bool is_single = layout.panels == 1;
     const auto n = static_cast<double>(columns);
     const double frame_width = (width_ - left - right_margin - layout.right - gap * (n - 1)) / n;
     const double shape = window.height() / window.width();
-    const double height =
-        std::clamp(frame_width * shape, lowest[is_single ? 0 : 1], highest[is_single ? 0 : 1]);
+    const double height = std::clamp(frame_width * shape, min_height[is_single ? 0 : 1],
+                                     max_height[is_single ? 0 : 1]);
     svg_.text({left, 32}, title, "font-size=\"20\" font-weight=\"bold\" fill=\"#111\"");
     double top = above;
     for (const std::string& line : broken(subtitle, 15, width_ - left - right_margin)) {

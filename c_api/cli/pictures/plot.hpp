@@ -10,8 +10,8 @@
 
 namespace cli {
 
-// Returns the least number, 1, 2 or 5 times a power of ten, that is not below `rough`, which is
-// positive.
+// Returns the smallest number not below `rough` that is 1, 2 or 5 times a power of ten. `rough`
+// must be positive.
 double round_step(double rough);
 
 // A plot is the part of a sheet inside one frame.
@@ -25,8 +25,9 @@ public:
     SvgPath polyline(const std::vector<Point>& points) const;
 
     Svg& svg() { return svg_; }
-    void begin_inside();  // drawings between these two calls
-    void end_inside();    // are cut off at the frame, which end_inside() draws
+    // Drawings between these two calls are cut off at the frame, which end_inside() draws.
+    void begin_inside();
+    void end_inside();
     void draw_scale(bool numbers_along_x, bool numbers_along_y);
 
 private:

@@ -17,9 +17,9 @@ double cross(Point a, Point b, Point c) {
 struct Span {
     std::size_t first, end;
     Span(double low, double high, double origin, std::size_t n) {
-        const double most = static_cast<double>(n);
-        first = static_cast<std::size_t>(std::clamp(std::ceil(low - origin - .5), 0.0, most));
-        end = static_cast<std::size_t>(std::clamp(std::floor(high - origin - .5) + 1, 0.0, most));
+        const double max = static_cast<double>(n);
+        first = static_cast<std::size_t>(std::clamp(std::ceil(low - origin - .5), 0.0, max));
+        end = static_cast<std::size_t>(std::clamp(std::floor(high - origin - .5) + 1, 0.0, max));
     }
 };
 

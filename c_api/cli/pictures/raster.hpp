@@ -1,5 +1,5 @@
-// A grid of pixels over a frame, for pictures of more cells than a file should hold: each pixel
-// keeps one value, and equal neighbours in a row become one rectangle.
+// A grid of pixels over a frame, for pictures of too many cells for a file of shapes. Each pixel
+// has one value, and neighbours in a row with equal shades become one rectangle.
 #pragma once
 
 #include "pictures/svg.hpp"
@@ -21,11 +21,11 @@ public:
     void fill(const std::array<Point, 3>& corners, const std::array<double, 3>& values);
     std::size_t columns() const { return columns_; }
     std::size_t rows() const { return rows_; }
-    double at(std::size_t column, std::size_t row) const {
-        return value_[row * columns_ + column];
-    }  // no value if the pixel is not filled
+    // Returns `nothing` if the pixel is not filled.
+    double at(std::size_t column, std::size_t row) const { return value_[row * columns_ + column]; }
 
-    // Returns one path for each shade; shade_of(column, row) is a place in the paths, or -1.
+    // Adds all pixels to paths, one for each shade. shade_of(column, row): an index of `paths`, or
+    // -1 if the pixel is not drawn.
     template <class ShadeOf>
     void runs(std::vector<SvgPath>& paths, ShadeOf shade_of) const {
         for (std::size_t row = 0; row < rows_; ++row) {

@@ -1,4 +1,4 @@
-// SVG documents have shapes in pixels, with y downwards.
+// Writes SVG documents. Coordinates are in pixels, with y downwards.
 #pragma once
 
 #include "basics/geometry.hpp"
@@ -11,8 +11,8 @@ namespace cli {
 // Returns the text for markup of SVG and HTML, quoted attributes included: readable, on one line.
 std::string escaped(const std::string& text);
 
-// The data of a path element are steps from point to point in hundredths of pixels, which are
-// short.
+// The data of a path element. Points are rounded to hundredths of pixels, and written as short
+// steps from point to point.
 class SvgPath {
 public:
     void move_to(Point pixel);
@@ -22,7 +22,8 @@ public:
     const std::string& data() const { return data_; }
 
 private:
-    struct Grid {  // a point in hundredths of pixels; steps between rounded points do not drift
+    struct Grid {  // a point in hundredths of pixels; steps between such points have no rounding
+                   // errors
         std::int64_t x, y;
     };
     static Grid rounded(Point pixel);

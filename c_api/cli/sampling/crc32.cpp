@@ -6,10 +6,10 @@ namespace cli {
 
 namespace {
 
-// The sum_polynomial of the check sum, with the coefficient of x^31 in the lowest bit.
+// The polynomial of the check sum, with the coefficient of x^31 in the lowest bit.
 constexpr std::uint32_t sum_polynomial = 0xedb88320u;
 
-// Tables for eight bytes at once: row k has the effect of a byte that k zero bytes follow.
+// Tables for eight bytes at once: row k is for a byte that k zero bytes follow.
 using Tables = std::array<std::array<std::uint32_t, 256>, 8>;
 
 constexpr Tables make_tables() {
@@ -52,16 +52,17 @@ std::uint32_t after_eight(std::uint32_t sum, const unsigned char* at) {
 std::uint32_t crc32_of(std::uint32_t earlier, const void* data, std::size_t size) {
     const auto* at = static_cast<const unsigned char*>(data);
     std::uint32_t sum = ~earlier;
-    // Each step waits for the one before: long data are two pieces side by side.
+    // Each step depends on the preceding one. Both halves of long data are therefore computed in
+    // the same loop.
     constexpr std::size_t long_enough = 1 << 13;
     if (size >= long_enough) {
         const std::size_t half = size / 16 * 8;
-        std::uint32_t behind = ~std::uint32_t{0};
+        std::uint32_t second = ~std::uint32_t{0};
         for (std::size_t k = 0; k < half; k += 8) {
             sum = after_eight(sum, at + k);
-            behind = after_eight(behind, at + half + k);
+            second = after_eight(second, at + half + k);
         }
-        sum = ~crc32_joined(~sum, ~behind, half);
+        sum = ~crc32_joined(~sum, ~second, half);
         at += 2 * half;
         size -= 2 * half;
     }

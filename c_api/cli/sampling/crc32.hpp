@@ -6,10 +6,10 @@
 
 namespace cli {
 
-// Continues the check sum of earlier bytes, which is 0 where there are none.
+// Returns the check sum of earlier bytes (0 if there are none) continued by these bytes.
 std::uint32_t crc32_of(std::uint32_t earlier, const void* data, std::size_t size);
 
-// Returns the check sum of two pieces of data, one behind the other; size: bytes of the second one.
+// Returns the check sum of two pieces of data, one after the other. size: bytes of the second one.
 std::uint32_t crc32_joined(std::uint32_t first, std::uint32_t second, std::uint64_t size);
 
 }  // namespace cli

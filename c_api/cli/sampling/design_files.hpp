@@ -23,7 +23,7 @@ public:
 
 private:
     const Mesh& mesh_;
-    std::string ending_;  // of the name of the given mesh
+    std::string ending_;  // the extension of the given mesh
     bool has_meshes_, has_vtk_;
 };
 

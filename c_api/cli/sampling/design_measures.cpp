@@ -75,10 +75,10 @@ Limits::Limits(const Arguments& arguments, const std::vector<std::string>& names
     take(arguments, "--max", false);
 }
 
-void Limits::take(const Arguments& arguments, const char* option, bool is_least) {
+void Limits::take(const Arguments& arguments, const char* option, bool is_min) {
     for (const std::string& text : arguments.all(option)) {
         const std::size_t equals = text.find('=');
-        Limit limit = {0, is_least, 0};
+        Limit limit = {0, is_min, 0};
         if (equals == std::string::npos ||
             !parse(std::string_view(text).substr(equals + 1), limit.value))
             arguments.refuse(std::string(option) + " expects NAME=NUMBER, found " +
@@ -101,9 +101,9 @@ std::string Limits::refusal_from(const std::vector<double>& values, std::size_t 
         const double value = values[limit.column];
         const std::string& name = names_[limit.column];
         if (std::isnan(value)) return name + " does not exist";
-        if (limit.is_least && value < limit.value)
+        if (limit.is_min && value < limit.value)
             return name + " " + brief(value) + " is below " + brief(limit.value);
-        if (!limit.is_least && value > limit.value)
+        if (!limit.is_min && value > limit.value)
             return name + " " + brief(value) + " is above " + brief(limit.value);
     }
     return "";

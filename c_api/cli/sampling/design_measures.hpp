@@ -1,4 +1,4 @@
-// Numbers that are known of each design, and the limits that reject designs.
+// The measures of the section of each design, and the limits that reject designs.
 #pragma once
 
 #include <harmorph_design.h>
@@ -21,7 +21,7 @@ public:
     SectionMeasures(const Arguments& arguments, const hm_curves& curves, std::int32_t curve);
 
     const std::vector<std::string>& names() const { return names_; }
-    // Returns the values in the order of the names; a section without one of them has `unknown`.
+    // Returns the values in the order of the names, or `unknown` for a measure that does not exist.
     // Any number of threads may call this at once.
     std::vector<double> values(const hm_curves& curves, const std::vector<double>& control) const;
 
@@ -47,10 +47,10 @@ public:
 private:
     struct Limit {
         std::size_t column;
-        bool is_least;
+        bool is_min;
         double value;
     };
-    void take(const Arguments& arguments, const char* option, bool is_least);
+    void take(const Arguments& arguments, const char* option, bool is_min);
 
     std::vector<std::string> names_;
     std::vector<Limit> limits_;

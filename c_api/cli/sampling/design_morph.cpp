@@ -1,20 +1,12 @@
 #include "sampling/design_morph.hpp"
 
 #include "basics/numbers.hpp"
+#include "commands/safe_way.hpp"
 #include "formats/format.hpp"
 
 #include <algorithm>
 
 namespace cli {
-
-namespace {
-
-const char* way_of(std::int32_t strategy) {
-    static const char* const names[] = {"linear", "other", "substeps", "untangled", "improved"};
-    return names[strategy];
-}
-
-}  // namespace
 
 DesignMorpher::DesignMorpher(const Mesh& mesh, const Basis& basis, const Threads& threads,
                              double min_quality, bool wants_step)
@@ -28,12 +20,11 @@ DesignMorpher::DesignMorpher(const Mesh& mesh, const Basis& basis, const Threads
       task_(task_of(basis)) {
     one_thread_.run = nullptr;
     one_thread_.n_threads = 1;
-    slips_ = std::any_of(task_.conditions.begin(), task_.conditions.end(),
-                         [](const hm_condition& one) { return one.kind == HM_SLIP; });
+
     auto quality = sized<hm_quality_report>();
     call(mesh, hm_assess, basis.get(), &view_, nullptr, nullptr, nullptr, threads.executor(),
          nullptr, &quality);
-    least_quality_ = min_quality * quality.min_quality;
+    lowest_quality_ = min_quality * quality.min_quality;
 }
 
 void DesignMorpher::move_control(MorphedDesign& result, const std::vector<double>& moves) const {
@@ -73,8 +64,8 @@ void DesignMorpher::morph_linearly(MorphedDesign& result) const {
     result.admissible_step = std::min(step.admissible, step.boundary);
     result.min_quality = quality.min_quality;
     result.mean_quality = quality.mean_quality;
-    result.needs_safe = slips_ || quality.inverted > 0 || quality.self_crossing > 0 ||
-                        quality.min_quality < least_quality_;
+    result.needs_safe = task_.slips() || quality.inverted > 0 || quality.self_crossing > 0 ||
+                        quality.min_quality < lowest_quality_;
     if (result.needs_safe) return;
     round_as_file(mesh_, moved.x, moved.y);
     take(result, moved);
@@ -114,7 +105,7 @@ void DesignMorpher::morph_safely(MorphedDesign& result) {
     round_as_file(mesh_, moved.x, moved.y);
     move_control(result, reached);
     take(result, moved);
-    result.way = way_of(report.strategy);
+    result.way = strategy_name(report.strategy);
 }
 
 }  // namespace cli

@@ -13,18 +13,18 @@
 
 namespace cli {
 
-// The memory of a design serves the next one again.
+// A design and its mesh. The object can be used again for the next design, with the same memory.
 struct MorphedDesign {
     Design design;
     std::vector<double> coordinates;  // [points][2]
     std::vector<double> control;      // [control points][2] of the moved curves
     std::vector<double> measures;     // of the section, see SectionMeasures
     double admissible_step = 0, min_quality = 0, mean_quality = 0;
-    const char* way = "";      // linear, substeps, untangled, improved; empty: there is no mesh
+    const char* way = "";      // linear, other, substeps, untangled, improved; empty: no mesh
     std::string refusal;       // why the design is rejected
     bool needs_safe = false;   // one linear step is not good enough
     std::exception_ptr fault;  // an error that is not about the design
-    Field moved{0}, displacement{0};  // of the mesh, by the linear step
+    Field moved{0}, displacement{0};  // the mesh after the linear step, and the step
 
     void begin() {  // a new design, which has no mesh yet
         design = {};
@@ -39,8 +39,8 @@ struct MorphedDesign {
 
 class DesignMorpher {
 public:
-    // min_quality: the smallest quality that a linear step may leave, and the aim of a safe morph,
-    // in parts of the smallest quality of the mesh.
+    // min_quality: the smallest quality that a linear step and a safe morph must leave, relative to
+    // the smallest quality of the mesh.
     // wants_step: also find the admissible step, which takes about a third of the time.
     DesignMorpher(const Mesh& mesh, const Basis& basis, const Threads& threads, double min_quality,
                   bool wants_step);
@@ -58,8 +58,8 @@ private:
     const hm_mesh view_;
     const Basis& basis_;
     const Threads& threads_;
-    double least_quality_ = 0, min_quality_;
-    bool slips_ = false, wants_step_;
+    double lowest_quality_ = 0, min_quality_;
+    bool wants_step_;
     hm_executor one_thread_;
     Task task_;
     std::unique_ptr<Solver> solver_;  // made for the first safe morph

@@ -13,7 +13,7 @@ namespace cli {
 
 namespace {
 
-constexpr std::int32_t most_designs = 1000000000, most_weights = 20;
+constexpr std::int32_t max_designs = 1000000000, max_weights = 20;
 constexpr const char* sources[] = {"--variables", "--naca", "--cst", "--sections"};
 
 }  // namespace
@@ -34,8 +34,7 @@ DesignSpace::DesignSpace(const Arguments& arguments, const Basis& basis) : basis
             is_of_sequence && option != std::string("--seed") && arguments.has("--designs");
         if (is_idle && arguments.has(option))
             arguments.refuse(std::string(option) +
-                             " and --designs both say which designs: name "
-                             "one of them");
+                             " and --designs both define the designs: name only one of them");
     }
     if (has_files()) {
         read_list(arguments.text("--sections"));
@@ -51,16 +50,16 @@ DesignSpace::DesignSpace(const Arguments& arguments, const Basis& basis) : basis
         const auto chosen = static_cast<Sequence>(arguments.choice(
             "--sequence",
             {{"sobol", std::int32_t(Sequence::sobol)}, {"latin", std::int32_t(Sequence::latin)}}));
-        const std::int32_t n = arguments.whole("--count", 0, 1, most_designs),
-                           seed = arguments.whole("--seed", 1, 0, most_designs);
+        const std::int32_t n = arguments.whole("--count", 0, 1, max_designs),
+                           seed = arguments.whole("--seed", 1, 0, max_designs);
         const std::vector<DesignParameter> parameters = parameters_of(arguments);
         std::size_t varying = 0;
         for (const DesignParameter& one : parameters) varying += one.low < one.high ? 1 : 0;
         if (varying == 0)
             arguments.refuse("no parameter varies: give ranges by --range or --ranges");
-        if (varying > Sobol::most_dimensions)
+        if (varying > Sobol::max_dimensions)
             arguments.refuse(std::to_string(varying) + " parameters vary; at most " +
-                             std::to_string(Sobol::most_dimensions) + " may");
+                             std::to_string(Sobol::max_dimensions) + " may");
         values_ =
             DesignValues::of_sequence(parameters, chosen, n, static_cast<std::uint64_t>(seed));
         count_ = n;
@@ -69,7 +68,7 @@ DesignSpace::DesignSpace(const Arguments& arguments, const Basis& basis) : basis
                         " with seed " + std::to_string(seed) + ". ";
     }
     if (arguments.has("--count"))
-        count_ = std::min<std::int64_t>(count_, arguments.whole("--count", 0, 1, most_designs));
+        count_ = std::min<std::int64_t>(count_, arguments.whole("--count", 0, 1, max_designs));
     if (count_ == 0) arguments.refuse("there are no designs");
 }
 
@@ -82,9 +81,9 @@ void DesignSpace::choose_kind(const Arguments& arguments) {
         map_path_ = arguments.text("--variables");
         map_ = read_variables(map_path_);
         if (map_.points != basis_.n_control())
-            throw Failure(exit_file, arguments.text("--variables") + ": its variables are of " +
+            throw Failure(exit_file, arguments.text("--variables") + ": the variables move " +
                                          plural(map_.points, "control point") +
-                                         ", the curves of the basis have " +
+                                         ", but the curves of the basis have " +
                                          std::to_string(basis_.n_control()));
         description_ =
             "The designs move the design variables of " + arguments.text("--variables") + ". ";
@@ -93,7 +92,7 @@ void DesignSpace::choose_kind(const Arguments& arguments) {
         description_ = "The designs are NACA four-digit sections. ";
     } else if (arguments.has("--cst")) {
         kind_ = Kind::cst;
-        const std::vector<std::int32_t> n = arguments.whole_list("--cst", 1, most_weights);
+        const std::vector<std::int32_t> n = arguments.whole_list("--cst", 1, max_weights);
         if (n.size() != 2) arguments.refuse("--cst expects two numbers");
         n_upper_ = n[0];
         n_lower_ = n[1];

@@ -1,5 +1,5 @@
-// The shapes that `harmorph sample` goes through: the options of the command choose what moves, and
-// where the values of its parameters come from.
+// The designs of `harmorph sample`: the options of the command select the parameters of the designs
+// and the source of their values.
 #pragma once
 
 #include "basics/arguments.hpp"

@@ -110,7 +110,7 @@ void read_ranges(const std::string& path, std::vector<DesignParameter>& paramete
         const double low = number_of(lines, lines.words()[1]),
                      high = number_of(lines, lines.words()[2]);
         if (named[k]) lines.fail("the parameter " + parameters[k].name + " has a range already");
-        if (low > high) lines.fail("the range ends below its beginning");
+        if (low > high) lines.fail("the lower end of the range is above the upper end");
         named[k] = true;
         parameters[k].low = low;
         parameters[k].high = high;

@@ -1,12 +1,14 @@
 #include "sampling/npz.hpp"
 
+#include "formats/bytes.hpp"
 #include "sampling/crc32.hpp"
 
 namespace cli {
 
 namespace {
 
-// Sizes of headers of ZIP files, which PKWARE's APPNOTE.TXT describes; a name stands behind each.
+// Sizes of headers of ZIP files, which PKWARE's APPNOTE.TXT describes, without the name that
+// follows.
 constexpr std::uint64_t local_header = 30 + 20;  // with the sizes of 64 bits
 constexpr std::uint64_t array_header = 192;
 
@@ -23,10 +25,7 @@ public:
     std::string text;
 };
 
-char order_of_bytes() {
-    const std::uint16_t one = 1;
-    return *reinterpret_cast<const unsigned char*>(&one) == 1 ? '<' : '>';
-}
+char order_of_bytes() { return little_endian_machine() ? '<' : '>'; }
 
 std::string in_npy(const std::string& type, const NpzWriter::Shape& shape) {
     std::string sizes;
@@ -44,7 +43,7 @@ LittleEndian& put_kind(LittleEndian& to) {
     return to.put(45, 2).put(0, 2).put(0, 2).put(0, 2).put(0x21, 2);
 }
 
-constexpr std::uint64_t elsewhere = 0xffffffffu;  // the size stands in the field of 64 bits
+constexpr std::uint64_t elsewhere = 0xffffffffu;  // the size is in the field of 64 bits
 
 }  // namespace
 

@@ -21,7 +21,7 @@ std::string numbered(std::int64_t number, int digits) {
     return text;
 }
 
-// Options that do not change the files of the set.
+// Tells whether an option does not change the files of the set.
 bool is_incidental(const std::string& option) {
     return option == "-o" || option == "--threads" || option == "--json";
 }
@@ -61,7 +61,7 @@ void SampleFolder::make(const std::string& folder) const {
     if (error) throw Failure(exit_file, folder + ": cannot be made: " + error.message());
 }
 
-// The temporary files of OutputFile, which signals that cannot be caught leave behind.
+// Removes temporary files of OutputFile that are left if a program is killed.
 void SampleFolder::remove_parts(const std::string& folder) const {
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {

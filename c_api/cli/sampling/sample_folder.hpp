@@ -7,7 +7,7 @@
 //     meshes/, vtk/        files of single meshes
 //     designs.csv, index.html, README.md   when all designs are done
 //
-// A shard is complete when its .npz has its name, which it gets behind its table.
+// A shard is complete when its .npz exists, which is the last of its files.
 #pragma once
 
 #include "basics/arguments.hpp"
@@ -35,8 +35,8 @@ public:
     std::string mesh_of(std::int64_t design, const std::string& ending) const;
     std::string vtk_of(std::int64_t design) const;
 
-    // Makes the folders. The folder of an earlier call is taken if its set.txt has the same text,
-    // and refused otherwise. Removes files that a killed program has left half written.
+    // Makes the folders. Refuses a folder whose set.txt has another text. Removes incomplete files
+    // of a program that was killed.
     void open(const std::string& settings, bool has_meshes, bool has_vtk);
     std::int64_t complete_shards() const;  // the shards 1 .. n have all files
 

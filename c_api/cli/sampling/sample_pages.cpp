@@ -13,7 +13,7 @@ namespace cli {
 
 namespace {
 
-constexpr std::size_t most_thumbnails = 40, most_columns = 6;
+constexpr std::size_t max_thumbnails = 40, max_columns = 6;
 constexpr double plot_side = 180, plot_margin = 34;  // of a scatter plot [pixels]
 
 std::string outline_of(const hm_curves& curves, const std::vector<double>& control, double* box) {
@@ -40,14 +40,14 @@ std::string outline_of(const hm_curves& curves, const std::vector<double>& contr
 }
 
 void write_thumbnails(std::ostream& out, const Basis& basis, const DesignSpace& space,
-                      const SampleTable& table, const SampleSummary& summary) {
+                      const SampleSummary& summary) {
     struct Thumbnail {
         std::string path, text;
     };
     std::vector<Thumbnail> all;
     const double far = std::numeric_limits<double>::infinity();
     double box[4] = {far, far, -far, -far};
-    const std::size_t every = (summary.rows.size() + most_thumbnails - 1) / most_thumbnails;
+    const std::size_t every = (summary.rows.size() + max_thumbnails - 1) / max_thumbnails;
     for (std::size_t k = 0; k < summary.rows.size(); k += every) {
         const SampleRow& row = summary.rows[k];
         const std::vector<double> moves = space.design(row.design).moves;
@@ -58,7 +58,7 @@ void write_thumbnails(std::ostream& out, const Basis& basis, const DesignSpace& 
                                                              row.way + ", quality " +
                                                              brief(row.numbers[0])});
     }
-    static_cast<void>(table);
+
     const double width = box[2] - box[0], height = box[3] - box[1];
     const std::string view = brief(box[0] - .02 * width) + " " + brief(box[1] - .02 * width) + " " +
                              brief(1.04 * width) + " " + brief(height + .04 * width);
@@ -69,11 +69,11 @@ void write_thumbnails(std::ostream& out, const Basis& basis, const DesignSpace& 
     out << "</div>\n";
 }
 
-// A plot of two columns of the rows.
+// Writes a scatter plot of two columns of the table.
 void write_scatter(std::ostream& out, const SampleTable& table, const SampleSummary& summary,
                    std::size_t x, std::size_t y) {
-    const double x_low = summary.least[x], x_high = summary.most[x], y_low = summary.least[y],
-                 y_high = summary.most[y];
+    const double x_low = summary.min[x], x_high = summary.max[x], y_low = summary.min[y],
+                 y_high = summary.max[y];
     const auto share = [](double value, double low, double high) {
         return high > low ? (value - low) / (high - low) : .5;
     };
@@ -100,14 +100,14 @@ void write_scatter(std::ostream& out, const SampleTable& table, const SampleSumm
 }
 
 bool varies(const SampleSummary& summary, std::size_t column) {
-    return column < summary.least.size() && std::isfinite(summary.least[column]) &&
-           std::isfinite(summary.most[column]) && summary.least[column] < summary.most[column];
+    return column < summary.min.size() && std::isfinite(summary.min[column]) &&
+           std::isfinite(summary.max[column]) && summary.min[column] < summary.max[column];
 }
 
 void write_scatters(std::ostream& out, const SampleTable& table, const SampleSummary& summary) {
     std::vector<std::size_t> across, up;
     const std::size_t n = table.numbers().size(), first = table.first_parameter();
-    for (std::size_t k = first; k < n && across.size() < most_columns; ++k)
+    for (std::size_t k = first; k < n && across.size() < max_columns; ++k)
         if (varies(summary, k)) across.push_back(k);
     for (std::size_t k = 0; k < first; ++k) {
         if (!varies(summary, k)) continue;
@@ -155,7 +155,7 @@ void write_sample_index(std::ostream& out, const Basis& basis, const DesignSpace
         out << "</body>\n</html>\n";
         return;
     }
-    write_thumbnails(out, basis, space, table, summary);
+    write_thumbnails(out, basis, space, summary);
     write_scatters(out, table, summary);
     out << "</body>\n</html>\n";
 }
@@ -185,11 +185,11 @@ void write_sample_description(std::ostream& out, const SampleDescription& descri
         }
         if (table.shown_parameters().empty()) out << "| (none varies) | | |\n";
     }
-    if (!summary.least.empty()) {
+    if (!summary.min.empty()) {
         out << "\n| column of accepted designs | smallest | largest |\n|---|---|---|\n";
         for (std::size_t k = 0; k < table.first_parameter(); ++k)
-            out << "| " << table.numbers()[k] << " | " << brief(summary.least[k]) << " | "
-                << brief(summary.most[k]) << " |\n";
+            out << "| " << table.numbers()[k] << " | " << brief(summary.min[k]) << " | "
+                << brief(summary.max[k]) << " |\n";
     }
     out << "\nArrays of each shard, with n accepted designs:\n\n"
         << readable(description.arrays, true) << "\nHow the set was made (`set.txt`):\n\n```\n"

@@ -1,5 +1,4 @@
-// One shard of a set while it is written: the table of its designs, and the arrays of the accepted
-// ones.
+// Writes one shard of a set: the table of its designs, and the arrays of the accepted designs.
 #pragma once
 
 #include "basics/output_file.hpp"
@@ -22,9 +21,9 @@ public:
 
     std::int64_t accepted() const { return accepted_; }
     void add(SampleRow row, const MorphedDesign& result);
-    void commit();  // the files get their names
+    void commit();  // completes the files
 
-    // The names and meanings of the arrays, as lines of a table in Markdown.
+    // Returns the names and meanings of the arrays, as lines of a table in Markdown.
     static std::string description(const SampleTable& table, const Mesh& mesh,
                                    const WallChains* walls);
 

@@ -22,7 +22,7 @@ SampleSplits::SampleSplits(const Arguments& arguments, const std::vector<std::st
         const auto found = std::find(names.begin(), names.end(), range.name);
         if (found == names.end())
             arguments.refuse("--inside: " + in_quotes(range.name) +
-                             " is no parameter that varies and no measure");
+                             " is neither a parameter that varies nor a measure");
         range.column = static_cast<std::size_t>(found - names.begin());
         ranges_.push_back(range);
     }
@@ -33,7 +33,7 @@ std::string SampleSplits::split(std::int64_t design, const std::vector<double>& 
         const double value = values[range.column];
         if (!(range.low <= value && value <= range.high)) return "out";
     }
-    constexpr std::uint64_t purpose = 0x73706c6974;  // other numbers than those of the sequence
+    constexpr std::uint64_t purpose = 0x73706c6974;  // so that numbers differ from the sequence
     const double lot =
         unit_number(mixed_bits(mixed_bits(purpose, seed_), static_cast<std::uint64_t>(design)));
     return lot < test_ ? "test" : "train";

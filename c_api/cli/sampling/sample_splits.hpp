@@ -1,5 +1,5 @@
-// The parts of a set for learning: designs out of a range, and others by lot for training and
-// tests.
+// The splits of a set for machine learning: designs outside a range, and the other designs divided
+// at random into training and tests.
 #pragma once
 
 #include "basics/arguments.hpp"
@@ -12,7 +12,7 @@ namespace cli {
 
 class SampleSplits {
 public:
-    // names: of the columns that a range may be about.
+    // names: the columns that may have a range.
     SampleSplits(const Arguments& arguments, const std::vector<std::string>& names);
 
     // Returns "out" if a value is not inside its range, otherwise "train" or "test", which depends

@@ -32,20 +32,20 @@ void SampleSummary::add(const SampleRow& row) {
         const std::string reason =
             row.section.empty() ? without_numbers(row.reason) : "the section cannot be taken";
         const bool is_new = reasons.count(reason) == 0;
-        ++reasons[is_new && reasons.size() >= most_reasons ? "other reasons" : reason];
+        ++reasons[is_new && reasons.size() >= max_reasons ? "other reasons" : reason];
         return;
     }
     ++ways[row.way];
     ++splits[row.split];
-    least.resize(row.numbers.size(), unknown);
-    most.resize(row.numbers.size(), unknown);
+    min.resize(row.numbers.size(), unknown);
+    max.resize(row.numbers.size(), unknown);
     for (std::size_t k = 0; k < row.numbers.size(); ++k) {
-        least[k] = std::fmin(least[k], row.numbers[k]);
-        most[k] = std::fmax(most[k], row.numbers[k]);
+        min[k] = std::fmin(min[k], row.numbers[k]);
+        max[k] = std::fmax(max[k], row.numbers[k]);
     }
     if (accepted++ % stride_ != 0) return;
     rows.push_back(row);
-    if (rows.size() < 2 * most_rows) return;
+    if (rows.size() < 2 * max_rows) return;
     std::vector<SampleRow> kept;
     for (std::size_t k = 0; k < rows.size(); k += 2) kept.push_back(rows[k]);
     rows.swap(kept);

@@ -1,5 +1,5 @@
-// Counts and extremes of a set, which are gathered row by row in memory that does not depend on the
-// number of rows.
+// Counts and extremes of a set, collected row by row. The memory does not depend on the number of
+// rows.
 #pragma once
 
 #include "sampling/sample_table.hpp"
@@ -14,14 +14,14 @@ namespace cli {
 struct SampleSummary {
     std::int64_t designs = 0, accepted = 0;
     std::map<std::string, std::int64_t> ways, splits, reasons;  // numbers in reasons become #
-    std::vector<double> least, most;  // of the numbers of accepted designs
-    // Accepted rows, evenly spread over the set; at most twice most_rows.
+    std::vector<double> min, max;  // of the numbers of accepted designs
+    // Accepted rows, evenly spread over the set; at most twice max_rows.
     std::vector<SampleRow> rows;
 
     void add(const SampleRow& row);
 
 private:
-    static constexpr std::size_t most_rows = 500, most_reasons = 20;
+    static constexpr std::size_t max_rows = 500, max_reasons = 20;
     std::int64_t stride_ = 1;  // one of so many accepted rows is kept
 };
 

@@ -11,7 +11,7 @@ namespace cli {
 
 namespace {
 
-constexpr std::size_t cells_before_numbers = 6, cells_behind_numbers = 2;
+constexpr std::size_t cells_before_numbers = 6, cells_after_numbers = 2;
 
 std::string quoted(const std::string& text) {
     if (text.empty()) return text;
@@ -106,20 +106,21 @@ void SampleTable::read(const SampleFolder& folder, std::int64_t shards,
             const std::size_t offset = static_cast<std::size_t>(text.data() - file.text().data());
             text.remove_prefix(std::min(end + 1, text.size()));
             SampleRow row;
-            if (cells.size() != cells_before_numbers + numbers_.size() + cells_behind_numbers ||
+            if (cells.size() != cells_before_numbers + numbers_.size() + cells_after_numbers ||
                 !parse(cells[0], row.design))
-                file.fail(offset, "this is no line of a table of designs");
+                file.fail(offset, "this is not a line of a table of designs");
             --row.design;
             row.split = cells[2];
             row.shard = shard;
             if (!cells[4].empty() && !parse(cells[4], row.row))
-                file.fail(offset, "this is no line of a table of designs");
+                file.fail(offset, "this is not a line of a table of designs");
             row.way = cells[5];
             for (std::size_t k = 0; k < numbers_.size(); ++k) {
                 const std::string& cell = cells[cells_before_numbers + k];
                 double value = unknown;
                 if (cell == "inf") value = std::numeric_limits<double>::infinity();
-                else if (!cell.empty()) parse(cell, value);
+                else if (!cell.empty() && !parse(cell, value))
+                    file.fail(offset, "this is not a line of a table of designs");
                 row.numbers.push_back(value);
             }
             row.section = cells[cells.size() - 2];

@@ -1,5 +1,5 @@
-// The table of designs: a line of names, then a line for each design. The same text stands in the
-// tables of the shards and in that of the whole set.
+// The table of designs: a line of names, then a line for each design. The tables of the shards and
+// of the whole set have the same lines.
 #pragma once
 
 #include "sampling/design_measures.hpp"

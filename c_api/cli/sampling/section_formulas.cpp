@@ -8,7 +8,7 @@ namespace cli {
 
 namespace {
 
-constexpr int section_panels = 80;  // on each side
+constexpr int section_panels = 80;  // on each side of the section
 
 // Calls take(x, side) for the points in order, with side 1 above and -1 below. A sharp trailing
 // edge is one point.

@@ -15,7 +15,7 @@ int degree_of(Polynomial p) {
     return degree;
 }
 
-// Returns whether the powers of x modulo p are all polynomials of a lower degree, but 0.
+// Returns whether the powers of x modulo p are all polynomials of a lower degree except 0.
 bool is_primitive(Polynomial p) {
     const int degree = degree_of(p);
     const std::uint32_t order = (std::uint32_t{1} << degree) - 1;

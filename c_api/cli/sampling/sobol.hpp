@@ -12,7 +12,7 @@ namespace cli {
 
 class Sobol {
 public:
-    static constexpr std::size_t most_dimensions = 1000;
+    static constexpr std::size_t max_dimensions = 1000;
 
     // The seed shifts all points by exclusive or, which keeps the property above. The direction
     // numbers do not depend on the seed.

@@ -9,8 +9,7 @@ namespace cli {
 
 namespace {
 
-// The faces of the walls in the direction that has the mesh on the left: the following point of
-// each point. Cells are counter-clockwise, or else all are turned round.
+// Returns the faces of the walls, with the mesh on the left, as the next point of each point.
 std::map<std::int32_t, std::int32_t> directed_faces(const Mesh& mesh,
                                                     const std::vector<std::int32_t>& markers) {
     std::set<std::pair<std::int32_t, std::int32_t>> faces;
@@ -26,9 +25,11 @@ std::map<std::int32_t, std::int32_t> directed_faces(const Mesh& mesh,
                    n = static_cast<std::size_t>(mesh.cell_start[cell + 1]) - first;
         double area = 0;
         const auto at = [&](std::size_t k) { return mesh.cell_points[first + k % n]; };
+        const auto o = static_cast<std::size_t>(at(0));
         for (std::size_t k = 0; k < n; ++k) {
             const auto a = static_cast<std::size_t>(at(k)), b = static_cast<std::size_t>(at(k + 1));
-            area += mesh.x[a] * mesh.y[b] - mesh.x[b] * mesh.y[a];
+            area += (mesh.x[a] - mesh.x[o]) * (mesh.y[b] - mesh.y[o]) -
+                    (mesh.x[b] - mesh.x[o]) * (mesh.y[a] - mesh.y[o]);
         }
         for (std::size_t k = 0; k < n; ++k) {
             const std::int32_t a = at(k), b = at(k + 1);

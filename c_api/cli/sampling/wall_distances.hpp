@@ -25,7 +25,7 @@ private:
     const Threads& threads_;
     Block block_;
     hm_walls* walls_ = nullptr;
-    std::vector<std::int32_t> faces_;  // the nearest ones on the mesh before, as hints
+    std::vector<std::int32_t> faces_;  // the nearest faces on the preceding mesh, as hints
     std::vector<double> distances_;
 };
 

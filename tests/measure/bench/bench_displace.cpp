@@ -1,9 +1,6 @@
-// One displacement of the wall, as a time step has it: against factor and solution of 20 functions,
-// and against linear elasticity by conjugate gradients, which is what mesh deformation in flow
-// solvers usually is.
+// One displacement of the wall, as a time step has it, against factor and solution of 20 functions.
 #include "fixtures/options.hpp"
 #include "clock.hpp"
-#include "elasticity.hpp"
 #include "ours.hpp"
 #include "settings.hpp"
 
@@ -119,8 +116,6 @@ public:
                                  dj_.data(), to.data(), block, bytes, nullptr, &error_),
              "hm_displace_adjoint");
     }
-    std::vector<Index> const& points() const { return points_; }
-    std::vector<double> const& wall() const { return wall_; }
 
 private:
     hm_plan* plan_;
@@ -144,14 +139,6 @@ void bench_displace(Settings const& settings, Report& report) {
                 "allowed %", "adjoint", "12 fields", "us/node", "growth"},
                {},
                {}};
-    Table against{
-        "Against linear elasticity, stiffness 1/area, conjugate gradients with incomplete Cholesky "
-        "to 1e-6 [s]" +
-            threads,
-        {"mesh", "set-up", "iterations", "solution", "our factor", "our displacement",
-         "ratio of displacements", "ratio with set-up"},
-        {},
-        {}};
     ours.begin();
     std::map<std::string, double> first;  // per node, of the smallest mesh of a kind
     Others others;
@@ -188,25 +175,13 @@ void bench_displace(Settings const& settings, Report& report) {
                           seconds(many),
                           {1e6 * one / nodes, "%.3f"},
                           ratio(one / nodes / per_node)});
-                if (chosen.number != HM_LAPLACE || size > settings.elasticity) continue;
-                ElasticTimes const elastic =
-                    solve_elasticity(mesh_case, movement.points(), movement.wall());
-                against.add({mesh_case.name(), seconds(elastic.set_up), count(elastic.iterations),
-                             seconds(elastic.solve), seconds(factor), seconds(one),
-                             ratio(elastic.solve / one),
-                             ratio((elastic.set_up + elastic.solve) / (factor + one))});
             }
         }
     ours.notes.push_back(
         "Medians, warm. 20 functions: hm_plan_solve. growth: us/node against the smallest mesh of "
         "the kind.");
     ours.notes.push_back(others.text());
-    against.notes.push_back(elasticity_note());
-    against.notes.push_back(
-        "On meshes of at most " + std::to_string(settings.elasticity) +
-        " points (--elasticity): at a million, 5000 iterations take a quarter of an hour.");
     report.finish(ours);
-    report.finish(against);
 }
 
 }  // namespace bench

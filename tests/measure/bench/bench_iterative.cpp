@@ -19,8 +19,8 @@ constexpr Engine engines[] = {{"direct", HM_DIRECT, HM_DOUBLE},
                               {"multigrid", HM_MULTIGRID, HM_DOUBLE},
                               {"improved FAS", HM_FAS, HM_DOUBLE}};
 
-constexpr double most_points_of_fas = 150000;       // beyond, minutes for each row
-constexpr double most_points_of_warm_ups = 500000;  // of peers: beyond, a run takes half a minute
+constexpr double max_points_of_fas = 150000;       // beyond, minutes for each row
+constexpr double max_points_of_warm_ups = 500000;  // of peers: beyond, a run takes half a minute
 
 struct Row {
     std::string name;
@@ -49,7 +49,7 @@ public:
 
     void run() {
         for (Engine const& engine : engines) {
-            if (engine.number == HM_FAS && points() > most_points_of_fas) continue;
+            if (engine.number == HM_FAS && points() > max_points_of_fas) continue;
             run_ours(engine);
         }
         for (auto const& peer : iterative_peers()) run_peer(*peer);
@@ -80,7 +80,7 @@ private:
         if (matrix_.n > peer.largest()) return;
         say(case_.name() + ": " + peer.name());
         std::vector<Columns> x = b_;
-        if (points() < most_points_of_warm_ups) peer.run(matrix_, b_, x);
+        if (points() < max_points_of_warm_ups) peer.run(matrix_, b_, x);
         PeerTimes const times = peer.run(matrix_, b_, x);
         add({peer.name(), false, times.analysis + times.factor, times.solve[0],
              peer.bytes() / points()},

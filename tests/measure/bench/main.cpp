@@ -22,16 +22,15 @@ namespace bench {
 namespace {
 
 char const* const usage =
-    "usage: bench [--parts \"dense solve threads iterative memory displace safe morph\"] [--sizes "
+    "usage: bench [--parts \"dense solve threads iterative iterations memory displace safe "
+    "morph\"] [--sizes "
     "\"10000 "
     "100000 1000000\"]\n"
     "             [--kinds \"iso viscous thin unstructured shuffled stretched10 stretched100 "
     "stretched1000\"] [--functions \"20 60\"] "
     "[--threads N] "
     "[--repeats N]\n"
-    "             [--kernel 0..4] [--precision double|single] [--elasticity POINTS] [--gibibytes "
-    "N] [--json "
-    "FILE]\n";
+    "             [--kernel 0..4] [--precision double|single] [--gibibytes N] [--json FILE]\n";
 
 template <class T>
 std::vector<T> words(std::string const& text) {
@@ -62,7 +61,6 @@ Settings read(int argc, char** argv) {
         else if (name == "--repeats") out.repeats = words<int>(text)[0];
         else if (name == "--kernel") out.kernel = words<int>(text)[0];
         else if (name == "--precision") out.precision = precision(text);
-        else if (name == "--elasticity") out.elasticity = words<std::int32_t>(text)[0];
         else if (name == "--gibibytes") out.gibibytes = words<int>(text)[0];
         else if (name == "--json") out.json = text;
         else throw std::invalid_argument("no such option: " + name);
@@ -157,6 +155,7 @@ void run(Settings settings) {
     part("solve", [&] { bench_solve(settings, report); });
     part("threads", [&] { bench_threads(settings, report); });
     part("iterative", [&] { bench_iterative(settings, report); });
+    part("iterations", [&] { bench_iterations(settings, report); });
     part("memory", [&] { bench_memory(settings, report); });
     part("displace", [&] { bench_displace(settings, report); });
     part("safe", [&] { bench_safe(settings, report); });

@@ -1,12 +1,13 @@
 #!/bin/sh
 # `make bench`: finds out which peers this machine has, builds what changed, runs. Everything may be set from outside:
-#   make bench SIZES="10000 100000" KINDS=iso PARTS="dense solve threads iterative memory displace safe morph files" \
-#       FUNCTIONS="20 60" THREADS="1 2" REPEATS=5 PRECISION=single ELASTICITY=1000000 GIBIBYTES=24 JSON=bench.json
+#   make bench SIZES="10000 100000" KINDS=iso FUNCTIONS="20 60" THREADS="1 2" REPEATS=5 PRECISION=single \
+#       PARTS="dense solve threads iterative iterations memory displace safe morph files" GIBIBYTES=24 JSON=bench.json
 # BUILD_ONLY=1 only builds $BUILD/bench/bench.
 : "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS:=-O3}"
 : "${PARTS:=dense solve morph}"
 case $PARTS in
 iterative) : "${FUNCTIONS:=20}" "${SIZES:=10000 100000}" ;; # a million points take minutes
+iterations) : "${SIZES:=1000 10000 100000 1000000}" ;;
 memory) : "${SIZES:=1000 10000 100000 1000000 4000000 16000000}" "${KINDS:=iso}" ;;
 esac
 : "${SIZES:=10000 100000 1000000}" "${KINDS:=iso viscous unstructured}"
@@ -71,7 +72,7 @@ results=
 for threads in $THREADS; do
     result=$out/result-$threads.json
     "$out/bench" --sizes "$SIZES" --kinds "$KINDS" --parts "$PARTS" --functions "$FUNCTIONS" --threads "$threads" \
-        --repeats "${REPEATS:-0}" --precision "${PRECISION:-double}" --elasticity "${ELASTICITY:-100000}" \
+        --repeats "${REPEATS:-0}" --precision "${PRECISION:-double}" \
         --gibibytes "${GIBIBYTES:-0}" --json "$result"
     results="$results $result"
 done

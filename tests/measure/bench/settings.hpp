@@ -19,8 +19,6 @@ struct Settings {
     int kernel = 0;                         // HM_KERNEL_...
     int precision = HM_DOUBLE;              // of our factor
     int repeats = 0;                        // of the solves; 0: by size
-    std::int32_t elasticity =
-        100000;  // largest mesh, in points, on which displacements are compared with elasticity
     int gibibytes = 0;  // into which the largest mesh is to fit (part memory); 0: not asked
     std::string json;   // file name; empty: none
 
@@ -44,6 +42,7 @@ void bench_dense(Settings const& settings, Limits const& limits, Report& report)
 void bench_solve(Settings const& settings, Report& report);
 void bench_threads(Settings const& settings, Report& report);
 void bench_iterative(Settings const& settings, Report& report);
+void bench_iterations(Settings const& settings, Report& report);
 void bench_memory(Settings const& settings, Report& report);
 void bench_displace(Settings const& settings, Report& report);
 void bench_safe(Settings const& settings, Report& report);

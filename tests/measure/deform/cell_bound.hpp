@@ -15,7 +15,7 @@ inline double const pi = std::acos(-1.);
 // sides a, b about the angle t has the quality sqrt(3) a b sin t / (a^2 + b^2 - a b cos t), at most
 // sqrt(3) sin t / (2 - cos t); a quadrilateral, 4 / sum of 1 / sin of its angles, has at most 4 /
 // (3 + 1 / sin t).
-inline double least_angle(int n, double q) {
+inline double min_angle(int n, double q) {
     if (q >= 1) return n == 3 ? std::acos(.5) : std::acos(0.);
     if (n != 3) return std::asin(1 / (4 / q - 3));
     // sqrt(3) sin t + q cos t = 2 q
@@ -29,7 +29,7 @@ inline double best_quality(double angle, int n_triangles, int n_quads) {
     double low = 0, high = 1;
     for (int k = 0; k < 60; ++k) {
         double const q = .5 * (low + high);
-        (n_triangles * least_angle(3, q) + n_quads * least_angle(4, q) <= angle ? low : high) = q;
+        (n_triangles * min_angle(3, q) + n_quads * min_angle(4, q) <= angle ? low : high) = q;
     }
     return high;
 }

@@ -9,11 +9,5 @@ mesh=$meshes/diffuser_airfoil.su2
 for operator in laplace conformal; do
     run solve "$mesh" $airfoil --operator $operator -o "$out/ffd-$operator.basis"
 done
-objects=$(cat "$BUILD/objects/program.list")
-if ${CXX:-c++} -std=c++17 -Wall -Wextra -Wconversion -Wshadow ${CXXFLAGS:--O3} -pthread -Iinclude -Ic_api/cli \
-    -o "$out/ffd" "$here/ffd.cpp" $objects "$BUILD/libharmorph.a" $LDFLAGS; then
-    "$out/ffd" "$out" "$mesh" "$out/ffd-laplace.basis" "$out/ffd-conformal.basis" || fail "the comparison with FFD"
-else
-    fail "ffd.cpp does not compile"
-fi
-rm -f "$out/ffd"
+sh tests/measure/python.sh "$BUILD" "$here/ffd.py" "$out" "$mesh:airfoil" "$out/ffd-laplace.basis" \
+    "$out/ffd-conformal.basis" || fail "the comparison with FFD"

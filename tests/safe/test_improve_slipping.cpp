@@ -1,4 +1,4 @@
-// Better cells in meshes whose outer boundary slides along a curve: the points there go along the
+// Better cells in meshes whose outer boundary slips along a curve: the points there go along the
 // curve, too.
 #include <fixtures/circle.hpp>
 #include <fixtures/executors.hpp>
@@ -9,7 +9,7 @@ using namespace fixtures;
 
 namespace {
 
-// A ring whose outer circle slides along the circle itself, or along the curve through its points;
+// A ring whose outer circle slips along the circle itself, or along the curve through its points;
 // or is fixed.
 enum class Outer { circle, points, fixed };
 
@@ -88,22 +88,22 @@ TEST_CASE("outer points follow their curve, and the cells are better than with f
     CHECK(held.changed(before) == 0);
     for (Outer const outer : {Outer::circle, Outer::points}) {
         for (std::int32_t const kind : {HM_CONFORMAL, HM_LAPLACE}) {
-            Ring slides(outer);
-            REQUIRE(slides.improve(nullptr, kind) == HM_OK);
-            CHECK(slides.changed(before) == 32);
-            CHECK(slides.smallest_corner() > 0);
-            CHECK(slides.off_circle() < (outer == Outer::circle ? 1e-12 : 2e-8));
-            CHECK(slides.report.min_quality_before == held.report.min_quality_before);
-            CHECK(slides.report.min_quality > 0.98 * start.report.min_quality);
+            Ring slips(outer);
+            REQUIRE(slips.improve(nullptr, kind) == HM_OK);
+            CHECK(slips.changed(before) == 32);
+            CHECK(slips.smallest_corner() > 0);
+            CHECK(slips.off_circle() < (outer == Outer::circle ? 1e-12 : 2e-8));
+            CHECK(slips.report.min_quality_before == held.report.min_quality_before);
+            CHECK(slips.report.min_quality > 0.98 * start.report.min_quality);
             CHECK(held.report.min_quality < 0.9 * start.report.min_quality);
-            CHECK(slides.report.mean_quality > 0.99 * start.report.mean_quality);
-            CHECK(slides.report.mean_quality > held.report.mean_quality);
-            CHECK(slides.report.movable == held.report.movable + 32);
+            CHECK(slips.report.mean_quality > 0.99 * start.report.mean_quality);
+            CHECK(slips.report.mean_quality > held.report.mean_quality);
+            CHECK(slips.report.movable == held.report.movable + 32);
         }
     }
 }
 
-TEST_CASE("any number of threads improves a sliding mesh to the same bits") {
+TEST_CASE("any number of threads improves a slipping mesh to the same bits") {
     Ring one(Outer::circle);
     REQUIRE(one.improve() == HM_OK);
     for (std::int32_t const n_threads : {2, 3}) {
@@ -116,7 +116,7 @@ TEST_CASE("any number of threads improves a sliding mesh to the same bits") {
     }
 }
 
-TEST_CASE("a point that is not on its curve is held, and the others slide") {
+TEST_CASE("a point that is not on its curve is held, and the others slip") {
     Ring ring(Outer::circle);
     auto const off = std::size_t(points_on(ring.setup.mesh, far_field)[5]);
     ring.x[off] *= 1.00001;
@@ -130,7 +130,7 @@ TEST_CASE("a point that is not on its curve is held, and the others slide") {
     CHECK(ring.report.min_quality >= ring.report.min_quality_before);
 }
 
-TEST_CASE("a reference that is improved does not change, though outer points could slide") {
+TEST_CASE("a reference that is improved does not change, though outer points could slip") {
     Ring ring(Outer::circle);
     ring.x = ring.setup.mesh.x;
     ring.y = ring.setup.mesh.y;

@@ -7,21 +7,21 @@
 
 namespace harmorph {
 
-struct SlidingPoints {
-    // A point does not slide if its distance to its curve is larger than this part of the faces
+struct SlippingPoints {
+    // A point does not slip if its distance to its curve is larger than this part of the faces
     // there.
-    static constexpr Real most_beside = 1e-6;
+    static constexpr Real max_distance_to_face = 1e-6;
 
     const SlipCurves* curves = nullptr;
-    // [n_points] The number of a point in the curves; none if it does not slide along a curve.
-    // Empty: no point slides.
+    // [n_points] The number of a point in the curves; none if it does not slip along a curve.
+    // Empty: no point slips.
     Span<Index> slot;
     Span<Vec2> line;  // [n_points] see Tangle
 
     Vec2 placed(Index point, Vec2 p) const noexcept {
-        return slides(point) ? curves->nearest(slot[point], p).at : p;
+        return slips(point) ? curves->nearest(slot[point], p).at : p;
     }
-    bool slides(Index point) const noexcept { return !slot.empty() && slot[point] != none; }
+    bool slips(Index point) const noexcept { return !slot.empty() && slot[point] != none; }
 
     // Finds the points that are on their curves in `now`; the others are held. Points that other
     // points are joined to are held, too.

@@ -1,11 +1,11 @@
-// Large movements in meshes whose outer boundary slides along a curve.
+// Large movements in meshes whose outer boundary slips along a curve.
 #include <fixtures/safe.hpp>
 
 using namespace fixtures;
 
 namespace {
 
-Case sliding_ring(Cells kind = Cells::hybrid) {
+Case slipping_ring(Cells kind = Cells::hybrid) {
     Case setup = ring_case(8, 32, 0.5, 2, kind);
     setup.set_slip(far_field);
     for (double& number : setup.curves.control)
@@ -26,7 +26,7 @@ double farthest_from_circle(Safe const& safe) {
 
 TEST_CASE("the body turns, and the mesh turns with it, the outer points along their circle") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
-        Case setup = sliding_ring(kind);
+        Case setup = slipping_ring(kind);
         Safe safe(setup);
         safe.safe_options.skipped_strategies =
             without({HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
@@ -52,7 +52,7 @@ TEST_CASE("the body turns, and the mesh turns with it, the outer points along th
 
 TEST_CASE("in one step, in several, untangled or improved, outer points are on the circle") {
     for (unsigned const seed : {1u, 2u, 3u}) {
-        Case setup = sliding_ring();
+        Case setup = slipping_ring();
         Safe safe(setup);
         for (double const size : {0.05, 0.3, 0.5}) {
             for (std::int32_t const skipped :
@@ -69,9 +69,9 @@ TEST_CASE("in one step, in several, untangled or improved, outer points are on t
     }
 }
 
-TEST_CASE("the derivative at sliding points agrees with differences to first order") {
+TEST_CASE("the derivative at slipping points agrees with differences to first order") {
     for (std::int32_t const skipped : {0, without({HM_STRATEGY_LINEAR})}) {
-        Case setup = sliding_ring();
+        Case setup = slipping_ring();
         Safe safe(setup);
         safe.safe_options.skipped_strategies = skipped;
         safe.safe_options.max_resolves = -1;  // one step: the functions are those of the start
