@@ -35,10 +35,10 @@ if python has gmsh 2>/dev/null; then
     }
     refuses_usage "gmsh: a loop that is none" 'has no loop:3, because the boundary has 2 loops' \
         "$harmorph" fit "$mesh" --marker loop:3 --points 8 -o "$tmp/x.curve"
-    refuses_usage "gmsh: no marker: not all names are listed" "and 16 more; a name may have * for any characters" \
+    refuses_usage "gmsh: no marker: not all names are listed" "and 16 more; in a name, * matches any characters" \
         "$harmorph" fit "$mesh" --marker nothing -o "$tmp/x.curve"
     python gmsh 4.1 0 curves "$tmp/curves.msh" >"$tmp/out" 2>&1
-    refuses "gmsh: curves only" 'and no triangles or quadrilaterals: mesh the surface, too' "$harmorph" \
+    refuses "gmsh: curves only" 'and no triangles or quadrilaterals: mesh the surface and save its cells' "$harmorph" \
         check "$tmp/curves.msh"
     check "gmsh: curves only: nothing else" test "$(wc -l <"$tmp/out")" -eq 1
     python gmsh 1 0 lines "$tmp/old.msh" >"$tmp/out" 2>&1
@@ -224,7 +224,7 @@ refuses "PVTU: a bad number: the file and the line of the piece" 'parallel/bad.v
 sed 's|</Piece>||' "$tmp/parallel/half-2.vtu" >"$tmp/parallel/bad.vtu"
 refuses "PVTU: a piece without its end" 'the piece has no end </Piece>' "$harmorph" check "$tmp/bad.pvtu"
 sed '1s/VTKFile /VTKFile header_type="UInt64" /' "$tmp/parallel/half-2.vtu" >"$tmp/parallel/bad.vtu"
-refuses "PVTU: pieces that store numbers in different ways" 'save all pieces in one way' "$harmorph" \
+refuses "PVTU: pieces that store numbers in different ways" 'save all pieces with the same settings' "$harmorph" \
     check "$tmp/bad.pvtu"
 # A structured grid whose first and last lines meet.
 for layers in 1 2; do

@@ -1,6 +1,9 @@
 # Gmsh: bad files, and the files of gmsh itself. (A part of tests/formats.sh.)
 sed 's/^2.2 /2.9 /' "$tmp/text-2.msh" >"$tmp/bad.msh"
 refuses "gmsh: another version" 'bad.msh:2: the file needs version 2.2 or 4.1' "$harmorph" check "$tmp/bad.msh"
+sed 's/^\([0-9]* 1 2\) 2 7/\1 -9223372036854775808 7/' "$tmp/text-2.msh" >"$tmp/bad.msh"
+refuses "gmsh: a physical group that is too large" 'the file needs a physical group between -2147483647 and' \
+    "$harmorph" check "$tmp/bad.msh"
 sed '50s/ 0$/ 1/' "$tmp/text-2.msh" >"$tmp/bad.msh"
 refuses "gmsh: three dimensions" 'bad.msh:50: the points must lie in a plane x, y or z = constant' \
     "$harmorph" check "$tmp/bad.msh"
