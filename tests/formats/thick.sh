@@ -32,7 +32,8 @@ moves_as_plane() {
     morphs "$what" "$mesh" "$marker" $slip
     check "$what: the plane before" "$harmorph" convert "$mesh" "$tmp/before.su2"
     check "$what: the plane after" "$harmorph" convert "$moved" "$tmp/after.su2"
-    check "$what: solve the plane" "$harmorph" solve "$tmp/before.su2" --curve "$marker=$tmp/curve" $slip -o "$tmp/basis"
+    check "$what: solve the plane" "$harmorph" solve "$tmp/before.su2" --curve "$marker=$tmp/curve" $slip \
+        -o "$tmp/basis"
     check "$what: morph the plane" "$harmorph" morph "$tmp/before.su2" "$tmp/basis" --move "$tmp/moves.txt" \
         -o "$tmp/plane.su2"
     check "$what: moves as its plane" alike 1e-12 "$tmp/after.su2" "$tmp/plane.su2"
