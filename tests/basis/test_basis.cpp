@@ -4,37 +4,29 @@
 
 #include <fixtures/basis_copy.hpp>
 #include <fixtures/bodies.hpp>
+#include <fixtures/morphed.hpp>
 
 using namespace fixtures;
 
 TEST_CASE("a copy at another address is the same basis") {
     Case setup = two_body_case();
-    std::vector<double> expected, moved_x(setup.mesh.x.size()), moved_y(setup.mesh.x.size());
+    std::vector<double> expected;
+    Moved expected_to;
     std::vector<double> const move = some_move(20, 0.1, 1);
     std::unique_ptr<BasisCopy> copy;
     {
         Solved const solved(setup);
         expected = solved.all_values();
-        REQUIRE(hm_morph(solved.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
-                         points_out(moved_x, moved_y), nullptr, nullptr) == HM_OK);
+        expected_to = morphed(solved.basis, setup.mesh, move);
         copy = std::make_unique<BasisCopy>(solved);
     }  // the original, its plan and its analysis are gone
     hm_mesh const mesh = setup.mesh.view();
     REQUIRE(copy->attach(&mesh) == HM_OK);
-    std::vector<double> values, x(setup.mesh.x.size()), y(setup.mesh.x.size());
-    for (std::int32_t i = 0; i < 20; ++i) {
-        REQUIRE(hm_basis_values(copy->basis, i, 0, x.data(), nullptr) == HM_OK);
-        values.insert(values.end(), x.begin(), x.end());
-    }
-    CHECK(same_bits(values, expected));
-    REQUIRE(hm_morph(copy->basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
-                     points_out(x, y), nullptr, nullptr) == HM_OK);
-    CHECK(same_bits(x, moved_x));
-    CHECK(same_bits(y, moved_y));
-    double error = 1;
-    CHECK(hm_boundary_error(copy->basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
-                            points_in(x, y), &error, nullptr, nullptr) == HM_OK);
-    CHECK(error < 1e-14);
+    CHECK(same_bits(all_numbers(copy->basis), expected));
+    Moved const to = morphed(copy->basis, setup.mesh, move);
+    CHECK(same_bits(to.x, expected_to.x));
+    CHECK(same_bits(to.y, expected_to.y));
+    CHECK(boundary_error(copy->basis, move, setup.mesh, to) < 1e-14);
 }
 
 TEST_CASE("a basis gives back the curves, the points and the parameters of the solved problem") {
@@ -100,9 +92,7 @@ TEST_CASE("a moved curve has the control points plus their movement and is uncha
     for (std::size_t k = 0; k < 2 * n; ++k) CHECK(control[k] == before.control[k] + move[k]);
     for (std::int32_t c = 0; c < after.n_curves; ++c) CHECK(moved[c].knots == shape[c].knots);
     // The wall is where it was, plus what hm_morph moves it by.
-    std::vector<double> x(setup.mesh.x), y(setup.mesh.y);
-    REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
-                     nullptr) == HM_OK);
+    Moved const to_places = morphed(solved.basis, setup.mesh, move);
     hm_basis_info const info = solved.info();
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
         double from[2], to[2];
@@ -111,8 +101,8 @@ TEST_CASE("a moved curve has the control points plus their movement and is uncha
         REQUIRE(hm_curve_point(&after, info.point_curve[k], info.point_u[k], 0, to, nullptr) ==
                 HM_OK);
         auto const point = std::size_t(info.curve_point[k]);
-        CHECK(std::abs(x[point] - setup.mesh.x[point] - (to[0] - from[0])) < 1e-13);
-        CHECK(std::abs(y[point] - setup.mesh.y[point] - (to[1] - from[1])) < 1e-13);
+        CHECK(std::abs(to_places.x[point] - setup.mesh.x[point] - (to[0] - from[0])) < 1e-13);
+        CHECK(std::abs(to_places.y[point] - setup.mesh.y[point] - (to[1] - from[1])) < 1e-13);
     }
     // Refused, with outputs as they were.
     std::vector<double> const kept = control;

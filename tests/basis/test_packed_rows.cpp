@@ -97,8 +97,7 @@ TEST_CASE("the report and the values of a share are those of the functions in th
     CHECK(share.report.max_value > 0.5);
     std::vector<double> values(problem.setup.mesh.x.size());
     for (std::int32_t const function : {8, 12}) {
-        REQUIRE(hm_basis_values(share.basis, function, 0, values.data(), nullptr) == HM_OK);
-        CHECK(same_bits(values, solved.values(function)));
+        CHECK(same_bits(values_of(share.basis, function), solved.values(function)));
     }
     for (std::int32_t const function : {7, 13, -1})
         CHECK(hm_basis_values(share.basis, function, 0, values.data(), nullptr) == HM_BAD_ARGUMENT);
@@ -145,9 +144,7 @@ TEST_CASE("refinement of a function does not depend on those solved with it") {
         Share const share(problem, {i, 1});
         least = std::min(least, share.report.refinements);
         most = std::max(most, share.report.refinements);
-        std::vector<double> values(problem.setup.mesh.x.size());
-        REQUIRE(hm_basis_values(share.basis, i, 0, values.data(), nullptr) == HM_OK);
-        CHECK(same_bits(values, solved.values(i)));
+        CHECK(same_bits(values_of(share.basis, i), solved.values(i)));
     }
     INFO(least << " to " << most << " steps");
     CHECK(most > 0);
@@ -213,7 +210,7 @@ TEST_CASE("shares are refused where all functions are needed, and so are invalid
     hm_error error{};
     CHECK(hm_morph(share.basis, move.data(), points_in(x, x), points_out(x, x), nullptr, &error) ==
           HM_BAD_BASIS);
-    CHECK(std::string(error.text).find("only 3 of the 20 functions") != std::string::npos);
+    CHECK(says(error, "only 3 of the 20 functions"));
     CHECK(hm_adjoint(share.basis, points_in(x, x), move.data(), nullptr, nullptr) == HM_BAD_BASIS);
     std::size_t bytes = 0;
     std::int32_t const wrong[][2] = {{-1, 2}, {0, 21}, {19, 2},
@@ -335,11 +332,8 @@ TEST_CASE("positions in an extract are another list than the numbers of the mesh
     REQUIRE(hm_parcel_pack(nested.basis, 3, in_order, parcel.data(), nullptr) == HM_OK);
     CHECK(unpack(few, parcel) == HM_OK);  // all functions of the points 2, 1, 0
     for (std::int32_t function : {0, 7, 19}) {
-        std::vector<double> own(3), expected(3);
-        REQUIRE(hm_basis_values(few.basis, function, 0, own.data(), nullptr) == HM_OK);
-        REQUIRE(hm_basis_values(same.basis, function, 0, expected.data(), nullptr) == HM_OK);
-        CHECK(same_bits(own, expected));
-        REQUIRE(hm_basis_values(turned.basis, function, 0, expected.data(), nullptr) == HM_OK);
-        CHECK(own[0] == expected[2]);
+        std::vector<double> const own = values_of(few.basis, function);
+        CHECK(same_bits(own, values_of(same.basis, function)));
+        CHECK(own[0] == values_of(turned.basis, function)[2]);
     }
 }

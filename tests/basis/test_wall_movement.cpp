@@ -142,7 +142,6 @@ TEST_CASE("the movement so far is found after safe morphs, which turn the offset
 
 TEST_CASE("control points on which no wall point depends move with their neighbours") {
     Case setup = ring_case(6, 12, 1, 4);  // 12 points for 40 control points
-    double const pi = std::acos(-1.0);
     setup.curves = ring(3, 40, 1, 1);
     setup.conditions.clear();
     setup.put_on_curves(body);
@@ -193,8 +192,7 @@ TEST_CASE("a wall that is on no curve of the basis is refused with the point and
     y[std::size_t(wall)] = nan;
     Recovered const broken(solved.basis, x, y);
     CHECK(broken.status == HM_BAD_MESH);
-    CHECK(std::string(broken.error.text).find("of the wall has a coordinate that is not finite") !=
-          std::string::npos);
+    CHECK(says(broken.error, "of the wall has a coordinate that is not finite"));
     Recovered const negative(solved.basis, setup.mesh.x, setup.mesh.y, -1);
     CHECK(negative.status == HM_BAD_ARGUMENT);
     CHECK(std::string(negative.error.text).find("tolerance must be at least 0") == 0);

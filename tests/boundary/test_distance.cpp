@@ -7,12 +7,6 @@ using harmorph::FaceDistance;
 using harmorph::Index;
 using harmorph::Vec2;
 
-namespace {
-
-double const pi = std::acos(-1.0);
-
-}  // namespace
-
 TEST_CASE("the distance is that of the nearest face for random loops and points anywhere") {
     std::mt19937 random(3);
     double worst = 0;

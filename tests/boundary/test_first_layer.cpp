@@ -114,7 +114,7 @@ TEST_CASE("the turn of a wall is of second order also where faces have uneven le
     for (int const n : {40, 80, 160}) {
         Mesh mesh = annulus(1, n, 1, 1 + 1e-6);  // so low that only the wall's turn is left
         for (std::size_t k = 0; k < mesh.x.size(); ++k) {
-            double const angle = 2 * std::acos(-1.0) * (int(k) % n + (k % 2 == 0 ? 0.0 : 0.5)) / n;
+            double const angle = 2 * pi * (int(k) % n + (k % 2 == 0 ? 0.0 : 0.5)) / n;
             double const r = std::hypot(mesh.x[k], mesh.y[k]);
             mesh.x[k] = r * std::cos(angle);
             mesh.y[k] = r * std::sin(angle);

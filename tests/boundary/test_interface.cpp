@@ -61,20 +61,13 @@ TEST_CASE("one step of a rotor touches and crosses nothing") {
     Case setup = rigid_rotor(true);
     Solved const solved(setup);
     std::vector<double> const move = turn(0.4);
-    std::vector<double> dx(setup.mesh.x.size()), dy(dx.size());
-    REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) ==
-            HM_OK);
     hm_mesh const view = setup.mesh.view();
-    auto step = sized<hm_step_report>();
     auto quality = sized<hm_quality_report>();
-    REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr, &step,
-                      &quality, nullptr) == HM_OK);
+    hm_step_report const step =
+        step_of(solved.basis, view, displaced(solved.basis, move), &quality);
     CHECK(step.boundary > 1);  // farther on, the rotor grows until it reaches the outer boundary
     CHECK(quality.self_crossing == 0);
-    // The displaced mesh is assessed as a mesh of its own.
-    REQUIRE(hm_assess(solved.basis, &view, nullptr, nullptr, nullptr, nullptr, nullptr, &quality,
-                      nullptr) == HM_OK);
-    CHECK(quality.self_crossing == 0);
+    CHECK(quality_of(solved.basis, view, setup.mesh).self_crossing == 0);
 }
 
 TEST_CASE("given displacements slide, too, in one step and in safe steps") {

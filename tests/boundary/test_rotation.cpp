@@ -21,7 +21,7 @@ void refused(Case& setup, hm_status status, const char* words, Options const& op
     Attempt const attempt(setup.problem(), &options);
     INFO(attempt.error.text);
     CHECK(attempt.status == status);
-    CHECK(std::string(attempt.error.text).find(words) != std::string::npos);
+    CHECK(says(attempt.error, words));
 }
 
 }  // namespace
@@ -282,7 +282,7 @@ TEST_CASE("markers that are no rotation pair are refused with the place") {
     setup.mesh.y[std::size_t(points_on(setup.mesh, right)[4])] += 1e-4;
     Attempt const attempt(setup.problem(), &options);
     CHECK(attempt.status == HM_BAD_CONDITION);
-    CHECK(std::string(attempt.error.text).find("the turned point is") != std::string::npos);
+    CHECK(says(attempt.error, "the turned point is"));
     CHECK(attempt.error.item == points_on(setup.mesh, left)[4]);
     CHECK(attempt.error.value == doctest::Approx(1e-4).epsilon(0.3));
     struct {

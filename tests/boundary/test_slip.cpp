@@ -7,7 +7,6 @@ using harmorph::PointKind;
 
 namespace {
 
-double const pi = std::acos(-1.0);
 constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 constexpr std::int32_t operators[] = {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL};
 

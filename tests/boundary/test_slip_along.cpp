@@ -10,8 +10,6 @@ using namespace fixtures;
 
 namespace {
 
-double const pi = std::acos(-1.0);
-
 // A ring of few faces, whose outer circle slides along curves.
 struct Along {
     Case setup = ring_case(4, 12, 0.5, 2, Cells::hybrid);
@@ -167,7 +165,7 @@ TEST_CASE("a copy of a basis gives back the curves along which points slip") {
     REQUIRE(hm_basis_conditions(attached, back.data(), 2, &n, nullptr) == HM_OK);
     hm_curves found;
     HM_INIT(found);
-    std::vector<hm_curve> curve(static_cast<std::size_t>(back[1].n_curves));
+    std::vector<hm_curve> curve(std::size_t(back[1].n_curves));
     REQUIRE(hm_basis_along(attached, 1, &found, curve.data(), back[1].n_curves, &error) == HM_OK);
     CHECK(found.n_control == given.n_control);
     CHECK(std::equal(given.control, given.control + 2 * given.n_control, found.control));
@@ -230,8 +228,7 @@ TEST_CASE("curves that do not fit are refused with the point") {
     corners.condition();
     error = refusal(corners);
     CHECK(error.code == HM_BAD_CONDITION);
-    CHECK(std::string(error.text).find("and the following points slip has a corner between them") !=
-          std::string::npos);
+    CHECK(says(error, "and the following points slip has a corner between them"));
 
     Along along(circle(2, 0));
     along.condition().n_curves = 2;

@@ -33,8 +33,7 @@ TEST_CASE("a condition that omits the curve of the base is refused with the poin
     CHECK(!attempt.analyse(setup.problem()));
     CHECK(attempt.status == HM_BAD_CONDITION);
     INFO(attempt.error.text);
-    CHECK(std::string(attempt.error.text).find("on curve 1, which its condition does not name") !=
-          std::string::npos);
+    CHECK(says(attempt.error, "on curve 1, which its condition does not name"));
     CHECK(is_middle_of_base(setup.mesh, attempt.error.item));
     CHECK(attempt.error.value == doctest::Approx(0.1));
 }
@@ -54,7 +53,7 @@ TEST_CASE("points beyond the end of their curve, which would move as one, give a
     CHECK(attempt.analyse(setup.problem()));
     CHECK(attempt.status == HM_FAR_FROM_CURVE);
     INFO(attempt.error.text);
-    CHECK(std::string(attempt.error.text).find("beyond the end of its curve") != std::string::npos);
+    CHECK(says(attempt.error, "beyond the end of its curve"));
     CHECK(is_middle_of_base(setup.mesh, attempt.error.item));
     CHECK(attempt.error.value == doctest::Approx(0.1));
 }
@@ -67,7 +66,6 @@ TEST_CASE("a curve in another unit, much larger than the wall, is refused") {
         Attempt attempt;
         CHECK(!attempt.analyse(setup.problem()));
         CHECK(attempt.status == HM_BAD_CONDITION);
-        CHECK(std::string(attempt.error.text).find("more than the extent of the curve or wall") !=
-              std::string::npos);
+        CHECK(says(attempt.error, "more than the extent of the curve or wall"));
     }
 }

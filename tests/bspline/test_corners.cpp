@@ -9,6 +9,7 @@
 
 using namespace harmorph;
 using fixtures::naca;
+using fixtures::pi;
 
 namespace {
 
@@ -40,7 +41,6 @@ Indices corners_of(std::vector<Vec2> const& points, bool is_loop = true) {
 TEST_CASE("arc lengths, turns and curvature of a circle are right") {
     for (int const n : {12, 100, 5000}) {
         Measured const circle(fixtures::ellipse(n, 1));
-        double const pi = std::acos(-1.0);
         CHECK(circle.outline.arc[n] == doctest::Approx(n * std::sin(pi / n)).epsilon(1e-12));
         for (int k = 0; k < n; ++k)
             CHECK(circle.outline.curvature[k] == doctest::Approx(2).epsilon(1e-3));

@@ -11,6 +11,7 @@
 
 using namespace harmorph;
 using fixtures::naca;
+using fixtures::pi;
 
 namespace {
 
@@ -157,7 +158,7 @@ std::vector<Vec2> with_leading_facet(double thickness, int n_side, double longer
 // A turbine blade: a circular arc as camber line that turns by `turning`, half circles of n_cap
 // edges at both ends.
 std::vector<Vec2> blade(double turning, double thickness, double tail, int n_side, int n_cap) {
-    double const pi = std::acos(-1.0), radius = 0.5 / std::sin(0.5 * turning);
+    double const radius = 0.5 / std::sin(0.5 * turning);
     auto const on_line = [&](double s) {  // 0: leading edge, 1: trailing edge
         double const a = turning * (s - 0.5);
         return Vec2{radius * std::sin(a), radius * std::cos(a)};
@@ -271,7 +272,7 @@ static std::vector<Vec2> with_horn(double degrees, double reach, int base) {
     naca.blunt = base > 1;
     fixtures::Outline const clean = fixtures::naca4(naca, 80, 0.8, base);
     std::vector<Vec2> out;
-    double const angle = degrees * std::acos(-1.0) / 180, half_width = 0.003;
+    double const angle = degrees * pi / 180, half_width = 0.003;
     Vec2 const along{std::cos(angle), std::sin(angle)}, across{along.y, -along.x};
     bool done = false;
     for (fixtures::Point const p : clean.points) {
@@ -308,7 +309,6 @@ static std::vector<Vec2> with_one_point_at_the_edge(fixtures::Naca4 const& naca,
     std::vector<Vec2> out;
     fixtures::Point const edge = fixtures::naca4_point(naca, 1, above ? -1 : 1);
     out.push_back({edge.x, edge.y});
-    double const pi = std::acos(-1.0);
     for (int k = 0; k < 2 * n_side + 1; ++k) {
         double const x = (1 - last) * 0.5 * (1 + std::cos(pi * k / n_side));
         fixtures::Point const p = fixtures::naca4_point(naca, x, k <= n_side ? 1 : -1);
@@ -363,13 +363,13 @@ double wedge_of(fixtures::SectionSides const& sides) {
         fixtures::Point const a = side[side.size() - 2], b = side.back();
         return std::atan2(b.y - a.y, b.x - a.x);
     };
-    return std::fabs(last(sides.upper) - last(sides.lower)) * 180 / std::acos(-1.0);
+    return std::fabs(last(sides.upper) - last(sides.lower)) * 180 / pi;
 }
 
 Course course_of(fixtures::SectionSides const& sides) {
     std::vector<Vec2> points = loop_of(sides);
     Vec2 centre;
-    for (Vec2 const p : points) centre = centre + (1.0 / static_cast<double>(points.size())) * p;
+    for (Vec2 const p : points) centre = centre + (1.0 / double(points.size())) * p;
     for (Vec2& p : points) p = p - centre;
     return choose(points, Closure::automatic).course;
 }
@@ -396,7 +396,7 @@ TEST_CASE("the facet across the nose of a cusped or sharp section of few points 
 }
 
 TEST_CASE("sharp and blunt trailing edges of nine families of sections, rounded as files are") {
-    for (int family = 0; family < static_cast<int>(fixtures::Family::count); ++family)
+    for (int family = 0; family < int(fixtures::Family::count); ++family)
         for (int const n : {12, 30, 120})
             for (double const clustering : {0.0, 0.8, 1.0})
                 for (unsigned seed = 0; seed < 12; ++seed) {

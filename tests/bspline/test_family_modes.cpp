@@ -17,7 +17,7 @@ struct Modes {
 };
 
 Modes modes_of(CurveSet& set, std::vector<double> const& movements, int n) {
-    Modes out{HM_OK, movements, std::vector<double>(static_cast<std::size_t>(n), -7)};
+    Modes out{HM_OK, movements, std::vector<double>(std::size_t(n), -7)};
     std::size_t bytes = 0;
     REQUIRE(hm_family_modes_size(&set.view(), &bytes, nullptr) == HM_OK);
     fixtures::Guarded work(bytes);
@@ -29,18 +29,18 @@ Modes modes_of(CurveSet& set, std::vector<double> const& movements, int n) {
 
 // The integral of each basis function by the arc length, by Simpson's rule on many intervals.
 std::vector<double> weights(CurveSet& set) {
-    std::vector<double> out(static_cast<std::size_t>(set.n_control()));
+    std::vector<double> out(std::size_t(set.n_control()));
     double total = 0;
     int const n = 24000, spans = set.n_control();
     for (int k = 0; k <= n; ++k) {
-        double const u = static_cast<double>(spans) * k / n;
+        double const u = double(spans) * k / n;
         std::int32_t control[4];
         double value[4], at[4];
         REQUIRE(hm_curve_basis(&set.view(), 0, u, 0, control, value, nullptr) == HM_OK);
         REQUIRE(hm_curve_point(&set.view(), 0, u, 1, at, nullptr) == HM_OK);
         double const w = (k == 0 || k == n ? 1 : k % 2 == 1 ? 4 : 2) * std::hypot(at[2], at[3]);
         for (int i = 0; i < 4; ++i) {
-            out[static_cast<std::size_t>(control[i])] += w * value[i];
+            out[std::size_t(control[i])] += w * value[i];
             total += w * value[i];
         }
     }
@@ -73,19 +73,19 @@ TEST_CASE("modes are orthonormal, and their sums give back all movements") {
     REQUIRE(out.status == HM_OK);
     double squares = 0, captured = 0;
     for (int k = 0; k < n; ++k) {
-        const double* const mode = &out.modes[static_cast<std::size_t>(k) * length];
-        auto const s = static_cast<std::size_t>(k);
+        const double* const mode = &out.modes[std::size_t(k) * length];
+        auto const s = std::size_t(k);
         squares += dot(&movements[s * length], &movements[s * length]);
         captured += out.singular[s] * out.singular[s];
         if (k > 0) CHECK(out.singular[s] <= out.singular[s - 1]);
         for (int j = 0; j <= k && k < rank; ++j) {
-            double const found = dot(mode, &out.modes[static_cast<std::size_t>(j) * length]);
+            double const found = dot(mode, &out.modes[std::size_t(j) * length]);
             CHECK(found == doctest::Approx(j == k ? 1 : 0).epsilon(1e-10).scale(1));
         }
         for (std::size_t i = 0; k >= rank && i < length; ++i) CHECK(mode[i] == 0);
     }
     CHECK(captured == doctest::Approx(squares).epsilon(1e-10));
-    for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k) {
+    for (std::size_t k = 0; k < std::size_t(n); ++k) {
         std::vector<double> rest(movements.begin() + static_cast<std::ptrdiff_t>(k * length),
                                  movements.begin() + static_cast<std::ptrdiff_t>((k + 1) * length));
         for (std::size_t j = 0; j < rank; ++j) {

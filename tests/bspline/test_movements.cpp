@@ -8,11 +8,10 @@
 
 using fixtures::chord;
 using fixtures::CurveSet;
+using fixtures::pi;
 using fixtures::Spline;
 
 namespace {
-
-double const pi = std::acos(-1.0);
 
 CurveSet airfoil(bool blunt = false, double camber = 0.02) {
     return fixtures::naca_section(blunt, 30, camber);
@@ -45,12 +44,12 @@ Moved moved(CurveSet& set, std::vector<hm_movement> const& movements,
             std::vector<double> const& values, hm_section const* section = nullptr) {
     Moved out;
     std::size_t bytes = 0;
-    auto const n = static_cast<std::int32_t>(movements.size());
+    auto const n = std::int32_t(movements.size());
     out.status =
         hm_move_section_size(&set.view(), section, n, movements.data(), &out.n, &bytes, &out.error);
     if (out.status < 0) return out;
-    REQUIRE(static_cast<std::size_t>(out.n) == values.size());
-    auto const length = static_cast<std::size_t>(2 * set.n_control());
+    REQUIRE(std::size_t(out.n) == values.size());
+    auto const length = std::size_t(2 * set.n_control());
     out.move.assign(length, -7);
     out.derivatives.assign(values.size() * length, -7);
     out.start.assign(values.size(), -7);
@@ -145,7 +144,7 @@ TEST_CASE("derivatives of movements agree with differences, of fourth order unde
         INFO(one.name);
         INFO("turned: " << i % 2);
         REQUIRE(at.status == HM_OK);
-        auto const length = static_cast<std::size_t>(2 * set.n_control());
+        auto const length = std::size_t(2 * set.n_control());
         double coarse = 0, fine = 0, largest = 0;
         for (std::size_t j = 0; j < one.values.size(); ++j) {
             // The five-point formula, with two steps.
@@ -222,7 +221,7 @@ TEST_CASE("a flap leaves control points ahead of the hinge, and turns those behi
     double const c = std::cos(degrees * pi / 180), s = std::sin(degrees * pi / 180);
     int ahead = 0, behind = 0;
     for (int i = 0; i < set.n_control(); ++i) {
-        auto const k = static_cast<std::size_t>(2 * i);
+        auto const k = std::size_t(2 * i);
         double const dx = set.control[k] - x, dy = set.control[k + 1] - y;
         // The chord is the x axis to 1e-3.
         if (dx < -1e-3) {
@@ -356,8 +355,7 @@ TEST_CASE("movements that cannot be made are refused, and the outputs stay") {
             std::int32_t n = -7;
             std::size_t bytes = 7;
             hm_error error{};
-            CHECK(hm_move_section_size(&one.set.view(), nullptr,
-                                       static_cast<std::int32_t>(one.movements.size()),
+            CHECK(hm_move_section_size(&one.set.view(), nullptr, std::int32_t(one.movements.size()),
                                        one.movements.data(), &n, &bytes, &error) == one.status);
             CHECK(std::string(error.text).find(one.text) != std::string::npos);
             CHECK(n == -7);

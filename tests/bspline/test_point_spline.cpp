@@ -6,6 +6,7 @@
 #include <fixtures/laid_out.hpp>
 
 using namespace harmorph;
+using fixtures::pi;
 
 namespace {
 
@@ -54,7 +55,6 @@ TEST_CASE("the spline passes through the points, and straight lines stay straigh
 }
 
 TEST_CASE("the order of the error on a circle is four when closed, and three with ends") {
-    double const pi = std::acos(-1.0);
     for (int const n : {8, 16, 32}) {
         CHECK(largest_error(n, 2 * pi, true) > 14 * largest_error(2 * n, 2 * pi, true));
         CHECK(largest_error(n, pi, false) > 7 * largest_error(2 * n, pi, false));

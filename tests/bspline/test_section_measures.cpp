@@ -10,13 +10,12 @@
 #include <string>
 
 using fixtures::CurveSet;
+using fixtures::pi;
 using fixtures::quantity;
 using fixtures::reversed;
 using fixtures::Spline;
 
 namespace {
-
-double const pi = std::acos(-1.0);
 
 hm_quantity thinnest(double first, double last, double sharpness) {
     hm_quantity out = quantity(HM_MIN_THICKNESS, first);

@@ -9,11 +9,10 @@
 
 using fixtures::CurveSet;
 using fixtures::naca_section;
+using fixtures::pi;
 using fixtures::Spline;
 
 namespace {
-
-double const pi = std::acos(-1.0);
 
 struct Map {
     hm_status status;

@@ -155,7 +155,7 @@ TEST_CASE("what a basis is asked for") {
     hm_curve curve[2] = {sized<hm_curve>(), sized<hm_curve>()};
     hm_condition conditions[4] = {sized<hm_condition>()};
     check_arguments("basis, block, -, ?mesh", hm_basis_attach, &attached,
-                    static_cast<void*>(g.basis), static_cast<std::size_t>(info.bytes), &g.mesh);
+                    static_cast<void*>(g.basis), std::size_t(info.bytes), &g.mesh);
     check_arguments("basis, info", hm_basis_info_get, g.basis, &info);
     check_arguments("basis, out, !curve, -", hm_basis_curves, g.basis, &curves, curve, 2);
     check_arguments("basis, move, control, out, !curve, -", hm_moved_curves, g.basis, g.move.data(),
@@ -253,7 +253,7 @@ TEST_CASE("large movements and better cells") {
 TEST_CASE("given displacements") {
     Case setup = given_instead(tiny_case());
     Displaced d(setup);
-    std::int32_t const n = static_cast<std::int32_t>(d.points.size());
+    std::int32_t const n = std::int32_t(d.points.size());
     std::vector<double> zero(100, 0.0), x = setup.mesh.x, y = setup.mesh.y, modes(200, 1.0);
     hm_points const wall{zero.data(), zero.data(), 1},
         from{setup.mesh.x.data(), setup.mesh.y.data(), 1};
@@ -432,7 +432,7 @@ TEST_CASE("a part of a mesh, and its equations") {
                             equations, &wall, work.data(), numbers.data());
             for (double const bad : {std::numeric_limits<double>::quiet_NaN(), 2e100}) {
                 std::vector<double> wrong = whole.mesh.x;
-                std::size_t const at = static_cast<std::size_t>(
+                std::size_t const at = std::size_t(
                     std::find(whole.global_point.begin(), whole.global_point.end(), 16) -
                     whole.global_point.begin());
                 wrong[at] = bad;  // on the body; elsewhere nothing is read

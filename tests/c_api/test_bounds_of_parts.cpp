@@ -37,7 +37,7 @@ TEST_CASE("columns and unknowns of a part's equations") {
     hm_equations* const equations = parted.parts[0].equations;
     hm_equations_info const& info = parted.parts[0].info();
     hm_part* const part = parted.parts[0].part;
-    std::int32_t const n_edges = static_cast<std::int32_t>(parted.edges.size());
+    std::int32_t const n_edges = std::int32_t(parted.edges.size());
     std::size_t bytes = 0;
     Guarded block = block_of(hm_rows_size, equations);
     hm_basis* rows = nullptr;

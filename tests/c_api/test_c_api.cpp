@@ -10,14 +10,6 @@
 
 using namespace fixtures;
 
-namespace {
-
-bool says(hm_error const& error, const char* word) {
-    return std::string(error.text).find(word) != std::string::npos;
-}
-
-}  // namespace
-
 TEST_CASE("versions and names") {
     CHECK(hm_abi_version() == HM_ABI);
     CHECK(std::string(hm_version()) == HM_VERSION);
@@ -69,18 +61,14 @@ TEST_CASE("reports and sentences count as the caller does") {
         // The lower left corner's only cell gives way first.
         std::vector<double> d(48, 0.0);
         d[0] = 1;
-        auto step = sized<hm_step_report>();
-        REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, nullptr, &step,
-                          nullptr, nullptr) == HM_OK);
+        hm_step_report const step = step_of(solved.basis, mesh, Moved{d, d});
         CHECK(step.cell == base);
         CHECK(step.point == base);
         CHECK(step.admissible == doctest::Approx(0.5));
 
         std::vector<double> x = setup.mesh.x;
         x[8] = -1;
-        auto quality = sized<hm_quality_report>();
-        REQUIRE(hm_assess(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr, nullptr,
-                          nullptr, nullptr, &quality, nullptr) == HM_OK);
+        hm_quality_report const quality = quality_of(solved.basis, mesh, Moved{x, setup.mesh.y});
         CHECK(quality.first_inverted == base);
         CHECK(quality.min_quality_cell == base);
         CHECK(quality.crossing_points[0] == -1);

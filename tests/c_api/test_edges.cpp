@@ -36,7 +36,7 @@ struct EdgeList {
         view.n_points = mesh.n_points;
         view.points = mesh.points;
         view.n_cells = mesh.n_cells;
-        view.n_edges = static_cast<std::int32_t>(markers.size());
+        view.n_edges = std::int32_t(markers.size());
         view.edge_points = points.data();
         view.edge_cells = cells.data();
         view.edge_markers = markers.data();
@@ -113,7 +113,7 @@ TEST_CASE("edges that form no cell are refused with the edge or the cell") {
         change(bad);
         Converted const found(bad.view);
         INFO(found.error.text);
-        CHECK(std::string(found.error.text).find(words) != std::string::npos);
+        CHECK(says(found.error, words));
         return found.status;
     };
     CHECK(refused([](EdgeList& e) { e.points[3] = 1000000; }, "does not exist") == HM_BAD_MESH);

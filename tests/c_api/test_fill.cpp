@@ -160,7 +160,7 @@ TEST_CASE("analysis, plan and basis do not depend on old bytes for any operator 
                 record.add_solution(attempt);
                 if (options.engine == HM_DIRECT) return;
                 for (std::int32_t k = 0; k <= std::min(attempt.report.iterations, 7); ++k)
-                    record.add(history[static_cast<std::size_t>(k)]);
+                    record.add(history[std::size_t(k)]);
                 if (options.engine == HM_MULTIGRID) return;  // hm_plan_level is for HM_FAS
                 std::vector<std::int32_t> cells = filled<std::int32_t>(setup.mesh.x.size());
                 std::int32_t n = -1;
@@ -212,13 +212,13 @@ TEST_CASE("all calls with a basis do not depend on old bytes for any kind of val
                                  &step, &quality, nullptr));
             record.add(step);
             record.add(quality);
-            std::vector<double> sums = filled<double>(2 * static_cast<std::size_t>(functions));
+            std::vector<double> sums = filled<double>(2 * std::size_t(functions));
             record.add(hm_adjoint(solved.basis, points_in(&gradient[0], &gradient[1], 2),
                                   sums.data(), nullptr, nullptr));
             record.add(sums);
             std::int32_t scale = 0;
             std::vector<std::int64_t> parts =
-                filled<std::int64_t>(4 * static_cast<std::size_t>(functions * numbers));
+                filled<std::int64_t>(4 * std::size_t(functions * numbers));
             record.add(hm_adjoint_scale(solved.basis, points_in(&gradient[0], &gradient[1], 2),
                                         &scale, nullptr, nullptr));
             record.add(hm_adjoint_sums(solved.basis, points_in(&gradient[0], &gradient[1], 2),
@@ -251,9 +251,9 @@ TEST_CASE("all calls with a basis do not depend on old bytes for any kind of val
             Rows const joined(shares[0], lists[1]);
             for (hm_basis const* share : shares) {
                 std::int64_t doubles = 0;
-                std::int32_t const n_points = static_cast<std::int32_t>(lists[1].size());
+                std::int32_t const n_points = std::int32_t(lists[1].size());
                 REQUIRE(hm_parcel_size(share, n_points, &doubles, nullptr) == HM_OK);
-                std::vector<double> parcel = filled<double>(static_cast<std::size_t>(doubles));
+                std::vector<double> parcel = filled<double>(std::size_t(doubles));
                 record.add(
                     hm_parcel_pack(share, n_points, lists[1].data(), parcel.data(), nullptr));
                 record.add(parcel);
@@ -287,7 +287,7 @@ TEST_CASE("fits of every closure, and the points of a curve") {
                 naca.blunt = is_blunt;
                 Outline const outline = naca4(naca, 30);
                 double const* const xy = &outline.points[0].x;
-                std::int32_t const n = static_cast<std::int32_t>(outline.points.size());
+                std::int32_t const n = std::int32_t(outline.points.size());
                 auto options = sized<hm_fit_options>();
                 options.closed = closed;
                 Guarded block = block_of(hm_fit_size, n, &options);
@@ -315,8 +315,8 @@ TEST_CASE("fits of every closure, and the points of a curve") {
                     record.add(distance);
                     std::vector<double> values = filled<double>(24), at = filled<double>(6);
                     std::vector<std::int32_t> control = filled<std::int32_t>(6);
-                    values.resize(3 * static_cast<std::size_t>(curve.degree + 1));
-                    control.resize(static_cast<std::size_t>(curve.degree + 1));
+                    values.resize(3 * std::size_t(curve.degree + 1));
+                    control.resize(std::size_t(curve.degree + 1));
                     record.add(
                         hm_curve_basis(curves, k, u, 2, control.data(), values.data(), nullptr));
                     record.add(hm_curve_point(curves, k, u, 2, at.data(), nullptr));
@@ -366,8 +366,7 @@ TEST_CASE("safe morphs do not depend on old bytes for any operator, scheme or st
                     REQUIRE(derivative.prepare());
                     Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
                     std::vector<double> const move = similarity_move(
-                        setup.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), {0.5, 0.5},
-                        0.03);
+                        setup.curves, std::polar(1.0, degrees * pi / 180), {0.5, 0.5}, 0.03);
                     std::vector<double> x = filled<double>(setup.mesh.x.size()), y = x,
                                         reached = filled<double>(move.size());
                     auto options = sized<hm_safe_options>();

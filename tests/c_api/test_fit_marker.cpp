@@ -24,7 +24,7 @@ struct WallFit {
         HM_INIT(report);
         options.n_control = n_control;
         std::size_t bytes = 0, work_bytes = 0;
-        auto const n = static_cast<std::int32_t>(markers.size());
+        auto const n = std::int32_t(markers.size());
         status =
             hm_fit_marker_size(&mesh, n, markers.data(), &options, &bytes, &work_bytes, &error);
         if (status < 0) return;

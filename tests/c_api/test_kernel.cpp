@@ -21,7 +21,7 @@ std::vector<double> morphed(Case const& setup, Solved const& solved,
 }
 
 std::vector<double> gradient(Case const& setup, Solved const& solved, hm_executor const* executor) {
-    std::vector<double> out(2 * static_cast<std::size_t>(setup.curves.n_control()));
+    std::vector<double> out(2 * std::size_t(setup.curves.n_control()));
     REQUIRE(hm_adjoint(solved.basis, points_in(setup.mesh.y, setup.mesh.x), out.data(), executor,
                        nullptr) == HM_OK);
     return out;
@@ -30,7 +30,7 @@ std::vector<double> gradient(Case const& setup, Solved const& solved, hm_executo
 }  // namespace
 
 TEST_CASE("the best kernel is one that the processor has") {
-    CHECK(hm_best_kernel() == static_cast<std::int32_t>(usable_kernels().back()));
+    CHECK(hm_best_kernel() == std::int32_t(usable_kernels().back()));
 }
 
 TEST_CASE("every kernel that an executor may name gives the same bits of movements and gradients") {
@@ -40,8 +40,7 @@ TEST_CASE("every kernel that an executor may name gives the same bits of movemen
     std::vector<double> const points = morphed(setup, solved, move, nullptr),
                               slopes = gradient(setup, solved, nullptr);
     for (harmorph::Kernel const kernel : usable_kernels()) {
-        hm_executor const executor{sizeof executor, nullptr, nullptr, 1,
-                                   static_cast<std::int32_t>(kernel)};
+        hm_executor const executor{sizeof executor, nullptr, nullptr, 1, std::int32_t(kernel)};
         CHECK(same_bits(morphed(setup, solved, move, &executor), points));
         CHECK(same_bits(gradient(setup, solved, &executor), slopes));
     }

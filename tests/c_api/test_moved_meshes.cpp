@@ -96,10 +96,8 @@ TEST_CASE("a mesh of other cells is refused, also with as many points and cells 
     renumbered.cell_points = turned.data();
     std::vector<std::int32_t> changed(
         o.setup.mesh.cells);  // the last of the 64 cells that are compared
-    std::int32_t const first =
-        o.setup.mesh.cell_start[static_cast<std::size_t>(63LL * o.mesh.n_cells / 64)];
-    std::swap(changed[static_cast<std::size_t>(first)],
-              changed[static_cast<std::size_t>(first) + 1]);
+    std::int32_t const first = o.setup.mesh.cell_start[std::size_t(63LL * o.mesh.n_cells / 64)];
+    std::swap(changed[std::size_t(first)], changed[std::size_t(first) + 1]);
     other_cell.cell_points = changed.data();
     const char* const text = "the basis belongs to another mesh, because the cells differ";
     hm_basis* const basis = o.solved->basis;

@@ -200,8 +200,7 @@ TEST_CASE("each call takes the kinds of bases that it can use") {
                    [=](World& w, hm_basis* b, void* work, std::size_t bytes, hm_error* e) {
                        std::vector<double> const zeros(4000, 0.0);
                        hm_points const wall{zeros.data(), zeros.data() + 1, 2};
-                       std::int32_t const all =
-                           static_cast<std::int32_t>(given_points(plan).size());
+                       std::int32_t const all = std::int32_t(given_points(plan).size());
                        return hm_displace_safe(plan, b, nullptr, all, nullptr, &wall, &w.arrays.out,
                                                work, bytes, nullptr, nullptr, e);
                    })},
@@ -211,8 +210,8 @@ TEST_CASE("each call takes the kinds of bases that it can use") {
              hm_status const status = hm_tabulate_size(plan, b, 1, 1, &bytes, &work_bytes, e);
              if (status < 0) return status;
              Guarded block(bytes), work(work_bytes);
-             std::int32_t const all = static_cast<std::int32_t>(given_points(plan).size());
-             std::vector<double> const ones(static_cast<std::size_t>(all), 1.0);
+             std::int32_t const all = std::int32_t(given_points(plan).size());
+             std::vector<double> const ones(std::size_t(all), 1.0);
              hm_basis* made = nullptr;
              return hm_tabulate(&made, block.data(), bytes, plan, b, all, nullptr, 1, 1,
                                 ones.data(), work.data(), work_bytes, nullptr, e);
@@ -359,7 +358,7 @@ TEST_CASE("two bases in one call: each pair of kinds, and one basis as both") {
              for (std::int32_t& point : list)
                  point = std::min(point, info_of(pair.second).points - 1);
              std::int64_t doubles = 0;
-             std::int32_t const n_list = static_cast<std::int32_t>(list.size());
+             std::int32_t const n_list = std::int32_t(list.size());
              hm_status status = hm_parcel_size(pair.second, n_list, &doubles, e);
              if (status < 0) return status;
              std::vector<double> parcel(static_cast<std::size_t>(doubles));

@@ -26,7 +26,7 @@ TEST_CASE("blocks of any size are aligned inside the caller's memory, wherever t
                 static_cast<unsigned char*>(hm_pages_place(memory.data() + offset, bytes));
             REQUIRE(block >= memory.data() + offset);
             CHECK(misplaced(block) % alignment == 0);
-            CHECK(static_cast<std::size_t>(block - (memory.data() + offset)) <= room - bytes);
+            CHECK(std::size_t(block - (memory.data() + offset)) <= room - bytes);
             std::memset(block, 0x5a, bytes);
         }
     }

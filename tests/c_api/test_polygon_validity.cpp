@@ -18,10 +18,11 @@ TEST_CASE("polygons with a coordinate that is not finite count as inverted at an
         for (double const bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
             for (std::int32_t point = 0; point < view.n_points; point += 7) {
                 std::vector<double> x = setup.mesh.x;
-                x[static_cast<std::size_t>(point)] = bad;
+                x[std::size_t(point)] = bad;
                 std::int32_t cells = 0;
                 for (std::int32_t const corner : setup.mesh.cells) cells += corner == point ? 1 : 0;
-                hm_quality_report const seen = quality_of(solved, view, x, setup.mesh.y);
+                hm_quality_report const seen =
+                    quality_of(solved.basis, view, Moved{x, setup.mesh.y});
                 CHECK(seen.inverted == cells);
                 if (cells > 0) CHECK(seen.min_area == -HUGE_VAL);
             }
@@ -44,16 +45,10 @@ TEST_CASE("the admissible step of polygons ends where a cell is no longer sound"
             int stopped = 0;
             for (unsigned seed = 1; seed <= 6; ++seed) {
                 std::vector<double> const move = some_move(solved.info().functions, 0.3, seed);
-                std::vector<double> dx(mesh.x.size()), dy(dx);
-                REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr,
-                                 nullptr) == HM_OK);
-                hm_step_report step{}, also_step{};
-                step.struct_size = also_step.struct_size = sizeof step;
-                REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr,
-                                  &step, nullptr, nullptr) == HM_OK);
+                Moved const by = displaced(solved.basis, move);
                 auto assessed = sized<hm_quality_report>();
-                REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr,
-                                  &also_step, &assessed, nullptr) == HM_OK);
+                hm_step_report const step = step_of(solved.basis, view, by),
+                                     also_step = step_of(solved.basis, view, by, &assessed);
                 CHECK(also_step.admissible == step.admissible);
                 CHECK(also_step.cell == step.cell);
                 if (!(step.admissible < 1e6)) continue;
@@ -62,23 +57,23 @@ TEST_CASE("the admissible step of polygons ends where a cell is no longer sound"
                     x = mesh.x;
                     y = mesh.y;
                     for (std::size_t k = 0; k < x.size(); ++k) {
-                        x[k] += s * dx[k];
-                        y[k] += s * dy[k];
+                        x[k] += s * by.x[k];
+                        y[k] += s * by.y[k];
                     }
                 };
                 std::vector<double> x, y;
                 at((1 - 1e-6) * step.admissible, x, y);
                 CHECK(is_sound(mesh, x, y));
-                CHECK(quality_of(solved, view, x, y).inverted == 0);
+                CHECK(quality_of(solved.basis, view, Moved{x, y}).inverted == 0);
                 at((1 + 1e-6) * step.admissible, x, y);
-                hm_quality_report const beyond = quality_of(solved, view, x, y);
+                hm_quality_report const beyond = quality_of(solved.basis, view, Moved{x, y});
                 CHECK(beyond.inverted >= 1);
                 CHECK(beyond.first_inverted == step.cell);
                 std::vector<std::int32_t> const corners = corners_of(mesh, step.cell - base);
                 CHECK(std::count(corners.begin(), corners.end(), step.point - base) == 1);
                 at(1, x, y);
                 hm_quality_report const measured =
-                    quality_of(solved, view, x, y, points_in(mesh.x, mesh.y));
+                    quality_of(solved.basis, view, Moved{x, y}, points_in(mesh.x, mesh.y));
                 CHECK(measured.inverted == assessed.inverted);
                 CHECK(measured.min_quality == doctest::Approx(assessed.min_quality).epsilon(1e-9));
                 CHECK(measured.mean_quality ==
@@ -91,7 +86,6 @@ TEST_CASE("the admissible step of polygons ends where a cell is no longer sound"
 
 TEST_CASE("a convex corner of a polygon may not become reflex, but a flat one may bend") {
     // A regular hexagon inside a ring of quadrilaterals; one corner is pushed inwards.
-    double const pi = std::acos(-1.0);
     Case setup;
     for (int ring_number = 0; ring_number < 3; ++ring_number) {
         for (int k = 0; k < 12; ++k) {  // corners and middles of the sides
@@ -118,13 +112,13 @@ TEST_CASE("a convex corner of a polygon may not become reflex, but a flat one ma
     hm_mesh const view = in_polygons(setup.mesh_view());
     Solved const solved(setup.problem(view));
     std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
-    CHECK(quality_of(solved, view, x, y).min_quality > 0.5);
+    CHECK(quality_of(solved.basis, view, Moved{x, y}).min_quality > 0.5);
     auto const quality_with = [&](std::size_t point, double part) {
         x = setup.mesh.x;
         y = setup.mesh.y;
         x[point] *= part;
         y[point] *= part;
-        return quality_of(solved, view, x, y);
+        return quality_of(solved.basis, view, Moved{x, y});
     };
     // The corner 0 is flat when it lies between its neighbours, at a distance of cos^2(pi / 6) from
     // the centre.
@@ -148,9 +142,7 @@ TEST_CASE("a convex corner of a polygon may not become reflex, but a flat one ma
         std::vector<double> dx(setup.mesh.x.size(), together), dy(dx);
         dx[1] -= inwards_x;
         dy[1] -= inwards_y;
-        auto step = sized<hm_step_report>();
-        REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr, &step,
-                          nullptr, nullptr) == HM_OK);
+        hm_step_report const step = step_of(solved.basis, view, Moved{dx, dy});
         CHECK(step.cell == 0);
         return step.admissible;
     };
@@ -190,8 +182,8 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
                 CHECK(report.inverted == 0);
                 CHECK(is_sound(setup.mesh, x, y));
                 if (skipped == 0) CHECK(report.step_fraction == 1);
-                hm_quality_report const measured =
-                    quality_of(solved, view, x, y, points_in(setup.mesh.x, setup.mesh.y));
+                hm_quality_report const measured = quality_of(
+                    solved.basis, view, Moved{x, y}, points_in(setup.mesh.x, setup.mesh.y));
                 CHECK(measured.min_quality == report.min_quality);
                 CHECK(measured.min_quality_cell == report.min_quality_cell);
                 CHECK(report.worst[0].cell == report.min_quality_cell);
@@ -227,25 +219,25 @@ TEST_CASE("polygons: the last strategy untangles cells that one step inverts") {
     hm_mesh const view = in_polygons(setup.mesh_view());
     Options options = laplace();
     Solved const solved(setup.problem(view), &options);
-    std::vector<double> move, x(setup.mesh.x.size()), y(x);
-    hm_quality_report morphed{};
-    for (double angle = 0.1; morphed.inverted == 0;
+    std::vector<double> move;
+    Moved to;
+    hm_quality_report quality{};
+    for (double angle = 0.1; quality.inverted == 0;
          angle *= 1.1) {  // the smallest of these turns that inverts a cell
         REQUIRE(angle < 3);
         move = turned_by(angle, setup.curves, 0);
-        REQUIRE(hm_morph(solved.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
-                         points_out(x, y), nullptr, nullptr) == HM_OK);
-        morphed = quality_of(solved, view, x, y);
+        to = morphed(solved.basis, setup.mesh, move);
+        quality = quality_of(solved.basis, view, to);
     }
-    REQUIRE(morphed.self_crossing == 0);
-    REQUIRE(!is_sound(setup.mesh, x, y));
+    REQUIRE(quality.self_crossing == 0);
+    REQUIRE(!is_sound(setup.mesh, to.x, to.y));
     Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
     auto safe = sized<hm_safe_options>();
     safe.max_resolves = -1;
     safe.skipped_strategies = without({HM_STRATEGY_SUBSTEPS});
     auto report = sized<hm_safe_report>();
-    REQUIRE(hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(x, y), nullptr,
+    REQUIRE(hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(to.x, to.y), nullptr,
                           work.data(), work.size(), &safe, &report, nullptr) >= HM_OK);
     CHECK(report.untangled > 0);
-    CHECK(is_sound(setup.mesh, x, y));
+    CHECK(is_sound(setup.mesh, to.x, to.y));
 }

@@ -140,7 +140,7 @@ TEST_CASE("combined functions, gradients in parts, parcels") {
     hm_basis* const few = share;  // for all points, but no rows of all functions
     std::int64_t n_few = 0;
     std::vector<std::int32_t> everywhere(48);
-    for (std::size_t k = 0; k < 48; ++k) everywhere[k] = static_cast<std::int32_t>(k);
+    for (std::size_t k = 0; k < 48; ++k) everywhere[k] = std::int32_t(k);
     REQUIRE(hm_parcel_size(share, 48, &n_few, nullptr) == HM_OK);
     std::vector<double> of_few(static_cast<std::size_t>(n_few));
     REQUIRE(hm_parcel_pack(share, 48, everywhere.data(), of_few.data(), nullptr) == HM_OK);
@@ -194,7 +194,7 @@ TEST_CASE("modes: numbers, lists, and what they do not go with") {
     Displaced displaced(setup);
     std::size_t bytes = 0, work_bytes = 0;
     hm_basis* made = nullptr;
-    std::int32_t const n = static_cast<std::int32_t>(displaced.points.size());
+    std::int32_t const n = std::int32_t(displaced.points.size());
     std::vector<double> modes(200, 1.0);
     std::vector<std::int32_t> list(100, displaced.points[0]), twice = displaced.points;
     twice.push_back(twice[0]);
@@ -295,9 +295,9 @@ TEST_CASE("a safe displacement that turns a body inside out") {
     hm_points_out const to{x.data(), y.data(), 1};
     Guarded work = block_of(hm_displace_safe_size, displaced.plan, displaced.basis);
     hm_error error{};
-    CHECK(hm_displace_safe(displaced.plan, displaced.basis, nullptr,
-                           static_cast<std::int32_t>(dx.size()), displaced.points.data(), &wall,
-                           &to, work.data(), work.size(), nullptr, nullptr, &error) == HM_CROSSING);
+    CHECK(hm_displace_safe(displaced.plan, displaced.basis, nullptr, std::int32_t(dx.size()),
+                           displaced.points.data(), &wall, &to, work.data(), work.size(), nullptr,
+                           nullptr, &error) == HM_CROSSING);
     CHECK(std::string(error.text) ==
           "the boundary through point 17 at (3, 2) is turned inside out");
     CHECK(x == setup.mesh.x);

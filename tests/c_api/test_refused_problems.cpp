@@ -256,7 +256,7 @@ TEST_CASE("points that are far away from their curve") {
 TEST_CASE("polygons with more corners than cells can be counted") {
     std::vector<std::int32_t> start(
         600001);  // of these the library knows how many corners there are
-    for (std::size_t k = 0; k < start.size(); ++k) start[k] = static_cast<std::int32_t>(1000 * k);
+    for (std::size_t k = 0; k < start.size(); ++k) start[k] = std::int32_t(1000 * k);
     Case setup = tiny_case();
     hm_mesh mesh = setup.mesh_view();
     mesh.cell_layout = HM_CELLS_POLYGONS;

@@ -51,7 +51,7 @@ TEST_CASE("hm_morph needs at most 16 KiB of stack, hm_adjoint on one thread 40, 
         REQUIRE(solved.status == HM_OK);
         std::int32_t const n = solved_once.info().functions;
         std::vector<double> const move = some_move(n, 1e-3, 4);
-        std::vector<double> gradient(static_cast<std::size_t>(2 * n));
+        std::vector<double> gradient(std::size_t(2 * n));
         std::vector<double> x(setup.mesh.x), y(setup.mesh.y);
         hm_quality_report quality;
         HM_INIT(quality);

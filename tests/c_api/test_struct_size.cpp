@@ -30,10 +30,6 @@ std::uint64_t size_before(std::size_t place) {
     return (place + alignof(Struct) - 1) / alignof(Struct) * alignof(Struct);
 }
 
-bool says(hm_error const& error, const char* word) {
-    return std::string(error.text).find(word) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("a struct of an older caller is shorter: what is missing has its default") {

@@ -44,10 +44,6 @@ hm_mesh_report report_of(hm_mesh const& mesh) {
     return out;
 }
 
-bool says(hm_error const& error, const char* words) {
-    return std::string(error.text).find(words) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("interfaces of blocks close, and functions are those of the mesh with joined points") {
@@ -71,11 +67,10 @@ TEST_CASE("interfaces of blocks close, and functions are those of the mesh with 
             Solved const one(joined, &options), several(joined.problem(blocks), &options);
             std::int32_t const numbers = several.info().numbers_per_value;
             double worst = 0;
-            std::vector<double> a(topology.blocks.x.size()), b(joined.mesh.x.size());
             for (std::int32_t i = 0; i < several.info().functions; ++i) {
                 for (std::int32_t n = 0; n < numbers; ++n) {
-                    REQUIRE(hm_basis_values(several.basis, i, n, a.data(), nullptr) == HM_OK);
-                    REQUIRE(hm_basis_values(one.basis, i, n, b.data(), nullptr) == HM_OK);
+                    std::vector<double> const a = values_of(several.basis, i, n),
+                                              b = values_of(one.basis, i, n);
                     for (std::size_t k = 0; k < a.size(); ++k) {
                         worst = std::max(worst, std::fabs(a[k] - b[std::size_t(number[k])]));
                     }
@@ -113,9 +108,7 @@ TEST_CASE("blocks have the right numbers in reports, for both index bases, and w
         // The point (1, 1) of the last block goes to where its cell is turned over.
         std::int32_t const first = 7 * 25, point = first + 1 + 5;
         x[std::size_t(point)] += 10;
-        auto quality = sized<hm_quality_report>();
-        REQUIRE(hm_assess(solved.basis, &mesh, points_in(x, y), nullptr, nullptr, nullptr, nullptr,
-                          &quality, nullptr) == HM_OK);
+        hm_quality_report const quality = quality_of(solved.basis, mesh, Moved{x, y});
         CHECK(quality.inverted >= 2);
         CHECK(quality.first_inverted == 7 * 16 + base);
         const hm_basis* attached = nullptr;

@@ -222,5 +222,5 @@ TEST_CASE("the seam of an O-mesh block is joined, and functions are those of the
     view.nj = n_r + 1;
     Attempt const attempt(open.problem(view));
     CHECK(attempt.status == HM_BAD_MESH);
-    CHECK(std::string(attempt.error.text).find("no marker") != std::string::npos);
+    CHECK(says(attempt.error, "no marker"));
 }

@@ -93,7 +93,6 @@ Index check_flipped(Mesh const& mesh) {
 // Triangles of a fan from one corner of a convex polygon: as far from Delaunay as can be.
 Mesh fan(int n, double thin) {
     Mesh mesh;
-    double const pi = std::acos(-1.0);
     for (int k = 0; k < n; ++k)
         mesh.add_point({std::cos(2 * pi * k / n), thin * std::sin(2 * pi * k / n)});
     for (int k = 1; k + 1 < n; ++k) mesh.add_cell({0, k, k + 1});

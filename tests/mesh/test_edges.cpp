@@ -117,8 +117,7 @@ TEST_CASE("a point of hundreds of edges is handled") {
     Mesh mesh;
     mesh.add_point({0, 0});
     for (int k = 0; k < n; ++k)
-        mesh.add_point(
-            {std::cos(2 * std::acos(-1.0) * k / n), std::sin(2 * std::acos(-1.0) * k / n)});
+        mesh.add_point({std::cos(2 * pi * k / n), std::sin(2 * pi * k / n)});
     for (int k = 0; k < n; ++k) mesh.add_cell({0, 1 + k, 1 + (k + 1) % n});
     shuffle_cells(mesh, 4);
     Edges const found(mesh);

@@ -66,7 +66,6 @@ double best_of_all(std::vector<Point> const& p, std::size_t begin, std::size_t e
 }
 
 std::vector<Point> star(int n, double depth, unsigned seed) {
-    double const pi = std::acos(-1.0);
     std::mt19937 random(seed);
     std::vector<Point> out;
     for (int k = 0; k < n; ++k) {

@@ -61,7 +61,7 @@ TEST_CASE("rows far from the wall, where all values are small, are scaled like t
     std::vector<std::int32_t> points;
     for (std::int32_t k = outer; k < n; ++k) points.push_back(k);
     Rows const rows(solved.basis, points);
-    Numbers const ones(static_cast<std::size_t>(n), 1.0);
+    Numbers const ones(std::size_t(n), 1.0);
     std::int32_t whole = 0, part = 0;
     REQUIRE(hm_adjoint_scale(solved.basis, points_in(ones, ones), &whole, nullptr, nullptr) ==
             HM_OK);

@@ -20,7 +20,7 @@ struct Displaced {
         : mesh(given_mesh),
           dx(mesh.x.size(), 0.0),
           dy(dx),
-          reversed(static_cast<std::size_t>(mesh.n_cells()), 0) {}
+          reversed(std::size_t(mesh.n_cells()), 0) {}
 
     AdmissibleStep step() const {
         harmorph::Mesh const view = core_mesh(mesh);
@@ -105,8 +105,7 @@ TEST_CASE("roots of the quadratic, in all cases of its signs") {
                     CHECK(displaced.point(found) == -1);
                     ++unlimited;
                 } else {
-                    CHECK(found.step ==
-                          doctest::Approx(static_cast<double>(expected)).epsilon(1e-7));
+                    CHECK(found.step == doctest::Approx(double(expected)).epsilon(1e-7));
                     CHECK(found.cell == 0);
                     CHECK(displaced.point(found) == 0);
                     ++limited;
@@ -137,10 +136,8 @@ TEST_CASE("the step of a needle has the digits of its short side") {
         for (std::size_t k = 0; k < 3; ++k) alone.dx[k] = any(), alone.dy[k] = any();
 
         auto const side = [&](std::vector<double> const& coordinates, int to) {
-            std::size_t const from =
-                static_cast<std::size_t>(3 - trial % 3) % 3;  // the point at the origin
-            return static_cast<long double>(
-                       coordinates[(from + static_cast<std::size_t>(to)) % 3]) -
+            std::size_t const from = std::size_t(3 - trial % 3) % 3;  // the point at the origin
+            return static_cast<long double>(coordinates[(from + std::size_t(to)) % 3]) -
                    coordinates[from];
         };
         long double const ax = side(mesh.x, 1), ay = side(mesh.y, 1), bx = side(mesh.x, 2),
@@ -152,18 +149,18 @@ TEST_CASE("the step of a needle has the digits of its short side") {
         long double const root = b * b - 4 * a * c;
         if (b >= 0 || root < 0.01L * b * b) continue;
         ++limited;
-        double const expected = static_cast<double>(2 * c / (std::sqrt(root) - b));
+        double const expected = double(2 * c / (std::sqrt(root) - b));
         CHECK(alone.step().step == doctest::Approx(expected).epsilon(1e-12));
 
         Displaced last(Mesh{});
         for (int cell = 0; cell < 64; ++cell) {
-            std::int32_t const first = static_cast<std::int32_t>(last.mesh.x.size());
+            std::int32_t const first = std::int32_t(last.mesh.x.size());
             last.mesh.add_point({0, 0}), last.mesh.add_point({1, 0}), last.mesh.add_point({0, 1});
             last.mesh.add_cell({first, first + 1, first + 2});
             last.dx.insert(last.dx.end(), {0, -1 / (expected * (1 + 1e-7)), 0});
             last.dy.insert(last.dy.end(), {0, 0, 0});
         }
-        std::int32_t const first = static_cast<std::int32_t>(last.mesh.x.size());
+        std::int32_t const first = std::int32_t(last.mesh.x.size());
         for (std::size_t k = 0; k < 3; ++k) last.mesh.add_point({mesh.x[k], mesh.y[k]});
         last.mesh.add_cell({first, first + 1, first + 2});
         last.dx.insert(last.dx.end(), alone.dx.begin(), alone.dx.end());
@@ -252,7 +249,7 @@ TEST_CASE("a displacement that is not a number allows no step") {
         AdmissibleStep const found = displaced.step();
         CHECK(found.step == 0);
         harmorph::Cell const cell = core_mesh(mesh).cell(found.cell);
-        CHECK(std::count(cell.point, cell.point + cell.n, static_cast<std::int32_t>(point)) == 1);
+        CHECK(std::count(cell.point, cell.point + cell.n, std::int32_t(point)) == 1);
     }
 }
 

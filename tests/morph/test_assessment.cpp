@@ -42,27 +42,20 @@ TEST_CASE("one assessment has the step and the quality of two calls in turn") {
                 if (base == 1) reverse_some(setup.mesh, 3);
                 Solved const solved(setup);
                 hm_mesh const mesh = setup.mesh_view();
-                std::size_t const n = setup.mesh.x.size();
                 std::vector<double> const move = some_move(setup.curves.n_control(), size, 5);
-                std::vector<double> dx(n), dy(n), x(n), y(n);
-                REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr,
-                                 nullptr) == HM_OK);
-                REQUIRE(hm_morph(solved.basis, move.data(), &mesh.points, points_out(x, y), nullptr,
-                                 nullptr) == HM_OK);
+                Moved const by = displaced(solved.basis, move),
+                            to = morphed(solved.basis, setup.mesh, move);
                 Both apart, together;
-                REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr, nullptr,
-                                  &apart.step, nullptr, nullptr) == HM_OK);
-                REQUIRE(hm_assess(solved.basis, &mesh, points_in(x, y), nullptr, &mesh.points,
-                                  nullptr, nullptr, &apart.quality, nullptr) == HM_OK);
-                REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr, nullptr,
-                                  &together.step, &together.quality, nullptr) == HM_OK);
+                apart.step = step_of(solved.basis, mesh, by);
+                apart.quality = quality_of(solved.basis, mesh, to, &mesh.points);
+                together.step = step_of(solved.basis, mesh, by, &together.quality);
                 CHECK(together.agrees_with(apart));
                 CHECK((together.quality.inverted > 0) == (size == 1.0));
                 CHECK((together.step.admissible < 1) == (size == 1.0));
                 Backwards order;
                 hm_executor const executor = order.executor(4);
                 Both threaded;
-                REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr,
+                REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(by.x, by.y), nullptr,
                                   &executor, &threaded.step, &threaded.quality, nullptr) == HM_OK);
                 CHECK(threaded.same_as(together));
                 CHECK(order.tasks > 1);
@@ -81,18 +74,13 @@ TEST_CASE("each report alone, and a reference of its own: what both calls in tur
         x[k] += dx[k];
         y[k] += dy[k];
     }
-    Both together, alone, referred, moved;
-    CHECK(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr, nullptr,
-                    &together.step, &together.quality, nullptr) == HM_OK);
-    CHECK(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr, nullptr, &alone.step,
-                    nullptr, nullptr) == HM_OK);
-    CHECK(alone.step.admissible == together.step.admissible);
-    CHECK(alone.quality.mean_quality == Both().quality.mean_quality);  // not written
+    Both together, referred, moved;
+    together.step = step_of(solved.basis, mesh, Moved{dx, dy}, &together.quality);
+    CHECK(step_of(solved.basis, mesh, Moved{dx, dy}).admissible == together.step.admissible);
     // The reference is the mesh itself: the same quality, whether the mesh has moved or will move.
     CHECK(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), &mesh.points, nullptr, nullptr,
                     &referred.quality, nullptr) == HM_OK);
-    CHECK(hm_assess(solved.basis, &mesh, points_in(x, y), nullptr, &mesh.points, nullptr, nullptr,
-                    &moved.quality, nullptr) == HM_OK);
+    moved.quality = quality_of(solved.basis, mesh, Moved{x, y}, &mesh.points);
     for (hm_quality_report const& quality : {referred.quality, moved.quality}) {
         CHECK(quality.mean_quality ==
               doctest::Approx(together.quality.mean_quality).epsilon(1e-14));

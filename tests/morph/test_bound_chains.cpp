@@ -61,7 +61,7 @@ TEST_CASE("derivatives by control points, for real and for complex functions") {
         options.operator_kind = kind;
         Solved const solved(setup, &options);
         Bounded const mesh(setup);
-        std::size_t const n = static_cast<std::size_t>(solved.info().functions);
+        std::size_t const n = std::size_t(solved.info().functions);
         check_chain(
             mesh, some_field(n, 2, 0.002),
             [&](Field const& move) { return displacement_of(solved.basis, move, mesh.n()); },
@@ -99,7 +99,7 @@ TEST_CASE("derivatives of the admissible step by control points") {
     Case setup = airfoil_case(20);
     Solved const solved(setup);
     Bounded const mesh(setup);
-    std::size_t const n = static_cast<std::size_t>(solved.info().functions);
+    std::size_t const n = std::size_t(solved.info().functions);
     Field const move = some_field(n, 6, 0.01), direction = some_field(n, 7, 0.001);
     auto const step_of = [&](double t, hm_step_corner* corner) {
         Field const displacement =
@@ -117,7 +117,7 @@ TEST_CASE("derivatives of the admissible step by control points") {
     step_of(0, &corner);
     Field dj(mesh.n());
     for (std::size_t k = 0; k < 3; ++k)
-        dj[static_cast<std::size_t>(corner.points[k])] +=
+        dj[std::size_t(corner.points[k])] +=
             corner.step * std::complex<double>(corner.by_from[2 * k], corner.by_from[2 * k + 1]);
     double const slope = dot(gradient_of(solved.basis, dj, n), direction);
     CHECK(check_slope(slope, 0.2, [&](double t) { return step_of(t, nullptr); }) < 1e-6);

@@ -10,7 +10,7 @@ using namespace fixtures::cell_grid;
 
 TEST_CASE("batches find what single cells show, in all layouts, valid and inverted") {
     for (CellLayout const layout : layouts) {
-        CAPTURE(static_cast<int>(layout));
+        CAPTURE(int(layout));
         for (double const noise : {0.0, 0.2, 0.9}) {  // the last one inverts cells
             for (double const size : {0.0, 1e-3, 0.3, 5.0}) check_all(Grid(layout, noise, size, 7));
         }
@@ -31,7 +31,7 @@ TEST_CASE("structured blocks: batches run on from row to row and from block to b
 
 TEST_CASE("turns and waves, in which areas fall and rise again, are limited as single cells are") {
     for (CellLayout const layout : layouts) {
-        CAPTURE(static_cast<int>(layout));
+        CAPTURE(int(layout));
         for (double const turn : {0.0, 1e-3, 1.0}) {
             for (double const wave : {0.0, 1e-3, 0.5}) {
                 Grid grid(layout, 0.2, 0, 3);
@@ -54,7 +54,7 @@ std::vector<double> in_pairs(std::vector<double> const& x, std::vector<double> c
 
 TEST_CASE("points in pairs give the bits of points in two arrays in all layouts") {
     for (CellLayout const layout : layouts) {
-        CAPTURE(static_cast<int>(layout));
+        CAPTURE(int(layout));
         Grid const grid(layout, 0.2, 0.3, 11);
         std::vector<double> const pairs = in_pairs(grid.x, grid.y),
                                   changes = in_pairs(grid.dx, grid.dy);
@@ -84,7 +84,7 @@ TEST_CASE("points in pairs give the bits of points in two arrays in all layouts"
 
 TEST_CASE("lists of any number of cells are examined to the last cell") {
     for (CellLayout const layout : {CellLayout::rows, CellLayout::triangles, CellLayout::quads}) {
-        CAPTURE(static_cast<int>(layout));
+        CAPTURE(int(layout));
         for (Index n = 1; n <= 40; ++n) {
             CAPTURE(n);
             Grid grid(layout, 0.3, 0.3, 17);
@@ -97,7 +97,7 @@ TEST_CASE("lists of any number of cells are examined to the last cell") {
 TEST_CASE("cells whose index base is 1 are the same cells") {
     for (CellLayout const layout :
          {CellLayout::rows, CellLayout::triangles, CellLayout::quads, CellLayout::mixed}) {
-        CAPTURE(static_cast<int>(layout));
+        CAPTURE(int(layout));
         Grid grid(layout, 0.2, 0.3, 13);
         Assessment const from_zero = harmorph::assess(grid.cells, grid.points(), grid.change(), {});
         for (std::vector<Index>* const list :

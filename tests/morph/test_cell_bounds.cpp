@@ -12,8 +12,6 @@ using namespace fixtures;
 
 namespace {
 
-double const pi = std::acos(-1.0);
-
 std::vector<NamedCase> cases() {
     std::vector<NamedCase> out;
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
@@ -37,7 +35,7 @@ struct Outlines {
     Outlines(Mesh const& mesh, std::int32_t cell, Field const& at)
         : before(outline(mesh, cell, mesh.x, mesh.y)) {
         for (std::int32_t const k : corners_of(mesh, cell)) {
-            std::complex<double> const z = at[static_cast<std::size_t>(k)];
+            std::complex<double> const z = at[std::size_t(k)];
             now.push_back({z.real(), z.imag()});
         }
         if (shoelace(before) > 0) return;
@@ -80,7 +78,7 @@ double aggregate(std::vector<double> const& values, double sharpness) {
     long double sum = 0;
     for (double const v : values)
         sum += std::exp(-static_cast<long double>(sharpness * (v - least)));
-    return least - static_cast<double>(std::log(sum)) / sharpness;
+    return least - double(std::log(sum)) / sharpness;
 }
 
 double largest(Field const& field) {
@@ -116,7 +114,7 @@ TEST_CASE("the values are those of the header, and the bounds their aggregates")
                 std::vector<double> const& values = k == 0 ? quality : kept;
                 auto const least = std::min_element(values.begin(), values.end());
                 REQUIRE(*least > 0.01);
-                CHECK(found[k].value.count == static_cast<std::int64_t>(values.size()));
+                CHECK(found[k].value.count == std::int64_t(values.size()));
                 CHECK(found[k].value.item == least - values.begin());
                 CHECK(found[k].value.item_kind == HM_ITEM_CELL);
                 CHECK(found[k].value.extreme == doctest::Approx(*least).epsilon(1e-11));
@@ -124,7 +122,7 @@ TEST_CASE("the values are those of the header, and the bounds their aggregates")
                       doctest::Approx(aggregate(values, sharpness)).epsilon(1e-11));
             }
             for (BoundResult const& one : found) {
-                double const n = static_cast<double>(one.value.count);
+                double const n = double(one.value.count);
                 CHECK(one.value.bound <= one.value.extreme);
                 CHECK(one.value.extreme - one.value.bound <=
                       std::log(n) / sharpness * (1 + 1e-12) + 1e-15);
@@ -164,7 +162,7 @@ TEST_CASE("areas are compared with the start corner by corner, positive or not")
             for (double const sharpness : {1.0, 200.0, 1e5}) {
                 hm_bound_value const found = bound_of(mesh, at, HM_BOUND_AREA, sharpness).value;
                 double const slack = 1e-10 * std::fmax(1.0, std::fabs(least));
-                CHECK(found.count == static_cast<std::int64_t>(ratios.size()));
+                CHECK(found.count == std::int64_t(ratios.size()));
                 CHECK(std::fabs(found.extreme - least) <= slack);
                 CHECK(std::fabs(found.bound - aggregate(ratios, sharpness)) <= slack);
             }
@@ -180,8 +178,7 @@ TEST_CASE("a mesh that has not moved: areas and kept quality are 1, the gap is l
              bounds_of(mesh, mesh.start(), {HM_BOUND_KEPT_QUALITY, HM_BOUND_AREA}, 100)) {
             CHECK(found.value.extreme == doctest::Approx(1).epsilon(1e-12));
             CHECK(found.value.extreme - found.value.bound ==
-                  doctest::Approx(std::log(static_cast<double>(found.value.count)) / 100)
-                      .epsilon(1e-10));
+                  doctest::Approx(std::log(double(found.value.count)) / 100).epsilon(1e-10));
         }
     }
 }
@@ -283,13 +280,13 @@ TEST_CASE("no value depends on the orientation of cells or the numbering of cell
             std::vector<std::int32_t> points = corners_of(given.setup.mesh, cell);
             for (auto p = points.rbegin(); p != points.rend(); ++p)
                 renamed.cells.push_back(n - 1 - *p);
-            renamed.cell_start.push_back(static_cast<std::int32_t>(renamed.cells.size()));
+            renamed.cell_start.push_back(std::int32_t(renamed.cells.size()));
         }
         for (std::int32_t face = 0; face < given.setup.mesh.n_faces(); ++face) {
-            std::size_t const k = 2 * static_cast<std::size_t>(face);
+            std::size_t const k = 2 * std::size_t(face);
             renamed.add_face(n - 1 - given.setup.mesh.faces[k],
                              n - 1 - given.setup.mesh.faces[k + 1],
-                             given.setup.mesh.face_markers[static_cast<std::size_t>(face)]);
+                             given.setup.mesh.face_markers[std::size_t(face)]);
         }
         other.mesh = renamed;
         other.index_base = 1;
@@ -318,7 +315,7 @@ TEST_CASE("the bits do not depend on threads, kernels, layouts, or on which boun
             for (std::int32_t const threads : {1, 2, 3, 7}) {
                 Backwards order;
                 hm_executor executor = order.executor(threads);
-                executor.kernel = static_cast<std::int32_t>(kernel);
+                executor.kernel = std::int32_t(kernel);
                 std::vector<BoundResult> const found =
                     bounds_of(mesh, at, cell_kinds, 0, &executor);
                 for (std::size_t k = 0; k < found.size(); ++k) {

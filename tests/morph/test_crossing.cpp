@@ -17,19 +17,17 @@ struct Polygons {
 
     void add(std::vector<Point> const& corners) {
         for (Point const p : corners) {
-            point.push_back(static_cast<std::int32_t>(x.size()));
+            point.push_back(std::int32_t(x.size()));
             x.push_back(p.x);
             y.push_back(p.y);
         }
-        loop_start.push_back(static_cast<std::int32_t>(point.size()));
+        loop_start.push_back(std::int32_t(point.size()));
     }
     Crossing find() const {
         return harmorph::find_crossing({span(point), span(loop_start)}, {x.data(), y.data(), 1});
     }
 
-    Point at(std::int32_t k) const {
-        return {x[static_cast<std::size_t>(k)], y[static_cast<std::size_t>(k)]};
-    }
+    Point at(std::int32_t k) const { return {x[std::size_t(k)], y[std::size_t(k)]}; }
     bool crosses(const harmorph::Index* first, const harmorph::Index* second) const {
         Point const a = at(first[0]), b = at(first[1]), c = at(second[0]), d = at(second[1]);
         auto const sides = [](double s, double t) { return (s < 0 && t > 0) || (s > 0 && t < 0); };
@@ -40,9 +38,9 @@ struct Polygons {
         std::vector<std::array<harmorph::Index, 2>> faces;
         for (std::size_t loop = 0; loop + 1 < loop_start.size(); ++loop)
             for (std::int32_t k = loop_start[loop]; k < loop_start[loop + 1]; ++k)
-                faces.push_back({point[static_cast<std::size_t>(k)],
-                                 point[static_cast<std::size_t>(
-                                     k + 1 == loop_start[loop + 1] ? loop_start[loop] : k + 1)]});
+                faces.push_back(
+                    {point[std::size_t(k)],
+                     point[std::size_t(k + 1 == loop_start[loop + 1] ? loop_start[loop] : k + 1)]});
         for (std::size_t i = 0; i < faces.size(); ++i)
             for (std::size_t j = 0; j < i; ++j)
                 if (crosses(faces[i].data(), faces[j].data())) return true;
@@ -52,8 +50,7 @@ struct Polygons {
         for (std::size_t loop = 0; loop + 1 < loop_start.size(); ++loop)
             for (std::int32_t k = loop_start[loop]; k < loop_start[loop + 1]; ++k) {
                 std::int32_t const next = k + 1 == loop_start[loop + 1] ? loop_start[loop] : k + 1;
-                if (point[static_cast<std::size_t>(k)] == face[0] &&
-                    point[static_cast<std::size_t>(next)] == face[1])
+                if (point[std::size_t(k)] == face[0] && point[std::size_t(next)] == face[1])
                     return true;
             }
         return false;
@@ -66,7 +63,7 @@ std::vector<Point> circle(int n, double r, Point centre, double wobble = 0, unsi
     std::mt19937 random(seed);
     std::vector<Point> out;
     for (int k = 0; k < n; ++k) {
-        double const angle = 2 * std::acos(-1.0) * part * k / n,
+        double const angle = 2 * pi * part * k / n,
                      radius = r * (1 + wobble * (2 * uniform(random) - 1));
         out.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
     }
@@ -104,9 +101,9 @@ TEST_CASE("random polygons cross if and only if a pair of faces crosses, which i
     std::mt19937 random(7);
     for (int trial = 0; trial < 2000; ++trial) {
         Polygons polygons;
-        int const loops = 1 + static_cast<int>(random() % 4);
+        int const loops = 1 + int(random() % 4);
         for (int loop = 0; loop < loops; ++loop) {
-            int const n = 3 + static_cast<int>(random() % 40);
+            int const n = 3 + int(random() % 40);
             double const wobble = trial % 2 == 0 ? 0.3 : 0, part = random() % 2 == 0 ? 1 : 0.5;
             Point const centre{4 * uniform(random), 4 * uniform(random)};
             std::vector<Point> corners =
@@ -307,15 +304,12 @@ TEST_CASE("boundaries of valid meshes do not cross, but a wall pushed through an
         Case setup = airfoil_case(40, 12, kind);
         Solved const solved(setup);
         hm_mesh const mesh = setup.mesh.view();
-        auto report = sized<hm_quality_report>();
-        REQUIRE(hm_assess(solved.basis, &mesh, &mesh.points, nullptr, nullptr, nullptr, nullptr,
-                          &report, nullptr) == HM_OK);
+        hm_quality_report report = quality_of(solved.basis, mesh, setup.mesh);
         CHECK(report.self_crossing == 0);
         for (std::int32_t const point : report.crossing_points) CHECK(point == -1);
         Mesh crossed = setup.mesh;
         for (std::size_t k = 10; k < 20; ++k) crossed.y[k] -= 0.2;  // on the upper side
-        REQUIRE(hm_assess(solved.basis, &mesh, points_in(crossed.x, crossed.y), nullptr, nullptr,
-                          nullptr, nullptr, &report, nullptr) == HM_OK);
+        report = quality_of(solved.basis, mesh, crossed);
         CHECK(report.self_crossing == 1);
         for (std::int32_t const point : report.crossing_points) {
             CHECK(point >= 0);
@@ -341,8 +335,7 @@ TEST_CASE(
     collapsed.add(std::vector<Point>(3000, Point{0.5, -0.25}));
     CHECK(!collapsed.find().found);
     std::vector<Point> line;
-    for (int k = 0; k < 3000; ++k)
-        line.push_back({std::cos(2 * std::acos(-1.0) * k / 3000), 0.125});
+    for (int k = 0; k < 3000; ++k) line.push_back({std::cos(2 * pi * k / 3000), 0.125});
     folded.add(line);
     CHECK(folded.find().found);  // faces lie on each other
     CHECK(!harmorph::find_crossing({span(folded.point), span(folded.loop_start)},

@@ -106,11 +106,11 @@ TEST_CASE("displacements of a given marker and of a curve add up without disturb
         Displaced displaced(both, &setting.options);
         Field found = displaced.displace(displaced.on_wall(expected));
         for (std::int32_t const point : points_on(curves.mesh, body))
-            CHECK(found[static_cast<std::size_t>(point)] == 0.0);
+            CHECK(found[std::size_t(point)] == 0.0);
         REQUIRE(hm_plan_solve(displaced.plan, displaced.basis, nullptr, nullptr) == HM_OK);
         Field const by_curve = displacement(displaced.basis, move);
         for (std::int32_t const point : displaced.points)
-            CHECK(by_curve[static_cast<std::size_t>(point)] == 0.0);
+            CHECK(by_curve[std::size_t(point)] == 0.0);
         for (std::size_t k = 0; k < found.size(); ++k) found[k] += by_curve[k];
         INFO(std::string(setting.name));
         CHECK(largest_difference(found, expected) < (iterates(setting.options) ? 1e-10 : 1e-12));
@@ -146,7 +146,7 @@ TEST_CASE("the adjoint is the transpose") {
             Case given = given_instead(problem.setup);
             Displaced displaced(given, &setting.options);
             Field const wall = some_field(displaced.points.size(), 3);
-            Field const dj = some_field(static_cast<std::size_t>(given.mesh.n_points()), 4);
+            Field const dj = some_field(std::size_t(given.mesh.n_points()), 4);
             Field const moved = displaced.displace(wall), gradient = displaced.adjoint(dj);
             double const size = dot_of_sizes(moved, dj) + dot_of_sizes(wall, gradient);
             bool const exact = !iterates(setting.options) && setting.options.precision == HM_DOUBLE;
@@ -161,7 +161,7 @@ TEST_CASE("many fields at once are those of single calls") {
         std::vector<Field> walls, gradients;
         for (unsigned k = 0; k < 29; ++k) {
             walls.push_back(some_field(displaced.points.size(), k));
-            gradients.push_back(some_field(static_cast<std::size_t>(setup.mesh.n_points()), k));
+            gradients.push_back(some_field(std::size_t(setup.mesh.n_points()), k));
         }
         std::vector<Field> const moved = displaced.displace(walls),
                                  of_wall = displaced.adjoint(gradients);
@@ -184,7 +184,7 @@ TEST_CASE("the same bits for any number of threads, in one block and in several"
         std::vector<Field> walls, gradients;
         for (unsigned k = 0; k < 15; ++k) {
             walls.push_back(some_field(serial.points.size(), k));
-            gradients.push_back(some_field(static_cast<std::size_t>(setup.mesh.n_points()), k));
+            gradients.push_back(some_field(std::size_t(setup.mesh.n_points()), k));
         }
         for (std::int32_t const n_threads : {2, 7}) {
             Backwards threads;
@@ -213,8 +213,7 @@ TEST_CASE("lists of given points may have any order, repetitions and both sides 
     for (std::size_t k = body_points.size(); k-- > 0;) list.push_back(body_points[k] + 1);
     list.push_back(list[5]);
     Field by_list;
-    for (std::int32_t const point : list)
-        by_list.push_back(expected[static_cast<std::size_t>(point - 1)]);
+    for (std::int32_t const point : list) by_list.push_back(expected[std::size_t(point - 1)]);
     CHECK(displaced.displace(by_list, &list) == expected);
     Field const found = displaced.adjoint(dj, &list);
     CHECK(found.back() == 0.0);
@@ -231,20 +230,20 @@ TEST_CASE("displacements start at any coordinates, and walls that cross are refu
                         wall_x(n_wall, 0), wall_y(n_wall, 0.25);
     Guarded work = displaced.work_for(1);
     auto const displace = [&] {
-        return hm_displace(displaced.plan, static_cast<std::int32_t>(n_wall), nullptr, 1,
+        return hm_displace(displaced.plan, std::int32_t(n_wall), nullptr, 1,
                            points_in(wall_x, wall_y), points_in(x, y), points_out(to_x, to_y),
                            work.data(), work.size(), nullptr, &displaced.error);
     };
     REQUIRE(displace() == HM_OK);
     CHECK(to_x == x);
     for (std::int32_t const point : displaced.points) {
-        std::size_t const k = static_cast<std::size_t>(point);
+        std::size_t const k = std::size_t(point);
         CHECK(to_y[k] == y[k] + 0.25);
     }
     std::vector<double> const before = to_y;
 
     for (std::size_t k = 0; k < n_wall; ++k) {  // the hole's left side passes its right one
-        std::size_t const point = static_cast<std::size_t>(displaced.points[k]);
+        std::size_t const point = std::size_t(displaced.points[k]);
         wall_x[k] = x[point] < 3 ? 2.5 : 0;
         wall_y[k] = 0;
     }
@@ -259,7 +258,7 @@ TEST_CASE("displacements start at any coordinates, and walls that cross are refu
     y = before;
     REQUIRE(displace() == HM_OK);
     for (std::int32_t const point : displaced.points)
-        CHECK(to_x[static_cast<std::size_t>(point)] == x[static_cast<std::size_t>(point)] + 0.125);
+        CHECK(to_x[std::size_t(point)] == x[std::size_t(point)] + 0.125);
 }
 
 TEST_CASE("a basis without functions: for quality, step and assessment") {

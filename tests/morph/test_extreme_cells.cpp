@@ -26,7 +26,7 @@ TEST_CASE("where no cell limits the step, none is named") {
 TEST_CASE("numbers that are not finite are found as they are in single cells") {
     Untrapped const untrapped;
     for (CellLayout const layout : layouts) {
-        CAPTURE(static_cast<int>(layout));
+        CAPTURE(int(layout));
         for (double const bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
             for (std::size_t const point : {0u, 100u, 491u}) {
                 Grid moved(layout, 0.1, 0.1, 5), displaced(layout, 0.1, 0.1, 5);
@@ -41,7 +41,7 @@ TEST_CASE("numbers that are not finite are found as they are in single cells") {
 
 TEST_CASE("cells of any size have the quality of the same cells in other units") {
     for (CellLayout const layout : layouts) {
-        CAPTURE(static_cast<int>(layout));
+        CAPTURE(int(layout));
         Grid grid(layout, 0.2, 0.02, 5);
         Assessment const usual = harmorph::assess(grid.cells, grid.points(), grid.change(), {});
         double length = 1;
@@ -64,7 +64,7 @@ TEST_CASE("cells of any size have the quality of the same cells in other units")
 
 TEST_CASE("cells that are compared with cells without an area have their skew quality") {
     for (CellLayout const layout : layouts) {
-        CAPTURE(static_cast<int>(layout));
+        CAPTURE(int(layout));
         Grid const grid(layout, 0.2, 0, 19);
         for (harmorph::Kernel const kernel : usable_kernels()) {
             harmorph::Executor executor;
@@ -83,7 +83,7 @@ TEST_CASE("cells that are compared with cells without an area have their skew qu
 
 TEST_CASE("inverted cells are counted exactly, needles and flat cells among them") {
     for (CellLayout const layout : layouts) {
-        CAPTURE(static_cast<int>(layout));
+        CAPTURE(int(layout));
         for (double const height : {1.0, 1e-6, 1e-9, 1e-12, 1e-15, 1e-17, 0.0}) {  // of the cells
             CAPTURE(height);
             for (double const noise : {0.0, 0.3, 0.9}) {

@@ -36,8 +36,7 @@ TEST_CASE("heights and angles are those of the first layer") {
                 CHECK(found[0].value.extreme == doctest::Approx(change.min_ratio).epsilon(1e-12));
                 CHECK(found[1].value.extreme == doctest::Approx(change.max_ratio).epsilon(1e-12));
                 CHECK(found[2].value.extreme ==
-                      doctest::Approx(std::cos(change.largest_angle * std::acos(-1.0) / 180))
-                          .epsilon(1e-12));
+                      doctest::Approx(std::cos(change.largest_angle * pi / 180)).epsilon(1e-12));
                 CHECK(found[0].value.bound <= found[0].value.extreme);
                 CHECK(found[1].value.bound >= found[1].value.extreme);
                 CHECK(found[2].value.bound <= found[2].value.extreme);
@@ -140,7 +139,7 @@ TEST_CASE("calls that cannot succeed are refused, and leave their outputs as the
     hm_quality* quality = nullptr;
     CHECK(hm_quality_init(&quality, block.data(), bytes, mesh.attempt.basis, &mesh.mesh, &wrong,
                           &error) == HM_BAD_MESH);
-    CHECK(std::string(error.text).find("is inverted at the start") != std::string::npos);
+    CHECK(says(error, "is inverted at the start"));
     CHECK(hm_quality_init(&quality, block.data(), bytes - 1, mesh.attempt.basis, &mesh.mesh, &at,
                           &error) == HM_BLOCK_TOO_SMALL);
     CHECK(quality == nullptr);

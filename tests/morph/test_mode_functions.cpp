@@ -33,8 +33,7 @@ TEST_CASE("B-spline functions given as tables are the functions of the curve") {
         std::vector<Field> modes(8);
         for (std::int32_t const point : displaced.points)
             for (std::int32_t i = 0; i < 8; ++i)
-                modes[static_cast<std::size_t>(i)].push_back(
-                    solved.values(i)[static_cast<std::size_t>(point)]);
+                modes[std::size_t(i)].push_back(solved.values(i)[std::size_t(point)]);
         Tabulated const tabulated(displaced.plan, displaced.basis, modes, 1);
         REQUIRE_MESSAGE(tabulated.status == HM_OK, tabulated.error.text);
         hm_basis_info const info = info_of(tabulated.basis);
@@ -75,7 +74,7 @@ TEST_CASE("modes move as given displacements beside curves and bodies, with an e
                 CHECK(info.functions == before.functions + 2);
 
                 // Amplitudes alone: the displacement of the sum of the modes times amplitudes.
-                Numbers move(2 * static_cast<std::size_t>(info.functions));
+                Numbers move(2 * std::size_t(info.functions));
                 std::complex<double> const a(0.7, -0.3), b(-0.2, 0.9);
                 move[move.size() - 4] = a.real(), move[move.size() - 3] = a.imag();
                 move[move.size() - 2] = b.real(), move[move.size() - 1] = b.imag();
@@ -90,12 +89,12 @@ TEST_CASE("modes move as given displacements beside curves and bodies, with an e
                     wall_x.push_back(value.real()), wall_y.push_back(value.imag());
                 hm_points const from{wall_x.data(), wall_y.data(), 1};
                 hm_points_out const to{expected.x.data(), expected.y.data(), 1};
-                REQUIRE(hm_displace(solved.plan, static_cast<std::int32_t>(points.size()), nullptr,
-                                    1, &from, nullptr, &to, work.data(), work.size(), nullptr,
+                REQUIRE(hm_displace(solved.plan, std::int32_t(points.size()), nullptr, 1, &from,
+                                    nullptr, &to, work.data(), work.size(), nullptr,
                                     nullptr) == HM_OK);
                 check_near(found, expected, 1e-14);
                 for (std::size_t k = 0; k < points.size(); ++k) {
-                    auto const at = static_cast<std::size_t>(points[k]);
+                    auto const at = std::size_t(points[k]);
                     CHECK(std::fabs(found.x[at] - wall_x[k]) < 1e-16);
                 }
 
@@ -132,8 +131,7 @@ TEST_CASE("modes move as given displacements beside curves and bodies, with an e
                 CHECK(displaced(attached, move).x == found.x);
                 Rows const rows(tabulated.basis, points);
                 REQUIRE(rows.status == HM_OK);
-                CHECK(displaced(rows.basis, move).x[0] ==
-                      found.x[static_cast<std::size_t>(points[0])]);
+                CHECK(displaced(rows.basis, move).x[0] == found.x[std::size_t(points[0])]);
 
                 // Solved again on a moved mesh: as displaced there, and the wall as before.
                 Numbers part = move;
@@ -147,12 +145,12 @@ TEST_CASE("modes move as given displacements beside curves and bodies, with an e
                 CHECK(report.residual < 1e-12);
                 CHECK(report.boundary_error_point == -1);
                 Moved const again = displaced(tabulated.basis, move);
-                REQUIRE(hm_displace(solved.plan, static_cast<std::int32_t>(points.size()), nullptr,
-                                    1, &from, nullptr, &to, work.data(), work.size(), nullptr,
+                REQUIRE(hm_displace(solved.plan, std::int32_t(points.size()), nullptr, 1, &from,
+                                    nullptr, &to, work.data(), work.size(), nullptr,
                                     nullptr) == HM_OK);
                 check_near(again, expected, 1e-14);
                 for (std::int32_t const point : points) {
-                    auto const at = static_cast<std::size_t>(point);
+                    auto const at = std::size_t(point);
                     CHECK(again.x[at] == found.x[at]);
                     CHECK(again.y[at] == found.y[at]);
                 }
@@ -209,8 +207,7 @@ TEST_CASE("modes on top of combined functions and of other modes; too many are n
                 expected = displaced(combined.basis, {few.begin(), few.begin() + 4});
     CHECK(found.x == expected.x);
     CHECK(found.y == expected.y);
-    std::vector<double> control(2 *
-                                static_cast<std::size_t>(controls));  // the matrix is still there
+    std::vector<double> control(2 * std::size_t(controls));  // the matrix is still there
     std::vector<hm_curve> curve(2);
     for (hm_curve& one_curve : curve) one_curve.struct_size = sizeof one_curve;
     auto curves = sized<hm_curves>();
@@ -247,7 +244,7 @@ TEST_CASE("modes stay behind combined functions") {
                        nullptr) == HM_OK);
     CHECK(info_of(combined).functions == 3);
     CHECK(info_of(combined).modes == 1);
-    Numbers few(6), all(2 * static_cast<std::size_t>(n) + 2);
+    Numbers few(6), all(2 * std::size_t(n) + 2);
     few[4] = all[all.size() - 2] = 0.4;
     few[5] = all[all.size() - 1] = -0.6;
     CHECK(displaced(combined, few).y == displaced(tabulated.basis, all).y);
@@ -260,8 +257,7 @@ TEST_CASE("tables that cannot be used are refused by name, with nothing written"
     Field const good = some_field(points.size(), 5), zero(points.size());
     auto const refusal = [&](Tabulated const& made, std::string const& word, int item) {
         CHECK(made.basis == nullptr);
-        CHECK_MESSAGE(std::string(made.error.text).find(word) != std::string::npos,
-                      made.error.text);
+        CHECK_MESSAGE(says(made.error, word), made.error.text);
         CHECK(made.error.item == item);
         return made.status;
     };

@@ -44,7 +44,7 @@ struct Product {
     }
     RowInBlock<const double> row(Index p) const { return {values.data(), numbers, p}; }
     RowInBlock<double> row(Index p) { return {values.data(), numbers, p}; }
-    std::size_t n_points() const { return static_cast<std::size_t>(points); }
+    std::size_t n_points() const { return std::size_t(points); }
 
     // All x, then all y.
     std::vector<double> multiply(Kernel kernel) const { return multiply(kernel, whole()); }
@@ -91,8 +91,8 @@ TEST_CASE("a point's products are added in the order of the numbers by every ker
                 x += by_x;
                 y += by_y;
             }
-            in_order[static_cast<std::size_t>(p)] = x;
-            in_order[static_cast<std::size_t>(product.points + p)] = y;
+            in_order[std::size_t(p)] = x;
+            in_order[std::size_t(product.points + p)] = y;
         }
         CHECK(same_bits(product.multiply(Kernel::baseline), in_order));
         for (Kernel const kernel : usable_kernels())
@@ -105,16 +105,16 @@ TEST_CASE("the transpose is right to rounding and has the same bits from every k
         for (Index const blocks : {1, 2, 5, 8, 19}) {
             Product const product(blocks, numbers, static_cast<unsigned>(numbers));
             INFO(numbers << " numbers, " << blocks << " blocks");
-            std::vector<double> exact(2 * static_cast<std::size_t>(numbers));
+            std::vector<double> exact(2 * std::size_t(numbers));
             for (Index k = 0; k < numbers; ++k) {
                 long double x = 0, y = 0;
                 for (Index p = 0; p < product.points; ++p) {
-                    std::size_t const at = static_cast<std::size_t>(p);
+                    std::size_t const at = std::size_t(p);
                     x += static_cast<long double>(product.row(p)[k]) * product.weight_x[at];
                     y += static_cast<long double>(product.row(p)[k]) * product.weight_y[at];
                 }
-                exact[static_cast<std::size_t>(k)] = static_cast<double>(x);
-                exact[static_cast<std::size_t>(numbers + k)] = static_cast<double>(y);
+                exact[std::size_t(k)] = double(x);
+                exact[std::size_t(numbers + k)] = double(y);
             }
             std::vector<double> const back = product.transposed(Kernel::baseline);
             CHECK(largest_difference(back, exact) < 1.2e-16 * (1 + product.points));
@@ -134,10 +134,9 @@ TEST_CASE("of the numbers of a block some may be used, at any address; no others
             Product used(blocks, n, 2);
             used.weight_x = product.weight_x;
             used.weight_y = product.weight_y;
-            std::size_t const one = 1, size = static_cast<std::size_t>(numbers * block_points);
-            std::vector<double> shifted(
-                one + size + static_cast<std::size_t>((first + n) * block_points),
-                std::numeric_limits<double>::quiet_NaN());
+            std::size_t const one = 1, size = std::size_t(numbers * block_points);
+            std::vector<double> shifted(one + size + std::size_t((first + n) * block_points),
+                                        std::numeric_limits<double>::quiet_NaN());
             for (Index p = 0; p < product.points; ++p)
                 for (Index k = 0; k < n; ++k) {
                     used.row(p)[k] = product.row(p)[first + k];
@@ -163,25 +162,23 @@ TEST_CASE("every kernel sums numbers that cancel, and as many as a call may add"
             Product product(blocks, 3, 5);
             std::int64_t units_x[3] = {}, units_y[3] = {};
             for (Index p = 0; p < product.points; ++p) {
-                std::size_t const at = static_cast<std::size_t>(p);
+                std::size_t const at = std::size_t(p);
                 double const w = 1 - 0x1p-20;
                 product.weight_x[at] = w;
                 product.weight_y[at] = signs == 4 || p % 5 == 0 ? -w : w;
                 for (Index k = 0; k < 3; ++k) {
                     double const f = (p % signs == 0 ? 1 : -1) * (1 - 0x1p-10 * ((p + k) % 7));
                     product.row(p)[k] = f;
-                    units_x[k] +=
-                        static_cast<std::int64_t>(std::ldexp(f * product.weight_x[at], 30));
-                    units_y[k] +=
-                        static_cast<std::int64_t>(std::ldexp(f * product.weight_y[at], 30));
+                    units_x[k] += std::int64_t(std::ldexp(f * product.weight_x[at], 30));
+                    units_y[k] += std::int64_t(std::ldexp(f * product.weight_y[at], 30));
                 }
             }
             INFO(blocks << " blocks, signs " << signs);
             for (Kernel const kernel : usable_kernels()) {
                 std::vector<double> const found = product.transposed(kernel);
                 for (std::size_t k = 0; k < 3; ++k) {
-                    CHECK(found[k] == std::ldexp(static_cast<double>(units_x[k]), -30));
-                    CHECK(found[3 + k] == std::ldexp(static_cast<double>(units_y[k]), -30));
+                    CHECK(found[k] == std::ldexp(double(units_x[k]), -30));
+                    CHECK(found[3 + k] == std::ldexp(double(units_y[k]), -30));
                 }
             }
         }
@@ -224,8 +221,8 @@ TEST_CASE("the largest number, infinities and NaN above all others, wherever it 
              {-2.0, 3.0, -std::numeric_limits<double>::infinity(), std::nan("")})
             for (Index at = 0; at < n; ++at)
                 for (Kernel const kernel : usable_kernels()) {
-                    std::vector<double> numbers(static_cast<std::size_t>(n), -1);
-                    numbers[static_cast<std::size_t>(at)] = largest;
+                    std::vector<double> numbers(std::size_t(n), -1);
+                    numbers[std::size_t(at)] = largest;
                     harmorph::LargestMagnitude expected, found;
                     expected.include(largest);
                     found.include_bits(
@@ -241,7 +238,7 @@ TEST_CASE("numbers in single precision give the bits that they give as double on
             1, std::numeric_limits<float>::quiet_NaN());  // so that blocks begin at odd places
         for (double& value : product.values) {
             singles.push_back(static_cast<float>(value));
-            value = static_cast<double>(singles.back());
+            value = double(singles.back());
         }
         singles.shrink_to_fit();
         harmorph::ValueBlocks<float> const narrow{singles.data() + 1, numbers * block_points, 3,

@@ -27,7 +27,7 @@ double skew(std::vector<Point> const& corners, bool reversed = false) {
 Quality measure(Mesh const& mesh, Mesh const* reference = nullptr, bool reversed = false) {
     harmorph::Mesh const view = core_mesh(mesh);
     harmorph::Points const ref = reference ? core_mesh(*reference).points : harmorph::Points{};
-    std::vector<std::uint8_t> all(static_cast<std::size_t>(mesh.n_cells()), reversed ? 1 : 0);
+    std::vector<std::uint8_t> all(std::size_t(mesh.n_cells()), reversed ? 1 : 0);
     return measure_quality({view, span(all)}, view.points, ref, {});
 }
 
@@ -111,7 +111,7 @@ TEST_CASE("inverted cells are counted, the first is named, and they count 0 in t
     for (std::int32_t i = 0; i < mesh.n_cells(); ++i) {
         std::vector<Point> corners;
         for (std::size_t k = 0; k < 4; ++k)
-            corners.push_back(mesh.point(mesh.cells[4 * static_cast<std::size_t>(i) + k]));
+            corners.push_back(mesh.point(mesh.cells[4 * std::size_t(i) + k]));
         bool bad = false;
         for (std::size_t k = 0; k < 4; ++k) {
             double const area =
@@ -160,7 +160,7 @@ TEST_CASE("a coordinate that is not finite makes its cells invalid, whichever co
             perturb(
                 mesh, 0.2,
                 3);  // no side parallel to an axis: 0 times infinity is not what makes areas NaN
-            mesh.x[static_cast<std::size_t>(corner)] = bad;
+            mesh.x[std::size_t(corner)] = bad;
             Quality const seen = measure(mesh);
             std::int32_t cells = 0;
             for (std::int32_t const point : mesh.cells) cells += point == corner;
@@ -179,7 +179,7 @@ TEST_CASE("an infinite area counts beside a finite one that is negative") {
     double const x[] = {0, 1, 2.1, 0.2},
                  y[] = {0, 1, 1.3, HUGE_VAL};  // three areas of +inf, the second one is -0.4
     for (std::size_t k = 0; k < 4; ++k) {
-        std::size_t const point = static_cast<std::size_t>(mesh.cells[k]);
+        std::size_t const point = std::size_t(mesh.cells[k]);
         mesh.x[point] = x[k];
         mesh.y[point] = y[k];
     }

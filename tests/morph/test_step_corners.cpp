@@ -25,7 +25,7 @@ std::vector<hm_step_corner> corners_at(Bounded const& mesh, Field const& from,
                                               closeness, capacity, out.data(), &n, nullptr, &error);
     INFO(error.text);
     REQUIRE(status == HM_OK);
-    out.resize(static_cast<std::size_t>(std::min(n, capacity)));
+    out.resize(std::size_t(std::min(n, capacity)));
     return out;
 }
 
@@ -33,7 +33,7 @@ std::vector<hm_step_corner> corners_at(Bounded const& mesh, Field const& from,
 double slope_of(hm_step_corner const& corner, Field const& p, Field const& w) {
     double sum = 0;
     for (int k = 0; k < 3; ++k) {
-        std::size_t const point = static_cast<std::size_t>(corner.points[k]);
+        std::size_t const point = std::size_t(corner.points[k]);
         std::complex<double> const change = p[point] + corner.step * w[point];
         sum += corner.by_from[2 * k] * change.real() + corner.by_from[2 * k + 1] * change.imag();
     }
@@ -164,7 +164,7 @@ TEST_CASE("no limit, and what is refused") {
     Field inverted = from;
     inverted[60] += 1.0;
     CHECK(status(inverted, 0, 1) == HM_BAD_MESH);
-    CHECK(std::string(error.text).find("is inverted at `from`") != std::string::npos);
+    CHECK(says(error, "is inverted at `from`"));
 
     // The corner of the square passes through the line of its neighbours' and back: at s = 1 the
     // area is (1 - s)^2.
@@ -179,6 +179,6 @@ TEST_CASE("no limit, and what is refused") {
     hm_points const points = pairs_in(at), change = pairs_in(shrinks);
     CHECK(hm_step_gradient(square_mesh.attempt.basis, &square_mesh.mesh, &points, &change, 0, 1,
                            &corner, &n, nullptr, &error) == HM_BAD_MESH);
-    CHECK(std::string(error.text).find("only touches 0") != std::string::npos);
+    CHECK(says(error, "only touches 0"));
     CHECK(n == -7);
 }

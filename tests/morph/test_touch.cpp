@@ -21,11 +21,11 @@ struct Moving {
 
     void add(std::vector<Point> const& corners, std::vector<Point> const& moves) {
         for (std::size_t k = 0; k < corners.size(); ++k) {
-            point.push_back(static_cast<std::int32_t>(x.size()));
+            point.push_back(std::int32_t(x.size()));
             x.push_back(corners[k].x), y.push_back(corners[k].y);
             dx.push_back(moves[k].x), dy.push_back(moves[k].y);
         }
-        loop_start.push_back(static_cast<std::int32_t>(point.size()));
+        loop_start.push_back(std::int32_t(point.size()));
     }
     void add(std::vector<Point> const& corners, Point move) {
         add(corners, std::vector<Point>(corners.size(), move));
@@ -50,7 +50,7 @@ struct Moving {
         Wide least = HUGE_VALL;
         for (std::size_t loop = 0; loop + 1 < loop_start.size(); ++loop)
             for (std::int32_t a = loop_start[loop]; a < loop_start[loop + 1]; ++a)
-                for (std::int32_t p = 0; p < static_cast<std::int32_t>(x.size()); ++p)
+                for (std::int32_t p = 0; p < std::int32_t(x.size()); ++p)
                     if (p != a && p != after(a, loop))
                         least = std::min(least, touch(std::size_t(p), std::size_t(a),
                                                       std::size_t(after(a, loop))));
@@ -85,7 +85,7 @@ bool near(double a, double b) { return a == b || a == doctest::Approx(b).epsilon
 std::vector<Point> ring(int n, double rx, double ry, Point centre) {
     std::vector<Point> out;
     for (int k = 0; k < n; ++k) {
-        double const angle = -2 * std::acos(-1.0) * k / n;
+        double const angle = -2 * pi * k / n;
         out.push_back({centre.x + rx * std::cos(angle), centre.y + ry * std::sin(angle)});
     }
     return out;
@@ -102,7 +102,7 @@ TEST_CASE("random bodies in random motion: the first touch of all pairs, and no 
     for (int trial = 0; trial < 400; ++trial) {
         Moving moving;
         for (int body = 0; body < 1 + trial % 4; ++body) {
-            int const n = 3 + static_cast<int>(random() % 60);
+            int const n = 3 + int(random() % 60);
             std::vector<Point> const corners =
                 ring(n, between(0.2, 0.9), between(0.05, 0.9), {2.0 * body, 2.0 * (body % 2)});
             Point const by{between(-1, 1), between(-1, 1)};
@@ -113,7 +113,7 @@ TEST_CASE("random bodies in random motion: the first touch of all pairs, and no 
             }
             moving.add(corners, moves);
         }
-        auto const expected = static_cast<double>(moving.brute_force());
+        auto const expected = double(moving.brute_force());
         Touch const found = moving.find();
         INFO("trial " << trial);
         if (expected == HUGE_VAL) {
@@ -124,8 +124,8 @@ TEST_CASE("random bodies in random motion: the first touch of all pairs, and no 
         }
         ++touched;
         REQUIRE(found.step == doctest::Approx(expected).epsilon(1e-9));
-        auto const named = static_cast<double>(moving.touch(
-            std::size_t(found.point), std::size_t(found.face[0]), std::size_t(found.face[1])));
+        auto const named = double(moving.touch(std::size_t(found.point), std::size_t(found.face[0]),
+                                               std::size_t(found.face[1])));
         CHECK(named == doctest::Approx(expected).epsilon(1e-9));
         for (double const part : {0.1, 0.4, 0.7, 0.9, 0.999999}) {
             CHECK(!moving.crosses_at(part * found.step));
@@ -234,20 +234,13 @@ TEST_CASE("the smaller step is that of a wall which crosses itself without an in
     Case setup = airfoil_case(60, 16, Cells::quads);
     Solved const solved(setup);
     hm_mesh const mesh = setup.mesh.view();
-    std::vector<double> dx(setup.mesh.x.size()), dy(setup.mesh.x.size());
     // A control point above the middle of the chord goes down, through the lower wall.
-    std::vector<double> move(2 * static_cast<std::size_t>(setup.curves.n_control()));
+    std::vector<double> move(2 * std::size_t(setup.curves.n_control()));
     move[9] = -0.2;
-    REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) ==
-            HM_OK);
-    hm_step_report step{}, assessed{};
+    Moved const by = displaced(solved.basis, move);
     auto quality = sized<hm_quality_report>();
-    step.struct_size = assessed.struct_size = sizeof step;
-    auto const by = points_in(dx, dy);
-    REQUIRE(hm_assess(solved.basis, &mesh, nullptr, by, nullptr, nullptr, &step, nullptr,
-                      nullptr) == HM_OK);
-    REQUIRE(hm_assess(solved.basis, &mesh, nullptr, by, nullptr, nullptr, &assessed, &quality,
-                      nullptr) == HM_OK);
+    hm_step_report const step = step_of(solved.basis, mesh, by),
+                         assessed = step_of(solved.basis, mesh, by, &quality);
     CHECK(std::memcmp(&step, &assessed, sizeof step) == 0);
     INFO("cells " << step.admissible << ", boundary " << step.boundary);
     REQUIRE(quality.self_crossing == 1);
@@ -256,13 +249,11 @@ TEST_CASE("the smaller step is that of a wall which crosses itself without an in
     CHECK(step.boundary < 1);
     for (std::int32_t const point : step.boundary_points) CHECK(point >= 0);
     for (double const factor : {0.9999, 1.0001}) {  // just before, and just after
-        std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
-        for (std::size_t k = 0; k < x.size(); ++k) {
-            x[k] += factor * step.boundary * dx[k];
-            y[k] += factor * step.boundary * dy[k];
+        Mesh at = setup.mesh;
+        for (std::size_t k = 0; k < at.x.size(); ++k) {
+            at.x[k] += factor * step.boundary * by.x[k];
+            at.y[k] += factor * step.boundary * by.y[k];
         }
-        REQUIRE(hm_assess(solved.basis, &mesh, points_in(x, y), nullptr, nullptr, nullptr, nullptr,
-                          &quality, nullptr) == HM_OK);
-        CHECK(quality.self_crossing == (factor > 1 ? 1 : 0));
+        CHECK(quality_of(solved.basis, mesh, at).self_crossing == (factor > 1 ? 1 : 0));
     }
 }

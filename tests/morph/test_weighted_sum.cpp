@@ -16,7 +16,7 @@ namespace {
 // A copy of a solved basis whose values are all 0.
 class Sum {
 public:
-    explicit Sum(Solved const& like) : block_(static_cast<std::size_t>(like.info().bytes)) {
+    explicit Sum(Solved const& like) : block_(std::size_t(like.info().bytes)) {
         std::memcpy(block_.data(), like.basis, block_.size());
         view = harmorph::Basis::view(static_cast<void*>(block_.data()));
         fill(view.value, 0.0);

@@ -14,7 +14,6 @@ using harmorph::Index;
 namespace {
 
 constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
-double const pi = std::acos(-1.0);
 
 Options nodal(std::int32_t engine, std::int32_t scheme = HM_NODAL_GRADIENT) {
     Options out = laplace();

@@ -12,7 +12,6 @@ using harmorph::Index;
 namespace {
 
 constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
-double const pi = std::acos(-1.0);
 
 double largest(std::vector<double> const& values) {
     double out = 0;

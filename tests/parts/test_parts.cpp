@@ -66,10 +66,10 @@ TEST_CASE("cuts between and inside parts") {
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
         double y = 0;
         for (std::int32_t k = mesh.cell_start[cell]; k < mesh.cell_start[cell + 1]; ++k)
-            y += mesh.y[static_cast<std::size_t>(mesh.cells[static_cast<std::size_t>(k)])];
+            y += mesh.y[std::size_t(mesh.cells[std::size_t(k)])];
         for (std::int32_t k = mesh.cell_start[cell]; y < 0 && k < mesh.cell_start[cell + 1]; ++k) {
-            std::int32_t& point = mesh.cells[static_cast<std::size_t>(k)];
-            std::size_t const at = static_cast<std::size_t>(point);
+            std::int32_t& point = mesh.cells[std::size_t(k)];
+            std::size_t const at = std::size_t(point);
             if (mesh.x[at] < 0 || std::fabs(mesh.y[at]) > 1e-9) continue;
             if (twin[at] < 0) {
                 twin[at] = mesh.add_point(mesh.point(point));
@@ -79,12 +79,12 @@ TEST_CASE("cuts between and inside parts") {
         }
     }
     for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
-        std::size_t const a = static_cast<std::size_t>(mesh.faces[2 * face]),
-                          b = static_cast<std::size_t>(mesh.faces[2 * face + 1]);
+        std::size_t const a = std::size_t(mesh.faces[2 * face]),
+                          b = std::size_t(mesh.faces[2 * face + 1]);
         if (mesh.y[a] + mesh.y[b] >= 0) continue;
         for (std::size_t const k : {2 * face, 2 * face + 1})
-            if (twin[static_cast<std::size_t>(mesh.faces[k])] >= 0)
-                mesh.faces[k] = twin[static_cast<std::size_t>(mesh.faces[k])];
+            if (twin[std::size_t(mesh.faces[k])] >= 0)
+                mesh.faces[k] = twin[std::size_t(mesh.faces[k])];
     }
     REQUIRE(mesh.n_points() == ring_case(6, 24, 1, 3).mesh.n_points() + 7);
     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) {
@@ -103,8 +103,8 @@ TEST_CASE("given displacements in parts") {
             Displaced whole(setup, &options);
             Field wanted(setup.mesh.x.size());
             for (std::int32_t const point : whole.points)
-                wanted[static_cast<std::size_t>(point)] = {0.01 * std::sin(3.0 * point),
-                                                           0.02 * std::cos(5.0 * point)};
+                wanted[std::size_t(point)] = {0.01 * std::sin(3.0 * point),
+                                              0.02 * std::cos(5.0 * point)};
             Field const expected = whole.displace(whole.on_wall(wanted));
             Parted parted(cut(setup.mesh, at_random(setup.mesh, 3), true));
             REQUIRE(parted.match());
@@ -114,10 +114,8 @@ TEST_CASE("given displacements in parts") {
             for (std::size_t p = 0; p < found.size(); ++p)
                 for (std::size_t k = 0; k < found[p].size(); ++k)
                     worst = std::max(
-                        worst,
-                        std::abs(
-                            found[p][k] -
-                            expected[static_cast<std::size_t>(parted.parts[p].global_point[k])]));
+                        worst, std::abs(found[p][k] -
+                                        expected[std::size_t(parted.parts[p].global_point[k])]));
             CHECK(worst < 1e-12);
         }
     }
@@ -145,16 +143,14 @@ TEST_CASE("rows of a part are combined like any basis") {
     };
     std::unique_ptr<Guarded> whole_block, part_block;
     const hm_basis* const all = combined(whole.basis, whole_block);
-    std::vector<double> all_values(setup.mesh.x.size());
     for (PartOfMesh& part : parted.parts) {
         const hm_basis* const own = combined(part.rows, part_block);
-        std::vector<double> values(part.mesh.x.size());
         for (std::int32_t number = 0; number < 2; ++number) {
-            REQUIRE(hm_basis_values(all, 1, number, all_values.data(), nullptr) == HM_OK);
-            REQUIRE(hm_basis_values(own, 1, number, values.data(), nullptr) == HM_OK);
+            std::vector<double> const all_values = values_of(all, 1, number),
+                                      values = values_of(own, 1, number);
             double worst = 0;
             for (std::size_t k = 0; k < values.size(); ++k) {
-                std::size_t const at = static_cast<std::size_t>(part.global_point[k]);
+                std::size_t const at = std::size_t(part.global_point[k]);
                 worst = std::max(worst, std::fabs(values[k] - all_values[at]));
             }
             CHECK(worst < 1e-11);

@@ -52,8 +52,7 @@ TEST_CASE("parts that do not fit together are refused with the place") {
         "no marker");
     has(refusal([&](std::vector<PartOfMesh>& parts) {  // a cell less: a gap
             Mesh& mesh = parts[1].mesh;
-            mesh.cells.resize(
-                static_cast<std::size_t>(mesh.cell_start[mesh.cell_start.size() - 2]));
+            mesh.cells.resize(std::size_t(mesh.cell_start[mesh.cell_start.size() - 2]));
             mesh.cell_start.pop_back();
         }),
         "edge");
@@ -64,10 +63,10 @@ TEST_CASE("parts that do not fit together are refused with the place") {
             for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell)
                 for (std::int32_t k = mesh.cell_start[cell]; k + 1 < mesh.cell_start[cell + 1];
                      ++k) {
-                    std::int32_t const a = mesh.cells[static_cast<std::size_t>(k)],
-                                       b = mesh.cells[static_cast<std::size_t>(k) + 1];
-                    if (first.count(parts[1].numbers[static_cast<std::size_t>(a)]) == 0) continue;
-                    if (first.count(parts[1].numbers[static_cast<std::size_t>(b)]) == 0) continue;
+                    std::int32_t const a = mesh.cells[std::size_t(k)],
+                                       b = mesh.cells[std::size_t(k) + 1];
+                    if (first.count(parts[1].numbers[std::size_t(a)]) == 0) continue;
+                    if (first.count(parts[1].numbers[std::size_t(b)]) == 0) continue;
                     mesh.add_face(a, b, far_field);
                     return;
                 }
@@ -83,8 +82,8 @@ TEST_CASE("parts that do not fit together are refused with the place") {
         "cells of two parts overlap at the edge between the points with global numbers");
     has(refusal([&](std::vector<PartOfMesh>& parts) {  // two corners in one place
             Mesh& mesh = parts[0].mesh;
-            std::size_t const one = static_cast<std::size_t>(mesh.cells[0]);
-            std::size_t const other = static_cast<std::size_t>(mesh.cells[1]);
+            std::size_t const one = std::size_t(mesh.cells[0]);
+            std::size_t const other = std::size_t(mesh.cells[1]);
             mesh.x[one] = mesh.x[other];
             mesh.y[one] = mesh.y[other];
         }),

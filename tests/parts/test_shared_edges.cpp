@@ -17,8 +17,8 @@ using Edges = std::vector<hm_edge>;
 // Points of a square lattice of side 1000; their numbers tell where they are.
 constexpr std::int64_t per_row = 1000;
 hm_edge edge(std::int64_t begin, std::int64_t end) {
-    auto const x = [](std::int64_t point) { return static_cast<double>(point % per_row); };
-    auto const y = [](std::int64_t point) { return static_cast<double>(point / per_row); };
+    auto const x = [](std::int64_t point) { return double(point % per_row); };
+    auto const y = [](std::int64_t point) { return double(point / per_row); };
     return {begin, end, x(begin), y(begin), x(end), y(end), 0, 0};
 }
 hm_edge marked(std::int64_t begin, std::int64_t end, std::int32_t marker) {
@@ -35,9 +35,9 @@ struct Matched {
 };
 Matched match(Edges edges) {
     Matched out{};
-    std::int64_t n = static_cast<std::int64_t>(edges.size());
+    std::int64_t n = std::int64_t(edges.size());
     out.status = hm_match_edges(edges.data(), &n, &out.error);
-    edges.resize(static_cast<std::size_t>(n));
+    edges.resize(std::size_t(n));
     out.left = edges;
     return out;
 }

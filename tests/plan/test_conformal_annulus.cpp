@@ -8,8 +8,6 @@ using namespace fixtures;
 
 namespace {
 
-double const pi = std::acos(-1.0);
-
 // Exact on an annulus with k = (r - r0)^-q: for the boundary values e^(i n angle) on r0 and 0 on r1
 // the minimum of the integral of k |f_x + i f_y|^2 is f = g(r) e^(i n angle) with k (g' - n g / r)
 // = c r^(-n - 1), and so
@@ -25,14 +23,14 @@ public:
         for (int k = 0; k < samples; ++k) {
             double const u = ring_parameter(degree, n_functions, 2 * pi * k / samples);
             harmorph::CurveBasis const basis = curve_basis(spline.curve(), u, 0);
-            double& sum = value[static_cast<std::size_t>(k)];
+            double& sum = value[std::size_t(k)];
             for (int j = 0; j <= degree; ++j)
                 sum += basis.control[j] == function ? basis.value[0][j] : 0;
         }
         for (int n = -modes; n <= modes; ++n) {
             Complex sum = 0;
             for (int k = 0; k < samples; ++k)
-                sum += value[static_cast<std::size_t>(k)] *
+                sum += value[std::size_t(k)] *
                        std::polar(1.0, -2 * pi * ((n * k) % samples) / samples);
             coefficient_.push_back(sum / (1.0 * samples));
         }
@@ -48,7 +46,7 @@ public:
         for (int k = 0; k < n_t; ++k) {
             Complex sum = 0;
             for (int n = -modes; n <= modes; ++n) {
-                std::size_t const mode = static_cast<std::size_t>(n + modes);
+                std::size_t const mode = std::size_t(n + modes);
                 sum += coefficient_[mode] * g[mode] * std::polar(1.0, 2 * pi * n * k / n_t);
             }
             out.push_back(sum);
@@ -88,10 +86,9 @@ double rms_error(int refine, Cells kind, double exponent) {
     for (int i = 0; i <= n_r; ++i) {
         Field const ring = exact.at(r0 * std::pow(r1 / r0, 1.0 * i / n_r), n_t);
         for (int k = 0; k < n_t; ++k)
-            sum += std::norm(found[static_cast<std::size_t>(i * n_t + k)] -
-                             ring[static_cast<std::size_t>(k)]);
+            sum += std::norm(found[std::size_t(i * n_t + k)] - ring[std::size_t(k)]);
     }
-    return std::sqrt(sum / static_cast<double>(found.size()));
+    return std::sqrt(sum / double(found.size()));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 class Hermitian {
 public:
     Hermitian(Case& setup, std::vector<double> const& conductivity)
-        : n(static_cast<std::size_t>(setup.mesh.n_points())) {
+        : n(std::size_t(setup.mesh.n_points())) {
         Options const options = options_of(HM_CONFORMAL);
         Attempt seen;
         REQUIRE(seen.analyse(setup.problem(), &options));
@@ -31,7 +31,7 @@ public:
         is_unknown.assign(n, 0);
         auto const line = [&](Index position) { return a.graph().line[a.order()[position]]; };
         for (Index i = 0; i < m.n; ++i) {
-            is_unknown[static_cast<std::size_t>(line(i) / components)] = 1;
+            is_unknown[std::size_t(line(i) / components)] = 1;
             add(line(i), line(i), components, {m.diagonal[i], 0});
             for (harmorph::Offset k = m.start[i]; k < m.start[i + 1]; ++k) {
                 Complex const value{m.value[k], m.is_complex() ? m.imaginary[k] : 0};
@@ -61,8 +61,7 @@ public:
     // agrees with the first.
     bool rows_agree() const {
         for (Entry const& e : second_) {
-            Complex const first =
-                at(static_cast<std::size_t>(e.row / 2), static_cast<std::size_t>(e.column / 2));
+            Complex const first = at(std::size_t(e.row / 2), std::size_t(e.column / 2));
             double const expected = e.column % 2 == 0 ? first.imag() : first.real();
             if (std::fabs(e.value - expected) >
                 1e-14 * std::fabs(first.real()) + 1e-14 * std::fabs(first.imag()))
@@ -80,8 +79,7 @@ private:
         double value;
     };
     void add(Index row, Index column, Index components, Complex value) {
-        std::size_t const i = static_cast<std::size_t>(row / components),
-                          j = static_cast<std::size_t>(column / components);
+        std::size_t const i = std::size_t(row / components), j = std::size_t(column / components);
         Complex& to = entries_[i * n + j];
         if (components == 1) {
             to += value;
@@ -110,7 +108,7 @@ double energy(Mesh const& mesh, Field const& f, const std::int32_t (&corner)[3])
     for (int i = 0; i < 3; ++i) {
         // Grad of the shape function: (a.y - b.y, b.x - a.x) / twice.
         Point const a = p[(i + 1) % 3], b = p[(i + 2) % 3];
-        slope += f[static_cast<std::size_t>(corner[i])] * Complex(a.y - b.y, b.x - a.x) / twice;
+        slope += f[std::size_t(corner[i])] * Complex(a.y - b.y, b.x - a.x) / twice;
     }
     return 0.5 * twice * std::norm(slope);
 }
@@ -135,7 +133,7 @@ TEST_CASE("the conformal matrix is that of the integral of k |f_x + i f_y|^2, ce
         for (Index c = 0; c < mesh.n_cells; ++c) {
             harmorph::Cell const cell = mesh.cell(c);
             const Index* const q = cell.point;
-            double const conductivity = k[static_cast<std::size_t>(c)];
+            double const conductivity = k[std::size_t(c)];
             if (cell.n == 3) {
                 expected += conductivity * energy(setup.mesh, f, {q[0], q[1], q[2]});
                 continue;

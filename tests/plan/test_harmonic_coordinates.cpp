@@ -33,26 +33,23 @@ Case l_shape(int n, Cells kind) {
     std::vector<std::int32_t> new_of(whole.x.size(), -1);
     for (std::size_t k = 0; k < whole.x.size(); ++k) {
         if (whole.x[k] <= 0.5 || whole.y[k] <= 0.5)
-            new_of[k] = out.mesh.add_point(whole.point(static_cast<std::int32_t>(k)));
+            new_of[k] = out.mesh.add_point(whole.point(std::int32_t(k)));
     }
     for (std::size_t cell = 0; cell + 1 < whole.cell_start.size(); ++cell) {
         std::vector<std::int32_t> corners;
         double x = 0, y = 0;
         for (std::int32_t k = whole.cell_start[cell]; k < whole.cell_start[cell + 1]; ++k) {
-            std::size_t const point =
-                static_cast<std::size_t>(whole.cells[static_cast<std::size_t>(k)]);
+            std::size_t const point = std::size_t(whole.cells[std::size_t(k)]);
             corners.push_back(new_of[point]);
             x += whole.x[point];
             y += whole.y[point];
         }
-        double const size = static_cast<double>(corners.size());
+        double const size = double(corners.size());
         if (x > 0.5 * size && y > 0.5 * size) continue;
         out.mesh.cells.insert(out.mesh.cells.end(), corners.begin(), corners.end());
-        out.mesh.cell_start.push_back(static_cast<std::int32_t>(out.mesh.cells.size()));
+        out.mesh.cell_start.push_back(std::int32_t(out.mesh.cells.size()));
     }
-    auto const id = [&](int i, int j) {
-        return new_of[static_cast<std::size_t>(j * (2 * n + 1) + i)];
-    };
+    auto const id = [&](int i, int j) { return new_of[std::size_t(j * (2 * n + 1) + i)]; };
     for (int k = 0; k < 2 * n; ++k) {
         int const edge = k < n ? 2 * n : n;  // how far the L reaches
         out.mesh.add_face(id(k, 0), id(k + 1, 0), body);
@@ -64,16 +61,6 @@ Case l_shape(int n, Cells kind) {
     out.put_on_curves(body);
     return out;
 }
-
-// X = sum_i F_i P_i: from no coordinates, with positions for movements.
-struct Positions {
-    std::vector<double> x, y;
-    Positions(Solved const& solved, std::vector<double> const& control)
-        : x(static_cast<std::size_t>(solved.info().points)), y(x.size()) {
-        REQUIRE(hm_morph(solved.basis, control.data(), nullptr, points_out(x, y), nullptr,
-                         nullptr) == HM_OK);
-    }
-};
 
 struct Affine {
     double a, b, c, d, x, y;
@@ -90,7 +77,8 @@ struct Affine {
 // Largest distance of the mesh's points, moved affinely, from the sum over the cage that was moved
 // affinely.
 double affine_error(Solved const& solved, Case const& setup, Affine const& map) {
-    Positions const found(solved, map.mapped(setup.curves.control));
+    // X = sum_i F_i P_i: with positions for movements, and without coordinates.
+    Moved const found = displaced(solved.basis, map.mapped(setup.curves.control));
     double worst = 0;
     for (std::size_t k = 0; k < setup.mesh.x.size(); ++k) {
         std::vector<double> const to = map.mapped({setup.mesh.x[k], setup.mesh.y[k]});
@@ -128,8 +116,8 @@ TEST_CASE("coordinates are 1 or 0 at corners of the cage, linear on edges, and s
                 CHECK(f[k] >= 0);
                 CHECK(f[k] <= 1);
                 for (std::int32_t j = 0; j < setup.curves.n_control(); ++j) {
-                    std::size_t const at = 2 * static_cast<std::size_t>(j);
-                    if (distance(setup.mesh.point(static_cast<std::int32_t>(k)),
+                    std::size_t const at = 2 * std::size_t(j);
+                    if (distance(setup.mesh.point(std::int32_t(k)),
                                  {control[at], control[at + 1]}) > 1e-12)
                         continue;
                     CHECK(f[k] == doctest::Approx(i == j ? 1.0 : 0.0).epsilon(1e-13));
@@ -171,10 +159,8 @@ TEST_CASE("positions and displacements are the same thing where the cage is the 
     std::vector<double> const move = some_move(setup.curves.n_control(), 0.05, 3);
     std::vector<double> control = setup.curves.control;
     for (std::size_t k = 0; k < control.size(); ++k) control[k] += move[k];
-    Positions const positions(solved, control);
-    std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
-    REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
-                     nullptr) == HM_OK);
-    CHECK(largest_difference(positions.x, x) < 1e-14);
-    CHECK(largest_difference(positions.y, y) < 1e-14);
+    Moved const places = displaced(solved.basis, control),
+                to = morphed(solved.basis, setup.mesh, move);
+    CHECK(largest_difference(places.x, to.x) < 1e-14);
+    CHECK(largest_difference(places.y, to.y) < 1e-14);
 }

@@ -20,8 +20,7 @@ TEST_CASE("numbering, orientation, markers, place and size of the mesh do not ma
                 Field const expected = complex_values(reference, i),
                             found = complex_values(solved, i);
                 for (std::size_t k = 0; k < expected.size(); ++k) {
-                    Complex const f =
-                        found[new_of.empty() ? k : static_cast<std::size_t>(new_of[k])];
+                    Complex const f = found[new_of.empty() ? k : std::size_t(new_of[k])];
                     worst = std::fmax(worst, std::abs((mirrored ? std::conj(f) : f) - expected[k]));
                 }
             }

@@ -24,7 +24,7 @@ double residual_of(Case& setup, Field field) {
     double worst = 0, size = 0;
     for (std::size_t i = 0; i < laplace.size(); ++i) {
         for (std::size_t j = 0; j < laplace.size(); ++j) {
-            sum[i] += a.at(i, j) * at(laplace.point_at(static_cast<Index>(j)));
+            sum[i] += a.at(i, j) * at(laplace.point_at(Index(j)));
             size = std::fmax(size, std::fabs(a.at(i, j)));
         }
         worst = std::fmax(worst, std::fabs(sum[i]));
@@ -41,8 +41,7 @@ void add_element(DenseMatrix& k, Mesh const& mesh, const Index (&corner)[3], dou
             Point const a = p[(i + 1) % 3], b = p[(i + 2) % 3], c = p[(j + 1) % 3],
                         d = p[(j + 2) % 3];
             double const product = (b.x - a.x) * (d.x - c.x) + (b.y - a.y) * (d.y - c.y);
-            k.at(static_cast<std::size_t>(corner[i]), static_cast<std::size_t>(corner[j])) +=
-                weight * product / (2 * twice);
+            k.at(std::size_t(corner[i]), std::size_t(corner[j])) += weight * product / (2 * twice);
         }
 }
 
@@ -82,7 +81,7 @@ TEST_CASE("the entries are linear finite elements', for quads the mean of both t
     for (Cells const kind : kinds)
         for (int change = 0; change < 2; ++change) {
             Case setup = square_on_curve(7, kind, 0.4, 5);
-            DenseMatrix expected(static_cast<std::size_t>(setup.mesh.n_points()));
+            DenseMatrix expected(std::size_t(setup.mesh.n_points()));
             harmorph::Mesh const mesh = core_mesh(setup.mesh);
             for (Index c = 0; c < mesh.n_cells; ++c) {
                 harmorph::Cell const cell = mesh.cell(c);
@@ -103,11 +102,9 @@ TEST_CASE("the entries are linear finite elements', for quads the mean of both t
             DenseMatrix const found = laplace.unknowns();
             double worst = 0;
             for (std::size_t i = 0; i < found.n; ++i) {
-                std::size_t const p =
-                    static_cast<std::size_t>(laplace.point_at(static_cast<Index>(i)));
+                std::size_t const p = std::size_t(laplace.point_at(Index(i)));
                 for (std::size_t j = 0; j < found.n; ++j) {
-                    std::size_t const q =
-                        static_cast<std::size_t>(laplace.point_at(static_cast<Index>(j)));
+                    std::size_t const q = std::size_t(laplace.point_at(Index(j)));
                     worst = std::fmax(worst, std::fabs(found.at(i, j) - expected.at(p, q)));
                 }
             }

@@ -9,7 +9,6 @@ using namespace fixtures;
 
 namespace {
 
-double const pi = std::acos(-1.0);
 constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 
 // A function of the angle by its Fourier coefficients, found with the trapezoidal rule.
@@ -23,8 +22,7 @@ public:
         for (int m = 0; m <= modes; ++m) {
             Complex sum = 0;
             for (int k = 0; k < n; ++k)
-                sum += sample[static_cast<std::size_t>(k)] *
-                       std::polar(1.0, -2 * pi * ((m * k) % n) / n);
+                sum += sample[std::size_t(k)] * std::polar(1.0, -2 * pi * ((m * k) % n) / n);
             coefficient_.push_back((m == 0 ? 1.0 : 2.0) / n * sum);
         }
     }
@@ -35,8 +33,7 @@ public:
         for (int m = 1; m <= modes; ++m) {
             double const decay = std::pow(r0 / r, m) * (1 - std::pow(r / r1, 2 * m)) /
                                  (1 - std::pow(r0 / r1, 2 * m));
-            sum += decay *
-                   (coefficient_[static_cast<std::size_t>(m)] * std::polar(1.0, m * angle)).real();
+            sum += decay * (coefficient_[std::size_t(m)] * std::polar(1.0, m * angle)).real();
         }
         return sum;
     }
@@ -66,8 +63,7 @@ template <class Exact>
 Errors errors_of(std::vector<double> const& values, Mesh const& mesh, Exact exact) {
     Errors out;
     for (std::int32_t k = 0; k < mesh.n_points(); ++k) {
-        double const error =
-            std::fabs(values[static_cast<std::size_t>(k)] - exact(to_complex(mesh.point(k))));
+        double const error = std::fabs(values[std::size_t(k)] - exact(to_complex(mesh.point(k))));
         out.rms += error * error / mesh.n_points();
         out.max = std::fmax(out.max, error);
     }

@@ -26,11 +26,10 @@ struct Difference {
 Difference difference_of_all(Solved const& a, Attempt const& b) {
     Difference out;
     hm_basis_info const info = a.info();
-    std::vector<double> p(static_cast<std::size_t>(info.points)), q = p;
     for (std::int32_t function = 0; function < info.functions; ++function)
         for (std::int32_t number = 0; number < info.numbers_per_value; ++number) {
-            REQUIRE(hm_basis_values(a.basis, function, number, p.data(), nullptr) == HM_OK);
-            REQUIRE(hm_basis_values(b.basis, function, number, q.data(), nullptr) == HM_OK);
+            std::vector<double> const p = values_of(a.basis, function, number),
+                                      q = values_of(b.basis, function, number);
             out.worst = std::fmax(out.worst, largest_difference(p, q));
             for (double const value : p) out.largest = std::fmax(out.largest, std::fabs(value));
         }

@@ -86,7 +86,7 @@ TEST_CASE("blocks that are too small for a transfer are refused, at any alignmen
                             &mesh, nullptr, &error);
             CHECK(status == (give == need ? HM_OK : HM_BLOCK_TOO_SMALL));
             CHECK(block.guards_intact());
-            if (give < need) CHECK(error.value == static_cast<double>(need - give));
+            if (give < need) CHECK(error.value == double(need - give));
         }
     }
 }

@@ -24,14 +24,14 @@ harmorph::Plan const& inside(const hm_plan* plan) {
 // cell's length.
 Case plate(std::vector<double> const& steps, Cells kind, double lean) {
     Case out;
-    int const n = 16, row = n + 1, n_rows = static_cast<int>(steps.size());
+    int const n = 16, row = n + 1, n_rows = int(steps.size());
     double y = 0;
     for (int j = 0; j <= n_rows; ++j) {
         for (int i = 0; i <= n; ++i) {
             bool const is_inside = j > 0 && j < n_rows && i > 0 && i < n;
             out.mesh.add_point({(i + (is_inside ? (j % 2 == 1 ? lean : -lean) : 0)) / 8 - 1, y});
         }
-        if (j < n_rows) y += steps[static_cast<std::size_t>(j)];
+        if (j < n_rows) y += steps[std::size_t(j)];
     }
     for (int k = 0; k < n_rows * row; k += row)
         for (int i = k; i < k + n; ++i) {
@@ -57,10 +57,10 @@ Case plate(std::vector<double> const& steps, Cells kind, double lean) {
 double largest_error(Attempt const& solved) {
     harmorph::Plan const& plan = inside(solved.plan);
     harmorph::Matrix const& matrix = plan.equations().matrix();
-    std::size_t const n = static_cast<std::size_t>(matrix.n);
+    std::size_t const n = std::size_t(matrix.n);
     std::vector<DoubleDouble> a(n * n, 0);
     auto const at = [&](Index i, Index j) -> DoubleDouble& {
-        return a[static_cast<std::size_t>(i) * n + static_cast<std::size_t>(j)];
+        return a[std::size_t(i) * n + std::size_t(j)];
     };
     for (Index i = 0; i < matrix.n; ++i)
         for (Offset e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
@@ -85,8 +85,7 @@ double largest_error(Attempt const& solved) {
             DoubleDouble const entry = matrix.coupling_value[c];
             at(i, i) -= entry;
             for (std::size_t f = 0; f < values.size(); ++f)
-                sides[f][static_cast<std::size_t>(i)] -=
-                    entry * values[f][static_cast<std::size_t>(point)];
+                sides[f][std::size_t(i)] -= entry * values[f][std::size_t(point)];
         }
     }
     for (Index k = 0; k < matrix.n; ++k)
@@ -94,18 +93,16 @@ double largest_error(Attempt const& solved) {
             DoubleDouble const factor = at(k, r) / at(k, k);
             if (factor.is_zero()) continue;
             for (Index c = r; c < matrix.n; ++c) at(r, c) -= factor * at(k, c);
-            for (auto& side : sides)
-                side[static_cast<std::size_t>(r)] -= factor * side[static_cast<std::size_t>(k)];
+            for (auto& side : sides) side[std::size_t(r)] -= factor * side[std::size_t(k)];
         }
     double worst = 0;
     for (std::size_t f = 0; f < sides.size(); ++f)
         for (Index k = matrix.n - 1; k >= 0; --k) {
-            DoubleDouble& x = sides[f][static_cast<std::size_t>(k)];
-            for (Index c = k + 1; c < matrix.n; ++c)
-                x -= at(k, c) * sides[f][static_cast<std::size_t>(c)];
+            DoubleDouble& x = sides[f][std::size_t(k)];
+            for (Index c = k + 1; c < matrix.n; ++c) x -= at(k, c) * sides[f][std::size_t(c)];
             x /= at(k, k);
-            double const error = std::fabs(
-                (x - values[f][static_cast<std::size_t>(plan.equations().point_of(k))]).high);
+            double const error =
+                std::fabs((x - values[f][std::size_t(plan.equations().point_of(k))]).high);
             if (!(error <= worst)) worst = error;
         }
     return worst;
@@ -248,8 +245,7 @@ TEST_CASE("solutions that are spoilt before they are judged are refined, those i
             options.progress_user = &spoiler;
             Solved solved(setup, &options);
             harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
-            spoiler = {basis.value.data(), 2 * 17, 17 * n_rows,
-                       static_cast<std::size_t>(basis.row_length())};
+            spoiler = {basis.value.data(), 2 * 17, 17 * n_rows, std::size_t(basis.row_length())};
             REQUIRE(hm_plan_solve(solved.plan, solved.basis, &solved.report, nullptr) == HM_OK);
             CHECK(solved.report.refinements > 0);
             CHECK(largest_error(solved) < 1e-12);

@@ -27,7 +27,7 @@ Case thin_plate(double first, Cells kind = Cells::quads) {
     int const n = 32, n_before = 8, n_wall = 16, row = n + 1;
     for (double const y : heights)
         for (int i = 0; i <= n; ++i) out.mesh.add_point({0.125 * (i - n_before) - 1, y});
-    int const top_row = (static_cast<int>(heights.size()) - 1) * row;
+    int const top_row = (int(heights.size()) - 1) * row;
     for (int k = 0; k < top_row; k += row)
         for (int i = 0; i < n; ++i)
             out.mesh.add_quad(k + i, k + i + 1, k + i + 1 + row, k + i + row, kind != Cells::quads);

@@ -12,7 +12,6 @@ using namespace fixtures;
 
 namespace {
 
-double const pi = std::acos(-1.0);
 constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 
 // Unit square on a polygon of degree 1 through its corners and more points: positions are sums of
@@ -45,7 +44,7 @@ std::vector<double> coordinate(std::vector<double> const& control, std::size_t w
 std::vector<double> combined(hm_basis const* basis, std::vector<double> const& amount) {
     std::vector<double> out;
     for (std::size_t i = 0; i < amount.size(); ++i) {
-        std::vector<double> const one = values_of(basis, static_cast<std::int32_t>(i));
+        std::vector<double> const one = values_of(basis, std::int32_t(i));
         out.resize(one.size(), 0.0);
         for (std::size_t k = 0; k < one.size(); ++k) out[k] += amount[i] * one[k];
     }
@@ -144,7 +143,7 @@ TEST_CASE("transferred functions depend neither on the numbering nor on threads"
         std::vector<double> const a = values_of(plain.basis, function),
                                   b = values_of(renumbered.basis, function);
         for (std::size_t k = 0; k < a.size(); ++k)
-            worst = std::fmax(worst, std::fabs(a[k] - b[static_cast<std::size_t>(new_of[k])]));
+            worst = std::fmax(worst, std::fabs(a[k] - b[std::size_t(new_of[k])]));
     }
     CHECK(worst < 1e-10);
 }
@@ -167,7 +166,7 @@ namespace {
 // does. Every triangle is looked at.
 bool interpolated(Mesh const& mesh, std::vector<double> const& values, Point p, double& out) {
     for (std::int32_t cell = 0; cell < mesh.n_cells(); ++cell) {
-        const std::int32_t* const corner = &mesh.cells[static_cast<std::size_t>(3 * cell)];
+        const std::int32_t* const corner = &mesh.cells[std::size_t(3 * cell)];
         Point const a = mesh.point(corner[0]), b = mesh.point(corner[1]), c = mesh.point(corner[2]);
         auto const twice = [](Point u, Point v, Point w) {
             return (v.x - u.x) * (w.y - u.y) - (v.y - u.y) * (w.x - u.x);
@@ -175,7 +174,7 @@ bool interpolated(Mesh const& mesh, std::vector<double> const& values, Point p, 
         double const area = twice(a, b, c), in_a = twice(p, b, c) / area,
                      in_b = twice(a, p, c) / area, in_c = twice(a, b, p) / area;
         if (in_a < 0 || in_b < 0 || in_c < 0) continue;
-        auto const value = [&](int k) { return values[static_cast<std::size_t>(corner[k])]; };
+        auto const value = [&](int k) { return values[std::size_t(corner[k])]; };
         out = in_a * value(0) + in_b * value(1) + in_c * value(2);
         return true;
     }
@@ -204,7 +203,7 @@ TEST_CASE("values on an unrelated mesh are those of the coarse triangle that con
             double expected = 0;
             if (r < beyond_the_wall || r > 1.99 || !interpolated(coarse.mesh, from, p, expected))
                 continue;
-            worst = std::max(worst, std::fabs(to[static_cast<std::size_t>(k)] - expected));
+            worst = std::max(worst, std::fabs(to[std::size_t(k)] - expected));
             ++checked;
         }
         CHECK(worst < 1e-13);

@@ -7,51 +7,25 @@
 #include <fixtures/bodies.hpp>
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/operators.hpp>
+#include <fixtures/morphed.hpp>
 #include <fixtures/slip_channel.hpp>
 #include <fixtures/transferred.hpp>
 
 using namespace fixtures;
-
-namespace {
-
-std::vector<double> moved(hm_basis const* basis, std::vector<double> const& move, std::size_t n) {
-    std::vector<double> out(2 * n);
-    REQUIRE(hm_morph(basis, move.data(), nullptr, points_out(out.data(), out.data() + n), nullptr,
-                     nullptr) == HM_OK);
-    return out;
-}
-
-double admissible(hm_basis const* basis, Case& setup, std::vector<double> const& move) {
-    std::size_t const n = setup.mesh.x.size();
-    std::vector<double> const by = moved(basis, move, n);
-    auto step = sized<hm_step_report>();
-    REQUIRE(hm_assess(basis, &setup.mesh_view(), nullptr, points_in(by.data(), by.data() + n),
-                      nullptr, nullptr, &step, nullptr, nullptr) == HM_OK);
-    return step.admissible;
-}
-
-}  // namespace
 
 TEST_CASE("the wall moves as the B-spline does, exactly; fixed points do not move") {
     Case coarse = two_body_case(Cells::hybrid, 8, 6),
          fine = two_body_case(Cells::triangles, 21, 15);
     Transferred const transferred(fine, coarse);
     std::vector<double> const move = some_move(20, 0.05, 3);
-    std::size_t const n = fine.mesh.x.size();
-    std::vector<double> x(n), y(n);
-    hm_mesh const mesh = fine.mesh_view();
-    REQUIRE(hm_morph(transferred.basis, move.data(), &mesh.points, points_out(x, y), nullptr,
-                     nullptr) == HM_OK);
-    double error = 1;
-    REQUIRE(hm_boundary_error(transferred.basis, move.data(), &mesh.points, points_in(x, y), &error,
-                              nullptr, nullptr) == HM_OK);
-    CHECK(error < 1e-15);
+    Moved const to = morphed(transferred.basis, fine.mesh, move);
+    CHECK(boundary_error(transferred.basis, move, fine.mesh, to) < 1e-15);
     int fixed = 0;
     for (std::size_t face = 0; face < fine.mesh.face_markers.size(); ++face) {
         if (fine.mesh.face_markers[face] != far_field) continue;
-        std::size_t const point = static_cast<std::size_t>(fine.mesh.faces[2 * face]);
-        CHECK(x[point] == fine.mesh.x[point]);
-        CHECK(y[point] == fine.mesh.y[point]);
+        std::size_t const point = std::size_t(fine.mesh.faces[2 * face]);
+        CHECK(to.x[point] == fine.mesh.x[point]);
+        CHECK(to.y[point] == fine.mesh.y[point]);
         ++fixed;
     }
     CHECK(fixed > 50);
@@ -73,8 +47,7 @@ TEST_CASE("cuts and seams: both sides get the same bits") {
     for (std::int32_t function = 0; function < fine.curves.n_control(); ++function) {
         std::vector<double> const values = values_of(transferred.basis, function);
         for (std::int32_t k = 0; k < c_fine.n_wake; ++k) {
-            CHECK(values[static_cast<std::size_t>(k)] ==
-                  values[static_cast<std::size_t>(last - k)]);
+            CHECK(values[std::size_t(k)] == values[std::size_t(last - k)]);
         }
     }
     CHECK(largest_difference(all_numbers(transferred.basis), all_numbers(Solved(fine).basis)) <
@@ -89,27 +62,26 @@ TEST_CASE("slipping points stay on their lines, periodic pairs move alike, bit b
             fine = similar(fine, std::polar(1.0, angle), 0);
             Transferred const transferred(fine, coarse);
             std::vector<double> const move = some_move(4, 1, 5);
-            std::size_t const n = fine.mesh.x.size();
-            std::vector<double> const by = moved(transferred.basis, move, n);
+            Moved const by = displaced(transferred.basis, move);
             double along = 0;
             for (std::size_t face = 0; face < fine.mesh.face_markers.size(); ++face) {
                 std::int32_t const marker = fine.mesh.face_markers[face];
-                std::size_t const a = static_cast<std::size_t>(fine.mesh.faces[2 * face]);
+                std::size_t const a = std::size_t(fine.mesh.faces[2 * face]);
                 if (marker == bottom || marker == top) {
-                    CHECK(std::fabs(by[n + a] * std::cos(angle) - by[a] * std::sin(angle)) < 1e-15);
+                    CHECK(std::fabs(by.y[a] * std::cos(angle) - by.x[a] * std::sin(angle)) < 1e-15);
                     along = std::fmax(
-                        along, std::fabs(by[a] * std::cos(angle) + by[n + a] * std::sin(angle)));
+                        along, std::fabs(by.x[a] * std::cos(angle) + by.y[a] * std::sin(angle)));
                 }
             }
             CHECK(along > 0.02);
             if (!periodic) continue;
             int pairs = 0;
             // Rows of 28 points; left and right are their ends, outside the hole's rows.
-            for (std::size_t k = 0; k < n; ++k) {
+            for (std::size_t k = 0; k < by.x.size(); ++k) {
                 if (k / 28 > 5 || k % 28 != 0) continue;
-                CHECK(by[k] == by[k + 27]);
-                CHECK(by[n + k] == by[n + k + 27]);
-                pairs += by[k] != 0 ? 1 : 0;
+                CHECK(by.x[k] == by.x[k + 27]);
+                CHECK(by.y[k] == by.y[k + 27]);
+                pairs += by.x[k] != 0 ? 1 : 0;
             }
             CHECK(pairs > 3);
         }
@@ -137,10 +109,10 @@ TEST_CASE("the correction at a wall that meets a slip line does not push points 
     Case coarse = slanting(5), fine = slanting(17);
     Transferred const transferred(fine, coarse);
     REQUIRE(transferred.transfer.wall_correction > 0.01);
-    std::vector<double> const by = moved(transferred.basis, some_move(6, 1, 5), fine.mesh.x.size());
+    Moved const by = displaced(transferred.basis, some_move(6, 1, 5));
     for (std::size_t k = 1; k < 17; ++k) {
-        CHECK(by[k] != 0);
-        CHECK(by[fine.mesh.x.size() + k] == 0);
+        CHECK(by.x[k] != 0);
+        CHECK(by.y[k] == 0);
     }
 }
 
@@ -157,14 +129,13 @@ TEST_CASE("rigid bodies: points on them move rigidly") {
     move[40] = 0.1;
     move[42] = -0.3;  // s - 1
     move[43] = 0.2;
-    std::size_t const n = fine.mesh.x.size();
-    std::vector<double> const by = moved(transferred.basis, move, n);
+    Moved const by = displaced(transferred.basis, move);
     for (std::size_t face = 0; face < fine.mesh.face_markers.size(); ++face) {
         if (fine.mesh.face_markers[face] != second_body) continue;
-        std::size_t const k = static_cast<std::size_t>(fine.mesh.faces[2 * face]);
+        std::size_t const k = std::size_t(fine.mesh.faces[2 * face]);
         double const x = fine.mesh.x[k] - 1.5, y = fine.mesh.y[k] - 0.5;
-        CHECK(by[k] == doctest::Approx(0.1 - 0.3 * x - 0.2 * y).epsilon(1e-12));
-        CHECK(by[n + k] == doctest::Approx(-0.3 * y + 0.2 * x).epsilon(1e-12));
+        CHECK(by.x[k] == doctest::Approx(0.1 - 0.3 * x - 0.2 * y).epsilon(1e-12));
+        CHECK(by.y[k] == doctest::Approx(-0.3 * y + 0.2 * x).epsilon(1e-12));
     }
     fine.conditions.back().x = 1.4;
     TransferAttempt refused;
@@ -196,8 +167,10 @@ TEST_CASE("thin layers stay valid because points near the wall move along with t
               100 * 1e-5);  // many times the height of a first cell
         for (unsigned const seed : {1u, 2u, 3u}) {
             std::vector<double> const move = some_move(fine.curves.n_control(), 0.02, seed);
-            double const own = admissible(solved.basis, fine, move),
-                         found = admissible(transferred.basis, fine, move);
+            auto const admissible = [&](const hm_basis* basis) {
+                return step_of(basis, fine.mesh_view(), displaced(basis, move)).admissible;
+            };
+            double const own = admissible(solved.basis), found = admissible(transferred.basis);
             INFO("admissible " << found << ", of functions solved on the fine mesh " << own);
             CHECK(found > 0.8 * own);
         }

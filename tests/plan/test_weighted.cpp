@@ -44,9 +44,9 @@ double rms_error(int refine, Cells kind, double exponent) {
     for (int i = 0; i <= n_r; ++i) {
         double const exact = radial(0.5 * std::pow(4, 1.0 * i / n_r), 0.5, 2, exponent);
         for (int k = 0; k < n_t; ++k)
-            sum_of_squares += std::pow(sum[static_cast<std::size_t>(i * n_t + k)] - exact, 2);
+            sum_of_squares += std::pow(sum[std::size_t(i * n_t + k)] - exact, 2);
     }
-    return std::sqrt(sum_of_squares / static_cast<double>(sum.size()));
+    return std::sqrt(sum_of_squares / double(sum.size()));
 }
 
 }  // namespace
@@ -111,7 +111,7 @@ TEST_CASE("without a weight: Laplace's functions, bit by bit; the larger q, the 
         std::vector<double> const sum = solved.sum();
         double mean = 0;
         for (std::size_t k = 0; k < sum.size(); ++k)
-            mean += (sum[k] - last[k]) / static_cast<double>(sum.size());
+            mean += (sum[k] - last[k]) / double(sum.size());
         CHECK(mean > 0.01);
         last = sum;
     }
@@ -124,8 +124,8 @@ TEST_CASE("a plan without a weight is smaller by one number for each cell") {
                       none_at_all = options_of(HM_WEIGHTED, -1);
         Solved const with(setup, &weighted), without(setup, &none_at_all), laplace(setup);
         std::size_t const more = with.plan_block->size() - without.plan_block->size();
-        CHECK(more == 8 * static_cast<std::size_t>(
-                              setup.mesh.n_cells()));  // a multiple of the alignment of arrays
+        CHECK(more ==
+              8 * std::size_t(setup.mesh.n_cells()));  // a multiple of the alignment of arrays
         CHECK(without.plan_block->size() == laplace.plan_block->size());
     }
 }

@@ -10,17 +10,15 @@ namespace {
 
 hm_status safe_morph(hm_plan* plan, const hm_basis* basis, const hm_basis* other,
                      std::size_t n_points, hm_error& error) {
-    std::size_t bytes = 0;
-    REQUIRE(hm_morph_safe_size(plan, basis, &bytes, nullptr) == HM_OK);
-    Guarded work(bytes);
+    Guarded work = block_of(hm_morph_safe_size, plan, basis);
     auto options = sized<hm_safe_options>();
     options.n_others = 1;
     options.others = &other;
     hm_basis_info const info = info_of(basis);
     std::vector<double> x(n_points), y(n_points);
     std::vector<double> const move(std::size_t(2 * info.functions), 1e-3);
-    return hm_morph_safe(plan, basis, move.data(), points_out(x, y), nullptr, work.data(), bytes,
-                         &options, nullptr, &error);
+    return hm_morph_safe(plan, basis, move.data(), points_out(x, y), nullptr, work.data(),
+                         work.size(), &options, nullptr, &error);
 }
 
 }  // namespace
@@ -69,9 +67,7 @@ TEST_CASE("the derivative is cleared at the beginning and cannot be a basis that
     Attempt own(setup.problem(), &options), other(setup.problem(), &options),
         apart(setup.problem(), &options);
     REQUIRE(own.status == HM_OK);
-    std::size_t bytes = 0;
-    REQUIRE(hm_morph_safe_size(own.plan, own.basis, &bytes, nullptr) == HM_OK);
-    Guarded work(bytes);
+    Guarded work = block_of(hm_morph_safe_size, own.plan, own.basis);
     std::vector<double> x(setup.mesh.x.size(), 7), y = x;
     std::vector<double> const move(std::size_t(2 * info_of(own.basis).functions), 1e-3);
     auto const morph = [&](std::vector<const hm_basis*> const& others, hm_basis* derivative,
@@ -80,7 +76,7 @@ TEST_CASE("the derivative is cleared at the beginning and cannot be a basis that
         safe.n_others = std::int32_t(others.size());
         safe.others = others.data();
         return hm_morph_safe(own.plan, own.basis, move.data(), points_out(x, y), derivative,
-                             work.data(), bytes, &safe, nullptr, &error);
+                             work.data(), work.size(), &safe, nullptr, &error);
     };
     for (std::size_t place = 0; place < 2; ++place) {
         std::vector<const hm_basis*> others(2, apart.basis);

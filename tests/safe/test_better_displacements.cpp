@@ -73,7 +73,7 @@ TEST_CASE("a limit of height changes is kept after the improvement, or a warning
         Safe safe(setup);
         safe.safe_options.improve = 1;
         safe.safe_options.max_height_change = 1.05;
-        hm_status const status = safe.run(turn_of(setup, angle * 180 / std::acos(-1.0)));
+        hm_status const status = safe.run(turn_of(setup, angle * 180 / pi));
         REQUIRE(status >= HM_OK);
         double const change =
             std::fmax(safe.report.max_height_ratio, 1 / safe.report.min_height_ratio);

@@ -47,12 +47,10 @@ struct Ring {
         Options options = options_of(operator_kind);
         if (executor != nullptr) options.executor = executor;
         Solved const solved(setup, &options);
-        std::size_t bytes = 0;
-        REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
-        Guarded work(bytes);
+        Guarded work = block_of(hm_improve_size, solved.plan);
         report.struct_size = sizeof report;
         hm_status const status = hm_improve(solved.plan, points_in(x, y), points_out(x, y),
-                                            work.data(), bytes, nullptr, &report, &error);
+                                            work.data(), work.size(), nullptr, &report, &error);
         CHECK(work.guards_intact());
         return status;
     }
@@ -72,10 +70,8 @@ struct Ring {
     }
     int changed(std::vector<double> const& old_x) const {
         int n = 0;
-        for (std::int32_t const point : points_on(setup.mesh, far_field)) {
-            auto const k = std::size_t(point);
-            n += x[k] != old_x[k] ? 1 : 0;
-        }
+        for (std::int32_t const k : points_on(setup.mesh, far_field))
+            n += x[std::size_t(k)] != old_x[std::size_t(k)];
         return n;
     }
 };

@@ -1,18 +1,11 @@
 // Large movements and better cells in one passage of an annulus: what all passages do, and sides
 // that stay images.
-#include <fixtures/displaced.hpp>
 #include <fixtures/passage.hpp>
-#include <fixtures/safe.hpp>
+#include <fixtures/safe_displaced.hpp>
 
 using namespace fixtures;
 
 namespace {
-
-Field places(std::vector<double> const& x, std::vector<double> const& y) {
-    Field out;
-    for (std::size_t k = 0; k < x.size(); ++k) out.push_back({x[k], y[k]});
-    return out;
-}
 
 double difference_in(Field const& one, Field const& all, std::vector<std::int32_t> const& number) {
     double out = 0;
@@ -27,20 +20,17 @@ std::vector<double> turned_and_moved(Case const& setup, double degrees, Complex 
     std::size_t const n = setup.curves.control.size() / 2;
     for (std::size_t k = 0; k < n; ++k)
         middle += Complex(setup.curves.control[2 * k], setup.curves.control[2 * k + 1]) / double(n);
-    return similarity_move(setup.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), middle,
-                           shift);
+    return similarity_move(setup.curves, std::polar(1.0, degrees * pi / 180), middle, shift);
 }
 
 hm_improve_report improved(Solved const& solved, Mesh const& mesh, Field const& from, Field& to) {
-    std::size_t bytes = 0;
-    REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
-    Guarded work(bytes);
+    Guarded work = block_of(hm_improve_size, solved.plan);
     to.resize(from.size());
-    const double* const x = reinterpret_cast<const double*>(from.data());
-    double* const better = reinterpret_cast<double*>(to.data());
+    hm_points const start = pairs_in(from);
+    hm_points_out const better = pairs_out(to);
     auto report = sized<hm_improve_report>();
-    REQUIRE(hm_improve(solved.plan, points_in(x, x + 1, 2), points_out(better, better + 1, 2),
-                       work.data(), bytes, nullptr, &report, nullptr) == HM_OK);
+    REQUIRE(hm_improve(solved.plan, &start, &better, work.data(), work.size(), nullptr, &report,
+                       nullptr) == HM_OK);
     CHECK(work.guards_intact());
     CHECK(mesh.x.size() == from.size());
     return report;
@@ -63,7 +53,7 @@ TEST_CASE("a safe morph of a passage reaches the target, and the sides and all p
             a.run(move);
             CHECK(a.status == HM_OK);
             CHECK(a.is_valid());
-            Field const found = places(a.x, a.y);
+            Field const found = positions(a.moved_mesh());
             CHECK(misfit_of_sides(one.mesh, found, turn) < 1e-15);
             CHECK(a.boundary_error(move) < 1e-13);
             // The annulus has real functions without the conformal operator: its bodies go straight
@@ -78,7 +68,8 @@ TEST_CASE("a safe morph of a passage reaches the target, and the sides and all p
             CHECK(a.status == b.status);
             CHECK(a.report.resolves == b.report.resolves);
             CHECK(a.report.steps == b.report.steps);
-            CHECK(difference_in(places(a.x, a.y), places(b.x, b.y), number[0]) < 1e-9);
+            CHECK(difference_in(positions(a.moved_mesh()), positions(b.moved_mesh()), number[0]) <
+                  1e-9);
         }
 }
 
@@ -87,41 +78,13 @@ TEST_CASE("given displacements of a passage are safe") {
     Case curved = passage(Cells::hybrid, n);
     Case setup = given_instead(curved);
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
-        Options const options = options_of(operator_kind);
-        Displaced displaced(setup, &options);
-        Complex const middle = 1.5 * std::polar(1.0, std::acos(-1.0) / n + 0.2);
-        Field wall;
-        for (std::int32_t const point : displaced.points) {
-            Complex const z = to_complex(setup.mesh.point(point));
-            wall.push_back((std::polar(1.0, 1.0) - 1.0) * (z - middle) + 0.03);
-        }
-        std::size_t bytes = 0;
-        REQUIRE(hm_displace_safe_size(displaced.plan, displaced.basis, &bytes, nullptr) == HM_OK);
-        Guarded work(bytes);
-        Field to(setup.mesh.x.size());
-        double* const xy = reinterpret_cast<double*>(to.data());
-        const double* const w = reinterpret_cast<const double*>(wall.data());
-        auto safe = sized<hm_safe_options>();
-        safe.min_quality = -1;
-        hm_error error;
-        std::int32_t const n_wall = std::int32_t(wall.size());
-        hm_status const status = hm_displace_safe(
-            displaced.plan, displaced.basis, nullptr, n_wall, nullptr, points_in(w, w + 1, 2),
-            points_out(xy, xy + 1, 2), work.data(), bytes, &safe, nullptr, &error);
-        INFO(error.text);
-        CHECK(status == HM_OK);
-        CHECK(misfit_of_sides(setup.mesh, to, turn_of_passage(n)) < 1e-15);
-        for (std::size_t k = 0; k < wall.size(); ++k) {
-            std::size_t const point = std::size_t(displaced.points[k]);
-            CHECK(std::abs(to[point] - to_complex(setup.mesh.point(displaced.points[k])) -
-                           wall[k]) < 1e-15);
-        }
-        Mesh moved = setup.mesh;
-        for (std::size_t k = 0; k < to.size(); ++k) {
-            moved.x[k] = to[k].real();
-            moved.y[k] = to[k].imag();
-        }
-        CHECK(check(moved).min_corner > 0);
+        SafeDisplaced safe(setup, options_of(operator_kind));
+        Complex const middle = 1.5 * std::polar(1.0, pi / n + 0.2);
+        Field const wall = safe.similarity(std::polar(1.0, 1.0), middle, 0.03);
+        CHECK_MESSAGE(safe.run(wall) == HM_OK, safe.error.text);  // valid cells are checked here
+        CHECK(safe.is_at(wall));
+        CHECK(misfit_of_sides(setup.mesh, positions(safe.moved_mesh()), turn_of_passage(n)) <
+              1e-15);
     }
 }
 

@@ -19,12 +19,10 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     }
     Combined const combined(reference.solved().basis, matrix);
     REQUIRE(combined.status == HM_OK);
-    std::size_t bytes = 0, whole_bytes = 0;
     hm_plan* const plan = reference.solved().plan;
-    REQUIRE(hm_morph_safe_size(plan, combined.basis, &bytes, nullptr) == HM_OK);
-    REQUIRE(hm_morph_safe_size(plan, nullptr, &whole_bytes, nullptr) == HM_OK);
-    CHECK(bytes < whole_bytes);
-    Guarded work(bytes);
+    Guarded work = block_of(hm_morph_safe_size, plan, combined.basis);
+    std::size_t const bytes = work.size();
+    CHECK(bytes < block_of(hm_morph_safe_size, plan, nullptr).size());
     std::vector<double> move = {0.02, 0, 0, 0.1};
     hm_safe_options safe_options = reference.safe_options;
     safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});
@@ -43,10 +41,7 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     moved.x = x;
     moved.y = y;
     CHECK(check(moved).min_corner > 0);
-    double off = 1;
-    REQUIRE(hm_boundary_error(combined.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
-                              points_in(x, y), &off, nullptr, nullptr) == HM_OK);
-    CHECK(off < 1e-14);
+    CHECK(boundary_error(combined.basis, move, setup.mesh, moved) < 1e-14);
     // The derivative at the wall is that of the combined functions.
     Moved const slope = displaced(sum.basis, move), expected = displaced(combined.basis, move);
     for (std::int32_t slot = 0; slot < info.curve_points; ++slot) {
@@ -72,8 +67,7 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     }
     Tabulated const tabulated(solved.plan, solved.basis, {mode}, 2);
     REQUIRE(tabulated.status == HM_OK);
-    REQUIRE(hm_morph_safe_size(solved.plan, tabulated.basis, &bytes, nullptr) == HM_OK);
-    Guarded more(bytes);
+    Guarded more = block_of(hm_morph_safe_size, solved.plan, tabulated.basis);
     std::vector<double> amplitudes(2 * std::size_t(info_of(tabulated.basis).functions));
     amplitudes[amplitudes.size() - 2] = 0.2;
     amplitudes[amplitudes.size() - 1] = 0.1;
@@ -82,7 +76,7 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     y = setup.mesh.y;
     REQUIRE_MESSAGE(
         hm_morph_safe(solved.plan, tabulated.basis, amplitudes.data(), points_out(x, y), nullptr,
-                      more.data(), bytes, &safe_options, &report, &error) == HM_OK,
+                      more.data(), more.size(), &safe_options, &report, &error) == HM_OK,
         error.text);
     CHECK(report.strategy == HM_STRATEGY_SUBSTEPS);
     moved.x = x;

@@ -6,12 +6,6 @@
 
 using namespace fixtures;
 
-namespace {
-
-double const pi = std::acos(-1.0);
-
-}  // namespace
-
 TEST_CASE("a displacement that is possible in one step is that of hm_displace") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL}) {
         Case setup = given_block(Cells::hybrid);
@@ -110,14 +104,11 @@ TEST_CASE("threads and the order of the list do not change a bit") {
     Field reversed(wall.rbegin(), wall.rend());
     list.push_back(list[0]);
     reversed.push_back(reversed[0]);
-    std::size_t bytes = 0;
-    REQUIRE(hm_displace_safe_size(one.plan, one.basis, &bytes, nullptr) == HM_OK);
-    Guarded work(bytes);
-    const double* const values = reinterpret_cast<const double*>(reversed.data());
-    hm_points const given{values, values + 1, 2};
+    Guarded work = block_of(hm_displace_safe_size, one.plan, one.basis);
+    hm_points const given = pairs_in(reversed);
     std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
     REQUIRE(hm_displace_safe(one.plan, one.basis, nullptr, std::int32_t(list.size()), list.data(),
-                             &given, points_out(x, y), work.data(), bytes, &one.safe_options,
+                             &given, points_out(x, y), work.data(), work.size(), &one.safe_options,
                              nullptr, nullptr) == HM_OK);
     CHECK(same_bits(one.x, x));
     CHECK(same_bits(one.y, y));
@@ -170,10 +161,6 @@ TEST_CASE("given displacements limit heights of the first layer where asked for"
     safe.safe_options.max_height_change = std::nextafter(1.0, 2.0);
     CHECK(safe.run(wall) == HM_POOR);
     CHECK(safe.is_at(wall));
-    CHECK(std::string(safe.error.text).find("the height of the first layer at point") !=
-          std::string::npos);
+    CHECK(says(safe.error, "the height of the first layer at point"));
     CHECK(std::find(safe.points.begin(), safe.points.end(), safe.error.item) != safe.points.end());
-    safe.safe_options.max_height_change = 0.5;
-    CHECK(safe.run(wall) == HM_BAD_ARGUMENT);
-    CHECK(safe.untouched());
 }

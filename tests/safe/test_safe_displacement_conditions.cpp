@@ -6,12 +6,6 @@
 
 using namespace fixtures;
 
-namespace {
-
-double const pi = std::acos(-1.0);
-
-}  // namespace
-
 TEST_CASE("both bodies turn with points beside a curve, and each wall is where it is described") {
     Case setup = two_body_case(Cells::hybrid, 12, 8);
     setup.conditions.pop_back();
@@ -30,9 +24,7 @@ TEST_CASE("both bodies turn with points beside a curve, and each wall is where i
     REQUIRE_MESSAGE(safe.run(wall, &move) == HM_OK, safe.error.text);
     CHECK(safe.is_at(wall));
     CHECK(reached == move);
-    double error = 1;
-    REQUIRE(hm_boundary_error(safe.basis, move.data(), points_in(safe.mesh.x, safe.mesh.y),
-                              points_in(safe.x, safe.y), &error, nullptr, nullptr) == HM_OK);
+    double const error = boundary_error(safe.basis, move, safe.mesh, Moved{safe.x, safe.y});
     CHECK(std::fabs(error - safe.safe_report.turned_offset) < 1e-14);
 
     // Design variables instead of control points.

@@ -67,15 +67,13 @@ TEST_CASE("heights of the first layer are limited where asked for, or a warning 
     // hm_quality_bounds finds the same heights and angles at the same points.
     std::vector<double> const x = safe.x, y = safe.y;
     Bounded const bounded(setup);
-    Field moved;
-    for (std::size_t k = 0; k < x.size(); ++k) moved.push_back({x[k], y[k]});
-    auto const layer =
-        bounds_of(bounded, moved, {HM_BOUND_HEIGHT, HM_BOUND_STRETCH, HM_BOUND_ANGLE});
+    auto const layer = bounds_of(bounded, positions(safe.moved_mesh()),
+                                 {HM_BOUND_HEIGHT, HM_BOUND_STRETCH, HM_BOUND_ANGLE});
     CHECK(layer[0].value.extreme == doctest::Approx(low).epsilon(1e-12));
     CHECK(layer[0].value.item == safe.report.min_height_point);
     CHECK(layer[1].value.extreme == doctest::Approx(high).epsilon(1e-12));
     CHECK(layer[1].value.item == safe.report.max_height_point);
-    CHECK(std::acos(layer[2].value.extreme) * 180 / std::acos(-1.0) ==
+    CHECK(std::acos(layer[2].value.extreme) * 180 / pi ==
           doctest::Approx(safe.report.max_angle_change).epsilon(1e-9));
     CHECK(layer[2].value.item == safe.report.angle_point);
     // A limit that is kept anyway changes nothing.
@@ -95,8 +93,7 @@ TEST_CASE("heights of the first layer are limited where asked for, or a warning 
     safe.safe_options.max_height_change = std::nextafter(1.0, 2.0);
     CHECK(safe.run(move) == HM_POOR);
     CHECK(safe.is_valid());
-    CHECK(std::string(safe.error.text).find("the height of the first layer at point") !=
-          std::string::npos);
+    CHECK(says(safe.error, "the height of the first layer at point"));
     CHECK(safe.report.max_height_ratio < high);
     std::vector<std::int32_t> const wall = points_on(setup.mesh, body);
     CHECK(std::find(wall.begin(), wall.end(), safe.error.item) != wall.end());
@@ -140,9 +137,7 @@ TEST_CASE("a boundary that crosses itself is refused at once, and nothing is wri
     std::vector<double> move(8, 0.0);
     move[0] = 0.3;  // the lower left corner behind the lower right one, and up
     move[1] = 0.06;
-    Attempt derivative;
-    Options const options = options_of(HM_CONFORMAL);
-    REQUIRE(derivative.run(setup.problem(), &options));
+    Solved const derivative(setup, options_of(HM_CONFORMAL));
     CHECK(safe.run(move, derivative.basis) == HM_CROSSING);
     CHECK(safe.untouched());
     CHECK(safe.report.crossing_points[0] >= 0);
@@ -292,14 +287,13 @@ TEST_CASE("functions on the way that miss the tolerance give a warning and a val
     options.tolerance = 1e-18;
     Attempt const attempt(setup.problem(), &options);
     REQUIRE(attempt.status == HM_NOT_CONVERGED);
-    std::size_t bytes = 0;
-    REQUIRE(hm_morph_safe_size(attempt.plan, attempt.basis, &bytes, nullptr) == HM_OK);
-    Guarded work(bytes);
+    Guarded work = block_of(hm_morph_safe_size, attempt.plan, attempt.basis);
     auto report = sized<hm_safe_report>();
     std::vector<double> x(setup.mesh.x.size()), y(x.size());
     hm_error error{};
     CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(setup, 120).data(), points_out(x, y),
-                        nullptr, work.data(), bytes, nullptr, &report, &error) == HM_NOT_CONVERGED);
+                        nullptr, work.data(), work.size(), nullptr, &report,
+                        &error) == HM_NOT_CONVERGED);
     CHECK(report.step_fraction == 1);
     CHECK(report.resolves > 0);
     CHECK(report.inverted == 0);
@@ -307,5 +301,5 @@ TEST_CASE("functions on the way that miss the tolerance give a warning and a val
     CHECK(error.value > 1e-18);
     // One step needs no functions other than the present ones.
     CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(setup, 10).data(), points_out(x, y),
-                        nullptr, work.data(), bytes, nullptr, &report, &error) == HM_OK);
+                        nullptr, work.data(), work.size(), nullptr, &report, &error) == HM_OK);
 }

@@ -131,30 +131,25 @@ TEST_CASE("a substep takes half of the admissible step, with the functions at it
         std::vector<double> const shift = similarity_move(setup.curves, 1, {0.5, 0.5}, {0.3, 0.2});
         for (std::vector<double> const& move : {shift, turn_of(setup, 150)}) {
             REQUIRE(safe.admissible(move) < 1);
-            std::vector<double> x = setup.mesh.x, y = setup.mesh.y;  // where the substep begins
-            for (std::int32_t const resolves :
-                 {-1, 1, 2}) {  // -1: none, so that one substep is all there is
+            Mesh from = setup.mesh;                           // where the substep begins
+            for (std::int32_t const resolves : {-1, 1, 2}) {  // -1: no other solution, one substep
                 safe.safe_options.max_resolves = resolves;
                 REQUIRE(safe.run(move) == HM_SHORT);
                 REQUIRE(safe.report.steps == std::max(resolves, 0) + 1);
-                std::vector<double> dx(x.size()), dy(x.size());
-                for (std::size_t k = 0; k < x.size(); ++k) {
-                    dx[k] = safe.x[k] - x[k];
-                    dy[k] = safe.y[k] - y[k];
+                Moved by{safe.x, safe.y};
+                for (std::size_t k = 0; k < from.x.size(); ++k) {
+                    by.x[k] -= from.x[k];
+                    by.y[k] -= from.y[k];
                 }
-                Mesh from = setup.mesh;
-                from.x = x;
-                from.y = y;
-                double const steps =
-                    safe.admissible(from.view(), dx, dy);  // like this one, until a cell inverts
+                double const steps =  // like this one, until a cell inverts
+                    step_of(safe.solved().basis, from.view(), by).admissible;
                 INFO("substep " << safe.report.steps << " to " << safe.report.step_fraction
                                 << " of the way");
                 CHECK(steps >= 2);
                 // And no less than half of that, although a turn's way is bent: trials of it
                 // overshoot.
                 CHECK(steps < 4);
-                x = safe.x;
-                y = safe.y;
+                from = safe.moved_mesh();
             }
         }
         // Straight ahead, the displacements are proportional to the time, so that the search ends

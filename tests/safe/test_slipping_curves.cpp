@@ -5,8 +5,6 @@ using namespace fixtures;
 
 namespace {
 
-double const pi = std::acos(-1.0);
-
 Case slipping_ring(Cells kind = Cells::hybrid) {
     Case setup = ring_case(8, 32, 0.5, 2, kind);
     setup.set_slip(far_field);
@@ -77,23 +75,16 @@ TEST_CASE("the derivative at slipping points agrees with differences to first or
         Safe safe(setup);
         safe.safe_options.skipped_strategies = skipped;
         safe.safe_options.max_resolves = -1;  // one step: the functions are those of the start
-        std::size_t bytes = 0;
-        REQUIRE(hm_basis_size(safe.solved().analysis, &bytes, nullptr) == HM_OK);
-        Guarded block(bytes);
-        hm_basis* derivative = nullptr;
-        REQUIRE(hm_basis_init(&derivative, block.data(), bytes, safe.solved().analysis, nullptr) ==
-                HM_OK);
+        Attempt const derivative = prepared(setup.problem(), options_of(HM_CONFORMAL));
         std::vector<double> const move = some_move(8, 0.1, 5), by = some_move(8, 1, 6);
-        REQUIRE(safe.run(move, derivative) == HM_OK);
+        REQUIRE(safe.run(move, derivative.basis) == HM_OK);
         std::vector<double> const x = safe.x, y = safe.y;
-        Field const change = displacement(derivative, by);
+        Field const change = displacement(derivative.basis, by);
         auto const moved_by = [&](double h) {
             std::vector<double> there = move;
             for (std::size_t k = 0; k < there.size(); ++k) there[k] += h * by[k];
             REQUIRE(safe.run(there) == HM_OK);
-            Field out;
-            for (std::size_t k = 0; k < x.size(); ++k) out.push_back({safe.x[k], safe.y[k]});
-            return out;
+            return safe.moved();
         };
         double const h = 1e-6;
         Field const more = moved_by(h), less = moved_by(-h);

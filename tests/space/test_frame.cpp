@@ -21,7 +21,7 @@ TEST_CASE("the frame depends on the given points alone; numbers behind the array
         mesh.points = {space.x.data(), space.y.data(), space.z.data(), 1};
         harmorph::Frame frames[2];
         for (std::size_t const side : {0u, 1u}) {
-            in_faces[n] = static_cast<std::uint8_t>(side);
+            in_faces[n] = std::uint8_t(side);
             harmorph::Fault fault;
             CHECK(find_frame(mesh, {in_faces.data(), n}, frames[side], fault) ==
                   harmorph::Status::ok);

@@ -33,8 +33,8 @@ TEST_CASE("a wedge of many layers needs its axis, and a given axis finds the sam
     CHECK(Plane(space).status == HM_BAD_ARGUMENT);
     CHECK(says(Plane(space).error, "does not lie in the plane"));
     space.axis[1] = 0;
-    space.axis_point[1] = 4 * std::cos(-1.5 * std::acos(-1.0) / 180);
-    space.axis_point[2] = 4 * std::sin(-1.5 * std::acos(-1.0) / 180);
+    space.axis_point[1] = 4 * std::cos(-1.5 * pi / 180);
+    space.axis_point[2] = 4 * std::sin(-1.5 * pi / 180);
     CHECK(Plane(space).status == HM_BAD_MESH);
     CHECK(says(Plane(space).error, "axis of the wedge crosses the mesh"));
 }

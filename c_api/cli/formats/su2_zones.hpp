@@ -14,8 +14,8 @@ public:
     explicit Su2Zones(const std::string& chosen) : chosen_(chosen) {}
 
     void choose(const LineReader& lines, std::int32_t count);  // at NZONE=
-    // At IZONE=. Returns whether this zone is the one to read. Refuses zones that are not numbered 1,
-    // 2, ...
+    // At IZONE=. Returns whether this zone is the one to read. Refuses zones that are not numbered
+    // 1, 2, ...
     bool begin(const LineReader& lines, std::int32_t zone);
     bool has_begun() const { return begun_ > 0; }
     void check_complete(const TextFile& file) const;  // at the end of the file
