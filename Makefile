@@ -233,7 +233,7 @@ bench-petsc: all
 
 bench: all
 	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' SIZES='$(SIZES)' KINDS='$(KINDS)' \
-	    PARTS='$(PARTS)' FUNCTIONS='$(FUNCTIONS)' THREADS='$(THREADS)' REPEATS='$(REPEATS)' JSON='$(JSON)' \
+	    PARTS='$(PARTS)' FUNCTIONS='$(FUNCTIONS)' THREADS='$(THREADS)' REPEATS='$(REPEATS)' \
 	    sh tests/measure/bench/run.sh
 
 bench-rows: all

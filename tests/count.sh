@@ -17,8 +17,8 @@ fail() {
     if [ -n "${2:-}" ]; then tail -n 40 "$2" | sed 's/^/    /'; fi
 }
 check() {
-    what=$1; shift
-    if "$@" >"$log" 2>&1; then ok; else fail "$what" "$log"; fi
+    checked=$1; shift
+    if "$@" >"$log" 2>&1; then ok; else fail "$checked" "$log"; fi
 }
 passes() { if [ "$2" = 0 ]; then ok; else fail "$1" "${3:-}"; fi; }
 is_empty() { if [ -z "$2" ]; then ok; else fail "$1: $(echo $2)"; fi; }

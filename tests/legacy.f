@@ -16,7 +16,7 @@ C     MOVEMENTS. THE OTHERS: LEGACY_CELLS.F, LEGACY_DESIGN.F.
       DOUBLE PRECISION VX(NP), VY(NP)
       DOUBLE PRECISION DR(2,NCP), WX(NA), WY(NA), HX(NA), HY(NA)
       DOUBLE PRECISION DMAX, RESID, S, AMIN, QMIN, HERE, THERE, BIG
-      DOUBLE PRECISION PC(2,8), WT(8), UC(12), XY(2), CORNER
+      DOUBLE PRECISION PC(2,8), WT(8), UC(12), XY(2), CORNER, DIFFER
       INTEGER IWALL(NA), IC(9)
       INTEGER IPTS(NA), IDX(5), MB(4), N, M, LOOP, ICELL, NINV, IERR
       INTEGER I, J, K, MF
@@ -131,12 +131,8 @@ C     THE AREA, AND ITS DERIVATIVES: GROWN BY 1 PER CENT, BY 2.01.
    12 CONTINUE
       CALL COPY (NP, X, Y, XN, YN)
       CALL HMMORF (W, DP, XN, YN, 1, IERR, MSG)
-      J = 0
-      DO 20 K = 1, NP
-         IF (ABS(XN(K) - X(K)) + ABS(YN(K) - Y(K))
-     &       .LE. 0D0) J = J + 1
-   20 CONTINUE
-      CALL CHECK (J .EQ. NP, 'NOTHING KEEPS ALL BITS', ' ')
+      CALL CHECK (DIFFER(NP, X, Y, XN, YN) .LE. 0D0,
+     &            'NOTHING KEEPS ALL BITS', ' ')
       DO 30 K = 1, NCP
          DP(1,K) = 0.01D0*SIN(1.7D0*K)
          DP(2,K) = 0.01D0*COS(2.9D0*K)
@@ -148,12 +144,8 @@ C     THE AREA, AND ITS DERIVATIVES: GROWN BY 1 PER CENT, BY 2.01.
      &            'STEP: ', MSG)
       CALL HMMORF (W, DP, XN, YN, 1, IERR, MSG)
       CALL HMRECO (W, XN, YN, 1, G, S, IERR, MSG)
-      BIG = S
-      DO 35 K = 1, NCP
-         BIG = MAX(BIG, ABS(G(1,K) - DP(1,K)), ABS(G(2,K) - DP(2,K)))
-   35 CONTINUE
-      CALL CHECK (IERR .EQ. 0 .AND. BIG .LT. 1D-12,
-     &            'THE MOVEMENT IS RECOVERED: ', MSG)
+      CALL CHECK (IERR .EQ. 0 .AND. MAX(S, DIFFER(2*NCP, G, G, DP, DP))
+     &            .LT. 1D-12, 'THE MOVEMENT IS RECOVERED: ', MSG)
       BIG = 0D0
       HERE = 0D0
       DO 40 K = 1, NP
@@ -182,17 +174,10 @@ C     BY 60 DEGREES INVERTS CELLS; HMSAFE GETS THERE.
       CALL HMSAFE (W, DP, GX, GY, 1, DR, S, K, IERR, MSG)
       CALL CHECK (IERR .EQ. 0 .AND. K .EQ. 0 .AND. ABS(S - 1D0)
      &            .LE. 0D0, 'A SAFE STEP: ', MSG)
-      BIG = 0D0
-      DO 51 K = 1, NP
-         BIG = MAX(BIG, ABS(GX(K) - XN(K)), ABS(GY(K) - YN(K)))
-   51 CONTINUE
-      CALL CHECK (BIG .LT. 1D-3, 'IT IS NEARLY THE MORPH', ' ')
-      J = 0
-      DO 515 K = 1, NCP
-         IF (ABS(DR(1,K) - DP(1,K)) + ABS(DR(2,K) - DP(2,K))
-     &       .LE. 0D0) J = J + 1
-  515 CONTINUE
-      CALL CHECK (J .EQ. NCP, 'ALL OF THE MOVEMENT IS REACHED', ' ')
+      CALL CHECK (DIFFER(NP, GX, GY, XN, YN) .LT. 1D-3,
+     &            'IT IS NEARLY THE MORPH', ' ')
+      CALL CHECK (DIFFER(2*NCP, DR, DR, DP, DP) .LE. 0D0,
+     &            'ALL OF THE MOVEMENT IS REACHED', ' ')
       CALL HMOPT (W, 'EXPONANT', 1, IERR, MSG)
       CALL CHECK (IERR .EQ. -2, 'AN OPTION THAT IS NONE: ', MSG)
       DO 516 K = 1, 5
@@ -209,14 +194,12 @@ C     BY 60 DEGREES INVERTS CELLS; HMSAFE GETS THERE.
       CALL HMSOLV (W, RESID, IERR, MSG)
       CALL CHECK (IERR .EQ. 0, 'LAPLACE: ', MSG)
       CALL HMDISP (W, DP, GX, GY, 1, IERR, MSG)
-      BIG = 0D0
       S = 0D0
       DO 52 K = 1, NP
-         BIG = MAX(BIG, ABS(DX(K) - GX(K)) + ABS(DY(K) - GY(K)))
          S = MAX(S, ABS(X(K) + GX(K) - XN(K)))
    52 CONTINUE
-      CALL CHECK (BIG .LT. 1D-12 .AND. S .GT. 1D-4,
-     &            'NO WEIGHT: LAPLACE', ' ')
+      CALL CHECK (DIFFER(NP, DX, DY, GX, GY) .LT. 1D-12 .AND.
+     &            S .GT. 1D-4, 'NO WEIGHT: LAPLACE', ' ')
       CALL HMGETP (W, 40, P, N, IERR, MSG)
       DO 53 K = 1, NCP
          TURN(1,K) = -0.5D0*P(1,K) - SQRT(0.75D0)*P(2,K)
@@ -279,15 +262,14 @@ C     POINT, MOVES THE MESH ALIKE. THE TRANSPOSE DOES THE SAME WORK.
   546 CONTINUE
       CALL HMGIVE (W, NA, IWALL, WX, WY, VX, VY, 1, IERR, MSG)
       CALL CHECK (IERR .EQ. 0, 'GIVEN DISPLACEMENTS: ', MSG)
-      BIG = 0D0
       HERE = 0D0
       DO 547 K = 1, NP
-         BIG = MAX(BIG, ABS(VX(K) - DX(K)), ABS(VY(K) - DY(K)))
          GX(K) = SIN(1D0*K)
          GY(K) = COS(3D0*K)
          HERE = HERE + VX(K)*GX(K) + VY(K)*GY(K)
   547 CONTINUE
-      CALL CHECK (BIG .LT. 1D-12, 'THEY ARE THOSE OF THE CURVE', ' ')
+      CALL CHECK (DIFFER(NP, VX, VY, DX, DY) .LT. 1D-12,
+     &            'THEY ARE THOSE OF THE CURVE', ' ')
       CALL HMGADJ (W, NA, IWALL, GX, GY, 1, HX, HY, IERR, MSG)
       THERE = 0D0
       DO 548 K = 1, NA
@@ -378,12 +360,8 @@ C     SAVE, CLOSE, LOAD.
       CALL CHECK (IERR .EQ. 0, 'LOADED: ', MSG)
       CALL COPY (NP, X, Y, DX, DY)
       CALL HMMORF (W, DP, DX, DY, 1, IERR, MSG)
-      J = 0
-      DO 80 K = 1, NP
-         IF (ABS(DX(K) - XN(K)) + ABS(DY(K) - YN(K))
-     &       .LE. 0D0) J = J + 1
-   80 CONTINUE
-      CALL CHECK (J .EQ. NP, 'LOADED: THE SAME BITS', ' ')
+      CALL CHECK (DIFFER(NP, DX, DY, XN, YN) .LE. 0D0,
+     &            'LOADED: THE SAME BITS', ' ')
       CALL HMGETP (W, 40, P, N, IERR, MSG)
       CALL CHECK (N .EQ. NCP, 'LOADED: ITS POINTS', MSG)
       CALL HMSAFE (W, DP, DX, DY, 1, DR, S, K, IERR, MSG)
@@ -394,15 +372,11 @@ C     IN SINGLE PRECISION: THE WALL AS BEFORE, THE REST NEARLY.
       CALL CHECK (IERR .EQ. 0, 'SINGLE: ', MSG)
       CALL COPY (NP, X, Y, DX, DY)
       CALL HMMORF (W, DP, DX, DY, 1, IERR, MSG)
-      J = 0
-      S = 0D0
-      DO 85 K = 1, NP
-         IF (K .LE. NA .AND. ABS(DX(K) - XN(K)) + ABS(DY(K) - YN(K))
-     &       .LE. 0D0) J = J + 1
-         S = MAX(S, ABS(DX(K) - XN(K)) + ABS(DY(K) - YN(K)))
-   85 CONTINUE
-      CALL CHECK (IERR .EQ. 0 .AND. J .EQ. NA .AND. S .GT. 0D0 .AND.
-     &            S .LT. 1D-8, 'SINGLE: THE WALL BIT BY BIT', MSG)
+      S = DIFFER(NP, DX, DY, XN, YN)
+      CALL CHECK (IERR .EQ. 0 .AND. S .GT. 0D0 .AND. S .LT. 1D-8,
+     &            'SINGLE: NEARLY THE SAME', MSG)
+      CALL CHECK (DIFFER(NA, DX, DY, XN, YN) .LE. 0D0,
+     &            'SINGLE: THE WALL BIT BY BIT', ' ')
       CALL HMSNGL (W, IERR, MSG)
       CALL CHECK (IERR .EQ. -9, 'SINGLE TWICE: ', MSG)
       CALL HMLOAD (W, 11, IERR, MSG)
@@ -717,11 +691,8 @@ C     A BOUNDARY BY TYPES OF POINTS: THE SAME FUNCTIONS AS BY FACES.
       CALL HMSOLV (W, RESID, IERR, MSG)
       CALL CHECK (IERR .EQ. 0, 'SOLVED BY TYPES: ', MSG)
       CALL HMDISP (W, DP, GX, GY, 1, IERR, MSG)
-      BIG = 0D0
-      DO 180 K = 1, NP
-         BIG = MAX(BIG, ABS(GX(K) - DX(K)), ABS(GY(K) - DY(K)))
-  180 CONTINUE
-      CALL CHECK (BIG .LE. 0D0, 'THE SAME FUNCTIONS', ' ')
+      CALL CHECK (DIFFER(NP, GX, GY, DX, DY) .LE. 0D0,
+     &            'THE SAME FUNCTIONS', ' ')
       CELLS(1,1) = NP + 1
       CALL HMTYPE (W, ITYPE, IERR, MSG)
       CALL CHECK (IERR .EQ. -2, 'NO SUCH POINT: ', MSG)

@@ -9,6 +9,7 @@
 
 #include <type_traits>
 
+#include "multigrid/block_convergence.hpp"
 #include "multigrid/block_rows.hpp"
 #include "multigrid/full_approximation.hpp"
 #include "operators/nodal_balance.hpp"
@@ -69,13 +70,8 @@ public:
             const Real* const given = values_[i] + first_;
             for (Index k = 0; k < W; ++k) at_[0].f[Offset{i} * W + k] = k < width_ ? given[k] : 0;
         }
-        PerFunction<W> const given = dot<W>(at_[0].f, at_[0].f, n);
-        for (Index k = 0; k < W; ++k) {
-            residual_[k] = relative(given[k], given[k]);
-            smallest_[k] = infinity;
-            is_active_[k] = k < width_;
-        }
-        HARMORPH_TRY(after(0, largest_residual()));
+        convergence_.begin(width_, dot<W>(at_[0].f, at_[0].f, n));
+        HARMORPH_TRY(after(0, convergence_.largest_residual()));
         if (engine_.iteration.starts_from_zero) {
             clear<W>(at_[0].u, n);
         } else {
@@ -83,8 +79,11 @@ public:
         }
         while (true) {
             take_rest(0);
-            bool const any = end_functions(report, dot<W>(at_[0].rest, at_[0].rest, n), given);
-            if (report.iterations > 0) HARMORPH_TRY(after(report.iterations, largest_residual()));
+            bool const any =
+                convergence_.update(engine_.iteration, report, dot<W>(at_[0].rest, at_[0].rest, n),
+                                    change(), [this](Index k) { store_values(k); });
+            if (report.iterations > 0)
+                HARMORPH_TRY(after(report.iterations, convergence_.largest_residual()));
             if (!any) break;
             cycle(0, true);
             ++report.iterations;
@@ -100,11 +99,6 @@ private:
     static constexpr Real smoothing = 0.5;
     // The number of cycles on each level on the way from the coarsest to the finest one.
     static constexpr Index starting_cycles = 2;
-    // The iteration diverges if the residual exceeds the smallest residual so far by this factor.
-    static constexpr Real divergence_ratio = 1000;
-    // The rate of convergence is measured over so many cycles.
-    static constexpr Index rate_cycles = 4;
-
     struct Vectors {
         Real* f;           // The right-hand side: sums of flux balances.
         Real* u;           // The values.
@@ -113,32 +107,6 @@ private:
         Real* product;     // The product of A and a correction.
         Real* restricted;  // The values from the finer level.
     };
-
-    // Stores the values of functions that end, and tells whether any function continues. A function
-    // ends when it has converged, when it diverges or at the last cycle, independently of the
-    // others. Its values are stored at that cycle, so that their bits do not depend on the other
-    // functions of the block.
-    bool end_functions(IterationReport& report, PerFunction<W> const& squares,
-                       PerFunction<W> const& given) noexcept {
-        PerFunction<W> const changes = change();
-        Real const tolerance = engine_.iteration.tolerance;
-        bool any = false;
-        for (Index k = 0; k < width_; ++k) {
-            if (!is_active_[k]) continue;
-            Real const residual = relative(squares[k], given[k]);
-            bool const settled = estimate_error(report.iterations, changes[k], k) <= tolerance;
-            bool const diverges = !(residual <= divergence_ratio * smallest_[k]);
-            smallest_[k] = min(smallest_[k], residual);
-            residual_[k] = residual;
-            is_active_[k] = !(residual <= tolerance && settled) && !diverges &&
-                            report.iterations < engine_.iteration.max_iterations;
-            any = any || is_active_[k];
-            if (is_active_[k]) continue;
-            report.settled = report.settled && settled;
-            store_values(k);
-        }
-        return any;
-    }
 
     void store_values(Index k) const noexcept {
         for (Index i = 0; i < a_.level[0].n; ++i)
@@ -159,27 +127,6 @@ private:
         for (Index k = 0; k < W; ++k)
             bound[k] = size[k] > 0 ? (bound[k] + corrected_[k]) / size[k] : 0;
         return bound;
-    }
-
-    // Returns the estimated error. If changes shrink by a constant rate from cycle to cycle, the
-    // sum of all future changes is a geometric series. The estimate is at least the last change.
-    Real estimate_error(Index iteration, Real change, Index k) noexcept {
-        Real& oldest_change = changes_[iteration % rate_cycles][k];
-        Real const rate =
-            iteration < rate_cycles || oldest_change == 0 ? 1 : sqrt(sqrt(change / oldest_change));
-        oldest_change = change;
-        if (change == 0) return 0;
-        return rate < 1 ? max(rate / (1 - rate), 1.0) * change : infinity;
-    }
-
-    static Real relative(Real squares, Real size) noexcept {
-        return sqrt(squares) / (size > 0 ? sqrt(size) : 1);
-    }
-    Real largest_residual() const noexcept {
-        Real largest = 0;
-        for (Index k = 0; k < width_; ++k)
-            largest = exceeds(residual_[k], largest) ? residual_[k] : largest;
-        return largest;
     }
 
     void count_products(Index level, Index n) noexcept { work_ += n * engine_.product_work[level]; }
@@ -319,11 +266,7 @@ private:
     Rows const& values_;
     Index first_, width_;
     Real work_ = 0;  // See IterationReport::work.
-    bool is_active_[W] = {};
-    // Relative residuals and the smallest ones so far; a function that has ended keeps its last
-    // values.
-    PerFunction<W> residual_, smallest_;
-    PerFunction<W> changes_[rate_cycles];
+    BlockConvergence<W> convergence_;
     PerFunction<W> corrected_;  // The largest change by the last correction on the finest level.
     Vectors at_[Agglomeration::max_levels];
 };

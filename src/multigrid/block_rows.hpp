@@ -3,8 +3,7 @@
 // coefficient is read once for W functions. Vectors may be in single or double precision.
 #pragma once
 
-#include "base/vec2.hpp"
-#include "multigrid/prolongation.hpp"
+#include "base/scalar.hpp"
 #include "operators/symmetric_matrix.hpp"
 
 namespace harmorph::block {
@@ -84,13 +83,6 @@ template <Index W, class Number>
 void copy(const Number* from, Number* to, Index n) noexcept {
     std::memcpy(to, from, static_cast<Size>(n) * W * sizeof(Number));
 }
-// Computes to = a from, with one factor for each function.
-template <Index W, class From, class To>
-void convert(PerFunction<W> const& a, const From* from, To* to, Index n) noexcept {
-    for (Offset i = 0; i < Offset{n} * W; i += W) {
-        for (Index k = 0; k < W; ++k) to[i + k] = static_cast<To>(a.at[k] * from[i + k]);
-    }
-}
 
 template <Index W, class X, class Y>
 PerFunction<W> dot(const X* x, const Y* y, Index n) noexcept {
@@ -127,16 +119,6 @@ PerFunction<W> add_multiple(PerFunction<W> const& a, const Number* x, Real* y, I
     return PerFunction<W>(sum);
 }
 
-// Computes x = a x + b y.
-template <Index W, class Number>
-void combine(PerFunction<W> const& a, Number* x, PerFunction<W> const& b, const Number* y,
-             Index n) noexcept {
-    for (Offset i = 0; i < Offset{n} * W; i += W) {
-        for (Index k = 0; k < W; ++k)
-            x[i + k] = static_cast<Number>(a.at[k] * x[i + k] + b.at[k] * y[i + k]);
-    }
-}
-
 // Computes y += sign A x, flux by flux: row j loses what row i gains. Returns x.A x, as a sum of
 // squares.
 template <Index W, class Number>
@@ -171,45 +153,6 @@ PerFunction<W> multiply(SymmetricRows const& rows, const Number* x, Real* y) noe
     return add_product<W>(rows, 1, x, y);
 }
 
-// Computes y = A x for a Hermitian matrix with the real parts `rows`, flux by flux; returns x.y.
-// The first W / 2 numbers of a cell are real parts, the others are imaginary parts.
-template <Index W, class Number>
-PerFunction<W> multiply(SymmetricRows const& rows, ImaginaryRows const& imaginary, const Number* x,
-                        Real* y) noexcept {
-    constexpr Index half = W / 2;
-    clear<W>(y, rows.n);
-    PerFunction<W> energies;
-    for (Index i = 0; i < rows.n; ++i) {
-        PerFunction<W> const own(Lanes<W, Real>(x + Offset{i} * W));
-        PerFunction<W> sum(Lanes<W, Real>(y + Offset{i} * W));
-        Vec2 const row_sum{rows.row_sum[i], imaginary.row_sum[i]};
-        for (Index k = 0; k < half; ++k) {
-            Vec2 const here{own.at[k], own.at[k + half]}, flux = product(row_sum, here);
-            sum.at[k] += flux.x;
-            sum.at[k + half] += flux.y;
-            energies.at[k] += row_sum.x * dot(here, here);
-        }
-        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
-            const Number* const other = x + Offset{rows.column[e]} * W;
-            Real* const to = y + Offset{rows.column[e]} * W;
-            Vec2 const entry{rows.value[e], imaginary.value[e]};
-            for (Index k = 0; k < half; ++k) {
-                Vec2 const here{own.at[k], own.at[k + half]};
-                Vec2 const rise{other[k] - here.x, other[k + half] - here.y};
-                Vec2 const flux = product(entry, rise), back = product(conjugate(entry), rise);
-                sum.at[k] += flux.x;
-                sum.at[k + half] += flux.y;
-                to[k] -= back.x;
-                to[k + half] -= back.y;
-                energies.at[k] -= entry.x * dot(rise, rise) + 2 * entry.y * cross(here, rise);
-            }
-        }
-        Lanes<W, Real>(sum.at).store(y + Offset{i} * W);
-    }
-    for (Index k = 0; k < half; ++k) energies.at[k + half] = energies.at[k];
-    return energies;
-}
-
 // Computes rest = f - A u.
 template <Index W>
 void residual(SymmetricRows const& rows, const Real* f, const Real* u, Real* rest) noexcept {
@@ -231,80 +174,6 @@ PerFunction<W> energy(SymmetricRows const& rows, const Real* x) noexcept {
         }
     }
     return sum;
-}
-
-// The functions below are the parts of symmetric Gauss-Seidel with a coarse correction in between,
-// for A = L + D + L^T, a start of 0, and a single array for the right-hand side r and the result:
-//   forward:    x = (L + D)^-1 r;
-//   to_defect:  defect = P^T (r - A x) = -P^T L^T x, and x = D x;
-//   correct:    x -= L P (correction);
-//   backward:   x = (D + L^T)^-1 x.
-template <Index W, class Rows, class Number>
-void forward(Rows const& rows, Number* x) noexcept {
-    for (Index i = 0; i < rows.n; ++i) {
-        Number* const own = x + Offset{i} * W;
-        Lanes<W, Number> value(own);
-        value *= static_cast<Number>(1 / rows.diagonal[i]);
-        value.store(own);
-        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e)
-            add(-static_cast<Number>(rows.value[e]), value, x + Offset{rows.column[e]} * W);
-    }
-}
-
-template <Index W, class Rows, class Number>
-void scale_by_diagonal(Rows const& rows, Number* x) noexcept {
-    for (Index i = 0; i < rows.n; ++i) {
-        Lanes<W, Number> value(x + Offset{i} * W);
-        value *= static_cast<Number>(rows.diagonal[i]);
-        value.store(x + Offset{i} * W);
-    }
-}
-
-// Adds to a sum the entries of a row times the numbers of their columns.
-template <Index W, class Rows, class Number>
-Lanes<W, Number> add_row(Rows const& rows, Index i, Number sign, const Number* x,
-                         Lanes<W, Number> sum) noexcept {
-    for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e)
-        sum += (sign * static_cast<Number>(rows.value[e])) *
-               Lanes<W, Number>(x + Offset{rows.column[e]} * W);
-    return sum;
-}
-
-template <Index W, class Rows, class Number>
-void to_defect(Rows const& rows, Prolongation const& by, Index n_coarse, Number* x,
-               Number* defect) noexcept {
-    clear<W>(defect, n_coarse);
-    for (Index i = 0; i < rows.n; ++i) {
-        Lanes<W, Number> const sum = add_row<W>(rows, i, Number{1}, x, {});
-        for (Offset e = by.start[i]; e < by.start[i + 1]; ++e)
-            add(-static_cast<Number>(by.weight[e]), sum, defect + Offset{by.column[e]} * W);
-        Lanes<W, Number> own(x + Offset{i} * W);
-        own *= static_cast<Number>(rows.diagonal[i]);
-        own.store(x + Offset{i} * W);  // Later rows do not read this number.
-    }
-}
-
-template <Index W, class Rows, class Number>
-void correct(Rows const& rows, Prolongation const& by, const Number* correction,
-             Number* x) noexcept {
-    for (Index i = 0; i < rows.n; ++i) {
-        Lanes<W, Number> change;
-        for (Offset e = by.start[i]; e < by.start[i + 1]; ++e)
-            change += static_cast<Number>(by.weight[e]) *
-                      Lanes<W, Number>(correction + Offset{by.column[e]} * W);
-        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e)
-            add(-static_cast<Number>(rows.value[e]), change, x + Offset{rows.column[e]} * W);
-    }
-}
-
-template <Index W, class Rows, class Number>
-void backward(Rows const& rows, Number* x) noexcept {
-    for (Index i = rows.n - 1; i >= 0; --i) {
-        Number* const own = x + Offset{i} * W;
-        Lanes<W, Number> sum = add_row<W>(rows, i, Number{-1}, x, Lanes<W, Number>(own));
-        sum *= static_cast<Number>(1 / rows.diagonal[i]);
-        sum.store(own);
-    }
 }
 
 }  // namespace harmorph::block

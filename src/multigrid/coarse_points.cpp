@@ -2,11 +2,12 @@
 
 namespace harmorph {
 
-void CoarsePoints::lay_out(Arena& arena, Index n) noexcept {
+void CoarsePoints::lay_out(Arena& arena, Index n, Offset entries) noexcept {
     arena.take(pool_.diagonal, coarse_points(n));
     arena.take(pool_.start, coarse_points(n) + max_levels);
     arena.take(pool_.column, entry_room(n));
-    arena.take(pool_.value, entry_room(n));
+    // In single precision, the entries of all levels take no more memory than this.
+    arena.take(pool_.value, max(entry_room(n), (entry_room(n) + entries + 1) / 2));
     arena.take(weight_pool_.start, n + coarse_points(n) + max_levels);
     arena.take(weight_pool_.column, weight_room(n));
     arena.take(weight_pool_.weight, weight_room(n));

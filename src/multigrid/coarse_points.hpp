@@ -19,7 +19,7 @@ struct CoarsePoints {
     static constexpr Index max_levels = 20;
     // A level of so many points or fewer needs no coarser one.
     static constexpr Index coarsest = 48;
-    static constexpr Index entries_per_point = 7;
+    static constexpr Index entries_per_point = 6;
 
     Index count = 0;
     SymmetricRows finest;            // The caller's arrays: level 0.
@@ -30,7 +30,8 @@ struct CoarsePoints {
     static Index most_first(Index n) noexcept { return n / 2 + n / 16; }
     static Offset coarse_points(Index n) noexcept { return Offset{2} * most_first(n); }
 
-    void lay_out(Arena& arena, Index n) noexcept;
+    // entries: those of the finest level.
+    void lay_out(Arena& arena, Index n, Offset entries) noexcept;
     // Lays out the working space of build().
     void lay_out_work(Arena& arena, Index n, Offset entries) noexcept;
     // levels: the largest number of levels; 0 means no limit.

@@ -1,5 +1,5 @@
 // The rows of a level: the symmetric matrix of a coarse level, of which one triangle is stored, and
-// both triangles of one level, row by row, which the coarsening reads.
+// whole rows of one level, which the coarsening reads.
 // tests/multigrid/test_coarse_points.cpp covers this file.
 #pragma once
 
@@ -32,15 +32,32 @@ struct FullRows {
     Span<const Real> diagonal;  // [n] That of the triangle.
     Span<Real> row_sum;         // [n]
     Span<Real> strongest;       // [n] The size of the strongest coupling of each point.
-    Span<Offset> start;         // [n + 1]
-    Span<Index> column;         // [entries of both triangles]
-    Span<Real> value;
 
     // entries: those of one triangle.
     void lay_out(Arena& arena, Index rows, Offset entries) noexcept;
-    // Copies all entries that are not 0; row_sum must have been set.
+    // Takes the upper triangle, which is viewed, and stores the entries of the lower one that are
+    // not 0; row_sum must have been set.
     template <class HalfRows>
     void take(HalfRows const& half) noexcept;
+
+    // Calls visit(column, entry) for the entries of a row that are not 0, those of the lower
+    // triangle first, until this returns true; tells whether it did.
+    template <class Visit>
+    bool any(Index i, Visit const& visit) const noexcept {
+        for (Offset e = start_[i]; e < start_[i + 1]; ++e)
+            if (visit(column_[e], value_[e])) return true;
+        for (Offset e = upper_.start[i]; e < upper_.start[i + 1]; ++e)
+            if (upper_.value[e] != 0 && visit(upper_.column[e], upper_.value[e])) return true;
+        return false;
+    }
+    // Calls visit(column, entry) for all entries of a row that are not 0.
+    template <class Visit>
+    void for_each(Index i, Visit const& visit) const noexcept {
+        any(i, [&](Index j, Real entry) {
+            visit(j, entry);
+            return false;
+        });
+    }
 
     // Tells whether point i depends strongly on point j, with the entry of both. Only negative
     // entries, which make values similar, are strong. The strongest coupling of j is strong for i,
@@ -52,28 +69,37 @@ struct FullRows {
 
 private:
     void find_strongest() noexcept;
+
+    // The lower triangle.
+    Span<Offset> start_;  // [n + 1]
+    Span<Index> column_;
+    Span<Real> value_;
+    struct {
+        Span<const Offset> start;
+        Span<const Index> column;
+        Span<const Real> value;
+    } upper_;
 };
 
 template <class HalfRows>
 void FullRows::take(HalfRows const& half) noexcept {
     n = half.n;
     diagonal = half.diagonal;
-    Span<Offset> const starts = start.first(n + 1);
+    upper_ = {half.start, half.column, half.value};
+    Span<Offset> const starts = start_.first(n + 1);
     fill(starts, Offset{0});
-    auto const for_each = [&](auto const& visit) {
+    auto const for_entries = [&](auto const& visit) {
         for (Index i = 0; i < n; ++i) {
             for (Offset e = half.start[i]; e < half.start[i + 1]; ++e) {
                 if (half.value[e] != 0) visit(i, half.column[e], half.value[e]);
             }
         }
     };
-    for_each([&](Index i, Index j, Real) { ++starts[i], ++starts[j]; });
+    for_entries([&](Index, Index j, Real) { ++starts[j]; });
     counts_to_starts(starts);
-    for_each([&](Index i, Index j, Real entry) {
-        column[starts[i]] = j;
-        value[starts[i]++] = entry;
-        column[starts[j]] = i;
-        value[starts[j]++] = entry;
+    for_entries([&](Index i, Index j, Real entry) {
+        column_[starts[j]] = i;
+        value_[starts[j]++] = entry;
     });
     rewind_starts(starts);
     find_strongest();

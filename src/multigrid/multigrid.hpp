@@ -1,30 +1,30 @@
 // Conjugate gradients with a V-cycle of algebraic multigrid as preconditioner, and symmetric
-// Gauss-Seidel as smoother. Sources: J. W. Ruge, K. Stueben, Algebraic multigrid (1987); Y. Notay,
-// SIAM J. Sci. Comput. 22 (2000) 1444 (flexible conjugate gradients).
+// Gauss-Seidel as smoother. Source: J. W. Ruge, K. Stueben, Algebraic multigrid (1987).
 #pragma once
 
 #include "bspline/envelope_cholesky.hpp"
 #include "multigrid/coarse_points.hpp"
+#include "multigrid/cycle_table.hpp"
 #include "multigrid/iteration.hpp"
 #include "operators/residual.hpp"
 
 namespace harmorph {
 
-// The preconditioner, and with it the search directions, are in single precision; the solution, its
-// residual and all sums are in double precision. Rounding to single precision disturbs smooth
-// vectors by rough ones of relative size 6e-8, whose energy is larger by the condition number of
-// D^-1 A, where D is the diagonal of A. In thin cells this number may be so large that the
-// disturbance has more energy than the vector. The preconditioner is then in double precision, with
-// half as many functions at a time, so that the vectors fit into the same memory.
+// All vectors are in single precision but for the solutions, which are corrected in double
+// precision; residuals are computed in double precision from time to time. Rounding to single
+// precision disturbs smooth vectors by rough ones of relative size 6e-8. In thin cells, and where
+// weights differ by many orders of magnitude, the energy of a rough vector may be so much larger
+// that the disturbance has more energy than the vector. All vectors are then in double precision,
+// with half as many functions at a time, so that they fit into the same memory.
 //
 // If the matrix is Hermitian, the levels are those of its real part, which is positive definite,
 // too: x.Re(A) x = x.A x for a real vector x. The preconditioner treats the real and the imaginary
 // parts of half as many functions as so many real vectors.
 struct Multigrid : BlockIteration {
-    static constexpr Index default_iterations = 200, default_width = 4;
-    // In trials, single and double precision took equally many iterations up to a condition number
-    // of 1e7; from 6e8 on, single precision took up to 2.4 times as many.
-    static constexpr Real largest_single_condition = 1e8;
+    static constexpr Index default_iterations = 200, default_width = 8;
+    // See find_disturbance(). In trials, single precision took at most one iteration more than
+    // double precision up to 1e10, and up to five more, of 16, from there to 2e11.
+    static constexpr Real largest_disturbance = 1e10;
 
     CoarsePoints levels;
     ImaginaryRows imaginary;
@@ -32,9 +32,12 @@ struct Multigrid : BlockIteration {
     EnvelopeMatrix bottom;
     bool has_bottom = false;
     bool is_single = false;
+    Kernel kernel = Kernel::baseline;  // All kernels give the same bits.
+    Index reach[CoarsePoints::max_levels];
 
     void lay_out(Arena& arena, Index n, Index functions, Iteration const& asked,
                  Executor const& threads) noexcept;
+    void lay_out_levels(Arena& arena, Index n, Offset entries) noexcept;
     // These are the working spaces of set_up() and of solve(); both may occupy the same memory.
     void lay_out_work(Arena& arena, Index n, Offset entries) noexcept;
     void lay_out_vectors(Arena& arena, Index n) noexcept;
@@ -49,18 +52,25 @@ struct Multigrid : BlockIteration {
     Status solve(Matrix const& matrix, DofValues const& dofs, Progress const& progress,
                  IterationReport& report, Fault& fault) const noexcept;
 
-private:
-    // The vectors of the finest level: in double precision and in that of the preconditioner. A
-    // coarse level has one of the latter.
-    static constexpr Index double_vectors = 3, preconditioner_vectors = 2;
+    // Returns the level in the precision that set_up() has chosen.
     template <class Number>
-    static Offset worker_bytes(Index n, Index width) noexcept;
-    Offset worker_reals(Index n) const noexcept;
+    CycleLevel<Number> cycle_level(Index level) const noexcept;
+
+private:
+    // The vectors of the finest level; a coarse level has one.
+    static constexpr Index finest_vectors = 4;
+    // Returns the number of numbers in single precision that a worker needs for each function.
+    static Offset worker_numbers(Index n) noexcept {
+        return Offset{finest_vectors} * n + CoarsePoints::coarse_points(n);
+    }
+    template <class Number>
+    Status solve_with(Matrix const& matrix, DofValues const& dofs, Progress const& progress,
+                      IterationReport& report, Fault& fault) const noexcept;
     bool factor_bottom() noexcept;
     bool fits_single() const noexcept;
-    Real estimate_condition() noexcept;
-
-    Span<Real> loads_;  // [n] of all levels, for estimate_condition()
+    Real find_disturbance() const noexcept;
+    void find_reach() noexcept;
+    void round_levels() noexcept;
 };
 
 }  // namespace harmorph

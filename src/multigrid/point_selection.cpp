@@ -36,8 +36,7 @@ Index PointSelection::select(FullRows const& rows, Index most, Span<Index> coars
     for (Index i = rows.n - 1; i >= 0; --i) {
         coarse[i] = undecided;
         weight_[i] = 0;
-        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e)
-            weight_[i] += rows.depends(rows.column[e], i, rows.value[e]);
+        rows.for_each(i, [&](Index j, Real entry) { weight_[i] += rows.depends(j, i, entry); });
         insert(i);
     }
     while (heaviest_ >= 0) {
@@ -47,11 +46,9 @@ Index PointSelection::select(FullRows const& rows, Index most, Span<Index> coars
             continue;
         }
         remove(i);
-        bool is_needed = false;
-        for (Offset e = rows.start[i]; e < rows.start[i + 1] && !is_needed; ++e) {
-            Index const j = rows.column[e];
-            is_needed = coarse[j] == undecided && rows.depends(j, i, rows.value[e]);
-        }
+        bool const is_needed = rows.any(i, [&](Index j, Real entry) {
+            return coarse[j] == undecided && rows.depends(j, i, entry);
+        });
         if (is_needed) {
             choose(rows, coarse, i);
         } else {
@@ -70,25 +67,22 @@ Index PointSelection::select(FullRows const& rows, Index most, Span<Index> coars
 // Makes a coarse point, and fine points of the points that depend on it.
 void PointSelection::choose(FullRows const& rows, Span<Index> coarse, Index point) noexcept {
     coarse[point] = 0;
-    for (Offset e = rows.start[point]; e < rows.start[point + 1]; ++e) {
-        Index const j = rows.column[e];
-        if (coarse[j] != undecided || !rows.depends(j, point, rows.value[e])) continue;
+    rows.for_each(point, [&](Index j, Real entry) {
+        if (coarse[j] != undecided || !rows.depends(j, point, entry)) return;
         remove(j);
         leave(rows, coarse, j);
-    }
-    for (Offset e = rows.start[point]; e < rows.start[point + 1]; ++e) {
-        Index const j = rows.column[e];
-        if (coarse[j] == undecided && rows.depends(point, j, rows.value[e])) change_weight(j, -1);
-    }
+    });
+    rows.for_each(point, [&](Index j, Real entry) {
+        if (coarse[j] == undecided && rows.depends(point, j, entry)) change_weight(j, -1);
+    });
 }
 
 // Makes a fine point; the points on which it depends are needed more.
 void PointSelection::leave(FullRows const& rows, Span<Index> coarse, Index point) noexcept {
     coarse[point] = none;
-    for (Offset e = rows.start[point]; e < rows.start[point + 1]; ++e) {
-        Index const j = rows.column[e];
-        if (coarse[j] == undecided && rows.depends(point, j, rows.value[e])) change_weight(j, 1);
-    }
+    rows.for_each(point, [&](Index j, Real entry) {
+        if (coarse[j] == undecided && rows.depends(point, j, entry)) change_weight(j, 1);
+    });
 }
 
 // The second pass, which makes at most `count` coarse points.
@@ -110,8 +104,7 @@ void PointSelection::add_common_points(FullRows const& rows, Index count,
 Index PointSelection::find_lonely(FullRows const& rows, Span<const Index> coarse,
                                   Index point) noexcept {
     auto const for_couplings = [&](Index i, auto const& visit) {
-        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e)
-            if (rows.depends(i, rows.column[e], rows.value[e]) && !visit(rows.column[e])) return;
+        rows.any(i, [&](Index j, Real entry) { return rows.depends(i, j, entry) && !visit(j); });
     };
     for_couplings(point, [&](Index j) {
         if (coarse[j] != none) next_[j] = point;

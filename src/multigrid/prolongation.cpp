@@ -50,14 +50,13 @@ Offset Contraction::interpolate(Index most, Prolongation const& to) noexcept {
 // depends are distributed among the candidates and itself.
 void Contraction::weigh(Index point, Index most, Prolongation const& to) noexcept {
     gather_candidates(point);
-    for (Offset e = rows.start[point]; e < rows.start[point + 1]; ++e) {
-        Index const j = rows.column[e];
+    rows.for_each(point, [&](Index j, Real entry) {
         if (is_candidate(point, j)) {
-            part_[coarse[j]] += rows.value[e];
-        } else if (coarse[j] == none && rows.depends(point, j, rows.value[e])) {
-            spread(point, j, rows.value[e]);
+            part_[coarse[j]] += entry;
+        } else if (coarse[j] == none && rows.depends(point, j, entry)) {
+            spread(point, j, entry);
         }
-    }
+    });
     Choice const choice = choose(most);
     // This is the diagonal with the entries that were moved to it. It is exactly -choice.all if the
     // row sum is 0, so that constants are interpolated exactly.
@@ -71,19 +70,13 @@ void Contraction::weigh(Index point, Index most, Prolongation const& to) noexcep
 
 void Contraction::gather_candidates(Index point) noexcept {
     n_candidates_ = 0;
-    for (Offset e = rows.start[point]; e < rows.start[point + 1]; ++e) {
-        Index const j = rows.column[e];
-        if (!rows.depends(point, j, rows.value[e])) continue;
-        if (coarse[j] != none) {
-            add_candidate(point, coarse[j]);
-            continue;
-        }
-        for (Offset f = rows.start[j]; f < rows.start[j + 1]; ++f) {
-            Index const k = rows.column[f];
-            if (coarse[k] != none && rows.depends(j, k, rows.value[f]))
-                add_candidate(point, coarse[k]);
-        }
-    }
+    rows.for_each(point, [&](Index j, Real entry) {
+        if (!rows.depends(point, j, entry)) return;
+        if (coarse[j] != none) return add_candidate(point, coarse[j]);
+        rows.for_each(j, [&](Index k, Real next) {
+            if (coarse[k] != none && rows.depends(j, k, next)) add_candidate(point, coarse[k]);
+        });
+    });
 }
 
 void Contraction::add_candidate(Index point, Index column) noexcept {
@@ -98,11 +91,9 @@ void Contraction::add_candidate(Index point, Index column) noexcept {
 void Contraction::spread(Index point, Index over, Real entry) noexcept {
     Real all = 0;
     auto const for_each = [&](auto const& visit) {
-        for (Offset f = rows.start[over]; f < rows.start[over + 1]; ++f) {
-            Index const j = rows.column[f];
-            if (rows.value[f] < 0 && (j == point || is_candidate(point, j)))
-                visit(j, rows.value[f]);
-        }
+        rows.for_each(over, [&](Index j, Real share) {
+            if (share < 0 && (j == point || is_candidate(point, j))) visit(j, share);
+        });
     };
     for_each([&](Index, Real share) { all += share; });
     for_each([&](Index j, Real share) {
@@ -115,18 +106,17 @@ void Contraction::spread(Index point, Index over, Real entry) noexcept {
 void Contraction::relax(Index point, Index most, Prolongation const& to) noexcept {
     n_candidates_ = 0;
     Real diagonal = rows.row_sum[point], deficit = diagonal;
-    for (Offset e = rows.start[point]; e < rows.start[point + 1]; ++e) {
-        Index const j = rows.column[e];
+    rows.for_each(point, [&](Index j, Real entry) {
         Offset const begin = row_begin(j);
-        if (to.column[begin] == none) continue;
-        diagonal -= rows.value[e];
-        deficit -= rows.value[e] * deficit_[j];
+        if (to.column[begin] == none) return;
+        diagonal -= entry;
+        deficit -= entry * deficit_[j];
         for (Offset f = begin; f < begin + Prolongation::most_weights && to.column[f] != none;
              ++f) {
             add_candidate(point, to.column[f]);
-            part_[to.column[f]] += rows.value[e] * to.weight[f];
+            part_[to.column[f]] += entry * to.weight[f];
         }
-    }
+    });
     Choice const choice = choose(most);
     if (diagonal > 0 && choice.is_sound())
         put(point, choice, choice.count, clamp(deficit / diagonal, 0.0, 1.0), to);
@@ -219,8 +209,9 @@ bool Contraction::contract(Prolongation const& by, Offset room, CoarseRows& resu
             Index const i = fine_[t];
             Real const weight = by.at(i, c);
             if (!add(i, weight * rows.diagonal[i])) return false;
-            for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e)
-                if (!add(rows.column[e], weight * rows.value[e])) return false;
+            bool const overflows =
+                rows.any(i, [&](Index j, Real entry) { return !add(j, weight * entry); });
+            if (overflows) return false;
         }
         result.start[c] = begin;
         for (Offset e = begin; e < used; ++e) result.value[e] = row[e - begin];
@@ -244,8 +235,7 @@ void Contraction::contract_row_sums(Prolongation const& by, Index n) noexcept {
     fill(coarse_sum_.first(n), 0.0);
     for (Index i = 0; i < rows.n; ++i) {
         Real flow = rows.row_sum[i] * (1 - deficit_[i]);
-        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e)
-            flow += rows.value[e] * (deficit_[i] - deficit_[rows.column[e]]);
+        rows.for_each(i, [&](Index j, Real entry) { flow += entry * (deficit_[i] - deficit_[j]); });
         for (Offset e = by.start[i]; e < by.start[i + 1]; ++e)
             coarse_sum_[by.column[e]] += by.weight[e] * flow;
     }

@@ -8,8 +8,13 @@
 namespace harmorph {
 
 struct MultigridEngine : LevelEngine<Multigrid> {
+    void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
+        iteration.lay_out_levels(arena, analysis.graph().n, analysis.matrix_sizes().entries);
+        LevelEngine::lay_out(arena, analysis, columns);
+    }
     Status set_up(Equations const& equations, Points, Progress const&, Fault& fault) noexcept {
         Matrix const& matrix = equations.matrix();
+        iteration.kernel = equations.method().kernel;
         return iteration.set_up(matrix.rows({}), matrix.imaginary_rows(), fault);
     }
     Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress,

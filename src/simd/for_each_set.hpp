@@ -3,6 +3,9 @@
 // namespaces called HARMORPH_SET, uses simd::HARMORPH_SET::Registers, which baseline.hpp documents,
 // and specialises simd::table. Headers that all sets share are included before this file.
 //
+// If HARMORPH_UP_TO_AVX2 is defined, AVX-512 takes the code for AVX2: for kernels that would gain
+// nothing from wider registers.
+//
 // A new instruction set needs a header in this room that defines Registers, three lines below, a
 // number in enum Kernel, a case in table_of(), and a test of the processor in cpu.cpp.
 // tests/simd/test_registers.cpp covers the registers of all sets that the processor has.
@@ -29,9 +32,11 @@
 #include HARMORPH_KERNELS
 #include "simd/end.hpp"
 
+#if !defined(HARMORPH_UP_TO_AVX2)
 #include "simd/avx512.hpp"
 #include HARMORPH_KERNELS
 #include "simd/end.hpp"
+#endif
 #endif
 
 #if defined(__AARCH64EL__)
@@ -41,3 +46,4 @@
 #endif
 
 #undef HARMORPH_KERNELS
+#undef HARMORPH_UP_TO_AVX2

@@ -20,7 +20,10 @@ Kernels const& table_of(Kernel kernel) noexcept {
     const Kernels* found = nullptr;
     switch (kernel) {
         case Kernel::avx2: found = table<Kernels, Kernel::avx2>; break;
-        case Kernel::avx512: found = table<Kernels, Kernel::avx512>; break;
+        case Kernel::avx512:
+            found = table<Kernels, Kernel::avx512>;
+            if (found == nullptr) found = table<Kernels, Kernel::avx2>;
+            break;
         case Kernel::neon: found = table<Kernels, Kernel::neon>; break;
         case Kernel::automatic:
         case Kernel::baseline: break;

@@ -177,6 +177,13 @@ sed 's/^POINT_DATA .*/POINT_DATA 7/' "$tmp/sens.vtk" >"$tmp/bad.vtk"
 adjoint "VTK: a wrong count" 'the number of points' "$tmp/bad.vtk" --vector dJ
 sed '$d' "$tmp/sens.vtk" >"$tmp/bad.vtk"
 adjoint "VTK: a row that is missing" 'bad.vtk' "$tmp/bad.vtk" --vector dJ
+for n in 0 -1 5 x; do
+    sed "s/^SCALARS p double 1/SCALARS p double $n/" "$tmp/sens.vtk" >"$tmp/bad.vtk"
+    adjoint "VTK: $n components" "the array p must have 1 to 4 components, not '$n'" "$tmp/bad.vtk" --vector dJ
+done
+{ printf '# vtk DataFile Version 3.0\nx\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 1 double\n'; head -c 24 /dev/zero
+  printf '\nPOINT_DATA 1\nVECTORS dJ double'; } >"$tmp/bad.vtk"
+adjoint "VTK: cut off before binary numbers" 'but the end of the file follows' "$tmp/bad.vtk" --vector dJ
 refuses "adjoint: --vector and --x" 2 'exclude each other' adjoint "$mesh" "$basis" --sensitivity "$tmp/sens.vtk" \
     --vector dJ --x a
 

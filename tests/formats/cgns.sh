@@ -87,6 +87,14 @@ if echo '#include <cgnslib.h>' | $CXX -x c++ -E - >/dev/null 2>&1 && command -v 
     cgns_claim plane "zone 'Zone1' has no CoordinateX and CoordinateY" Base/Zone1 25 7 24 6 0 0
     for kind in plane block; do rm -f "$tmp/$kind.cgns"; "$tmp/make_cgns" "$tmp/$kind.cgns" $kind double; done
     cgns_claim cells "section 'Cells' announces 2147483647 elements" Base/Ring/Cells/ElementRange 1 2147483647
+    for kind in cells polygons; do
+        rm -f "$tmp/$kind.cgns"
+        "$tmp/make_cgns" "$tmp/$kind.cgns" $kind double
+        cgns_claim $kind "section 'Cells': the ElementStartOffset of element 1 is out of range" \
+            Base/Ring/Cells/ElementStartOffset -1 5
+        cgns_claim $kind "section 'Cells': the ElementStartOffset of element 2 is out of range" \
+            Base/Ring/Cells/ElementStartOffset 0 4 2147483647
+    done
     cgns_claim cells "zone 'Ring', section 'Wall'" Base/Ring/Wall/ElementRange 169 2147483647
     cgns_claim cells "zone 'Ring', section 'Wall'" Base/Ring/Wall/ElementRange 192 169
     cgns_claim cells "names element 217, which is no face" Base/Ring/ZoneBC/body/PointRange 169 2147483647

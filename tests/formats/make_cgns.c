@@ -186,8 +186,8 @@ static void unstructured(const char* kind, int nk) {
 
 static void claim(int n, char** words) {
     int number, k;
-    int numbers[16];
-    cglong_t longs[16];
+    static int numbers[1024]; /* as long as the largest node; other numbers of the node become 0 */
+    static cglong_t longs[1024];
     double root, node;
     char type[CGIO_MAX_DATATYPE_LENGTH + 1];
     call(cgio_open_file(words[0], CGIO_MODE_MODIFY, CGIO_FILE_NONE, &number));

@@ -95,7 +95,7 @@ broken boundary 's/nFaces          288/nFaces          140/'
 refuses "openfoam: planes without some faces" 'has 140 faces, but the mesh has 144 cells' "$harmorph" \
     check "$tmp/foam-bad"
 broken boundary 's/nFaces          24;/nFaces          2400;/'
-refuses "openfoam: a patch that is too long" "boundary:15: the patch 'body' ends behind face" "$harmorph" \
+refuses "openfoam: a patch that is too long" "boundary:15: the patch 'body' ends after face" "$harmorph" \
     check "$tmp/foam-bad"
 broken boundary '/body/,/}/s/type .*;/type processor;/'
 refuses "openfoam: a part of a decomposed case" "boundary:15: the patch 'body' has the type processor" "$harmorph" \

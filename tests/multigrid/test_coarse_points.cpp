@@ -19,7 +19,7 @@ struct Levels {
 
     explicit Levels(harmorph::SymmetricRows const& finest, Index most = 0) {
         auto const lay_out = [&](harmorph::Arena& arena) {
-            points.lay_out(arena, finest.n);
+            points.lay_out(arena, finest.n, finest.entries());
             points.lay_out_work(arena, finest.n, finest.entries());
         };
         block_ = laid_out(lay_out);

@@ -41,6 +41,22 @@ Case even_case(int n_side) {
     return o_mesh_case(n_side, step, static_cast<int>(std::log1p(8 * 3.14 / 1.02) / 3.14 * n_side));
 }
 
+// A square of triangles that is compressed by this factor in a direction 30 degrees from its sides.
+Case compressed_case(int n, double by) {
+    Complex const turn = std::polar(1.0, std::acos(-1.0) / 6);
+    auto const move = [&](double& x, double& y) {
+        Complex const p = Complex(x, y) * turn, q = Complex(p.real(), p.imag() / by) / turn;
+        x = q.real();
+        y = q.imag();
+    };
+    Case out = square_on_curve(n, Cells::triangles, 0.3, 4);
+    for (std::size_t k = 0; k < out.mesh.x.size(); ++k) move(out.mesh.x[k], out.mesh.y[k]);
+    std::vector<Point> corners{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (Point& corner : corners) move(corner.x, corner.y);
+    out.curves = polyline(corners);
+    return out;
+}
+
 double difference(Solved const& a, Solved const& b) {
     return largest_difference(a.all_values(), b.all_values());
 }
@@ -55,14 +71,25 @@ std::vector<double> values_of(Attempt const& attempt) {
     return out;
 }
 
-// Both are compared by products with random vectors.
+template <class Number>
+std::vector<double> preconditioned(harmorph::Multigrid const& engine,
+                                   std::vector<double> const& x) {
+    std::vector<Number> bx(x.begin(), x.end());
+    harmorph::Cycle<Number> cycle(engine, 4, reinterpret_cast<Number*>(engine.vectors.data()));
+    cycle.descend(bx.data());
+    cycle.ascend(bx.data(), nullptr, nullptr);
+    return {bx.begin(), bx.end()};
+}
+
+// B is compared with its transpose by products with random vectors.
 void check_preconditioner(Case setup) {
     Analysed const seen(setup);
     FrontMatrix const front(*seen.operator->());
     harmorph::Multigrid engine;
     harmorph::Iteration iteration;
-    iteration.block_width = 4;
+    iteration.block_width = 8;
     auto const lay_out = [&](harmorph::Arena& arena) {
+        engine.lay_out_levels(arena, front.rows.n, front.rows.entries());
         engine.lay_out(arena, front.rows.n, 4, iteration, {});
         engine.lay_out_work(arena, front.rows.n, front.rows.entries());
         engine.lay_out_vectors(arena, front.rows.n);
@@ -72,13 +99,12 @@ void check_preconditioner(Case setup) {
     REQUIRE(engine.set_up(front.rows, {}, fault) == harmorph::Status::ok);
     REQUIRE(engine.levels.count >= 3);
     REQUIRE(engine.has_bottom);
-    harmorph::block::Cycle<4, double> cycle(engine, engine.vectors.data());
     std::size_t const n = 4 * static_cast<std::size_t>(front.rows.n);
-    std::vector<double> x, bx;
+    std::vector<double> x;
     std::mt19937 random(2);
     for (std::size_t k = 0; k < n; ++k) x.push_back(2 * uniform(random) - 1);
-    bx = x;
-    cycle.precondition(bx.data());
+    std::vector<double> const bx =
+        engine.is_single ? preconditioned<float>(engine, x) : preconditioned<double>(engine, x);
     auto const dot = [&](std::size_t i, std::size_t j) {
         double sum = 0;
         for (std::size_t k = 0; k < n; k += 4) sum += x[k + i] * bx[k + j];
@@ -87,7 +113,7 @@ void check_preconditioner(Case setup) {
     for (std::size_t i = 0; i < 4; ++i) {
         CHECK(dot(i, i) > 0);
         for (std::size_t j = 0; j < i; ++j)
-            CHECK(dot(i, j) == doctest::Approx(dot(j, i)).epsilon(1e-10));
+            CHECK(dot(i, j) == doctest::Approx(dot(j, i)).epsilon(engine.is_single ? 1e-4 : 1e-10));
     }
     CHECK(block->guards_intact());
 }
@@ -229,6 +255,19 @@ TEST_CASE("multigrid needs at most 20 iterations on even cells, 30 on stretched 
             Solved const solved(setup, &options);
             INFO(setup.mesh.n_points() << " points: " << solved.report.iterations);
             CHECK(solved.report.iterations <= 30);
+        }
+}
+
+TEST_CASE("triangles stretched across the lines of the mesh need at most 24 iterations") {
+    for (double const by : {10.0, 1000.0})
+        for (int const n : {30, 100}) {
+            Case setup = compressed_case(n, by);
+            Options iterative = multigrid(), exact = direct();
+            Solved const found(setup, &iterative), expected(setup, &exact);
+            INFO("compressed by " << by << ", " << setup.mesh.n_points()
+                                  << " points: " << found.report.iterations);
+            CHECK(difference(found, expected) < 2e-9);
+            CHECK(found.report.iterations <= (n == 30 ? 17 : 24));
         }
 }
 
@@ -459,7 +498,7 @@ TEST_CASE("a solution into a solved basis starts from its functions") {
                 CHECK(largest_difference(values, expected) < 2e-9);
                 // So many digits are still to be found.
                 double const digits = 10 + std::log10(std::max(change, 1e-10));
-                CHECK(report.iterations <= 0.1 * digits * from_zero.iterations + 3);
+                CHECK(report.iterations <= 0.1 * digits * from_zero.iterations + 5);
             }
         }
     }

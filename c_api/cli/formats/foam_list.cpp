@@ -34,9 +34,9 @@ bool read_foam_header(const TextFile& file, FoamHeader& header) {
         for (std::size_t at = entries.find(key); at != std::string::npos;
              at = entries.find(key, at + 1)) {
             const bool begins = at == 0 || is_blank(entries[at - 1]) || entries[at - 1] == ';';
-            const std::size_t behind = at + key.size();
-            if (!begins || behind >= entries.size() || !is_blank(entries[behind])) continue;
-            return std::string(trimmed(entries.substr(behind, entries.find(';', behind) - behind)));
+            const std::size_t after = at + key.size();
+            if (!begins || after >= entries.size() || !is_blank(entries[after])) continue;
+            return std::string(trimmed(entries.substr(after, entries.find(';', after) - after)));
         }
         return std::string();
     };

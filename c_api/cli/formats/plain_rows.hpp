@@ -71,7 +71,7 @@ void read_plain_rows(std::string_view text, std::size_t& at, std::int64_t n, std
         std::size_t begin, end;
         TableEnd from, to;
     };
-    const auto behind_line = [text](std::size_t from) {
+    const auto after_line = [text](std::size_t from) {
         const void* const found = from < text.size()
                                       ? std::memchr(text.data() + from, '\n', text.size() - from)
                                       : nullptr;
@@ -82,13 +82,13 @@ void read_plain_rows(std::string_view text, std::size_t& at, std::int64_t n, std
         std::vector<Piece> pieces;
         for (std::size_t begin = at; begin < text.size() && pieces.size() < n_pieces;) {
             const std::size_t end =
-                behind_line(begin + std::min(bytes_of_piece, text.size() - begin) - 1);
+                after_line(begin + std::min(bytes_of_piece, text.size() - begin) - 1);
             pieces.push_back({begin, end, {}, {}});
             begin = end;
         }
         run_tasks(pieces.size(), threads, [&](std::size_t k) {
             Piece& piece = pieces[k];
-            for (std::size_t line = piece.begin; line < piece.end; line = behind_line(line)) {
+            for (std::size_t line = piece.begin; line < piece.end; line = after_line(line)) {
                 ++piece.to.rows;
                 piece.to.items += table.items(PlainRow(text, line));
             }

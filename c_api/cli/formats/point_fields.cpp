@@ -188,7 +188,8 @@ private:
             const std::string components = rest_of_line();
             std::int64_t n = 1;
             if (!components.empty() && (!parse(components, n) || n < 1 || n > 4))
-                numbers_.expected("1 to 4 components after the type");
+                numbers_.fail("the array " + name + " must have 1 to 4 components, not " +
+                              in_quotes(components));
             const std::size_t here = numbers_.offset();
             if (numbers_.word() != "LOOKUP_TABLE") numbers_.jump(here);
             else rest_of_line();

@@ -1,9 +1,9 @@
 // Reads SU2 files.
 //
-// Files of other programs vary: sections in any order, tabs, carriage returns, "KEY=value" and
+// Files differ: sections are in any order; there may be tabs, carriage returns, "KEY=value" and
 // "KEY= value", two counts after NPOIN, 2 to 4 numbers per point, elements with or without their
-// number, periodic blocks and FFD boxes between or after. One of several zones (NZONE, IZONE) is
-// read; the lines of the others are passed over, and stay.
+// number, and periodic blocks and FFD boxes between or after them. One of
+// several zones (NZONE, IZONE) is read; the lines of the others are ignored, and kept in the file.
 #include "formats/su2.hpp"
 
 #include "basics/failure.hpp"
@@ -11,6 +11,8 @@
 #include "basics/numbers.hpp"
 #include "basics/place.hpp"
 #include "formats/plain_rows.hpp"
+#include "formats/su2_rows.hpp"
+#include "formats/su2_zones.hpp"
 
 #include <algorithm>
 #include <set>
@@ -39,71 +41,10 @@ bool is_transfer(const std::string& key) {
     return key.compare(0, 4, "SEND") == 0 || key.compare(0, 4, "RECE") == 0;
 }
 
-struct PointRows {
-    Mesh& mesh;
-
-    std::int64_t items(PlainRow) const { return 0; }
-    void resize(TableEnd end) {
-        const auto n = static_cast<std::size_t>(end.rows);
-        mesh.x.resize(n);
-        mesh.y.resize(n);
-        mesh.point_offset.resize(n);
-    }
-    bool read(PlainRow& row, TableEnd& end) {
-        row.over_blanks();
-        const auto point = static_cast<std::size_t>(end.rows);
-        std::int32_t number = 0;
-        const std::size_t x_offset = row.offset();
-        if (!row.real(mesh.x[point]) || !row.real(mesh.y[point])) return false;
-        for (int more = 0; more < 2 && row.at_digit(); ++more) {
-            if (!row.whole(number)) return false;
-        }
-        mesh.point_offset[point] = x_offset;
-        if (!row.end_of_line()) return false;
-        ++end.rows;
-        return true;
-    }
-};
-
-struct CellRows {
-    Mesh& mesh;
-
-    static std::int64_t corners(std::int32_t type) {
-        return type == element_triangle ? 3 : type == element_quad ? 4 : 0;
-    }
-    std::int64_t items(PlainRow row) const {
-        std::int32_t type = 0;
-        row.over_blanks();
-        return row.whole(type) ? corners(type) : 0;
-    }
-    void resize(TableEnd end) {
-        mesh.cell_start.resize(static_cast<std::size_t>(end.rows) + 1);
-        mesh.cell_offset.resize(static_cast<std::size_t>(end.rows));
-        mesh.cell_points.resize(static_cast<std::size_t>(end.items));
-    }
-    bool read(PlainRow& row, TableEnd& end) {
-        row.over_blanks();
-        const std::size_t offset = row.offset();
-        std::int32_t type = 0;
-        if (!row.whole(type) || corners(type) == 0) return false;
-        const std::int64_t behind = end.items + corners(type);
-        for (std::int64_t k = end.items; k < behind; ++k) {
-            if (!row.whole(mesh.cell_points[static_cast<std::size_t>(k)])) return false;
-        }
-        if (row.at_digit() && !row.whole(type)) return false;
-        if (!row.end_of_line()) return false;
-        mesh.cell_offset[static_cast<std::size_t>(end.rows)] = offset;
-        ++end.rows;
-        end.items = behind;
-        mesh.cell_start[static_cast<std::size_t>(end.rows)] = static_cast<std::int32_t>(behind);
-        return true;
-    }
-};
-
 class Su2Reader {
 public:
     Su2Reader(Mesh& mesh, const ReadOptions& options)
-        : mesh_(mesh), lines_(mesh.file, '%'), options_(options) {}
+        : mesh_(mesh), lines_(mesh.file, '%'), zones_(options.zone) {}
     void read();
 
 private:
@@ -111,8 +52,6 @@ private:
 
     bool read_section(const Heading& heading);
     void read_dimension(const Heading& heading);
-    void choose_zone(const Heading& heading);
-    std::int32_t begin_zone(const Heading& heading);
     template <class Table, class ReadRow>
     void read_rows(std::int64_t n, Table table, const ReadRow& read_row);
     void read_points(const Heading& heading);
@@ -124,7 +63,7 @@ private:
 
     bool at_heading() const { return lines_.line().find('=') != std::string_view::npos; }
     Heading heading() const;
-    void only_once(const Heading& heading);
+    void refuse_repeated(const Heading& heading);
     std::int32_t count(const Heading& heading) const;
     const Words& data_line(const std::string& what, std::int32_t index, std::int32_t n);
     const std::vector<std::int32_t>& points_of(const Words& words, std::size_t n);
@@ -133,22 +72,20 @@ private:
 
     Mesh& mesh_;
     LineReader lines_;
-    const ReadOptions& options_;
-    std::int32_t zones_ = 1, chosen_zone_ = 1, zones_begun_ = 0;
-    std::size_t zones_line_ = 0;
+    Su2Zones zones_;
     bool dimension_before_zones_ = false;
     std::vector<std::int32_t> points_;  // the points of one element
-    std::set<std::string> seen_;        // sections that may stand only once
+    std::set<std::string> seen_;        // sections that may occur only once
     std::int32_t markers_announced_ = 0, markers_found_ = 0;
 };
 
 void Su2Reader::read() {
-    bool understood = true;   // lines after an unknown heading are passed over
-    bool other_zone = false;  // the present zone is not the one to be read
+    bool understood = true;   // lines after an unknown heading are ignored
+    bool other_zone = false;  // the lines belong to a zone that is not read
     while (lines_.next()) {
         if (at_heading()) {
             const Heading here = heading();
-            if (here.key == "IZONE") other_zone = begin_zone(here) != chosen_zone_;
+            if (here.key == "IZONE") other_zone = !zones_.begin(lines_, count(here));
             if (!other_zone) understood = here.key == "IZONE" || read_section(here);
         } else if (understood && !other_zone) {
             lines_.expected("a heading such as NPOIN= or MARKER_TAG=");
@@ -161,13 +98,14 @@ bool Su2Reader::read_section(const Heading& heading) {
     if (heading.key == "NDIME") {
         read_dimension(heading);
     } else if (heading.key == "NZONE") {
-        choose_zone(heading);
+        refuse_repeated(heading);
+        zones_.choose(lines_, count(heading));
     } else if (heading.key == "NPOIN") {
         read_points(heading);
     } else if (heading.key == "NELEM") {
         read_cells(heading);
     } else if (heading.key == "NMARK") {
-        only_once(heading);
+        refuse_repeated(heading);
         markers_announced_ = count(heading);
     } else if (is_marker_tag(heading.key)) {
         read_marker(heading);
@@ -178,36 +116,12 @@ bool Su2Reader::read_section(const Heading& heading) {
     return true;
 }
 
-// NDIME= may stand before NZONE=, and again in each zone.
+// NDIME= may occur before NZONE=, and again in each zone.
 void Su2Reader::read_dimension(const Heading& heading) {
-    if (zones_begun_ > 0 && dimension_before_zones_) seen_.erase(heading.key);
-    dimension_before_zones_ = zones_begun_ == 0;
-    only_once(heading);
+    if (zones_.has_begun() && dimension_before_zones_) seen_.erase(heading.key);
+    dimension_before_zones_ = !zones_.has_begun();
+    refuse_repeated(heading);
     if (count(heading) != 2) lines_.expected("NDIME= 2 (meshes of two dimensions)");
-}
-
-void Su2Reader::choose_zone(const Heading& heading) {
-    only_once(heading);
-    zones_ = count(heading);
-    zones_line_ = lines_.offset();
-    if (options_.zone.empty() && zones_ > 1) {
-        lines_.fail("the file has " + std::to_string(zones_) +
-                    " zones; choose one with --zone (the others stay as they are)");
-    }
-    if (options_.zone.empty()) return;
-    if (!parse(options_.zone, chosen_zone_) || chosen_zone_ < 1 || chosen_zone_ > zones_) {
-        throw Failure(exit_usage, "--zone expects a number between 1 and " +
-                                      std::to_string(zones_) + ", not " + in_quotes(options_.zone));
-    }
-}
-
-std::int32_t Su2Reader::begin_zone(const Heading& heading) {
-    const std::int32_t zone = count(heading);
-    if (zone != ++zones_begun_ || zone > zones_) {
-        lines_.expected("IZONE= " + std::to_string(zones_begun_) + " of the " +
-                        plural(zones_, "zone") + " that NZONE= announces");
-    }
-    return zone;
 }
 
 // Rows that are not plain are read one by one, and twice as many each time, so that a table without
@@ -225,14 +139,15 @@ void Su2Reader::read_rows(std::int64_t n, Table table, const ReadRow& read_row) 
 }
 
 void Su2Reader::read_points(const Heading& heading) {
-    only_once(heading);
+    refuse_repeated(heading);
     const std::int32_t n = count(heading);
-    const std::size_t most = std::min(place(n), mesh_.file.text().size() / 4);  // "0 0" and its end
-    reserve_by_threads(mesh_.x, most, mesh_.threads);
-    reserve_by_threads(mesh_.y, most, mesh_.threads);
-    reserve_by_threads(mesh_.point_offset, most, mesh_.threads);
+    const std::size_t max_rows =
+        std::min(place(n), mesh_.file.text().size() / 4);  // "0 0" and its end
+    reserve_by_threads(mesh_.x, max_rows, mesh_.threads);
+    reserve_by_threads(mesh_.y, max_rows, mesh_.threads);
+    reserve_by_threads(mesh_.point_offset, max_rows, mesh_.threads);
     mesh_.in_file.in_pairs = true;
-    read_rows(n, PointRows{mesh_}, [&](std::int32_t point) {
+    read_rows(n, Su2PointRows{mesh_}, [&](std::int32_t point) {
         const Words& words = data_line("point", point, n);
         if (words.size() < 2 || words.size() > 4)
             lines_.expected("a point: x, y and at most two numbers more");
@@ -246,19 +161,19 @@ void Su2Reader::read_points(const Heading& heading) {
 }
 
 void Su2Reader::read_cells(const Heading& heading) {
-    only_once(heading);
+    refuse_repeated(heading);
     const std::int32_t n = count(heading);
-    const std::size_t most = std::min(place(n), mesh_.file.text().size() / 8);  // "5 0 1 2"
-    reserve_by_threads(mesh_.cell_start, most + 1, mesh_.threads);
-    reserve_by_threads(mesh_.cell_offset, most, mesh_.threads);
-    reserve_by_threads(mesh_.cell_points, 4 * most, mesh_.threads);
-    read_rows(n, CellRows{mesh_}, [&](std::int32_t cell) {
+    const std::size_t max_rows = std::min(place(n), mesh_.file.text().size() / 8);  // "5 0 1 2"
+    reserve_by_threads(mesh_.cell_start, max_rows + 1, mesh_.threads);
+    reserve_by_threads(mesh_.cell_offset, max_rows, mesh_.threads);
+    reserve_by_threads(mesh_.cell_points, 4 * max_rows, mesh_.threads);
+    read_rows(n, Su2CellRows{mesh_}, [&](std::int32_t cell) {
         const Words& words = data_line("element", cell, n);
         std::int32_t type = 0;
         if (!parse(words[0], type) || (type != element_triangle && type != element_quad)) {
             lines_.expected("element type 5 (triangle) or 9 (quadrilateral)", words[0]);
         }
-        const std::int64_t corners = CellRows::corners(type);
+        const std::int64_t corners = Su2CellRows::corners(type);
         mesh_.add_cell(points_of(words, static_cast<std::size_t>(corners)), lines_.offset());
         return corners;
     });
@@ -322,7 +237,7 @@ Heading Su2Reader::heading() const {
             trimmed(lines_.line().substr(equals + 1))};
 }
 
-void Su2Reader::only_once(const Heading& heading) {
+void Su2Reader::refuse_repeated(const Heading& heading) {
     if (!seen_.insert(heading.key).second) {
         lines_.fail(heading.key + "= appears here for the second time in one mesh or zone");
     }
@@ -345,7 +260,7 @@ const Su2Reader::Words& Su2Reader::data_line(const std::string& what, std::int32
     return lines_.words();
 }
 
-// Behind the type stand n points and, in most files, the number of the element.
+// Returns the n points after the type. In most files, the number of the element follows.
 const std::vector<std::int32_t>& Su2Reader::points_of(const Words& words, std::size_t n) {
     if (words.size() < n + 1 || words.size() > n + 2) {
         lines_.expected("element type " + std::string(words[0]) + ", " + std::to_string(n) +
@@ -363,11 +278,7 @@ const std::vector<std::int32_t>& Su2Reader::points_of(const Words& words, std::s
 }
 
 void Su2Reader::check_complete() const {
-    if (zones_ > 1 && zones_begun_ < zones_) {
-        const std::string announced = std::to_string(zones_), lines = plural(zones_begun_, "line");
-        mesh_.file.fail(zones_line_, "NZONE= announces " + announced + " zones, but the file has " +
-                                         lines + " IZONE=");
-    }
+    zones_.check_complete(mesh_.file);
     for (const char* key : {"NDIME", "NELEM", "NPOIN"}) {
         if (seen_.count(key) == 0) lines_.expected(std::string(key) + "=");
     }

@@ -30,7 +30,7 @@ char const* const usage =
     "stretched1000\"] [--functions \"20 60\"] "
     "[--threads N] "
     "[--repeats N]\n"
-    "             [--kernel 0..4] [--precision double|single] [--gibibytes N] [--json FILE]\n";
+    "             [--kernel 0..4] [--precision double|single] [--gibibytes N]\n";
 
 template <class T>
 std::vector<T> words(std::string const& text) {
@@ -62,7 +62,6 @@ Settings read(int argc, char** argv) {
         else if (name == "--kernel") out.kernel = words<int>(text)[0];
         else if (name == "--precision") out.precision = precision(text);
         else if (name == "--gibibytes") out.gibibytes = words<int>(text)[0];
-        else if (name == "--json") out.json = text;
         else throw std::invalid_argument("no such option: " + name);
     }
     return out;
@@ -160,8 +159,6 @@ void run(Settings settings) {
     part("displace", [&] { bench_displace(settings, report); });
     part("safe", [&] { bench_safe(settings, report); });
     part("morph", [&] { bench_morph(settings, limits, report); });
-    if (!settings.json.empty() && !report.write_json(settings.json))
-        throw std::runtime_error(settings.json + ": cannot be written");
     if (!failures.empty()) throw std::runtime_error(failures);
 }
 

@@ -13,20 +13,6 @@ std::string format(const char* how, double number) {
     return text;
 }
 
-std::string quoted(std::string const& text) {
-    std::string out = "\"";
-    for (char const c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-    return out + '"';
-}
-
-std::string json(Value const& value) {
-    if (!value.is_number) return quoted(value.text);
-    return std::isfinite(value.number) ? format("%.9g", value.number) : "null";
-}
-
 // Texts to the left, numbers to the right.
 void print_cell(std::string const& text, std::size_t width, bool to_right) {
     std::printf(to_right ? "%*s  " : "%-*s  ", static_cast<int>(width), text.c_str());
@@ -82,42 +68,11 @@ void Table::print() const {
 }
 
 void Report::fact(std::string const& name, std::string const& text) {
-    facts_.emplace_back(name, text);
     std::printf("%s: %s\n", name.c_str(), text.c_str());
     std::fflush(stdout);
 }
 
-void Report::finish(Table const& table) {
-    table.print();
-    tables_.push_back(table);
-}
-
-bool Report::write_json(std::string const& path) const {
-    std::FILE* file = std::fopen(path.c_str(), "w");
-    if (file == nullptr) return false;
-    std::fprintf(file, "{\n");
-    for (auto const& fact : facts_)
-        std::fprintf(file, "  %s: %s,\n", quoted(fact.first).c_str(), quoted(fact.second).c_str());
-    std::fprintf(file, "  \"tables\": [");
-    for (std::size_t t = 0; t < tables_.size(); ++t) {
-        Table const& table = tables_[t];
-        std::fprintf(file, "%s\n    {\"title\": %s, \"rows\": [", t > 0 ? "," : "",
-                     quoted(table.title).c_str());
-        for (std::size_t r = 0; r < table.rows.size(); ++r) {
-            std::fprintf(file, "%s\n      {", r > 0 ? "," : "");
-            for (std::size_t k = 0; k < table.columns.size(); ++k)
-                std::fprintf(file, "%s%s: %s", k > 0 ? ", " : "", quoted(table.columns[k]).c_str(),
-                             json(table.rows[r][k]).c_str());
-            std::fprintf(file, "}");
-        }
-        std::fprintf(file, "\n    ], \"notes\": [");
-        for (std::size_t k = 0; k < table.notes.size(); ++k)
-            std::fprintf(file, "%s%s", k > 0 ? ", " : "", quoted(table.notes[k]).c_str());
-        std::fprintf(file, "]}");
-    }
-    std::fprintf(file, "\n  ]\n}\n");
-    return std::fclose(file) == 0;
-}
+void Report::finish(Table const& table) { table.print(); }
 
 void say(std::string const& text) { std::fprintf(stderr, "... %s\n", text.c_str()); }
 

@@ -1,4 +1,4 @@
-// Tables: on the standard output for people, in one JSON object for programs.
+// Tables on the standard output.
 #pragma once
 
 #include <string>
@@ -6,8 +6,7 @@
 
 namespace bench {
 
-// A text, or a number and how it is printed. A number that is not finite is printed as "-" and is
-// null in JSON.
+// A text, or a number and how it is printed. A number that is not finite is printed as "-".
 struct Value {
     std::string text;
     double number = 0;
@@ -39,18 +38,11 @@ struct Table {
     void print() const;  // what has not been printed yet
 };
 
-class Report {
-public:
+struct Report {
     // Facts come before all tables: machine, date, compilers, peers.
     void fact(std::string const& name, std::string const& text);
-    // Prints a finished table and keeps it for JSON.
+    // Prints a finished table.
     void finish(Table const& table);
-    // False: the file cannot be written.
-    bool write_json(std::string const& path) const;
-
-private:
-    std::vector<std::pair<std::string, std::string>> facts_;
-    std::vector<Table> tables_;
 };
 
 // Prints what is being measured on the standard error, because runs are long.

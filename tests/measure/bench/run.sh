@@ -1,7 +1,7 @@
 #!/bin/sh
 # `make bench`: finds out which peers this machine has, builds what changed, runs. Everything may be set from outside:
 #   make bench SIZES="10000 100000" KINDS=iso FUNCTIONS="20 60" THREADS="1 2" REPEATS=5 PRECISION=single \
-#       PARTS="dense solve threads iterative iterations memory displace safe morph files" GIBIBYTES=24 JSON=bench.json
+#       PARTS="dense solve threads iterative iterations memory displace safe morph files" GIBIBYTES=24
 # BUILD_ONLY=1 only builds $BUILD/bench/bench.
 : "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS:=-O3}"
 : "${PARTS:=dense solve morph}"
@@ -68,17 +68,7 @@ $CXX $CXXFLAGS -pthread -o "$out/bench" $objects "$BUILD/libharmorph.a" $LDFLAGS
 [ -z "$BUILD_ONLY" ] || exit 0
 
 # One run for each number of threads: libraries take theirs from the start.
-results=
 for threads in $THREADS; do
-    result=$out/result-$threads.json
     "$out/bench" --sizes "$SIZES" --kinds "$KINDS" --parts "$PARTS" --functions "$FUNCTIONS" --threads "$threads" \
-        --repeats "${REPEATS:-0}" --precision "${PRECISION:-double}" \
-        --gibibytes "${GIBIBYTES:-0}" --json "$result"
-    results="$results $result"
+        --repeats "${REPEATS:-0}" --precision "${PRECISION:-double}" --gibibytes "${GIBIBYTES:-0}"
 done
-[ -n "$JSON" ] || exit 0
-{
-    separator='['
-    for result in $results; do echo "$separator"; cat "$result"; separator=','; done
-    echo ']'
-} >"$JSON"

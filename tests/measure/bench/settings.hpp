@@ -20,7 +20,6 @@ struct Settings {
     int precision = HM_DOUBLE;              // of our factor
     int repeats = 0;                        // of the solves; 0: by size
     int gibibytes = 0;  // into which the largest mesh is to fit (part memory); 0: not asked
-    std::string json;   // file name; empty: none
 
     bool has(std::string const& part) const {
         for (std::string const& wanted : parts)

@@ -1,6 +1,7 @@
 # Writes an SU2 mesh around a Joukowski section with a rounded trailing edge: an O-mesh of quadrilaterals that is the
-# image of a ring, with thin layers at the wall. The chord is 1, from x = 0 to 1.
-#   awk -f o_mesh.awk
+# image of a ring, with thin layers at the wall. The chord is 1, from x = 0 to 1. The circle of the ring has the centre
+# (shift, 0); with shift 0 the section is an ellipse.
+#   awk [-v around=POINTS] [-v layers=LAYERS] [-v first=HEIGHT] [-v shift=X] [-v circle=RADIUS] -f o_mesh.awk
 function image(r, angle,    zx, zy, square) {   # the map z + 1 / z of a circle around (shift, 0) with radius r
     zx = shift + r * cos(angle)
     zy = r * sin(angle)
@@ -9,8 +10,12 @@ function image(r, angle,    zx, zy, square) {   # the map z + 1 / z of a circle 
     y = zy - zy / square
 }
 BEGIN {
-    around = 192; layers = 56; first = 2e-4; far = 40
-    shift = -.09; circle = 1.1
+    if (!around) around = 192
+    if (!layers) layers = 56
+    if (!first) first = 2e-4
+    far = 40
+    if (shift == "") shift = -.09
+    if (!circle) circle = 1.1
     image(circle, 0); right = x
     image(circle, atan2(0, -1)); left = x
     growth = 1.25     # the ratio of layer heights for which the layers end at `far`

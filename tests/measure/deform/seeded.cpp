@@ -16,7 +16,6 @@
 #include "basics/output_file.hpp"
 #include "commands/solver.hpp"
 #include "seeds.hpp"
-#include "task.hpp"
 #include "wall_bound.hpp"
 
 #include <algorithm>
@@ -50,6 +49,17 @@ struct Counts {
 
 using Movement =
     std::function<std::vector<double>(const std::vector<double>& control, std::uint64_t seed)>;
+
+// One marker on all curves, by the default operator.
+cli::Task task_on(const cli::Mesh& mesh, const std::string& marker, const cli::Curves& curves) {
+    cli::Task task;
+    task.curves = curves;
+    auto condition = cli::sized<hm_condition>();
+    condition.marker = mesh.find_markers(marker)[0];
+    condition.n_curves = static_cast<std::int32_t>(curves.curves.size());
+    task.conditions = {condition};
+    return task;
+}
 
 // The wall as the linear step has it.
 cli::Field target(const cli::Mesh& mesh, const cli::Basis& basis, const std::vector<double>& moves,

@@ -8,28 +8,7 @@ here=$(dirname "$0")
 mkdir -p "$tmp" || exit 2
 tmp=$(cd "$tmp" && pwd)
 uptime
-awk -v n="$around" -v m="$layers" 'BEGIN {
-    pi = atan2(0, -1); a = -0.1; radius = 1.1; growth = exp(log(400) / m)
-    print "NDIME= 2\nNELEM=", n * m
-    for (j = 0; j < m; ++j) for (i = 0; i < n; ++i) {
-        k = (i + 1) % n
-        print 9, j * n + i, j * n + k, (j + 1) * n + k, (j + 1) * n + i
-    }
-    print "NPOIN=", n * (m + 1)
-    for (j = 0; j <= m; ++j) {
-        # Layers grow from the wall outward; the far field is a circle of radius 40.
-        r = radius + 40 * (growth ^ j - 1) / (growth ^ m - 1)
-        for (i = 0; i < n; ++i) {
-            t = 2 * pi * i / n
-            u = a + r * cos(t); v = r * sin(t); s = u * u + v * v
-            printf "%.17g %.17g\n", (u + u / s + 2) / 4, (v - v / s) / 4
-        }
-    }
-    print "NMARK= 2\nMARKER_TAG= airfoil\nMARKER_ELEMS=", n
-    for (i = 0; i < n; ++i) print 3, i, (i + 1) % n
-    print "MARKER_TAG= far\nMARKER_ELEMS=", n
-    for (i = 0; i < n; ++i) print 3, m * n + i, m * n + (i + 1) % n
-}' >"$tmp/mesh.su2"
+awk -v around="$around" -v layers="$layers" -v first=2e-3 -f "$here/../compare/o_mesh.awk" >"$tmp/mesh.su2"
 "$harmorph" fit "$tmp/mesh.su2" --marker airfoil -o "$tmp/airfoil.curve" >"$tmp/log" &&
     "$harmorph" solve "$tmp/mesh.su2" --curve "airfoil=$tmp/airfoil.curve" --operator laplace -o "$tmp/mesh.basis" \
         >>"$tmp/log" &&

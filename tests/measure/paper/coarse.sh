@@ -5,24 +5,9 @@ echo "of quadrilaterals round an ellipse; the ellipse is a periodic cubic B-spli
 echo "the largest difference from the functions that were solved on the fine mesh. It falls with the coarse mesh size,"
 echo "and the wall follows the B-spline exactly on each mesh. Gain: seconds to solve on the fine mesh divided by"
 echo "seconds to solve on the coarse mesh and to interpolate (analysis of the fine mesh included in both)."
-o_mesh() {   # POINTS_AROUND LAYERS: an SU2 file
-    awk -v around="$1" -v layers="$2" 'BEGIN {
-        print "NDIME= 2\nNELEM= " around * layers
-        for (j = 0; j < layers; ++j) for (i = 0; i < around; ++i) {
-            next_i = (i + 1) % around
-            print 9, i + around * j, next_i + around * j, next_i + around * (j + 1), i + around * (j + 1)
-        }
-        print "NPOIN= " around * (layers + 1)
-        for (j = 0; j <= layers; ++j) for (i = 0; i < around; ++i) {
-            angle = 6.283185307179586 * i / around; r = exp(3 * j / layers)
-            printf "%.17g %.17g\n", (r + .4 / r) * cos(angle), (r - .4 / r) * sin(angle)
-        }
-        print "NMARK= 2"
-        for (m = 0; m < 2; ++m) {
-            print "MARKER_TAG= " (m ? "far" : "wall") "\nMARKER_ELEMS= " around
-            for (i = 0; i < around; ++i) print 3, i + around * layers * m, (i + 1) % around + around * layers * m
-        }
-    }'
+o_mesh() {   # POINTS_AROUND LAYERS: an SU2 file; the first layer is finer by the number of layers
+    awk -v around="$1" -v layers="$2" -v first="$(awk -v n="$2" 'BEGIN { print 4 / n }')" -v shift=0 -v circle=1.5 \
+        -f "$here/../compare/o_mesh.awk"
 }
 difference() {   # BASIS OTHER: largest difference of four functions on the fine mesh
     for function in 1 2 5 10; do
@@ -32,7 +17,7 @@ difference() {   # BASIS OTHER: largest difference of four functions on the fine
     done | awk -F, '/^[0-9]/ { d = $4 - $8; if (d < 0) d = -d; if (d > worst) worst = d } END { printf "%.2g", worst }'
 }
 solve_on() {   # NAME
-    run solve "$out/$1.su2" --curve wall="$out/wall.curve" --operator laplace -o "$out/$1.basis" --json
+    run solve "$out/$1.su2" --curve airfoil="$out/wall.curve" --operator laplace -o "$out/$1.basis" --json
     cp "$out/log" "$out/json"
 }
 seconds() {   # NAMES...: their sum
@@ -40,7 +25,7 @@ seconds() {   # NAMES...: their sum
         awk '{ sum += $1 } END { print sum }'
 }
 o_mesh 512 128 >"$out/fine.su2"
-run fit "$out/fine.su2" --marker wall --closed periodic --points 12 -o "$out/wall.curve"
+run fit "$out/fine.su2" --marker airfoil --closed periodic --points 12 -o "$out/wall.curve"
 solve_on fine
 fine=$(seconds setup_seconds factor_seconds solve_seconds)
 echo "table Functions on 512 x 128 cells, interpolated from coarser meshes"
