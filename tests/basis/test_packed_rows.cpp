@@ -4,6 +4,7 @@
 
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/executors.hpp>
+#include <fixtures/morphed.hpp>
 #include <fixtures/parts.hpp>
 
 using namespace fixtures;

@@ -1,6 +1,7 @@
 // Rows of some points do what the whole basis does at these points.
 #include <harmorph_parts.h>
 
+#include <fixtures/morphed.hpp>
 #include <fixtures/parts.hpp>
 
 #include "basis/basis.hpp"
@@ -10,17 +11,6 @@ using namespace fixtures;
 namespace {
 
 using Numbers = std::vector<double>;
-
-struct Moved {
-    Numbers x, y;
-};
-
-Moved morphed(const hm_basis* basis, Numbers const& move, Moved const& from) {
-    Moved to{Numbers(from.x.size()), Numbers(from.x.size())};
-    REQUIRE(hm_morph(basis, move.data(), points_in(from.x, from.y), points_out(to.x, to.y), nullptr,
-                     nullptr) == HM_OK);
-    return to;
-}
 
 }  // namespace
 
@@ -54,9 +44,9 @@ TEST_CASE("a subset with ghosts and repeats has the values of the whole basis") 
                                     pick(values_of(solved.basis, i, p), points)));
             Numbers const move = some_move(info.functions, 0.05, 3);
             Moved const from{problem.setup.mesh.x, problem.setup.mesh.y},
-                to = morphed(solved.basis, move, from);
+                to = morphed(solved.basis, from, move);
             Moved const here{pick(from.x, points), pick(from.y, points)},
-                there = morphed(rows.basis, move, here);
+                there = morphed(rows.basis, here, move);
             CHECK(same_bits(there.x, pick(to.x, points)));
             CHECK(same_bits(there.y, pick(to.y, points)));
 
@@ -91,7 +81,7 @@ TEST_CASE("the row of one point accepts x and y side by side, with any stride") 
     REQUIRE(row.status == HM_OK);
     Numbers const move = some_move(solved.info().functions, 0.05, 3);
     double at[2] = {setup.mesh.x[std::size_t(one[0])], setup.mesh.y[std::size_t(one[0])]};
-    Moved const to = morphed(row.basis, move, {{at[0]}, {at[1]}});
+    Moved const to = morphed(row.basis, Moved{{at[0]}, {at[1]}}, move);
     Numbers gradient(move.size()), expected(move.size());
     double const dj[2] = {0.3, -0.7};
     REQUIRE(hm_adjoint(row.basis, points_in(dj, dj + 1, 2), expected.data(), nullptr, nullptr) ==

@@ -21,22 +21,13 @@ struct Recovered {
     Recovered(const hm_basis* basis, std::vector<double> const& x, std::vector<double> const& y,
               double tolerance = 0) {
         hm_basis_info const info = info_of(basis);
-        std::size_t bytes = 0;
-        REQUIRE(hm_recover_movement_size(basis, &bytes, nullptr) == HM_OK);
-        Guarded work(bytes);
+        Guarded work = block_of(hm_recover_movement_size, basis);
         move.assign(2 * std::size_t(info.functions), 7.5);
         status = hm_recover_movement(basis, points_in(x, y), tolerance, move.data(), &residual,
-                                     &point, work.data(), bytes, &error);
+                                     &point, work.data(), work.size(), &error);
         CHECK(work.guards_intact());
     }
 };
-
-double difference(std::vector<double> const& a, std::vector<double> const& b) {
-    REQUIRE(a.size() == b.size());
-    double worst = 0;
-    for (std::size_t k = 0; k < a.size(); ++k) worst = std::max(worst, std::abs(a[k] - b[k]));
-    return worst;
-}
 
 // Two movements, one after the other, are recovered as their sum, but for functions first ..
 // last-1, on which no point of the wall depends.
@@ -55,7 +46,7 @@ void check_sum(const hm_basis* basis, Mesh const& mesh, std::int32_t functions,
     CHECK(found.residual < 1e-14);
     for (std::size_t k = 2 * first; k < 2 * last; ++k) CHECK(found.move[k] == 0);
     for (std::size_t k = 2 * first; k < 2 * last; ++k) sum[k] = 0;
-    CHECK(difference(found.move, sum) < exactness);
+    CHECK(largest_difference(found.move, sum) < exactness);
 }
 
 }  // namespace
@@ -91,7 +82,7 @@ TEST_CASE("the movement so far is the sum of all morphs for every kind of basis"
         check_sum(solved.basis, row.setup.mesh, info.functions, 1e-12, row.first, row.last);
         Recovered const start(solved.basis, row.setup.mesh.x, row.setup.mesh.y);
         CHECK(start.status == HM_OK);
-        CHECK(difference(start.move, std::vector<double>(start.move.size())) == 0);
+        CHECK(largest_difference(start.move, std::vector<double>(start.move.size())) == 0);
         Single const single(solved.basis);
         check_sum(single.basis, row.setup.mesh, info.functions, 1e-12, row.first, row.last);
     }
@@ -137,7 +128,7 @@ TEST_CASE("the movement so far is found after safe morphs, which turn the offset
     Recovered const found(safe.solved().basis, safe.x, safe.y);
     REQUIRE(found.status == HM_OK);
     CHECK(found.residual < 1e-13);
-    CHECK(difference(found.move, move) < 1e-10);
+    CHECK(largest_difference(found.move, move) < 1e-10);
 }
 
 TEST_CASE("control points on which no wall point depends move with their neighbours") {
@@ -159,7 +150,7 @@ TEST_CASE("control points on which no wall point depends move with their neighbo
     Recovered const found(solved.basis, x, y);
     REQUIRE(found.status == HM_OK);
     CHECK(found.residual < 1e-13);
-    CHECK(difference(found.move, turn) < 1e-4);  // the similarity is weakly known
+    CHECK(largest_difference(found.move, turn) < 1e-4);  // the similarity is weakly known
     // Any movement of the wall is followed, though the control points are more than the points.
     std::vector<double> const move = some_move(40, 0.02, 5);
     REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,

@@ -98,11 +98,9 @@ TEST_CASE("points of a blunt base are on the second curve, and the ends belong t
     auto options = sized<hm_fit_options>();
     auto report = sized<hm_fit_report>();
     std::int32_t const n = std::int32_t(outline.points.size());
-    std::size_t bytes = 0;
-    REQUIRE(hm_fit_size(n, &options, &bytes, nullptr) == HM_OK);
-    Guarded block(bytes);
+    Guarded block = block_of(hm_fit_size, n, &options);
     const hm_curves* curves = nullptr;
-    REQUIRE(hm_fit(&curves, block.data(), bytes,
+    REQUIRE(hm_fit(&curves, block.data(), block.size(),
                    points_in(&outline.points[0].x, &outline.points[0].y, 2), n, 1, &options,
                    &report, nullptr) == HM_OK);
     REQUIRE(curves->n_curves == 2);

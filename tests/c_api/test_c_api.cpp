@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
+#include <fixtures/morphed.hpp>
 
 #include <set>
 

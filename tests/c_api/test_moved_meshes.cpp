@@ -11,7 +11,7 @@ using namespace fixtures;
 namespace {
 
 // The arrays of the mesh are the caller's, and change.
-struct Moved {
+struct Objects {
     Case setup = airfoil_case();
     std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
     hm_points own{x.data(), y.data(), 1};
@@ -21,7 +21,7 @@ struct Moved {
     std::unique_ptr<Solved> solved;
     std::vector<double> move, work;
 
-    Moved() {
+    Objects() {
         mesh.points = own;
         solved = std::make_unique<Solved>(setup.problem(mesh), &options);
         move.assign(setup.curves.control.size(), 0);
@@ -49,7 +49,7 @@ struct Moved {
 }  // namespace
 
 TEST_CASE("a safe morph from a mesh that was moved in place needs a new solution there") {
-    Moved o;
+    Objects o;
     std::vector<double> x(o.x.size()), y(o.x.size());
     hm_points_out const to{x.data(), y.data(), 1};
     CHECK(o.safe(to, nullptr) == HM_OK);
@@ -67,7 +67,7 @@ TEST_CASE("a safe morph from a mesh that was moved in place needs a new solution
 }
 
 TEST_CASE("a mesh that was moved in place is improved only with the reference from before") {
-    Moved o;
+    Objects o;
     REQUIRE(o.go() == HM_OK);
     std::vector<double> x(o.x.size()), y(o.x.size());
     hm_points_out const to{x.data(), y.data(), 1};
@@ -84,7 +84,7 @@ TEST_CASE("a mesh that was moved in place is improved only with the reference fr
 }
 
 TEST_CASE("a mesh of other cells is refused, also with as many points and cells as the basis has") {
-    Moved o;
+    Objects o;
     std::vector<double> const still(o.x.size());
     hm_points const none{still.data(), still.data(), 1};
     auto quality = sized<hm_quality_report>();
@@ -116,7 +116,7 @@ TEST_CASE("a mesh of other cells is refused, also with as many points and cells 
 }
 
 TEST_CASE("a morph into arrays that share numbers of other points is refused and changes nothing") {
-    Moved o;
+    Objects o;
     std::int32_t const n = o.mesh.n_points;
     std::vector<double> pairs(2 * o.x.size() + 4);
     for (std::size_t k = 0; k < o.x.size(); ++k) {

@@ -8,6 +8,7 @@
 #include <fixtures/displaced.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/polygon_cases.hpp>
+#include <fixtures/transferred.hpp>
 
 using namespace fixtures;
 
@@ -146,17 +147,9 @@ TEST_CASE("polygons: functions are transferred between meshes of polygons") {
     hm_mesh const coarse_view = in_polygons(coarse.mesh_view()),
                   fine_view = in_polygons(fine.mesh_view());
     Solved const source(coarse.problem(coarse_view));
-    Attempt target;
-    REQUIRE(target.analyse(fine.problem(fine_view)));
-    REQUIRE(target.prepare());
-    std::size_t bytes = 0;
-    hm_error error{};
-    REQUIRE(hm_transfer_size(target.analysis, &coarse_view, &bytes, &error) == HM_OK);
-    Guarded work(bytes);
-    auto report = sized<hm_transfer_report>();
-    REQUIRE(hm_transfer(target.basis, work.data(), bytes, target.analysis, source.basis,
-                        &coarse_view, &report, &error) >= HM_OK);
-    CHECK(work.guards_intact());
+    TransferAttempt target;
+    REQUIRE(target.open(fine.problem(fine_view)));
+    REQUIRE(target.fill_from(source.basis, coarse_view));
     Solved const exact(fine.problem(fine_view));
     CHECK(largest_difference(values_of(target.basis, 2), exact.values(2)) < 0.05);
 }

@@ -9,6 +9,7 @@
 #include <fixtures/executors.hpp>
 #include <fixtures/extruded.hpp>
 #include <fixtures/mixed.hpp>
+#include <fixtures/operators.hpp>
 
 #include <set>
 

@@ -4,6 +4,7 @@
 
 #include <fixtures/blocks.hpp>
 #include <fixtures/bodies.hpp>
+#include <fixtures/morphed.hpp>
 
 #include <limits>
 

@@ -126,16 +126,13 @@ TEST_CASE("calls that cannot succeed are refused, and leave their outputs as the
     value.struct_size = sizeof value;
     CHECK(hm_quality_bounds(mesh.quality, &at, 0, &bound, &value, nullptr, nullptr, &error) ==
           HM_BAD_ARGUMENT);
-    CHECK(hm_quality_bounds(nullptr, &at, 1, &bound, &value, nullptr, nullptr, &error) ==
-          HM_BAD_ARGUMENT);
 
     // A start with an inverted cell, and a block one byte too short.
     Field inverted = start;
     inverted[60] += 1.0;
     hm_points const wrong = pairs_in(inverted);
-    std::size_t bytes = 0;
-    REQUIRE(hm_quality_size(mesh.attempt.basis, &mesh.mesh, &bytes, nullptr) == HM_OK);
-    Guarded block(bytes);
+    Guarded block = block_of(hm_quality_size, mesh.attempt.basis, &mesh.mesh);
+    std::size_t const bytes = block.size();
     hm_quality* quality = nullptr;
     CHECK(hm_quality_init(&quality, block.data(), bytes, mesh.attempt.basis, &mesh.mesh, &wrong,
                           &error) == HM_BAD_MESH);

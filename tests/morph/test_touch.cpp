@@ -4,6 +4,7 @@
 
 #include <fixtures/core.hpp>
 #include <fixtures/executors.hpp>
+#include <fixtures/morphed.hpp>
 
 #include "morph/crossing.hpp"
 #include "morph/touch.hpp"

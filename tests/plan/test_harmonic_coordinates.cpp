@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
+#include <fixtures/morphed.hpp>
 
 using namespace fixtures;
 

@@ -47,15 +47,14 @@ TEST_CASE("refused displacements and arguments are named, and nothing is written
     Attempt unsolved = prepared(with_curve.problem());
     CHECK(hm_displace_safe_size(unsolved.plan, unsolved.basis, &bytes, &error) == HM_BAD_BASIS);
     CHECK(hm_displace_safe_size(unsolved.plan, safe.basis, &bytes, &error) == HM_BAD_BASIS);
-    REQUIRE(hm_displace_safe_size(safe.plan, safe.basis, &bytes, &error) == HM_OK);
-    Guarded work(bytes);
+    Guarded work = block_of(hm_displace_safe_size, safe.plan, safe.basis);
     std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
     hm_points const wall = pairs_in(good);
     auto const n = std::int32_t(good.size());
     std::vector<std::int32_t> twice = safe.points;
     twice[1] = twice[0];
     CHECK(hm_displace_safe(safe.plan, safe.basis, nullptr, n, twice.data(), &wall, points_out(x, y),
-                           work.data(), bytes, nullptr, nullptr, &error) == HM_BAD_CONDITION);
+                           work.data(), work.size(), nullptr, nullptr, &error) == HM_BAD_CONDITION);
     CHECK(same_bits(x, setup.mesh.x));
     CHECK(same_bits(y, setup.mesh.y));
 }
