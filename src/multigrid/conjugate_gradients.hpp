@@ -89,6 +89,7 @@ private:
             errors_[k] = infinity;
             scale_[k] = 1;
         }
+        clear(r_);  // Parts without functions are not written below.
         for_parts([&](Index from, Index n) {
             block_.take_right_hand_sides(matrix_, dofs_, from, n, wide());
             const Real* rest = wide();
@@ -201,8 +202,8 @@ private:
 
     template <class After>
     Status iterate(Index& iterations, After const& after) noexcept {
-        std::memset(p_, 0, sizeof(Number) * static_cast<Size>(Offset{n_} * block_.width));
-        std::memset(q_, 0, sizeof(Number) * static_cast<Size>(Offset{n_} * block_.width));
+        clear(p_);
+        clear(q_);
         for (Index k = 0; k < max_width; ++k) along_[k] = 0;
         descend();
         ascend();
@@ -256,6 +257,10 @@ private:
         repeat(update.factor);
     }
 
+    Size vector_bytes() const noexcept {
+        return sizeof(Number) * static_cast<Size>(Offset{n_} * block_.width);
+    }
+    void clear(Number* vector) const noexcept { std::memset(vector, 0, vector_bytes()); }
     void replace() noexcept {
         Choice chosen{};
         bool any = false;
@@ -266,7 +271,7 @@ private:
         if (any) find_residual(chosen);
     }
     void descend() noexcept {
-        std::memcpy(z_, r_, sizeof(Number) * static_cast<Size>(Offset{n_} * block_.width));
+        std::memcpy(z_, r_, vector_bytes());
         cycle_.descend(z_);
     }
     // Completes z = B r. If the residual of a function is small, the largest values of B r and of x
