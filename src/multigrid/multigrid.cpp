@@ -19,10 +19,7 @@ void Multigrid::lay_out_levels(Arena& arena, Index n, Offset entries) noexcept {
 }
 
 void Multigrid::lay_out_work(Arena& arena, Index n, Offset entries) noexcept {
-    Size const shared = arena.mark();
     levels.lay_out_work(arena, n, entries);
-    arena.release(shared);
-    arena.take(loads_, n + CoarsePoints::coarse_points(n));
 }
 
 void Multigrid::lay_out_vectors(Arena& arena, Index n) noexcept {
@@ -39,7 +36,7 @@ Status Multigrid::set_up(SymmetricRows const& finest, ImaginaryRows const& imagi
     has_bottom = levels.n(levels.count - 1) <= CoarsePoints::coarsest;
     if (has_bottom && !factor_bottom()) return refuse_row(0, fault);
     is_single = has_bottom && levels.count > 1 && fits_single() &&
-                estimate_condition() <= largest_single_condition;
+                find_disturbance() <= largest_disturbance;
     find_reach();
     if (is_single) round_levels();
     return Status::ok;
@@ -58,7 +55,7 @@ bool Multigrid::factor_bottom() noexcept {
 }
 
 // Returns whether no product of the preconditioner leaves the range of single precision, 1e-38 ..
-// 3e38: residuals are scaled to 1, and the condition number is at most largest_single_condition.
+// 3e38: residuals are scaled to 1, and disturbances are limited, too.
 bool Multigrid::fits_single() const noexcept {
     constexpr Real largest = 1e10;
     for (Real const one : levels.finest.diagonal) {
@@ -67,30 +64,20 @@ bool Multigrid::fits_single() const noexcept {
     return true;
 }
 
-// Returns an estimate of 1 / the smallest eigenvalue of D^-1 A: (d.A^-1 d) / (1.d), where d is the
-// diagonal, and the coarsest level stands for A^-1.
-Real Multigrid::estimate_condition() noexcept {
-    Span<Real> load = loads_.first(levels.finest.n);
-    copy(load, Span<const Real>(levels.finest.diagonal));
-    Real sum = 0;
-    for (Real const one : load) sum += one;
-    Offset used = 0;
-    for (Index l = 0; l + 1 < levels.count; ++l) {
-        Span<Real> const finer = load;
-        used += levels.n(l);
-        load = loads_.from(used, levels.n(l + 1));
-        fill(load, 0.0);
-        Prolongation const& by = levels.finer[l];
-        for (Index i = 0; i < levels.n(l); ++i) {
-            for (Offset e = by.start[i]; e < by.start[i + 1]; ++e)
-                load[by.column[e]] += by.weight[e] * finer[i];
-        }
+// Returns the energy of a rough vector whose values are about 1, relative to the smallest energy of
+// a vector of the coarsest level that has the value 1 at a point. That energy is 1 / the diagonal
+// of the inverse of the coarsest matrix.
+Real Multigrid::find_disturbance() const noexcept {
+    Real rough = 0, softest = 0;
+    for (Real const one : levels.finest.diagonal) rough += one;
+    Size const n = levels.coarse[levels.count - 1].diagonal.size();
+    for (Size point = 0; point < n; ++point) {
+        Real column[CoarsePoints::coarsest] = {};
+        column[point] = 1;
+        bottom.solve({column, n});
+        softest = max(softest, column[point]);
     }
-    Real solution[CoarsePoints::coarsest], energy = 0;
-    copy(Span<Real>(solution, load.size()), Span<const Real>(load));
-    bottom.solve({solution, load.size()});
-    for (Size i = 0; i < load.size(); ++i) energy += solution[i] * load[i];
-    return energy / sum;
+    return rough * softest;
 }
 
 void Multigrid::find_reach() noexcept {

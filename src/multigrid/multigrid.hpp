@@ -13,19 +13,19 @@ namespace harmorph {
 
 // All vectors are in single precision but for the solutions, which are corrected in double
 // precision; residuals are computed in double precision from time to time. Rounding to single
-// precision disturbs smooth vectors by rough ones of relative size 6e-8, whose energy is larger by
-// the condition number of D^-1 A, where D is the diagonal of A. In thin cells this number may be so
-// large that the disturbance has more energy than the vector. All vectors are then in double
-// precision, with half as many functions at a time, so that they fit into the same memory.
+// precision disturbs smooth vectors by rough ones of relative size 6e-8. In thin cells, and where
+// weights differ by many orders of magnitude, the energy of a rough vector may be so much larger
+// that the disturbance has more energy than the vector. All vectors are then in double precision,
+// with half as many functions at a time, so that they fit into the same memory.
 //
 // If the matrix is Hermitian, the levels are those of its real part, which is positive definite,
 // too: x.Re(A) x = x.A x for a real vector x. The preconditioner treats the real and the imaginary
 // parts of half as many functions as so many real vectors.
 struct Multigrid : BlockIteration {
     static constexpr Index default_iterations = 200, default_width = 8;
-    // In trials, single and double precision took equally many iterations up to a condition number
-    // of 1e7; from 6e8 on, single precision took up to 2.4 times as many.
-    static constexpr Real largest_single_condition = 1e8;
+    // See find_disturbance(). In trials, single precision took at most one iteration more than
+    // double precision up to 1e10, and up to five more, of 16, from there to 2e11.
+    static constexpr Real largest_disturbance = 1e10;
 
     CoarsePoints levels;
     ImaginaryRows imaginary;
@@ -70,11 +70,9 @@ private:
                       IterationReport& report, Fault& fault) const noexcept;
     bool factor_bottom() noexcept;
     bool fits_single() const noexcept;
-    Real estimate_condition() noexcept;
+    Real find_disturbance() const noexcept;
     void find_reach() noexcept;
     void round_levels() noexcept;
-
-    Span<Real> loads_;  // [n] of all levels, for estimate_condition()
 };
 
 }  // namespace harmorph
