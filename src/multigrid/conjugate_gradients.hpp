@@ -1,7 +1,7 @@
-// Conjugate gradients in the precision of the V-cycle for a block of functions, with residuals
-// that are replaced by those in double precision. tests/multigrid/test_multigrid.cpp covers this
-// file. Source: G. L. G. Sleijpen, H. A. van der Vorst, Computing 56 (1996) 141 (reliable updates
-// of the residual).
+// Flexible conjugate gradients in the precision of the V-cycle for a block of functions, with
+// residuals that are replaced by those in double precision. tests/multigrid/test_multigrid.cpp
+// covers this file. Source: G. L. G. Sleijpen, H. A. van der Vorst, Computing 56 (1996) 141
+// (reliable updates of the residual).
 #pragma once
 
 #include "base/flush_denormals.hpp"
@@ -11,9 +11,9 @@ namespace harmorph {
 
 // Solves for functions first .. first + width - 1 of the values. The solution x is in double
 // precision, and is stored where the values are; the right-hand sides follow from the values on the
-// wall. The vectors r, p and z are in the precision of Number; those of a function are multiplied
-// by a power of two, `scale`, that keeps them within the range of Number. Nothing that happens to a
-// function depends on the other functions of the block.
+// wall. The vectors r, p, q = A p and z are in the precision of Number; those of a function are
+// multiplied by a power of two, `scale`, that keeps them within the range of Number. Nothing that
+// happens to a function depends on the other functions of the block.
 template <class Number>
 class ConjugateGradients {
     static constexpr Index max_width = FunctionBlock::max_width;
@@ -89,6 +89,7 @@ private:
             errors_[k] = infinity;
             scale_[k] = 1;
         }
+        clear(r_);  // Parts without functions are not written below.
         for_parts([&](Index from, Index n) {
             block_.take_right_hand_sides(matrix_, dofs_, from, n, wide());
             const Real* rest = wide();
@@ -201,8 +202,8 @@ private:
 
     template <class After>
     Status iterate(Index& iterations, After const& after) noexcept {
-        std::memset(p_, 0, sizeof(Number) * static_cast<Size>(Offset{n_} * block_.width));
-        std::memset(q_, 0, sizeof(Number) * static_cast<Size>(Offset{n_} * block_.width));
+        clear(p_);
+        clear(q_);
         for (Index k = 0; k < max_width; ++k) along_[k] = 0;
         descend();
         ascend();
@@ -256,6 +257,10 @@ private:
         repeat(update.factor);
     }
 
+    Size vector_bytes() const noexcept {
+        return sizeof(Number) * static_cast<Size>(Offset{n_} * block_.width);
+    }
+    void clear(Number* vector) const noexcept { std::memset(vector, 0, vector_bytes()); }
     void replace() noexcept {
         Choice chosen{};
         bool any = false;
@@ -266,7 +271,7 @@ private:
         if (any) find_residual(chosen);
     }
     void descend() noexcept {
-        std::memcpy(z_, r_, sizeof(Number) * static_cast<Size>(Offset{n_} * block_.width));
+        std::memcpy(z_, r_, vector_bytes());
         cycle_.descend(z_);
     }
     // Completes z = B r. If the residual of a function is small, the largest values of B r and of x
