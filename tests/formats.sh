@@ -33,6 +33,18 @@ alike() { # alike TOLERANCE A B: all numbers of two files are the same to this t
               if (d > eps || -d > eps || (is_text && a[k] "" != $k "")) { bad = 1; exit } } }
         END { exit bad || FNR != n }' "$2" "$3"
 }
+# morphs WHAT MESH BODY [OPTIONS of solve...]: fit, solve, morph without and with movements; leaves $moved.
+morphs() {
+    name=$1 given=$2 body=$3 moved=$(dirname "$2")/moved-$(basename "$2"); shift 3
+    check "$name: check" "$harmorph" check "$given"
+    check "$name: fit" "$harmorph" fit "$given" --marker "$body" --points 8 -o "$tmp/curve"
+    check "$name: solve" "$harmorph" solve "$given" --curve "$body=$tmp/curve" "$@" -o "$tmp/basis"
+    check "$name: zero move" "$harmorph" morph "$given" "$tmp/basis" --move "$tmp/none.txt" -o "$moved"
+    check "$name: zero move: the same file" cmp "$given" "$moved"
+    check "$name: morph" "$harmorph" morph "$given" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved"
+    check "$name: morph: another file" sh -c "! cmp -s '$given' '$moved'"
+    check "$name: check the morphed" "$harmorph" check "$moved"
+}
 body_of() { # the markers of the ring's inner circle, with commas
     "$harmorph" check "$@" --json 2>/dev/null | grep -o '"name": "[^"]*"' | sed 's/.*: "//; s/"//' |
         grep -E '^(body|zone:16|1|boundary1|[0-9]:[jk]min)$' | paste -s -d , -
@@ -40,11 +52,15 @@ body_of() { # the markers of the ring's inner circle, with commas
 
 has_zlib() { grep -e '-lz' "$(dirname "$harmorph")/objects/program.list" >/dev/null 2>&1; }
 
-check "make_mesh is compiled" $CXX -std=c++17 -O0 -o "$tmp/make_mesh" tests/formats/make_mesh.cpp
+for name in make_mesh make_foam; do
+    printf '#!/bin/sh\nPYTHONDONTWRITEBYTECODE=1 exec "%s" "%s" "$@"\n' "${PYTHON:-/usr/bin/python3}" \
+        "$(pwd)/tests/formats/$name.py" >"$tmp/$name"
+    chmod +x "$tmp/$name"
+done
 make_mesh=$tmp/make_mesh
 awk 'BEGIN { for (i = 1; i <= 8; i++) print i, .3, .1 }' >"$tmp/moves.txt"
 echo "# nothing moves" >"$tmp/none.txt"
-check "make_foam is compiled" $CXX -std=c++17 -O0 -o "$tmp/make_foam" tests/formats/make_foam.cpp
+check "make_mesh runs" "$make_mesh" list
 for kind in $("$make_mesh" list); do "$make_mesh" $kind "$tmp/$kind"; done
 # The plain file, morphed: what all formats have to agree with.
 cp "$tmp/plain.su2" "$tmp/ring.su2"

@@ -1,5 +1,5 @@
-/* A problem that every process makes for itself: an O-mesh round an ellipse, its wall on a periodic
- * cubic; and the way to a basis. Whatever is refused ends all processes with the reason. */
+/* A problem that every process makes for itself, an O-mesh round an ellipse with the wall on a
+ * periodic cubic, and the calls up to a basis. A refusal ends all processes with the reason. */
 #ifndef MPI_CASE_H
 #define MPI_CASE_H
 
@@ -36,7 +36,7 @@ static void* room(size_t bytes) {
     return block;
 }
 
-static void make_case(problem_case* its, int32_t ni, int32_t nj, int32_t n_functions,
+static void make_case(problem_case* made, int32_t ni, int32_t nj, int32_t n_functions,
                       int32_t operator_kind) {
     hm_mesh mesh = {sizeof mesh};
     hm_fit_options fit = {sizeof fit};
@@ -46,57 +46,57 @@ static void make_case(problem_case* its, int32_t ni, int32_t nj, int32_t n_funct
     hm_error error;
     size_t bytes;
     int32_t i, j;
-    its->n_points = ni * nj;
-    its->n_functions = n_functions;
-    its->x = room(sizeof *its->x * (size_t)its->n_points);
-    its->y = room(sizeof *its->y * (size_t)its->n_points);
-    its->lists = room(sizeof *its->lists * 2 * (size_t)ni);
+    made->n_points = ni * nj;
+    made->n_functions = n_functions;
+    made->x = room(sizeof *made->x * (size_t)made->n_points);
+    made->y = room(sizeof *made->y * (size_t)made->n_points);
+    made->lists = room(sizeof *made->lists * 2 * (size_t)ni);
     for (j = 0; j < nj; ++j) {
         for (i = 0; i < ni; ++i) {
             const double angle = 6.283185307179586 * (i % (ni - 1)) / (ni - 1),
                          r = exp(3.0 * j / (nj - 1));
-            its->x[i + ni * j] = (r + 0.6 / r) * cos(angle);
-            its->y[i + ni * j] = (r - 0.6 / r) * sin(angle);
+            made->x[i + ni * j] = (r + 0.6 / r) * cos(angle);
+            made->y[i + ni * j] = (r - 0.6 / r) * sin(angle);
         }
     }
     for (i = 0; i < ni; ++i) {
-        its->lists[i] = i;
-        its->lists[ni + i] = i + ni * (nj - 1);
+        made->lists[i] = i;
+        made->lists[ni + i] = i + ni * (nj - 1);
     }
-    its->start[0] = 0;
-    its->start[1] = ni;
-    its->start[2] = 2 * ni;
-    its->markers[0] = WALL;
-    its->markers[1] = FAR_FIELD;
-    mesh.n_points = its->n_points;
-    mesh.points.x = its->x;
-    mesh.points.y = its->y;
+    made->start[0] = 0;
+    made->start[1] = ni;
+    made->start[2] = 2 * ni;
+    made->markers[0] = WALL;
+    made->markers[1] = FAR_FIELD;
+    mesh.n_points = made->n_points;
+    mesh.points.x = made->x;
+    mesh.points.y = made->y;
     mesh.cell_layout = HM_CELLS_STRUCTURED;
     mesh.ni = ni;
     mesh.nj = nj;
     mesh.n_lists = 2;
-    mesh.list_start = its->start;
-    mesh.list_points = its->lists;
-    mesh.list_markers = its->markers;
-    its->mesh = mesh;
+    mesh.list_start = made->start;
+    mesh.list_points = made->lists;
+    mesh.list_markers = made->markers;
+    made->mesh = mesh;
     fit.n_control = n_functions;
     fit.closed = HM_PERIODIC;
-    its->fit = fit;
+    made->fit = fit;
     need(hm_fit_size(ni - 1, &fit, &bytes, &error), &error);
-    need(hm_fit(&its->curves, room(bytes), bytes, &(hm_points){its->x, its->y, 1}, ni - 1, 1, &fit,
-                NULL, &error),
+    need(hm_fit(&made->curves, room(bytes), bytes, &(hm_points){made->x, made->y, 1}, ni - 1, 1,
+                &fit, NULL, &error),
          &error);
     on_curve.marker = WALL;
     on_curve.kind = HM_ON_CURVE;
     on_curve.n_curves = 1;
-    its->on_curve = on_curve;
-    problem.mesh = &its->mesh;
-    problem.curves = its->curves;
+    made->on_curve = on_curve;
+    problem.mesh = &made->mesh;
+    problem.curves = made->curves;
     problem.n_conditions = 1;
-    problem.conditions = &its->on_curve;
-    its->problem = problem;
+    problem.conditions = &made->on_curve;
+    made->problem = problem;
     options.operator_kind = operator_kind;
-    its->options = options;
+    made->options = options;
 }
 
 /* The stages before the solution, and their blocks. */
@@ -107,25 +107,25 @@ typedef struct solver {
     size_t bytes; /* of both */
 } solver;
 
-static void make_solver(solver* its, const problem_case* of) {
+static void make_solver(solver* made, const problem_case* setup) {
     hm_error error;
     size_t bytes;
-    need(hm_analysis_size(&of->problem, &of->options, &bytes, &error), &error);
-    its->bytes = bytes;
-    its->analysis_block = room(bytes);
-    need(hm_analysis_init(&its->analysis, its->analysis_block, bytes, &of->problem, &of->options,
-                          &error),
+    need(hm_analysis_size(&setup->problem, &setup->options, &bytes, &error), &error);
+    made->bytes = bytes;
+    made->analysis_block = room(bytes);
+    need(hm_analysis_init(&made->analysis, made->analysis_block, bytes, &setup->problem,
+                          &setup->options, &error),
          &error);
-    need(hm_plan_size(its->analysis, &bytes, &error), &error);
-    its->bytes += bytes;
-    its->plan_block = room(bytes);
-    need(hm_plan_init(&its->plan, its->plan_block, bytes, its->analysis, &error), &error);
-    need(hm_plan_factor(its->plan, NULL, &error), &error);
+    need(hm_plan_size(made->analysis, &bytes, &error), &error);
+    made->bytes += bytes;
+    made->plan_block = room(bytes);
+    need(hm_plan_init(&made->plan, made->plan_block, bytes, made->analysis, &error), &error);
+    need(hm_plan_factor(made->plan, NULL, &error), &error);
 }
 
-static void free_solver(solver* its) {
-    free(its->analysis_block);
-    free(its->plan_block);
+static void free_solver(solver* made) {
+    free(made->analysis_block);
+    free(made->plan_block);
 }
 
 /* Functions first .. first+n-1, solved, in a block of their own. */

@@ -239,10 +239,10 @@ typedef struct attempt {
     void* block; /* of fresh rows for an exchange, or NULL */
 } attempt;
 
-static void make_right(attempt* its, hm_status (*call)(const arguments*, hm_error*)) {
-    arguments* const a = &its->a;
+static void make_right(attempt* made, hm_status (*call)(const arguments*, hm_error*)) {
+    arguments* const a = &made->a;
     int32_t k;
-    memset(its, 0, sizeof *its);
+    memset(made, 0, sizeof *made);
     a->n = own_points(N_I * N_J, points);
     for (k = 0; k < a->n; ++k) other_points[k] = points[a->n - 1 - k];
     a->n_wall = own_points(N_I, wall_points);
@@ -252,24 +252,24 @@ static void make_right(attempt* its, hm_status (*call)(const arguments*, hm_erro
         for (k = 0; k < a->n_wall; ++k) spoiled[2 * k] = spoiled[2 * k + 1] = 1e-3;
     }
     for (k = 0; k < 2; ++k) {
-        its->field[k] = (hm_points){spoiled, spoiled + 1, 2};
-        its->to[k] = (hm_points_out){results, results + N_I * N_J, 1};
+        made->field[k] = (hm_points){spoiled, spoiled + 1, 2};
+        made->to[k] = (hm_points_out){results, results + N_I * N_J, 1};
     }
-    its->from = (hm_points){x, y, 1};
+    made->from = (hm_points){x, y, 1};
     a->share = share;
-    a->rows = call == exchange ? extract(share, a->n, points, &its->block) : rows;
+    a->rows = call == exchange ? extract(share, a->n, points, &made->block) : rows;
     a->points = points;
     a->wall_points = wall_points;
     a->n_fields = 1;
     a->root = size - 1;
-    a->field = its->field;
-    a->from = &its->from;
-    a->to = its->to;
+    a->field = made->field;
+    a->from = &made->from;
+    a->to = made->to;
     a->gradient = results;
     a->plan = rank == size - 1 ? with.plan : NULL;
-    a->field_of_one = its->field[0];
-    a->from_of_one = its->from;
-    a->to_of_one = its->to[0];
+    a->field_of_one = made->field[0];
+    a->from_of_one = made->from;
+    a->to_of_one = made->to[0];
 }
 
 static void check_right_calls(void) {

@@ -57,7 +57,7 @@ public:
         for (Index descents = 0; descents < 3 && iterations < engine_.iteration.max_iterations;
              ++descents) {
             HARMORPH_TRY(iterate(iterations, after));
-            find_residual(every());
+            find_residual(Choice::every());
             for (Index k = 0; k < columns(); ++k) is_confirmed_[k] = is_done(k);
             if (converged()) break;
             for (Index k = 0; k < columns(); ++k)
@@ -70,16 +70,9 @@ public:
     }
 
 private:
-    struct Choice {
-        bool column[max_width];
-    };
+    using Choice = FunctionBlock::Choice;
     // Functions are counted by the columns of their real parts.
     Index columns() const noexcept { return block_.plane_width(); }
-    Choice every() const noexcept {
-        Choice out;
-        for (bool& one : out.column) one = true;
-        return out;
-    }
     // Copies numbers of functions to those of their imaginary parts.
     template <class Of>
     void repeat(Of (&numbers)[max_width]) const noexcept {
@@ -97,7 +90,7 @@ private:
             scale_[k] = 1;
         }
         for_parts([&](Index from, Index n) {
-            take_right_hand_sides(from, n);
+            block_.take_right_hand_sides(matrix_, dofs_, from, n, wide());
             const Real* rest = wide();
             for (Index i = 0; i < n_; ++i) {
                 for (Index plane = 0; plane < block_.planes; ++plane) {
@@ -117,8 +110,8 @@ private:
         });
         for (Index k = 0; k < columns(); ++k)
             first_squares_[k] = replaced_squares_[k] = squares_[k];
-        if (!dofs_.is_start) return clear_values(every());
-        find_residual(every());
+        if (!dofs_.is_start) return block_.clear(n_, Choice::every());
+        find_residual(Choice::every());
         // A function starts from its value if the energy of the error, x.A x - 2 b.x but for a
         // constant, is less than that of the start 0. A value that is no number is no such start.
         Choice is_worse;
@@ -128,19 +121,10 @@ private:
             any = any || is_worse.column[k];
         }
         if (!any) return;
-        clear_values(is_worse);
+        block_.clear(n_, is_worse);
         for (Index k = 0; k < columns(); ++k)
             if (is_worse.column[k]) squares_[k] = first_squares_[k];
         find_residual(is_worse);
-    }
-
-    void clear_values(Choice const& chosen) const noexcept {
-        for (Index i = 0; i < n_; ++i) {
-            for (Index plane = 0; plane < block_.planes; ++plane) {
-                Real* const x = block_.values[i] + plane * block_.values.plane + block_.first;
-                for (Index k = 0; k < block_.functions; ++k) x[k] = chosen.column[k] ? 0 : x[k];
-            }
-        }
     }
 
     // The array z is working space for residuals in double precision, with as many columns as fit.
@@ -151,36 +135,6 @@ private:
         constexpr Index numbers = sizeof(Real) / sizeof(Number);
         Index const n = columns() / numbers;
         for (Index from = 0; from < columns() && from < block_.functions; from += n) body(from, n);
-    }
-    void take_right_hand_sides(Index from, Index n) const noexcept {
-        Index const planes = block_.planes, row = n * planes,
-                    count = clamp(block_.functions - from, Index{0}, n);
-        Real* const rest = wide();
-        std::memset(rest, 0, sizeof(Real) * static_cast<Size>(Offset{n_} * row));
-        auto const number = [&](const Real* of, Index plane, Index k) {
-            return of[plane * block_.values.plane + block_.first + from + k];
-        };
-        for (Index i = 0; i < n_ && dofs_.source != nullptr; ++i) {
-            for (Index plane = 0; plane < planes; ++plane) {
-                for (Index k = 0; k < count; ++k)
-                    rest[Offset{i} * row + plane * n + k] = number(dofs_.source_at(i), plane, k);
-            }
-        }
-        for (Index wall = 0; wall + 1 < matrix_.coupling_start.count(); ++wall) {
-            const Real* const known = dofs_.wall(wall);
-            for (Index c = matrix_.coupling_start[wall]; c < matrix_.coupling_start[wall + 1];
-                 ++c) {
-                Real* const to = rest + Offset{matrix_.coupling_row[c]} * row;
-                Real const re = matrix_.coupling_value[c];
-                for (Index k = 0; k < count; ++k) {
-                    to[k] -= re * number(known, 0, k);
-                    if (planes == 1) continue;
-                    Real const im = matrix_.coupling_imaginary[c];
-                    to[k] += im * number(known, 1, k);
-                    to[k + n] -= re * number(known, 1, k) + im * number(known, 0, k);
-                }
-            }
-        }
     }
     // Returns a power of two that makes a vector with this squared norm about 1 long.
     static Real factor_for(Real squares) noexcept {
@@ -203,7 +157,7 @@ private:
             bool any = false;
             for (Index k = from; k < from + n; ++k) any = any || chosen.column[k];
             if (!any) return;
-            take_right_hand_sides(from, n);
+            block_.take_right_hand_sides(matrix_, dofs_, from, n, wide());
             task.begin = from;
             task.columns = n;
             cycle_.find_residual(block_, task);
@@ -329,18 +283,7 @@ private:
         if (any_small) find_largest();
     }
     void find_largest() noexcept {
-        for (Index k = 0; k < columns(); ++k) errors_[k] = sizes_[k] = 0;
-        for (Index i = 0; i < n_; ++i) {
-            const Number* const z = z_ + Offset{i} * block_.width;
-            for (Index plane = 0; plane < block_.planes; ++plane) {
-                const Real* const x = block_.values[i] + plane * block_.values.plane + block_.first;
-                for (Index k = 0; k < block_.functions; ++k) {
-                    Real const error = abs(Real{z[plane * columns() + k]}), size = abs(x[k]);
-                    errors_[k] = exceeds(error, errors_[k]) ? error : errors_[k];
-                    sizes_[k] = exceeds(size, sizes_[k]) ? size : sizes_[k];
-                }
-            }
-        }
+        block_.find_largest(n_, z_, errors_, sizes_);
         for (Index k = 0; k < columns(); ++k) errors_[k] /= scale_[k];
     }
 

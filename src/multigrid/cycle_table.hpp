@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/kernel.hpp"
-#include "base/row_view.hpp"
+#include "multigrid/function_block.hpp"
 #include "operators/symmetric_matrix.hpp"
 
 namespace harmorph {
@@ -23,20 +23,6 @@ struct CycleLevel {
     const Offset* by_start = nullptr;
     const Index* by_column = nullptr;
     const Number* by_weight = nullptr;
-};
-
-// A block of functions. The `width` numbers of a row stand side by side in the vectors; in complex
-// blocks the first half are real parts, and the other half are imaginary parts.
-struct FunctionBlock {
-    static constexpr Index max_width = 16;
-
-    Index width = 0;
-    Index planes = 1;     // 2 if the block is complex.
-    Rows values;          // The solutions of all functions.
-    Index first = 0;      // The number of the first function of the block.
-    Index functions = 0;  // So many functions exist; columns of the block behind them are 0.
-
-    Index plane_width() const noexcept { return width / planes; }
 };
 
 template <class Number>

@@ -108,9 +108,10 @@ def write_vtk(coding, path):
             "appended": ("Appended", 1, "None"), "appended-zlib": ("Appended", 1, "ZLib"),
             "raw-zlib": ("Appended", 0, "ZLib"), "lz4": ("Appended", 0, "LZ4"),
             "second": ("Appended", 0, "ZLib"), "thick": ("Appended", 1, "None"), "ascii": ("Ascii", 0, "None"),
-            "raw": ("Appended", 0, "None"), "ghosts": ("Ascii", 0, "None")}[coding]
+            "raw": ("Appended", 0, "None"), "raw-64": ("Appended", 0, "None"), "ghosts": ("Ascii", 0, "None")}[coding]
         getattr(writer, "SetDataModeTo" + mode)()
         writer.SetEncodeAppendedData(encoded)
+        if coding == "raw-64": writer.SetHeaderTypeToUInt64()
         getattr(writer, "SetCompressorTypeTo" + compressor)()
         writer.SetBlockSize(1 << 15)
     if not path.endswith(".pvtu"): writer.SetInputData(grid)

@@ -1,18 +1,6 @@
 # Files of other programs: what gmsh, meshio and VTK write is read, morphed, and read again by them; and small files as
 # other programs write them. (A part of tests/formats.sh.)
 python() { /usr/bin/python3 tests/formats/dialects.py "$@"; }
-# morphs WHAT MESH BODY: fit, solve, morph without and with movements; leaves $moved.
-morphs() {
-    moved=$(dirname "$2")/moved-$(basename "$2")
-    check "$1: check" "$harmorph" check "$2"
-    check "$1: fit" "$harmorph" fit "$2" --marker "$3" --points 8 -o "$tmp/curve"
-    check "$1: solve" "$harmorph" solve "$2" --curve "$3=$tmp/curve" -o "$tmp/basis"
-    check "$1: zero move" "$harmorph" morph "$2" "$tmp/basis" --move "$tmp/none.txt" -o "$moved"
-    check "$1: zero move: the same file" cmp "$2" "$moved"
-    check "$1: morph" "$harmorph" morph "$2" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved"
-    check "$1: morph: another file" sh -c "! cmp -s '$2' '$moved'"
-    check "$1: check the morphed" "$harmorph" check "$moved"
-}
 
 # ---- Gmsh ----
 if python has gmsh 2>/dev/null; then
@@ -83,7 +71,7 @@ else
     echo "meshio is not installed: its dialects are not tested (Debian's python3-meshio)"
 fi
 if python has vtk 2>/dev/null; then
-    for coding in binary binary-zlib appended appended-zlib raw-zlib second thick; do
+    for coding in ascii binary binary-zlib appended appended-zlib raw raw-64 raw-zlib second thick; do
         case $coding in *zlib | second) has_zlib || continue ;; esac
         check "VTK's VTU, $coding: is written" python vtk $coding "$tmp/vtk.vtu"
         morphs "VTK's VTU, $coding" "$tmp/vtk.vtu" boundary1

@@ -40,16 +40,8 @@ refuses "fluent: cut off" 'bad.msh:6: this bracket is not closed before the end 
 says "fluent: prisms of polygons: cells" '"cells": 72'
 says "fluent: prisms of polygons: the planes are no markers" \
     '[{"name": "body", "faces": 24}, {"name": "far", "faces": 24}]'
-check "fluent: prisms of polygons: fit" "$harmorph" fit "$tmp/fluent-polygons.msh" --marker body --points 8 \
-    -o "$tmp/curve"
-check "fluent: prisms of polygons: solve" "$harmorph" solve "$tmp/fluent-polygons.msh" --curve "body=$tmp/curve" \
-    -o "$tmp/basis"
-check "fluent: prisms of polygons: zero move" "$harmorph" morph "$tmp/fluent-polygons.msh" "$tmp/basis" \
-    --move "$tmp/none.txt" -o "$tmp/moved.msh"
-check "fluent: prisms of polygons: the same file" cmp "$tmp/fluent-polygons.msh" "$tmp/moved.msh"
-check "fluent: prisms of polygons: morph" "$harmorph" morph "$tmp/fluent-polygons.msh" "$tmp/basis" \
-    --move "$tmp/moves.txt" -o "$tmp/moved.msh"
-sed 1,2d "$tmp/moved.msh" | awk 'NF == 1 { v[n++] = $1 } END {   # both planes move alike
+morphs "fluent: prisms of polygons" "$tmp/fluent-polygons.msh" body
+sed 1,2d "$moved" | awk 'NF == 1 { v[n++] = $1 } END {   # both planes move alike
         for (k = 0; k < 504; k++) if (k % 3 < 2 && v[k] != v[k + 504]) exit 1
         exit n < 1008 }'
 passes "fluent: prisms of polygons: both planes move alike" $?

@@ -29,27 +29,20 @@ END
         set -- $variant
         mesh=$tmp/gmsh-$1-$2-$3.msh
         check "gmsh: writes $variant" gmsh -2 "$tmp/two.geo" -format $1 -setnumber Mesh.Binary $2 -order $3 -o "$mesh"
-        check "gmsh $variant: fit" "$harmorph" fit "$mesh" --marker body --points 8 -o "$tmp/curve"
-        check "gmsh $variant: solve" "$harmorph" solve "$mesh" --curve "body=$tmp/curve" -o "$tmp/basis"
-        check "gmsh $variant: zero move" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/none.txt" \
-            -o "$mesh.same.msh"
-        check "gmsh $variant: zero move: the same file" cmp "$mesh" "$mesh.same.msh"
-        check "gmsh $variant: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$mesh.moved.msh"
-        gmsh -check "$mesh.moved.msh" >"$tmp/gmsh" 2>&1
+        morphs "gmsh $variant" "$mesh" body
+        gmsh -check "$moved" >"$tmp/gmsh" 2>&1
         check "gmsh $variant: gmsh finds nothing wrong" sh -c "! grep -E 'Error|Warning' '$tmp/gmsh'"
     done
     # PLOT3D, of which gmsh reads text: all points of the morphed file, where the file has them.
     mesh=$tmp/text-k.p3d
-    check "gmsh plot3d: fit" "$harmorph" fit "$mesh" --marker 1:jmin --points 8 -o "$tmp/curve"
-    check "gmsh plot3d: solve" "$harmorph" solve "$mesh" --curve "1:jmin=$tmp/curve" -o "$tmp/basis"
-    check "gmsh plot3d: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/moved.p3d"
-    check "gmsh plot3d: is read" gmsh -0 -v 2 "$tmp/moved.p3d" -save -format msh22 -o "$tmp/of-gmsh.msh"
+    morphs "gmsh plot3d" "$mesh" 1:jmin
+    check "gmsh plot3d: is read" gmsh -0 -v 2 "$moved" -save -format msh22 -o "$tmp/of-gmsh.msh"
     check "gmsh plot3d: no error" sh -c "! grep -E 'Error|Warning' '$tmp/out'"
     sed '1,/^\$Nodes/d; /^\$EndNodes/,$d' "$tmp/of-gmsh.msh" | awk 'NF == 4 { print $2, $3, $4 }' | sort >"$tmp/a"
     awk '{ for (k = 1; k <= NF; k++) word[n++] = $k }
         END {
             for (k = 0; k < 350; k++) print word[4 + k] + 0, word[354 + k] + 0, word[704 + k] + 0
-        }' "$tmp/moved.p3d" | sort >"$tmp/b"
+        }' "$moved" | sort >"$tmp/b"
     check "gmsh plot3d: 350 points" sh -c "test \$(wc -l <'$tmp/a') -eq 350"
     awk '{ x += $1; y += $2; z += $3 } END { print x, y, z }' "$tmp/a" >"$tmp/sum-a"
     awk '{ x += $1; y += $2; z += $3 } END { print x, y, z }' "$tmp/b" >"$tmp/sum-b"

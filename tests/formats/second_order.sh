@@ -3,14 +3,9 @@
 order2() { "${PYTHON:-/usr/bin/python3}" tests/formats/second_order.py "$@"; }
 # moves_by_law WHAT PACKAGE KIND MESH BODY
 moves_by_law() {
-    check "$1: check" "$harmorph" check "$4"
-    check "$1: fit" "$harmorph" fit "$4" --marker "$5" --points 8 -o "$tmp/curve"
-    check "$1: solve" "$harmorph" solve "$4" --curve "$5=$tmp/curve" -o "$tmp/basis"
-    moved=$tmp/moved-$(basename "$4")
-    check "$1: zero move" "$harmorph" morph "$4" "$tmp/basis" --move "$tmp/none.txt" -o "$moved"
-    check "$1: zero move: the same file" cmp "$4" "$moved"
-    check "$1: morph" "$harmorph" morph "$4" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved"
-    check "$1: nodes move by the law" order2 law $2 $3 "$4" "$moved"
+    what=$1 package=$2 kind=$3 before=$4
+    morphs "$what" "$before" "$5"
+    check "$what: nodes move by the law" order2 law $package $kind "$before" "$moved"
 }
 if order2 text 25 "$tmp/order2.vtk" 2>/dev/null; then
     for type in 25 26; do

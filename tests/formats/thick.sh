@@ -28,20 +28,15 @@ turned() {
 }
 # moves_as_plane WHAT MESH BODY: the mesh moves as the mesh of its plane does in a file of its own.
 moves_as_plane() {
-    mesh=$2 moved=$tmp/thick-moved.${2##*.}
-    check "$1: check" "$harmorph" check "$mesh" --json
-    check "$1: fit" "$harmorph" fit "$mesh" --marker "$3" --points 8 -o "$tmp/curve"
-    check "$1: solve" "$harmorph" solve "$mesh" --curve "$3=$tmp/curve" $4 -o "$tmp/basis"
-    check "$1: zero move" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/none.txt" -o "$moved"
-    check "$1: zero move: the same file" cmp "$mesh" "$moved"
-    check "$1: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved"
-    check "$1: morph: the mesh moved" sh -c "! cmp -s '$mesh' '$moved'"
-    check "$1: the plane before" "$harmorph" convert "$mesh" "$tmp/before.su2"
-    check "$1: the plane after" "$harmorph" convert "$moved" "$tmp/after.su2"
-    check "$1: solve the plane" "$harmorph" solve "$tmp/before.su2" --curve "$3=$tmp/curve" $4 -o "$tmp/basis"
-    check "$1: morph the plane" "$harmorph" morph "$tmp/before.su2" "$tmp/basis" --move "$tmp/moves.txt" \
+    what=$1 mesh=$2 marker=$3 slip=$4
+    morphs "$what" "$mesh" "$marker" $slip
+    check "$what: the plane before" "$harmorph" convert "$mesh" "$tmp/before.su2"
+    check "$what: the plane after" "$harmorph" convert "$moved" "$tmp/after.su2"
+    check "$what: solve the plane" "$harmorph" solve "$tmp/before.su2" --curve "$marker=$tmp/curve" $slip \
+        -o "$tmp/basis"
+    check "$what: morph the plane" "$harmorph" morph "$tmp/before.su2" "$tmp/basis" --move "$tmp/moves.txt" \
         -o "$tmp/plane.su2"
-    check "$1: moves as its plane" alike 1e-12 "$tmp/after.su2" "$tmp/plane.su2"
+    check "$what: moves as its plane" alike 1e-12 "$tmp/after.su2" "$tmp/plane.su2"
 }
 for how in inclined wedge; do
     for file in text-k.p3d text.ugrid; do

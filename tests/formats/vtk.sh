@@ -1,4 +1,4 @@
-# VTK legacy and XML: bad files, and the files of VTK itself. (A part of tests/formats.sh.)
+# VTK legacy and XML: bad files, and what convert writes. (A part of tests/formats.sh.)
 sed 's/^9 /12 /' "$tmp/text.vtk" | sed '/^CELL_TYPES/,$s/ 9 / 12 /' >"$tmp/bad.vtk"
 refuses "vtk: three dimensions in earnest" \
     'is of type 12 with 4 points, which is not read: save polygons, or triangles, quadrilaterals, wedges' \
@@ -47,43 +47,3 @@ check "vtu: what convert writes: the same points" "$harmorph" convert "$tmp/ring
 sed -n '/^NPOIN/,/^NMARK/p' "$tmp/ring.su2" | awk '{ print $1, $2 }' >"$tmp/points-before"
 sed -n '/^NPOIN/,/^NMARK/p' "$tmp/again.su2" | awk '{ print $1, $2 }' >"$tmp/points-after"
 check "vtu: what convert writes: the same coordinates" alike 0 "$tmp/points-before" "$tmp/points-after"
-
-if /usr/bin/python3 -c 'import vtk' 2>/dev/null; then
-    cat >"$tmp/grid.py" <<'END'
-import sys, vtk
-def grid(path):
-    reader = vtk.vtkXMLUnstructuredGridReader()
-    reader.SetFileName(path)
-    reader.Update()
-    return reader.GetOutput()
-if sys.argv[1] == 'write':
-    writer = vtk.vtkXMLUnstructuredGridWriter()
-    writer.SetInputData(grid(sys.argv[2]))
-    if sys.argv[3] == '0': writer.SetDataModeToAscii()
-    else:
-        writer.SetDataModeToAppended()
-        writer.EncodeAppendedDataOff()
-        writer.SetCompressorTypeToNone()
-    if sys.argv[3] == '64': writer.SetHeaderTypeToUInt64()
-    writer.SetFileName(sys.argv[4])
-    writer.Write()
-else:
-    read = grid(sys.argv[2])
-    for i in range(read.GetNumberOfPoints()): print(*map(repr, read.GetPoint(i)[:2]))
-END
-    for variant in 0 32 64; do # text; raw with headers of that many bits
-        mesh=$tmp/vtk-$variant.vtu
-        check "VTK: writes $variant" /usr/bin/python3 "$tmp/grid.py" write "$tmp/ring.vtu" $variant "$mesh"
-        check "VTK $variant: fit" "$harmorph" fit "$mesh" --marker boundary1 --points 8 -o "$tmp/curve"
-        check "VTK $variant: solve" "$harmorph" solve "$mesh" --curve "boundary1=$tmp/curve" -o "$tmp/basis"
-        check "VTK $variant: zero move" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/none.txt" -o "$tmp/same.vtu"
-        check "VTK $variant: zero move: the same file" cmp "$mesh" "$tmp/same.vtu"
-        check "VTK $variant: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" \
-            -o "$tmp/vtk-moved.vtu"
-        check "VTK $variant: reads the morphed" /usr/bin/python3 "$tmp/grid.py" read "$tmp/vtk-moved.vtu"
-        cp "$tmp/out" "$tmp/points"
-        check "VTK $variant: moves as all do" alike 1e-9 "$tmp/points-of-all" "$tmp/points"
-    done
-else
-    echo "VTK for Python is not installed: its own files are not tested (Debian's python3-vtk9)"
-fi

@@ -13,8 +13,9 @@ The file claims.txt beside this script has one block of lines for each claim:
     worse      below or above: a measured number below (above) the claimed one is worse
     tolerance  how much worse the measured number may be, in per cent of the claimed one
 
-A block with the lines page, text and exempt (the reason) stands for a paragraph whose numbers are
-not measured, as they state a case or the time of one machine.
+A page or a command that a block does not name is that of the block before. A block with the lines
+page, text and exempt (the reason) stands for a paragraph whose numbers are not measured, as they
+state a case or the time of one machine.
 
 Three things are failures: a text that the page no longer contains, a paragraph with numbers and a
 measuring command that no claim stands for, and a measured number that is worse by more than the
@@ -40,12 +41,15 @@ def normal(text):
 
 
 def claims(path):
-    found = []
+    found, last = [], {}
     for block in re.split(r"\n\s*\n", path.read_text(encoding="utf-8")):
         lines = [line for line in block.split("\n") if line and not line.startswith("#")]
         if not lines:
             continue
-        claim = dict(line.split(None, 1) for line in lines)
+        claim = {**last, **dict(line.split(None, 1) for line in lines)}
+        last = {key: claim[key] for key in ("page", "command") if key in claim}
+        if "exempt" in claim:
+            claim.pop("command", None)
         if set(claim) not in (KEYS, {"page", "text", "exempt"}):
             sys.exit(f"{path}: a claim needs the lines {', '.join(sorted(KEYS))}: {lines[0]}")
         found.append(claim)
