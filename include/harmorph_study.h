@@ -96,10 +96,10 @@ typedef struct hm_study_options {
      * cells that level has, the more cycles are needed. */
     int32_t levels;
     int32_t agglomeration; /* HM_AGGLOMERATE_...: HM_FAS only */
-    /* Functions that are solved at a time: 4, 8 or 16; 0 means 4 (HM_FAS: 8). The vectors of each
-     * thread take 36 bytes of the plan per unknown and function of a block (HM_FAS: 64).
-     * HM_MULTIGRID solves half as many complex functions at a time, and again half as many where
-     * cells are too thin for a preconditioner in single precision. */
+    /* Functions that are solved at a time: 4, 8 or 16; 0 means 8. The vectors of each thread take
+     * 21 bytes of the plan per unknown and function of a block (HM_FAS: 64). HM_MULTIGRID solves
+     * half as many complex functions at a time, and again half as many where cells are too thin
+     * for vectors in single precision. */
     int32_t block_width;
     /* The number of iterations after which the call ends with HM_NOT_CONVERGED (HM_FAS: also when a
      * residual has grown by a factor of 1000); 0 means 200; HM_FAS: 2000 cycles, or with one level

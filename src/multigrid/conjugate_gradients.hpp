@@ -1,7 +1,7 @@
-// Conjugate gradients in the precision of the V-cycle for a block of functions, with residuals
-// that are replaced by those in double precision. tests/multigrid/test_multigrid.cpp covers this
-// file. Source: G. L. G. Sleijpen, H. A. van der Vorst, Computing 56 (1996) 141 (reliable updates
-// of the residual).
+// Flexible conjugate gradients in the precision of the V-cycle for a block of functions, with
+// residuals that are replaced by those in double precision. tests/multigrid/test_multigrid.cpp
+// covers this file. Source: G. L. G. Sleijpen, H. A. van der Vorst, Computing 56 (1996) 141
+// (reliable updates of the residual).
 #pragma once
 
 #include "base/flush_denormals.hpp"
@@ -11,9 +11,9 @@ namespace harmorph {
 
 // Solves for functions first .. first + width - 1 of the values. The solution x is in double
 // precision, and is stored where the values are; the right-hand sides follow from the values on the
-// wall. The vectors r, p and z are in the precision of Number; those of a function are multiplied
-// by a power of two, `scale`, that keeps them within the range of Number. Nothing that happens to a
-// function depends on the other functions of the block.
+// wall. The vectors r, p, q = A p and z are in the precision of Number; those of a function are
+// multiplied by a power of two, `scale`, that keeps them within the range of Number. Nothing that
+// happens to a function depends on the other functions of the block.
 template <class Number>
 class ConjugateGradients {
     static constexpr Index max_width = FunctionBlock::max_width;

@@ -12,7 +12,7 @@ namespace harmorph {
 struct FunctionBlock {
     static constexpr Index max_width = 16;
 
-    // One bit for each function.
+    // Tells which functions are chosen.
     struct Choice {
         bool column[max_width];
         static Choice every() noexcept {

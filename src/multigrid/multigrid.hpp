@@ -1,5 +1,6 @@
 // Conjugate gradients with a V-cycle of algebraic multigrid as preconditioner, and symmetric
-// Gauss-Seidel as smoother. Source: J. W. Ruge, K. Stueben, Algebraic multigrid (1987).
+// Gauss-Seidel as smoother. Sources: J. W. Ruge, K. Stueben, Algebraic multigrid (1987); Y. Notay,
+// SIAM J. Sci. Comput. 22 (2000) 1444 (flexible conjugate gradients).
 #pragma once
 
 #include "bspline/envelope_cholesky.hpp"
@@ -37,6 +38,7 @@ struct Multigrid : BlockIteration {
 
     void lay_out(Arena& arena, Index n, Index functions, Iteration const& asked,
                  Executor const& threads) noexcept;
+    // entries: those of the matrix.
     void lay_out_levels(Arena& arena, Index n, Offset entries) noexcept;
     // These are the working spaces of set_up() and of solve(); both may occupy the same memory.
     void lay_out_work(Arena& arena, Index n, Offset entries) noexcept;
