@@ -34,8 +34,9 @@ struct Selected {
     // The points on which a point depends.
     std::vector<Index> strong(Index i) const {
         std::vector<Index> out;
-        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e)
-            if (rows.depends(i, rows.column[e], rows.value[e])) out.push_back(rows.column[e]);
+        rows.for_each(i, [&](Index j, double entry) {
+            if (rows.depends(i, j, entry)) out.push_back(j);
+        });
         return out;
     }
     bool share_a_coarse_point(Index i, Index j) const {
