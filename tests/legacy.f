@@ -144,8 +144,9 @@ C     THE AREA, AND ITS DERIVATIVES: GROWN BY 1 PER CENT, BY 2.01.
      &            'STEP: ', MSG)
       CALL HMMORF (W, DP, XN, YN, 1, IERR, MSG)
       CALL HMRECO (W, XN, YN, 1, G, S, IERR, MSG)
-      CALL CHECK (IERR .EQ. 0 .AND. MAX(S, DIFFER(2*NCP, G, G, DP, DP))
-     &            .LT. 1D-12, 'THE MOVEMENT IS RECOVERED: ', MSG)
+      BIG = DIFFER(2*NCP, G, G, DP, DP)
+      CALL CHECK (IERR .EQ. 0 .AND. MAX(S, BIG) .LT. 1D-12,
+     &            'THE MOVEMENT IS RECOVERED: ', MSG)
       BIG = 0D0
       HERE = 0D0
       DO 40 K = 1, NP

@@ -192,7 +192,7 @@ TEST_CASE("bodies are checked: gaps, centres, numbers out of range, parameters o
     setup.conditions.pop_back();
     setup.set_rigid(31, 1.5, 0.5);
     setup.set_rigid(32, 1.5, 0.6);
-    CHECK(refused(setup, "different centres") == HM_BAD_CONDITION);
+    CHECK(refused(setup, "have different centres") == HM_BAD_CONDITION);
     setup.conditions.back().body = 1;  // two bodies may
     Options const options = options_of(HM_CONFORMAL);
     CHECK(Attempt(setup.problem(), &options).status == HM_OK);
