@@ -1,23 +1,36 @@
-// The V-cycle for a block of functions. tests/multigrid/test_multigrid.cpp covers this file.
+// The cycle through the levels for a block of functions. tests/multigrid/test_multigrid.cpp covers
+// this file.
 #pragma once
 
 #include "multigrid/multigrid.hpp"
 
 namespace harmorph {
 
-// The V-cycle for blocks of `width` functions, in the precision of Number. B is the approximation
-// of the inverse of A that a cycle applies; B is symmetric and positive definite.
+// The cycle for blocks of `width` functions, in the precision of Number. B is the approximation of
+// the inverse of A that a cycle applies; B is symmetric and positive definite, and the eigenvalues
+// of B A are at most 1. On the finest levels it is a V-cycle. Coarser levels are solved by two
+// cycles (W-cycle), the second one for the residual of the first one: 2 B - B A B. Their work is
+// small, and without the second cycle the iterations grow with the number of levels.
 template <class Number>
 class Cycle {
 public:
-    // vectors [coarse points x width]: one vector for each coarse level.
+    // vectors [CoarsePoints::coarse_points() x width]: one vector for each coarse level, and a
+    // second one for each level that is solved by two cycles, as far as the memory suffices.
     Cycle(Multigrid const& engine, Index width, Number* vectors) noexcept
         : engine_(engine), kernels_(cycle_kernels<Number>(engine.kernel)), width_(width) {
-        for (Index l = 0; l < engine.levels.count; ++l) level_[l] = engine.cycle_level<Number>(l);
-        for (Index l = 1; l < engine.levels.count; ++l) {
-            coarse_[l] = vectors;
-            vectors += Offset{level_[l].n} * width;
-        }
+        Index const count = engine.levels.count;
+        Offset left = CoarsePoints::coarse_points(engine.levels.finest.n);
+        auto const take = [&](Index level) {
+            Number* const vector = vectors;
+            vectors += Offset{level_[level].n} * width;
+            left -= level_[level].n;
+            return vector;
+        };
+        for (Index l = 0; l < count; ++l) level_[l] = engine.cycle_level<Number>(l);
+        for (Index l = 1; l < count; ++l) coarse_[l] = take(l);
+        // The last level is solved exactly.
+        for (Index l = count - 2; l >= first_of_two_cycles && level_[l].n <= left; --l)
+            residual_[l] = take(l);
     }
 
     // The first half of a cycle on the finest level is descend(), or is included in update(). The
@@ -60,9 +73,38 @@ private:
     void precondition(Index level, Number* x) noexcept {
         bool const is_last = level + 1 == engine_.levels.count;
         if (is_last && engine_.has_bottom) return solve_bottom(x);
+        Number* const residual = residual_[level];
+        Offset const numbers = Offset{level_[level].n} * width_;
+        if (residual != nullptr)
+            std::memcpy(residual, x, static_cast<Size>(numbers) * sizeof(Number));
+        cycle(level, x, is_last);
+        if (residual == nullptr) return;
+        subtract_product(level, x, residual);
+        cycle(level, residual, is_last);
+        for (Offset k = 0; k < numbers; ++k) x[k] += residual[k];
+    }
+    void cycle(Index level, Number* x, bool is_last) noexcept {
         descend(level, x);
         if (!is_last) precondition(level + 1, coarse_[level + 1]);
         ascend(level, x, nullptr, nullptr);
+    }
+    // residual -= A x
+    void subtract_product(Index level, const Number* x, Number* residual) noexcept {
+        count_products(level, 1);
+        CycleLevel<Number> const& rows = level_[level];
+        for (Index i = 0; i < rows.n; ++i) {
+            const Number* const own = x + Offset{i} * width_;
+            Number* const to = residual + Offset{i} * width_;
+            for (Index k = 0; k < width_; ++k) to[k] -= rows.diagonal[i] * own[k];
+            for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
+                Number const entry = rows.value[e];
+                Offset const column = Offset{rows.column[e]} * width_;
+                for (Index k = 0; k < width_; ++k) {
+                    to[k] -= entry * x[column + k];
+                    residual[column + k] -= entry * own[k];
+                }
+            }
+        }
     }
     void solve_bottom(Number* x) const noexcept {
         Index const n = level_[engine_.levels.count - 1].n;
@@ -75,12 +117,15 @@ private:
         }
     }
 
+    static constexpr Index first_of_two_cycles = 3;
+
     Multigrid const& engine_;
     CycleKernels<Number> const& kernels_;
     Index width_;
     Real work_ = 0;
     CycleLevel<Number> level_[CoarsePoints::max_levels];
     Number* coarse_[CoarsePoints::max_levels];
+    Number* residual_[CoarsePoints::max_levels] = {};
 };
 
 }  // namespace harmorph
