@@ -19,7 +19,7 @@ struct CoarsePoints {
     static constexpr Index max_levels = 20;
     // A level of so many points or fewer needs no coarser one.
     static constexpr Index coarsest = 48;
-    static constexpr Index entries_per_point = 6;
+    static constexpr Index entries_per_point = 7;
 
     Index count = 0;
     SymmetricRows finest;            // The caller's arrays: level 0.
