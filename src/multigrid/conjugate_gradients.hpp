@@ -1,4 +1,4 @@
-// Flexible conjugate gradients in the precision of the V-cycle for a block of functions, with
+// Flexible conjugate gradients in the precision of the cycle for a block of functions, with
 // residuals that are replaced by those in double precision. tests/multigrid/test_multigrid.cpp
 // covers this file. Source: G. L. G. Sleijpen, H. A. van der Vorst, Computing 56 (1996) 141
 // (reliable updates of the residual).

@@ -1,4 +1,4 @@
-// The sweeps of the V-cycle over the rows of a level, with the registers of one instruction set;
+// The sweeps of a cycle over the rows of a level, with the registers of one instruction set;
 // cycle_kernel.hpp includes this file for each set. tests/multigrid/test_cycle.cpp covers this
 // file.
 

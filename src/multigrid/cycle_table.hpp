@@ -1,4 +1,4 @@
-// The passes of conjugate gradients and of the V-cycle over the rows of a level, as a table of
+// The passes of conjugate gradients and of a cycle over the rows of a level, as a table of
 // functions for each instruction set. tests/multigrid/test_cycle.cpp covers this file.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace harmorph {
 
-// A level in the precision of the V-cycle: the rows of A = L + D + L^T, of which the entries in
+// A level in the precision of the cycle: the rows of A = L + D + L^T, of which the entries in
 // later columns are stored, and the interpolation P from the coarser level.
 template <class Number>
 struct CycleLevel {

@@ -1,4 +1,4 @@
-// Conjugate gradients with a V-cycle of algebraic multigrid as preconditioner, and symmetric
+// Conjugate gradients with a cycle of algebraic multigrid as preconditioner, and symmetric
 // Gauss-Seidel as smoother. Sources: J. W. Ruge, K. Stueben, Algebraic multigrid (1987); Y. Notay,
 // SIAM J. Sci. Comput. 22 (2000) 1444 (flexible conjugate gradients).
 #pragma once
