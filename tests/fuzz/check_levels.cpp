@@ -31,9 +31,9 @@ void FieldsModel::levels() {
             std::vector<std::int32_t> parent(at(finer_count), -1);
             for (std::size_t k = 0; k < cells.size(); ++k) {
                 if (finer[k] < 0) continue;
-                std::int32_t& its = parent[at(finer[k])];
-                expect(its < 0 || its == cells[k], "a volume is no union of finer ones");
-                its = cells[k];
+                std::int32_t& owner = parent[at(finer[k])];
+                expect(owner < 0 || owner == cells[k], "a volume is no union of finer ones");
+                owner = cells[k];
             }
         }
         volumes_are_connected(cells, count);

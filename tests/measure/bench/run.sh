@@ -40,7 +40,7 @@ esac
 peer openblas "-lopenblas" 'extern "C" char* openblas_get_config(void);' 'openblas_get_config()'
 peer cholmod "-lcholmod" '#include <suitesparse/cholmod.h>' 'cholmod_common common; cholmod_start(&common)'
 [ -n "$petsc" ] || peer mumps "-ldmumps_seq -lmumps_common_seq -lpord_seq -lmpiseq_seq" '#include <dmumps_c.h>' \
-    'DMUMPS_STRUC_C its{}; its.job = -2; dmumps_c(&its)'
+    'DMUMPS_STRUC_C mumps{}; mumps.job = -2; dmumps_c(&mumps)'
 peer superlu "-lsuperlu" '#include <superlu/slu_ddefs.h>' 'SuperLUStat_t statistics; StatInit(&statistics)'
 peer eigen "" '#include <eigen3/Eigen/SparseCholesky>' 'Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver'
 
