@@ -310,9 +310,9 @@ private:
     // The squared norms of the residuals: of the current ones, of those at the last replacement,
     // and of the right-hand sides.
     Real squares_[max_width], replaced_squares_[max_width] = {}, first_squares_[max_width];
-    Real energy_[max_width] = {}, product_[max_width] = {};  // x.A x and x.r
-    Real along_[max_width], beta_[max_width];         // p.A p, and the next p is B r + beta p
-    Real errors_[max_width], sizes_[max_width] = {};  // the maxima of |B r| and |x|
+    Real energy_[max_width] = {}, product_[max_width] = {};  // These are x.A x and x.r.
+    Real along_[max_width], beta_[max_width];         // p.A p; the next direction is B r + beta p.
+    Real errors_[max_width], sizes_[max_width] = {};  // These are the maxima of |B r| and |x|.
     // The function has converged by the true residual and is not changed any more.
     bool is_confirmed_[max_width] = {};
 };

@@ -26,7 +26,7 @@ struct FunctionBlock {
     Index planes = 1;     // 2 if the block is complex.
     Rows values;          // The solutions of all functions.
     Index first = 0;      // The number of the first function of the block.
-    Index functions = 0;  // So many functions exist; columns of the block behind them are 0.
+    Index functions = 0;  // So many functions exist; columns of the block after them are 0.
 
     Index plane_width() const noexcept { return width / planes; }
     // Returns the values of the block in a row: those of one plane.

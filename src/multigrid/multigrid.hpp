@@ -59,7 +59,7 @@ struct Multigrid : BlockIteration {
     CycleLevel<Number> cycle_level(Index level) const noexcept;
 
 private:
-    // The vectors of the finest level; a coarse level has one.
+    // The vectors of the finest level. Those of coarse levels share the room of Cycle's vectors.
     static constexpr Index finest_vectors = 4;
     // Returns the number of numbers in single precision that a worker needs for each function.
     static Offset worker_numbers(Index n) noexcept {

@@ -28,7 +28,8 @@ public:
         };
         for (Index l = 0; l < count; ++l) level_[l] = engine.cycle_level<Number>(l);
         for (Index l = 1; l < count; ++l) coarse_[l] = take(l);
-        // The last level is solved exactly.
+        // A second cycle gains nothing on the last level, which is solved exactly or has no coarser
+        // one.
         for (Index l = count - 2; l >= first_of_two_cycles && level_[l].n <= left; --l)
             residual_[l] = take(l);
     }
@@ -88,7 +89,7 @@ private:
         if (!is_last) precondition(level + 1, coarse_[level + 1]);
         ascend(level, x, nullptr, nullptr);
     }
-    // residual -= A x
+    // Computes residual -= A x.
     void subtract_product(Index level, const Number* x, Number* residual) noexcept {
         count_products(level, 1);
         CycleLevel<Number> const& rows = level_[level];

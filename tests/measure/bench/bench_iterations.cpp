@@ -38,13 +38,6 @@ fixtures::Case round_circle(fixtures::Mesh mesh, int n_round) {
     return out;
 }
 
-// Two thirds as many rings as columns; the first layer is 1e-7 chords high.
-fixtures::Mesh layers_mesh(double size) {
-    int const n_side = static_cast<int>(std::sqrt(1.5 * size) / 2);
-    int const rings = static_cast<int>(size / (2 * n_side)) - 1;
-    return fixtures::o_mesh(fixtures::naca4({}, n_side), fixtures::stretched(1e-7, 20, rings));
-}
-
 // The layers of quadrilaterals at the wall have a third of the points, triangles the rest.
 fixtures::Mesh mixed_mesh(double size) {
     int const n_side = static_cast<int>(std::sqrt(size / 2));
@@ -63,7 +56,7 @@ std::vector<Trial> trials_of(double size) {
         out.push_back({name, std::move(setup), kind, exponent});
     };
     Index const n = static_cast<Index>(size);
-    fixtures::Case const layers = round_airfoil(layers_mesh(size));
+    fixtures::Case const layers = round_airfoil(make_case("thinnest", n).mesh);
     fixtures::Case const triangles = round_airfoil(make_case("unstructured", n).mesh);
     add("quads, first layer 1e-7", layers);
     add("quads and triangles, first layer 1e-5", round_airfoil(mixed_mesh(size)));

@@ -61,9 +61,9 @@ Mesh stretched_mesh(double size, double by) {
 }  // namespace
 
 std::vector<std::string> const& known_kinds() {
-    static std::vector<std::string> const kinds = {"iso",          "viscous",      "thin",
-                                                   "unstructured", "shuffled",     "stretched10",
-                                                   "stretched100", "stretched1000"};
+    static std::vector<std::string> const kinds = {"iso",         "viscous",      "thin",
+                                                   "thinnest",    "unstructured", "shuffled",
+                                                   "stretched10", "stretched100", "stretched1000"};
     return kinds;
 }
 
@@ -73,6 +73,7 @@ Case make_case(std::string const& kind, Index size) {
     if (kind == "iso") out.mesh = iso_mesh(size);
     else if (kind == "viscous") out.mesh = viscous_mesh(size, 1e-5);
     else if (kind == "thin") out.mesh = viscous_mesh(size, 1e-6);
+    else if (kind == "thinnest") out.mesh = viscous_mesh(size, 1e-7);
     else if (kind == "unstructured" || kind == "shuffled") out.mesh = unstructured_mesh(size);
     else if (kind == "stretched10" || kind == "stretched100" || kind == "stretched1000")
         out.mesh = stretched_mesh(size, std::stod(kind.substr(9)));

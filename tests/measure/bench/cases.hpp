@@ -27,6 +27,7 @@ std::vector<std::string> const& known_kinds();
 // iso:          O-mesh of quads, as long as they are high
 // viscous:      O-mesh of quads, the first 1e-5 chords high
 // thin:         the same, 1e-6 chords high
+// thinnest:     the same, 1e-7 chords high
 // unstructured: Delaunay triangles that grow with the distance, numbered as a generator lays them
 //               down
 // shuffled:     the same, points and cells in random order
