@@ -48,8 +48,8 @@ def test_another_format_by_name(meshes, tmp_path):
 @pytest.mark.parametrize("ending", [".su2", ".msh"])
 @pytest.mark.parametrize("names", [("", "wall"), ("far", ""), ("", "_")])
 def test_an_empty_name_is_written_as_one_that_can_be_read(mesh, tmp_path, ending, names):
-    given = harmorph.Mesh(mesh.points, cells=mesh.cells, markers={
-        name: mesh.faces(old) for name, old in zip(names, ("far", "wall"))})
+    boundary = {name: mesh.faces(old) for name, old in zip(names, ("far", "wall"))}
+    given = harmorph.Mesh(mesh.points, mesh.cell_rows(), boundary)
     path = tmp_path / ("mesh" + ending)
     given.write(path)
     again = harmorph.Mesh.read(path)
