@@ -50,7 +50,7 @@ check "fields: they are counted" says ' points outside '
 refuses "fields: too far outside" 1 'points outside' interpolate "$mesh" "$tmp/fields.csv" "$tmp/design.su2" --in-order \
     --max-outside 1e-6 -o "$tmp/x"
 refuses "fields: a column that is not there" 3 "there is no column 'Mach'" interpolate "$mesh" "$tmp/fields.csv" \
-    "$fine" --field Mach -o "$tmp/x"
+    "$fine" --in-order --field Mach -o "$tmp/x"
 refuses "fields: rows of another mesh" 3 'but the mesh has' interpolate "$fine" "$tmp/fields.csv" "$mesh" --in-order \
     -o "$tmp/x"
 head -3 "$tmp/fine.csv" >"$tmp/few.csv"
