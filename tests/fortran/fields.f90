@@ -15,7 +15,6 @@ contains
         call distances(plan)
         call coarse(plan)
         call interpolations(plan)
-        call means_over_volumes(plan)
     end subroutine
 
     ! A smooth movement of all points.
@@ -160,22 +159,4 @@ contains
         call check(stat == hm_bad_argument, "as many fields on both sides")
     end subroutine
 
-    subroutine means_over_volumes(plan)
-        type(hm_plan), intent(in) :: plan
-        type(hm_remap_report) :: report
-        real(dp) :: from(n_points, 2), to(n_points, 2), covered(n_points)
-        integer :: stat, order
-        from(:, 1) = 1 + x - 2 * y
-        from(:, 2) = 3
-        do order = 1, 2
-            call hm_remap(plan, plan, from, to, covered, order, report)
-            call check(report%uncovered == 0 .and. abs(sum(covered) - report%area) < 1e-10_dp * report%area, &
-                "all volumes are covered")
-            call check(maxval(abs(to(:, 2) - 3)) < 1e-12_dp, "a constant field")
-            call check(abs(sum(covered * (to(:, 1) - from(:, 1)))) < 1e-10_dp * sum(covered * abs(from(:, 1))), &
-                "the integral stays")
-        end do
-        call hm_remap(plan, plan, from, to(:, :1), covered, stat=stat)
-        call check(stat == hm_bad_argument, "as many fields on both sides of hm_remap")
-    end subroutine
 end module
