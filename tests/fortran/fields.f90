@@ -1,4 +1,4 @@
-! Swept areas, distances to walls, coarse levels and interpolation.
+! Swept areas, distances to walls and interpolation.
 module fields_tests
     use, intrinsic :: iso_c_binding, only: c_float, c_int32_t, c_int64_t
     use body_mesh
@@ -13,7 +13,6 @@ contains
         call plan%analyse(mesh)
         call sweeps()
         call distances(plan)
-        call coarse(plan)
         call interpolations(plan)
     end subroutine
 
@@ -105,30 +104,6 @@ contains
         call check(minval(h) > 0 .and. maxval(h) < 0.1_dp, "heights of the first layer")
         call walls%find(plan, [77], stat=stat)
         call check(stat == hm_bad_condition, "no such marker")
-    end subroutine
-
-    subroutine coarse(plan)
-        type(hm_plan), intent(in) :: plan
-        type(hm_levels) :: levels
-        integer, allocatable :: cell(:)
-        real(dp), allocatable :: a(:), b(:), grown(:)
-        real(dp) :: x1(n_points), y1(n_points)
-        integer :: n, stat
-        call levels%find(plan, hm_agglomerate_directional)
-        call check(levels%n_levels >= 3, "several levels")
-        call levels%cells(1, cell, n)
-        call check(minval(cell) == 1 .and. maxval(cell) == n .and. 3 * n <= n_points, &
-            "volumes of the first coarse level")
-        allocate(a(n), b(n), grown(n))
-        call moved(x1, y1)
-        call levels%areas(1, x, y, a)
-        call levels%areas(1, x1, y1, b)
-        call levels%growth(1, x, y, x1, y1, grown)
-        call check(minval(a) > 0 .and. maxval(abs(b - a - grown)) < 1e-12_dp * maxval(b), "areas and their growth")
-        call levels%areas(1, x, y, a(2:), stat=stat)
-        call check(stat == hm_bad_argument, "an area for each volume")
-        call levels%areas(99, x, y, a, stat=stat)
-        call check(stat == hm_bad_argument, "no such level")
     end subroutine
 
     subroutine interpolations(plan)
