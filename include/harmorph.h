@@ -56,6 +56,8 @@
  *                  quadrilateral that is not convex is inverted. A corner with a sine below 5e-16
  *                  may count as either.
  * Markers          A marker without a condition is fixed: the points on it do not move.
+ * Arrays           Arrays that a call writes must have no number in common with other arrays of
+ *                  the call, except where the same arrays are allowed. Else HM_BAD_ARGUMENT.
  * NULL             NULL is allowed only where stated. hm_error may always be NULL.
  * Status           0: success. Positive: success with a warning, the result can be used. Negative:
  *                  the call was refused; outputs and blocks are as before the call, but a block
