@@ -82,7 +82,7 @@
 #define HM_VERSION_PATCH 0
 /* hm_abi_version() returns this value if header and library belong together. The name of the
  * shared library contains this number: libharmorph.so.HM_ABI. */
-#define HM_ABI 4
+#define HM_ABI 5
 
 #ifdef __cplusplus
 extern "C" {

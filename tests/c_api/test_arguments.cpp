@@ -343,16 +343,6 @@ TEST_CASE("fields of moving meshes") {
                     walls, n, &g.at, face.data(), g.numbers.data(), &g.to, &g.to);
     check_arguments("walls, at, heights", hm_first_layer, walls, &g.at, g.numbers.data());
 
-    check_arguments("analysis, bytes", hm_levels_size, g.analysis, &g.bytes);
-    Guarded levels_block(g.bytes);
-    hm_levels* levels = nullptr;
-    check_arguments("levels, block, bytes, analysis, ?at, -, -", hm_levels_init, &levels,
-                    levels_block.data(), g.bytes, g.analysis, &g.at, 0, 0);
-    check_arguments("levels, -, ?cells, ?n_cells, ?n_levels", hm_level_cells, levels, 0,
-                    face.data(), &g.n, &g.other);
-    check_arguments("levels, -, ?from, to, areas", hm_level_areas, levels, 0, &g.at, &g.at,
-                    g.numbers.data());
-
     check_arguments("analysis, -, bytes", hm_interpolation_size, g.analysis, n, &g.bytes);
     Guarded interpolation_block(g.bytes);
     hm_interpolation* interpolation = nullptr;
