@@ -129,21 +129,20 @@ Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress
     Factorisation<Number> const factorisation(*this, matrix);
     fill(numbers<Number>().min_pivot_ratio, Number{1});
     fill(numbers<Number>().min_pivot_to_diagonal, Number{1});
-    Fault fault_of[Executor::max_threads];
+    Turns turns;
     // The fault with the first position is kept, so that the result does not depend on the number
     // of threads.
     auto const take_first = [](Fault const& other, Fault& first) {
         bool const is_first = !failed(first.status) || other.item.number < first.item.number;
         if (failed(other.status) && is_first) first = other;
     };
-    for_each_subtree<Number>([&](Index subtree, Index number, Worker<Number> const& worker) {
+    for_each_subtree<Number>([&](Index subtree, Index, Worker<Number> const& worker) {
         Fault subtree_fault;
         factorisation.run(
             subtrees.all[subtree].root, kept_update<Number>(subtree), worker.stack, worker,
             [](Index) { return Status::ok; }, subtree_fault);
-        take_first(subtree_fault, fault_of[number]);
+        turns.take([&] { take_first(subtree_fault, fault); });
     });
-    for (Fault const& other : fault_of) take_first(other, fault);
     HARMORPH_TRY(fault.status);
 
     auto const report = [&](Index node) {
