@@ -46,6 +46,7 @@ subroutine hmwals(w, nmark, marks, x, y, inc, ww, lww, nface, nwall, ierr, msg)
     if (this%ok()) call this%told(hm_c_walls_info_get(walls, info, this%e))
     if (this%ok()) then
         this%kept%walls = walls
+        this%kept%ww = c_loc(ww)
         nface = int(info%n_faces)
         nwall = int(info%n_wall_points)
     end if
