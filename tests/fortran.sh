@@ -168,6 +168,25 @@ legacy_calls() {   # place, flags...
 }
 legacy_calls checked $checks
 if [ -n "$long" ]; then legacy_calls long $long -fdefault-double-8; fi
+# Options that make default or single precision double: the example with reals of the default kind prints what the
+# example prints.
+example() {   # place, flags...: the example in this place, with the module compiled there
+    place=$dir/$1; shift
+    mkdir -p "$place"
+    check "module with $*" quietly $FC $strict $FFLAGS -O0 "$@" -J"$place" -c "$build/harmorph.f90" -o "$place/harmorph.o"
+    check "the example with $*" quietly $FC $FFLAGS -O0 "$@" -I"$place" "$place/morph.f90" "$place/harmorph.o" \
+        "$build/libharmorph.a" -o "$place/morph"
+    "$place/morph" >"$place/out"
+}
+mkdir -p "$dir/plain" && cp fortran/examples/morph.f90 "$dir/plain" && example plain
+if [ -n "$long" ]; then
+    for flag in -freal-4-real-8 -fdefault-real-8; do
+        mkdir -p "$dir/promoted$flag"
+        sed 's/real(dp)/real/' fortran/examples/morph.f90 >"$dir/promoted$flag/morph.f90"
+        example promoted$flag $flag
+        check "the example prints the same with $flag" cmp "$dir/plain/out" "$dir/promoted$flag/out"
+    done
+fi
 # Every legacy call is in the manual at the head of the file, and is called by a test.
 unknown_calls() {
     for name in $(sed -n 's/^subroutine \(hm[a-z]*\)(.*/\1/p' "$build/harmorph77.f90" | tr a-z A-Z); do
