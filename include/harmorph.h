@@ -65,7 +65,7 @@
  * Threads          There is no hidden state. Only one thread at a time may write an object (plan,
  *                  basis) or make other objects from one (analysis); any number may read (morph,
  *                  adjoint, assess). The library uses the threads of an hm_executor, if given.
- * Stack            hm_morph: 16 KiB; hm_adjoint on one thread: 40 KiB; other calls: 112 KiB.
+ * Stack            hm_morph: 16 KiB; hm_adjoint: 40 KiB; other calls: 56 KiB.
  * Exceptions       A call that succeeds on finite numbers raises only inexact and underflow.
  * Repeatability    The same input and the same kernel give bitwise identical results: from run to
  *                  run, for any number of threads and of processes (harmorph_mpi.h).
@@ -253,8 +253,12 @@ enum { HM_NO_MARKER = INT32_MIN };
 
 /* Every boundary edge must be on a marker. The exception is a cut, such as the seam of an O-mesh or
  * the wake line of a C-mesh: two points of unmarked boundary edges with equal coordinates are one
- * point for the library and move together. Faces of one marker may belong to several bodies, and
- * one body may have several markers. */
+ * point for the library and move together. If edges without a marker remain, their points are
+ * joined, too, where they differ by rounding, such as the two sides of a trailing edge that a
+ * formula leaves open by 1e-16: each coordinate by at most 1e-12 of the diagonal of the box round
+ * all unmarked edges, or 1e-15 of their largest coordinate. Both sides receive the same
+ * displacements, bit by bit, and so keep their gap. A wider gap is refused with its width. Faces of
+ * one marker may belong to several bodies, and one body may have several markers. */
 typedef struct hm_mesh {
     uint64_t struct_size;
     int32_t index_base;  /* 0 or 1: the first number of points and cells, in arrays and reports */

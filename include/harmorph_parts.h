@@ -86,8 +86,8 @@ typedef struct hm_part hm_part;
 typedef struct hm_part_mesh {
     uint64_t struct_size;
     /* The part: points, cells, boundary faces. Every face of an own cell that is on the boundary of
-     * the whole mesh must have a marker, cuts excepted; faces of ghost cells must not be given.
-     * index_base counts the points and cells of the part. */
+     * the whole mesh must have a marker, cuts excepted (see hm_mesh); faces of ghost cells must not
+     * be given. index_base counts the points and cells of the part. */
     const hm_mesh* mesh;
     /* [n_points] global numbers of the points, 0 .. 2^61, all different. A point of several parts
      * has the same number and the same coordinates in each. Numbers need not be consecutive. */
