@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import mmap
 import os
 from typing import Any, List, Optional, Tuple
 
@@ -59,13 +58,13 @@ class Basis:
 
     @classmethod
     def load(cls, path: Any, mesh: Optional[Mesh]) -> "Basis":
-        """Map a file and attach the basis in it."""
+        """Read a file and attach the basis in it; later changes of the file have no influence."""
         try:
-            with open(path, "rb") as file:
-                memory = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
-        except (OSError, ValueError) as error:
-            reason = getattr(error, "strerror", None) or "the file is empty"
-            raise Error(f"{path}: cannot be read: {reason}", Error.BAD_FILE) from None
+            memory = np.fromfile(path, np.uint8)
+        except OSError as error:
+            raise Error(f"{path}: cannot be read: {error.strerror}", Error.BAD_FILE) from None
+        if len(memory) == 0:
+            raise Error(f"{path}: cannot be read: the file is empty", Error.BAD_FILE)
         return cls.attach(memory, mesh)
 
     def save(self, path: Any, mesh: Optional[Mesh]) -> None:
