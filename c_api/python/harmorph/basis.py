@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from pathlib import Path
 from typing import Any, List, Optional, Tuple
 
 import numpy as np
@@ -60,7 +61,7 @@ class Basis:
     def load(cls, path: Any, mesh: Optional[Mesh]) -> "Basis":
         """Read a file and attach the basis in it; later changes of the file have no influence."""
         try:
-            memory = np.fromfile(path, np.uint8)
+            memory = Path(os.fspath(path)).read_bytes()
         except OSError as error:
             raise Error(f"{path}: cannot be read: {error.strerror}", Error.BAD_FILE) from None
         if len(memory) == 0:
