@@ -227,7 +227,7 @@ class Morph(Functions, Large, Displacements, Stored):
             self._solver = None
 
     def close(self) -> None:
-        """Free everything. Later calls are refused; a mapped file is closed."""
+        """Free everything. Later calls are refused; the memory of the basis is free."""
         with self._lock:
             self._solver = self._basis = None
 
