@@ -458,9 +458,10 @@ typedef struct hm_problem {
  *   HM_CONFORMAL              HM_DIRECT, HM_MULTIGRID      all but free    complex
  *   HM_LAPLACE, HM_WEIGHTED   HM_DIRECT, HM_MULTIGRID      all             real
  *
- * The weight of an operator is k = 1 / d^q. d is the distance from the barycentre of a cell to the
- * nearest face on a curve or rigid body (or on a periodic or rotated image), divided by the extent
- * of these faces. Cells near the moving boundary are stiff and keep their shape; others deform. */
+ * The weight of an operator is k = 1 / d^q. d is the distance from the mean of the corners of a
+ * cell to the nearest face that moves, that is on a curve, a rigid body or a marker with HM_GIVEN
+ * (or on a periodic or rotated image), divided by the extent of these faces. Cells near the moving
+ * boundary are stiff and keep their shape; others deform. */
 
 /* hm_options.operator_kind */
 enum {
