@@ -297,7 +297,9 @@ typedef struct hm_curve {
     int32_t degree;       /* 1..5 */
     int32_t n_indices;    /* control points, repeated ones counted again; > degree */
     /* [n_indices] NULL: the points in order. Repeated points close a curve: with periodic knots the
-     * first `degree` points are repeated at the end, with clamped knots the first point is. */
+     * first `degree` points are repeated at the end, with clamped knots the first point is. The
+     * curve of a closed wall is refused (HM_BAD_CURVE) if its ends are at one place but belong to
+     * different control points there: moving one of them would tear the wall. */
     const int32_t* indices;
     /* [n_indices + degree + 1] non-decreasing, up to 1e100; inner knots are at most degree-fold. */
     const double* knots;
