@@ -56,6 +56,8 @@
  *                  quadrilateral that is not convex is inverted. A corner with a sine below 5e-16
  *                  may count as either.
  * Markers          A marker without a condition is fixed: the points on it do not move.
+ * Arrays           Arrays that a call writes must have no number in common with other arrays of
+ *                  the call, except where the same arrays are allowed. Else HM_BAD_ARGUMENT.
  * NULL             NULL is allowed only where stated. hm_error may always be NULL.
  * Status           0: success. Positive: success with a warning, the result can be used. Negative:
  *                  the call was refused; outputs and blocks are as before the call, but a block
@@ -486,14 +488,8 @@ enum {
      * stretched otherwise there are more (c_api/README.md). Plan: 455 to 500 bytes per point. */
     HM_MULTIGRID = 1
 };
-/* hm_options.precision, and hm_basis_info.storage */
-enum {
-    HM_DOUBLE = 0,
-    /* The factor takes half the memory, the plan 0.6 times the memory; no time is saved. Refinement
-     * reduces the estimated error of the functions to 1e-10 of the largest value. Cells that are
-     * too thin for this cause HM_NOT_CONVERGED or HM_NOT_POSITIVE. */
-    HM_SINGLE = 1
-};
+/* hm_basis_info.storage: the precision of the stored functions */
+enum { HM_DOUBLE = 0, HM_SINGLE = 1 };
 /* Called at the start of each phase (HM_PHASE_... of harmorph_study.h; fraction 0), sometimes in
  * between, and at the end (1). A return value other than 0 stops the call: HM_CANCELLED. */
 typedef int32_t (*hm_progress)(void* user, int32_t phase, double fraction);
@@ -504,7 +500,6 @@ typedef struct hm_options {
     uint64_t struct_size;
     int32_t operator_kind; /* default HM_CONFORMAL */
     int32_t engine;        /* default HM_DIRECT */
-    int32_t precision;     /* of the factor: default HM_DOUBLE; HM_SINGLE with HM_DIRECT only */
     /* 0 or 1; conformal only. 1: boundary functions N_i + e N_i' / C', e the offset of the mesh
      * point from the curve, so that the offset rotates with the curve: rigid motions of all control
      * points then move every wall point rigidly; other motions add e dC' / C'. The correction is

@@ -73,7 +73,7 @@ constexpr bool operator==(MeshFingerprint const& a, MeshFingerprint const& b) no
 // The first bytes of the block. All the rest follows in the order of Basis::lay_out, which the
 // counts determine.
 struct BasisHeader {
-    static constexpr std::uint32_t current_format = 12, native_order = 0x01020304;
+    static constexpr std::uint32_t current_format = 13, native_order = 0x01020304;
     static constexpr char expected_magic[8] = {'h', 'a', 'r', 'm', 'o', 'r', 'p', 'h'};
 
     char magic[8];

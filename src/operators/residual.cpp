@@ -66,8 +66,7 @@ Residual::Norms find_balances(Residual const& work, Matrix const& matrix, DofVal
 }
 
 // Adds the chosen columns of the rows `from` to F.
-template <class Number>
-Residual::Changes add_rows(Matrix const& matrix, DofValues const& dofs, const Number* from,
+Residual::Changes add_rows(Matrix const& matrix, DofValues const& dofs, const Real* from,
                            Index width, Index first, Index n,
                            Residual::Choice const& chosen) noexcept {
     Index const planes = matrix.is_complex() ? 2 : 1;
@@ -77,7 +76,7 @@ Residual::Changes add_rows(Matrix const& matrix, DofValues const& dofs, const Nu
         for (Index p = 0; p < planes; ++p, from += width) {
             Real* const to = dofs.at(i) + p * plane + first;
             for (Index k = 0; k < n; ++k) {
-                Real const correction = static_cast<Real>(from[k]);
+                Real const correction = from[k];
                 to[k] = chosen.column[k] ? to[k] + correction : to[k];
                 change[k] = max(change[k], abs(correction));
                 size[k] = max(size[k], abs(to[k]));
@@ -91,12 +90,11 @@ Residual::Changes add_rows(Matrix const& matrix, DofValues const& dofs, const Nu
 
 // See Residual::backward_error(). Column 0 of `rows` has the residuals; column 1 receives the sums
 // of absolute entries.
-template <class Number>
-Real backward_error_in(Matrix const& matrix, DofValues const& dofs, Index column, Number* rows,
+Real backward_error_in(Matrix const& matrix, DofValues const& dofs, Index column, Real* rows,
                        Index width) noexcept {
     Index const planes = matrix.is_complex() ? 2 : 1;
     auto const row_of = [&](Index i) { return rows + Offset{i} * planes * width; };
-    auto const add = [&](Index i, Real size) { row_of(i)[1] += static_cast<Number>(size); };
+    auto const add = [&](Index i, Real size) { row_of(i)[1] += size; };
     auto const size = [&](Span<Real> re, Span<Real> im, Offset e) {
         return abs(re[e]) + (planes == 2 ? abs(im[e]) : 0);
     };
@@ -123,9 +121,9 @@ Real backward_error_in(Matrix const& matrix, DofValues const& dofs, Index column
     for (Index i = 0; i < matrix.n; ++i) look(dofs.at(i));
     for (Index i = 0; i < matrix.n; ++i) {
         for (Index p = 0; p < planes; ++p) {
-            Real const left = abs(static_cast<Real>(row_of(i)[p * width]));
+            Real const left = abs(row_of(i)[p * width]);
             if (left == 0) continue;
-            Real const relative = left / (static_cast<Real>(row_of(i)[1]) * largest);
+            Real const relative = left / (row_of(i)[1] * largest);
             if (!(relative < infinity)) return infinity;
             worst = max(worst, relative);
         }
@@ -136,11 +134,10 @@ Real backward_error_in(Matrix const& matrix, DofValues const& dofs, Index column
 }  // namespace
 
 void Residual::lay_out(Arena& arena, Index unknowns, Index couplings, MatrixKind kind,
-                       Index n_columns, Precision precision) noexcept {
+                       Index n_columns) noexcept {
     width = n_columns;
     Offset const numbers = Offset{unknowns} * (kind == MatrixKind::complex ? 2 * width : width);
-    arena.take(value, precision == Precision::in_double ? numbers : 0);
-    arena.take(single, precision == Precision::in_single ? numbers : 0);
+    arena.take(value, numbers);
     bool const waits = kind != MatrixKind::coupled_xy;
     arena.take(latest, waits ? unknowns : 0);
     arena.take(next, waits ? Offset{unknowns} + couplings : 0);
@@ -173,14 +170,12 @@ Residual::Norms Residual::measure(Matrix const& matrix, DofValues const& dofs, I
 Real Residual::backward_error(Matrix const& matrix, DofValues const& dofs,
                               Index column) const noexcept {
     compute(matrix, dofs, column, 1);
-    if (single.empty()) return backward_error_in(matrix, dofs, column, value.data(), width);
-    return backward_error_in(matrix, dofs, column, single.data(), width);
+    return backward_error_in(matrix, dofs, column, value.data(), width);
 }
 
 Residual::Changes Residual::add_to(Matrix const& matrix, DofValues const& dofs, Index first,
                                    Index n, Choice const& chosen) const noexcept {
-    if (single.empty()) return add_rows(matrix, dofs, value.data(), width, first, n, chosen);
-    return add_rows(matrix, dofs, single.data(), width, first, n, chosen);
+    return add_rows(matrix, dofs, value.data(), width, first, n, chosen);
 }
 
 }  // namespace harmorph

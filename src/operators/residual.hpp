@@ -91,12 +91,8 @@ struct Residual {
 
     Index width = 6;                   // The width is at most `max_width`.
     Kernel kernel = Kernel::baseline;  // All kernels give the same bits.
-    // [n x planes x width] Rows by position: b - A F, real and then imaginary parts. Only one of
-    // the two arrays exists, in the precision of the engine's factor.
+    // [n x planes x width] Rows by position: b - A F, real and then imaginary parts.
     Span<Real> value;
-    // Residuals are computed in double precision and rounded last, so that corrections lose no
-    // accuracy.
-    Span<float> single;
     // [n] The latest entry of each row's list: a row, or n + number of a coupling. The lists do not
     // exist if x and y are coupled.
     Span<Index> latest;
@@ -111,7 +107,7 @@ struct Residual {
 
     Real* norms_of_subtree(Index i) const noexcept { return norms.data() + 2 * i * width; }
     void lay_out(Arena& arena, Index unknowns, Index couplings, MatrixKind kind,
-                 Index n_columns = 6, Precision precision = Precision::in_double) noexcept;
+                 Index n_columns = 6) noexcept;
     // Chooses the subtrees; rows are in the order of elimination of this tree.
     void choose_subtrees(AssemblyTree const& tree, Executor const& by) noexcept;
     // The squared 2-norms of b and of b - A F for the columns first .. first+n-1, n <= width.
@@ -130,7 +126,7 @@ struct Residual {
     struct Choice {
         bool column[max_width];
     };
-    // Adds corrections, which are in `value` or `single`, to the chosen ones of the columns first
+    // Adds corrections, which are in `value`, to the chosen ones of the columns first
     // .. first+n-1 of F. Returns for each column the largest correction relative to the largest new
     // value.
     struct Changes {

@@ -158,8 +158,7 @@ std::string why_not_converged(const Solver& solver, const hm_options& options) {
     if (!(residual <= options.tolerance))
         return "the residual " + brief(residual) + " is above " + brief(options.tolerance);
     if (solver.found() == 0) return "values are still off by more than " + brief(options.tolerance);
-    return "values may still be off by " + brief(solver.found()) + ", as cells are very thin" +
-           (options.precision == HM_SINGLE ? "; --precision double makes them more accurate" : "");
+    return "values may still be off by " + brief(solver.found()) + ", as cells are very thin";
 }
 
 void run_solve(const Arguments& arguments) {

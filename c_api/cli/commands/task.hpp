@@ -21,7 +21,7 @@ struct Task {
     std::vector<std::int32_t> given_points, given_curves;  // points with known parameters
     std::vector<double> given_u;
     SolveOptions options;
-    EngineChoice choice;  // if not empty, replaces engine and precision of `options`
+    EngineChoice choice;  // if not empty, replaces the engine of `options`
 
     bool slips() const;  // tells whether points of a marker slip
 };

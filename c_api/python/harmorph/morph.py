@@ -43,8 +43,6 @@ class Morph(Functions, Large, Displacements, Stored):
     operator : {"conformal", "laplace", "weighted"}
         Conformal functions keep the angles at the wall; Laplace functions are those of the paper.
     engine : {"direct", "multigrid", "fas"}
-    precision : {"double", "single"}
-        Of the factor.
     exponent : float, optional
         The exponent q of the weight 1 / d^q, a multiple of 0.25 up to 4; 0: no weight.
     offset_correction : bool
@@ -92,7 +90,6 @@ class Morph(Functions, Large, Displacements, Stored):
         *,
         operator: str = "conformal",
         engine: str = "direct",
-        precision: str = "double",
         exponent: Optional[float] = None,
         offset_correction: bool = False,
         tolerance: float = 0.0,
@@ -100,7 +97,7 @@ class Morph(Functions, Large, Displacements, Stored):
     ) -> None:
         if not isinstance(mesh, Mesh):
             raise Error(f"mesh must be a harmorph.Mesh, not {type(mesh).__name__}.")
-        self._options = options_of(operator, engine, precision, exponent, offset_correction, tolerance)
+        self._options = options_of(operator, engine, exponent, offset_correction, tolerance)
         self._own(mesh, curves, listed(mesh, curves, conditions), threads)
         self._solve()
 
