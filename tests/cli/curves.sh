@@ -66,14 +66,17 @@ check "fit that does not: is not said" says '"backtracks": false'
 for degree in 2 3 5; do
     makes fit "$ring" --marker body --points 11 --degree $degree --closed periodic -o "$tmp/usual.curve"
     awk -v degree=$degree '/^points/ { print $1, $2 + degree; n = $2; next }
-        n > 0 && !/^[a-z#]/ { point[++k] = $0; print; if (k == n) { for (i = 1; i <= degree; i++) print point[i]; n = 0 }; next }
+        n > 0 { point[++k] = $0; print
+            if (k == n) { for (i = 1; i <= degree; i++) print point[i]; n = 0 }
+            next }
         { print }' "$tmp/usual.curve" >"$tmp/repeated.curve"
     makes solve "$ring" --curve body="$tmp/usual.curve" -o "$tmp/usual.basis"
     makes solve "$ring" --curve body="$tmp/repeated.curve" -o "$tmp/repeated.basis"
     check "degree $degree: points of a periodic curve that are written twice" \
         cmp "$tmp/usual.basis" "$tmp/repeated.basis"
     sed 's/^closed periodic/closed open/' "$tmp/repeated.curve" >"$tmp/open.curve"
-    refuses "degree $degree: an open curve that repeats its points" 3 "the last $degree points repeat the first $degree" \
+    refuses "degree $degree: an open curve that repeats its points" 3 \
+        "the last $degree points repeat the first $degree" \
         solve "$ring" --curve body="$tmp/open.curve" -o "$tmp/x"
     { cat "$tmp/usual.curve"; sed -n '/^indices/,$p' "$tmp/err"; } >"$tmp/lines.curve"
     makes solve "$ring" --curve body="$tmp/lines.curve" -o "$tmp/lines.basis"
