@@ -299,7 +299,9 @@ typedef struct hm_curve {
     int32_t degree;       /* 1..5 */
     int32_t n_indices;    /* control points, repeated ones counted again; > degree */
     /* [n_indices] NULL: the points in order. Repeated points close a curve: with periodic knots the
-     * first `degree` points are repeated at the end, with clamped knots the first point is. */
+     * first `degree` points are repeated at the end, with clamped knots the first point is. The
+     * curve of a closed wall is refused (HM_BAD_CURVE) if its ends are at one place but belong to
+     * different control points there: moving one of them would tear the wall. */
     const int32_t* indices;
     /* [n_indices + degree + 1] non-decreasing, up to 1e100; inner knots are at most degree-fold. */
     const double* knots;
@@ -460,9 +462,10 @@ typedef struct hm_problem {
  *   HM_CONFORMAL              HM_DIRECT, HM_MULTIGRID      all but free    complex
  *   HM_LAPLACE, HM_WEIGHTED   HM_DIRECT, HM_MULTIGRID      all             real
  *
- * The weight of an operator is k = 1 / d^q. d is the distance from the barycentre of a cell to the
- * nearest face on a curve or rigid body (or on a periodic or rotated image), divided by the extent
- * of these faces. Cells near the moving boundary are stiff and keep their shape; others deform. */
+ * The weight of an operator is k = 1 / d^q. d is the distance from the mean of the corners of a
+ * cell to the nearest face that moves, that is on a curve, a rigid body or a marker with HM_GIVEN
+ * (or on a periodic or rotated image), divided by the extent of these faces. Cells near the moving
+ * boundary are stiff and keep their shape; others deform. */
 
 /* hm_options.operator_kind */
 enum {

@@ -398,12 +398,12 @@ HM_API hm_status hm_move_section(const hm_curves* curves, const hm_section* sect
  * first, as design variables (they are linear: hm_morph takes sums of modes times values). The
  * inner product of movements a and b is sum_i D_i a_i . b_i / sum_i D_i, D_i the integral of N_i by
  * the arc length of the curves. The modes are orthonormal: the root mean square of each is 1 unit
- * of length. singular [n]: singular values [length], descending; the modes of values below 1e-12
- * times the first one are 0. A combination of the first k modes is the nearest one to all
- * movements, in the sum of squares. The largest component of each mode is positive. 1 <= n <= 1024.
- * Control points that no curve uses have weight 0 and receive 0. Refused with HM_BAD_ARGUMENT:
- * movements that are not finite, or all 0 (outputs unchanged). (One-sided Jacobi: Hestenes, J. SIAM
- * 6 (1958) 51.) */
+ * of length, to 1e-12. singular [n]: singular values [length], descending; the modes of values
+ * below 1e-12 times the first one are 0. A combination of the first k modes is the nearest one to
+ * all movements, in the sum of squares. The largest component of each mode is positive. 1 <= n <=
+ * 1024. Control points that no curve uses have weight 0 and receive 0. Refused with
+ * HM_BAD_ARGUMENT: movements that are not finite, or all 0 (outputs unchanged). (One-sided Jacobi:
+ * Hestenes, J. SIAM 6 (1958) 51.) */
 HM_API hm_status hm_family_modes_size(const hm_curves* curves, size_t* work_bytes, hm_error* err);
 HM_API hm_status hm_family_modes(const hm_curves* curves, int32_t n, double* movements,
                                  double* singular, void* work, size_t work_bytes, hm_error* err);

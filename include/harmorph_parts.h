@@ -35,8 +35,9 @@ extern "C" {
  * in that order, and points in reports are positions in the list. A wall point remains a wall point
  * at its first position in the list (or that of the other side of a cut). The new basis has no
  * cells: calls with a mesh refuse it. Like any basis it is one block that refers to nothing else
- * and may be moved. The size is sufficient for any list of n points, n <= 2^30. An extract of a
- * basis that has only some functions (hm_share_init) receives its values by hm_parcel_unpack. */
+ * and may be moved. The size is a bound, sufficient for any list of n points, n <= 2^30. An extract
+ * of a basis that has only some functions (hm_share_init) receives its values by hm_parcel_unpack.
+ */
 HM_API hm_status hm_extract_size(const hm_basis* basis, int32_t n, size_t* bytes, hm_error* err);
 HM_API hm_status hm_extract_init(hm_basis** rows, void* block, size_t bytes, const hm_basis* basis,
                                  int32_t n, const int32_t* points, hm_error* err);
