@@ -24,6 +24,8 @@
 #                         TARGETS="s390x musl"; see tests/cross/run.sh
 #   make compilers        all compilers that are installed, without a warning; LEVELS=-O2; see tests/compilers.sh
 #   make amalgamation     the library in one source with its headers, in build/amalgamation
+#   make test-systems     both commands of README.md in fresh systems, as the superuser: SYSTEMS="bookworm trixie", in the
+#                         folder ROOTS; see tests/systems.sh
 #   make bench            against CHOLMOD, MUMPS, SuperLU, Eigen and OpenBLAS, PETSc (PARTS=iterative) and gmsh
 #                         (PARTS=files), as far as they are there; see tests/measure/bench/run.sh
 #   make bench-rows       measures what tests/measure/bench/README.md says about speed, and prints the rows of its tables
@@ -57,7 +59,7 @@
 .PHONY: all checked rules deform-seeded test-programs unit fuzzer fuzz test library-only tests-only coverage mutate sanitize test-petsc test-python mpi \
 	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
-	test-openfoam test-saturne \
+	test-openfoam test-saturne test-systems \
 	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist
 
 BUILD = build
@@ -78,6 +80,8 @@ AR = ar
 JOBS = 2
 UNITS = tests/*/test_*.cpp
 TARGETS =
+# Folder of the systems that `make test-systems` makes.
+ROOTS = /var/tmp/harmorph-systems
 RELEASE =
 SECONDS = 60
 MPICC = mpicc
@@ -227,6 +231,9 @@ test-openfoam: all
 
 test-saturne: all
 	@MAKE='$(MAKE)' FC='$(FC)' sh fortran/examples/code_saturne/run.sh $(BUILD)
+
+test-systems: checked
+	@SYSTEMS='$(SYSTEMS)' MIRROR='$(MIRROR)' sh tests/systems.sh '$(ROOTS)'
 
 bench-petsc: all
 	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/measure/bench/petsc.sh
