@@ -47,6 +47,12 @@ Status Request::read_rest(hm_problem const& p, const hm_options* options,
             "problem.given_points, given_curves or given_u is NULL, but problem.n_given is #",
             plain(p.n_given));
     }
+    if (!(p.max_curve_distance >= 0)) {
+        return fault.refuse(Status::bad_argument,
+                            "problem.max_curve_distance must be at least 0, not ~", {}, {},
+                            p.max_curve_distance);
+    }
+    if (p.max_curve_distance > 0) problem.max_curve_distance = p.max_curve_distance;
     Size const n = static_cast<Size>(p.n_given);
     problem.given = {
         problem.mesh.index_base, {p.given_points, n}, {p.given_curves, n}, {p.given_u, n}};
