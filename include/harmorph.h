@@ -444,12 +444,12 @@ typedef struct hm_problem {
     const int32_t* given_points; /* [n_given] */
     const int32_t* given_curves; /* [n_given] */
     const double* given_u;       /* [n_given] */
-    /* [-] HM_FAR_FROM_CURVE: the distance of a point from its curve is at least 0.001 of the
-     * diagonal of the box around the curve, or the point is more than a quarter of a face beyond
-     * the end of the curve. Refused (HM_BAD_CONDITION): a distance of at least this part of the
-     * diagonal (0: no limit; the program has 0.01), or of more than the width or height of the
+    /* [-] 0 .. 1e100. HM_FAR_FROM_CURVE: the distance of a point from its curve is at least 0.001
+     * of the diagonal of the box around the curve, or the point is more than a quarter of a face
+     * beyond the end of the curve. Refused (HM_BAD_CONDITION): a distance of at least this part of
+     * the diagonal (0: no limit; the program has 0.01), or of more than the width or height of the
      * control polygon or of all points on curves. The wall keeps its distance in every movement:
-     * the curve of another airfoil moves as the curve, not as the wall. */
+     * with the curve of another airfoil it does not become what the curve becomes. */
     double max_curve_distance;
 } hm_problem;
 

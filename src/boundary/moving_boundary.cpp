@@ -113,27 +113,32 @@ private:
             }
         }
         for (Index k = 0; k < n_segment; ++k) put(point_at(k), best, best_u[k]);
+        if (!is_loop && n_segment > n_chain) note_both_ends(point_at(0), best);
     }
 
-    // A point of two segments or two conditions keeps the first parameter; the others are noted. Of
-    // two parameters on one curve, only both of its ends are two places.
+    // The point is at both ends of a curve round a body. Either end may be its parameter.
+    void note_both_ends(Index point, Index number) const noexcept {
+        Curve const& curve = curves_[number];
+        Index const slot = work_.slot[point];
+        Real const u = wall_.u[slot];
+        if (wall_.curve[slot] != number || (u != curve.begin() && u != curve.end())) return;
+        Real const other = u == curve.begin() ? curve.end() : curve.begin();
+        wall_.shared[wall_.n_shared++] = {slot, {none, none}, {number, other, {}}};
+    }
+
+    // A point of two segments or two conditions keeps the first parameter; those on other curves are
+    // noted.
     void put(Index point, Index curve, Real u) noexcept {
         Index const slot = work_.slot[point];
         if (slot != none) {
-            bool const is_other = wall_.curve[slot] != curve ||
-                                  (curve < curves_.count() && are_ends(curve, wall_.u[slot], u));
-            if (is_other) wall_.shared[wall_.n_shared++] = {slot, {none, none}, {curve, u, {}}};
+            if (wall_.curve[slot] != curve)
+                wall_.shared[wall_.n_shared++] = {slot, {none, none}, {curve, u, {}}};
             return;
         }
         work_.slot[point] = wall_.count;
         wall_.point[wall_.count] = point;
         wall_.curve[wall_.count] = curve;
         wall_.u[wall_.count++] = u;
-    }
-
-    bool are_ends(Index number, Real u, Real other) const noexcept {
-        Curve const& curve = curves_[number];
-        return min(u, other) == curve.begin() && max(u, other) == curve.end();
     }
 
     Mesh const& mesh_;

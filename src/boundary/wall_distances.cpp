@@ -45,7 +45,8 @@ public:
         for (Index slot = 0; slot < wall_.count; ++slot) {
             if (wall_.curve[slot] < curves_.count()) HARMORPH_TRY(look_at(slot, fault));
         }
-        if (farthest_ != none) return refuse_far(fault);
+        bool const is_refused = farthest_ != none && (outside_ || largest_ >= max_distance_);
+        if (farthest_ != none && (is_refused || beyond_ == none)) return refuse_far(fault);
         if (beyond_ == none) return Status::ok;
         return fault.refuse(
             Status::far_from_curve,

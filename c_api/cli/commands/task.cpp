@@ -64,7 +64,7 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
     task.options.offset_correction = arguments.has("--offset-correction") ? 1 : 0;
     set_engine(arguments, task);
     constexpr double farthest = 0.01;
-    task.max_curve_distance = arguments.has("--far-from-curve") ? HUGE_VAL : farthest;
+    task.max_curve_distance = arguments.has("--far-from-curve") ? 1e100 : farthest;
     add_conditions(arguments, mesh, task);
     return task;
 }
