@@ -50,10 +50,10 @@ std::size_t equals_behind_names(std::string_view text, std::size_t from) {
     return text.npos;
 }
 
-std::string quoted_name(std::string_view name) {
+std::string quoted_name(std::string_view name, bool always) {
     const bool is_word = !name.empty() && name.find_first_of(blanks) == name.npos &&
                          name.find_first_of("\"',=@#*?:\\") == name.npos;
-    if (is_word) return std::string(name);
+    if (is_word && !always) return std::string(name);
     std::string text = "\"";
     for (const char c : name) {
         if (c == '"' || c == '\\') text += '\\';

@@ -220,6 +220,13 @@ bool has_section_movements(const TextFile& text) {
     return false;
 }
 
+void write_body(std::ostream& out, const Mesh& mesh, const hm_condition& condition,
+                const double* function) {
+    out << "rigid " << mesh.name_of(condition) << ' ' << exact(function[0]) << ' '
+        << exact(function[1]) << ' ' << exact(std::atan2(function[3], 1 + function[2]) * 180 / pi)
+        << ' ' << exact(std::hypot(1 + function[2], function[3])) << '\n';
+}
+
 void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis,
                  const Mesh& mesh) {
     const auto n_control = static_cast<std::size_t>(basis.n_control());
@@ -229,12 +236,9 @@ void write_moves(std::ostream& out, const std::vector<double>& moves, const Basi
             << '\n';
     }
     for_each_body(basis.conditions(), basis.info().bodies, [&](const hm_condition& condition) {
-        const double* const function =
-            &moves[2 * (n_control + 2 * static_cast<std::size_t>(condition.body))];
-        out << "# body, dx, dy, degrees, scale\nrigid " << mesh.name_of(condition) << ' '
-            << exact(function[0]) << ' ' << exact(function[1]) << ' '
-            << exact(std::atan2(function[3], 1 + function[2]) * 180 / pi) << ' '
-            << exact(std::hypot(1 + function[2], function[3])) << '\n';
+        out << "# body, dx, dy, degrees, scale\n";
+        write_body(out, mesh, condition,
+                   &moves[2 * (n_control + 2 * static_cast<std::size_t>(condition.body))]);
     });
 }
 

@@ -151,26 +151,30 @@ bool read_place(std::string_view text, MarkerPiece& piece) {
     return piece.is_piece;
 }
 
+// Text in quotes is a name in quotes rather than a name that has quotes of its own.
 Entry entry_of(const Selection& selection, std::string_view text) {
-    Entry entry = {std::string(text), selection.is_known(text), {}};
-    if (entry.is_literal) return entry;
+    Entry entry;
     const std::size_t behind = behind_quoted(text, 0);
-    const std::size_t at = behind > 0 ? behind : text.rfind('@');
-    const bool has_place = at < text.size() && text[at] == '@' &&
-                           read_place(text.substr(at + 1), entry.piece);
-    if (behind > 0 && (has_place || behind == text.size())) {
+    const std::string_view rest = text.substr(behind);
+    const bool is_quoted =
+        behind > 0 && (rest.empty() || (rest[0] == '@' && read_place(rest.substr(1), entry.piece)));
+    if (is_quoted) {
         entry.name = unquoted(text.substr(0, behind));
         entry.is_literal = true;
-    } else if (has_place) {
-        entry.name = trimmed(text.substr(0, at));
+        if (selection.is_known(entry.name) || !selection.is_known(text)) return entry;
     }
+    entry = {std::string(text), selection.is_known(text), {}};
+    const std::size_t at = text.rfind('@');
+    if (!entry.is_literal && at != text.npos && read_place(text.substr(at + 1), entry.piece))
+        entry.name = trimmed(text.substr(0, at));
     return entry;
 }
 
 // Calls visit(entry) for each entry of a list. A single name may contain commas.
 template <class Visit>
 void for_each_entry(const Selection& selection, const std::string& list, const Visit& visit) {
-    if (selection.is_known(list)) return visit(Entry{list, true, {}});
+    const Entry whole = entry_of(selection, list);
+    if (whole.is_literal) return visit(whole);
     for (std::size_t begin = 0; begin <= list.size();) {
         const std::size_t name = std::min(list.find_first_not_of(blanks, begin), list.size());
         const std::size_t end = std::min(list.find(',', behind_quoted(list, name)), list.size());
@@ -230,10 +234,12 @@ bool Mesh::has_markers(const std::string& list) const {
 }
 
 std::string Mesh::name_of(const hm_condition& condition) const {
-    std::string name = quoted_name(markers[static_cast<std::size_t>(condition.marker)]);
-    if (condition.piece != 0)
-        name += '@' + exact(condition.near_x) + ':' + exact(condition.near_y);
-    return name;
+    const std::string& name = markers[static_cast<std::size_t>(condition.marker)];
+    if (condition.piece == 0) return quoted_name(name);
+    const std::string near = '@' + exact(condition.near_x) + ':' + exact(condition.near_y);
+    // Another marker may have the name of this piece.
+    const bool is_taken = std::find(markers.begin(), markers.end(), name + near) != markers.end();
+    return quoted_name(name, is_taken) + near;
 }
 
 }  // namespace cli
