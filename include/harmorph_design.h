@@ -376,9 +376,10 @@ HM_API hm_status hm_move_section_size(const hm_curves* curves, const hm_section*
  *
  * Turn, shift and scale map control points, and so move the curves exactly. A flap maps control
  * points, too: the curve moves as the map of its points except near the transition, where control
- * points that are dense compared with `length` make the difference small. The other three move the
- * outline in the least-squares sense of hm_variables_map. error [2], or NULL: root mean square and
- * largest difference that remains on the outline [length], 0 for maps of control points. start [n],
+ * points that are dense compared with `length` make the difference small (hm_refine). The other
+ * three move the outline in the least-squares sense of hm_variables_map. error [2], or NULL: root
+ * mean square and largest difference [length] that remains on the outline, at these values; of a
+ * flap between the moved curve and the map of its points; 0 for turn, shift and scale. start [n],
  * or NULL: the values that the given curves have: the parameters for HM_PARSEC, the angles for
  * HM_BLADE, otherwise 0. The camber line is the polynomial s (1-s) p(s), p of degree 5, that is
  * nearest to the middles of the thickness normal to this line, at 33 stations. section as in

@@ -168,12 +168,6 @@ HM_API hm_status hm_basis_along(const hm_basis* basis, int32_t condition, hm_cur
 HM_API hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t number,
                                  double* values, hm_error* err);
 
-/* The largest difference [length] on the curves between the displacement of the points, to - from,
- * and that of the B-spline. *point: the point with this difference; point may be NULL. */
-HM_API hm_status hm_boundary_error(const hm_basis* basis, const double* move, const hm_points* from,
-                                   const hm_points* to, double* error, int32_t* point,
-                                   hm_error* err);
-
 #ifdef __cplusplus
 }
 #endif

@@ -41,6 +41,7 @@ enum class Status : std::int32_t {
     backtracks = 4,
     far_from_curve = 5,
     poor = 6,
+    torn = 7,
     cancelled = -1,
     bad_argument = -2,
     bad_mesh = -3,

@@ -144,10 +144,11 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
 
 void Analysis::find_wall(Fault& fault) noexcept {
     Points const points = problem_.mesh.points;
-    if (failed(parametrise(topology_, boundary_, conditions_, curves_, problem_.given, wall_work_,
-                           wall_, fault)))
+    if (failed(parametrise(topology_, boundary_, conditions_, curves_, problem_.given,
+                           problem_.max_curve_distance, wall_work_, wall_, fault)))
         return;
     find_offsets(points, conditions_, curves_, problem_.method.offset_correction != 0, wall_);
+    find_shared(boundary_, conditions_, curves_, wall_work_.slot, wall_, fault);
 }
 
 // Refuses cells so thin that rounding of moved coordinates decides whether they are inverted.

@@ -211,35 +211,52 @@ TEST_CASE("points farther from their curve than its extent are refused with poin
     }
 }
 
-TEST_CASE("points farther from their curve than 5 % of its extent give a warning") {
-    for (double const size : {1.0, 1e-6, 1e6})
-        for (double const part : {0.049, 0.051}) {
-            Case setup;
-            setup.mesh = square(10, Cells::quads, 2, 2);
-            setup.curves = polyline(
-                {{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6 - 0.2 * part}, {0.4, 0.6 - 0.2 * part}});
-            setup.curves.control.insert(setup.curves.control.end(), {0.4, 0.6});  // of no curve
-            setup.put_on_curves(body);
-            for (std::vector<double>* const numbers :
-                 {&setup.mesh.x, &setup.mesh.y, &setup.curves.control})
-                for (double& number : *numbers) number *= size;
-            Attempt attempt;
-            CHECK(attempt.analyse(setup.problem()));
-            CHECK(attempt.error.code == attempt.status);
-            if (part < 0.05) {
+TEST_CASE("points that are a thousandth of the curve's diagonal from their curve give a warning") {
+    for (double const size : {1.0, 1e-6, 1e6}) {
+        for (double const part : {0.00098, 0.00102, 0.0098, 0.0102}) {
+            for (double const limit : {0.0, 0.01, 0.02, 1e100}) {
+                CAPTURE(size);
+                CAPTURE(part);
+                CAPTURE(limit);
+                Case setup;
+                setup.mesh = square(10, Cells::quads, 2, 2);
+                double const gap = part * 0.2 * std::sqrt(2);  // of the diagonal, nearly
+                setup.curves = polyline(
+                    {{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6 - gap}, {0.4, 0.6 - gap}});
+                setup.put_on_curves(body);
+                for (std::vector<double>* const numbers :
+                     {&setup.mesh.x, &setup.mesh.y, &setup.curves.control})
+                    for (double& number : *numbers) number *= size;
+                hm_problem problem = setup.problem();
+                problem.max_curve_distance = limit;
+                Attempt attempt;
+                bool const is_refused = limit > 0 && part > limit;
+                CHECK(attempt.analyse(problem) == !is_refused);
+                CHECK(attempt.error.code == attempt.status);
+                CHECK(attempt.status == (is_refused     ? HM_BAD_CONDITION
+                                         : part < 0.001 ? HM_OK
+                                                        : HM_FAR_FROM_CURVE));
+                if (part < 0.001) continue;
+                INFO(attempt.error.text);
+                CHECK(says(attempt.error, is_refused ? "too far for a curve of this wall"
+                                                     : "at least 0.001 of the diagonal"));
+                CHECK(attempt.error.value == doctest::Approx(gap * size));
+                CHECK(setup.mesh.y[std::size_t(attempt.error.item)] == 0.6 * size);
+                if (is_refused) continue;
+                CHECK(attempt.prepare());
+                CHECK(attempt.solve());  // the result can be used
                 CHECK(attempt.status == HM_OK);
-                continue;
             }
-            CHECK(attempt.status == HM_FAR_FROM_CURVE);
-            CHECK(std::string(attempt.error.text)
-                      .find("away from its curve, more than 0.05 of the extent of the curve or "
-                            "wall; check the curve") != std::string::npos);
-            CHECK(attempt.error.value == doctest::Approx(0.2 * part * size));
-            CHECK(setup.mesh.y[std::size_t(attempt.error.item)] == 0.6 * size);
-            CHECK(attempt.prepare());
-            CHECK(attempt.solve());  // the result can be used
-            CHECK(attempt.status == HM_OK);
         }
+    }
+    for (double const limit : {-1.0, 2e100, double(NAN)}) {
+        Case setup = tiny_case();
+        hm_problem problem = setup.problem();
+        problem.max_curve_distance = limit;
+        Attempt attempt;
+        CHECK(!attempt.analyse(problem));
+        CHECK(attempt.status == HM_BAD_ARGUMENT);
+    }
 }
 
 TEST_CASE("the curve of a closed wall is refused if control points at one place would tear it") {

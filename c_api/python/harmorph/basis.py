@@ -37,6 +37,10 @@ class Basis:
         self.bytes: int = info.bytes
         self.info: Report = report(info)
         self.shape = (self.info.functions, 2)
+        n = info.shared_points
+        self.shared_points = np.array(
+            [[info.shared_point[k], info.shared_condition[2 * k], info.shared_condition[2 * k + 1]]
+             for k in range(n)], np.int32).reshape(n, 3)
         self.n_points: int = self.info.points
 
     @classmethod

@@ -176,6 +176,33 @@ class Functions:
                  self._executor.view, step, quality)
         return Assessment(None if step == _NULL else report(step), report(quality))
 
+    def boundary_error(self, move: Any, moved: Any, points: Any = None) -> float:
+        """Return the largest distance of wall points from where their conditions take them [length].
+
+        Parameters
+        ----------
+        move : array of shape (functions, 2)
+        moved : array of shape (n_points, 2), or pair of arrays
+            The mesh after the movement.
+        points : array of shape (n_points, 2), or pair of arrays, optional
+            The mesh before the movement; the default is `start`.
+
+        Warns
+        -----
+        HarmorphWarning
+            ``TORN``: the movement takes the two conditions of a point apart by more than 1e-6 of
+            the diagonal of the box around the wall; do not use the moved mesh.
+        """
+        basis, n = self._open(), self.n_points
+        if points is None and self._problem is None:
+            raise Error("A basis without a mesh has no coordinates; give `points`.")
+        before, _alive = points_in(self._problem.points if points is None else points, n, "points")
+        after, _alive_too = points_in(moved, n, "moved")
+        error = ffi.new("double*")
+        call(lib.hm_boundary_error, basis.pointer, doubles(move, basis.shape, "move"), before, after,
+             error, ffi.NULL)
+        return error[0]
+
     def recover(self, points: Any, tolerance: float = 0.0) -> np.ndarray:
         """Return the movement, shape (functions, 2), that a mesh has made since the functions were solved.
 
