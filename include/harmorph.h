@@ -328,7 +328,7 @@ typedef struct hm_curves {
 enum {
     /* Points that are no loop: open. A loop without a corner: periodic. A loop with a blunt base:
      * open, plus a straight curve of degree 1 along the base that shares both end points. A base is
-     * straight, lies between two corners at the end farthest from the leading edge, is at most 0.15
+     * straight, lies between two corners at the end farthest from the leading edge, is at most 0.6
      * of the extent long, and is no tip of a horn of ice. Others: tied at the sharpest corner. */
     HM_CLOSED_AUTO = 0,
     HM_OPEN = 1,    /* clamped at the first and the last point */
@@ -355,7 +355,11 @@ typedef struct hm_fit_report {
     int32_t corners; /* points where the direction of the outline jumps, ends of curves included */
     int32_t backtrack_point; /* the curve runs backwards from here to the next point; -1: nowhere */
     int32_t pieces;          /* pieces of the boundary that were fitted */
-    int32_t reserved;        /* 0 */
+    int32_t departure_point; /* max_departure is between this point and the next one; -1: none */
+    /* [length] The largest distance of the curve from the polygon that connects the points. Points
+     * that are far apart at a round nose explain some of this distance, and a curve that bulges
+     * between points the rest; above .002 chords, look at the curve. */
+    double max_departure;
 } hm_fit_report;
 
 HM_API hm_status hm_fit_size(int32_t n, const hm_fit_options* options, size_t* bytes,

@@ -255,6 +255,16 @@ void CurveReader::require_points() const {
 
 }  // namespace
 
+bool is_curve_file(const TextFile& file) {
+    LineReader lines(file, '#');
+    if (!lines.next()) return false;
+    const std::string_view first = lines.words()[0];
+    if (first != "degree" && first != "closed" && first != "points") return false;
+    while (lines.next())
+        if (lines.words()[0] == "knots") return true;
+    return false;
+}
+
 Curves read_curves(const std::string& path) { return CurveReader(TextFile(path)).read(); }
 
 Curves read_curves(const std::string& path, std::string text) {
