@@ -27,22 +27,6 @@ runs "fields: from VTU to the same points" 0 interpolate "$fine" "$tmp/fine.vtu"
 check "fields: the same numbers" sh -c 'tail -n +2 "$1" >"$3"; tail -n +2 "$2" | cmp - "$3"' sh \
     "$tmp/fine.csv" "$tmp/again.csv" "$tmp/rows"
 
-# Means over control volumes: the integral over a domain that both meshes cover stays.
-runs "fields: conservative" 0 interpolate "$mesh" "$tmp/fields.csv" "$fine" --in-order --conservative \
-    -o "$tmp/means.csv" --json
-check "fields: all volumes have a common area" test "$(number uncovered)" = 0
-runs "fields: conservative, back" 0 interpolate "$fine" "$tmp/means.csv" "$mesh" --conservative --field Smooth \
-    -o "$tmp/means_back.csv"
-check "fields: the integral stays" sh -c 'awk -F, "NR > 1 { s += \$5 * \$6; a += \$5 < 0 ? -\$5 * \$6 : \$5 * \$6 }
-    END { printf \"%.17g %.17g\n\", s, a }" "$1"
-    awk -F, "NR > 1 { s += \$4 * \$5 } END { printf \"%.17g 0\n\", s }" "$2"' \
-    sh "$tmp/means.csv" "$tmp/means_back.csv"
-cp "$log" "$tmp/integrals"
-check "fields: integrals agree" awk 'NR == 1 { s = $1; a = $2 } NR == 2 { e = s - $1 } END {
-    exit !(NR == 2 && e * e < 1e-22 * a * a) }' "$tmp/integrals"
-refuses "fields: two ways" 2 'exclude each other' interpolate "$mesh" "$tmp/fields.csv" "$fine" --in-order --conservative \
-    --max-outside 1 -o "$tmp/x"
-
 # Points outside get values of the boundary, and are counted.
 makes morph "$mesh" "$basis" --move "$tmp/demo/moves.txt" -o "$tmp/design.su2"
 runs "fields: points outside" 0 interpolate "$mesh" "$tmp/fields.csv" "$tmp/design.su2" --in-order -o "$tmp/out.csv"

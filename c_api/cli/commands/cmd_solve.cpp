@@ -8,6 +8,7 @@
 #include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "commands/safe_way.hpp"
+#include "commands/shared_points.hpp"
 #include "commands/solver.hpp"
 #include "commands/storage.hpp"
 #include "commands/task.hpp"
@@ -162,8 +163,7 @@ std::string why_not_converged(const Solver& solver, const hm_options& options) {
     if (!(residual <= options.tolerance))
         return "the residual " + brief(residual) + " is above " + brief(options.tolerance);
     if (solver.found() == 0) return "values are still off by more than " + brief(options.tolerance);
-    return "values may still be off by " + brief(solver.found()) + ", as cells are very thin" +
-           (options.precision == HM_SINGLE ? "; --precision double makes them more accurate" : "");
+    return "values may still be off by " + brief(solver.found()) + ", as cells are very thin";
 }
 
 void run_solve(const Arguments& arguments) {
@@ -191,6 +191,9 @@ void run_solve(const Arguments& arguments) {
     }
     if (converged || arguments.has("--force")) write_basis(files.add(path), stored.basis(), mesh);
     files.commit();
+    auto info = sized<hm_basis_info>();
+    call(mesh, hm_basis_info_get, solver.basis(), &info);
+    warn_of_shared_points(info, task.conditions, mesh);
     if (arguments.has("--json")) {
         print_json(solver, stored, mesh, times);
     } else {

@@ -23,7 +23,7 @@ void add_bodies(std::vector<Row>& rows, const std::vector<double>& g, const Basi
         const auto at = static_cast<std::size_t>(2 * basis.n_control() + 4 * condition.body);
         // s = scale (cos a, sin a): the derivative of s by the angle is (0, 1) at a = 0.
         rows.push_back({"rigid",
-                        mesh.markers[static_cast<std::size_t>(condition.marker)],
+                        mesh.name_of(condition),
                         {g[at], g[at + 1], g[at + 3] * pi / 180, g[at + 2]}});
     });
 }

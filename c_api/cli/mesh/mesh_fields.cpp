@@ -75,32 +75,6 @@ Interpolated interpolated(const Mesh& from, const Field& at, const std::vector<C
     return found;
 }
 
-Remapped remapped(const Mesh& from, const std::vector<Column>& fields, const Mesh& to,
-                  const Threads& threads) {
-    const MeshAnalysis source(from), target(to);
-    constexpr std::int32_t order = 2;
-    const auto n_fields = static_cast<std::int32_t>(fields.size());
-    std::size_t bytes = 0;
-    call(from, hm_remap_size, source.get(), target.get(), n_fields, order, &bytes);
-    Block work(bytes);
-    std::vector<double> values, means(fields.size() * to.x.size());
-    for (const Column& field : fields)
-        values.insert(values.end(), field.values.begin(), field.values.end());
-    Column covered = {"covered", std::vector<double>(to.x.size())};
-    Remapped found = {{}, sized<hm_remap_report>()};
-    call(from, hm_remap, source.get(), nullptr, target.get(), nullptr, n_fields, order,
-         values.data(), means.data(), covered.values.data(), static_cast<void*>(work.data()), bytes,
-         threads.executor(), &found.report);
-    auto next = means.begin();
-    for (const Column& field : fields) {
-        const auto end = next + static_cast<std::ptrdiff_t>(to.x.size());
-        found.fields.push_back({field.name, std::vector<double>(next, end)});
-        next = end;
-    }
-    found.fields.push_back(std::move(covered));
-    return found;
-}
-
 const Option in_order_option = {
     "--in-order", nullptr,
     "the rows of a table without numbers and coordinates of points are all points of the mesh, in "

@@ -35,16 +35,6 @@ struct Interpolated {
 Interpolated interpolated(const Mesh& from, const Field& at, const std::vector<Column>& fields,
                           const Mesh& to, const Threads& threads);
 
-struct Remapped {
-    std::vector<Column> fields;  // and `covered`, the area of each volume that `from` covers
-    hm_remap_report report;
-};
-
-// Computes means over the control volumes of `to` from means over those of `from`. Integrals over
-// the area that both meshes cover are conserved.
-Remapped remapped(const Mesh& from, const std::vector<Column>& fields, const Mesh& to,
-                  const Threads& threads);
-
 // Refuses points that are farther than --max-outside from the mesh with the fields; otherwise warns
 // of points outside.
 void judge_outside(const Arguments& arguments, const Interpolated& found, const std::string& from,
