@@ -186,6 +186,8 @@ Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
     mesh.file.listen(nullptr);
     mesh.in_file.is_packed = is_packed && !mesh.in_file.is_joined;
     if (mesh.in_file.is_packed) mesh.in_file.store = packed(mesh.in_file.store);
+    if (mesh.points() == 0 || mesh.cells() == 0)
+        mesh.file.fail(0, mesh.points() == 0 ? "the file has no points" : "the file has no cells");
     check_points(mesh);
     drop_interior_faces(mesh, true);
     return mesh;

@@ -192,6 +192,7 @@ void check_order(const PointTable& table, const Mesh& mesh, bool in_order) {
 }  // namespace
 
 double reach_of(const Mesh& mesh) {
+    if (mesh.x.empty()) return 0;
     const auto x = std::minmax_element(mesh.x.begin(), mesh.x.end());
     const auto y = std::minmax_element(mesh.y.begin(), mesh.y.end());
     return 2e-6 * std::max(*x.second - *x.first, *y.second - *y.first);
