@@ -19,7 +19,8 @@ check "fields: smooth ones are near" awk -F, '
     "$tmp/fine.csv"
 check "fields: one row for each point" test "$(wc -l <"$tmp/fine.csv")" = \
     "$((1 + $(sed -n 's/^NPOIN= *//p' "$fine")))"
-runs "fields: a column" 0 interpolate "$mesh" "$tmp/fields.csv" "$fine" --in-order --field Smooth --threads 2 -o "$tmp/one.csv"
+runs "fields: a column" 0 interpolate "$mesh" "$tmp/fields.csv" "$fine" --in-order --field Smooth --threads 2 \
+    -o "$tmp/one.csv"
 check "fields: the column has the same bits with two threads" sh -c \
     'cut -d, -f1-3,5 "$1" | cmp - "$2"' sh "$tmp/fine.csv" "$tmp/one.csv"
 runs "fields: to VTU" 0 interpolate "$mesh" "$tmp/fields.csv" "$fine" --in-order -o "$tmp/fine.vtu"
@@ -31,8 +32,8 @@ check "fields: the same numbers" sh -c 'tail -n +2 "$1" >"$3"; tail -n +2 "$2" |
 makes morph "$mesh" "$basis" --move "$tmp/demo/moves.txt" -o "$tmp/design.su2"
 runs "fields: points outside" 0 interpolate "$mesh" "$tmp/fields.csv" "$tmp/design.su2" --in-order -o "$tmp/out.csv"
 check "fields: they are counted" says ' points outside '
-refuses "fields: too far outside" 1 'points outside' interpolate "$mesh" "$tmp/fields.csv" "$tmp/design.su2" --in-order \
-    --max-outside 1e-6 -o "$tmp/x"
+refuses "fields: too far outside" 1 'points outside' interpolate "$mesh" "$tmp/fields.csv" "$tmp/design.su2" \
+    --in-order --max-outside 1e-6 -o "$tmp/x"
 refuses "fields: a column that is not there" 3 "there is no column 'Mach'" interpolate "$mesh" "$tmp/fields.csv" \
     "$fine" --in-order --field Mach -o "$tmp/x"
 refuses "fields: rows of another mesh" 3 'but the mesh has' interpolate "$fine" "$tmp/fields.csv" "$mesh" --in-order \

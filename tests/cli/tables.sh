@@ -109,8 +109,8 @@ refused_gradient "in order, a row is missing" 'but the mesh has' "$tables/short.
 for heading in 'Points:0,Points:1,Point ID,jx,jy' 'X,Y,other,jx,jy' 'x [m],y [m],Global_Index,jx,jy'; do
     table "$heading" 'X,Y,N,A,B' 13 | sed '17s/^[^,]*/4.25/' >"$tables/moved.csv"
     for order in '' --in-order; do
-        refused_gradient "a place of another mesh: $heading $order" "moved.csv:17: the values are those of another mesh" \
-            "$tables/moved.csv" --x jx --y jy $order
+        refused_gradient "a place of another mesh: $heading $order" \
+            "moved.csv:17: the values are those of another mesh" "$tables/moved.csv" --x jx --y jy $order
     done
 done
 table 'Points:0,Points:1,Point ID,jx,jy' 'X,Y,N,A,B' 13 | awk -F, -v OFS=, '
@@ -192,12 +192,15 @@ makes convert "$ring" "$tables/ring.vtu"
 runs "tables: names" 0 interpolate "$tables/ring.vtu" "$tables/names.vtu" "$tables/ring.vtu" -o "$tables/names.csv"
 names_of | sed 's/^[^|]*|//' | paste -s -d , | sed 's/^/point,x,y,/; s/two,lines/two\
 lines/' >"$tables/header"
-check "tables: names: as RFC 4180 quotes them" sh -c 'head -n 2 "$1" | cmp - "$2"' sh "$tables/names.csv" "$tables/header"
+check "tables: names: as RFC 4180 quotes them" sh -c 'head -n 2 "$1" | cmp - "$2"' sh "$tables/names.csv" \
+    "$tables/header"
 runs "tables: names: CSV again" 0 interpolate "$tables/ring.vtu" "$tables/names.csv" "$tables/ring.vtu" \
     -o "$tables/again.csv"
 check "tables: names: CSV again: the same bytes" cmp "$tables/names.csv" "$tables/again.csv"
-runs "tables: names: to VTU" 0 interpolate "$tables/ring.vtu" "$tables/again.csv" "$tables/ring.vtu" -o "$tables/again.vtu"
-runs "tables: names: from VTU" 0 interpolate "$tables/ring.vtu" "$tables/again.vtu" "$tables/ring.vtu" -o "$tables/last.csv"
+runs "tables: names: to VTU" 0 interpolate "$tables/ring.vtu" "$tables/again.csv" "$tables/ring.vtu" \
+    -o "$tables/again.vtu"
+runs "tables: names: from VTU" 0 interpolate "$tables/ring.vtu" "$tables/again.vtu" "$tables/ring.vtu" \
+    -o "$tables/last.csv"
 check "tables: names: from VTU: the same bytes" cmp "$tables/names.csv" "$tables/last.csv"
 for column in 'a,b' 'say "hi"' ','; do
     runs "tables: the column $column" 0 interpolate "$tables/ring.vtu" "$tables/names.csv" "$tables/ring.vtu" \

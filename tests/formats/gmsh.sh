@@ -23,7 +23,8 @@ for name in body far; do
     check "gmsh: $name without a name" "$harmorph" check "$tmp/nameless.msh" --json
     says "gmsh: $name without a name: the number" "\"name\": \"$number\""
     for ending in su2 msh; do
-        check "gmsh: $name without a name: convert to $ending" "$harmorph" convert "$tmp/nameless.msh" "$tmp/named.$ending"
+        check "gmsh: $name without a name: convert to $ending" "$harmorph" convert "$tmp/nameless.msh" \
+            "$tmp/named.$ending"
         check "gmsh: $name without a name: $ending is read" "$harmorph" check "$tmp/named.$ending" --json
         says "gmsh: $name without a name: $ending: the number" "\"name\": \"$number\""
     done
