@@ -279,8 +279,17 @@ INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/h
 	share/harmorph/harmorph_mpi.c share/harmorph/harmorph_petsc.c share/harmorph/read_su2.c share/harmorph/read_su2.h \
 	share/harmorph/naca0012.su2 share/harmorph/openfoam/* share/harmorph/code_saturne/*
 
+# Everybody may read what is installed, whatever the umask is: new folders get their modes from this umask, files from
+# OPEN_FILES, which sets the modes of all files of this list that are there.
+OPEN_FILES = for file in $(INSTALLED); do \
+	    for name in "$$to"/$$file; do \
+	        if [ -f "$$name" ] && [ ! -h "$$name" ]; then chmod 644 "$$name"; fi; \
+	    done; \
+	done; \
+	if [ -f "$$to/bin/harmorph" ]; then chmod 755 "$$to/bin/harmorph"; fi
+
 # Copies headers, library, harmorph.pc and the CMake files into the folder $$to.
-INSTALL_LIBRARY = to=$(INSTALLATION); set -e; \
+INSTALL_LIBRARY = to=$(INSTALLATION); set -e; umask 022; \
 	mkdir -p "$$to/include" "$$to/lib/pkgconfig" "$$to/lib/cmake/harmorph"; \
 	cp include/*.h "$$to/include/"; \
 	cp $(LIBRARY) "$$to/lib/"; \
@@ -298,15 +307,19 @@ install: manual
 	cp c_api/openfoam/*.cpp c_api/openfoam/*.hpp c_api/openfoam/Makefile "$$to/share/harmorph/openfoam/"; \
 	cp fortran/examples/code_saturne/*.f90 fortran/examples/code_saturne/mesh.awk \
 	    fortran/examples/code_saturne/cs_user_scripts.py "$$to/share/harmorph/code_saturne/"; \
+	$(OPEN_FILES); \
 	echo "harmorph $$version is in $$to"
 
 install-library: library-only
 	@$(INSTALL_LIBRARY); \
+	$(OPEN_FILES); \
 	echo "the library of harmorph $$version is in $$to"
 
 install-shared: shared
-	@mkdir -p $(INSTALLATION)/lib
-	@cp -P $(BUILD)/shared/libharmorph.so* $(INSTALLATION)/lib/
+	@to=$(INSTALLATION); set -e; umask 022; \
+	mkdir -p "$$to/lib"; \
+	cp -P $(BUILD)/shared/libharmorph.so* "$$to/lib/"; \
+	$(OPEN_FILES)
 
 uninstall:
 	@to=$(INSTALLATION); \
@@ -314,4 +327,5 @@ uninstall:
 	rmdir "$$to/lib/cmake/harmorph" "$$to"/share/harmorph/* "$$to/share/harmorph" 2>/dev/null || :
 
 clean:
+	@sh c_api/packaging/check_build.sh "$${BUILD-build}" remove
 	rm -rf $(BUILD)

@@ -25,8 +25,6 @@ struct EquationsRequest : Request {
             wrong = "a mesh in parts needs the compact scheme (HM_COMPACT)";
         if (method.engine != Engine::direct)
             wrong = "options.engine must be HM_DIRECT for a mesh in parts";
-        if (method.precision != Precision::in_double)
-            wrong = "options.precision must be HM_DOUBLE for a mesh in parts";
         if (problem.demands.rotation) {
             wrong = "HM_ROTATION_PAIR is not available for a mesh in parts; HM_PERIODIC_PAIR is";
         }
@@ -41,7 +39,7 @@ struct EquationsRequest : Request {
                             "bodies or given displacements");
     }
     PartProblem asked() const noexcept {
-        return {problem.method, problem.demands, problem.executor};
+        return {problem.method, problem.demands, problem.executor, problem.max_curve_distance};
     }
     void lay_out(Arena& arena, InBlock<PartEquations>& made) const noexcept {
         made.lay_out(arena, *part, asked(), n_edges, n_curves, n_conditions, n_control());

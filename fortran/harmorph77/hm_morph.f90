@@ -28,12 +28,13 @@ subroutine hmreco(w, x, y, inc, dp, res, ierr, msg)
     type(legacy_call) :: this
     type(c_ptr) :: work
     integer(c_size_t) :: bytes
+    real(c_double) :: turned
     integer(c_int32_t) :: point
     call this%open_solved(w)
     if (this%ok()) call this%told(hm_c_recover_movement_size(this%kept%basis, bytes, this%e))
     call this%room(bytes, work)
     if (this%ok()) call this%told(hm_c_recover_movement(this%kept%basis, points_of(x, y, inc), 0._c_double, dp, res, &
-        point, work, bytes, this%e))
+        turned, point, work, bytes, this%e))
     call this%finish(ierr, msg)
 end subroutine
 

@@ -72,8 +72,6 @@ subroutine hmopt(w, name, ival, ierr, msg)
                 options%engine = value
             case ("OFFSET")
                 options%offset_correction = value
-            case ("PRECISION")
-                options%precision = value
             case default
                 call this%refuse("NAME is unknown: " // name)
             end select

@@ -116,8 +116,9 @@ void run_morph(const Arguments& arguments) {
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
     if (basis.mesh_has_moved()) warn_of_earlier_movement(arguments, basis);
-    std::optional<ToAirfoil> airfoil;
-    const std::vector<double> moves = asked_moves(arguments, mesh, basis, airfoil);
+    const AskedMoves asked = asked_moves(arguments, mesh, basis);
+    const std::vector<double>& moves = asked.moves;
+    warn_of_errors(asked.errors);
     const Threads threads(threads_of(arguments), kernel_of(arguments));
     const bool safe = arguments.has("--safe");
     check_safe_options(arguments);
@@ -144,9 +145,10 @@ void run_morph(const Arguments& arguments) {
         write_moves(files.add(arguments.text("--moves-out")), moves, basis, mesh);
     files.commit();
     if (arguments.has("--json")) {
-        print_json(morph, safe, written, airfoil);
+        print_json(morph, safe, written, asked);
     } else {
-        if (airfoil) print_airfoil(arguments.text("--to-airfoil"), *airfoil);
+        if (asked.airfoil) print_airfoil(arguments.text("--to-airfoil"), *asked.airfoil);
+        print_errors(asked.errors);
         print_for_people(morph, safe, written);
     }
     if (strict && morph.valid()) throw Failure(exit_unusable, morph.warning);
@@ -170,10 +172,12 @@ const Command morph_command = {
     "\"shift MARKER dx dy\",\n"
     "\"scale MARKER factor [X,Y]\" and \"flap MARKER X,Y degrees [length]\", a smooth "
     "deflection behind the hinge X,Y, over a\n"
-    "tenth of the chord or `length`. Lines are applied in their order. Control points\n"
-    "and bodies without a line do not move; `#` starts a comment. Points of the mesh on the curve "
-    "move exactly as the\n"
-    "B-spline does. A mesh with inverted cells or a boundary that crosses itself is not written.\n"
+    "tenth of the chord or `length`. MARKER may be a piece A@X:Y, or a name in quotes, \"a "
+    "name\". Lines are applied in their order.\n"
+    "Control points and bodies without a line do not move; `#` starts a comment. Points of the "
+    "mesh on the curve move exactly as\n"
+    "the B-spline does. A movement that takes a point away from one of two moving conditions is "
+    "refused. A mesh with inverted cells or a boundary that crosses itself is not written.\n"
     "The file of the morphed mesh has the text of MESH with other coordinates. The moved B-spline "
     "is written beside the\n"
     "file, with .curve appended to its name. With --safe --force the mesh may stop before the "
@@ -272,7 +276,10 @@ const Command morph_command = {
              "start_quality, end_point (the end of a wall that leaves the line of the neighbouring "
              "boundary;\n"
              "-1: none), end_distance, warning, worst_cells (cell, quality, start_quality, x, y); "
-             "with --to-airfoil\n"
+             "with movements of\n"
+             "sections movement_error (the largest distance of the curve from the movement, as the "
+             "control points do\n"
+             "not follow it); with --to-airfoil\n"
              "airfoil_max_error and airfoil_rms_error (distances of the points of DAT from the "
              "curve)"}},
     "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg "

@@ -204,11 +204,13 @@ std::vector<std::string> make_writable(Mesh& mesh, const Format& format) {
             if (refused.find(other[k]) != refused.npos || is_control || is_outer_blank)
                 other[k] = '_';
         }
+        if (other.empty()) other = "_";
         if (other == name) continue;
         while (names.count(other) > 0) other += '_';
         names.insert(other);
+        const std::string why = name.empty() ? " must not be empty" : " have no such characters";
         sentences.push_back("the marker " + in_quotes(name) + " is written as " + in_quotes(other) +
-                            ": names in the format " + format.name + " have no such characters");
+                            ": names in the format " + format.name + why);
         name = other;
     }
     return sentences;
