@@ -64,21 +64,20 @@ TEST_CASE("analysis, factorisation and solution take at most the stated stack") 
     hm_problem const problem = setup.problem();
     struct Row {
         const char* name;
-        std::int32_t operator_kind, scheme, engine, precision;
+        std::int32_t operator_kind, scheme, engine;
     };
-    for (Row const& row : {Row{"conformal", HM_CONFORMAL, HM_COMPACT, HM_DIRECT, HM_DOUBLE},
-                           Row{"single", HM_CONFORMAL, HM_COMPACT, HM_DIRECT, HM_SINGLE},
-                           Row{"bounded", HM_WEIGHTED, HM_BOUNDED, HM_DIRECT, HM_DOUBLE},
-                           Row{"nodal", HM_LAPLACE, HM_NODAL_GRADIENT, HM_DIRECT, HM_DOUBLE},
-                           Row{"multigrid", HM_CONFORMAL, HM_COMPACT, HM_MULTIGRID, HM_DOUBLE},
-                           Row{"fas", HM_LAPLACE, HM_NODAL_GRADIENT, HM_FAS, HM_DOUBLE}}) {
+    for (Row const& row : {Row{"conformal", HM_CONFORMAL, HM_COMPACT, HM_DIRECT},
+                           Row{"bounded", HM_WEIGHTED, HM_BOUNDED, HM_DIRECT},
+                           Row{"nodal", HM_LAPLACE, HM_NODAL_GRADIENT, HM_DIRECT},
+                           Row{"multigrid", HM_CONFORMAL, HM_COMPACT, HM_MULTIGRID},
+                           Row{"fas", HM_LAPLACE, HM_NODAL_GRADIENT, HM_FAS}}) {
         for (std::int32_t const threads : {1, 64}) {
             Backwards backwards;
             hm_executor const executor = backwards.executor(threads);
             Options options = options_of(row.operator_kind);
             options.scheme = row.scheme;
             options.engine = row.engine;
-            options.precision = row.precision;
+            options.tolerance = 1e-3;  // fewer iterations take no less stack
             options.executor = &executor;
             Attempt attempt;
             check_stack(row.name, 56 * kib, [&] { attempt.run(problem, &options); });
