@@ -126,8 +126,8 @@ private:
         wall_.shared[wall_.n_shared++] = {slot, {none, none}, {number, other, {}}};
     }
 
-    // A point of two segments or two conditions keeps the first parameter; those on other curves are
-    // noted.
+    // A point of two segments or two conditions keeps the first parameter; those on other curves
+    // are noted.
     void put(Index point, Index curve, Real u) noexcept {
         Index const slot = work_.slot[point];
         if (slot != none) {
