@@ -69,7 +69,8 @@ contains
         type(hm_basis) :: bodies
         type(hm_basis_info) :: info
         type(hm_error) :: err
-        real(dp) :: x(ni, nj), y(ni, nj), a(ni, nj), b(ni, nj), move(2, 4), error
+        real(dp), target :: x(ni, nj), y(ni, nj)
+        real(dp) :: a(ni, nj), b(ni, nj), move(2, 4), error
         integer :: i, j, stat
         do j = 1, nj
             do i = 1, ni
@@ -92,12 +93,12 @@ contains
         call check(any(info%shared_point == 1) .and. any(info%shared_point == 13), "at these")
         move = 0
         move(1, 1) = 0.1_dp
-        call bodies%morph(move, x, y, a, b)
+        call bodies%morph_to(move, x, y, a, b)
         call bodies%boundary_error(move, x, y, a, b, error, stat=stat, err=err)
         call check(stat == hm_torn .and. abs(error - 0.1_dp) < 1e-12_dp .and. abs(err%value - 0.1_dp) < 1e-12_dp, &
             "one body moves: " // err%text)
         move(1, 3) = 0.1_dp
-        call bodies%morph(move, x, y, a, b)
+        call bodies%morph_to(move, x, y, a, b)
         call bodies%boundary_error(move, x, y, a, b, error, stat=stat)
         call check(stat == 0 .and. error < 1e-12_dp, "both bodies move")
     end subroutine
