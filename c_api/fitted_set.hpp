@@ -35,6 +35,8 @@ inline hm_fit_report report_of(FitReport const& fitted, Index n_pieces) noexcept
     filled.corners = fitted.corners;
     filled.backtrack_point = fitted.backtrack_point;
     filled.pieces = n_pieces;
+    filled.departure_point = fitted.departure_point;
+    filled.max_departure = fitted.max_departure;
     return filled;
 }
 

@@ -25,8 +25,6 @@ struct EquationsRequest : Request {
             wrong = "a mesh in parts needs the compact scheme (HM_COMPACT)";
         if (method.engine != Engine::direct)
             wrong = "options.engine must be HM_DIRECT for a mesh in parts";
-        if (method.precision != Precision::in_double)
-            wrong = "options.precision must be HM_DOUBLE for a mesh in parts";
         if (problem.demands.rotation) {
             wrong = "HM_ROTATION_PAIR is not available for a mesh in parts; HM_PERIODIC_PAIR is";
         }

@@ -162,6 +162,7 @@ private:
             worst_.max_error_point = number_of(fitted.max_error_point);
             worst_.first_point = number_of(fitted.first_point);
             worst_.backtrack_point = number_of(fitted.backtrack_point);
+            worst_.departure_point = number_of(fitted.departure_point);
         }
         made_.add(fit);
     }

@@ -90,8 +90,6 @@ Status check_engine(hm_options const& o, hm_study_options const& study, Fault& f
             wrong =
                 "options.study.history_length must be 0 unless the engine is HM_MULTIGRID or "
                 "HM_FAS";
-    } else if (o.precision != HM_DOUBLE) {
-        wrong = "options.precision must be HM_DOUBLE unless the engine is HM_DIRECT";
     }
     if (o.engine != HM_FAS && study.start != HM_START_COARSEST)
         wrong = "options.study.start must be HM_START_COARSEST unless the engine is HM_FAS";
@@ -193,12 +191,6 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
                             "options.tolerance must be at least 0 and below 1, not ~", {}, {},
                             o.tolerance);
     }
-    if (o.precision < HM_DOUBLE || o.precision > HM_SINGLE) {
-        return fault.refuse(Status::unsupported,
-                            "options.precision is #, but it must be HM_DOUBLE or HM_SINGLE",
-                            plain(o.precision));
-    }
-    method.precision = static_cast<Precision>(o.precision);
     HARMORPH_TRY(check_engine(o, study, fault));
     if (o.tolerance > 0) method.tolerance = o.tolerance;
     problem.iteration.tolerance = method.tolerance;

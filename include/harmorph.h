@@ -56,6 +56,8 @@
  *                  quadrilateral that is not convex is inverted. A corner with a sine below 5e-16
  *                  may count as either.
  * Markers          A marker without a condition is fixed: the points on it do not move.
+ * Arrays           Arrays that a call writes must have no number in common with other arrays of
+ *                  the call, except where the same arrays are allowed. Else HM_BAD_ARGUMENT.
  * NULL             NULL is allowed only where stated. hm_error may always be NULL.
  * Status           0: success. Positive: success with a warning, the result can be used. Negative:
  *                  the call was refused; outputs and blocks are as before the call, but a block
@@ -63,7 +65,7 @@
  * Threads          There is no hidden state. Only one thread at a time may write an object (plan,
  *                  basis) or make other objects from one (analysis); any number may read (morph,
  *                  adjoint, assess). The library uses the threads of an hm_executor, if given.
- * Stack            hm_morph: 16 KiB; hm_adjoint on one thread: 40 KiB; other calls: 112 KiB.
+ * Stack            hm_morph: 16 KiB; hm_adjoint: 40 KiB; other calls: 56 KiB.
  * Exceptions       A call that succeeds on finite numbers raises only inexact and underflow.
  * Repeatability    The same input and the same kernel give bitwise identical results: from run to
  *                  run, for any number of threads and of processes (harmorph_mpi.h).
@@ -82,7 +84,7 @@
 #define HM_VERSION_PATCH 0
 /* hm_abi_version() returns this value if header and library belong together. The name of the
  * shared library contains this number: libharmorph.so.HM_ABI. */
-#define HM_ABI 4
+#define HM_ABI 5
 
 #ifdef __cplusplus
 extern "C" {
@@ -255,8 +257,12 @@ enum { HM_NO_MARKER = INT32_MIN };
 
 /* Every boundary edge must be on a marker. The exception is a cut, such as the seam of an O-mesh or
  * the wake line of a C-mesh: two points of unmarked boundary edges with equal coordinates are one
- * point for the library and move together. Faces of one marker may belong to several bodies, and
- * one body may have several markers. */
+ * point for the library and move together. If edges without a marker remain, their points are
+ * joined, too, where they differ by rounding, such as the two sides of a trailing edge that a
+ * formula leaves open by 1e-16: each coordinate by at most 1e-12 of the diagonal of the box round
+ * all unmarked edges, or 1e-15 of their largest coordinate. Both sides receive the same
+ * displacements, bit by bit, and so keep their gap. A wider gap is refused with its width. Faces of
+ * one marker may belong to several bodies, and one body may have several markers. */
 typedef struct hm_mesh {
     uint64_t struct_size;
     int32_t index_base;  /* 0 or 1: the first number of points and cells, in arrays and reports */
@@ -297,7 +303,9 @@ typedef struct hm_curve {
     int32_t degree;       /* 1..5 */
     int32_t n_indices;    /* control points, repeated ones counted again; > degree */
     /* [n_indices] NULL: the points in order. Repeated points close a curve: with periodic knots the
-     * first `degree` points are repeated at the end, with clamped knots the first point is. */
+     * first `degree` points are repeated at the end, with clamped knots the first point is. The
+     * curve of a closed wall is refused (HM_BAD_CURVE) if its ends are at one place but belong to
+     * different control points there: moving one of them would tear the wall. */
     const int32_t* indices;
     /* [n_indices + degree + 1] non-decreasing, up to 1e100; inner knots are at most degree-fold. */
     const double* knots;
@@ -320,7 +328,7 @@ typedef struct hm_curves {
 enum {
     /* Points that are no loop: open. A loop without a corner: periodic. A loop with a blunt base:
      * open, plus a straight curve of degree 1 along the base that shares both end points. A base is
-     * straight, lies between two corners at the end farthest from the leading edge, is at most 0.15
+     * straight, lies between two corners at the end farthest from the leading edge, is at most 0.6
      * of the extent long, and is no tip of a horn of ice. Others: tied at the sharpest corner. */
     HM_CLOSED_AUTO = 0,
     HM_OPEN = 1,    /* clamped at the first and the last point */
@@ -347,7 +355,11 @@ typedef struct hm_fit_report {
     int32_t corners; /* points where the direction of the outline jumps, ends of curves included */
     int32_t backtrack_point; /* the curve runs backwards from here to the next point; -1: nowhere */
     int32_t pieces;          /* pieces of the boundary that were fitted */
-    int32_t reserved;        /* 0 */
+    int32_t departure_point; /* max_departure is between this point and the next one; -1: none */
+    /* [length] The largest distance of the curve from the polygon that connects the points. Points
+     * that are far apart at a round nose explain some of this distance, and a curve that bulges
+     * between points the rest; above .002 chords, look at the curve. */
+    double max_departure;
 } hm_fit_report;
 
 HM_API hm_status hm_fit_size(int32_t n, const hm_fit_options* options, size_t* bytes,
@@ -463,9 +475,10 @@ typedef struct hm_problem {
  *   HM_CONFORMAL              HM_DIRECT, HM_MULTIGRID      all but free    complex
  *   HM_LAPLACE, HM_WEIGHTED   HM_DIRECT, HM_MULTIGRID      all             real
  *
- * The weight of an operator is k = 1 / d^q. d is the distance from the barycentre of a cell to the
- * nearest face on a curve or rigid body (or on a periodic or rotated image), divided by the extent
- * of these faces. Cells near the moving boundary are stiff and keep their shape; others deform. */
+ * The weight of an operator is k = 1 / d^q. d is the distance from the mean of the corners of a
+ * cell to the nearest face that moves, that is on a curve, a rigid body or a marker with HM_GIVEN
+ * (or on a periodic or rotated image), divided by the extent of these faces. Cells near the moving
+ * boundary are stiff and keep their shape; others deform. */
 
 /* hm_options.operator_kind */
 enum {
@@ -488,14 +501,8 @@ enum {
      * stretched otherwise there are more (c_api/README.md). Plan: 455 to 500 bytes per point. */
     HM_MULTIGRID = 1
 };
-/* hm_options.precision, and hm_basis_info.storage */
-enum {
-    HM_DOUBLE = 0,
-    /* The factor takes half the memory, the plan 0.6 times the memory; no time is saved. Refinement
-     * reduces the estimated error of the functions to 1e-10 of the largest value. Cells that are
-     * too thin for this cause HM_NOT_CONVERGED or HM_NOT_POSITIVE. */
-    HM_SINGLE = 1
-};
+/* hm_basis_info.storage: the precision of the stored functions */
+enum { HM_DOUBLE = 0, HM_SINGLE = 1 };
 /* Called at the start of each phase (HM_PHASE_... of harmorph_study.h; fraction 0), sometimes in
  * between, and at the end (1). A return value other than 0 stops the call: HM_CANCELLED. */
 typedef int32_t (*hm_progress)(void* user, int32_t phase, double fraction);
@@ -506,7 +513,6 @@ typedef struct hm_options {
     uint64_t struct_size;
     int32_t operator_kind; /* default HM_CONFORMAL */
     int32_t engine;        /* default HM_DIRECT */
-    int32_t precision;     /* of the factor: default HM_DOUBLE; HM_SINGLE with HM_DIRECT only */
     /* 0 or 1; conformal only. 1: boundary functions N_i + e N_i' / C', e the offset of the mesh
      * point from the curve, so that the offset rotates with the curve: rigid motions of all control
      * points then move every wall point rigidly; other motions add e dC' / C'. The correction is

@@ -1,10 +1,10 @@
-/* harmorph for flow solvers on moving meshes: swept areas, wall distances and heights of the first
- * layer, coarse levels of control volumes, interpolation and conservative transfer of fields from
- * one mesh to another. The conventions of harmorph.h hold. */
+/* harmorph for flow solvers on moving meshes: swept areas, wall distances, heights of the first
+ * layer, and interpolation of fields from one mesh to another. The conventions of harmorph.h
+ * hold. */
 #ifndef HARMORPH_FIELDS_H
 #define HARMORPH_FIELDS_H
 
-#include "harmorph_study.h"
+#include "harmorph.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -120,40 +120,6 @@ HM_API hm_status hm_wall_distance_adjoint(const hm_walls* walls, int32_t n, cons
 HM_API hm_status hm_first_layer(const hm_walls* walls, const hm_points* at, double* heights,
                                 hm_error* err);
 
-/* ---- Coarse levels of control volumes, for multigrid flow solvers ---- */
-
-/* The control volumes of the median dual of a mesh, merged level by level. */
-typedef struct hm_levels hm_levels;
-
-/* analysis: that of the mesh, with conditions or without; the analysis must exist as long as the
- * levels. at [n_points]: the coordinates by which volumes are merged; NULL: those of the mesh.
- * agglomeration: HM_AGGLOMERATE_... of harmorph_study.h, here with the length of the common face of
- * two volumes, divided by the length of the mesh edge, as conductance: HM_AGGLOMERATE_DIRECTIONAL
- * merges across the layers of thin cells, HM_AGGLOMERATE_ISOTROPIC whatever the shapes of cells.
- * max_levels 0 .. 20, the finest level included; 0: as many as there are. Each level has at most a
- * third of the volumes of the next finer one; levels end where this fails, or at 48 volumes. All
- * volumes are connected. Points that a cut joins, and in an analysis with conditions those of
- * pairs, have one volume; polygons count as the triangles and quadrilaterals into which the library
- * divides them.
- */
-HM_API hm_status hm_levels_size(const hm_analysis* analysis, size_t* bytes, hm_error* err);
-HM_API hm_status hm_levels_init(hm_levels** levels, void* block, size_t bytes,
-                                const hm_analysis* analysis, const hm_points* at,
-                                int32_t agglomeration, int32_t max_levels, hm_error* err);
-/* cells [n_points] receives for each point the number, from 0, of the volume of this level that
- * contains the volume of the point; -1 for points that no cell uses. Level 0 is the finest.
- * *n_cells: the volumes of the level; *n_levels: all levels. Each of the three may be NULL. The
- * volumes of one level are unions of those of finer levels. */
-HM_API hm_status hm_level_cells(const hm_levels* levels, int32_t level, int32_t* cells,
-                                int32_t* n_cells, int32_t* n_levels, hm_error* err);
-/* areas [n_cells of the level] [length^2] receives the areas of the volumes at the mesh points `to`
- * [n_points], or, with `from` [n_points], the increase of these areas from `from` to `to`. The sum
- * over the corners of cells is rounded; each of its terms is computed with twice the precision of
- * doubles. The increase is the sum of the areas that the faces of the volume sweep (hm_swept_areas,
- * duals and halves), except for rounding. */
-HM_API hm_status hm_level_areas(const hm_levels* levels, int32_t level, const hm_points* from,
-                                const hm_points* to, double* areas, hm_error* err);
-
 /* ---- Fields of one mesh on another ---- */
 
 /* Where points are in a mesh, and the weights of the mesh points there. */
@@ -198,52 +164,6 @@ HM_API hm_status hm_interpolate(const hm_interpolation* interpolation, int32_t n
  * from_dj [n_fields * n_points]. */
 HM_API hm_status hm_interpolate_adjoint(const hm_interpolation* interpolation, int32_t n_fields,
                                         const double* to_dj, double* from_dj, hm_error* err);
-
-/* ---- Conservative transfer of fields: means over control volumes ---- */
-
-typedef struct hm_remap_report {
-    uint64_t struct_size;
-    int32_t uncovered; /* volumes of `to` that have no area in common with the mesh `from` */
-    int32_t partial;   /* volumes of `to` that are covered, but by less than (1 - 1e-9) of them */
-    double area;       /* [length^2] the area that both meshes have in common */
-} hm_remap_report;
-
-/* The control volume of a point is that of the median dual: in each cell, the quadrilateral of the
- * point, the middles of both sides at the point, and the mean of the points of the cell. Polygons
- * count as the triangles and quadrilaterals into which the library divides them. Points that a cut
- * joins have a volume each. Points that no cell uses have none. */
-
-/* Bytes of working memory of hm_remap with these meshes, number of fields and order. */
-HM_API hm_status hm_remap_size(const hm_analysis* from, const hm_analysis* to, int32_t n_fields,
-                               int32_t order, size_t* bytes, hm_error* err);
-/* Computes the means of n_fields fields over the control volumes of one mesh from the means over
- * those of another mesh. The common areas of volumes are computed by clipping convex polygons, so
- * that, but for rounding, the integral over the area that both meshes have in common does not
- * change:
- *   sum over j of covered[j] * to_values[j] = integral of the field of `from` over the common area,
- * which is the sum over i of (area of volume i) * from_values[i] if both meshes cover the same
- * domain. from, to: analyses of both meshes, with conditions or without; they may be the same.
- * from_at, to_at [n_points of the mesh]: the coordinates; NULL: those of the mesh.
- *   order        1: the field is constant in each volume of `from`; no new extremum arises.
- *                2: the field is linear in each volume, with its mean and a gradient by least
- *                squares from the means of the volumes around. The means of linear fields are exact
- *                but for rounding, and errors fall with the square of the size of the cells; new
- *                extrema may arise.
- *   from_values  [n_fields * n_points of from] one field after the other
- *   to_values    [n_fields * n_points of to] 0 where covered is 0; no number in common with
- *                from_values
- *   covered      [n_points of to] [length^2] the area that the volume has in common with the mesh
- *                `from`
- *   work         [bytes] free afterwards
- * executor NULL: one thread; report may be NULL. The results are the same bits for any number of
- * threads. Refused, the outputs unchanged: an inverted cell (HM_BAD_MESH), an order other than 1
- * and 2, n_fields < 1. The time is proportional to the number of pairs of cells whose bounding
- * boxes meet. */
-HM_API hm_status hm_remap(const hm_analysis* from, const hm_points* from_at, const hm_analysis* to,
-                          const hm_points* to_at, int32_t n_fields, int32_t order,
-                          const double* from_values, double* to_values, double* covered, void* work,
-                          size_t bytes, const hm_executor* executor, hm_remap_report* report,
-                          hm_error* err);
 
 #ifdef __cplusplus
 }

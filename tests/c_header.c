@@ -106,7 +106,6 @@ int main(void) {
     BEGINS(hm_mesh_report);
     BEGINS(hm_walls_info);
     BEGINS(hm_interpolation_report);
-    BEGINS(hm_remap_report);
     BEGINS(hm_bound);
     BEGINS(hm_bound_value);
     if (sizeof(void*) == 8) {

@@ -41,7 +41,7 @@ if wanted threads; then
     echo "3 0.05 0.1" >"$dir/moves.txt"
     for options in "--operator laplace" "--operator weighted" "--operator conformal" \
         "--operator laplace --engine multigrid" "--operator laplace --engine fas" \
-        "--operator laplace --scheme bounded" "--operator conformal --precision single"; do
+        "--operator laplace --scheme bounded" "--operator conformal"; do
         "$dir/harmorph" solve tests/meshes/naca0012.su2 --curve airfoil="$dir/a.curve" $options --threads 4 \
             -o "$dir/a.basis" >"$dir/log" 2>&1 &&
             "$dir/harmorph" morph tests/meshes/naca0012.su2 "$dir/a.basis" --move "$dir/moves.txt" --threads 4 \

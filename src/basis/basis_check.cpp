@@ -106,8 +106,7 @@ private:
         return is_within(header.index_base, 0, 2) &&
                is_within(header.filled, 0, counts_.stored + 1) &&
                is_within(method.exponent_quarters, 0, 17) &&
-               is_within(method.offset_correction, 0, 2) &&
-               is_within(static_cast<Index>(method.precision), 0, 2);
+               is_within(method.offset_correction, 0, 2);
     }
 
     bool curves_fit() const noexcept {

@@ -1,4 +1,4 @@
-// The options of the solution: operator, scheme, engine, precision; and the kind of values to which
+// The options of the solution: operator, scheme, engine; and the kind of values to which
 // they lead. tests/c_api/test_options.cpp and tests/c_api/test_refused_problems.cpp cover this
 // file.
 #pragma once
@@ -95,9 +95,6 @@ struct Method {
     // If this is 1, the offset of a wall point from its curve turns with the curve.
     std::int32_t offset_correction = 0;
     Real tolerance = 1e-10;
-    Precision precision = Precision::in_double;  // The precision of the factor.
-    // This field fills the padding, as the block is written and compared as bytes.
-    std::int32_t reserved = 0;
 
     EngineTraits const& traits() const noexcept {
         return engine_traits[static_cast<std::int32_t>(engine)];

@@ -23,7 +23,21 @@ public:
         fill(work_.is_break.first(n_points_), std::uint8_t{0});
         for (Curve const& curve : curves_.from(condition.first_curve, condition.n_curves))
             mark_breaks(curve);
-        for (Index chain = 0; chain < n_chains_; ++chain) parametrise_chain(chain, condition);
+        for (Index chain = 0; chain < n_chains_; ++chain) {
+            if (work_.is_loop[chain] != 0 && condition.n_curves == 1)
+                check_ends(condition.first_curve);
+            parametrise_chain(chain, condition);
+        }
+    }
+
+    // Refuses a curve whose ends a control point may separate, of a wall that is closed.
+    Status check_torn(Fault& fault) const noexcept {
+        if (torn_.first == none) return Status::ok;
+        return fault.refuse(Status::bad_curve,
+                            "the wall is closed, but control points # and @ at the same place, at "
+                            "both ends of its curve, would tear the curve: name one of them twice "
+                            "in indices instead",
+                            control_point_item(torn_.first), control_point_item(torn_.last));
     }
 
     // Adds the points of the condition that are on no wall yet, in order along the boundary.
@@ -35,6 +49,11 @@ public:
     }
 
 private:
+    void check_ends(Index curve) noexcept {
+        TornEnds const found = torn_ends(curves_[curve]);
+        if (torn_.first == none) torn_ = found;
+    }
+
     bool belongs(Index face, Condition const& condition) const noexcept {
         const Condition* const found = condition_of(conditions_, boundary_, face);
         return found != nullptr && found->kind == ConditionKind::on_curve &&
@@ -148,6 +167,7 @@ private:
     WallWork const& work_;
     Wall& wall_;
     Index n_chains_ = 0, n_points_ = 0;  // of the current condition
+    TornEnds torn_;                      // of the first closed wall whose curve may tear
 };
 
 Status apply_given(GivenParameters const& given, Span<const Curve> curves,
@@ -306,6 +326,7 @@ Status parametrise(Topology const& topology, Boundary const& boundary,
         }
         if (is_first) parametriser.run(conditions[i]);
     }
+    HARMORPH_TRY(parametriser.check_torn(fault));
     Demands all;
     for (Condition const& condition : conditions) {
         all.add(condition);

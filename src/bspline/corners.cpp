@@ -9,8 +9,6 @@ namespace {
 constexpr Real window[] = {2e-5, 5e-4, 1e-2};
 
 constexpr Real min_corner_turn = 0.087;  // 5 degrees
-// Thick trailing edges of wind turbines have a tenth of the chord.
-constexpr Real max_base_length = 0.15;
 constexpr Real side_straightness = 0.02;  // as a fraction of the length of the side
 constexpr Real coordinate_noise = 2e-6;   // the precision of coordinates with six digits
 // A point with a smaller turn divides a straight facet; more than max_flat_points of them in a row
@@ -173,11 +171,11 @@ Index find_corners(Outline const& outline, Span<Index> corner) noexcept {
     return n;
 }
 
-bool is_short_side(Outline const& outline, Index from, Index to) noexcept {
+bool is_straight_side(Outline const& outline, Index from, Index to, Real longest) noexcept {
     Vec2 const start = outline.points[from];
     Vec2 const along = outline.points[to] - start;
     Real const gap = length(along);
-    if (from == to || gap > max_base_length) return false;
+    if (from == to || gap > longest) return false;
     Index const n = outline.count();
     Real walked = 0;
     for (Index k = from; k != to;) {

@@ -34,8 +34,8 @@ struct Outline {
 // more than two points; its points are not corners.
 Index find_corners(Outline const& outline, Span<Index> corner) noexcept;
 
-// Returns whether the points from corner `from` to corner `to` lie on a straight line that is short
-// compared with the body.
-bool is_short_side(Outline const& outline, Index from, Index to) noexcept;
+// Returns whether the points from corner `from` to corner `to` lie on a straight line of at most
+// the length `longest`.
+bool is_straight_side(Outline const& outline, Index from, Index to, Real longest) noexcept;
 
 }  // namespace harmorph

@@ -5,9 +5,11 @@
 namespace harmorph {
 namespace {
 
-// The directions before and after a base differ by an angle whose cosine is below this, about -cos
-// 45 degrees, so wedges up to 45 degrees have bases.
-constexpr Real cosine_of_return = -0.7;
+// A base is at most as long as a body with this thickness allows; a facet is short.
+constexpr Real max_base = 0.6, max_facet = 0.15;
+// The directions before and after a base differ by an angle whose cosine is below this, so wedges
+// up to 45 degrees have bases, and with a base longer than a facet wedges up to 80 degrees.
+constexpr Real cosine_of_return = -0.7, cosine_of_wide_return = -0.17;
 // The outline turns by at least 25 degrees at both ends of a base. A side with a smaller turn at
 // one end is the last panel before a trailing edge of one point.
 constexpr Real cosine_of_least_turn = 0.9063;
@@ -78,7 +80,8 @@ bool comes_back(Outline const& outline, Index from, Index to) noexcept {
     Real const reach = length(side);
     Vec2 const in = outline.points[from] - outline.points[outline.behind(from, reach)];
     Vec2 const out = outline.points[outline.ahead(to, reach)] - outline.points[to];
-    return dot(in, out) < cosine_of_return * length(in) * length(out) &&
+    Real const limit = reach > max_facet ? cosine_of_wide_return : cosine_of_return;
+    return dot(in, out) < limit * length(in) * length(out) &&
            dot(in, side) < cosine_of_least_turn * length(in) * reach &&
            dot(side, out) < cosine_of_least_turn * reach * length(out);
 }
@@ -117,7 +120,8 @@ bool is_leading_edge_facet(Outline const& outline, Index from, Index to) noexcep
 }
 
 bool is_base(Outline const& outline, Index from, Index to) noexcept {
-    if (!is_short_side(outline, from, to) || !comes_back(outline, from, to)) return false;
+    if (!is_straight_side(outline, from, to, max_base) || !comes_back(outline, from, to))
+        return false;
     if (widens(outline, from, to, true) || widens(outline, to, from, false)) return false;
     if (is_leading_edge_facet(outline, from, to)) return false;
     Vec2 const begin = outline.points[from], end = outline.points[to];
@@ -168,7 +172,7 @@ Course choose_course(Outline const& outline, Span<const Index> corner, Closure w
 
 Index drop_facets(Outline const& outline, Span<Index> corner, Index n) noexcept {
     auto const is_facet = [&](Index from, Index to) {
-        if (!is_short_side(outline, from, to)) return false;
+        if (!is_straight_side(outline, from, to, max_facet)) return false;
         if (is_leading_edge_facet(outline, from, to)) return true;
         return outline.turn[from] < blunt_turn && outline.turn[to] < blunt_turn &&
                !is_base(outline, from, to);

@@ -115,6 +115,7 @@ Status Fit::attempt(Points points, Index n, FitOptions const& options, FitReport
     }
     report_errors(points, n, options, report);
     if (!is_finite(report.max_error)) return fault.refuse(Status::bad_curve, undetermined);
+    report_departure(report);
     report.backtrack_point = find_backtrack();
     if (report.backtrack_point == none) return Status::ok;
     Index const next = report.backtrack_point + 1 == n ? 0 : report.backtrack_point + 1;

@@ -32,6 +32,10 @@ struct FitReport {
     Index base_points = 0;  // the number of points on a blunt base; both ends count
     // The first curve runs backwards between this point and the next one.
     Index backtrack_point = none;
+    // The largest distance of the first curve from the polygon of the points, and the point after
+    // which this place lies.
+    Real max_departure = 0;
+    Index departure_point = none;
 };
 
 // Checks degree, number of control points and number of points; must be called before lay_out().
@@ -66,6 +70,8 @@ private:
     void report_errors(Points points, Index n, FitOptions const& options,
                        FitReport& report) const noexcept;
     Index find_backtrack() const noexcept;
+    void report_departure(FitReport& report) const noexcept;
+    Real departure_after(Index position) const noexcept;
     // Returns the caller's point at a position along the curve.
     Index point_at(Index position) const noexcept {
         return static_cast<Index>((static_cast<Offset>(course_.first) + position) %

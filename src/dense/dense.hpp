@@ -27,7 +27,7 @@
 // however widely the coefficients vary. Source: W. K. Grassmann, M. I. Taksar, D. P. Heyman, Oper.
 // Res. 33 (1985) 1107; A. S. Alfa, J. Xue, Q. Ye, Math. Comp. 71 (2002) 217.
 //
-// Numbers are double or float, real (one plane) or complex (two planes). A row of a slab consists
+// Numbers are real (one plane) or complex (two planes). A row of a slab consists
 // of the real parts, followed by the imaginary parts, and so does a row of right-hand sides.
 // Entries count the numbers of one plane.
 #pragma once
@@ -66,9 +66,8 @@ constexpr Offset sum_entries(Index pivots, Index border) noexcept {
 inline constexpr Index strip = 128;
 inline constexpr Index chunk = 192;
 
-template <class Number>
 struct Slabs {
-    Number* data = nullptr;
+    Real* data = nullptr;
     Index rows = 0;
     Index columns = 0;
     Index shorter = 0;
@@ -76,7 +75,7 @@ struct Slabs {
 
     // Returns the place of the real part of an entry; the imaginary part is `slab` numbers further
     // on.
-    Number* at(Index row, Index column) const noexcept {
+    Real* at(Index row, Index column) const noexcept {
         Index const number = column / slab;
         Offset const start = slab_start(rows, shorter, number) + Offset{slab} * row;
         return data + planes * start + (column - number * slab);
@@ -86,20 +85,18 @@ struct Slabs {
     }
 };
 
-template <class Number>
-constexpr Slabs<Number> triangle(Number* data, Index n, Index planes) noexcept {
+constexpr Slabs triangle(Real* data, Index n, Index planes) noexcept {
     return {data, n, n, n / slab, planes};
 }
 
-template <class Number>
 struct Panel {
-    Number* data = nullptr;
+    Real* data = nullptr;
     Index pivots = 0;
     Index border = 0;
     Index planes = 1;
 
-    Slabs<Number> own() const noexcept { return triangle(data, pivots, planes); }
-    Slabs<Number> border_columns() const noexcept {
+    Slabs own() const noexcept { return triangle(data, pivots, planes); }
+    Slabs border_columns() const noexcept {
         return {data + planes * triangle_entries(pivots), pivots, border, 0, planes};
     }
     Index front() const noexcept { return pivots + border; }
@@ -108,7 +105,7 @@ struct Panel {
     // Returns where the row sums of the border begin.
     Index border_sums() const noexcept { return padded(pivots); }
     // The columns of the front are those of the pivots, then those of the border.
-    Number* at(Index pivot, Index column) const noexcept {
+    Real* at(Index pivot, Index column) const noexcept {
         return column < pivots ? own().at(pivot, column)
                                : border_columns().at(pivot, column - pivots);
     }
@@ -117,82 +114,69 @@ struct Panel {
 // The Hermitian matrix that a front passes to the parent front. The upper triangle is stored, with
 // the row sums in place of the diagonal. The row sums contain what this front and the fronts below
 // it contribute.
-template <class Number>
 struct UpdateMatrix {
-    Number* data = nullptr;
+    Real* data = nullptr;
     Index n = 0;
     Index planes = 1;
 
-    Slabs<Number> all() const noexcept { return triangle(data, n, planes); }
-    Number* at(Index row, Index column) const noexcept { return all().at(row, column); }
+    Slabs all() const noexcept { return triangle(data, n, planes); }
+    Real* at(Index row, Index column) const noexcept { return all().at(row, column); }
 };
 
 // The caller's threads, planes * sum_entries() numbers for row sums, and the smallest ratio so far
 // of a pivot to the sum of the magnitudes of the terms of which the pivot is the sum. The ratio is
 // 1 if no digits cancelled.
-template <class Number>
 struct Workers {
     Executor executor;
-    Number* sums = nullptr;
-    Number* min_pivot_ratio = nullptr;
+    Real* sums = nullptr;
+    Real* min_pivot_ratio = nullptr;
 };
 
 // The rows of a strip are summed over the columns after those of the strip: sum [plane][row] adds
 // the entries, `size` adds the magnitudes of the real parts.
-template <class Number>
 struct TailSums {
-    Number sum[2][strip], size[strip];
+    Real sum[2][strip], size[strip];
 };
-
-// The functions below are instantiated for double and float.
 
 // Factors the panel in place. Returns the first pivot whose ratio (see Workers) is not above
 // `floor`, or none. Lowers *workers.min_pivot_ratio, and stores in workers.sums the row sums that
 // update_border() needs.
-template <class Number>
-Index factor(Kernel kernel, Panel<Number> const& panel, Number floor,
-             Workers<Number> const& workers) noexcept;
+Index factor(Kernel kernel, Panel const& panel, Real floor, Workers const& workers) noexcept;
 
 // Subtracts U^H U, formed with the columns of the border, from the update matrix.
-template <class Number>
-void update_border(Kernel kernel, Panel<Number> const& panel, UpdateMatrix<Number> const& update,
-                   Workers<Number> const& workers) noexcept;
+void update_border(Kernel kernel, Panel const& panel, UpdateMatrix const& update,
+                   Workers const& workers) noexcept;
 
 // Adds the update matrix of a child to the panel and to the update matrix of the parent. targets
 // [from.n] contains the row of the parent front for each row of the child's update matrix, in
 // increasing order.
-template <class Number>
-void extend_add(Kernel kernel, UpdateMatrix<Number> const& from, const Index* targets,
-                Panel<Number> const& panel, UpdateMatrix<Number> const& update) noexcept;
+void extend_add(Kernel kernel, UpdateMatrix const& from, const Index* targets, Panel const& panel,
+                UpdateMatrix const& update) noexcept;
 
 // Solves U^H y = y for the pivots, and subtracts the products of the solution from the rows of the
 // border. y is [front x planes x row]; row is a multiple of slab.
-template <class Number>
-void solve_forward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row,
+void solve_forward(Kernel kernel, Panel const& panel, Real* y, Index row,
                    Executor const& executor) noexcept;
 // Solves U y = y for the pivots; the solution in the rows of the border is known.
-template <class Number>
-void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row,
+void solve_backward(Kernel kernel, Panel const& panel, Real* y, Index row,
                     Executor const& executor) noexcept;
 
 // Copies the rows at positions begin .. begin+n-1 to rows of y, and fills the padding with zeros;
-// `row` is a multiple of slab. Values are doubles, or floats if the numbers are floats. The first
+// `row` is a multiple of slab. The first
 // of the `behind` rows that follow in memory are prefetched.
-template <class Number, class Value>
-void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Index behind, Number* y,
-            Index row, Index planes) noexcept;
+
+void gather(Kernel kernel, Rows const& from, Index begin, Index n, Index behind, Real* y, Index row,
+            Index planes) noexcept;
 // Copies rows of y back to positions begin .. begin+n-1.
-template <class Number, class Value>
-void scatter(Kernel kernel, const Number* y, Index row, Index planes, RowsOf<Value> const& to,
-             Index begin, Index n) noexcept;
+
+void scatter(Kernel kernel, const Real* y, Index row, Index planes, Rows const& to, Index begin,
+             Index n) noexcept;
 
 // add_rows() adds n rows of `length` numbers, a multiple of slab, to the rows `targets` of y.
 // copy_rows() copies these rows of y to `to`.
-template <class Number>
-void add_rows(Kernel kernel, Index n, const Number* from, const Index* targets, Number* y,
+void add_rows(Kernel kernel, Index n, const Real* from, const Index* targets, Real* y,
               Index length) noexcept;
-template <class Number>
-void copy_rows(Kernel kernel, Index n, const Number* y, const Index* targets, Number* to,
+void copy_rows(Kernel kernel, Index n, const Real* y, const Index* targets, Real* to,
                Index length) noexcept;
 
 }  // namespace harmorph::dense

@@ -7,22 +7,21 @@ namespace harmorph::dense::HARMORPH_SET {
 namespace {
 
 HARMORPH_INLINE double sqrt(double x) noexcept { return __builtin_sqrt(x); }
-HARMORPH_INLINE float sqrt(float x) noexcept { return __builtin_sqrtf(x); }
 
 // A diagonal block A beside a unit matrix. Elimination without square roots turns [A | 1] into [D
 // L^H | L^-1], where A = L D L^H.
-template <Index planes, class Number>
+template <Index planes>
 struct AugmentedBlock {
     static constexpr Index block = slab, width = 2 * block;
-    Number at[block][planes][width];
+    Real at[block][planes][width];
 
-    AugmentedBlock(const Number* a, Index n) noexcept {
+    AugmentedBlock(const Real* a, Index n) noexcept {
         for (Index r = 0; r < n; ++r, a += step<planes>) {
             for (Index plane = 0; plane < planes; ++plane) {
-                Number* const row = at[r][plane];
-                for (Index c = 0; c < block; c += lanes<Number>) {
+                Real* const row = at[r][plane];
+                for (Index c = 0; c < block; c += lanes) {
                     store(row + c, load(a + plane * block + c));
-                    store(row + block + c, Vector<Number>{});
+                    store(row + block + c, Vector{});
                 }
             }
             at[r][0][block + r] = 1;
@@ -31,12 +30,12 @@ struct AugmentedBlock {
 
     // Subtracts conj(factor) times row k from row r, in column r of A to column k of the unit
     // matrix; all other entries of row k are 0.
-    HARMORPH_INLINE void subtract(Index r, Index k, Number real, Number imaginary) noexcept {
-        for (Index c = r / lanes<Number> * lanes<Number>; c <= block + k; c += lanes<Number>) {
-            Vector<Number> const re = load(at[k][0] + c);
-            Vector<Number> to = load(at[r][0] + c) - real * re;
+    HARMORPH_INLINE void subtract(Index r, Index k, Real real, Real imaginary) noexcept {
+        for (Index c = r / lanes * lanes; c <= block + k; c += lanes) {
+            Vector const re = load(at[k][0] + c);
+            Vector to = load(at[r][0] + c) - real * re;
             if constexpr (planes == 2) {
-                Vector<Number> const im = load(at[k][1] + c);
+                Vector const im = load(at[k][1] + c);
                 to -= imaginary * im;
                 store(at[r][1] + c, load(at[r][1] + c) - real * im + imaginary * re);
             }
@@ -49,24 +48,24 @@ struct AugmentedBlock {
 // the row sums over the columns of the block; the diagonal entries are not read. `size` has the
 // sums of the magnitudes of the same terms. Returns the first pivot that is not larger than `floor`
 // times the sum of magnitudes, or none.
-template <Index planes, class Number>
-Index factor_block(Number* a, Index n, Number (&sum)[planes][slab], const Number (&size)[slab],
-                   Number floor, Number& min_pivot_ratio) noexcept {
-    AugmentedBlock<planes, Number> augmented(a, n);
-    Number scale[slab];
+template <Index planes>
+Index factor_block(Real* a, Index n, Real (&sum)[planes][slab], const Real (&size)[slab],
+                   Real floor, Real& min_pivot_ratio) noexcept {
+    AugmentedBlock<planes> augmented(a, n);
+    Real scale[slab];
     for (Index k = 0; k < n; ++k) {
-        Number pivot = sum[0][k], row_size = size[k];
+        Real pivot = sum[0][k], row_size = size[k];
         for (Index c = k + 1; c < n; ++c) {
             pivot -= augmented.at[k][0][c];
             row_size += magnitude(augmented.at[k][0][c]);
         }
         if (!(pivot > floor * row_size)) return k;
         if (pivot < min_pivot_ratio * row_size) min_pivot_ratio = pivot / row_size;
-        Number const inverse = 1 / pivot;
+        Real const inverse = 1 / pivot;
         scale[k] = 1 / sqrt(pivot);
         for (Index r = k + 1; r < n; ++r) {
-            Number const real = augmented.at[k][0][r] * inverse;
-            Number const imaginary = planes == 2 ? augmented.at[k][planes - 1][r] * inverse : 0;
+            Real const real = augmented.at[k][0][r] * inverse;
+            Real const imaginary = planes == 2 ? augmented.at[k][planes - 1][r] * inverse : 0;
             augmented.subtract(r, k, real, imaginary);
             sum[0][r] -= real * sum[0][k];
             if constexpr (planes == 2) {
@@ -77,7 +76,7 @@ Index factor_block(Number* a, Index n, Number (&sum)[planes][slab], const Number
     }
     for (Index r = 0; r < n; ++r, a += step<planes>) {
         for (Index plane = 0; plane < planes; ++plane) {
-            for (Index c = 0; c < slab; c += lanes<Number>) {
+            for (Index c = 0; c < slab; c += lanes) {
                 store(a + plane * slab + c, scale[r] * load(augmented.at[r][plane] + slab + c));
             }
         }
@@ -86,14 +85,14 @@ Index factor_block(Number* a, Index n, Number (&sum)[planes][slab], const Number
 }
 
 // Returns the rows of the right-hand sides that begin with `row`.
-template <Index planes, class Number>
-HARMORPH_INLINE InRows<Number, planes> right_hand_rows(Number* y, Index width, Index row) noexcept {
-    return InRows<Number, planes>{y, width}.at(row, 0);
+template <Index planes>
+HARMORPH_INLINE InRows<planes> right_hand_rows(Real* y, Index width, Index row) noexcept {
+    return InRows<planes>{y, width}.at(row, 0);
 }
 
-template <class Number, Index planes>
-void subtract_earlier(Slabs<Number> const& own, Slabs<Number> const& columns, Index first,
-                      Index end, Index from, Index to) noexcept {
+template <Index planes>
+void subtract_earlier(Slabs const& own, Slabs const& columns, Index first, Index end, Index from,
+                      Index to) noexcept {
     bool const upper = own.data == columns.data;  // The columns may begin on the diagonal.
     for (Index k = 0; k < first; k += strip) {
         subtract_product<planes>(own, columns, columns, {k, k + strip}, {first, end}, {from, to},
@@ -101,23 +100,23 @@ void subtract_earlier(Slabs<Number> const& own, Slabs<Number> const& columns, In
     }
 }
 
-template <class Number, Index planes>
-void sum_tails(Panel<Number> const& panel, Index first, Index end, Index from, Index to,
-               TailSums<Number>& tails) noexcept {
-    Slabs<Number> const own = panel.own(), border = panel.border_columns();
+template <Index planes>
+void sum_tails(Panel const& panel, Index first, Index end, Index from, Index to,
+               TailSums& tails) noexcept {
+    Slabs const own = panel.own(), border = panel.border_columns();
     sum_rows<planes>(own, {from, to}, {end, own.columns}, &border,
-                     [&](Index row, const Number* sum, Number size) {
+                     [&](Index row, const Real* sum, Real size) {
                          for (Index p = 0; p < planes; ++p) tails.sum[p][row - first] = sum[p];
                          tails.size[row - first] = size;
                      });
 }
 
-template <class Number, Index planes>
-Index factor_diagonal(Panel<Number> const& panel, Index first, Index end, Number* sums,
-                      TailSums<Number>& tails, Number floor, Number& min_pivot_ratio) noexcept {
-    Slabs<Number> const own = panel.own();
+template <Index planes>
+Index factor_diagonal(Panel const& panel, Index first, Index end, Real* sums, TailSums& tails,
+                      Real floor, Real& min_pivot_ratio) noexcept {
+    Slabs const own = panel.own();
     Offset const plane = panel.sums_plane();
-    Number inner[planes][strip];  // These are the sums of the rows over the strip's own columns.
+    Real inner[planes][strip];  // These are the sums of the rows over the strip's own columns.
     Index const padded_end = first + (end - first + slab - 1) / slab * slab;
     for (Index p = 0; p < planes; ++p) {
         for (Index r = first; r < end; ++r)
@@ -129,9 +128,9 @@ Index factor_diagonal(Panel<Number> const& panel, Index first, Index end, Number
     for (Index k = first; k < end; k += slab) {
         Index const n = min(slab, end - k), behind = end - k - n;
         if (k > first) subtract_product<planes>(own, own, own, {first, k}, {k, k + n}, {k, end});
-        Number sum[planes][slab], size[slab];
-        sum_rows<planes>(own, {k, k + n}, {k + n, end}, static_cast<Slabs<Number> const*>(nullptr),
-                         [&](Index row, const Number* rest, Number row_size) {
+        Real sum[planes][slab], size[slab];
+        sum_rows<planes>(own, {k, k + n}, {k + n, end}, static_cast<Slabs const*>(nullptr),
+                         [&](Index row, const Real* rest, Real row_size) {
                              for (Index p = 0; p < planes; ++p)
                                  sum[p][row - k] = inner[p][row - first] - rest[p];
                              size[row - k] =
@@ -139,25 +138,25 @@ Index factor_diagonal(Panel<Number> const& panel, Index first, Index end, Number
                          });
         Index const bad = factor_block<planes>(own.at(k, k), n, sum, size, floor, min_pivot_ratio);
         if (bad != none) return k + bad;
-        apply_inverse<planes>(own, k, n, behind, InSlabs<Number, planes>{own, k, k + n});
+        apply_inverse<planes>(own, k, n, behind, InSlabs<planes>{own, k, k + n});
         eliminate_sums<planes>(own, k, n, end, inner[0] + (k - first), strip);
         eliminate_sums<planes>(own, k, n, end, sums + k, plane);
     }
     return none;
 }
 
-template <class Number, Index planes>
-void finish_columns(Panel<Number> const& panel, Slabs<Number> const& columns, Index first,
-                    Index end, Index from, Index to, Number* sums, Number* column_sums) noexcept {
-    Slabs<Number> const own = panel.own();
-    for (Index c = from; c < to; c += tile_columns<planes, Number>) {
-        Range const tile{c, min(to, c + tile_columns<planes, Number>)};
+template <Index planes>
+void finish_columns(Panel const& panel, Slabs const& columns, Index first, Index end, Index from,
+                    Index to, Real* sums, Real* column_sums) noexcept {
+    Slabs const own = panel.own();
+    for (Index c = from; c < to; c += tile_columns<planes>) {
+        Range const tile{c, min(to, c + tile_columns<planes>)};
         for (Index k = first; k < end; k += slab) {
             Index const n = min(slab, end - k);
             if constexpr (planes == 1 &&
                           tile_rows<planes> == slab) {  // The whole tile stays in registers.
                 if (n == slab) {
-                    InSlabs<Number, 1> const above{columns, first, c}, block{columns, k, c};
+                    InSlabs<1> const above{columns, first, c}, block{columns, k, c};
                     any_finish_tile(tile.count(), own.at(first, k), above, k - first, own.at(k, k),
                                     block, sums + k, column_sums + c);
                     continue;
@@ -165,19 +164,19 @@ void finish_columns(Panel<Number> const& panel, Slabs<Number> const& columns, In
             }
             if (k > first)
                 subtract_product<planes>(own, columns, columns, {first, k}, {k, k + n}, tile);
-            apply_inverse<planes>(own, k, n, tile.count(), InSlabs<Number, planes>{columns, k, c});
+            apply_inverse<planes>(own, k, n, tile.count(), InSlabs<planes>{columns, k, c});
             subtract_sums<planes>(columns, k, n, tile, sums + k, column_sums + c,
                                   panel.sums_plane());
         }
     }
 }
 
-template <class Number, Index planes>
-void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index begin,
-                 const Number* sums) noexcept {
-    Slabs<Number> const border = panel.border_columns(), d = update.all();
+template <Index planes>
+void update_band(Panel const& panel, UpdateMatrix const& update, Index begin,
+                 const Real* sums) noexcept {
+    Slabs const border = panel.border_columns(), d = update.all();
     Index const end = min(update.n, begin + strip);
-    Number sum[planes][strip];
+    Real sum[planes][strip];
     for (Index r = begin; r < end; ++r) {
         for (Index p = 0; p < planes; ++p) {
             sum[p][r - begin] = d.at(r, r)[p * slab] + sums[p * panel.sums_plane() + r];
@@ -195,12 +194,11 @@ void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update,
     }
 }
 
-template <class Number, Index planes>
-void solve_strip_forward(Slabs<Number> const& own, Index first, Index end, Number* y,
-                         Index row) noexcept {
+template <Index planes>
+void solve_strip_forward(Slabs const& own, Index first, Index end, Real* y, Index row) noexcept {
     for (Index k = first; k < end; k += slab) {
         Index const n = min(slab, end - k);
-        InRows<Number, planes> const block = right_hand_rows<planes>(y, row, k);
+        InRows<planes> const block = right_hand_rows<planes>(y, row, k);
         if (k > first)
             subtract_from_rows<planes>(own, right_hand_rows<planes>(y, row, first), block,
                                        {first, k}, {k, k + n});
@@ -208,16 +206,16 @@ void solve_strip_forward(Slabs<Number> const& own, Index first, Index end, Numbe
     }
 }
 
-template <class Number, Index planes>
-void subtract_forward(Slabs<Number> const& columns, Index first, Index end, Number* y, Number* rest,
-                      Index row, Index from, Index to) noexcept {
+template <Index planes>
+void subtract_forward(Slabs const& columns, Index first, Index end, Real* y, Real* rest, Index row,
+                      Index from, Index to) noexcept {
     subtract_from_rows<planes>(columns, right_hand_rows<planes>(y, row, first),
                                right_hand_rows<planes>(rest, row, from), {first, end}, {from, to});
 }
 
-template <class Number, Index planes>
-void subtract_backward(Slabs<Number> const& columns, Index begin, Number* y, Number* rest,
-                       Index row, Index from, Index to, Offset ahead) noexcept {
+template <Index planes>
+void subtract_backward(Slabs const& columns, Index begin, Real* y, Real* rest, Index row,
+                       Index from, Index to, Offset ahead) noexcept {
     for (Index k = begin; k < columns.columns; k += strip) {
         subtract_across<planes>(columns, {k, min(columns.columns, k + strip)}, {from, to},
                                 right_hand_rows<planes>(rest, row, k),
@@ -225,12 +223,12 @@ void subtract_backward(Slabs<Number> const& columns, Index begin, Number* y, Num
     }
 }
 
-template <class Number, Index planes>
-void solve_strip_backward(Slabs<Number> const& own, Index first, Index end, Number* y, Index row,
+template <Index planes>
+void solve_strip_backward(Slabs const& own, Index first, Index end, Real* y, Index row,
                           Offset ahead) noexcept {
     for (Index k = first + (end - 1 - first) / slab * slab; k >= first; k -= slab) {
         Index const n = min(slab, end - k);
-        InRows<Number, planes> const block = right_hand_rows<planes>(y, row, k);
+        InRows<planes> const block = right_hand_rows<planes>(y, row, k);
         prefetch_rows<planes>(own.at(k, k) + ahead, n);
         if (k + n < end)
             subtract_across<planes>(own, {k + n, end}, {k, k + n}, block.at(n, 0), block, ahead);
@@ -238,21 +236,19 @@ void solve_strip_backward(Slabs<Number> const& own, Index first, Index end, Numb
     }
 }
 
-template <class Number, Index planes>
-constexpr FrontKernels<Number, planes> front_kernels{
-    subtract_earlier<Number, planes>,     sum_tails<Number, planes>,
-    factor_diagonal<Number, planes>,      finish_columns<Number, planes>,
-    update_band<Number, planes>,          solve_strip_forward<Number, planes>,
-    subtract_forward<Number, planes>,     subtract_backward<Number, planes>,
-    solve_strip_backward<Number, planes>,
+template <Index planes>
+constexpr FrontKernels<planes> front_kernels{
+    subtract_earlier<planes>, sum_tails<planes>,         factor_diagonal<planes>,
+    finish_columns<planes>,   update_band<planes>,       solve_strip_forward<planes>,
+    subtract_forward<planes>, subtract_backward<planes>, solve_strip_backward<planes>,
 };
 
 }  // namespace
 }  // namespace harmorph::dense::HARMORPH_SET
 
 namespace harmorph::simd {
-template <class Number, Index planes>
-inline constexpr const dense::FrontKernels<Number, planes>*
-    table<dense::FrontKernels<Number, planes>, Kernel::HARMORPH_SET> =
-        &dense::HARMORPH_SET::front_kernels<Number, planes>;
+template <Index planes>
+inline constexpr const dense::FrontKernels<planes>*
+    table<dense::FrontKernels<planes>, Kernel::HARMORPH_SET> =
+        &dense::HARMORPH_SET::front_kernels<planes>;
 }  // namespace harmorph::simd

@@ -5,48 +5,42 @@
 namespace harmorph::dense::HARMORPH_SET {
 namespace {
 
-template <class Number>
-HARMORPH_INLINE Number magnitude(Number x) noexcept {
-    return x < 0 ? -x : x;
-}
+HARMORPH_INLINE Real magnitude(Real x) noexcept { return x < 0 ? -x : x; }
 // Returns the absolute values: the sign bits are cleared.
-template <class Number>
-HARMORPH_INLINE Vector<Number> magnitudes(Vector<Number> v) noexcept {
-    using Words = typename Registers<Number>::Words;
-    using Word = typename Registers<Number>::Word;
-    return Vector<Number>(Words(v) & (~Word{0} >> 1));
+HARMORPH_INLINE Vector magnitudes(Vector v) noexcept {
+    using Words = Registers::Words;
+    using Word = Registers::Word;
+    return Vector(Words(v) & (~Word{0} >> 1));
 }
 
 // Returns the sum of a register's numbers.
-template <class Number>
-HARMORPH_INLINE Number total(Vector<Number> v) noexcept {
-    typedef Number Block16 __attribute__((vector_size(16), aligned(sizeof(Number)), may_alias));
-    constexpr Index per_block = static_cast<Index>(sizeof(Block16) / sizeof(Number));
-    Number each[lanes<Number>];
+HARMORPH_INLINE Real total(Vector v) noexcept {
+    typedef Real Block16 __attribute__((vector_size(16), aligned(sizeof(Real)), may_alias));
+    constexpr Index per_block = static_cast<Index>(sizeof(Block16) / sizeof(Real));
+    Real each[lanes];
     store(each, v);
     Block16 sum = *reinterpret_cast<const Block16*>(each);
-    for (Index k = per_block; k < lanes<Number>; k += per_block)
+    for (Index k = per_block; k < lanes; k += per_block)
         sum += *reinterpret_cast<const Block16*>(each + k);
-    if constexpr (per_block == 4) return (sum[0] + sum[1]) + (sum[2] + sum[3]);
     return sum[0] + sum[1];
 }
 
 // The sums of a few rows, and the sums of the magnitudes of their real parts.
-template <Index planes, Index rows, class Number>
+template <Index planes, Index rows>
 struct RowSums {
-    Vector<Number> sum[planes][rows] = {}, size[rows] = {};
+    Vector sum[planes][rows] = {}, size[rows] = {};
 
     // Adds the columns of the range, which begins with the first column of a slab.
-    HARMORPH_INLINE void add(Slabs<Number> const& u, Index row, Range columns) noexcept {
+    HARMORPH_INLINE void add(Slabs const& u, Index row, Range columns) noexcept {
         for (Index c = columns.begin; c < columns.end; c += slab) {
-            const Number* const entries = u.at(row, c);
+            const Real* const entries = u.at(row, c);
 #pragma GCC unroll 8
             for (Index r = 0; r < rows; ++r) {
 #pragma GCC unroll 8
-                for (Index v = 0; v < slab; v += lanes<Number>) {
-                    Vector<Number> const real = load(entries + r * step<planes> + v);
+                for (Index v = 0; v < slab; v += lanes) {
+                    Vector const real = load(entries + r * step<planes> + v);
                     sum[0][r] += real;
-                    size[r] += magnitudes<Number>(real);
+                    size[r] += magnitudes(real);
                     if constexpr (planes == 2)
                         sum[1][r] += load(entries + r * step<planes> + slab + v);
                 }
@@ -57,45 +51,45 @@ struct RowSums {
 
 // Calls take(row, sums, size) for each row of u. The sums extend over the columns `own` of u, and
 // over all columns of `others` if `others` is not null.
-template <Index planes, class Number, class Take>
-HARMORPH_INLINE void sum_rows(Slabs<Number> const& u, Range rows, Range own,
-                              Slabs<Number> const* others, Take const& take) noexcept {
+template <Index planes, class Take>
+HARMORPH_INLINE void sum_rows(Slabs const& u, Range rows, Range own, Slabs const* others,
+                              Take const& take) noexcept {
     constexpr Index at_once = 4;
     auto const sum_some = [&](auto& sums, Index row, Index n) {
         sums.add(u, row, own);
         if (others != nullptr) sums.add(*others, row, {0, others->columns});
         for (Index r = 0; r < n; ++r) {
-            Number sum[planes];
-            for (Index p = 0; p < planes; ++p) sum[p] = total<Number>(sums.sum[p][r]);
-            take(row + r, sum, total<Number>(sums.size[r]));
+            Real sum[planes];
+            for (Index p = 0; p < planes; ++p) sum[p] = total(sums.sum[p][r]);
+            take(row + r, sum, total(sums.size[r]));
         }
     };
     Index row = rows.begin;
     for (; row + at_once <= rows.end; row += at_once) {
-        RowSums<planes, at_once, Number> sums;
+        RowSums<planes, at_once> sums;
         sum_some(sums, row, at_once);
     }
     for (; row < rows.end; ++row) {
-        RowSums<planes, 1, Number> sums;
+        RowSums<planes, 1> sums;
         sum_some(sums, row, 1);
     }
 }
 
 // Computes sums [columns] -= U^H y with n rows of U, beginning at `row`; the columns begin with the
 // first column of a slab. `plane` is the distance from real to imaginary parts in sums and in y.
-template <Index planes, class Number>
-void subtract_sums(Slabs<Number> const& u, Index row, Index n, Range columns, const Number* y,
-                   Number* sums, Offset plane) noexcept {
-    for (Index c = columns.begin; c < columns.end; c += lanes<Number>) {
-        const Number* entries = u.at(row, c);
-        Number* const to = sums + (c - columns.begin);
-        Vector<Number> sum[planes];
+template <Index planes>
+void subtract_sums(Slabs const& u, Index row, Index n, Range columns, const Real* y, Real* sums,
+                   Offset plane) noexcept {
+    for (Index c = columns.begin; c < columns.end; c += lanes) {
+        const Real* entries = u.at(row, c);
+        Real* const to = sums + (c - columns.begin);
+        Vector sum[planes];
         for (Index p = 0; p < planes; ++p) sum[p] = load(to + p * plane);
         for (Index r = 0; r < n; ++r, entries += step<planes>) {
-            Vector<Number> const real = load(entries);
+            Vector const real = load(entries);
             sum[0] -= y[r] * real;
             if constexpr (planes == 2) {
-                Vector<Number> const imaginary = load(entries + slab);
+                Vector const imaginary = load(entries + slab);
                 sum[0] -= y[plane + r] * imaginary;
                 sum[1] -= y[plane + r] * real - y[r] * imaginary;
             }
@@ -106,17 +100,17 @@ void subtract_sums(Slabs<Number> const& u, Index row, Index n, Range columns, co
 
 // Eliminates the row sums of a diagonal block, which is replaced by its inverse already, and
 // subtracts the products from the sums of the columns after the block.
-template <Index planes, class Number>
-void eliminate_sums(Slabs<Number> const& u, Index first, Index n, Index end, Number* sums,
+template <Index planes>
+void eliminate_sums(Slabs const& u, Index first, Index n, Index end, Real* sums,
                     Offset plane) noexcept {
-    const Number* const inverse = u.at(first, first);
+    const Real* const inverse = u.at(first, first);
     for (Index r = n - 1; r >= 0; --r) {
-        const Number* const row = inverse + r * step<planes>;
-        Number sum[planes] = {};
+        const Real* const row = inverse + r * step<planes>;
+        Real sum[planes] = {};
         for (Index k = 0; k <= r; ++k) {
             sum[0] += row[k] * sums[k];
             if constexpr (planes == 2) {
-                Number const imaginary = row[slab + k];
+                Real const imaginary = row[slab + k];
                 sum[0] -= imaginary * sums[plane + k];
                 sum[1] += row[k] * sums[plane + k] + imaginary * sums[k];
             }

@@ -14,10 +14,9 @@ struct Range {
 
 // The operand and the result of a product. One function serves both kinds of Store, as writing is a
 // small part of the code of a tile.
-template <class Number>
 struct Product {
     Store how;
-    Vectors<Number> b, d;
+    Vectors b, d;
 
     template <Op op, class Sums>
     HARMORPH_INLINE void write_to(Sums const& sums) const noexcept {
@@ -27,27 +26,26 @@ struct Product {
 };
 
 // Computes a tile of A^H B with `depth` rows of a slab of A, beginning at `a`.
-template <Index planes, Index rows, Index vectors, class Number>
-void tile_down(const Number* a, Index depth, Product<Number> const& product) noexcept {
-    TileOf<planes, rows, vectors, Number> sums;
+template <Index planes, Index rows, Index vectors>
+void tile_down(const Real* a, Index depth, Product const& product) noexcept {
+    TileOf<planes, rows, vectors> sums;
     sums.template add<Op::conjugate_transposed>(a, product.b, depth);
     product.template write_to<Op::conjugate_transposed>(sums);
 }
 
 // Prefetches rows of a slab, which are needed soon, into the second-level cache.
-template <Index planes, class Number>
-HARMORPH_INLINE void prefetch_rows(const Number* row, Index rows) noexcept {
-    constexpr Offset line = 64 / sizeof(Number);
+template <Index planes>
+HARMORPH_INLINE void prefetch_rows(const Real* row, Index rows) noexcept {
+    constexpr Offset line = 64 / sizeof(Real);
     for (Offset k = 0; k < rows * step<planes>; k += line) __builtin_prefetch(row + k, 0, 2);
 }
 
 // Computes a tile of A B with the columns k of A and the rows of A that begin at i; a slab begins
 // at k.begin. The numbers `ahead` further on are prefetched, unless `ahead` is 0.
-template <Index planes, Index rows, Index vectors, class Number>
-void tile_across(Slabs<Number> const& a, Index i, Range k, Product<Number> const& product,
-                 Offset ahead) noexcept {
-    TileOf<planes, rows, vectors, Number> sums;
-    const Number* entries = a.at(i, k.begin);
+template <Index planes, Index rows, Index vectors>
+void tile_across(Slabs const& a, Index i, Range k, Product const& product, Offset ahead) noexcept {
+    TileOf<planes, rows, vectors> sums;
+    const Real* entries = a.at(i, k.begin);
     for (Index c = k.begin; c < k.end; c += slab) {
         if (ahead != 0) prefetch_rows<planes>(entries + ahead, rows);
         sums.template add<Op::plain>(entries, product.b, min(slab, k.end - c), c - k.begin);
@@ -58,11 +56,11 @@ void tile_across(Slabs<Number> const& a, Index i, Range k, Product<Number> const
 
 // Tiles have 1, 2, 4 .. tile_rows rows, which keeps the code small: an odd number of rows is
 // divided into an even one and one more.
-template <Index planes, class Number>
+template <Index planes>
 struct Tiles {
     struct TileFunctions {
-        void (*down)(const Number* a, Index depth, Product<Number> const& product) noexcept;
-        void (*across)(Slabs<Number> const& a, Index i, Range k, Product<Number> const& product,
+        void (*down)(const Real* a, Index depth, Product const& product) noexcept;
+        void (*across)(Slabs const& a, Index i, Range k, Product const& product,
                        Offset ahead) noexcept;
     };
     struct FunctionsOfHeight {
@@ -74,8 +72,8 @@ struct Tiles {
 
 private:
     template <Index rows, Index vectors>
-    static constexpr TileFunctions tile{tile_down<planes, rows, vectors, Number>,
-                                        tile_across<planes, rows, vectors, Number>};
+    static constexpr TileFunctions tile{tile_down<planes, rows, vectors>,
+                                        tile_across<planes, rows, vectors>};
     static constexpr Index widest = tile_vectors<planes>;
     template <Index rows>
     static constexpr FunctionsOfHeight of_height{
@@ -89,78 +87,76 @@ private:
 };
 
 // Returns how many vectors hold the columns, at most as many as a tile has.
-template <Index planes, class Number>
+template <Index planes>
 HARMORPH_INLINE Index vectors_of(Index columns) noexcept {
-    return columns <= lanes<Number> ? 1 : columns <= 2 * lanes<Number> ? 2 : tile_vectors<planes>;
+    return columns <= lanes ? 1 : columns <= 2 * lanes ? 2 : tile_vectors<planes>;
 }
 
 // Computes D [rows x columns] -= or = A^H B with the columns of A that begin at `a`; whole vectors
 // are written.
-template <Index planes, class Number, class Block>
-HARMORPH_INLINE void any_tile_down(Store how, Index rows, Index columns, const Number* a,
+template <Index planes, class Block>
+HARMORPH_INLINE void any_tile_down(Store how, Index rows, Index columns, const Real* a,
                                    Block const& b, Index depth, Block const& d) noexcept {
-    Index const vectors = vectors_of<planes, Number>(columns), even = rows / 2 * 2;
-    Product<Number> product;
+    Index const vectors = vectors_of<planes>(columns), even = rows / 2 * 2;
+    Product product;
     product.how = how;
     b.first(vectors, product.b);
     d.first(vectors, product.d);
-    if (even > 0) Tiles<planes, Number>::functions(even, vectors).down(a, depth, product);
+    if (even > 0) Tiles<planes>::functions(even, vectors).down(a, depth, product);
     if (even == rows) return;
     product.d.move_down(even);
-    Tiles<planes, Number>::functions(1, vectors).down(a + even, depth, product);
+    Tiles<planes>::functions(1, vectors).down(a + even, depth, product);
 }
 // Computes D [rows x columns] -= or = A B with the rows of A that begin at i. The last row goes
 // first: if D is B, the other rows do not need the last one.
-template <Index planes, class Number, class Block>
-HARMORPH_INLINE void any_tile_across(Store how, Index rows, Index columns, Slabs<Number> const& a,
-                                     Index i, Range k, Block const& b, Block const& d,
+template <Index planes, class Block>
+HARMORPH_INLINE void any_tile_across(Store how, Index rows, Index columns, Slabs const& a, Index i,
+                                     Range k, Block const& b, Block const& d,
                                      Offset ahead) noexcept {
-    Index const vectors = vectors_of<planes, Number>(columns), even = rows / 2 * 2;
-    Product<Number> product;
+    Index const vectors = vectors_of<planes>(columns), even = rows / 2 * 2;
+    Product product;
     product.how = how;
     b.first(vectors, product.b);
     d.first(vectors, product.d);
     if (even < rows) {
         product.d.move_down(even);
-        Tiles<planes, Number>::functions(1, vectors).across(a, i + even, k, product, ahead);
+        Tiles<planes>::functions(1, vectors).across(a, i + even, k, product, ahead);
         product.d.move_down(-even);
     }
-    if (even > 0) Tiles<planes, Number>::functions(even, vectors).across(a, i, k, product, ahead);
+    if (even > 0) Tiles<planes>::functions(even, vectors).across(a, i, k, product, ahead);
 }
 
-template <Index vectors, class Number>
-void finish_tile(const Number* a, InSlabs<Number, 1> const& b, Index depth, const Number* inverse,
-                 InSlabs<Number, 1> const& d, const Number* y, Number* column_sums) noexcept {
-    Vectors<Number> from, to;
+template <Index vectors>
+void finish_tile(const Real* a, InSlabs<1> const& b, Index depth, const Real* inverse,
+                 InSlabs<1> const& d, const Real* y, Real* column_sums) noexcept {
+    Vectors from, to;
     b.first(vectors, from);
     d.first(vectors, to);
-    Tile<1, slab, vectors, Number> product;
+    Tile<1, slab, vectors> product;
     product.template add<Op::conjugate_transposed>(a, from, depth);
     product.finish(inverse, to, y, column_sums);
 }
-template <class Number>
-HARMORPH_INLINE void any_finish_tile(Index columns, const Number* a, InSlabs<Number, 1> const& b,
-                                     Index depth, const Number* inverse,
-                                     InSlabs<Number, 1> const& d, const Number* y,
-                                     Number* column_sums) noexcept {
-    Index const vectors = vectors_of<1, Number>(columns);
-    auto const finish = vectors == 3   ? finish_tile<3, Number>
-                        : vectors == 2 ? finish_tile<2, Number>
-                                       : finish_tile<1, Number>;
+HARMORPH_INLINE void any_finish_tile(Index columns, const Real* a, InSlabs<1> const& b, Index depth,
+                                     const Real* inverse, InSlabs<1> const& d, const Real* y,
+                                     Real* column_sums) noexcept {
+    Index const vectors = vectors_of<1>(columns);
+    auto const finish = vectors == 3   ? finish_tile<3>
+                        : vectors == 2 ? finish_tile<2>
+                                       : finish_tile<1>;
     finish(a, b, depth, inverse, d, y, column_sums);
 }
 
 // Computes rows i and columns j of D -= A^H B, summed over the rows k of A and B. If `upper` is
 // true, only the upper triangle of D is needed.
-template <Index planes, class Number>
-void subtract_product(Slabs<Number> const& a, Slabs<Number> const& b, Slabs<Number> const& d,
-                      Range k, Range i, Range j, bool upper = false) noexcept {
-    using Block = InSlabs<Number, planes>;
-    for (Index c = j.begin; c < j.end; c += tile_columns<planes, Number>) {
-        Index const end = min(j.end, c + tile_columns<planes, Number>),
+template <Index planes>
+void subtract_product(Slabs const& a, Slabs const& b, Slabs const& d, Range k, Range i, Range j,
+                      bool upper = false) noexcept {
+    using Block = InSlabs<planes>;
+    for (Index c = j.begin; c < j.end; c += tile_columns<planes>) {
+        Index const end = min(j.end, c + tile_columns<planes>),
                     last = upper ? min(i.end, end) : i.end;
         for (Index r = i.begin; r < last; r += tile_rows<planes>) {
-            Index const from = upper ? max(c, r / lanes<Number> * lanes<Number>) : c;
+            Index const from = upper ? max(c, r / lanes * lanes) : c;
             any_tile_down<planes>(Store::subtract, min(tile_rows<planes>, last - r), end - from,
                                   a.at(k.begin, r), Block{b, k.begin, from}, k.count(),
                                   Block{d, r, from});
@@ -170,11 +166,11 @@ void subtract_product(Slabs<Number> const& a, Slabs<Number> const& b, Slabs<Numb
 
 // Subtracts the product from right-hand sides: row 0 of d is row i.begin of D, row 0 of b is row
 // k.begin of B.
-template <Index planes, class Number>
-void subtract_from_rows(Slabs<Number> const& a, InRows<Number, planes> b, InRows<Number, planes> d,
-                        Range k, Range i) noexcept {
+template <Index planes>
+void subtract_from_rows(Slabs const& a, InRows<planes> b, InRows<planes> d, Range k,
+                        Range i) noexcept {
     for (Index r = i.begin; r < i.end; r += tile_rows<planes>) {
-        for (Index c = 0; c < d.width; c += tile_columns<planes, Number>) {
+        for (Index c = 0; c < d.width; c += tile_columns<planes>) {
             any_tile_down<planes>(Store::subtract, min(tile_rows<planes>, i.end - r),
                                   static_cast<Index>(d.width) - c, a.at(k.begin, r), b.at(0, c),
                                   k.count(), d.at(r - i.begin, c));
@@ -184,10 +180,10 @@ void subtract_from_rows(Slabs<Number> const& a, InRows<Number, planes> b, InRows
 
 // Computes b [n x columns] = E b, where E is the inverse that is stored in u at (first, first). E
 // is lower triangular: row r needs the rows <= r, so the last rows go first.
-template <Index planes, class Number, class Block>
-HARMORPH_INLINE void apply_inverse(Slabs<Number> const& u, Index first, Index n, Index columns,
+template <Index planes, class Block>
+HARMORPH_INLINE void apply_inverse(Slabs const& u, Index first, Index n, Index columns,
                                    Block const& b) noexcept {
-    for (Index c = 0; c < columns; c += tile_columns<planes, Number>) {
+    for (Index c = 0; c < columns; c += tile_columns<planes>) {
         for (Index r = (n - 1) / tile_rows<planes> * tile_rows<planes>; r >= 0;
              r -= tile_rows<planes>) {
             Index const rows = min(tile_rows<planes>, n - r);
@@ -198,9 +194,9 @@ HARMORPH_INLINE void apply_inverse(Slabs<Number> const& u, Index first, Index n,
 }
 
 // Computes b [n x width] = E^H b. Row r needs the rows >= r, so the first rows go first.
-template <Index planes, class Number>
-void apply_inverse_transposed(Index n, const Number* inverse, InRows<Number, planes> b) noexcept {
-    for (Index c = 0; c < b.width; c += tile_columns<planes, Number>) {
+template <Index planes>
+void apply_inverse_transposed(Index n, const Real* inverse, InRows<planes> b) noexcept {
+    for (Index c = 0; c < b.width; c += tile_columns<planes>) {
         for (Index r = 0; r < n; r += tile_rows<planes>) {
             any_tile_down<planes>(Store::set, min(tile_rows<planes>, n - r),
                                   static_cast<Index>(b.width) - c, inverse + r * step<planes> + r,
@@ -211,11 +207,11 @@ void apply_inverse_transposed(Index n, const Number* inverse, InRows<Number, pla
 
 // Computes d -= A (i, k) b for all rows i. Row 0 of b is row k.begin, where a slab begins; row 0 of
 // d is row i.begin.
-template <Index planes, class Number>
-void subtract_across(Slabs<Number> const& a, Range k, Range i, InRows<Number, planes> b,
-                     InRows<Number, planes> d, Offset ahead) noexcept {
+template <Index planes>
+void subtract_across(Slabs const& a, Range k, Range i, InRows<planes> b, InRows<planes> d,
+                     Offset ahead) noexcept {
     for (Index r = i.begin; r < i.end; r += tile_rows<planes>) {
-        for (Index c = 0; c < d.width; c += tile_columns<planes, Number>) {
+        for (Index c = 0; c < d.width; c += tile_columns<planes>) {
             any_tile_across<planes>(Store::subtract, min(tile_rows<planes>, i.end - r),
                                     static_cast<Index>(d.width) - c, a, r, k, b.at(0, c),
                                     d.at(r - i.begin, c), c == 0 ? ahead : 0);

@@ -2,23 +2,9 @@
 
 namespace harmorph {
 
-template <class Number>
-void Multifrontal::lay_out_numbers(Arena& arena, Offset factor_entries,
-                                   FrontalNumbers<Number>& numbers) const noexcept {
-    Offset const workers = subtrees.workers;
-    arena.take(numbers.factor, planes * factor_entries);
-    arena.take(numbers.sums, workers * planes * max_sums);
-    arena.take(numbers.min_pivot_ratio, workers);
-    arena.take(numbers.min_pivot_to_diagonal, workers);
-    Offset const stacks = workers > 1 ? workers + 1 : 1;
-    arena.take(numbers.rows, (stacks * subtrees.stack_rows + subtrees.kept_rows) * row_length());
-}
-
 void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes,
-                           Subtrees const& chosen_subtrees, Index width, bool complex,
-                           Precision factor_precision) noexcept {
+                           Subtrees const& chosen_subtrees, Index width, bool complex) noexcept {
     subtrees = chosen_subtrees;
-    precision = factor_precision;
     planes = complex ? 2 : 1;
     max_sums = sizes.max_sums;
     padded_width = dense::padded(width);
@@ -29,22 +15,20 @@ void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes,
     arena.take(target, sizes.border_entries);
     arena.take(panel_start, Offset{nodes} + 1);
     arena.take(is_zero, nodes);
-    if (precision == Precision::in_single) {
-        lay_out_numbers(arena, sizes.factor_entries, singles);
-    } else {
-        lay_out_numbers(arena, sizes.factor_entries, doubles);
-    }
+    Offset const workers = subtrees.workers;
+    arena.take(numbers.factor, planes * sizes.factor_entries);
+    arena.take(numbers.sums, workers * planes * max_sums);
+    arena.take(numbers.min_pivot_ratio, workers);
+    arena.take(numbers.min_pivot_to_diagonal, workers);
+    Offset const stacks = workers > 1 ? workers + 1 : 1;
+    arena.take(numbers.rows, (stacks * subtrees.stack_rows + subtrees.kept_rows) * row_length());
 }
 
 void Multifrontal::lay_out_stack(Arena& arena) noexcept {
     Offset const workers = subtrees.workers > 1 ? subtrees.workers : 0;
     Offset const entries =
         subtrees.top_stack_entries + subtrees.kept_entries + workers * subtrees.stack_entries;
-    if (precision == Precision::in_single) {
-        arena.take(singles.stack, planes * entries);
-    } else {
-        arena.take(doubles.stack, planes * entries);
-    }
+    arena.take(numbers.stack, planes * entries);
 }
 
 void Multifrontal::complete() noexcept {

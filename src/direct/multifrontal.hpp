@@ -22,13 +22,12 @@ namespace harmorph {
 //
 // `rows` has the same layout, with right-hand sides of fronts instead of update matrices. A worker
 // is a task that takes one subtree after the other.
-template <class Number>
 struct FrontalNumbers {
-    Span<Number> factor;
-    Span<Number> stack;
-    Span<Number> rows;
-    Span<Number> sums;  // [workers x planes x largest number of row sums of a front]
-    Span<Number> min_pivot_ratio,
+    Span<Real> factor;
+    Span<Real> stack;
+    Span<Real> rows;
+    Span<Real> sums;  // [workers x planes x largest number of row sums of a front]
+    Span<Real> min_pivot_ratio,
         min_pivot_to_diagonal;  // [workers] See the functions of these names below.
 };
 
@@ -41,9 +40,7 @@ struct Multifrontal {
     Span<bool> is_zero;  // [nodes] All current right-hand sides are 0 in the subtree of the node.
     // [as border] The positions of a border in the parent's front, increasing.
     Span<Index> target;
-    FrontalNumbers<double> doubles;  // Either these or the singles exist.
-    FrontalNumbers<float> singles;
-    Precision precision = Precision::in_double;
+    FrontalNumbers numbers;
     Index planes = 1;  // 1 means real, 2 means complex.
     Offset max_sums = 0;
     Index padded_width = 0;
@@ -51,8 +48,7 @@ struct Multifrontal {
     Executor executor;
 
     void lay_out(Arena& arena, Index nodes, FrontSizes const& sizes,
-                 Subtrees const& chosen_subtrees, Index width, bool complex = false,
-                 Precision factor_precision = Precision::in_double) noexcept;
+                 Subtrees const& chosen_subtrees, Index width, bool complex = false) noexcept;
     // The stack is laid out apart, because only factorise() needs it.
     void lay_out_stack(Arena& arena) noexcept;
     // Fills panel_start and target. The tree, border_start and border must have been filled.
@@ -67,29 +63,24 @@ struct Multifrontal {
     Real min_pivot_to_diagonal() const noexcept;
     // Replaces right-hand sides by solutions in place.
     Status solve(Rows const& values, Progress const& progress, Fault& fault) noexcept;
-    // Replaces right-hand sides by solutions, for a factor in single precision.
-    Status solve(RowsOf<float> const& values, Progress const& progress, Fault& fault) noexcept;
 
     // The members below serve factorise() and solve(). Worker has the working arrays of one worker.
-    template <class Number>
     struct Worker {
         Executor executor;  // The threads work inside fronts.
-        Number* stack;
-        Number* rows;
-        Number* sums;
-        Number* min_pivot_ratio;
-        Number* min_pivot_to_diagonal;
+        Real* stack;
+        Real* rows;
+        Real* sums;
+        Real* min_pivot_ratio;
+        Real* min_pivot_to_diagonal;
     };
     // Returns the worker for the nodes above the subtrees: all threads work inside one front.
-    template <class Number>
-    Worker<Number> top_worker() const noexcept {
-        FrontalNumbers<Number> const& all = numbers<Number>();
+    Worker top_worker() const noexcept {
+        FrontalNumbers const& all = numbers;
         return {executor,        all.stack.data(),           all.rows.data(),
                 all.sums.data(), all.min_pivot_ratio.data(), all.min_pivot_to_diagonal.data()};
     }
-    template <class Number>
-    Worker<Number> worker(Index number) const noexcept {
-        FrontalNumbers<Number> const& all = numbers<Number>();
+    Worker worker(Index number) const noexcept {
+        FrontalNumbers const& all = numbers;
         Offset const n = number, before = subtrees.top_stack_entries + subtrees.kept_entries;
         return {
             Executor{},
@@ -101,31 +92,26 @@ struct Multifrontal {
     }
     // Calls body(number of the subtree, number of the worker, worker) for all subtrees. Those with
     // the most work come first, and each goes to the worker that is free next.
-    template <class Number, class Body>
+    template <class Body>
     void for_each_subtree(Body const& body) const noexcept {
         NextItem next;
         executor.for_each(subtrees.count > 0 ? sharing(subtrees.workers) : 0, [&](Index number) {
-            Worker<Number> const own = worker<Number>(number);
+            Worker const own = worker(number);
             for (Index k = next.take(); k < subtrees.count; k = next.take())
                 body(subtrees.all[k].by_work, number, own);
         });
     }
 
-    template <class Number>
-    FrontalNumbers<Number> const& numbers() const noexcept;
-    template <class Number>
-    dense::Panel<Number> panel(Index node) const noexcept {
-        return {numbers<Number>().factor.data() + panel_start[node], pivots_of(node),
-                border_of(node).count(), planes};
+    dense::Panel panel(Index node) const noexcept {
+        return {numbers.factor.data() + panel_start[node], pivots_of(node), border_of(node).count(),
+                planes};
     }
-    template <class Number>
-    Number* kept_update(Index subtree) const noexcept {
-        return numbers<Number>().stack.data() +
+    Real* kept_update(Index subtree) const noexcept {
+        return numbers.stack.data() +
                planes * (subtrees.top_stack_entries + subtrees.all[subtree].kept);
     }
-    template <class Number>
-    Number* kept_rows(Index subtree) const noexcept {
-        return numbers<Number>().rows.data() +
+    Real* kept_rows(Index subtree) const noexcept {
+        return numbers.rows.data() +
                (subtrees.stack_rows + subtrees.all[subtree].kept_rows) * row_length();
     }
     // Returns the number of numbers in a row of right-hand sides, including padding.
@@ -141,22 +127,6 @@ struct Multifrontal {
 
 private:
     void find_targets(Index child, Index parent) noexcept;
-    template <class Number>
-    void lay_out_numbers(Arena& arena, Offset factor_entries,
-                         FrontalNumbers<Number>& numbers) const noexcept;
-    template <class Number>
-    Status factorise_in(Matrix const& matrix, Progress const& progress, Fault& fault) noexcept;
-    template <class Number, class Value>
-    Status solve_in(RowsOf<Value> const& values, Progress const& progress, Fault& fault) noexcept;
 };
-
-template <>
-inline FrontalNumbers<double> const& Multifrontal::numbers<double>() const noexcept {
-    return doubles;
-}
-template <>
-inline FrontalNumbers<float> const& Multifrontal::numbers<float>() const noexcept {
-    return singles;
-}
 
 }  // namespace harmorph

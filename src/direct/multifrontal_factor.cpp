@@ -5,16 +5,14 @@ namespace {
 
 // A pivot smaller than this fraction of the sum of its absolute terms is rounding: the matrix is
 // singular or indefinite.
-template <class Number>
-constexpr Number pivot_floor = static_cast<Number>(sizeof(Number) == sizeof(double) ? 1e-15 : 5e-7);
+constexpr Real pivot_floor = 1e-15;
 constexpr Index nodes_between_factor_reports = 512;
 
-template <class Number>
 class Factorisation {
 public:
-    using Worker = Multifrontal::Worker<Number>;
-    using Panel = dense::Panel<Number>;
-    using UpdateMatrix = dense::UpdateMatrix<Number>;
+    using Worker = Multifrontal::Worker;
+    using Panel = dense::Panel;
+    using UpdateMatrix = dense::UpdateMatrix;
 
     Factorisation(Multifrontal const& engine, Matrix const& matrix) noexcept
         : engine_(engine), matrix_(matrix) {}
@@ -22,25 +20,25 @@ public:
     // Factors the node and its descendants. The update matrix of the node goes to `update`; those
     // of its children use the stack that begins at `free`. Calls report(node) after each node.
     template <class Report>
-    Status run(Index node, Number* update, Number* free, Worker const& worker, Report const& report,
+    Status run(Index node, Real* update, Real* free, Worker const& worker, Report const& report,
                Fault& fault) const noexcept {
         auto const& front = engine_.tree.nodes[node];
-        Panel const panel = engine_.panel<Number>(node);
+        Panel const panel = engine_.panel(node);
         UpdateMatrix const left{update, panel.border, panel.planes};
         if (front.child == none) begin(node, panel, left);
         for (Index child = front.child; child != none; child = engine_.tree.nodes[child].sibling) {
             Index const done = engine_.subtrees.find(child);
-            UpdateMatrix const added{done != none ? engine_.kept_update<Number>(done) : free,
+            UpdateMatrix const added{done != none ? engine_.kept_update(done) : free,
                                      engine_.border_of(child).count(), panel.planes};
-            Number* const behind = free + added.planes * dense::update_entries(added.n);
+            Real* const behind = free + added.planes * dense::update_entries(added.n);
             if (done == none) HARMORPH_TRY(run(child, free, behind, worker, report, fault));
             // The panel is cleared after the first child, so that it is still in the caches when
             // used.
             if (child == front.child) begin(node, panel, left);
             dense::extend_add(engine_.kernel, added, engine_.targets_of(child), panel, left);
         }
-        dense::Workers<Number> const workers{worker.executor, worker.sums, worker.min_pivot_ratio};
-        Index const bad = dense::factor(engine_.kernel, panel, pivot_floor<Number>, workers);
+        dense::Workers const workers{worker.executor, worker.sums, worker.min_pivot_ratio};
+        Index const bad = dense::factor(engine_.kernel, panel, pivot_floor, workers);
         if (bad != none) {
             return fault.refuse(Status::not_positive,
                                 "the matrix of the equations is not positive definite at point #",
@@ -53,8 +51,8 @@ public:
     }
 
 private:
-    void clear(Number* numbers, Offset entries) const noexcept {
-        fill(Span<Number>(numbers, static_cast<Size>(engine_.planes * entries)), Number{0});
+    void clear(Real* numbers, Offset entries) const noexcept {
+        fill(Span<Real>(numbers, static_cast<Size>(engine_.planes * entries)), Real{0});
     }
 
     void begin(Index node, Panel const& panel, UpdateMatrix const& left) const noexcept {
@@ -75,7 +73,7 @@ private:
     __attribute__((noinline)) void assemble_planes(Index node, Panel const& panel) const noexcept {
         auto const& front = engine_.tree.nodes[node];
         Span<const Index> const border = engine_.border_of(node);
-        dense::Slabs<Number> const own = panel.own(), border_columns = panel.border_columns();
+        dense::Slabs const own = panel.own(), border_columns = panel.border_columns();
         Span<Offset> const start = matrix_.start;
         Span<Index> const column = matrix_.column;
         Span<Real> const value = matrix_.value, imaginary = matrix_.imaginary;
@@ -83,24 +81,24 @@ private:
         Offset k = start[first];
         for (Index i = first; i < behind; ++i) {
             Index const pivot = i - first;
-            Number* const sum = own.at(pivot, pivot);
-            sum[0] = static_cast<Number>(matrix_.row_sum[i]);
-            if (planes == 2) sum[dense::slab] = static_cast<Number>(matrix_.row_sum_imaginary[i]);
+            Real* const sum = own.at(pivot, pivot);
+            sum[0] = matrix_.row_sum[i];
+            if (planes == 2) sum[dense::slab] = matrix_.row_sum_imaginary[i];
             for (Offset const end = start[i + 1]; k < end; ++k) {
                 Index const j = column[k];
-                Number* const entry = j < behind ? own.at(pivot, j - first)
-                                                 : border_columns.at(pivot, index_in(border, j));
-                entry[0] = static_cast<Number>(value[k]);
-                if (planes == 2) entry[dense::slab] = static_cast<Number>(imaginary[k]);
+                Real* const entry = j < behind ? own.at(pivot, j - first)
+                                               : border_columns.at(pivot, index_in(border, j));
+                entry[0] = value[k];
+                if (planes == 2) entry[dense::slab] = imaginary[k];
             }
         }
     }
 
     static void note_pivots(Panel const& panel, Span<const Real> diagonal,
-                            Number& min_ratio) noexcept {
+                            Real& min_ratio) noexcept {
         for (Index k = 0; k < panel.pivots; ++k) {
-            Number const inverse = *panel.at(k, k);  // The number is 1 / sqrt(pivot).
-            Number const ratio = 1 / (static_cast<Number>(diagonal[k]) * inverse * inverse);
+            Real const inverse = *panel.at(k, k);  // The number is 1 / sqrt(pivot).
+            Real const ratio = 1 / (diagonal[k] * inverse * inverse);
             if (ratio < min_ratio) min_ratio = ratio;
         }
     }
@@ -123,27 +121,25 @@ private:
 
 }  // namespace
 
-template <class Number>
-Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress,
-                                  Fault& fault) noexcept {
-    Factorisation<Number> const factorisation(*this, matrix);
-    fill(numbers<Number>().min_pivot_ratio, Number{1});
-    fill(numbers<Number>().min_pivot_to_diagonal, Number{1});
-    Fault fault_of[Executor::max_threads];
+Status Multifrontal::factorise(Matrix const& matrix, Progress const& progress,
+                               Fault& fault) noexcept {
+    Factorisation const factorisation(*this, matrix);
+    fill(numbers.min_pivot_ratio, Real{1});
+    fill(numbers.min_pivot_to_diagonal, Real{1});
+    Turns turns;
     // The fault with the first position is kept, so that the result does not depend on the number
     // of threads.
     auto const take_first = [](Fault const& other, Fault& first) {
         bool const is_first = !failed(first.status) || other.item.number < first.item.number;
         if (failed(other.status) && is_first) first = other;
     };
-    for_each_subtree<Number>([&](Index subtree, Index number, Worker<Number> const& worker) {
+    for_each_subtree([&](Index subtree, Index, Worker const& worker) {
         Fault subtree_fault;
         factorisation.run(
-            subtrees.all[subtree].root, kept_update<Number>(subtree), worker.stack, worker,
+            subtrees.all[subtree].root, kept_update(subtree), worker.stack, worker,
             [](Index) { return Status::ok; }, subtree_fault);
-        take_first(subtree_fault, fault_of[number]);
+        turns.take([&] { take_first(subtree_fault, fault); });
     });
-    for (Fault const& other : fault_of) take_first(other, fault);
     HARMORPH_TRY(fault.status);
 
     auto const report = [&](Index node) {
@@ -151,7 +147,7 @@ Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress
         return progress.report(Phase::factor, static_cast<Real>(node + 1) / (tree.count + 1.0),
                                fault);
     };
-    Worker<Number> const worker = top_worker<Number>();
+    Worker const worker = top_worker();
     for (Index node = 0; node < tree.count; ++node) {
         if (tree.nodes[node].parent != none || subtrees.find(node) != none) continue;
         // A root has no border.
@@ -162,27 +158,18 @@ Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress
 
 namespace {
 
-Real smallest_of(Span<const double> doubles, Span<const float> singles) noexcept {
+Real smallest_of(Span<const Real> ratios) noexcept {
     Real smallest = 1;
-    for (double const ratio : doubles) smallest = min(smallest, ratio);
-    for (float const ratio : singles) smallest = min(smallest, static_cast<Real>(ratio));
+    for (Real const ratio : ratios) smallest = min(smallest, ratio);
     return smallest;
 }
 
 }  // namespace
 
-Real Multifrontal::min_pivot_ratio() const noexcept {
-    return smallest_of(doubles.min_pivot_ratio, singles.min_pivot_ratio);
-}
+Real Multifrontal::min_pivot_ratio() const noexcept { return smallest_of(numbers.min_pivot_ratio); }
 
 Real Multifrontal::min_pivot_to_diagonal() const noexcept {
-    return smallest_of(doubles.min_pivot_to_diagonal, singles.min_pivot_to_diagonal);
-}
-
-Status Multifrontal::factorise(Matrix const& matrix, Progress const& progress,
-                               Fault& fault) noexcept {
-    if (precision == Precision::in_single) return factorise_in<float>(matrix, progress, fault);
-    return factorise_in<double>(matrix, progress, fault);
+    return smallest_of(numbers.min_pivot_to_diagonal);
 }
 
 }  // namespace harmorph

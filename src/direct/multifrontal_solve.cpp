@@ -7,13 +7,13 @@ constexpr Index nodes_between_solve_reports = 512;
 
 // Right-hand sides go up the tree like update matrices, and solutions come down; a row has the
 // numbers of all functions.
-template <class Number, class Value>
+
 class Substitution {
 public:
-    using Worker = Multifrontal::Worker<Number>;
-    using Panel = dense::Panel<Number>;
+    using Worker = Multifrontal::Worker;
+    using Panel = dense::Panel;
 
-    Substitution(Multifrontal const& engine, RowsOf<Value> const& values) noexcept
+    Substitution(Multifrontal const& engine, Rows const& values) noexcept
         : engine_(engine),
           values_(values),
           width_(dense::padded(values.width)),
@@ -27,25 +27,25 @@ public:
     // from all known values. If all right-hand sides of a subtree are 0, nothing is computed,
     // is_zero of the node is set, and the content of `front` is undefined.
     template <class Report>
-    Status forward(Index node, Number* front, Number* free, Worker const& worker,
+    Status forward(Index node, Real* front, Real* free, Worker const& worker,
                    Report const& report) const noexcept {
         auto const& own = engine_.tree.nodes[node];
-        Panel const panel = engine_.panel<Number>(node);
+        Panel const panel = engine_.panel(node);
         Index const behind = engine_.tree.nodes[engine_.tree.count - 1].end - own.end;
         dense::gather(engine_.kernel, values_, own.begin, panel.pivots, behind, front, width_,
                       engine_.planes);
-        Span<Number> const pivots(front, static_cast<Size>(Offset{panel.pivots} * row_));
-        Span<Number> const border(front + pivots.size(),
-                                  static_cast<Size>(Offset{panel.border} * row_));
+        Span<Real> const pivots(front, static_cast<Size>(Offset{panel.pivots} * row_));
+        Span<Real> const border(front + pivots.size(),
+                                static_cast<Size>(Offset{panel.border} * row_));
         bool is_zero = all_zero(pivots);
-        if (!is_zero) fill(border, Number{0});
+        if (!is_zero) fill(border, Real{0});
         for (Index child = own.child; child != none; child = engine_.tree.nodes[child].sibling) {
             Index const done = engine_.subtrees.find(child);
-            Number* const from = done != none ? engine_.kept_rows<Number>(done) : free;
+            Real* const from = done != none ? engine_.kept_rows(done) : free;
             if (done == none)
                 HARMORPH_TRY(forward(child, free, free + entries(child), worker, report));
             if (engine_.is_zero[child]) continue;
-            if (is_zero) fill(border, Number{0});
+            if (is_zero) fill(border, Real{0});
             is_zero = false;
             dense::add_rows(engine_.kernel, engine_.border_of(child).count(),
                             border_rows(child, from), engine_.targets_of(child), front, row_);
@@ -62,12 +62,12 @@ public:
     // subtrees, whose fronts are left ready for back substitution. `front` has the rows of the
     // node; those of the border are known.
     template <class Report>
-    Status backward(Index node, Number* front, Number* free, Worker const& worker,
+    Status backward(Index node, Real* front, Real* free, Worker const& worker,
                     Report const& report) const noexcept {
         auto const& own = engine_.tree.nodes[node];
-        Panel const panel = engine_.panel<Number>(node);
+        Panel const panel = engine_.panel(node);
         if (engine_.is_zero[node]) {
-            fill(Span<Number>(front, static_cast<Size>(Offset{panel.pivots} * row_)), Number{0});
+            fill(Span<Real>(front, static_cast<Size>(Offset{panel.pivots} * row_)), Real{0});
         } else {
             dense::gather(engine_.kernel, values_, own.begin, panel.pivots, 0, front, width_,
                           engine_.planes);
@@ -83,13 +83,13 @@ private:
     // Children are visited from the last to the first, so that panels are read from the end of the
     // factor to the beginning.
     template <class Report>
-    Status backward_below(Index child, const Number* front, Number* free, Worker const& worker,
+    Status backward_below(Index child, const Real* front, Real* free, Worker const& worker,
                           Report const& report) const noexcept {
         if (child == none) return Status::ok;
         HARMORPH_TRY(
             backward_below(engine_.tree.nodes[child].sibling, front, free, worker, report));
         Index const done = engine_.subtrees.find(child);
-        Number* const to = done != none ? engine_.kept_rows<Number>(done) : free;
+        Real* const to = done != none ? engine_.kept_rows(done) : free;
         dense::copy_rows(engine_.kernel, engine_.border_of(child).count(), front,
                          engine_.targets_of(child), border_rows(child, to), row_);
         return done != none ? Status::ok
@@ -101,11 +101,11 @@ private:
         return front + Offset{engine_.pivots_of(node)} * row_;
     }
 
-    static bool all_zero(Span<const Number> numbers) noexcept {
+    static bool all_zero(Span<const Real> numbers) noexcept {
         constexpr Size at_once = 64;  // So many numbers are tested without a branch in between.
         for (Size begin = 0; begin < numbers.size(); begin += at_once) {
             bool any = false;
-            for (Number const number : numbers.from(begin, min(at_once, numbers.size() - begin))) {
+            for (Real const number : numbers.from(begin, min(at_once, numbers.size() - begin))) {
                 any |= number != 0;
             }
             if (any) return false;
@@ -114,25 +114,23 @@ private:
     }
 
     Multifrontal const& engine_;
-    RowsOf<Value> const& values_;
+    Rows const& values_;
     Index width_, row_;  // The numbers in a row of one plane, and of all planes.
 };
 
 }  // namespace
 
-template <class Number, class Value>
-Status Multifrontal::solve_in(RowsOf<Value> const& values, Progress const& progress,
-                              Fault& fault) noexcept {
-    Substitution<Number, Value> const substitution(*this, values);
+Status Multifrontal::solve(Rows const& values, Progress const& progress, Fault& fault) noexcept {
+    Substitution const substitution(*this, values);
     Index done = 0;
     auto const report = [&](Index) {
         if (++done % nodes_between_solve_reports != 0) return Status::ok;
         return progress.report(Phase::solve, static_cast<Real>(done) / (2.0 * tree.count + 1),
                                fault);
     };
-    Worker<Number> const worker = top_worker<Number>();
-    for_each_subtree<Number>([&](Index subtree, Index, Worker<Number> const& own) {
-        substitution.forward(subtrees.all[subtree].root, kept_rows<Number>(subtree), own.rows, own,
+    Worker const worker = top_worker();
+    for_each_subtree([&](Index subtree, Index, Worker const& own) {
+        substitution.forward(subtrees.all[subtree].root, kept_rows(subtree), own.rows, own,
                              [](Index) { return Status::ok; });
     });
     for (Index node = 0; node < tree.count; ++node) {
@@ -145,21 +143,11 @@ Status Multifrontal::solve_in(RowsOf<Value> const& values, Progress const& progr
         HARMORPH_TRY(substitution.backward(
             node, worker.rows, worker.rows + substitution.entries(node), worker, report));
     }
-    for_each_subtree<Number>([&](Index subtree, Index, Worker<Number> const& own) {
-        substitution.backward(subtrees.all[subtree].root, kept_rows<Number>(subtree), own.rows, own,
+    for_each_subtree([&](Index subtree, Index, Worker const& own) {
+        substitution.backward(subtrees.all[subtree].root, kept_rows(subtree), own.rows, own,
                               [](Index) { return Status::ok; });
     });
     return Status::ok;
-}
-
-Status Multifrontal::solve(Rows const& values, Progress const& progress, Fault& fault) noexcept {
-    if (precision == Precision::in_single) return solve_in<float>(values, progress, fault);
-    return solve_in<double>(values, progress, fault);
-}
-
-Status Multifrontal::solve(RowsOf<float> const& values, Progress const& progress,
-                           Fault& fault) noexcept {
-    return solve_in<float>(values, progress, fault);
 }
 
 }  // namespace harmorph

@@ -6,7 +6,7 @@
 namespace harmorph {
 namespace {
 
-constexpr Index max_subtrees = 64;  // The norms of each subtree are on the stack.
+constexpr Index max_subtrees = 64;
 // A task treats at least so many rows.
 constexpr Index min_subtree_rows = 1024;
 
@@ -37,15 +37,25 @@ Residual::Norms find_balances(Residual const& work, Matrix const& matrix, DofVal
     SubtreeRanges const& subtrees = work.subtrees;
     auto const find = residual_kernels(work.kernel).find_balances;
     list_couplings(work, matrix);
-    Residual::Norms norms, norms_of[max_subtrees];
+    Residual::Norms norms;
     Index left_over[max_subtrees];
     work.executor.for_each(subtrees.count, [&](Index i) {
         BalancedRows task{subtrees.subtree[i], subtrees.subtree[i].end};
-        find(work, matrix, dofs, first, n, task, stores, norms_of[i]);
+        Residual::Norms of_subtree;
+        find(work, matrix, dofs, first, n, task, stores, of_subtree);
+        Real* const numbers = work.norms_of_subtree(i);
+        for (Index k = 0; k < n; ++k) {
+            numbers[2 * k] = of_subtree.right_hand_side[k];
+            numbers[2 * k + 1] = of_subtree.rest[k];
+        }
         left_over[i] = task.left_over;
     });
     for (Index i = 0; i < subtrees.count; ++i) {
-        norms.add(norms_of[i], n);
+        const Real* const numbers = work.norms_of_subtree(i);
+        for (Index k = 0; k < n; ++k) {
+            norms.right_hand_side[k] += numbers[2 * k];
+            norms.rest[k] += numbers[2 * k + 1];
+        }
         list_rows_left_over(work, matrix, left_over[i]);
     }
     subtrees.for_each_between(matrix.n, [&](PositionRange rows) {
@@ -56,8 +66,7 @@ Residual::Norms find_balances(Residual const& work, Matrix const& matrix, DofVal
 }
 
 // Adds the chosen columns of the rows `from` to F.
-template <class Number>
-Residual::Changes add_rows(Matrix const& matrix, DofValues const& dofs, const Number* from,
+Residual::Changes add_rows(Matrix const& matrix, DofValues const& dofs, const Real* from,
                            Index width, Index first, Index n,
                            Residual::Choice const& chosen) noexcept {
     Index const planes = matrix.is_complex() ? 2 : 1;
@@ -67,7 +76,7 @@ Residual::Changes add_rows(Matrix const& matrix, DofValues const& dofs, const Nu
         for (Index p = 0; p < planes; ++p, from += width) {
             Real* const to = dofs.at(i) + p * plane + first;
             for (Index k = 0; k < n; ++k) {
-                Real const correction = static_cast<Real>(from[k]);
+                Real const correction = from[k];
                 to[k] = chosen.column[k] ? to[k] + correction : to[k];
                 change[k] = max(change[k], abs(correction));
                 size[k] = max(size[k], abs(to[k]));
@@ -81,12 +90,11 @@ Residual::Changes add_rows(Matrix const& matrix, DofValues const& dofs, const Nu
 
 // See Residual::backward_error(). Column 0 of `rows` has the residuals; column 1 receives the sums
 // of absolute entries.
-template <class Number>
-Real backward_error_in(Matrix const& matrix, DofValues const& dofs, Index column, Number* rows,
+Real backward_error_in(Matrix const& matrix, DofValues const& dofs, Index column, Real* rows,
                        Index width) noexcept {
     Index const planes = matrix.is_complex() ? 2 : 1;
     auto const row_of = [&](Index i) { return rows + Offset{i} * planes * width; };
-    auto const add = [&](Index i, Real size) { row_of(i)[1] += static_cast<Number>(size); };
+    auto const add = [&](Index i, Real size) { row_of(i)[1] += size; };
     auto const size = [&](Span<Real> re, Span<Real> im, Offset e) {
         return abs(re[e]) + (planes == 2 ? abs(im[e]) : 0);
     };
@@ -113,9 +121,9 @@ Real backward_error_in(Matrix const& matrix, DofValues const& dofs, Index column
     for (Index i = 0; i < matrix.n; ++i) look(dofs.at(i));
     for (Index i = 0; i < matrix.n; ++i) {
         for (Index p = 0; p < planes; ++p) {
-            Real const left = abs(static_cast<Real>(row_of(i)[p * width]));
+            Real const left = abs(row_of(i)[p * width]);
             if (left == 0) continue;
-            Real const relative = left / (static_cast<Real>(row_of(i)[1]) * largest);
+            Real const relative = left / (row_of(i)[1] * largest);
             if (!(relative < infinity)) return infinity;
             worst = max(worst, relative);
         }
@@ -126,15 +134,15 @@ Real backward_error_in(Matrix const& matrix, DofValues const& dofs, Index column
 }  // namespace
 
 void Residual::lay_out(Arena& arena, Index unknowns, Index couplings, MatrixKind kind,
-                       Index n_columns, Precision precision) noexcept {
+                       Index n_columns) noexcept {
     width = n_columns;
     Offset const numbers = Offset{unknowns} * (kind == MatrixKind::complex ? 2 * width : width);
-    arena.take(value, precision == Precision::in_double ? numbers : 0);
-    arena.take(single, precision == Precision::in_single ? numbers : 0);
+    arena.take(value, numbers);
     bool const waits = kind != MatrixKind::coupled_xy;
     arena.take(latest, waits ? unknowns : 0);
     arena.take(next, waits ? Offset{unknowns} + couplings : 0);
     arena.take(passed, waits ? unknowns : 0);
+    arena.take(norms, waits ? 2 * max_subtrees * width : 0);
 }
 
 void Residual::choose_subtrees(AssemblyTree const& tree, Executor const& by) noexcept {
@@ -145,13 +153,6 @@ void Residual::choose_subtrees(AssemblyTree const& tree, Executor const& by) noe
 
 Real Residual::Norms::relative(Index k) const noexcept {
     return sqrt(rest[k]) / (right_hand_side[k] > 0 ? sqrt(right_hand_side[k]) : 1);
-}
-
-void Residual::Norms::add(Norms const& others, Index n) noexcept {
-    for (Index k = 0; k < n; ++k) {
-        right_hand_side[k] += others.right_hand_side[k];
-        rest[k] += others.rest[k];
-    }
 }
 
 Residual::Norms Residual::compute(Matrix const& matrix, DofValues const& dofs, Index first,
@@ -169,14 +170,12 @@ Residual::Norms Residual::measure(Matrix const& matrix, DofValues const& dofs, I
 Real Residual::backward_error(Matrix const& matrix, DofValues const& dofs,
                               Index column) const noexcept {
     compute(matrix, dofs, column, 1);
-    if (single.empty()) return backward_error_in(matrix, dofs, column, value.data(), width);
-    return backward_error_in(matrix, dofs, column, single.data(), width);
+    return backward_error_in(matrix, dofs, column, value.data(), width);
 }
 
 Residual::Changes Residual::add_to(Matrix const& matrix, DofValues const& dofs, Index first,
                                    Index n, Choice const& chosen) const noexcept {
-    if (single.empty()) return add_rows(matrix, dofs, value.data(), width, first, n, chosen);
-    return add_rows(matrix, dofs, single.data(), width, first, n, chosen);
+    return add_rows(matrix, dofs, value.data(), width, first, n, chosen);
 }
 
 }  // namespace harmorph

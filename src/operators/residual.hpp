@@ -91,25 +91,23 @@ struct Residual {
 
     Index width = 6;                   // The width is at most `max_width`.
     Kernel kernel = Kernel::baseline;  // All kernels give the same bits.
-    // [n x planes x width] Rows by position: b - A F, real and then imaginary parts. Only one of
-    // the two arrays exists, in the precision of the engine's factor.
+    // [n x planes x width] Rows by position: b - A F, real and then imaginary parts.
     Span<Real> value;
-    // Residuals are computed in double precision and rounded last, so that corrections lose no
-    // accuracy.
-    Span<float> single;
     // [n] The latest entry of each row's list: a row, or n + number of a coupling. The lists do not
     // exist if x and y are coupled.
     Span<Index> latest;
     Span<Index> next;  // [n + couplings] The entry of the same list before this one.
     // [n] For each listed row, the number of entries before the one by which the row is listed.
     Span<Index> passed;
+    Span<Real> norms;  // [subtrees x width x 2] The sums of each subtree for Norms.
     // The subtrees are the same for any number of threads; if there are none, all rows are summed
     // one after the other.
     SubtreeRanges subtrees;
     Executor executor;
 
+    Real* norms_of_subtree(Index i) const noexcept { return norms.data() + 2 * i * width; }
     void lay_out(Arena& arena, Index unknowns, Index couplings, MatrixKind kind,
-                 Index n_columns = 6, Precision precision = Precision::in_double) noexcept;
+                 Index n_columns = 6) noexcept;
     // Chooses the subtrees; rows are in the order of elimination of this tree.
     void choose_subtrees(AssemblyTree const& tree, Executor const& by) noexcept;
     // The squared 2-norms of b and of b - A F for the columns first .. first+n-1, n <= width.
@@ -117,7 +115,6 @@ struct Residual {
         Real right_hand_side[max_width] = {}, rest[max_width] = {};
         // Returns |b - A F| / |b|, or the numerator alone if b is 0.
         Real relative(Index k) const noexcept;
-        void add(Norms const& others, Index n) noexcept;
     };
     Norms compute(Matrix const& matrix, DofValues const& dofs, Index first, Index n) const noexcept;
     // Computes the norms alone, n <= max_width; not if x and y are coupled.
@@ -129,7 +126,7 @@ struct Residual {
     struct Choice {
         bool column[max_width];
     };
-    // Adds corrections, which are in `value` or `single`, to the chosen ones of the columns first
+    // Adds corrections, which are in `value`, to the chosen ones of the columns first
     // .. first+n-1 of F. Returns for each column the largest correction relative to the largest new
     // value.
     struct Changes {

@@ -58,9 +58,7 @@ public:
             while (fixed_end_ < matrix_.fixed_row.count() && matrix_.fixed_row[fixed_end_] == i)
                 ++fixed_end_;
             sum_flows(true, norms);
-            if (!stores) continue;
-            if (work.single.empty()) store_row(i, work.width, work.value);
-            else store_row(i, work.width, work.single);
+            if (stores) store_row(i, work.width, work.value);
         }
     }
 
@@ -76,11 +74,10 @@ private:
         return planes == 2 ? numbers[entry] : 0;
     }
 
-    template <class To>
-    void store_row(Index row, Index width, Span<To> values) const noexcept {
-        To* to = values.data() + Offset{row} * planes * width;
+    void store_row(Index row, Index width, Span<Real> values) const noexcept {
+        Real* to = values.data() + Offset{row} * planes * width;
         for (Index p = 0; p < planes; ++p, to += width) {
-            for (Index k = 0; k < n_; ++k) to[k] = static_cast<To>(rest_[p][k]);
+            for (Index k = 0; k < n_; ++k) to[k] = rest_[p][k];
         }
     }
 

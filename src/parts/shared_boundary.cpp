@@ -210,11 +210,7 @@ void SharedBoundary::take_edges(Fault& fault) noexcept {
 Status SharedBoundary::find_boundary(Fault& fault) noexcept {
     take_edges(fault);
     HARMORPH_TRY(fault.status);
-    if (boundary.count < topology.edges.n_boundary &&
-        join_cuts(topology, boundary.head.first(n_points)) > 0) {
-        take_edges(fault);
-        HARMORPH_TRY(fault.status);
-    }
+    HARMORPH_TRY(join_cuts(topology, boundary, fault, [&] { take_edges(fault); }));
     return boundary.order(topology, fault);
 }
 

@@ -74,11 +74,10 @@ Status Analysis::analyse_mesh(Fault& fault) noexcept {
     });
     HARMORPH_TRY(fault.status);
     HARMORPH_TRY(boundary_.mark(topology_, fault));
-    bool const all_marked = boundary_.count == edges.n_boundary;
-    if (!all_marked && join_cuts(topology_, boundary_.head) > 0) {
-        HARMORPH_TRY(edges.build(mesh, topology_.representative, fault));
-        HARMORPH_TRY(boundary_.mark(topology_, fault));
-    }
+    HARMORPH_TRY(join_cuts(topology_, boundary_, fault, [&] {
+        if (!failed(edges.build(mesh, topology_.representative, fault)))
+            boundary_.mark(topology_, fault);
+    }));
     HARMORPH_TRY(orient(topology_, sense, orientation_work_, inverted_, fault));
     division_.pieces.orient_guards(topology_.reversed);
     for (Index i = mesh.n_cells; i < mesh.n_checked() && inverted_ == none; ++i) {
@@ -150,7 +149,6 @@ void Analysis::find_wall(Fault& fault) noexcept {
         return;
     find_offsets(points, conditions_, curves_, problem_.method.offset_correction != 0, wall_);
     find_shared(boundary_, conditions_, curves_, wall_work_.slot, wall_, fault);
-    check_offsets(fault);
 }
 
 // Refuses cells so thin that rounding of moved coordinates decides whether they are inverted.
@@ -171,28 +169,6 @@ Status Analysis::check_heights(Fault& fault) const noexcept {
     return fault.refuse(Status::bad_mesh,
                         "cell # is too thin: its height is ~, which its coordinates do not resolve",
                         cell_item(problem_.mesh.number(cell)), {}, height);
-}
-
-// The functions of a body are offsets from its centre. In single precision they must neither
-// overflow nor vanish, even when they are multiplied by entries of the matrix and reduced to
-// residuals.
-Status Analysis::check_offsets(Fault& fault) const noexcept {
-    constexpr Real largest = 1e24, smallest = 1e-12;
-    if (problem_.method.precision != Precision::in_single || problem_.demands.bodies == 0)
-        return Status::ok;
-    Real size = 0;
-    Index farthest = none;
-    for (Index slot = 0; slot < wall_.count; ++slot) {
-        Real const found = wall_.curve[slot] < curves_.count() ? 0 : length(wall_.offset[slot]);
-        if (found <= size && farthest != none) continue;
-        size = found;
-        farthest = wall_.point[slot];
-    }
-    if (size >= smallest && size <= largest) return Status::ok;
-    return fault.refuse(Status::unsupported,
-                        "point # is ~ away from the centre of its body; single precision needs a "
-                        "distance from 1e-12 to 1e24",
-                        point_item(farthest), {}, size);
 }
 
 // Checks that every region of the mesh touches a known value.

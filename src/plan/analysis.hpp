@@ -97,7 +97,6 @@ private:
     Status analyse_unknowns(Fault& fault) noexcept;
     void find_wall(Fault& fault) noexcept;
     Status check_heights(Fault& fault) const noexcept;
-    Status check_offsets(Fault& fault) const noexcept;
     Status check_regions(Fault& fault) noexcept;
     Status analyse_order(Fault& fault) noexcept;
 

@@ -41,46 +41,11 @@ Status raise_by_negative(Multifrontal& factor, Matrix const& matrix, Span<Real> 
     return Status::ok;
 }
 
-// The bound leaves room for sums of products of entries and values, which become residuals in
-// single precision.
-constexpr Real max_in_single = 1e36;
-
-Status refuse_single(const char* sentence, Index point, Real size, Fault& fault) noexcept {
-    return fault.refuse(Status::unsupported, sentence, point_item(point), {}, size);
-}
-
-Status check_entries(Equations const& equations, Fault& fault) noexcept {
-    Span<Real> const diagonal = equations.matrix().diagonal;
-    for (Index i = 0; i < diagonal.count(); ++i) {
-        if (abs(diagonal[i]) <= max_in_single) continue;
-        return refuse_single(
-            "the matrix has the diagonal entry ~ at point #; a factor in single precision admits "
-            "at most 1e36",
-            equations.point_of(i), diagonal[i], fault);
-    }
-    return Status::ok;
-}
-
-Status check_right_hand_sides(Equations const& equations, DofValues const& dofs,
-                              Fault& fault) noexcept {
-    for (Index i = 0; i < equations.matrix().n; ++i) {
-        for (Real const number : Span<const Real>(dofs.at(i), static_cast<Size>(dofs.length()))) {
-            if (abs(number) <= max_in_single) continue;
-            return refuse_single(
-                "a right-hand side at point # is ~; a factor in single precision admits at most "
-                "1e36",
-                equations.point_of(i), number, fault);
-        }
-    }
-    return Status::ok;
-}
-
 }  // namespace
 
 void DirectEngine::lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
-    Method const& method = analysis.problem().method;
     factor.lay_out(arena, analysis.tree().count, analysis.fronts(), analysis.subtrees(), columns,
-                   analysis.matrix_sizes().kind == MatrixKind::complex, method.precision);
+                   analysis.matrix_sizes().kind == MatrixKind::complex);
     Size const shared = arena.mark();
     factor.lay_out_stack(arena);
     arena.release(shared);
@@ -103,7 +68,6 @@ void DirectEngine::init(Analysis const& analysis) noexcept {
 Status DirectEngine::set_up(Equations const& equations, Points, Progress const& progress,
                             Fault& fault) noexcept {
     factor.kernel = equations.method().kernel;
-    if (factor.precision == Precision::in_single) HARMORPH_TRY(check_entries(equations, fault));
     return factor.factorise(equations.matrix(), progress, fault);
 }
 
@@ -112,8 +76,7 @@ Status DirectEngine::set_up(Equations const& equations, Points, Progress const& 
 // is that of the compact scheme, so it is never trusted.
 Status DirectEngine::examine(Equations const& equations, Span<Real> work, Fault& fault) noexcept {
     trusted = false;
-    Method const& method = equations.method();
-    if (method.nodal_gradients() || method.precision == Precision::in_single) return Status::ok;
+    if (equations.method().nodal_gradients()) return Status::ok;
     Matrix const& matrix = equations.matrix();
     Real const even = min_even_pivot(matrix.kind()), ratio = factor.min_pivot_ratio(),
                pivot = factor.min_pivot_to_diagonal();
@@ -131,8 +94,6 @@ Status DirectEngine::examine(Equations const& equations, Span<Real> work, Fault&
 // starts.
 Status DirectEngine::solve(Equations const& equations, DofValues const& dofs,
                            Progress const& progress, IterationReport&, Fault& fault) noexcept {
-    if (factor.precision == Precision::in_single)
-        HARMORPH_TRY(check_right_hand_sides(equations, dofs, fault));
     Rows const rows = dofs.rows(equations.matrix());
     if (rows.width <= factor.padded_width) return factor.solve(rows, progress, fault);
     // Combined functions and modes may have more columns than the factor has room for.
@@ -145,9 +106,7 @@ Status DirectEngine::solve(Equations const& equations, DofValues const& dofs,
 }
 
 Offset DirectEngine::idle_bytes() const noexcept {
-    return factor.planes * factor.subtrees.top_stack_entries *
-           static_cast<Offset>(factor.precision == Precision::in_single ? sizeof(float)
-                                                                        : sizeof(double));
+    return factor.planes * factor.subtrees.top_stack_entries * static_cast<Offset>(sizeof(Real));
 }
 
 }  // namespace harmorph

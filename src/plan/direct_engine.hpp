@@ -1,5 +1,5 @@
 // The direct engine of a plan: a multifrontal factor of the matrix, which also serves iterative
-// refinement. tests/plan/test_precision.cpp and tests/plan/test_thin_shear.cpp cover this file.
+// refinement. tests/plan/test_thin_shear.cpp covers this file.
 #pragma once
 
 #include "direct/multifrontal.hpp"
@@ -18,13 +18,11 @@ struct DirectEngine {
     void take_pattern(Analysis const&, Matrix const&) const noexcept {}
     Status set_up(Equations const& equations, Points points, Progress const& progress,
                   Fault& fault) noexcept;
-    // `work` [n] is overwritten; it is empty if the factor is in single precision, which is never
-    // trusted.
+    // `work` [n] is overwritten.
     Status examine(Equations const& equations, Span<Real> work, Fault& fault) noexcept;
     Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress,
                  IterationReport& report, Fault& fault) noexcept;
-    template <class Number>
-    Status correct(RowsOf<Number> const& rows, Fault& fault) noexcept {
+    Status correct(Rows const& rows, Fault& fault) noexcept {
         return factor.solve(rows, Progress{}, fault);
     }
     // Returns the size of the memory that only set_up() needs.

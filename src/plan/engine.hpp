@@ -71,10 +71,8 @@ struct AnyEngine {
             return engine.solve(equations, dofs, progress, report, fault);
         });
     }
-    // Replaces residuals by corrections, in place and in the factor's precision; only engines that
-    // factor do so.
-    template <class Number>
-    Status correct(RowsOf<Number> const& rows, Fault& fault) noexcept {
+    // Replaces residuals by corrections, in place; only engines that factor do so.
+    Status correct(Rows const& rows, Fault& fault) noexcept {
         return visit(*this, [&](auto& engine) { return engine.correct(rows, fault); });
     }
 

@@ -29,10 +29,7 @@ struct LevelEngine {
     void init(Analysis const&) const noexcept {}
     void take_pattern(Analysis const&, Matrix const&) const noexcept {}
     Status examine(Equations const&, Span<Real>, Fault&) const noexcept { return Status::ok; }
-    template <class Number>
-    Status correct(RowsOf<Number> const&, Fault&) const noexcept {
-        return Status::ok;
-    }
+    Status correct(Rows const&, Fault&) const noexcept { return Status::ok; }
     Offset idle_bytes() const noexcept { return 0; }
     const Agglomeration* levels() const noexcept { return nullptr; }
 };

@@ -1,13 +1,10 @@
 #include "plan/refinement.hpp"
 
-#include <type_traits>
-
 namespace harmorph {
 namespace {
 
 // Relative residuals above this are refined. Rounding leaves less on most meshes; on very uneven
-// ones one step of refinement suffices. With a factor in single precision each step gains about six
-// digits.
+// ones one step of refinement suffices.
 constexpr Real refined_above = 1e-13;
 // Estimated errors above this, relative to the largest value, are refined as well.
 constexpr Real certain_within = 1e-10;
@@ -28,23 +25,15 @@ Index refinement_limit(Method const& method) noexcept { return method.traits().f
 constexpr Real iterated_to = 1e-8;
 constexpr Index max_iterations = 200;
 
-// Residuals are stored in the precision of the engine's factor.
-Precision residual_precision(Method const& method, MatrixKind kind) noexcept {
-    bool const in_rows = !method.nodal_gradients() && kind != MatrixKind::coupled_xy;
-    return in_rows ? method.precision : Precision::in_double;
-}
-
 // Returns the number of columns that are refined at a time: as many as fit into idle memory of the
 // engine, but at least a few.
 Index residual_width(Method const& method, Matrix const& matrix, AnyEngine const& engine,
                      Index columns) noexcept {
     if (method.nodal_gradients()) return min(columns, BiconjugateGradients::max_width);
-    bool const in_single = residual_precision(method, matrix.kind()) == Precision::in_single;
-    Offset const n = max(matrix.n, Index{1}),
-                 bytes = static_cast<Offset>(in_single ? sizeof(float) : sizeof(double));
+    constexpr Offset bytes = sizeof(Real), min_columns = 5;
+    Offset const n = max(matrix.n, Index{1});
     Offset const lists = 3 * n * static_cast<Offset>(sizeof(Index));
     Offset const room = max(engine.idle_bytes() - lists, Offset{0}) / (n * matrix.planes() * bytes);
-    Offset const min_columns = in_single ? 12 : 5;
     // Columns are whole blocks of the kernels, if there are at least two.
     Offset const wanted = room >= 16 ? room / 8 * 8 : max(room, min_columns);
     return static_cast<Index>(
@@ -176,12 +165,9 @@ private:
     // Replaces the residuals of n columns by corrections, in place.
     Status correct(Index n, Index& iterations, Fault& fault) noexcept {
         Offset const row_length = Offset{matrix_.planes()} * residual_.width;
-        auto const solve = [&](auto* rows) {
-            using Value = std::decay_t<decltype(*rows)>;
-            return engine_.correct(RowsOf<Value>{rows, nullptr, row_length, n, residual_.width},
-                                   fault);
+        auto const solve = [&](Real* rows) {
+            return engine_.correct(Rows{rows, nullptr, row_length, n, residual_.width}, fault);
         };
-        if (!residual_.single.empty()) return solve(residual_.single.data());
         if (!method_.nodal_gradients()) return solve(residual_.value.data());
         auto const apply = [&](const Real* from, Real* to) { equations_.nodal().apply(from, to); };
         Index taken = 0;
@@ -232,8 +218,7 @@ void Refinement::lay_out(Arena& arena, Analysis const& analysis, AnyEngine const
     Method const& method = analysis.problem().method;
     Matrix const& matrix = equations.matrix();
     residual.lay_out(arena, matrix.n, analysis.matrix_sizes().couplings, matrix.kind(),
-                     residual_width(method, matrix, engine, columns),
-                     residual_precision(method, matrix.kind()));
+                     residual_width(method, matrix, engine, columns));
     if (!method.nodal_gradients()) return;
     equations.lay_out_nodal_work(arena, analysis.problem().mesh.n_points, residual.width);
     if (method.traits().factors) biconjugate.lay_out(arena, matrix.n, residual.width);
@@ -272,12 +257,9 @@ Status check_accuracy(SolveReport const& report, Method const& method, Fault& fa
                             "the iteration ended before the values were accurate to the tolerance");
     }
     if (report.error <= max(method.tolerance, certain_within)) return Status::ok;
-    bool const in_single = method.precision == Precision::in_single;
     return fault.refuse(Status::not_converged,
-                        in_single ? "function # may have an error of ~: cells are too thin for a "
-                                    "factor in single precision"
-                                  : "function # may have an error of ~: cells are too thin for "
-                                    "refinement to reduce the error",
+                        "function # may have an error of ~: cells are too thin for refinement to "
+                        "reduce the error",
                         function_item(report.error_function), {}, report.error);
 }
 

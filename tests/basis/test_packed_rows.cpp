@@ -154,17 +154,13 @@ TEST_CASE("refinement of a function does not depend on those solved with it") {
 
 TEST_CASE("a function has the same bits in any share, on any threads, whatever is solved with it") {
     struct Method {
-        std::int32_t operator_kind, scheme, engine, precision;
+        std::int32_t operator_kind, scheme, engine;
     };
-    Method const methods[] = {{HM_CONFORMAL, HM_COMPACT, HM_DIRECT, HM_DOUBLE},
-                              {HM_CONFORMAL, HM_COMPACT, HM_DIRECT, HM_SINGLE},
-                              {HM_LAPLACE, HM_COMPACT, HM_DIRECT, HM_DOUBLE},
-                              {HM_WEIGHTED, HM_COMPACT, HM_DIRECT, HM_SINGLE},
-                              {HM_WEIGHTED, HM_BOUNDED, HM_DIRECT, HM_DOUBLE},
-                              {HM_LAPLACE, HM_NODAL_GRADIENT, HM_DIRECT, HM_DOUBLE},
-                              {HM_WEIGHTED, HM_COMPACT, HM_MULTIGRID, HM_DOUBLE},
-                              {HM_WEIGHTED, HM_COMPACT, HM_FAS, HM_DOUBLE},
-                              {HM_LAPLACE, HM_NODAL_GRADIENT, HM_FAS, HM_DOUBLE}};
+    Method const methods[] = {
+        {HM_CONFORMAL, HM_COMPACT, HM_DIRECT},      {HM_LAPLACE, HM_COMPACT, HM_DIRECT},
+        {HM_WEIGHTED, HM_COMPACT, HM_DIRECT},       {HM_WEIGHTED, HM_BOUNDED, HM_DIRECT},
+        {HM_LAPLACE, HM_NODAL_GRADIENT, HM_DIRECT}, {HM_WEIGHTED, HM_COMPACT, HM_MULTIGRID},
+        {HM_WEIGHTED, HM_COMPACT, HM_FAS},          {HM_LAPLACE, HM_NODAL_GRADIENT, HM_FAS}};
     std::vector<KindOfProblem> problems = kinds_of_problems();  // values of all kinds
     for (KindOfProblem& problem : problems)
         problem.setup.mesh = two_body_case(Cells::hybrid, 8, 5).mesh;
@@ -177,7 +173,6 @@ TEST_CASE("a function has the same bits in any share, on any threads, whatever i
             options.operator_kind = method.operator_kind;
             options.scheme = method.scheme;
             options.engine = method.engine;
-            options.precision = method.precision;
             Attempt const attempt(problem.setup.problem(), &options);
             if (attempt.status == HM_UNSUPPORTED) continue;  // bodies that turn, points that slip
             Solved const all(problem.setup, &options);

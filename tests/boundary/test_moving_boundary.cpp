@@ -258,3 +258,42 @@ TEST_CASE("points that are a thousandth of the curve's diagonal from their curve
         CHECK(attempt.status == HM_BAD_ARGUMENT);
     }
 }
+
+TEST_CASE("the curve of a closed wall is refused if control points at one place would tear it") {
+    struct Row {
+        int degree, n;
+        bool clamped;
+    };
+    for (Row const& row : {Row{2, 9, false}, Row{3, 14, false}, Row{5, 11, false}, Row{3, 12, true},
+                           Row{1, 8, true}}) {
+        CAPTURE(row.degree);
+        Case setup = ring_case(4, 24, 1, 3);
+        setup.given_points.clear();
+        setup.given_curves.clear();
+        setup.given_u.clear();
+        Spline curve = ring(row.degree, row.n, 1, 1);
+        if (row.clamped) {
+            curve.indices.resize(std::size_t(row.n));
+            curve.indices.push_back(0);
+            curve.knots = clamped_knots(row.degree, row.n + 1);
+        }
+        Spline written = curve;  // the repeated points are written once more
+        for (std::size_t k = std::size_t(row.n); k < curve.indices.size(); ++k) {
+            auto const from = 2 * std::size_t(curve.indices[k]);
+            written.control.push_back(curve.control[from]);
+            written.control.push_back(curve.control[from + 1]);
+        }
+        written.indices.clear();
+        setup.curves = written;
+        Attempt const torn(setup.problem(), nullptr);
+        CHECK(torn.status == HM_BAD_CURVE);
+        CHECK(says(torn.error, "name one of them twice in indices"));
+        CHECK(torn.error.item_kind == HM_ITEM_CONTROL_POINT);
+        CHECK(torn.error.item == 0);
+        CHECK(torn.error.other == row.n);
+        setup.curves = curve;
+        Attempt const closed(setup.problem(), nullptr);
+        INFO(closed.error.text);
+        CHECK(closed.status >= 0);
+    }
+}

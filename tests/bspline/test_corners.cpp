@@ -106,12 +106,12 @@ TEST_CASE("a short side is short and straight") {
     for (int const n_base : {1, 5}) {
         Measured const blunt(naca({0, 0.4, 0.12, true}, 50, 0.8, n_base));
         REQUIRE(blunt.corners.size() == 2);
-        CHECK(is_short_side(blunt.outline, blunt.corners[0], blunt.corners[1]));
-        CHECK(!is_short_side(blunt.outline, blunt.corners[1], blunt.corners[0]));
-        CHECK(!is_short_side(blunt.outline, blunt.corners[0], blunt.corners[0]));
+        CHECK(is_straight_side(blunt.outline, blunt.corners[0], blunt.corners[1], .15));
+        CHECK(!is_straight_side(blunt.outline, blunt.corners[1], blunt.corners[0], .15));
+        CHECK(!is_straight_side(blunt.outline, blunt.corners[0], blunt.corners[0], .15));
     }
     Measured const square(fixtures::polygon({{0, 0}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}, 10));
-    CHECK(!is_short_side(square.outline, 0, 10));  // too long
+    CHECK(!is_straight_side(square.outline, 0, 10, .15));  // too long
     Measured const bulging({{0, 0}, {1, 0.01}, {1.005, 0}, {1, -0.01}});
-    CHECK(!is_short_side(bulging.outline, 1, 3));
+    CHECK(!is_straight_side(bulging.outline, 1, 3, .15));
 }

@@ -196,8 +196,10 @@ TEST_CASE("movements, gradients, quality") {
     std::size_t bytes = 0;
     check_arguments("basis, bytes", hm_recover_movement_size, g.basis, &bytes);
     Guarded room(bytes);
-    check_arguments("basis, at, -, move, ?residual, ?point, block, bytes", hm_recover_movement,
-                    g.basis, &g.at, 0.0, g.numbers.data(), &error, &g.n, room.data(), bytes);
+    double turned = 0;
+    check_arguments("basis, at, -, move, ?residual, ?turned_offset, ?point, block, bytes",
+                    hm_recover_movement, g.basis, &g.at, 0.0, g.numbers.data(), &error, &turned,
+                    &g.n, room.data(), bytes);
     check_arguments("analysis, from, to", hm_slip, g.analysis, &g.at, &g.to);
     check_arguments("analysis, from, dj, dj_from", hm_slip_adjoint, g.analysis, &g.at, &g.at,
                     &g.to);
@@ -340,16 +342,6 @@ TEST_CASE("fields of moving meshes") {
     check_arguments("walls, -, points, face, dj, ?point_dj, ?mesh_dj", hm_wall_distance_adjoint,
                     walls, n, &g.at, face.data(), g.numbers.data(), &g.to, &g.to);
     check_arguments("walls, at, heights", hm_first_layer, walls, &g.at, g.numbers.data());
-
-    check_arguments("analysis, bytes", hm_levels_size, g.analysis, &g.bytes);
-    Guarded levels_block(g.bytes);
-    hm_levels* levels = nullptr;
-    check_arguments("levels, block, bytes, analysis, ?at, -, -", hm_levels_init, &levels,
-                    levels_block.data(), g.bytes, g.analysis, &g.at, 0, 0);
-    check_arguments("levels, -, ?cells, ?n_cells, ?n_levels", hm_level_cells, levels, 0,
-                    face.data(), &g.n, &g.other);
-    check_arguments("levels, -, ?from, to, areas", hm_level_areas, levels, 0, &g.at, &g.at,
-                    g.numbers.data());
 
     check_arguments("analysis, -, bytes", hm_interpolation_size, g.analysis, n, &g.bytes);
     Guarded interpolation_block(g.bytes);

@@ -116,14 +116,10 @@ std::vector<Way> ways() {
         way("nodal gradients", HM_LAPLACE, HM_NODAL_GRADIENT, HM_DIRECT),
         way("nodal gradients, FAS", HM_LAPLACE, HM_NODAL_GRADIENT, HM_FAS),
         way("plain nodal gradients, FAS", HM_LAPLACE, HM_NODAL_GRADIENT_PLAIN, HM_FAS)};
-    Way single = out[0], offset = out[0], real_single = out[1];
-    single.name = "conformal, single precision";
-    single.options.precision = HM_SINGLE;
-    real_single.name = "Laplace, single precision";
-    real_single.options.precision = HM_SINGLE;
+    Way offset = out[0];
     offset.name = "conformal, offset correction";
     offset.options.offset_correction = 1;
-    out.insert(out.end(), {single, real_single, offset});
+    out.push_back(offset);
     for (Way& each : out)
         if (each.options.engine == HM_FAS)
             each.options.max_iterations = 5;  // enough to touch all that an iteration has

@@ -29,7 +29,6 @@ constexpr Wish wishes[] = {
      [](Options& o) { o.history = history, o.history_length = 2000; },
      {false, true, true}},
     {"start", [](Options& o) { o.start = HM_START_ZERO; }, {false, false, true}},
-    {"precision", [](Options& o) { o.precision = HM_SINGLE; }, {true, false, false}},
     {"tolerance", [](Options& o) { o.tolerance = 1e-9; }, {true, true, true}},
 };
 

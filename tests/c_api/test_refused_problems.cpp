@@ -75,8 +75,6 @@ TEST_CASE("numbers of options that are out of range or unknown") {
               "HM_NODAL_GRADIENT_PLAIN"),
         Field(HM_UNSUPPORTED, &Options::engine, Numbers{-2, 5},
               "options.engine is #, but it must be HM_DIRECT, HM_MULTIGRID or HM_FAS"),
-        Field(HM_UNSUPPORTED, &Options::precision, Numbers{-1, 3},
-              "options.precision is #, but it must be HM_DOUBLE or HM_SINGLE"),
         Field(HM_BAD_ARGUMENT, &Options::offset_correction, Numbers{-1, 2},
               "options.offset_correction must be 0 or 1, not #"),
         Field(HM_BAD_ARGUMENT, &Options::levels, Numbers{-1, 21},
@@ -267,23 +265,6 @@ TEST_CASE("polygons with more corners than cells can be counted") {
     std::size_t bytes = 0;
     check_texts({{HM_BAD_MESH, "all polygons together have more than 2^29 corners",
                   call_by(hm_analysis_size, &problem, &options, &bytes)}});
-}
-
-TEST_CASE("a body that single precision cannot turn") {
-    Case setup = tiny_case();
-    setup.conditions.clear();
-    setup.curves = {};
-    setup.set_rigid(body, 1e25, 3);
-    Options options = laplace();
-    options.precision = HM_SINGLE;
-    Attempt const attempt(setup.problem(), &options);
-    CHECK(attempt.status == HM_UNSUPPORTED);
-    CHECK(std::string(attempt.error.text) ==
-          "point 17 is 1.00000e25 away from the centre of its body; single precision needs a "
-          "distance from 1e-12 to 1e24");
-    setup.conditions.back().x = 1e24;
-    Attempt const nearer(setup.problem(), &options);
-    CHECK_MESSAGE(nearer.status >= HM_OK, nearer.error.text);
 }
 
 TEST_CASE("four translations of a periodic mesh, which no lattice has") {

@@ -90,7 +90,6 @@ sets hm_condition.along solve_body --slip low="$tmp/low.curve"
 
 sets hm_options.operator_kind solve_ring --operator laplace
 sets hm_options.engine solve_laplace --engine multigrid
-sets hm_options.precision solve_ring --precision single
 sets hm_options.offset_correction solve_ring --offset-correction
 sets hm_options.tolerance solve_multigrid --tol 1e-3
 fixed hm_options.progress "the program draws a bar where its output is a terminal"
@@ -138,7 +137,7 @@ for options in "--operator laplace" "--operator conformal" "--operator conformal
     solve_many $options --memory 16 >"$tmp/out" 2>"$tmp/err"
     code=$?
     check "--memory 16, $options: refused" [ $code = 1 ]
-    list="direct:$(needs direct) single:$(needs 'direct in single precision')"
+    list="direct:$(needs direct)"
     case $options in
     *slip*) check "$options: not by multigrid" sh -c "! grep multigrid '$tmp/err'" ;;
     *) list="$list multigrid:$(needs multigrid)" ;;
@@ -149,7 +148,6 @@ for options in "--operator laplace" "--operator conformal" "--operator conformal
         wanted=$(echo "$list" | tr ' ' '\n' | awk -F: -v limit="$limit" '$2 <= limit { print $1; exit }')
         solve_many $options --memory "$limit" >"$tmp/out" 2>"$tmp/err"
         case $? in 0) found=$(engine) ;; 1) found= ;; *) found=error ;; esac
-        case $found in *single*) found=single ;; esac
         check "--memory $limit, $options: '$found' of $list" [ "$found" = "$wanted" ]
     done
 done
@@ -165,11 +163,11 @@ if (ulimit -v 2000000 && "$harmorph" --version) >/dev/null 2>&1 && [ -r /proc/se
     found= kilobytes=150000
     while [ $kilobytes -gt 20000 ] && [ -z "$found" ]; do
         (ulimit -v $kilobytes && solve_many --operator conformal >"$tmp/out" 2>"$tmp/err")
-        found=$(engine | grep single)
+        found=$(engine | grep multigrid)
         kilobytes=$((kilobytes * 97 / 100))
     done
-    check "less and less memory: a factor in single precision" [ -n "$found" ]
+    check "less and less memory: multigrid" [ -n "$found" ]
     check "less and less memory: the reason" says 'MB that the system has left; direct needs'
 else
-    skip "less and less memory" "the program does not run in an address space of 2 GB"
+    skip "less and less memory" "the program does not run in an address space of 2000000 KiB"
 fi

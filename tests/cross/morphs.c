@@ -19,17 +19,15 @@ static int32_t triangles[6 * (NI - 1) * (NJ - 1)];
 
 static const struct {
     const char* name;
-    int32_t operator_kind, scheme, engine, precision;
+    int32_t operator_kind, scheme, engine;
     int safe; /* a safe morph, too: substeps and untangling take most of the time */
-} methods[] = {
-    {"conformal", HM_CONFORMAL, HM_COMPACT, HM_DIRECT, HM_DOUBLE, 1},
-    {"conformal by a single-precision factor", HM_CONFORMAL, HM_COMPACT, HM_DIRECT, HM_SINGLE, 0},
-    {"Laplace", HM_LAPLACE, HM_COMPACT, HM_DIRECT, HM_DOUBLE, 0},
-    {"weighted", HM_WEIGHTED, HM_COMPACT, HM_DIRECT, HM_DOUBLE, 0},
-    {"bounded", HM_LAPLACE, HM_BOUNDED, HM_DIRECT, HM_DOUBLE, 1},
-    {"nodal gradients", HM_LAPLACE, HM_NODAL_GRADIENT, HM_DIRECT, HM_DOUBLE, 0},
-    {"multigrid", HM_LAPLACE, HM_COMPACT, HM_MULTIGRID, HM_DOUBLE, 0},
-    {"FAS", HM_LAPLACE, HM_COMPACT, HM_FAS, HM_DOUBLE, 0}};
+} methods[] = {{"conformal", HM_CONFORMAL, HM_COMPACT, HM_DIRECT, 1},
+               {"Laplace", HM_LAPLACE, HM_COMPACT, HM_DIRECT, 0},
+               {"weighted", HM_WEIGHTED, HM_COMPACT, HM_DIRECT, 0},
+               {"bounded", HM_LAPLACE, HM_BOUNDED, HM_DIRECT, 1},
+               {"nodal gradients", HM_LAPLACE, HM_NODAL_GRADIENT, HM_DIRECT, 0},
+               {"multigrid", HM_LAPLACE, HM_COMPACT, HM_MULTIGRID, 0},
+               {"FAS", HM_LAPLACE, HM_COMPACT, HM_FAS, 0}};
 
 static hm_error error;
 
@@ -90,7 +88,6 @@ static hm_plan* solve(const hm_mesh* mesh, const hm_curves* curves, int method, 
     options.executor = &executor;
     options.operator_kind = methods[method].operator_kind;
     options.engine = methods[method].engine;
-    options.precision = methods[method].precision;
     study.scheme = methods[method].scheme;
     options.study = &study;
     check(hm_analysis_size(&problem, &options, &bytes, &error), "hm_analysis_size");

@@ -172,51 +172,27 @@ TEST_CASE("targets: where the positions of a border are in the parent's front") 
     CHECK(wrong == 0);
 }
 
-TEST_CASE("Hermitian matrices have the solutions of dense Cholesky in both precisions") {
+TEST_CASE("Hermitian matrices have the solutions of dense Cholesky") {
     for (Cells const kind : {Cells::quads, Cells::triangles})
         for (int const n_r : {3, 9})
             for (Index const threads : {1, 3}) {
                 Case setup = ring_case(n_r, 5 * n_r, 0.5, 2, kind, 2, 5);
-                for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE})
-                    for (Index const width : {1, 8, 11}) {
-                        Threads lanes(threads);
-                        lanes.options.precision = precision;
-                        Analysed const seen(setup, &lanes.options);
-                        FrontalSystem system(*seen.operator->(), true, width);
-                        system.randomise(7, 0.8);
-                        ComplexDenseMatrix dense = system.assembled.complex_unknowns();
-                        REQUIRE(dense.factor());
-                        system.factorise();
-                        std::vector<double> const sides = system.some_sides();
-                        std::vector<double> found = sides;
-                        system.solve(found);
-                        double const error = largest_error(system, sides, found, dense, width);
-                        INFO(dense.n << " unknowns, " << threads << " threads, " << width
-                                     << " sides");
-                        CHECK(error < (precision == HM_DOUBLE ? 1e-13 : 1e-4));
-                        if (precision == HM_SINGLE && dense.n > 50) CHECK(error > 1e-10);  // it is
-                    }
+                for (Index const width : {1, 8, 11}) {
+                    Threads const lanes(threads);
+                    Analysed const seen(setup, &lanes.options);
+                    FrontalSystem system(*seen.operator->(), true, width);
+                    system.randomise(7, 0.8);
+                    ComplexDenseMatrix dense = system.assembled.complex_unknowns();
+                    REQUIRE(dense.factor());
+                    system.factorise();
+                    std::vector<double> const sides = system.some_sides();
+                    std::vector<double> found = sides;
+                    system.solve(found);
+                    double const error = largest_error(system, sides, found, dense, width);
+                    INFO(dense.n << " unknowns, " << threads << " threads, " << width << " sides");
+                    CHECK(error < 1e-13);
+                }
             }
-}
-
-TEST_CASE("right-hand sides in single precision: the bits of those in double that are rounded") {
-    for (bool const complex : {false, true})
-        for (Index const width : {1, 8, 11}) {
-            Case setup = ring_case(9, 45, 0.5, 2, Cells::hybrid, 2, 5);
-            Threads lanes(1);
-            lanes.options.precision = HM_SINGLE;
-            Analysed const seen(setup, &lanes.options);
-            FrontalSystem system(*seen.operator->(), complex, width);
-            system.randomise(9, complex ? 0.8 : 0);
-            system.factorise();
-            std::vector<double> in_double = system.some_sides();
-            std::vector<float> in_single(in_double.size());
-            std::transform(in_double.begin(), in_double.end(), in_single.begin(),
-                           [](double x) { return static_cast<float>(x); });
-            system.solve(in_double);
-            system.solve(in_single);
-            CHECK(std::vector<double>(in_single.begin(), in_single.end()) == in_double);
-        }
 }
 
 TEST_CASE("right-hand sides of one number pass over most of the tree, wherever the number is") {
@@ -279,10 +255,8 @@ TEST_CASE("right-hand sides that are not finite are told from zeros") {
 
 TEST_CASE("without circulation the complex engine gives the real one's answer") {
     Case setup = ring_case(12, 60, 0.5, 2, Cells::hybrid, 2, 5);
-    for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE}) {
-        Threads lanes(1);
-        lanes.options.precision = precision;
-        Analysed const seen(setup, &lanes.options);
+    {
+        Analysed const seen(setup);
         FrontalSystem complex(*seen.operator->(), true, 9), real(*seen.operator->(), false, 18);
         complex.randomise(3, 0);
         real.randomise(3, 0);
@@ -292,7 +266,7 @@ TEST_CASE("without circulation the complex engine gives the real one's answer") 
         std::vector<double> found = complex.some_sides(), expected = found;
         complex.solve(found);
         real.solve(expected);
-        CHECK(largest_difference(found, expected) < (precision == HM_DOUBLE ? 1e-14 : 1e-5));
+        CHECK(largest_difference(found, expected) < 1e-14);
     }
 }
 
@@ -328,20 +302,18 @@ TEST_CASE("a complex system is the real one of twice the size, [[a, -b], [b, a]]
 TEST_CASE("a Hermitian matrix that is not positive definite is refused, by position") {
     Case setup = ring_case(8, 40, 0.5, 2, Cells::triangles, 2, 5);
     for (Index const threads : {1, 3}) {
-        for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE})
-            for (Index const bad : {0, 17, 100, 250}) {
-                Threads lanes(threads);
-                lanes.options.precision = precision;
-                Analysed const seen(setup, &lanes.options);
-                FrontalSystem system(*seen.operator->(), true, 4);
-                system.randomise(5, 0.5);
-                harmorph::Matrix& matrix = system.assembled.matrix;
-                matrix.row_sum[bad] -= matrix.diagonal[bad] + 1;
-                harmorph::Fault fault;
-                CHECK(system.engine.factorise(matrix, harmorph::Progress{}, fault) ==
-                      harmorph::Status::not_positive);
-                CHECK(fault.item.number == bad);
-            }
+        for (Index const bad : {0, 17, 100, 250}) {
+            Threads const lanes(threads);
+            Analysed const seen(setup, &lanes.options);
+            FrontalSystem system(*seen.operator->(), true, 4);
+            system.randomise(5, 0.5);
+            harmorph::Matrix& matrix = system.assembled.matrix;
+            matrix.row_sum[bad] -= matrix.diagonal[bad] + 1;
+            harmorph::Fault fault;
+            CHECK(system.engine.factorise(matrix, harmorph::Progress{}, fault) ==
+                  harmorph::Status::not_positive);
+            CHECK(fault.item.number == bad);
+        }
     }
 }
 

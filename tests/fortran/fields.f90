@@ -1,4 +1,4 @@
-! Swept areas, distances to walls, coarse levels and interpolation.
+! Swept areas, distances to walls and interpolation.
 module fields_tests
     use, intrinsic :: iso_c_binding, only: c_float, c_int32_t, c_int64_t
     use body_mesh
@@ -13,9 +13,7 @@ contains
         call plan%analyse(mesh)
         call sweeps()
         call distances(plan)
-        call coarse(plan)
         call interpolations(plan)
-        call means_over_volumes(plan)
     end subroutine
 
     ! A smooth movement of all points.
@@ -108,30 +106,6 @@ contains
         call check(stat == hm_bad_condition, "no such marker")
     end subroutine
 
-    subroutine coarse(plan)
-        type(hm_plan), intent(in) :: plan
-        type(hm_levels) :: levels
-        integer, allocatable :: cell(:)
-        real(dp), allocatable :: a(:), b(:), grown(:)
-        real(dp) :: x1(n_points), y1(n_points)
-        integer :: n, stat
-        call levels%find(plan, hm_agglomerate_directional)
-        call check(levels%n_levels >= 3, "several levels")
-        call levels%cells(1, cell, n)
-        call check(minval(cell) == 1 .and. maxval(cell) == n .and. 3 * n <= n_points, &
-            "volumes of the first coarse level")
-        allocate(a(n), b(n), grown(n))
-        call moved(x1, y1)
-        call levels%areas(1, x, y, a)
-        call levels%areas(1, x1, y1, b)
-        call levels%growth(1, x, y, x1, y1, grown)
-        call check(minval(a) > 0 .and. maxval(abs(b - a - grown)) < 1e-12_dp * maxval(b), "areas and their growth")
-        call levels%areas(1, x, y, a(2:), stat=stat)
-        call check(stat == hm_bad_argument, "an area for each volume")
-        call levels%areas(99, x, y, a, stat=stat)
-        call check(stat == hm_bad_argument, "no such level")
-    end subroutine
-
     subroutine interpolations(plan)
         type(hm_plan), intent(in) :: plan
         type(hm_interpolation) :: interpolation
@@ -160,22 +134,4 @@ contains
         call check(stat == hm_bad_argument, "as many fields on both sides")
     end subroutine
 
-    subroutine means_over_volumes(plan)
-        type(hm_plan), intent(in) :: plan
-        type(hm_remap_report) :: report
-        real(dp) :: from(n_points, 2), to(n_points, 2), covered(n_points)
-        integer :: stat, order
-        from(:, 1) = 1 + x - 2 * y
-        from(:, 2) = 3
-        do order = 1, 2
-            call hm_remap(plan, plan, from, to, covered, order, report)
-            call check(report%uncovered == 0 .and. abs(sum(covered) - report%area) < 1e-10_dp * report%area, &
-                "all volumes are covered")
-            call check(maxval(abs(to(:, 2) - 3)) < 1e-12_dp, "a constant field")
-            call check(abs(sum(covered * (to(:, 1) - from(:, 1)))) < 1e-10_dp * sum(covered * abs(from(:, 1))), &
-                "the integral stays")
-        end do
-        call hm_remap(plan, plan, from, to(:, :1), covered, stat=stat)
-        call check(stat == hm_bad_argument, "as many fields on both sides of hm_remap")
-    end subroutine
 end module

@@ -49,10 +49,6 @@ contains
         options = hm_options(operator_kind=hm_weighted, exponent=2._dp)
         call solve(mesh, other, options=options)
         call other%values(3, a)
-        options%precision = hm_single
-        call solve(mesh, other, options=options)
-        call other%values(3, b)
-        call check(maxval(abs(a - b)) < 1e-8_dp .and. .not. same(a, b), "a factor in single precision")
         call check(maxval(abs(a - laplace)) > 1e-2_dp, "weights matter")
 
         call conformal%curves(curves)

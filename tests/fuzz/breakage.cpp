@@ -85,7 +85,7 @@ void break_curves(Problem& problem, Input& input) {
     if (set.curve.empty()) return;
     hm_curve& curve = some(set.curve, input);
     std::size_t const c = at(&curve - set.curve.data());
-    switch (input.below(9)) {
+    switch (input.below(8)) {
         case 0: some(set.control, input) = input.wild(); break;
         case 1: some(set.control, input) *= 1e3; break;
         case 2: some(set.knots[c], input) = input.wild(); break;
@@ -124,11 +124,11 @@ void break_conditions(Problem& problem, Input& input) {
 }
 void break_options(Problem& problem, Input& input) {
     Options& o = problem.options;
-    std::int32_t* const numbers[] = {&o.operator_kind,     &o.scheme,    &o.engine,
-                                     &o.offset_correction, &o.levels,    &o.agglomeration,
-                                     &o.block_width,       &o.precision, &o.start};
+    std::int32_t* const numbers[] = {&o.operator_kind,     &o.scheme, &o.engine,
+                                     &o.offset_correction, &o.levels, &o.agglomeration,
+                                     &o.block_width,       &o.start};
     if (input.one_in(10)) o.exponent = input.wild();
-    *numbers[input.below(9)] = input.one_in(2) ? input.wild_index() : input.from(-2, 6);
+    *numbers[input.below(8)] = input.one_in(2) ? input.wild_index() : input.from(-2, 6);
     if (input.one_in(4)) o.tolerance = input.wild();
 }
 void break_given(Problem& problem, Input& input) {
@@ -147,7 +147,7 @@ void break_given(Problem& problem, Input& input) {
 }  // namespace
 
 void break_something(Problem& problem, Input& input) {
-    switch (input.below(9)) {
+    switch (input.below(8)) {
         case 0: return break_points(problem, input);
         case 1: return break_indices(problem, input);
         case 2: return break_counts(problem, input);

@@ -13,8 +13,8 @@ std::string describe(Problem const& problem) {
         out += line;
     };
     Options const& o = problem.options;
-    add("    operator %d, scheme %d, engine %d, precision %d, exponent %g, offset %d\n",
-        o.operator_kind, o.scheme, o.engine, o.precision, o.exponent, o.offset_correction);
+    add("    operator %d, scheme %d, engine %d, exponent %g, offset %d\n", o.operator_kind,
+        o.scheme, o.engine, o.exponent, o.offset_correction);
     add("    %d points of size %g, %zu cells in layout %d, %d control points\n",
         problem.mesh.n_points, problem.size(), problem.domain.cells.size(),
         problem.mesh.cell_layout, problem.on_walls.view.n_control);

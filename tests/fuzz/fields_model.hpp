@@ -22,15 +22,6 @@ private:
     using Numbers = std::vector<double>;
 
     void areas();  // check_swept_areas.cpp
-    void remap();  // check_remap.cpp
-
-    // check_levels.cpp
-    void levels();
-    void volumes_are_connected(std::vector<std::int32_t> const& cells, std::int32_t count) const;
-    void volumes_have_areas(hm_levels const* levels, std::int32_t level,
-                            std::vector<std::int32_t> const& cells, std::int32_t count,
-                            std::vector<Point> const& from, std::vector<Point> const& to);
-
     // check_walls.cpp
     void walls();
     void distances(hm_walls const* walls, std::vector<Face> const& faces,

@@ -178,8 +178,7 @@ struct Files {
                         "--count", "3",  "-o",    out("designs")};
             case 9: return {"adjoint", mesh, damaged, "--sensitivity", fields, "-o", out("g.csv")};
             case 10: return {"interpolate", mesh, fields, mesh, "-o", out("i.csv")};
-            case 11:
-                return {"interpolate", mesh, fields, mesh, "--conservative", "-o", out("i.vtu")};
+            case 11: return {"interpolate", mesh, fields, mesh, "-o", out("i.vtu")};
             case 12:
                 return {"align",    mesh, "--to",     mesh,   "--marker",     "block",
                         "--points", "6",  "--fields", fields, "--fields-out", out("i.csv")};

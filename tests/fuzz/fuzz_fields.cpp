@@ -1,7 +1,6 @@
-// The calls of harmorph_fields.h with random meshes: swept areas, distances to the walls, coarse
-// levels of control volumes, interpolation, and means over control volumes. Results are compared
-// with sums and searches over all cells and faces in more digits, derivatives with their
-// transposes.
+// The calls of harmorph_fields.h with random meshes: swept areas, distances to the walls, and
+// interpolation. Results are compared with sums and searches over all cells and faces in more
+// digits, derivatives with their transposes.
 #include "fields_model.hpp"
 
 namespace fuzz {
@@ -31,11 +30,9 @@ Outcome FieldsModel::run() {
                      init_by(hm_analysis_init, &analysis_, &problem_.problem, &problem_.options));
     if (status < 0) return Outcome::refused;
     for (std::int32_t k = input_.from(1, 4); k > 0; --k) {
-        switch (input_.below(5)) {
+        switch (input_.below(3)) {
             case 0: areas(); break;
             case 1: walls(); break;
-            case 2: levels(); break;
-            case 3: remap(); break;
             default: interpolation();
         }
     }

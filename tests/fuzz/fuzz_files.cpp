@@ -205,8 +205,12 @@ struct SolvedSquare {
         on_curve.marker = mesh.find_markers("wall")[0];
         on_curve.n_curves = 1;
         hm_mesh const view = mesh.view();
-        hm_problem const problem{sizeof problem, &view,   &curves, 1, &on_curve, 0,
-                                 nullptr,        nullptr, nullptr};
+        hm_problem problem{};
+        problem.struct_size = sizeof problem;
+        problem.mesh = &view;
+        problem.curves = &curves;
+        problem.n_conditions = 1;
+        problem.conditions = &on_curve;
         std::vector<char> blocks[3];
         hm_analysis* analysis = nullptr;
         hm_plan* plan = nullptr;

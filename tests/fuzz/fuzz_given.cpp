@@ -57,8 +57,7 @@ public:
         points_.resize(at(n));
         expect(hm_given_points(its_.plan, points_.data(), n, &n, &error_) == HM_OK,
                "no given points");
-        is_direct_ =
-            its_.problem.options.engine == HM_DIRECT && its_.problem.options.precision == HM_DOUBLE;
+        is_direct_ = its_.problem.options.engine == HM_DIRECT;
     }
 
     Outcome run() {

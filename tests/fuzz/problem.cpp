@@ -198,7 +198,6 @@ void choose_options(Problem& problem, Input& input) {
     if (o.operator_kind != HM_CONFORMAL && input.one_in(3)) o.scheme = input.any_of({2, 2, 1, 3});
     if (o.operator_kind != HM_CONFORMAL && o.scheme != HM_BOUNDED && input.one_in(3))
         o.engine = input.from(1, 2);
-    if (o.engine == HM_DIRECT && input.one_in(4)) o.precision = HM_SINGLE;
     if (o.engine != HM_DIRECT) {
         o.levels = input.from(0, 3);
         o.block_width = input.any_of({0, 4, 16});

@@ -160,7 +160,7 @@ TEST_CASE("refinement reduces the residual of a wrong factor, and progress never
         REQUIRE(attempt.analyse(setup.problem(), &options));
         REQUIRE(attempt.prepare());
         REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
-        for (double& entry : inside(attempt.plan).engine().direct.factor.doubles.factor)
+        for (double& entry : inside(attempt.plan).engine().direct.factor.numbers.factor)
             entry *= 1 + error;
         hm_status const status =
             hm_plan_solve(attempt.plan, attempt.basis, &attempt.report, nullptr);
@@ -277,45 +277,6 @@ TEST_CASE("constants leave a residual of 0 to the bit, except beside known value
         }
         CHECK(inside_rows == 0);
         CHECK(largest > 0);
-    }
-}
-
-TEST_CASE("rows in single precision are those in double precision, rounded last") {
-    for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
-        Case setup = thin_case(1e-3, false);
-        Options in_double = with(kind, HM_DIRECT), in_single = in_double;
-        in_single.precision = HM_SINGLE;
-        Solved const solved(setup, &in_double), other(setup, &in_single);
-        harmorph::Plan const& plan = inside(solved.plan);
-        harmorph::Residual wide = plan.refinement().residual,
-                           narrow = inside(other.plan).refinement().residual;
-        harmorph::Basis const basis = in_rows(solved);
-        harmorph::DofValues const dofs{basis, plan.equations().dof_of(), 1};
-        REQUIRE(wide.single.empty());
-        REQUIRE(!narrow.single.empty());
-        Index const n = std::min(wide.width, narrow.width) - 1,
-                    planes = kind == HM_CONFORMAL ? 2 : 1;
-        harmorph::Residual::Norms const norms = wide.compute(plan.equations().matrix(), dofs, 1, n);
-        harmorph::Residual::Norms const rounded =
-            narrow.compute(plan.equations().matrix(), dofs, 1, n);
-        harmorph::Residual::Norms const alone =
-            narrow.measure(plan.equations().matrix(), dofs, 1, n);
-        for (Index k = 0; k < n; ++k) {
-            CHECK(norms.rest[k] == rounded.rest[k]);
-            CHECK(norms.rest[k] == alone.rest[k]);
-            CHECK(norms.rest[k] > 0);
-            CHECK(norms.right_hand_side[k] == rounded.right_hand_side[k]);
-            CHECK(norms.right_hand_side[k] == alone.right_hand_side[k]);
-        }
-        Wrong different;
-        for (Index row = 0; row < planes * plan.equations().matrix().n; ++row)
-            for (Index k = 0; k < n; ++k) {
-                double const value = wide.value[harmorph::Offset{row} * wide.width + k];
-                double const rounded_value =
-                    narrow.single[harmorph::Offset{row} * narrow.width + k];
-                different.compare(row, rounded_value, static_cast<float>(value));
-            }
-        CHECK(different == 0);
     }
 }
 

@@ -109,8 +109,6 @@ TEST_CASE("conditions that are refused for a whole mesh are refused for parts as
           "a mesh in parts needs the compact scheme (HM_COMPACT)");
     CHECK(refusal([](Options& o) { o.engine = HM_MULTIGRID; }) ==
           "options.engine must be HM_DIRECT for a mesh in parts");
-    CHECK(refusal([](Options& o) { o.precision = HM_SINGLE; }) ==
-          "options.precision must be HM_DOUBLE for a mesh in parts");
     setup.set_rotation(setup.conditions[0].marker + 50, setup.conditions[0].marker + 51);
     CHECK(refusal([](Options&) {}) ==
           "HM_ROTATION_PAIR is not available for a mesh in parts; HM_PERIODIC_PAIR is");

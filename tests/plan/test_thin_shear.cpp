@@ -208,7 +208,7 @@ TEST_CASE("a factor that is damaged is healed by refinement, or the functions ar
         Options const options = options_of(HM_LAPLACE);
         Solved solved(setup, &options);
         harmorph::Span<double> const factor =
-            inside(solved.plan).engine().direct.factor.doubles.factor;
+            inside(solved.plan).engine().direct.factor.numbers.factor;
         std::mt19937 random(3);
         for (int k = 0; k < 60; ++k) {
             double& entry = factor[random() % factor.size()];

@@ -15,7 +15,7 @@ namespace cli {
 
 class TextFile {
 public:
-    explicit TextFile(const std::string& path);  // maps the whole file, or reads it
+    explicit TextFile(const std::string& path);  // maps or reads the whole file
     // The given text takes the place of the contents of the file.
     TextFile(const std::string& path, std::string text);
 

@@ -63,7 +63,8 @@ Task task_on(const Mesh& mesh, const std::string& marker, const Curves& curves) 
 std::vector<Column> fields_to_bring(const Arguments& arguments, const Mesh& mesh) {
     std::vector<Column> fields;
     if (arguments.has("--fields"))
-        fields = read_fields(arguments.text("--fields"), arguments.all("--field"), mesh);
+        fields = read_fields(arguments.text("--fields"), arguments.all("--field"), mesh,
+                             arguments.has("--in-order"));
     fields.push_back({"from_x", mesh.x});
     fields.push_back({"from_y", mesh.y});
     return fields;
@@ -144,6 +145,7 @@ const Command align_command = {
      {"--fields", "FILE", "fields at the points of MESH, as `harmorph interpolate` reads them",
       FileUse::input},
      {"--field", "NAME", "a column of --fields; may be repeated (default: all columns)"},
+     in_order_option,
      {"-o", "MESH", "the moved mesh, a file like MESH", FileUse::output},
      {"--fields-out", "FILE",
       "the fields at the points of REFERENCE, with from_x and from_y: .vtu, or else a CSV table",

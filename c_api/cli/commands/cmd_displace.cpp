@@ -11,6 +11,7 @@
 #include "commands/solver.hpp"
 #include "curves/moves_file.hpp"
 #include "formats/format.hpp"
+#include "mesh/mesh_fields.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -207,8 +208,9 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, const
 }
 
 WallMovement movement_of(const Arguments& arguments, const Mesh& mesh, const Task& task) {
+    const std::string& path = arguments.text("--wall");
     WallMovement movement = {
-        arguments.text("--wall"), read_wall_field(arguments.text("--wall"), mesh), {}};
+        path, read_wall_field(path, mesh, task.conditions, arguments.has("--in-order")), {}};
     const CurvesView curves(task.curves);
     Movable movable = {static_cast<std::int32_t>(task.curves.control.size() / 2), 0, 0,
                        task.conditions, [&curves]() -> const hm_curves& { return *curves.get(); }};
@@ -289,8 +291,11 @@ const Command displace_command = {
     "FIELD is a text file with lines \"point dx dy\": all points of the markers of --given, "
     "each with its displacement. Points\n"
     "are counted from 0 in the order of the mesh file, as SU2 files count them; "
-    "`#` starts a comment. They move by exactly\n"
-    "these displacements; the other points follow as they follow a curve in `harmorph morph`. "
+    "`#` starts a comment. FIELD may also\n"
+    "be a table as `harmorph adjoint` reads tables, with the columns dx and dy, or displacement_x "
+    "and displacement_y; a table of\n"
+    "all points of MESH gives those of the markers. They move by exactly these displacements; the "
+    "other points follow as they follow a curve in `harmorph morph`. "
     "Markers on curves (--curve) and\n"
     "of rigid bodies (--rigid) move as the file of --move says; "
     "markers that are not named are fixed. A mesh with inverted\n"
@@ -301,6 +306,7 @@ const Command displace_command = {
     std::vector<Option>{
         {"--given", "A[,B..]", "markers whose displacements FIELD has (required; may be repeated)"},
         {"--wall", "FIELD", "their displacements (required)", FileUse::input},
+        in_order_option,
         {"--move", "MOVES",
          "with --curve or --rigid: the movements of control points and bodies, see `harmorph "
          "morph`",

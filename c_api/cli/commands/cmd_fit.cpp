@@ -11,10 +11,15 @@
 #include "curves/section.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 namespace cli {
 
 namespace {
+
+// [chord] A curve that is farther from the polygon of the points is reported.
+constexpr double largest_departure = .002;
 
 struct Fit {
     Curves curves;
@@ -27,6 +32,8 @@ struct Outline {
     std::vector<std::int32_t> numbers;  // numbers of the points in the mesh, or in the file
     std::vector<double> x, y;
     bool is_loop;
+    std::string name;    // of an element of a file with several sections, or empty
+    std::string layout;  // of a file with sections, or empty
 
     Outline(const Mesh& mesh, const BoundaryPiece& piece)
         : numbers(piece.points), is_loop(piece.is_loop) {
@@ -35,8 +42,12 @@ struct Outline {
             y.push_back(mesh.y[static_cast<std::size_t>(point)]);
         }
     }
-    explicit Outline(const Section& section)
-        : x(section.x), y(section.y), is_loop(section.is_loop) {
+    explicit Outline(const Section& section, const std::string& element = {})
+        : x(section.x),
+          y(section.y),
+          is_loop(section.is_loop),
+          name(element),
+          layout(section.layout) {
         for (std::size_t k = 0; k < x.size(); ++k) numbers.push_back(static_cast<std::int32_t>(k));
     }
     std::int32_t points() const { return static_cast<std::int32_t>(x.size()); }
@@ -138,22 +149,35 @@ std::string reason_of_closure(const Fit& fit, const Outline& outline) {
            " from " + at;
 }
 
-void warn_if_it_backtracks(const Fit& fit, const Outline& outline) {
-    if (fit.report.backtrack_point < 0) return;
-    const auto from = static_cast<std::size_t>(fit.report.backtrack_point),
-               to = (from + 1) % outline.x.size();
-    warn("between points " + std::to_string(outline.numbers[from]) + " and " +
-         std::to_string(outline.numbers[to]) + " (x = " + brief(outline.x[from]) +
-         ", y = " + brief(outline.y[from]) +
-         ") the curve runs back: fewer control points or a lower degree help");
+void warn_about(const Fit& fit, const Outline& outline) {
+    const std::string element = outline.name.empty() ? "" : outline.name + ": ";
+    if (fit.report.backtrack_point >= 0) {
+        const auto from = static_cast<std::size_t>(fit.report.backtrack_point),
+                   to = (from + 1) % outline.x.size();
+        warn(element + "between points " + std::to_string(outline.numbers[from]) + " and " +
+             std::to_string(outline.numbers[to]) + " (x = " + brief(outline.x[from]) +
+             ", y = " + brief(outline.y[from]) +
+             ") the curve runs against the order of the points; look at the curve there, and use "
+             "fewer control points or a lower degree");
+    }
+    const double chord = outline.chord();
+    if (fit.report.max_departure > largest_departure * chord) {
+        const auto departure = static_cast<std::size_t>(fit.report.departure_point);
+        warn(element + "between the points the curve is up to " +
+             brief(fit.report.max_departure / chord) +
+             " chord off the lines that connect them, behind the point x = " +
+             brief(outline.x[departure]) + ", y = " + brief(outline.y[departure]) + "; more points there, fewer control points or --smooth help");
+    }
 }
 
 void print_for_people(const Fit& fit, const Outline& outline, const std::string& from,
                       const std::string& path) {
     const double chord = outline.chord();
     const auto worst = static_cast<std::size_t>(fit.report.max_error_point);
+    if (!outline.name.empty()) print("%s\n", outline.name.c_str());
     print("%s: degree %d, through %s of %s\n", plural(fit.curves.points(), "control point").c_str(),
           fit.curves.curves[0].degree, plural(outline.points(), "point").c_str(), from.c_str());
+    if (!outline.layout.empty()) print("layout         %s\n", outline.layout.c_str());
     print("closed         %s: %s\n", closed_name(fit.report.closed),
           reason_of_closure(fit, outline).c_str());
     print("largest error  %s chord, at x = %s, y = %s\n",
@@ -161,46 +185,82 @@ void print_for_people(const Fit& fit, const Outline& outline, const std::string&
           brief(outline.y[worst]).c_str());
     print("rms error      %s chord (chord: %s)\n", brief(fit.report.rms_error / chord).c_str(),
           brief(chord).c_str());
+    print("between points %s chord off the lines that connect the points, at most\n",
+          brief(fit.report.max_departure / chord).c_str());
     print("written        %s\n", path.c_str());
 }
 
-void print_json(const Fit& fit) {
+// The object describes the element with the largest error.
+void print_json(const std::vector<Fit>& fits, const std::vector<Outline>& outlines) {
+    std::size_t worst = 0;
+    for (std::size_t k = 1; k < fits.size(); ++k)
+        if (fits[k].report.max_error > fits[worst].report.max_error) worst = k;
+    const Fit& fit = fits[worst];
     JsonObject object;
     object.add("points", fit.curves.points()).add("degree", fit.curves.curves[0].degree);
     object.add("closed", std::string(closed_name(fit.report.closed)));
     object.add("corners", fit.report.corners).add("base_points", fit.report.base_points);
     object.add("backtracks", fit.report.backtrack_point >= 0);
     object.add("max_error", fit.report.max_error).add("rms_error", fit.report.rms_error);
+    object.add("max_departure", fit.report.max_departure);
+    object.add("elements", static_cast<std::int32_t>(fits.size()));
+    object.add("layout", outlines[worst].layout);
     print("%s\n", object.text().c_str());
 }
 
-Outline outline_of(const Arguments& arguments, const std::string& path) {
-    // Files of airfoils and of grids may both end in .dat. The options decide, or else the content.
-    const bool is_mesh = arguments.has("--format") || arguments.has("--zone") ||
-                         (ends_with(path, ".dat") && is_mesh_file(TextFile(path)));
-    const bool is_section = !is_mesh && ends_with(path, ".dat"),
-               is_curve = !is_mesh && ends_with(path, ".curve");
-    if (!is_section && !is_curve) {
-        const std::string tags = arguments.text("--marker");
-        const Mesh mesh = read_mesh(arguments, 0);
-        std::vector<std::int32_t> markers;
-        const std::vector<MarkerPiece> pieces = mesh.find_pieces(tags);
-        for (const MarkerPiece& piece : pieces) markers.push_back(piece.marker);
-        if (!pieces[0].is_piece) return Outline(mesh, MeshAnalysis(mesh).boundary(markers));
-        if (pieces.size() > 1)
-            arguments.refuse("--marker takes one piece MARKER@X:Y, or whole markers");
-        const Point near = {pieces[0].x, pieces[0].y};
-        return Outline(mesh, MeshAnalysis(mesh).boundary(markers, &near));
+// The ending leaves errors in a curve file to the reader of curves.
+bool is_curve(const TextFile& file) {
+    return is_curve_file(file) || ends_with(file.path(), ".curve");
+}
+
+// Files of sections, grids and curves may have any ending. The options decide, or else the content.
+bool is_mesh(const Arguments& arguments, const std::string& path) {
+    std::error_code ignored;
+    if (arguments.has("--format") || arguments.has("--zone")) return true;
+    if (std::filesystem::is_directory(path, ignored)) return true;
+    const TextFile file(path);
+    return is_mesh_file(file) || !(is_curve(file) || is_section_file(file));
+}
+
+Outline outline_of_mesh(const Arguments& arguments) {
+    const std::string tags = arguments.text("--marker");
+    const Mesh mesh = read_mesh(arguments, 0);
+    std::vector<std::int32_t> markers;
+    const std::vector<MarkerPiece> pieces = mesh.find_pieces(tags);
+    for (const MarkerPiece& piece : pieces) markers.push_back(piece.marker);
+    if (!pieces[0].is_piece) return Outline(mesh, MeshAnalysis(mesh).boundary(markers));
+    if (pieces.size() > 1)
+        arguments.refuse("--marker takes one piece MARKER@X:Y, or whole markers");
+    const Point near = {pieces[0].x, pieces[0].y};
+    return Outline(mesh, MeshAnalysis(mesh).boundary(markers, &near));
+}
+
+std::vector<Outline> outlines_of(const Arguments& arguments, const std::string& path) {
+    if (is_mesh(arguments, path)) {
+        if (arguments.has("--element"))
+            arguments.refuse("--element needs a file of sections, but " + path + " is not one");
+        return {outline_of_mesh(arguments)};
     }
     if (arguments.has("--marker"))
         arguments.refuse("--marker needs a mesh, but " + path + " is not a mesh");
-    return Outline(is_section ? read_section(path) : sampled(read_curves(path)));
+    if (is_curve(TextFile(path))) return {Outline(sampled(read_curves(path)))};
+    std::vector<Section> sections;
+    if (arguments.has("--element"))
+        sections = {read_section(path, arguments.whole("--element", 1, 1, INT32_MAX))};
+    else
+        sections = read_sections(path);
+    std::vector<Outline> outlines;
+    for (const Section& section : sections) {
+        const bool is_one = sections.size() == 1;
+        outlines.emplace_back(section,
+                              is_one ? "" : "element " + std::to_string(outlines.size() + 1));
+        for (const std::string& warning : section.warnings) warn(warning);
+    }
+    return outlines;
 }
 
-void run_fit(const Arguments& arguments) {
+Fit fit_of(const Arguments& arguments, const std::string& from, const Outline& outline) {
     hm_fit_options options = fit_options(arguments);
-    const std::string path = arguments.text("-o"), from = arguments.operand(0);
-    const Outline outline = outline_of(arguments, from);
     std::vector<double> weights;
     if (arguments.has("--weights")) weights = read_weights(arguments.text("--weights"), outline);
     const hm_fit_details details = fit_details(arguments, weights);
@@ -211,16 +271,28 @@ void run_fit(const Arguments& arguments) {
         arguments.refuse("--points " + std::to_string(options.n_control) +
                          ": the boundary itself has only " + plural(outline.points(), "point"));
     }
-    const Fit result = fit(from, outline, options);
-    OutputFiles files;
-    write_curve_file(files, path, result.curves);
-    files.commit();
-    warn_if_it_backtracks(result, outline);
-    if (arguments.has("--json")) {
-        print_json(result);
-    } else {
-        print_for_people(result, outline, from, path);
+    return fit(from, outline, options);
+}
+
+void run_fit(const Arguments& arguments) {
+    const std::string path = arguments.text("-o"), from = arguments.operand(0);
+    const std::vector<Outline> outlines = outlines_of(arguments, from);
+    if (outlines.size() > 1 && arguments.has("--weights"))
+        arguments.refuse("--weights needs --element, because the file has several elements");
+    std::vector<Fit> fits;
+    Curves curves;
+    for (const Outline& outline : outlines) {
+        fits.push_back(fit_of(arguments, from, outline));
+        if (fits.size() == 1) curves = fits[0].curves;
+        else curves.append(fits.back().curves);
     }
+    OutputFiles files;
+    write_curve_file(files, path, curves);
+    files.commit();
+    for (std::size_t k = 0; k < fits.size(); ++k) warn_about(fits[k], outlines[k]);
+    if (arguments.has("--json")) return print_json(fits, outlines);
+    for (std::size_t k = 0; k < fits.size(); ++k)
+        print_for_people(fits[k], outlines[k], from, path);
 }
 
 }  // namespace
@@ -235,11 +307,15 @@ const Command fit_command = {
     "distances of the mesh's\n"
     "points from the curve, in chords (the largest extent of the boundary); with --json in the "
     "unit of the mesh.\n"
-    "MESH may also be a file .dat with the coordinates of an airfoil in the order of Selig or "
-    "Lednicer, or a file .curve of fit\n"
-    "or morph, from which points are sampled.\n",
+    "MESH may also be a file with the coordinates of an airfoil (Selig, Lednicer, MSES, XFOIL, "
+    "Tecplot, OpenFAST, CSV),\n"
+    "or a curve file of fit or morph, from which points are sampled; the content decides. `layout` "
+    "says how the\n"
+    "coordinates were understood.\n",
     {{"--marker", "A[,B..]",
       "markers of the boundary (required with a mesh); A@X:Y: its piece nearest to (X, Y)"},
+     {"--element", "K",
+      "the element of a file with several sections, from 1 (default: one curve for each)"},
      {"--degree", "P", "degree of the curve, 1 to 5 (default 3)"},
      {"--points", "N",
       "number of control points (default 20); with --tolerance the largest number (default 100)"},
@@ -267,7 +343,9 @@ const Command fit_command = {
      {"--json", nullptr,
       "print one JSON object: points, degree, closed (open, tied, periodic), corners, "
       "base_points,\n"
-      "backtracks (the curve runs back between two points), max_error, rms_error"}},
+      "backtracks (the curve runs back between two points), max_error, rms_error, max_departure "
+      "(of the\n"
+      "curve from the polygon of the points), elements, layout"}},
     "  harmorph fit naca0012.su2 --marker airfoil --points 20 -o airfoil.curve\n"
     "  harmorph fit rae2822.dat -o rae2822.curve\n",
     run_fit};

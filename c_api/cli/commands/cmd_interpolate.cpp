@@ -16,27 +16,6 @@ void write(const Arguments& arguments, const Mesh& to, const std::vector<Column>
     files.commit();
 }
 
-void remap(const Arguments& arguments, const Mesh& from, const std::vector<Column>& fields,
-           const Mesh& to, const Threads& threads) {
-    const Remapped found = remapped(from, fields, to, threads);
-    write(arguments, to, found.fields);
-    const hm_remap_report& report = found.report;
-    if (arguments.has("--json")) {
-        JsonObject object;
-        object.add("fields", static_cast<std::int32_t>(fields.size())).add("points", to.points());
-        object.add("uncovered", report.uncovered).add("partial", report.partial);
-        object.add("area", report.area);
-        print("%s\n", object.text().c_str());
-        return;
-    }
-    print("%s from %s to %s; common area %s\n",
-          plural(static_cast<std::int64_t>(fields.size()), "field").c_str(),
-          plural(from.points(), "control volume").c_str(),
-          plural(to.points(), "control volume").c_str(), brief(report.area).c_str());
-    print("covered  %d volumes not at all, %d in part\n", report.uncovered, report.partial);
-    print("written  %s\n", arguments.text("-o").c_str());
-}
-
 void interpolate(const Arguments& arguments, const Mesh& from, const std::vector<Column>& fields,
                  const Mesh& to, const Threads& threads) {
     Field at(0);
@@ -60,15 +39,12 @@ void interpolate(const Arguments& arguments, const Mesh& from, const std::vector
 }
 
 void run_interpolate(const Arguments& arguments) {
-    const bool is_conservative = arguments.has("--conservative");
-    if (is_conservative && arguments.has("--max-outside"))
-        arguments.refuse("--conservative and --max-outside exclude each other");
     if (!arguments.has("-o")) arguments.refuse("-o is required");
     const Mesh from = read_mesh(arguments, 0), to = read_mesh(arguments.operand(2));
-    const std::vector<Column> fields =
-        read_fields(arguments.operand(1), arguments.all("--field"), from);
+    const std::vector<Column> fields = read_fields(arguments.operand(1), arguments.all("--field"),
+                                                   from, arguments.has("--in-order"));
     const Threads threads(threads_of(arguments));
-    (is_conservative ? remap : interpolate)(arguments, from, fields, to, threads);
+    interpolate(arguments, from, fields, to, threads);
 }
 
 }  // namespace
@@ -88,21 +64,16 @@ const Command interpolate_command = {
     "pointVectorField of OpenFOAM, or a CGNS file with arrays at the vertices (programs made with "
     "CGNS=1). Rows are matched as in `harmorph adjoint`.\n",
     {{"--field", "NAME", "a column of FIELDS; may be repeated (default: all columns)"},
+     in_order_option,
      {"-o", "FILE",
       "file to write (required): .vtu, with the mesh TO, or else a CSV table with the columns "
       "point, x, y and\nthe fields",
       FileUse::output},
      max_outside_option,
-     {"--conservative", nullptr,
-      "values are means over control volumes (median dual), of second order; integrals over the "
-      "area that both\nmeshes have in common do not change, and the column `covered` has the area "
-      "of each volume that FROM covers"},
      format_option,
      zone_option,
      threads_option,
-     {"--json", nullptr,
-      "print one JSON object: fields, points, outside, max_distance; with --conservative\n"
-      "uncovered, partial (volumes that FROM covers not at all, in part) and area"}},
+     {"--json", nullptr, "print one JSON object: fields, points, outside, max_distance"}},
     "  harmorph interpolate fine.su2 flow.vtu coarse.su2 -o coarse.vtu\n"
     "  harmorph interpolate fine.su2 flow.csv coarse.su2 --field Pressure -o pressure.csv\n",
     run_interpolate};

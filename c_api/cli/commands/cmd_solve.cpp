@@ -12,6 +12,7 @@
 #include "commands/solver.hpp"
 #include "commands/storage.hpp"
 #include "commands/task.hpp"
+#include "mesh/mesh_fields.hpp"
 #include "mesh/wall_field.hpp"
 
 #include <algorithm>
@@ -103,12 +104,15 @@ void print_for_people(const Solver& solver, const Stored& stored, const Mesh& me
 // functions of the basis.
 class Modes {
 public:
-    Modes(const Arguments& arguments, const Mesh& mesh) : paths_(arguments.all("--mode")) {
+    Modes(const Arguments& arguments, const Mesh& mesh, const Task& task)
+        : paths_(arguments.all("--mode")) {
         if (paths_.empty()) return;
         if (!arguments.has("--given"))
             arguments.refuse(
                 "--mode states displacements of the markers of --given, but --given is missing");
-        for (const std::string& path : paths_) add(path, read_wall_field(path, mesh));
+        const bool in_order = arguments.has("--in-order");
+        for (const std::string& path : paths_)
+            add(path, read_wall_field(path, mesh, task.conditions, in_order));
     }
     const hm_basis* append_to(Solver& solver) {
         if (paths_.empty()) return solver.basis();
@@ -159,8 +163,7 @@ std::string why_not_converged(const Solver& solver, const hm_options& options) {
     if (!(residual <= options.tolerance))
         return "the residual " + brief(residual) + " is above " + brief(options.tolerance);
     if (solver.found() == 0) return "values are still off by more than " + brief(options.tolerance);
-    return "values may still be off by " + brief(solver.found()) + ", as cells are very thin" +
-           (options.precision == HM_SINGLE ? "; --precision double makes them more accurate" : "");
+    return "values may still be off by " + brief(solver.found()) + ", as cells are very thin";
 }
 
 void run_solve(const Arguments& arguments) {
@@ -172,8 +175,8 @@ void run_solve(const Arguments& arguments) {
     if (compares_operators(arguments))
         arguments.refuse("--operator auto is only for displace and for morph --safe");
     const Mesh mesh = read_mesh(arguments, 0);
-    Modes modes(arguments, mesh);
     Task task = task_of(arguments, mesh);
+    Modes modes(arguments, mesh, task);
     std::vector<double> history(arguments.has("--history") ? max_history : 0);
     task.options.history = history.data();
     task.options.history_length = static_cast<std::int32_t>(history.size());
@@ -237,8 +240,9 @@ const Command solve_command = {
              "a function whose values at the points of --given are a table: lines \"point x y\", "
              "points counted\n"
              "from 0 (may be repeated; `morph` moves it by lines \"mode K amplitude [amplitude "
-             "y]\")",
+             "y]\"), or one as `harmorph displace` reads it",
              FileUse::input},
+            in_order_option,
             {"--repeat", "N",
              "solve N times after a warm-up, in memory, and report median times (default 1, no "
              "warm-up)"},

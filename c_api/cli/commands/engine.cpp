@@ -18,7 +18,6 @@ struct EngineOption {
     const char* engine_names;
 };
 const EngineOption engine_option_list[] = {
-    {"--precision", {HM_DIRECT}, "direct"},
     {"--levels", {HM_MULTIGRID, HM_FAS}, "multigrid or fas"},
     {"--block-width", {HM_MULTIGRID, HM_FAS}, "multigrid or fas"},
     {"--max-iterations", {HM_MULTIGRID, HM_FAS}, "multigrid or fas"},
@@ -37,15 +36,11 @@ const Option agglomeration_option = {"--agglomeration", "RULE",
 std::vector<Option> engine_options() {
     return {
         {"--engine", "ENGINE",
-         "auto (default): the first of direct, direct in single precision and multigrid that fits "
-         "into the\n"
-         "memory; direct: the fastest; multigrid: conjugate gradients; fas: the iteration of the "
-         "paper, slow,\n"
+         "auto (default): the first of direct and multigrid that fits into the memory;\n"
+         "direct: the fastest; multigrid: conjugate gradients; fas: the iteration of the paper, "
+         "slow,\n"
          "for laplace and weighted"},
         memory_option,
-        {"--precision", "P",
-         "of the direct engine's factor: double (default), or single: half the memory, refined in "
-         "double"},
         {"--levels", "N",
          "multigrid and fas: levels at most (default: down to the coarsest, 5 or 6 levels at 10k "
          "points)"},
@@ -101,7 +96,6 @@ void set_engine(const Arguments& arguments, Task& task) {
     SolveOptions& options = task.options;
     task.choice = engine_choice_of(arguments);
     options.engine = task.choice.kinds[0].engine;
-    options.precision = task.choice.kinds[0].precision;
     for (const EngineOption& option : engine_option_list) {
         const auto& engines = option.engines;
         if (arguments.has(option.name) &&

@@ -17,9 +17,7 @@ namespace {
 // each point the direct engine takes about 1.4 times as long on a mesh of ten times as many points,
 // and multigrid takes the same time; but at a million points multigrid takes 4 times as long as the
 // direct engine. So the order holds up to the 2^30 points that a mesh may have.
-const std::vector<EngineKind> by_time = {{"direct", HM_DIRECT, HM_DOUBLE},
-                                         {"direct in single precision", HM_DIRECT, HM_SINGLE},
-                                         {"multigrid", HM_MULTIGRID, HM_DOUBLE}};
+const std::vector<EngineKind> by_time = {{"direct", HM_DIRECT}, {"multigrid", HM_MULTIGRID}};
 
 std::string megabytes(double bytes) { return brief(1e-6 * bytes) + " MB"; }
 
@@ -38,16 +36,12 @@ const Option memory_option = {
 
 EngineChoice engine_choice_of(const Arguments& arguments) {
     EngineChoice choice;
-    const std::int32_t precision =
-        arguments.choice("--precision", {{"double", HM_DOUBLE}, {"single", HM_SINGLE}});
     constexpr std::int32_t automatic = -1;
     const std::int32_t engine = arguments.choice(
         "--engine",
         {{"auto", automatic}, {"direct", HM_DIRECT}, {"multigrid", HM_MULTIGRID}, {"fas", HM_FAS}});
     if (engine != automatic) {
-        choice.kinds = {{arguments.text("--engine"), engine, precision}};
-    } else if (arguments.has("--precision")) {  // an option of the direct engine only
-        choice.kinds = {by_time[precision == HM_SINGLE ? 1 : 0]};
+        choice.kinds = {{arguments.text("--engine"), engine}};
     } else {
         choice.kinds = by_time;
     }

@@ -16,7 +16,7 @@ constexpr double unlimited_memory = std::numeric_limits<double>::infinity();
 
 struct EngineKind {
     std::string name;
-    std::int32_t engine, precision;  // hm_options.engine, hm_options.precision
+    std::int32_t engine;  // hm_options.engine
 };
 
 // Engines in the order in which they are tried, and the memory that they may take. The task of a

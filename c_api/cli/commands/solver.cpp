@@ -75,7 +75,6 @@ void Solver::prepare() {
 // Makes the analysis for this kind of engine, unless the analysis alone needs more than the limit.
 std::optional<MemoryNeed> Solver::memory_with(const EngineKind& kind, double limit) {
     options_.engine = kind.engine;
-    options_.precision = kind.precision;
     std::size_t analysis = 0, plan = 0, basis = 0;
     hm_error error = {};
     const bool is_first = kind.name == choice_.kinds[0].name;  // its refusal ends the command

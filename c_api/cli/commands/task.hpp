@@ -22,7 +22,7 @@ struct Task {
     std::vector<double> given_u;
     double max_curve_distance = 0;  // of hm_problem
     SolveOptions options;
-    EngineChoice choice;  // if not empty, replaces engine and precision of `options`
+    EngineChoice choice;  // if not empty, replaces the engine of `options`
 
     bool slips() const;  // tells whether points of a marker slip
 };

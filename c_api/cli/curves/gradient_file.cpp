@@ -1,5 +1,6 @@
 #include "curves/gradient_file.hpp"
 
+#include "basics/csv_cells.hpp"
 #include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
 
@@ -57,9 +58,7 @@ void write_text(std::ostream& out, const std::vector<Row>& rows) {
 
 void write_csv(std::ostream& out, std::size_t objective, const std::vector<Row>& rows) {
     for (const Row& row : rows) {
-        out << objective << ',' << row.kind << ",\"";
-        for (const char c : row.name) out << (c == '"' ? "\"\"" : std::string(1, c));
-        out << '"';
+        out << objective << ',' << row.kind << ',' << csv_cell(row.name);
         for (std::size_t k = 0; k < 4; ++k)
             out << ',' << (k < row.values.size() ? exact(row.values[k]) : "");
         out << '\n';

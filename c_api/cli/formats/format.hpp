@@ -65,8 +65,9 @@ void round_as_file(const Mesh& mesh, std::vector<double>& x, std::vector<double>
 // path.
 const Format& format_to_create(const std::string& name, const std::string& path);
 
-// Replaces characters in the names of markers that a new file of this format cannot hold by _, so
-// that names stay different. Returns a sentence for each marker that was renamed.
+// Replaces characters in the names of markers that a new file of this format cannot hold, and an
+// empty name, by _, so that names stay different. Returns a sentence for each marker that was
+// renamed.
 std::vector<std::string> make_writable(Mesh& mesh, const Format& format);
 
 std::string format_table();  // for the help of commands: a line for each format

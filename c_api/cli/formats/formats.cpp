@@ -186,6 +186,8 @@ Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
     mesh.file.listen(nullptr);
     mesh.in_file.is_packed = is_packed && !mesh.in_file.is_joined;
     if (mesh.in_file.is_packed) mesh.in_file.store = packed(mesh.in_file.store);
+    if (mesh.points() == 0 || mesh.cells() == 0)
+        mesh.file.fail(0, mesh.points() == 0 ? "the file has no points" : "the file has no cells");
     check_points(mesh);
     drop_interior_faces(mesh, true);
     return mesh;
@@ -204,11 +206,13 @@ std::vector<std::string> make_writable(Mesh& mesh, const Format& format) {
             if (refused.find(other[k]) != refused.npos || is_control || is_outer_blank)
                 other[k] = '_';
         }
+        if (other.empty()) other = "_";
         if (other == name) continue;
         while (names.count(other) > 0) other += '_';
         names.insert(other);
+        const std::string why = name.empty() ? " must not be empty" : " have no such characters";
         sentences.push_back("the marker " + in_quotes(name) + " is written as " + in_quotes(other) +
-                            ": names in the format " + format.name + " have no such characters");
+                            ": names in the format " + format.name + why);
         name = other;
     }
     return sentences;

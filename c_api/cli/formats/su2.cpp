@@ -17,7 +17,8 @@ bool probe_su2(const TextFile& file) {
     const std::string_view line = lines.line().substr(0, 64);
     const std::size_t equals = line.find('=');
     const std::string_view key = trimmed(line.substr(0, equals));
-    return equals != std::string_view::npos &&
+    const bool is_tecplot = key == "TITLE" || key == "VARIABLES" || key == "ZONE";
+    return equals != std::string_view::npos && !is_tecplot &&
            key.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_") == std::string::npos;
 }
 

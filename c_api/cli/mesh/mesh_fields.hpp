@@ -15,9 +15,11 @@
 namespace cli {
 
 // Reads the columns of a table of point_table.hpp that have these names; no names: all columns
-// except numbers and coordinates of points. Each point of the mesh must have one row.
+// except numbers and coordinates of points. Each point of the mesh must have one row; in_order: see
+// points_of().
 std::vector<Column> read_fields(const std::string& path, const std::vector<std::string>& names,
-                                const Mesh& mesh);
+                                const Mesh& mesh, bool in_order);
+extern const Option in_order_option;  // for commands that read tables
 
 // Writes a .vtu file, or else a table with the columns point, x, y and those of the fields. This
 // function does not commit the file.
@@ -32,16 +34,6 @@ struct Interpolated {
 // Interpolates fields of `from`, whose points are at `at`, to the points of `to`.
 Interpolated interpolated(const Mesh& from, const Field& at, const std::vector<Column>& fields,
                           const Mesh& to, const Threads& threads);
-
-struct Remapped {
-    std::vector<Column> fields;  // and `covered`, the area of each volume that `from` covers
-    hm_remap_report report;
-};
-
-// Computes means over the control volumes of `to` from means over those of `from`. Integrals over
-// the area that both meshes cover are conserved.
-Remapped remapped(const Mesh& from, const std::vector<Column>& fields, const Mesh& to,
-                  const Threads& threads);
 
 // Refuses points that are farther than --max-outside from the mesh with the fields; otherwise warns
 // of points outside.

@@ -31,7 +31,7 @@ from .plane import Plane
 from .quality import Bounds, Corners, Quality
 from .reports import Report
 from .shapes import Moved, Movement
-from .transfer import Interpolation, Remapped, remap
+from .transfer import Interpolation
 from .variables import Variables
 
 __version__: str = _ffi.string(_lib.hm_version()).decode()
@@ -52,12 +52,10 @@ __all__ = [
     "Movement",
     "Plane",
     "Quality",
-    "Remapped",
     "Report",
     "Safe",
     "Variables",
     "Walls",
-    "remap",
     "rigid",
     "swept_areas",
     "__version__",

@@ -206,20 +206,22 @@ class Functions:
     def recover(self, points: Any, tolerance: float = 0.0) -> np.ndarray:
         """Return the movement, shape (functions, 2), that a mesh has made since the functions were solved.
 
+        If several movements lead the wall there, the smallest one is returned.
+
         Parameters
         ----------
         points : array of shape (n_points, 2), or pair of arrays
             The mesh after any number of morphs or safe morphs.
         tolerance : float
-            The call refuses a mesh whose wall is farther than this from where the movement leads it
-            [length]; 0 means 1e-4 of the extent of the wall.
+            The call refuses a mesh whose wall is farther than this from where the movement leads it,
+            apart from offsets that safe morphs have turned [length]; 0 means 1e-4 of the extent of the wall.
         """
         basis, size = self._open(), ffi.new("size_t*")
         view, _alive = points_in(points, basis.n_points, "points")
         call(lib.hm_recover_movement_size, basis.pointer, size)
         work, move = np.empty(size[0], np.uint8), np.empty(basis.shape)
         call(lib.hm_recover_movement, basis.pointer, view, tolerance, doubles(move, basis.shape, "move", out=True),
-             ffi.NULL, ffi.NULL, ffi.from_buffer(work), len(work))
+             ffi.NULL, ffi.NULL, ffi.NULL, ffi.from_buffer(work), len(work))
         return move
 
     def _open(self) -> Basis:

@@ -43,8 +43,6 @@ class Morph(Functions, Large, Displacements, Stored):
     operator : {"conformal", "laplace", "weighted"}
         Conformal functions keep the angles at the wall; Laplace functions are those of the paper.
     engine : {"direct", "multigrid", "fas"}
-    precision : {"double", "single"}
-        Of the factor.
     exponent : float, optional
         The exponent q of the weight 1 / d^q, a multiple of 0.25 up to 4; 0: no weight.
     offset_correction : bool
@@ -99,7 +97,6 @@ class Morph(Functions, Large, Displacements, Stored):
         *,
         operator: str = "conformal",
         engine: str = "direct",
-        precision: str = "double",
         exponent: Optional[float] = None,
         offset_correction: bool = False,
         tolerance: float = 0.0,
@@ -108,7 +105,7 @@ class Morph(Functions, Large, Displacements, Stored):
     ) -> None:
         if not isinstance(mesh, Mesh):
             raise Error(f"mesh must be a harmorph.Mesh, not {type(mesh).__name__}.")
-        self._options = options_of(operator, engine, precision, exponent, offset_correction, tolerance)
+        self._options = options_of(operator, engine, exponent, offset_correction, tolerance)
         self._options["max_curve_distance"] = max_curve_distance
         self._own(mesh, curves, listed(mesh, curves, conditions), threads)
         self._solve()
@@ -240,7 +237,7 @@ class Morph(Functions, Large, Displacements, Stored):
             self._solver = None
 
     def close(self) -> None:
-        """Free everything. Later calls are refused; a mapped file is closed."""
+        """Free everything. Later calls are refused; the memory of the basis is free."""
         with self._lock:
             self._solver = self._basis = None
 

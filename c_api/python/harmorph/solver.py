@@ -16,20 +16,17 @@ from .threads import Executor
 
 OPERATORS = {"conformal": lib.HM_CONFORMAL, "laplace": lib.HM_LAPLACE, "weighted": lib.HM_WEIGHTED}
 ENGINES = {"direct": lib.HM_DIRECT, "multigrid": lib.HM_MULTIGRID, "fas": lib.HM_FAS}
-PRECISIONS = {"double": lib.HM_DOUBLE, "single": lib.HM_SINGLE}
 
 
 def options_of(
     operator: str,
     engine: str,
-    precision: str,
     exponent: Optional[float],
     offset_correction: bool,
     tolerance: float,
 ) -> dict:
     """Return the members of ``hm_options`` for these arguments of :class:`harmorph.Morph`."""
-    for name, value, known in (("operator", operator, OPERATORS), ("engine", engine, ENGINES),
-                               ("precision", precision, PRECISIONS)):
+    for name, value, known in (("operator", operator, OPERATORS), ("engine", engine, ENGINES)):
         if value not in known:
             raise Error(f"{name} must be one of {list(known)}, not {value!r}.")
     if exponent is not None and not isinstance(exponent, (int, float)):
@@ -37,7 +34,6 @@ def options_of(
     return {
         "operator_kind": OPERATORS[operator],
         "engine": ENGINES[engine],
-        "precision": PRECISIONS[precision],
         "exponent": 0 if exponent is None else exponent or -1,
         "offset_correction": int(offset_correction),
         "tolerance": tolerance,

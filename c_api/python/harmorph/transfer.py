@@ -81,56 +81,6 @@ class Interpolation:
         return result
 
 
-class Remapped(NamedTuple):
-    """Result of :func:`remap`.
-
-    Attributes
-    ----------
-    values : ndarray of shape (n_points of `to`,) or (n_fields, n_points of `to`)
-        0 where nothing is covered.
-    covered : ndarray of shape (n_points of `to`,)
-        The area that each control volume has in common with the other mesh [length^2].
-    report : Report
-        The members of ``hm_remap_report``: `uncovered`, `partial`, `area`.
-    """
-
-    values: np.ndarray
-    covered: np.ndarray
-    report: Report
-
-
-def remap(source: Mesh, to: Mesh, fields: Any, order: int = 2) -> Remapped:
-    """Return means over control volumes of one mesh from those of another, so that integrals are kept.
-
-    Parameters
-    ----------
-    source : Mesh
-        The mesh that has the fields, at its coordinates now.
-    to : Mesh
-        The mesh that receives the fields; it may be `source` with other coordinates.
-    fields : array of shape (n_points,) or (n_fields, n_points)
-        Means over the control volumes of the median dual of `source`.
-    order : {1, 2}
-        1: no new extremum arises; 2: linear fields are exact.
-
-    Returns
-    -------
-    Remapped
-        The sum of `covered` times `values` is the integral over the area that both meshes have.
-    """
-    values, shape = _fields(fields, source.n_points, "fields")
-    first, _first_block = source._analysis()
-    second, _second_block = to._analysis()
-    n_fields, size = shape[0] if shape else 1, ffi.new("size_t*")
-    call(lib.hm_remap_size, first, second, n_fields, order, size)
-    work, result = np.empty(size[0], np.uint8), new("hm_remap_report")
-    out, covered = np.empty((*shape, to.n_points)), np.empty(to.n_points)
-    call(lib.hm_remap, first, ffi.NULL, second, ffi.NULL, n_fields, order, values,
-         ffi.from_buffer("double[]", out), ffi.from_buffer("double[]", covered), ffi.from_buffer(work),
-         len(work), ONE_THREAD.view, result)
-    return Remapped(out, covered, report(result))
-
-
 def _fields(fields: Any, n: int, what: str) -> Tuple[Any, tuple]:
     """A view of one field or several, and the shape before the points."""
     array = numbers(fields, what)

@@ -60,7 +60,7 @@ def test_movements_of_real_functions_only_mix_what_they_should(curves, move):
     assert np.array_equal(laplace.displacement(move)[:, 0], np.zeros(laplace.n_points))
 
 
-OPTIONS = [dict(engine="multigrid"), dict(precision="single"), dict(exponent=2),
+OPTIONS = [dict(engine="multigrid"), dict(exponent=2),
            dict(exponent=0), dict(offset_correction=True), dict(tolerance=1e-8), dict(threads=2),
            dict(engine="fas", operator="laplace")]
 
@@ -76,7 +76,6 @@ def test_options(curves, move, options):
 @pytest.mark.parametrize("options, words", [
     (dict(operator="biharmonic"), "operator must be one of"),
     (dict(engine="cg"), "engine must be one of"),
-    (dict(precision="half"), "precision must be one of"),
     (dict(exponent=0.3), "multiple of 0.25"),
     (dict(exponent=9), ""),
     (dict(tolerance=-1), ""),

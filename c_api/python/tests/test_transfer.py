@@ -1,4 +1,4 @@
-"""Fields of one mesh on another: linear fields, transposes, integrals, refusals."""
+"""Fields of one mesh on another: linear fields, transposes, refusals."""
 
 import harmorph
 import numpy as np
@@ -32,29 +32,12 @@ def test_the_transpose(random):
     assert np.array_equal(interpolation.adjoint(dj[1]), interpolation.adjoint(dj)[1])
 
 
-def test_means_keep_integrals(random):
-    fine, coarse = ring_mesh(ni=65, nj=17), ring_mesh(ni=65, nj=9)
-    volumes = harmorph.remap(fine, fine, np.ones(fine.n_points)).covered
-    field = random.uniform(1, 2, size=fine.n_points)
-    for order in (1, 2):
-        found = harmorph.remap(fine, coarse, field, order)
-        assert isinstance(found, harmorph.Remapped) and found.report.area == pytest.approx(volumes.sum())
-        assert found.covered @ found.values == pytest.approx(volumes @ field, rel=1e-12)
-    first = harmorph.remap(fine, coarse, field, 1).values
-    assert field.min() - 1e-12 <= first.min() and first.max() <= field.max() + 1e-12
-    same = harmorph.remap(fine, fine, np.stack([field, 2 * field]), 1).values
-    assert same == pytest.approx(np.stack([field, 2 * field]), rel=1e-10)
-
-
 def test_refusals():
     mesh = ring_mesh(ni=33, nj=9)
     interpolation = harmorph.Interpolation(mesh, mesh.points)
     for call in (lambda: interpolation(np.zeros(3)), lambda: interpolation.adjoint(np.zeros((2, 3))),
-                 lambda: harmorph.remap(mesh, mesh, np.zeros((1, 1, mesh.n_points))),
                  lambda: harmorph.Interpolation(mesh, np.zeros((3, 3)))):
         with pytest.raises(harmorph.Error, match="shape"):
             call()
-    with pytest.raises(harmorph.Error, match="order"):
-        harmorph.remap(mesh, mesh, np.zeros(mesh.n_points), order=3)
     with pytest.raises(harmorph.Error):
         harmorph.Interpolation(mesh, [[np.nan, 0.0]])

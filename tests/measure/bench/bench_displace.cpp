@@ -40,7 +40,6 @@ public:
         Options options{};
         options.operator_kind = operator_kind;
         options.executor = settings.executor;
-        options.precision = settings.precision;
         std::size_t bytes = 0;
         done(hm_analysis_size(&problem, &options, &bytes, &error_), "hm_analysis_size");
         void* block = workspace_.analysis.give(bytes);

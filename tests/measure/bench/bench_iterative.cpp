@@ -14,10 +14,8 @@
 namespace bench {
 namespace {
 
-constexpr Engine engines[] = {{"direct", HM_DIRECT, HM_DOUBLE},
-                              {"direct, single", HM_DIRECT, HM_SINGLE},
-                              {"multigrid", HM_MULTIGRID, HM_DOUBLE},
-                              {"improved FAS", HM_FAS, HM_DOUBLE}};
+constexpr Engine engines[] = {
+    {"direct", HM_DIRECT}, {"multigrid", HM_MULTIGRID}, {"improved FAS", HM_FAS}};
 
 constexpr double max_points_of_fas = 150000;       // beyond, minutes for each row
 constexpr double max_points_of_warm_ups = 500000;  // of peers: beyond, a run takes half a minute
@@ -61,8 +59,7 @@ private:
 
     void run_ours(Engine const& engine) {
         say(case_.name() + ": " + engine.name);
-        Ours ours(case_, workspace_, functions_, settings_.executor, engine.number,
-                  engine.precision);
+        Ours ours(case_, workspace_, functions_, settings_.executor, engine.number);
         ours.run();  // a warm-up
         Phases const p = ours.run(TimeKind::processor);
         Columns const values = matrix_.values_of(ours.basis(), functions_, points());

@@ -8,9 +8,7 @@
 namespace bench {
 namespace {
 
-constexpr Engine engines[] = {{"direct", HM_DIRECT, HM_DOUBLE},
-                              {"direct, single", HM_DIRECT, HM_SINGLE},
-                              {"multigrid", HM_MULTIGRID, HM_DOUBLE}};
+constexpr Engine engines[] = {{"direct", HM_DIRECT}, {"multigrid", HM_MULTIGRID}};
 
 // Bytes, asked for on one mesh.
 struct Needs {
@@ -20,7 +18,7 @@ struct Needs {
 
 Needs ask(Case const& mesh_case, Index functions, Engine const& engine) {
     Workspace workspace;
-    Ours ours(mesh_case, workspace, functions, nullptr, engine.number, engine.precision);
+    Ours ours(mesh_case, workspace, functions, nullptr, engine.number);
     ours.query();
     return {static_cast<double>(mesh_case.mesh.n_points()), ours.analysis_bytes(),
             ours.plan_bytes(), ours.basis_bytes()};

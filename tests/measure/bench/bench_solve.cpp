@@ -32,9 +32,7 @@ private:
 }  // namespace
 
 void bench_solve(Settings const& settings, Report& report) {
-    std::string const factor =
-        settings.precision == HM_SINGLE ? "; our factor in single precision" : "";
-    std::string const threads = " (threads: " + std::to_string(settings.threads) + factor + ")";
+    std::string const threads = " (threads: " + std::to_string(settings.threads) + ")";
     Table against{"Ordering, symbolic pass, factorisation, solution [s]" + threads,
                   {"mesh", "functions", "ours", "peer", "analysis", "factor", "solve", "theirs",
                    "ratio", "our plan B/node", "their B/node", "our residual", "their residual"},
@@ -72,9 +70,8 @@ void bench_solve(Settings const& settings, Report& report) {
         }
     }
     phases.notes.push_back(
-        "engine = ordering + symbolic + factor + solve; symbolic includes hm_plan_init, and solve "
-        "the refinement "
-        "of a factor in single precision. around: structure and assembly, in % of all.");
+        "engine = ordering + symbolic + factor + solve; symbolic includes hm_plan_init. "
+        "around: structure and assembly, in % of all.");
     for (SolverPackage const& package : solver_packages())
         if (package.make == nullptr)
             against.notes.push_back(package.name + ": " + presence(package));

@@ -25,8 +25,8 @@ Comparison::Comparison(Case const& mesh_case, Settings const& settings)
     : case_(mesh_case), settings_(settings), matrix_(mesh_case.mesh) {
     for (Index const functions : settings.functions) {
         if (functions > 20 && points() > largest_for_many) continue;
-        ours_.push_back(std::make_unique<Ours>(mesh_case, workspace_, functions, settings.executor,
-                                               HM_DIRECT, settings.precision));
+        ours_.push_back(
+            std::make_unique<Ours>(mesh_case, workspace_, functions, settings.executor));
         Ours& ours = *ours_.back();
         ours.run();
         b_.push_back(matrix_.right_hand_sides(ours.basis(), ours.fit().curves(), points()));

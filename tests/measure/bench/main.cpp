@@ -31,7 +31,7 @@ char const* const usage =
     "stretched1000\"] [--functions \"20 60\"] "
     "[--threads N] "
     "[--repeats N]\n"
-    "             [--kernel 0..4] [--precision double|single] [--gibibytes N]\n";
+    "             [--kernel 0..4] [--gibibytes N]\n";
 
 template <class T>
 std::vector<T> words(std::string const& text) {
@@ -40,12 +40,6 @@ std::vector<T> words(std::string const& text) {
     for (T word; in >> word;) out.push_back(word);
     if (out.empty() || !in.eof()) throw std::invalid_argument("not understood: " + text);
     return out;
-}
-
-int precision(std::string const& name) {
-    if (name != "double" && name != "single")
-        throw std::invalid_argument("no such precision: " + name);
-    return name == "single" ? HM_SINGLE : HM_DOUBLE;
 }
 
 Settings read(int argc, char** argv) {
@@ -61,7 +55,6 @@ Settings read(int argc, char** argv) {
         else if (name == "--threads") out.threads = words<int>(text)[0];
         else if (name == "--repeats") out.repeats = words<int>(text)[0];
         else if (name == "--kernel") out.kernel = words<int>(text)[0];
-        else if (name == "--precision") out.precision = precision(text);
         else if (name == "--gibibytes") out.gibibytes = words<int>(text)[0];
         else throw std::invalid_argument("no such option: " + name);
     }

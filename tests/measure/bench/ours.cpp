@@ -40,13 +40,12 @@ struct Ours::Clock {
 };
 
 Ours::Ours(Case const& mesh_case, Workspace& workspace, Index functions,
-           hm_executor const* executor, Index engine, Index precision, Index operator_kind)
+           hm_executor const* executor, Index engine, Index operator_kind)
     : case_(mesh_case),
       workspace_(workspace),
       functions_(functions),
       executor_(executor),
       engine_(engine),
-      precision_(precision),
       operator_kind_(operator_kind),
       fit_(mesh_case, functions) {}
 
@@ -58,7 +57,6 @@ struct Ours::Asked {
         options.operator_kind = ours.operator_kind_;
         options.executor = ours.executor_;
         options.engine = ours.engine_;
-        options.precision = ours.precision_;
         if (options.engine == HM_FAS) {
             options.block_width = 4;
             options.cycle = HM_CYCLE_IMPROVED;
@@ -111,8 +109,6 @@ Phases Ours::run(TimeKind kind) {
     done(hm_plan_factor(plan, nullptr, &error), "hm_plan_factor");
     report_.struct_size = sizeof report_;
     done(hm_plan_solve(plan, basis_, &report_, &error), "hm_plan_solve");
-    // Refinement is part of the solution, where it brings what the factor lacks.
-    if (precision_ == HM_SINGLE) clock.phases.solve += clock.phases.residual;
     return clock.phases;
 }
 

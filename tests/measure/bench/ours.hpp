@@ -11,10 +11,10 @@
 
 namespace bench {
 
-// An engine with its precision, and the name that tables give to both.
+// An engine, and the name that tables give to the engine.
 struct Engine {
     char const* name;
-    Index number, precision;
+    Index number;
 };
 
 struct Phases {
@@ -67,10 +67,10 @@ struct Workspace {
 
 class Ours {
 public:
-    // precision: of the direct engine's factor. FAS is the improved one, with functions in blocks
+    // FAS is the improved one, with functions in blocks
     // of 4. The report of an engine that iterates may say that the engine has not converged.
     Ours(Case const& mesh_case, Workspace& workspace, Index functions, hm_executor const* executor,
-         Index engine = HM_DIRECT, Index precision = HM_DOUBLE, Index operator_kind = HM_LAPLACE);
+         Index engine = HM_DIRECT, Index operator_kind = HM_LAPLACE);
     Ours(Ours const&) = delete;
 
     // Runs from the beginning, in the same blocks each time; the first run is the warm-up.
@@ -95,7 +95,7 @@ private:
     Workspace& workspace_;
     Index functions_;
     hm_executor const* executor_;
-    Index engine_, precision_, operator_kind_;
+    Index engine_, operator_kind_;
     Fit fit_;
     Block basis_block_;
     hm_basis* basis_ = nullptr;

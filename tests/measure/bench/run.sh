@@ -1,6 +1,6 @@
 #!/bin/sh
 # `make bench`: finds out which peers this machine has, builds what changed, runs. Everything may be set from outside:
-#   make bench SIZES="10000 100000" KINDS=iso FUNCTIONS="20 60" THREADS="1 2" REPEATS=5 PRECISION=single \
+#   make bench SIZES="10000 100000" KINDS=iso FUNCTIONS="20 60" THREADS="1 2" REPEATS=5 \
 #       PARTS="dense solve threads iterative iterations memory displace safe morph files" GIBIBYTES=24
 # BUILD_ONLY=1 only builds $BUILD/bench/bench.
 : "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS:=-O3}"
@@ -70,5 +70,5 @@ $CXX $CXXFLAGS -pthread -o "$out/bench" $objects "$BUILD/libharmorph.a" $LDFLAGS
 # One run for each number of threads: libraries take theirs from the start.
 for threads in $THREADS; do
     "$out/bench" --sizes "$SIZES" --kinds "$KINDS" --parts "$PARTS" --functions "$FUNCTIONS" --threads "$threads" \
-        --repeats "${REPEATS:-0}" --precision "${PRECISION:-double}" --gibibytes "${GIBIBYTES:-0}"
+        --repeats "${REPEATS:-0}" --gibibytes "${GIBIBYTES:-0}"
 done

@@ -17,7 +17,6 @@ struct Settings {
     int threads = 1;                        // of both sides
     hm_executor const* executor = nullptr;  // with as many
     int kernel = 0;                         // HM_KERNEL_...
-    int precision = HM_DOUBLE;              // of our factor
     int repeats = 0;                        // of the solves; 0: by size
     int gibibytes = 0;  // into which the largest mesh is to fit (part memory); 0: not asked
 

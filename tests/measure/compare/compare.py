@@ -312,7 +312,7 @@ def begin_table(mesh, remark=""):
     print(f"\n== Against other methods: {mesh}\n\ntable The same movements by other methods{remark}. Quality is "
           "size-skew; angle is the mean change [degrees] between the wall and the first-layer edges; heights are "
           "ratios of first-layer heights, error the mean of |ratio - 1|; a star: the best, or within 2 % of the best "
-          "valid one; seconds of processor time for what is done once for a mesh, and for this movement; memory [MB]")
+          "valid one; seconds of processor time for what is done once for a mesh, and for this movement; memory [MiB]")
     print(f"  {'method':18}  {'steps':>5}  {'cells':>8}  {'min q':>9}  {'mean q':>9}  {'angle':>8}  {'lowest':>6}  "
           f"{'highest':>6}  {'error':>8}  {'set-up':>8}  {'movement':>8}  {'memory':>6}")
 

@@ -7,8 +7,6 @@ import sys
 
 import numpy as np
 import harmorph
-from harmorph._native import ffi, lib
-from harmorph.errors import call
 from shared import fastest, o_mesh
 
 
@@ -28,22 +26,6 @@ def walls_and_areas(mesh):
     assert np.array_equal(walls.distance(bent).distance, walls.distance(bent, hint).distance)
 
 
-def levels(mesh):
-    """The class for coarse levels is missing in Python, so this function calls the library."""
-    analysis, _alive = mesh._analysis()
-    size, levels = ffi.new("size_t*"), ffi.new("hm_levels**")
-    call(lib.hm_levels_size, analysis, size)
-    block = np.empty(size[0], np.uint8)
-    row("coarse levels", lambda: call(lib.hm_levels_init, levels, ffi.from_buffer(block), size[0], analysis, ffi.NULL,
-                                      lib.HM_AGGLOMERATE_AUTO, 0), 2)
-    n, n_levels = ffi.new("int32_t*"), ffi.new("int32_t*")
-    call(lib.hm_level_cells, levels[0], 1, ffi.NULL, n, n_levels)
-    areas, at = np.empty(n[0]), ffi.from_buffer("double[]", mesh.points)
-    view = ffi.new("hm_points*", (at, at + 1, 2))
-    row("areas of the volumes of one level", lambda: call(lib.hm_level_areas, levels[0], 1, ffi.NULL, view,
-                                                          ffi.from_buffer("double[]", areas)), 3)
-
-
 def transfers(mesh, other):
     row("analysis of the mesh with the fields", mesh.report, 2)
     shuffled = np.random.default_rng(1).permutation(other.points)
@@ -51,9 +33,6 @@ def transfers(mesh, other):
     row("the same, the points in random order", lambda: harmorph.Interpolation(mesh, shuffled), 2)
     interpolation, field = harmorph.Interpolation(mesh, other.points), mesh.points[:, 0].copy()
     row("one field", lambda: interpolation(field))
-    for order, kind in ((1, "constant"), (2, "linear")):
-        row(f"two fields by control volumes, {kind} in each",
-            lambda: harmorph.remap(mesh, other, mesh.points.T.copy(), order), 2)
 
 
 size = int(sys.argv[1]) if len(sys.argv) > 1 else 1000000
@@ -61,5 +40,4 @@ meshes = {kind: o_mesh(kind, size) for kind in ("viscous", "triangles")}
 for (kind, mesh), other in zip(meshes.items(), reversed(meshes.values())):
     print(f"{kind}: {mesh.n_points} points, {mesh.n_cells} cells")
     walls_and_areas(mesh)
-    levels(mesh)
     transfers(mesh, other)
