@@ -708,13 +708,13 @@ HM_API hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_
                            const hm_executor* executor, hm_step_report* step,
                            hm_quality_report* quality, hm_error* err);
 
-/* The largest difference [length] between the displacement of the points on curves and rigid bodies,
- * to - from, and that which `move` (see hm_morph) gives them by each of their conditions. *point:
- * the point with this difference; point may be NULL. HM_TORN: the movement takes two conditions of
- * a point (error.item) apart by error.value, more than 1e-6 of the diagonal of the box around the
- * wall at `from`; do not use the moved mesh. error.other: the condition that does not move the
- * point. The remedy is one curve through both markers, or a common control point. Displacements of
- * points with HM_GIVEN are not compared. */
+/* The largest difference [length] between the displacement of the points on curves and rigid
+ * bodies, to - from, and that which `move` (see hm_morph) gives them by each of their conditions.
+ * *point: the point with this difference; point may be NULL. HM_TORN: the movement takes two
+ * conditions of a point (error.item) apart by error.value, more than 1e-6 of the diagonal of the
+ * box around the wall at `from`; do not use the moved mesh. error.other: the condition that does
+ * not move the point. The remedy is one curve through both markers, or a common control point.
+ * Displacements of points with HM_GIVEN are not compared. */
 HM_API hm_status hm_boundary_error(const hm_basis* basis, const double* move, const hm_points* from,
                                    const hm_points* to, double* error, int32_t* point,
                                    hm_error* err);

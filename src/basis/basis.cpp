@@ -85,8 +85,7 @@ BoundaryFunctions Basis::boundary_functions(WallPlace const& at) const noexcept 
     Vec2 const offset = at.offset;
     if (is_given(at)) return out;
     if (!is_on_curve(at)) {
-        Index const translation =
-            header->counts.shapes() + 2 * (at.curve - header->counts.curves);
+        Index const translation = header->counts.shapes() + 2 * (at.curve - header->counts.curves);
         out.order = 2;
         out.function[0] = translation;
         out.value[0] = {1, 0};

@@ -117,7 +117,7 @@ struct Basis {
     Span<Index> wall_point, wall_curve;  // [wall]
     Span<Real> wall_u;
     Span<Vec2> wall_offset;
-    Span<Vec2> wall_start;  // [wall] The places of these points when the basis was made.
+    Span<Vec2> wall_start;         // [wall] The places of these points when the basis was made.
     Span<Index> shared_point;      // [shared] See SharedPoint.
     Span<Index> shared_condition;  // [2 * shared]
     Span<WallPlace> shared_place;  // [shared] The place by the second condition.

@@ -18,12 +18,12 @@ bool is_within(Index number, Index begin, Index end) noexcept {
 
 bool counts_are_plausible(BasisCounts const& counts) noexcept {
     Index const all[] = {
-        counts.points,       counts.cells,         counts.control,     counts.bodies,
-        counts.curves,       counts.indices,       counts.knots,       counts.weights,
-        counts.wall,         counts.joined,        counts.boundary,    counts.loops,
-        counts.conditions,   counts.first_stored,  counts.stored,      counts.combined,
-        counts.modes,        counts.pieces,        counts.guards,      counts.sides,
-        counts.along.curves, counts.along.indices, counts.along.knots, counts.along.control,
+        counts.points,        counts.cells,         counts.control,     counts.bodies,
+        counts.curves,        counts.indices,       counts.knots,       counts.weights,
+        counts.wall,          counts.joined,        counts.boundary,    counts.loops,
+        counts.conditions,    counts.first_stored,  counts.stored,      counts.combined,
+        counts.modes,         counts.pieces,        counts.guards,      counts.sides,
+        counts.along.curves,  counts.along.indices, counts.along.knots, counts.along.control,
         counts.along.weights, counts.shared};
     for (Index const count : all) {
         if (!is_within(count, 0, max_count + 1)) return false;

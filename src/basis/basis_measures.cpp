@@ -52,8 +52,7 @@ Tear find_tear(Basis const& basis, const Real* move, Points at) noexcept {
         WallPlace const& place = basis.shared_place[k];
         Index const slot = basis.shared_slot[k];
         if (basis.is_given(place) || basis.is_given(slot)) continue;
-        Real const distance =
-            length(basis.wall_move(place, move) - basis.wall_move(slot, move));
+        Real const distance = length(basis.wall_move(place, move) - basis.wall_move(slot, move));
         if (!exceeds(distance, worst.distance)) continue;
         worst = {distance, k};
     }
@@ -68,8 +67,7 @@ Status check_tear(Basis const& basis, const Real* move, Points at, Status status
                         "the movement leaves point # ~ away from where condition @ takes it; put "
                         "both markers on one curve, or give the curves a common control point",
                         point_item(basis.shared_point[tear.shared]),
-                        condition_item(basis.shared_condition[2 * tear.shared + 1]),
-                        tear.distance);
+                        condition_item(basis.shared_condition[2 * tear.shared + 1]), tear.distance);
 }
 
 BasisMeasures measure_basis(Basis const& basis, Points points, Executor const& executor) noexcept {

@@ -132,21 +132,24 @@ private:
             }
         }
         for (Index k = 0; k < n_segment; ++k) put(point_at(k), best, best_u[k]);
-        if (!is_loop && n_segment > n_chain) note_both_ends(point_at(0), best);
+        if (!is_loop && n_segment > n_chain)
+            note_both_ends(point_at(0), best, best_u[n_segment - 1]);
     }
 
-    // The point is at both ends of a curve round a body. Either end may be its parameter.
-    void note_both_ends(Index point, Index number) const noexcept {
+    // The point is at both ends of a curve round a body. `last` is its parameter at the end of the
+    // segment, which is that at the beginning where both ends of the curve are at one place.
+    void note_both_ends(Index point, Index number, Real last) const noexcept {
         Curve const& curve = curves_[number];
         Index const slot = work_.slot[point];
         Real const u = wall_.u[slot];
-        if (wall_.curve[slot] != number || (u != curve.begin() && u != curve.end())) return;
-        Real const other = u == curve.begin() ? curve.end() : curve.begin();
+        bool const is_end = u == curve.begin() || u == curve.end();
+        if (wall_.curve[slot] != number || (last == u && !is_end)) return;
+        Real const other = last != u ? last : u == curve.begin() ? curve.end() : curve.begin();
         wall_.shared[wall_.n_shared++] = {slot, {none, none}, {number, other, {}}};
     }
 
-    // A point of two segments or two conditions keeps the first parameter; those on other curves are
-    // noted.
+    // A point of two segments or two conditions keeps the first parameter; those on other curves
+    // are noted.
     void put(Index point, Index curve, Real u) noexcept {
         Index const slot = work_.slot[point];
         if (slot != none) {

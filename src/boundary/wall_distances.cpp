@@ -150,7 +150,7 @@ private:
     Real wall_extent_ = 0;   // the extent of all points on curves
     Index measured_ = none;  // the curve whose measures the next two are
     Real curve_extent_ = 0, diagonal_ = 0;
-    bool outside_ = false;  // a point is farther away than the extent
+    bool outside_ = false;                   // a point is farther away than the extent
     Index farthest_ = none, beyond_ = none;  // slots
     Real largest_ = far, largest_distance_ = 0, beyond_distance_ = 0;
 };

@@ -226,8 +226,8 @@ Status SharedBoundary::analyse(PartProblem const& problem, Fault& fault) noexcep
         HARMORPH_TRY(check_curve(curves[k], k, fault));
     }
     HARMORPH_TRY(check_conditions(conditions, curves.count(), boundary, fault));
-    HARMORPH_TRY(parametrise(topology, boundary, conditions, curves, {},
-                             problem.max_curve_distance, wall_work, wall, fault));
+    HARMORPH_TRY(parametrise(topology, boundary, conditions, curves, {}, problem.max_curve_distance,
+                             wall_work, wall, fault));
     find_offsets(points(), conditions, curves, problem.method.offset_correction != 0, wall);
     find_shared(boundary, conditions, curves, wall_work.slot, wall, fault);
     if (problem.demands.slip) {

@@ -221,8 +221,8 @@ TEST_CASE("points that are a thousandth of the curve's diagonal from their curve
                 Case setup;
                 setup.mesh = square(10, Cells::quads, 2, 2);
                 double const gap = part * 0.2 * std::sqrt(2);  // of the diagonal, nearly
-                setup.curves = polyline(
-                    {{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6 - gap}, {0.4, 0.6 - gap}});
+                setup.curves =
+                    polyline({{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6 - gap}, {0.4, 0.6 - gap}});
                 setup.put_on_curves(body);
                 for (std::vector<double>* const numbers :
                      {&setup.mesh.x, &setup.mesh.y, &setup.curves.control})

@@ -143,16 +143,14 @@ TEST_CASE("a movement that tears two curves apart is measured against both, and 
                                            move_of(6, {{0, {0.01, 0.02}}, {5, {0.01, 0.02}}}));
             CHECK(together.status == HM_OK);
             CHECK(together.boundary_error < 1e-15);
-            Judged const apart =
-                judged(solved.basis, setup.mesh, move_of(6, {{0, {0.03, 0.04}}}));
+            Judged const apart = judged(solved.basis, setup.mesh, move_of(6, {{0, {0.03, 0.04}}}));
             CHECK(apart.status == HM_TORN);
             CHECK(apart.boundary_error == doctest::Approx(0.05));
             CHECK(apart.error.value == doctest::Approx(0.05));
             CHECK(is_at(setup.mesh, apart.error.item, 0.4, 0.6));
             CHECK(apart.error.other == 1);
             // The other curve alone: the point stays behind.
-            Judged const other =
-                judged(solved.basis, setup.mesh, move_of(6, {{3, {0, 0.01}}}));
+            Judged const other = judged(solved.basis, setup.mesh, move_of(6, {{3, {0, 0.01}}}));
             CHECK(other.status == HM_TORN);
             CHECK(other.boundary_error == doctest::Approx(0.01));
             CHECK(is_at(setup.mesh, other.error.item, 0.6, 0.4));
@@ -199,7 +197,8 @@ TEST_CASE("two curves of one condition need a common control point, too") {
 
 TEST_CASE("an open curve round a body must keep its ends together") {
     Case setup = halves();
-    setup.curves.control = {0.6, 0.4, 0.6, 0.6, 0.4, 0.6, 0.4, 0.4, 0.6, 0.4};
+    // The ends are a little apart: at one place they would be refused before.
+    setup.curves.control = {0.6, 0.4, 0.6, 0.6, 0.4, 0.6, 0.4, 0.4, 0.6, 0.4 - 1e-5};
     setup.curves.add_over(1, {0, 1, 2, 3, 4}, {0, 0, 1, 2, 3, 4, 4});
     setup.put_on_curves(lower_part);
     setup.put_on_curves(upper_part);
@@ -223,9 +222,8 @@ TEST_CASE("a rigid body beside a curve, and two bodies that touch") {
     CHECK(judged(one.basis, beside.mesh, move_of(8, {{6, {0.01, 0}}})).status == HM_TORN);
     CHECK(judged(one.basis, beside.mesh, move_of(8, {{7, {0, 0.1}}})).status == HM_TORN);
     CHECK(judged(one.basis, beside.mesh, move_of(8, {{1, {0.01, 0}}})).status == HM_OK);
-    Judged const together =
-        judged(one.basis, beside.mesh,
-               move_of(8, {{0, {0.01, 0}}, {2, {0.01, 0}}, {6, {0.01, 0}}}));
+    Judged const together = judged(one.basis, beside.mesh,
+                                   move_of(8, {{0, {0.01, 0}}, {2, {0.01, 0}}, {6, {0.01, 0}}}));
     CHECK(together.status == HM_OK);
     CHECK(together.boundary_error < 1e-15);
 

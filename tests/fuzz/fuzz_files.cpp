@@ -237,9 +237,9 @@ struct SolvedSquare {
 // Names of markers with characters that mean something in lists and lines; and a mesh whose markers
 // have two faces each, which are not connected.
 std::vector<std::string> random_names(Input& input) {
-    static const char* const parts[] = {"wall", " ", "\"", "'",  "=",    ",",    "@",  "#",   ":",
-                                        "8:2",  "*", "?",  "\\", "loop:", "\t",  "\n", "\r",  "1",
-                                        "\\n", "a", "\\\"", "+", "far",  "turn", "'a'", "\"a\""};
+    static const char* const parts[] = {
+        "wall",  " ",  "\"", "'",  "=", ",",   "@", "#",    ":", "8:2", "*",    "?",   "\\",
+        "loop:", "\t", "\n", "\r", "1", "\\n", "a", "\\\"", "+", "far", "turn", "'a'", "\"a\""};
     std::vector<std::string> names;
     for (std::int32_t k = input.from(1, 4); k > 0; --k) {
         std::string name;
@@ -262,7 +262,8 @@ cli::Mesh mesh_with(std::vector<std::string> const& names) {
     return mesh;
 }
 
-// Every line that the program writes for a body is read back, and names the same markers in options.
+// Every line that the program writes for a body is read back, and names the same markers in
+// options.
 void check_names(Input& input) {
     cli::Mesh const mesh = mesh_with(random_names(input));
     std::vector<hm_condition> conditions;

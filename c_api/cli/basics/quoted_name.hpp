@@ -13,11 +13,11 @@ namespace cli {
 std::size_t behind_quoted(std::string_view text, std::size_t at);
 // Returns the name in these quotes, which behind_quoted() has found.
 std::string unquoted(std::string_view quoted);
-// Returns the position of the first `=` at or behind `from` that is in no quotes of a list of names,
-// or npos.
+// Returns the position of the first `=` at or behind `from` that is in no quotes of a list of
+// names, or npos.
 std::size_t equals_behind_names(std::string_view text, std::size_t from);
-// Returns the name, in quotes always or where that is necessary, so that it is one entry of a list of markers
-// and one word of a line.
+// Returns the name, in quotes always or where that is necessary, so that it is one entry of a list
+// of markers and one word of a line.
 std::string quoted_name(std::string_view name, bool always = false);
 
 }  // namespace cli

@@ -17,8 +17,7 @@ struct Companions {
 };
 
 // safe: the mesh was moved by hm_morph_safe, whose report is morph.safe.
-void print_json(const Morph& morph, bool safe, const Companions& written,
-                const AskedMoves& asked);
+void print_json(const Morph& morph, bool safe, const Companions& written, const AskedMoves& asked);
 void print_for_people(const Morph& morph, bool safe, const Companions& written);
 void print_airfoil(const std::string& path, const ToAirfoil& airfoil);
 

@@ -102,8 +102,7 @@ private:
         try {
             found = ConditionsOfMesh{mesh_, movable_.conditions, movable_.mover, movable_.n_curves}
                         .find(name, kind);
-        } catch (const Failure&) {
-        }
+        } catch (const Failure&) {}
         if (found.empty()) lines_.expected(what, name);
         return found;
     }

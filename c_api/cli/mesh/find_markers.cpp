@@ -189,8 +189,8 @@ std::vector<std::int32_t> Mesh::find_markers(const std::string& list) const {
     std::vector<std::int32_t> found;
     for (const MarkerPiece& piece : find_pieces(list)) {
         if (piece.is_piece)
-            throw Failure(exit_usage, "whole markers are expected, not a piece as in " +
-                                          in_quotes(list));
+            throw Failure(exit_usage,
+                          "whole markers are expected, not a piece as in " + in_quotes(list));
         found.push_back(piece.marker);
     }
     return found;

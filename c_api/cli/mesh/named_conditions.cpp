@@ -58,8 +58,7 @@ private:
 
 }  // namespace
 
-std::vector<hm_condition> ConditionsOfMesh::find(const std::string& list,
-                                                 std::int32_t kind) const {
+std::vector<hm_condition> ConditionsOfMesh::find(const std::string& list, std::int32_t kind) const {
     std::vector<hm_condition> found;
     for (const MarkerPiece& piece : mesh.find_pieces(list)) {
         if (piece.is_piece) add_of_piece(piece, kind, found);
