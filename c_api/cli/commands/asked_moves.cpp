@@ -1,4 +1,5 @@
 #include "commands/asked_moves.hpp"
+#include "commands/commands.hpp"
 #include "curves/moves_file.hpp"
 #include "basics/numbers.hpp"
 #include "curves/variables_file.hpp"
@@ -35,7 +36,7 @@ std::vector<double> moves_of_file(const Arguments& arguments, const Basis& basis
 std::vector<double> asked_moves(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
                                 std::optional<ToAirfoil>& airfoil) {
     if (!arguments.has("--to-airfoil")) {
-        for (const char* option : {"--on-chord", "--airfoil-curve", "--moves-out"}) {
+        for (const char* option : {"--on-chord", "--airfoil-curve", "--element", "--moves-out"}) {
             if (arguments.has(option))
                 arguments.refuse(std::string(option) + " needs --to-airfoil");
         }
@@ -50,7 +51,12 @@ std::vector<double> asked_moves(const Arguments& arguments, const Mesh& mesh, co
     if (basis.info().curves == 0)
         arguments.refuse("--to-airfoil needs a curve, but the basis has no curve");
     const std::int32_t curve = arguments.whole("--airfoil-curve", 1, 1, basis.info().curves) - 1;
-    airfoil = moves_to_airfoil(basis, curve, read_section(path), path, arguments.has("--on-chord"));
+    const std::int32_t element =
+        arguments.has("--element") ? arguments.whole("--element", 1, 1, INT32_MAX) : 0;
+    const Section section = read_section(path, element);
+    for (const std::string& warning : section.warnings) warn(warning);
+    airfoil = moves_to_airfoil(basis, curve, section, path, arguments.has("--on-chord"));
+    airfoil->layout = section.layout;
     return airfoil->moves;
 }
 
