@@ -12,6 +12,15 @@ constexpr Index solves_per_round = 3;  // a correction of the parameters follows
 constexpr Index final_solves = 20;     // the final solves use the best knots
 constexpr Real exact = 1e-14;          // errors below this fraction of the extent are rounding
 
+// Each round makes this part of the change of the knots that the errors ask for. With the whole
+// change in each round, more than 12 knots jump to and fro, and rounding of the points grows from round to
+// round up to the distance of the points.
+Real pace(Index n_control, Index round) noexcept {
+    Real const many = static_cast<Real>(max(n_control - 12, Index(0))) / 28;  // 1: 40
+    Real const first = 1 / (1 + 1.5 * many);
+    return first / (1 + first * min(Real(1), many) * static_cast<Real>(round));
+}
+
 }  // namespace
 
 Status check_fit(Index n_points, FitOptions const& options, Fault& fault) noexcept {
@@ -25,7 +34,7 @@ Status check_fit(Index n_points, FitOptions const& options, Fault& fault) noexce
     if (n_points < options.n_control)
         return fault.refuse(Status::bad_curve, "# points are too few to determine @ control points",
                             plain(n_points), plain(options.n_control));
-    if (n_points > std::numeric_limits<Index>::max() - 2 * max_order)
+    if (n_points > (std::numeric_limits<Index>::max() - 2 * max_order) / (1 + inserted_points) - 1)
         return fault.refuse(Status::bad_curve, "# points are too many for a fit", plain(n_points));
     return Status::ok;
 }
@@ -34,6 +43,7 @@ void Fit::lay_out(Arena& arena, Index n_points, FitOptions const& options) noexc
     Offset const n = n_points;
     Offset const m = options.n_control;
     Offset const p = options.degree;
+    Offset const room = (1 + inserted_points) * n + 1;  // points along the curve
     arena.take(control, 2 * m);
     arena.take(indices_, m + p);
     arena.take(knots_, m + 2 * p + 1);
@@ -42,18 +52,24 @@ void Fit::lay_out(Arena& arena, Index n_points, FitOptions const& options) noexc
     arena.take(best_knots_, m + 2 * p + 1);
     arena.take(best_pinned_, m);
     arena.take(span_error_, m + p);
-    arena.take(best_u_, n + 1);
+    arena.take(best_u_, room);
     arena.take(section_spans_, m);
     points_.lay_out(arena, n_points);
     arena.take(corner_, n);
-    arena.take(along_, n + 1);
-    arena.take(arc_, n + 1);
-    arena.take(curvature_, n + 1);
-    arena.take(start_, n + 1);
-    arena.take(mass_, n + 1);
-    arena.take(capped_, n + 1);
+    arena.take(along_, room);
+    arena.take(arc_, room);
+    arena.take(curvature_, room);
+    arena.take(start_, room);
+    arena.take(mass_, room);
+    arena.take(capped_, room);
+    arena.take(marked_, n + 1);
+    arena.take(place_, n + 1);
+    arena.take(kept_control_, 2 * m);
+    arena.take(kept_knots_, m + 2 * p + 1);
+    arena.take(kept_u_, n + 1);
+    arena.take(kept_pinned_, m);
     outline_.lay_out(arena, n_points);
-    squares_.lay_out(arena, n_points + 1, options.n_control, options.degree);
+    squares_.lay_out(arena, room, options.n_control, options.degree);
 }
 
 Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options, FitReport& report,
@@ -102,10 +118,13 @@ Status Fit::attempt(Points points, Index n, FitOptions const& options, FitReport
     gather(n_corners, options);
     use_details(options);
     HARMORPH_TRY(check_growth(fault));
-    approximate(n_corners);
+    approximate(n_corners, knot_rounds);
+    if (best_error_ < infinity) stay_near_polygon(n_corners, options);
     constexpr const char* undetermined =
         "the points do not determine the curve; use fewer control points";
     if (best_error_ == infinity) return fault.refuse(Status::bad_curve, undetermined);
+    report_departure(report);
+    report.backtrack_point = find_backtrack();
     publish(points);
     // Control points may lie too far away, and knots too close together.
     for (Index c = 0; c < n_curves; ++c) {
@@ -115,8 +134,6 @@ Status Fit::attempt(Points points, Index n, FitOptions const& options, FitReport
     }
     report_errors(points, n, options, report);
     if (!is_finite(report.max_error)) return fault.refuse(Status::bad_curve, undetermined);
-    report_departure(report);
-    report.backtrack_point = find_backtrack();
     if (report.backtrack_point == none) return Status::ok;
     Index const next = report.backtrack_point + 1 == n ? 0 : report.backtrack_point + 1;
     return fault.refuse(Status::backtracks,
@@ -183,7 +200,6 @@ void Fit::gather(Index n_corners, FitOptions const& options) noexcept {
         Index const point = point_at(k);
         along_[k] = points_.at[point];
         curvature_[k] = outline_.curvature[point];
-        arc_[k] = k == 0 ? 0 : arc_[k - 1] + length(along_[k] - along_[k - 1]);
     }
     if (course_.closure != Closure::periodic) {
         curvature_[0] = curvature_[1];
@@ -191,20 +207,34 @@ void Fit::gather(Index n_corners, FitOptions const& options) noexcept {
     }
     for (Index const k : corner_.first(n_corners))
         curvature_[k] = min(curvature_[k - 1], curvature_[k + 1]);
-    for (Index k = 0; k < m; ++k) {
-        start_[k] = arc_[k] / arc_[m - 1];
-        Real const reach = arc_[min(k + 1, m - 1)] - arc_[max(k - 1, Index(0))];
+    weigh_points(m, options);
+}
+
+// Gives the n points along the curve parameters and weights.
+void Fit::weigh_points(Index n, FitOptions const& options) noexcept {
+    squares_.set_up(squares_.curve, along_.first(n));
+    for (Index k = 0; k < n; ++k)
+        arc_[k] = k == 0 ? 0 : arc_[k - 1] + length(along_[k] - along_[k - 1]);
+    for (Index k = 0; k < n; ++k) {
+        start_[k] = arc_[k] / arc_[n - 1];
+        Real const reach = arc_[min(k + 1, n - 1)] - arc_[max(k - 1, Index(0))];
         // With these weights, the sum of squares approximates the integral along the curve.
         Real const weight = options.weight != nullptr ? options.weight[point_at(k)] : 1;
         squares_.weight[k] = 0.5 * reach * weight;
     }
-    sites_.u = start_.first(m);
-    sites_.mass = mass_.first(m - 1);
-    sites_.capped = capped_.first(m - 1);
+    sites_.u = start_.first(n);
+    sites_.mass = mass_.first(n - 1);
+    sites_.capped = capped_.first(n - 1);
 }
 
 // Refuses equal parameters: the knots between them would be equal, more often than the degree
 // allows.
+bool Fit::grows(Index n) const noexcept {
+    for (Index k = 0; k + 1 < n; ++k)
+        if (!(start_[k] < start_[k + 1])) return false;
+    return true;
+}
+
 Status Fit::check_growth(Fault& fault) const noexcept {
     for (Index k = 0; k + 1 < course_.n_positions; ++k) {
         if (start_[k] < start_[k + 1]) continue;
@@ -225,7 +255,7 @@ void Fit::pin_ends_and_corners() noexcept {
     Curve const& shape = squares_.curve;
     fill(squares_.pinned, none);
     if (course_.closure == Closure::periodic) return;
-    Index const last = course_.n_positions - 1;
+    Index const last = squares_.points.count() - 1;
     squares_.pinned[0] = 0;
     if (course_.closure == Closure::open) squares_.pinned[shape.n_control - 1] = last;
     Index i = 1;
@@ -257,27 +287,27 @@ void Fit::solve_and_correct(Index times, Real acceleration) noexcept {
     }
 }
 
-void Fit::find_knots() noexcept {
+void Fit::find_knots(Index rounds) noexcept {
     Curve const& shape = squares_.curve;
     weigh_by_curvature(arc_, curvature_, sites_.mass);
-    for (Index round = 0; round < knot_rounds && best_error_ > exact; ++round) {
+    for (Index round = 0; round < rounds && best_error_ > exact; ++round) {
         place_knots(sites_, shape.degree, shape.n_indices, course_.closure == Closure::periodic,
                     knots_);
         pin_ends_and_corners();
         start_parameters();
         solve_and_correct(solves_per_round, 1);
-        weigh_by_error(shape, squares_.u, squares_.error, sites_, span_error_);
+        weigh_by_error(shape, squares_.u, squares_.error, sites_, pace(shape.n_control, round), span_error_);
     }
 }
 
-void Fit::approximate(Index n_corners) noexcept {
+void Fit::approximate(Index n_corners, Index rounds) noexcept {
     best_error_ = infinity;
     use_corners(n_corners);
-    find_knots();
+    find_knots(rounds);
     // Without corners the fit may be better, if noise was taken for corners.
     if (n_corners > 0) {
         use_corners(0);
-        find_knots();
+        find_knots(rounds);
     }
     copy(knots_, Span<const Real>(best_knots_));
     copy(squares_.pinned, Span<const Index>(best_pinned_));

@@ -41,6 +41,9 @@ struct FitReport {
 // Checks degree, number of control points and number of points; must be called before lay_out().
 Status check_fit(Index n_points, FitOptions const& options, Fault& fault) noexcept;
 
+// Between two points that are far apart where the outline turns, a fit inserts this many points.
+constexpr Index inserted_points = 3;
+
 // Holds the fitted curves (with parameters from 0 to 1) and the working space. The result is
 // rotated, translated, scaled and reversed with the points, to rounding. run() may be called again.
 struct Fit {
@@ -63,15 +66,29 @@ private:
     void pin_ends_and_corners() noexcept;
     void start_parameters() noexcept;
     void solve_and_correct(Index times, Real acceleration) noexcept;
-    void find_knots() noexcept;
-    void approximate(Index n_corners) noexcept;
+    void find_knots(Index rounds) noexcept;
+    void approximate(Index n_corners, Index rounds) noexcept;
     Status check_growth(Fault& fault) const noexcept;
+    void weigh_points(Index n, FitOptions const& options) noexcept;
+    bool grows(Index n) const noexcept;
+    // The curve with the best control points, in units of the extent.
+    Curve unit_curve() const noexcept;
+    void stay_near_polygon(Index n_corners, FitOptions const& options) noexcept;
+    Vec2 vertex(Index position) const noexcept;
+    Real turn_at(Index position) const noexcept;
+    Real departure_after(Index position) const noexcept;
+    Real error_at_points() const noexcept;
+    Real mark_departures() noexcept;
+    Index insert_points(Real farthest) noexcept;
+    Index position_at(Index place) const noexcept;
+    void remove_inserted(Index n_corners, FitOptions const& options) noexcept;
+    void keep() noexcept;
+    void restore() noexcept;
     void publish(Points points) noexcept;
     void report_errors(Points points, Index n, FitOptions const& options,
                        FitReport& report) const noexcept;
     Index find_backtrack() const noexcept;
     void report_departure(FitReport& report) const noexcept;
-    Real departure_after(Index position) const noexcept;
     // Returns the caller's point at a position along the curve.
     Index point_at(Index position) const noexcept {
         return static_cast<Index>((static_cast<Offset>(course_.first) + position) %
@@ -84,12 +101,19 @@ private:
     KnotSites sites_;
     LeastSquares squares_;
     Span<Index> corner_;                  // [n] points at first, then positions
-    Span<Vec2> along_;                    // [n + 1] the points along the curve
-    Span<Real> arc_, curvature_, start_;  // [n + 1] along the curve; start_ is arc_ / total length
-    Span<Real> mass_, capped_;            // [n + 1]
+    // Arrays along the curve have room for the points of the caller and for inserted points.
+    Span<Vec2> along_;                    // the points along the curve
+    Span<Real> arc_, curvature_, start_;  // start_ is arc_ / total length
+    Span<Real> mass_, capped_;
     Span<Index> section_spans_, indices_, base_indices_, best_pinned_;
     Span<Real> knots_, best_knots_, base_knots_, span_error_, best_u_;
     Real best_error_ = infinity;
+    // For the points that are inserted between the points of the caller, [n + 1] each: whether the
+    // next interval gets points, and the place of each point among all.
+    Span<Index> marked_, place_;
+    // The fit before points are inserted.
+    Span<Real> kept_control_, kept_knots_, kept_u_;
+    Span<Index> kept_pinned_;
 };
 
 }  // namespace harmorph

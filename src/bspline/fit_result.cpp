@@ -12,13 +12,6 @@ constexpr Real min_step = 1e-5;
 constexpr Real cosine_of_backtrack = -0.25;
 constexpr Index samples_per_step = 32;
 
-Real distance_from_segment(Vec2 p, Vec2 a, Vec2 b) noexcept {
-    Vec2 const along = b - a;
-    Real const squared = square(along);
-    Real const share = squared > 0 ? clamp(dot(p - a, along) / squared, Real(0), Real(1)) : 0;
-    return length(p - (a + share * along));
-}
-
 }  // namespace
 
 // Converts the control points to the caller's units. A control point that is pinned at a point gets
@@ -66,46 +59,16 @@ void Fit::report_errors(Points points, Index n, FitOptions const& options,
     report.rms_error = sqrt(sum / counted);
 }
 
-// Returns the largest distance of the part of the curve between two consecutive points from the
-// polygon, in units of the extent. Only the segments beside this part count: where the section is
-// thin, the other side of the section is no measure of this one.
-Real Fit::departure_after(Index position) const noexcept {
-    Index const last = course_.n_positions - 1;
-    bool const closes = course_.closes();
-    auto const at = [&](Index k) {
-        return along_[closes ? (k + last) % last : clamp(k, Index(0), last)];
-    };
-    Real largest = 0;
-    for (Index sample = 0; sample < samples_per_step; ++sample) {
-        Real const share = (sample + 0.5) / samples_per_step;
-        Real const u = (1 - share) * best_u_[position] + share * best_u_[position + 1];
-        Vec2 const place = points_.to_unit(curve_point(curve[0], u));
-        Real nearest = infinity;
-        for (Index k = position - 1; k <= position + 1; ++k)
-            nearest = min(nearest, distance_from_segment(place, at(k), at(k + 1)));
-        largest = max(largest, nearest);
-    }
-    return largest;
-}
-
-void Fit::report_departure(FitReport& report) const noexcept {
-    for (Index k = 0; k + 1 < course_.n_positions; ++k) {
-        Real const departure = points_.extent * departure_after(k);
-        if (report.departure_point != none && departure <= report.max_departure) continue;
-        report.max_departure = departure;
-        report.departure_point = point_at(k);
-    }
-}
-
 // Returns the point after which the curve runs against the step to the next point, or none.
 Index Fit::find_backtrack() const noexcept {
+    Curve const shape = unit_curve();
     for (Index k = 0; k + 1 < course_.n_positions; ++k) {
         Vec2 const step = along_[k + 1] - along_[k];
         if (!(length(step) > min_step)) continue;
         for (Index sample = 0; sample < samples_per_step; ++sample) {
             Real const share = (sample + 0.5) / samples_per_step;
             Vec2 c[2];
-            curve_point(curve[0], (1 - share) * best_u_[k] + share * best_u_[k + 1], 1, c);
+            curve_point(shape, (1 - share) * best_u_[k] + share * best_u_[k + 1], 1, c);
             if (dot(c[1], step) < cosine_of_backtrack * length(c[1]) * length(step))
                 return point_at(k);
         }

@@ -88,18 +88,31 @@ Real root(Real x, Index q) noexcept {
     return y;
 }
 
-// Finds the largest error in each span. A point at a knot counts in both spans, whatever its
-// rounding error.
+// Finds the largest error in each span. A point beside a span counts the less, the farther the
+// point is from the span, so that the result changes continuously with parameters and knots: a
+// point that crosses a knot by rounding moves no knot.
 void gather_errors(Curve const& curve, Span<const Real> u, Span<const Real> error,
                    Span<Real> span_error) noexcept {
-    constexpr Real margin = 1e-9;
+    constexpr Real reach = 0.5;  // of the width of the span
     fill(span_error, unimportant_error);
-    for (Index k = 0; k < u.count(); ++k)
-        for (Index side = -1; side <= 1; side += 2) {
-            Real& largest =
-                span_error[knot_span(curve, clamp(u[k] + side * margin, Real(0), Real(1)))];
-            largest = max(largest, error[k]);
-        }
+    for (Index k = 0; k < u.count(); ++k) {
+        Index const own = knot_span(curve, u[k]);
+        span_error[own] = max(span_error[own], error[k]);
+        auto const count_beside = [&](Index step) {
+            Index span = own + step;
+            while (span >= curve.degree && span < curve.n_indices &&
+                   curve.knots[span] == curve.knots[span + 1])
+                span += step;
+            if (span < curve.degree || span >= curve.n_indices) return;
+            Real const low = curve.knots[span], high = curve.knots[span + 1];
+            Real const off = step < 0 ? u[k] - high : low - u[k];
+            Real const share = 1 - off / (reach * (high - low));
+            if (share > 0)
+                span_error[span] = max(span_error[span], share * share * share * share * error[k]);
+        };
+        count_beside(-1);
+        count_beside(1);
+    }
 }
 
 // Returns the mean over [low, high] of a function that has one value in each span.
@@ -123,7 +136,7 @@ void weigh_by_curvature(Span<const Real> arc, Span<const Real> curvature,
 }
 
 void weigh_by_error(Curve const& curve, Span<const Real> u, Span<const Real> error,
-                    KnotSites const& sites, Span<Real> span_error) noexcept {
+                    KnotSites const& sites, Real pace, Span<Real> span_error) noexcept {
     gather_errors(curve, u, error, span_error);
     Real sum = 0;
     Index n_spans = 0;
@@ -136,7 +149,8 @@ void weigh_by_error(Curve const& curve, Span<const Real> u, Span<const Real> err
         span_error[span] =
             root(clamp(span_error[span] * n_spans / sum, 1e-3, 1e3), curve.degree + 1);
     for (Index k = 0; k < sites.mass.count(); ++k)
-        sites.mass[k] *= mean_over(curve, span_error, sites.u[k], sites.u[k + 1]);
+        sites.mass[k] *=
+            1 + pace * (mean_over(curve, span_error, sites.u[k], sites.u[k + 1]) - 1);
 }
 
 Index corners_possible(Index degree, Index n_indices) noexcept {

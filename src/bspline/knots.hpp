@@ -22,10 +22,11 @@ void weigh_by_curvature(Span<const Real> arc, Span<const Real> curvature, Span<R
 
 // Moves mass to where the errors are. The error of a spline is proportional to the width of a span
 // to the power degree + 1, so the mass is multiplied by that root of the error, which distributes
-// the error evenly (de Boor, A Practical Guide to Splines, ch. XII). error [n] are the errors of
+// the error evenly (de Boor, A Practical Guide to Splines, ch. XII). With a pace from 0 to 1, this
+// part of the change is made. error [n] are the errors of
 // the points at their fitted parameters u [n]; span_error [curve.n_indices] is working space.
 void weigh_by_error(Curve const& curve, Span<const Real> u, Span<const Real> error,
-                    KnotSites const& sites, Span<Real> span_error) noexcept;
+                    KnotSites const& sites, Real pace, Span<Real> span_error) noexcept;
 
 // Returns the number of corners that can have a knot of multiplicity `degree`, with a span on
 // either side.

@@ -227,7 +227,7 @@ bool is_too_slow(LeastSquares const& fit, Index end) noexcept {
 
 }  // namespace
 
-void LeastSquares::lay_out(Arena& arena, Index n_points, Index n_control, Index degree) noexcept {
+void LeastSquares::lay_out(Arena& arena, Offset n_points, Index n_control, Index degree) noexcept {
     arena.take(u, n_points);
     arena.take(weight, n_points);
     arena.take(error, n_points);
@@ -242,14 +242,14 @@ void LeastSquares::set_up(Curve const& shape, Span<const Vec2> through) noexcept
     curve = shape;
     curve.control = control.data();
     points = through;
-    u = u.first(through.size());
-    weight = weight.first(through.size());
-    error = error.first(through.size());
-    // The arrays have room for the largest number of control points.
+    // The arrays have room for the largest numbers of points and of control points.
+    u = {u.data(), through.size()};
+    weight = {weight.data(), through.size()};
+    error = {error.data(), through.size()};
     control = {control.data(), 2 * static_cast<Size>(shape.n_control)};
     pinned = {pinned.data(), static_cast<Size>(shape.n_control)};
-    tangent = tangent.first(through.size());
-    largest_so_far = largest_so_far.first(through.size());
+    tangent = {tangent.data(), through.size()};
+    largest_so_far = {largest_so_far.data(), through.size()};
 }
 
 void LeastSquares::start() noexcept { fill(tangent, Vec2{}); }

@@ -31,7 +31,7 @@ struct LeastSquares {
     EnvelopeMatrix matrix;       // the unknowns have the order of `control`
     Span<Real> largest_so_far;   // [n] working space
 
-    void lay_out(Arena& arena, Index n_points, Index n_control, Index degree) noexcept;
+    void lay_out(Arena& arena, Offset n_points, Index n_control, Index degree) noexcept;
     // Sets the curve and the points, and gives the arrays the sizes of this problem.
     void set_up(Curve const& shape, Span<const Vec2> through) noexcept;
     // Must be called after the parameters have been changed: sets the tangents to 0.

@@ -2,6 +2,7 @@
 
 #include "bspline/projection.hpp"
 
+#include <fixtures/section_families.hpp>
 #include <fixtures/spline.hpp>
 
 #include <algorithm>
@@ -62,8 +63,10 @@ TEST_CASE("airfoils of all kinds are fitted with 20 control points") {
     for (int const n : {15, 20, 50, 100, 1000})
         for (double const clustering : {0.8, 1.0})
             for (double const camber : {0.0, 0.04}) {
-                CHECK(max_error(naca({camber, 0.4, 0.12, false}, n, clustering)) < 1e-4);
-                CHECK(max_error(naca({camber, 0.4, 0.12, true}, n, clustering)) < 1e-4);
+                // With few points, the curve also stays near the polygon of the points.
+                double const bound = n <= 20 ? 2e-4 : 1e-4;
+                CHECK(max_error(naca({camber, 0.4, 0.12, false}, n, clustering)) < bound);
+                CHECK(max_error(naca({camber, 0.4, 0.12, true}, n, clustering)) < bound);
                 CHECK(max_error(naca({camber, 0.3, 0.06, true}, n, clustering, 1)) < 2e-4);
             }
     CHECK(max_error(naca({0, 0.4, 0.12, false}, 2500)) < 3e-5);
@@ -178,7 +181,7 @@ TEST_CASE("the error falls with the number of control points") {
         CHECK(error < 0.5 * before);
         before = error;
     }
-    CHECK(before < 3e-7);
+    CHECK(before < 4e-7);
 }
 
 TEST_CASE("the fit turns, moves and grows with the points") {
@@ -356,4 +359,139 @@ TEST_CASE("fits of random points that are not refused are well-formed curves") {
     CHECK(fitted > 50);
     CHECK(warned > 50);
     CHECK(not_fitted > 50);
+}
+
+namespace {
+
+// Moves each coordinate by one unit in the last place up, down, or not at all.
+std::vector<Vec2> one_ulp_off(std::vector<Vec2> points, std::uint64_t seed) {
+    fixtures::SectionRandom random(seed);
+    for (Vec2& p : points)
+        for (double* const x : {&p.x, &p.y})
+            if (int const way = random.whole(-1, 1)) *x = std::nextafter(*x, way * 10.0);
+    return points;
+}
+
+// The largest distance of the curve from the whole polygon of the points: an independent measure.
+double departure(FitRun const& run, std::vector<Vec2> const& points) {
+    Curve const& curve = run.fit.curve[0];
+    double worst = 0;
+    for (int k = 0; k <= 1500; ++k) {
+        Vec2 const c = curve_point(curve, curve.begin() + (curve.end() - curve.begin()) * k / 1500);
+        double nearest = 1;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            Vec2 const a = points[i], side = points[(i + 1) % points.size()] - a;
+            double const along = std::fmin(1, std::fmax(0, dot(c - a, side) / square(side)));
+            nearest = std::fmin(nearest, length(c - (a + along * side)));
+        }
+        worst = std::fmax(worst, nearest);
+    }
+    return worst;
+}
+
+// Sections with uniform or cosine spacing of x: NACA, CST, and CST with a base.
+std::vector<Vec2> member_of_family(int number, fixtures::SectionRandom& random) {
+    int const side = random.whole(12, 99), kind = number / 2 % 3;
+    double const base = kind == 2 ? random.between(0, 0.5) : 0;
+    fixtures::Naca4 const shape{random.between(0, 0.06), random.between(0.3, 0.6),
+                                random.between(0.06, 0.24), false};
+    double weight[2][6];
+    for (double& w : weight[0]) w = random.between(0.1, 0.25);
+    for (double& w : weight[1]) w = random.between(-0.25, -0.05);
+    auto const point = [&](int k, int sign) {
+        double const s = double(k) / side;
+        double const x = number % 2 == 1 ? s : 0.5 * (1 - std::cos(fixtures::pi * s));
+        if (kind == 0) {
+            fixtures::Point const p = fixtures::naca4_point(shape, x, sign);
+            return Vec2{p.x, p.y};
+        }
+        double sum = 0, choose = 1;
+        for (int j = 0; j < 6; ++j) {
+            sum += weight[sign > 0 ? 0 : 1][j] * choose * std::pow(x, j) * std::pow(1 - x, 5 - j);
+            choose = choose * (5 - j) / (j + 1);
+        }
+        return Vec2{x, std::sqrt(x) * (1 - x) * sum + sign * 0.5 * base * x};
+    };
+    std::vector<Vec2> out;
+    for (int k = side; k >= 0; --k) out.push_back(point(k, 1));
+    if (base == 0) out[0] = {1, 0};
+    for (int k = 1; k < side + (base > 0 ? 1 : 0); ++k) out.push_back(point(k, -1));
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("one unit in the last place of the points moves no control point by 1e-9") {
+    for (std::vector<Vec2> const& points :
+         {naca({0, 0.4, 0.12, false}, 61), naca({0.03, 0.4, 0.12, false}, 70),
+          naca({0.02, 0.5, 0.1, true}, 64), naca({0, 0.4, 0.12, false}, 61, 1.0)}) {
+        for (int const n_control : {20, 25, 30, 35, 40}) {
+            FitRun const plain(points, options(3, n_control));
+            REQUIRE(plain.status == Status::ok);
+            for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+                FitRun const other(one_ulp_off(points, seed), options(3, n_control));
+                REQUIRE(other.status == Status::ok);
+                CHECK(difference(plain, other, n_control, 0, false) < 1e-9);
+            }
+            FitRun const turned(fixtures::placed(points, fixtures::pi / 4, 1, {0, 0}),
+                                options(3, n_control));
+            REQUIRE(turned.status == Status::ok);
+            std::vector<Vec2> back;
+            for (int i = 0; i < n_control; ++i) back.push_back(turned.control(i));
+            back = fixtures::placed(back, -fixtures::pi / 4, 1, {0, 0});
+            for (int i = 0; i < n_control; ++i)
+                CHECK(length(back[std::size_t(i)] - plain.control(i)) < 1e-9);
+        }
+    }
+}
+
+TEST_CASE("curves stay near the polygon of the points, and the report says where they do not") {
+    fixtures::SectionRandom random(11);
+    int members = 0, far = 0, open = 0;
+    for (int number = 0; number < 60; ++number) {
+        std::vector<Vec2> const points = member_of_family(number, random);
+        FitRun const run(points, {});
+        if (int(points.size()) < 20) continue;
+        REQUIRE_MESSAGE(!failed(run.status), run.fault.sentence);
+        double const found = departure(run, points);
+        CAPTURE(number);
+        CHECK(found < run.report.max_departure * 1.01 + 1e-6);
+        CHECK(found < 5e-3);
+        CHECK(run.report.departure_point != none);
+        ++members;
+        if (run.report.max_departure > 2e-3) ++far;
+        if (run.fit.n_curves == 2) ++open;
+    }
+    CHECK(members > 50);
+    CHECK(open > 15);
+    CHECK(far <= members / 20 + 1);
+}
+
+TEST_CASE("bases of up to half the chord and wide wedges get a straight curve of their own") {
+    for (double const base : {0.05, 0.2, 0.3, 0.45, 0.5})
+        for (int const side : {20, 60}) {
+            std::vector<Vec2> points;
+            for (int k = side; k > -side - 1; --k) {
+                double const s = std::fabs(k) / double(side);
+                double const x = 0.5 * (1 - std::cos(fixtures::pi * s));
+                points.push_back({x, (k > 0 ? 1 : -1) * (0.1 * std::sqrt(x) * (1 - x) +
+                                                          0.5 * base * x)});
+            }
+            FitRun const run(points, {});
+            REQUIRE(!failed(run.status));
+            CAPTURE(base);
+            CHECK(run.report.base_points == 2);
+            CHECK(run.fit.n_curves == 2);
+            CHECK(run.report.first_point == 0);
+            CHECK(departure(run, points) < 3e-3);
+        }
+    // A wedge of 60 degrees with a base behind it.
+    std::vector<Vec2> wedge;
+    for (int k = -40; k <= 40; ++k) {
+        double const s = std::fabs(k) / 40.0, x = s * s;
+        wedge.push_back({x, (k < 0 ? 1 : -1) * (0.2 * std::sqrt(x) * (1 - x) + 0.29 * x * x)});
+    }
+    FitRun const run(wedge, {});
+    REQUIRE(!failed(run.status));
+    CHECK(run.report.base_points == 2);
 }

@@ -70,7 +70,7 @@ TEST_CASE("a section that the curve already has moves nothing, and a moved curve
         Curve curve = fit.fit.curve[0];
         RefitRun const same(curve, nullptr, sampled(curve, 400));
         REQUIRE_MESSAGE(!failed(same.status), same.fault.sentence);
-        CHECK(same.report.max_error < 1e-6);
+        CHECK(same.report.max_error < 4e-6);
         for (Index i = 0; i < 20; ++i) CHECK(length(same.control(i) - fit.control(i)) < 1e-3);
         std::vector<double> moved(fit.fit.control.begin(), fit.fit.control.end());
         for (std::size_t i = 8; i < 14; ++i) moved[i] += 0.01;
@@ -78,7 +78,7 @@ TEST_CASE("a section that the curve already has moves nothing, and a moved curve
         other.control = moved.data();
         RefitRun const found(curve, nullptr, sampled(other, 400));
         REQUIRE(!failed(found.status));
-        CHECK(found.report.max_error < 3e-5);
+        CHECK(found.report.max_error < 8e-5);
     }
 }
 

@@ -38,7 +38,7 @@ AskedMoves moves_of_file(const Arguments& arguments, const Basis& basis, const M
 
 AskedMoves asked_moves(const Arguments& arguments, const Mesh& mesh, const Basis& basis) {
     if (!arguments.has("--to-airfoil")) {
-        for (const char* option : {"--on-chord", "--airfoil-curve", "--moves-out"}) {
+        for (const char* option : {"--on-chord", "--airfoil-curve", "--element", "--moves-out"}) {
             if (arguments.has(option))
                 arguments.refuse(std::string(option) + " needs --to-airfoil");
         }
@@ -53,9 +53,13 @@ AskedMoves asked_moves(const Arguments& arguments, const Mesh& mesh, const Basis
     if (basis.info().curves == 0)
         arguments.refuse("--to-airfoil needs a curve, but the basis has no curve");
     const std::int32_t curve = arguments.whole("--airfoil-curve", 1, 1, basis.info().curves) - 1;
+    const std::int32_t element =
+        arguments.has("--element") ? arguments.whole("--element", 1, 1, INT32_MAX) : 0;
+    const Section section = read_section(path, element);
+    for (const std::string& warning : section.warnings) warn(warning);
     AskedMoves asked;
-    asked.airfoil =
-        moves_to_airfoil(basis, curve, read_section(path), path, arguments.has("--on-chord"));
+    asked.airfoil = moves_to_airfoil(basis, curve, section, path, arguments.has("--on-chord"));
+    asked.airfoil->layout = section.layout;
     asked.moves = asked.airfoil->moves;
     return asked;
 }

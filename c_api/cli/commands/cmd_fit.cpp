@@ -219,7 +219,10 @@ bool is_mesh(const Arguments& arguments, const std::string& path) {
     if (arguments.has("--format") || arguments.has("--zone")) return true;
     if (std::filesystem::is_directory(path, ignored)) return true;
     const TextFile file(path);
-    return is_mesh_file(file) || !(is_curve(file) || is_section_file(file));
+    if (is_mesh_file(file)) return true;
+    if (is_curve(file) || is_section_file(file)) return false;
+    const bool is_binary = file.text().substr(0, 1024).find('\0') != std::string_view::npos;
+    return arguments.has("--marker") || is_binary;  // the readers say what is wrong
 }
 
 Outline outline_of_mesh(const Arguments& arguments) {

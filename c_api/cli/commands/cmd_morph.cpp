@@ -194,7 +194,7 @@ const Command morph_command = {
          "`harmorph variables`; bodies stay",
          FileUse::input},
         {"--to-airfoil", "DAT",
-         "morph the airfoil of the mesh to this one (.dat in Selig's or Lednicer's order): the "
+         "morph the airfoil of the mesh to this one (see `harmorph fit`): the "
          "control points\n"
          "are fitted by least squares, the knots stay; the distances of the points of DAT from the "
          "curve are\n"
@@ -204,6 +204,8 @@ const Command morph_command = {
          "for --to-airfoil: scale, turn and shift the points of DAT so that their leading and "
          "trailing edges\n"
          "are those of the curve (default: DAT has the coordinates of the mesh)"},
+        {"--element", "K",
+         "for --to-airfoil: the element of a DAT with several sections, from 1"},
         {"--airfoil-curve", "N",
          "for --to-airfoil: which curve of the basis is the airfoil (default 1)"},
         {"--moves-out", "MOVES",

@@ -149,6 +149,7 @@ private:
     }
 
     void take(SampleShard& shard, MorphedDesign& result, std::int64_t number) {
+        for (const std::string& warning : result.design.warnings) warn(warning);
         if (result.refusal.empty()) reject_by_section(result);
         if (result.refusal.empty() && result.needs_safe) {
             if (arguments_.has("--linear"))

@@ -187,6 +187,7 @@ MadeVariables make_family(const Arguments& arguments, const std::string& path,
     std::vector<double> modes(family.size() * length), singular(family.size());
     for (std::size_t k = 0; k < family.size(); ++k) {
         const Section section = read_section(family[k]);
+        for (const std::string& warning : section.warnings) warn(warning);
         const auto points = static_cast<std::int32_t>(section.x.size());
         const hm_points at = {section.x.data(), section.y.data(), 1};
         std::size_t bytes = 0;

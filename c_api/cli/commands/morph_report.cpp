@@ -35,6 +35,7 @@ void print_json(const Morph& morph, bool safe, const Companions& written, const 
 }
 
 void print_airfoil(const std::string& path, const ToAirfoil& airfoil) {
+    print("layout           %s\n", airfoil.layout.c_str());
     print(
         "airfoil          %s: its %s are %s chord off the moved curve at most (point %d), %s rms\n",
         path.c_str(), plural(airfoil.points, "point").c_str(),

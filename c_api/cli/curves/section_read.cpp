@@ -1,5 +1,5 @@
 // Finds the outlines in the blocks of a file: one run round the section, two sides, or elements.
-#include "curves/section.hpp"
+#include "curves/section_read.hpp"
 
 #include "basics/failure.hpp"
 #include "basics/numbers.hpp"
@@ -47,10 +47,13 @@ bool begin_together(const SectionOutline& a, const SectionOutline& b) {
                gap_between(a.back(), b.front()) + gap_between(a.front(), b.back());
 }
 
-// Makes a loop of two sides that begin together, from the end with the wider gap.
+// Makes a loop of two sides that begin together, from the end with the wider gap, or with the
+// larger x.
 SectionOutline loop_of_sides(SectionOutline a, SectionOutline b) {
-    const bool from_leading_edge = gap_between(a.front(), b.front()) <= gap_between(a.back(), b.back());
-    std::reverse((from_leading_edge ? a : b).begin(), (from_leading_edge ? a : b).end());
+    const double first = gap_between(a.front(), b.front()), last = gap_between(a.back(), b.back());
+    const bool from_leading_edge = first != last ? first < last : a.front().x < a.back().x;
+    SectionOutline& backwards = from_leading_edge ? a : b;
+    std::reverse(backwards.begin(), backwards.end());
     return joined_points(std::move(a), b);
 }
 
@@ -120,6 +123,12 @@ private:
         has_counts_ = true;
     }
 
+    // A number of points was lost or is wrong; a title is far from the number of points.
+    bool counts_nearly_agree() const {
+        const auto n = static_cast<double>(points_);
+        return has_counts_ && std::fabs(upper_ + lower_ - n) <= std::max(2.0, .1 * n);
+    }
+
     bool counts_agree() const {
         return has_counts_ && upper_ + lower_ == static_cast<double>(points_);
     }
@@ -139,7 +148,7 @@ private:
             sides = {loop_of_sides(pieces[0], pieces[1]), "two sides without counts"};
         else if (pieces.size() != 2)
             sides = sides_in(all);
-        if (sides.outline.empty()) {
+        if (sides.outline.empty() && !counts_nearly_agree()) {
             if (has_counts_) add_property("a title of two numbers");
             return {{std::move(all), "one run"}};
         }

@@ -16,6 +16,7 @@ struct ToAirfoil {
     // chord in that unit.
     double max_error = 0, rms_error = 0, chord = 0;
     double closed_width = 0;  // width of a blunt base of the section that becomes one point, or 0
+    std::string layout;       // of the section's file
     std::int32_t points = 0, worst_point = 0;  // worst: from 1, in the order of the section
 };
 

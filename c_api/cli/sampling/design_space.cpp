@@ -178,6 +178,7 @@ Design DesignSpace::design(std::int64_t number) const {
         ToAirfoil fitted = fit_to_airfoil(basis_, curve_, section, name, on_chord_);
         out.moves = std::move(fitted.moves);
         out.fit_error = fitted.max_error;
+        out.warnings = section.warnings;
         return out;
     }
     out.moves = kind_ == Kind::variables

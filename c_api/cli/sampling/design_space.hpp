@@ -19,6 +19,7 @@ struct Design {
     std::vector<double> moves;   // as hm_morph takes them
     double fit_error = -1;       // [length] largest distance from the section's points; -1: no fit
     std::string section;         // the file of the section, if there is one
+    std::vector<std::string> warnings;  // about the section
 };
 
 class DesignSpace {

@@ -1,50 +1,35 @@
-"""Airfoil files: coordinates in Selig's or Lednicer's order, as databases of airfoils have them."""
+"""Airfoil files. The reader of the program harmorph is compiled into the extension."""
 
 from __future__ import annotations
 
-from typing import Any, List, Tuple
+import os
+import warnings
+from typing import Any
 
 import numpy as np
 
+from ._native import ffi, lib
 from .errors import Error
 
+_TEXT = 4096
 
-def read(path: Any) -> Tuple[np.ndarray, bool]:
-    """Return the outline as points of shape (n, 2) from the trailing edge around, and if it closes.
 
-    Selig's order: one run from the trailing edge over the leading edge and back. Lednicer's order:
-    the first line has the numbers of points of the two sides, which follow from the leading edge on.
-    A point that is equal to the first one at the end is left out, and the outline is then a loop; so
-    is an outline whose ends lie apart, as its blunt base closes it.
+def read(path: Any, element: int = 0) -> np.ndarray:
+    """Return the outline as points of shape (n, 2); the last point is connected to the first one.
+
+    The layouts are those of ``harmorph fit``: one run round the section (Selig), two sides with
+    counts (Lednicer) or without, tables, Tecplot, OpenFAST, and several elements (MSES, XFOIL), of
+    which `element` chooses one, from 1. An outline that jumps or crosses itself is refused.
     """
-    try:
-        with open(path, encoding="utf-8", errors="replace") as file:
-            lines = file.read().splitlines()
-    except OSError as error:
-        raise Error(f"{path}: cannot be read: {error.strerror}", Error.BAD_FILE) from None
-    rows: List[Tuple[float, float]] = []
-    for number, line in enumerate(lines, 1):
-        words = line.replace(",", " ").split()
-        try:
-            values = [float(word) for word in words]
-        except ValueError:
-            values = []
-        if len(values) == 2:
-            rows.append((values[0], values[1]))
-        elif words and rows:
-            raise Error(f"{path}:{number}: expected two numbers, found {line.strip()!r}", Error.BAD_FILE)
-    if len(rows) < 4:
-        raise Error(f"{path}: an airfoil has at least four points, this file has {len(rows)}.",
-                    Error.BAD_FILE)
-    if rows[0][0] > 1.5 and all(value == int(value) for value in rows[0]):
-        upper, lower = int(rows[0][0]), int(rows[0][1])
-        if upper + lower + 1 != len(rows):
-            raise Error(f"{path}: the file says {upper} + {lower} points and has {len(rows) - 1}.",
-                        Error.BAD_FILE)
-        points = np.array(rows[1:])
-        points = np.concatenate([points[:upper][::-1], points[upper + 1 :]])
-    else:
-        points = np.array(rows)
-    if (points[0] == points[-1]).all():
-        points = points[:-1]
-    return points, True
+    text = ffi.new("char[]", _TEXT)
+    found = lib.hmpy_read_section(os.fsencode(path), element, text, _TEXT)
+    if found == ffi.NULL:
+        raise Error(ffi.string(text).decode("utf-8", "replace"), Error.BAD_FILE)
+    section = ffi.gc(found, lib.hmpy_section_free)
+    n, k = lib.hmpy_section_points(section), 0
+    while (warning := lib.hmpy_section_warning(section, k)) != ffi.NULL:
+        warnings.warn(ffi.string(warning).decode("utf-8", "replace"), stacklevel=3)
+        k += 1
+    x, y = (np.frombuffer(ffi.buffer(values, 8 * n)).copy()
+            for values in (lib.hmpy_section_x(section), lib.hmpy_section_y(section)))
+    return np.stack([x, y], axis=1)

@@ -164,11 +164,13 @@ class Curves(Shapes):
 
     @classmethod
     def read_airfoil(
-        cls, path: Any, n_control: int = 20, degree: int = 3, closed: str = "auto"
+        cls, path: Any, n_control: int = 20, degree: int = 3, closed: str = "auto", element: int = 0
     ) -> "Curves":
-        """Fit curves to an airfoil file (.dat) in Selig's or Lednicer's order; see :meth:`fit`."""
-        points, is_loop = airfoil_file.read(path)
-        return cls.fit_points(points, is_loop, n_control, degree, closed)
+        """Fit curves to an airfoil file of any layout that ``harmorph fit`` reads; see :meth:`fit`.
+
+        `element` chooses one section of a file with several, from 1.
+        """
+        return cls.fit_points(airfoil_file.read(path, element), True, n_control, degree, closed)
 
     @classmethod
     def _copied(cls, view: Any) -> "Curves":

@@ -2,6 +2,7 @@
 #include "mesh_files.h"
 
 #include "basics/marker_names.hpp"
+#include "curves/section_read.hpp"
 #include "formats/format.hpp"
 
 #include <cstring>
@@ -16,6 +17,10 @@ struct hmpy_file {
 
 struct hmpy_text {
     std::string bytes;
+};
+
+struct hmpy_section {
+    cli::Section section;
 };
 
 namespace {
@@ -123,4 +128,26 @@ std::int32_t hmpy_place(const char* path, char* text, std::int32_t capacity) {
     if (capacity < 0 || place.size() >= static_cast<std::size_t>(capacity)) return 0;
     say(place.c_str(), text, capacity);
     return 1;
+}
+
+hmpy_section* hmpy_read_section(const char* path, int32_t element, char* text, int32_t capacity) {
+    return reason_or(text, capacity, [&] {
+        return std::make_unique<hmpy_section>(hmpy_section{cli::read_section(path, element)});
+    });
+}
+
+void hmpy_section_free(hmpy_section* section) { delete section; }
+
+int32_t hmpy_section_points(const hmpy_section* section) {
+    return static_cast<int32_t>(section->section.x.size());
+}
+const double* hmpy_section_x(const hmpy_section* section) { return section->section.x.data(); }
+const double* hmpy_section_y(const hmpy_section* section) { return section->section.y.data(); }
+const char* hmpy_section_layout(const hmpy_section* section) {
+    return section->section.layout.c_str();
+}
+const char* hmpy_section_warning(const hmpy_section* section, int32_t k) {
+    const auto& all = section->section.warnings;
+    const auto at = static_cast<std::size_t>(k);
+    return k >= 0 && at < all.size() ? all[at].c_str() : nullptr;
 }

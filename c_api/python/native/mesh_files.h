@@ -38,6 +38,17 @@ void hmpy_text_free(hmpy_text* written);
  * points. Writes the path to text [capacity] and returns 1, or returns 0 if there is no room. */
 int32_t hmpy_place(const char* path, char* text, int32_t capacity);
 
+typedef struct hmpy_section hmpy_section; /* the outline of an airfoil file */
+/* Reads an airfoil file as the program does; element: from 1, or 0 for the only one. */
+hmpy_section* hmpy_read_section(const char* path, int32_t element, char* text, int32_t capacity);
+void hmpy_section_free(hmpy_section* section);
+int32_t hmpy_section_points(const hmpy_section* section);
+const double* hmpy_section_x(const hmpy_section* section);
+const double* hmpy_section_y(const hmpy_section* section);
+const char* hmpy_section_layout(const hmpy_section* section);
+/* Warning k, from 0, or NULL behind the last one. */
+const char* hmpy_section_warning(const hmpy_section* section, int32_t k);
+
 #ifdef __cplusplus
 }
 #endif

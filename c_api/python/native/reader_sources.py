@@ -1,4 +1,4 @@
-"""The sources of the program harmorph that read and write mesh files.
+"""The sources of the program harmorph that read and write mesh files, and read airfoil files.
 
 ``reader_sources(folder)`` follows the includes from the formats on: a header needs the source of
 the same name beside it. New formats need no edit here.
@@ -11,7 +11,8 @@ from pathlib import Path
 def reader_sources(folder):
     """Return all files below `folder` (c_api/cli) that the readers need, as sorted paths."""
     folder = Path(folder)
-    waiting = [*folder.glob("formats/*.[ch]pp"), folder / "basics/marker_names.hpp"]
+    waiting = [*folder.glob("formats/*.[ch]pp"), folder / "basics/marker_names.hpp",
+               folder / "curves/section_read.hpp"]
     found = set()
     while waiting:
         path = waiting.pop()

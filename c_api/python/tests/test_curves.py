@@ -75,8 +75,20 @@ def test_airfoil_files(tmp_path):
         lines += [f"{x:.17g} {y:.17g}" for x, y in side] + [""]
     lednicer.write_text("\n".join(lines))
     assert np.array_equal(harmorph.Curves.read_airfoil(lednicer, 16).control, read.control)
-    for text, words in (("", "at least four points"), ("name\n0 1\n1 2\nx\n", ":4: expected two numbers"),
-                        ("n\n9. 9.\n0 0\n1 0\n1 1\n0 1\n", "the file says 9")):
+    commas = "\n".join(f"{x:.17g};{y:.17g}".replace(".", ",") for x, y in points)
+    selig.write_text("x;y\n" + commas)
+    assert np.array_equal(harmorph.Curves.read_airfoil(selig, 16).control, read.control)
+    # Two elements: the section, and the section at another place.
+    both = [*points, points[0], (999.0, 999.0), *(points + [1.5, 0]), points[0] + [1.5, 0]]
+    selig.write_text("two\n" + "".join(f"{x:.17g} {y:.17g}\n" for x, y in both))
+    assert np.array_equal(harmorph.Curves.read_airfoil(selig, 16, element=1).control, read.control)
+    second = harmorph.Curves.read_airfoil(selig, 16, element=2).control
+    assert np.abs(second - read.control - [1.5, 0]).max() < 1e-8
+    jump = "name\n" + "".join(f"{x:.17g} {y:.17g}\n" for x, y in [*points, (99, 99)])
+    for text, words in (("", "x and y of a point"), ("name\n0 1\n1 2\n1 x\n", ":4: .*needs 2 numbers"),
+                        ("n\n9. 9.\n0 0\n.5 .1\n1 0\n0 0\n.5 -.1\n1 0\n", "the file says 9"),
+                        ("two\n" + "".join(f"{x:.17g} {y:.17g}\n" for x, y in both), "2 elements"),
+                        (jump, "the outline jumps")):
         selig.write_text(text)
         with pytest.raises(harmorph.Error, match=words) as refused:
             harmorph.Curves.read_airfoil(selig)
