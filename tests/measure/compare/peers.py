@@ -1,8 +1,8 @@
-"""The jobs of tests/measure/improve by harmorph and by other methods: how often harmorph is within 2 % of the best other
-method, in the smallest quality, in the mean, and in both; and what elasticity would do as an operator of harmorph.
+"""The jobs of tests/measure/improve by harmorph and by other methods: how often harmorph is within 2 % of the best
+other method, in the smallest quality, in the mean, and in both; and what elasticity would do as an operator.
 
-usage: peers.py BUILD [SEED]   Environment: HARMORPH, the program (BUILD/harmorph); ONLY, the part of names that jobs must
-have; JOBS, processes (1). Walls that slip are left out, as other methods have no such condition. The meshes of the
+usage: peers.py BUILD [SEED]   Environment: HARMORPH, the program (BUILD/harmorph); ONLY, the part of names that jobs
+must have; JOBS, processes (1). Walls that slip are left out, as other methods have no such condition. The meshes of the
 reference (tests/measure/improve) are counted too, where they are in BUILD.
 """
 
@@ -62,7 +62,8 @@ class Domain:
             side, move = (np.roll(v[cells], -1, axis=1) - v[cells] for v in (self.start, displacement))
             side, move = side.ravel(), move.ravel()
             back = (np.arange(len(side)).reshape(cells.shape)[:, np.arange(-1, cells.shape[1] - 1)]).ravel()
-            c, b, a = cross(side[back], side), cross(side[back], move) + cross(move[back], side), cross(move[back], move)
+            c, a = cross(side[back], side), cross(move[back], move)
+            b = cross(side[back], move) + cross(move[back], side)
             with np.errstate(all="ignore"):
                 root = np.sqrt(b * b - 4 * a * c)
                 half = -0.5 * (b + np.where(b < 0, -root, root))
@@ -73,9 +74,9 @@ class Domain:
 
 def by_program(folder, job, options):
     """(smallest, mean) of the program, (0, 0) where it does not reach the target, and its report."""
-    done = subprocess.run([os.environ["HARMORPH"], "displace", f"{folder}/{job.name}.su2", "--given",
-                           ",".join(job.given), "--wall", f"{folder}/{job.name}.field", *job.options, *options, "--json"],
-                          capture_output=True, text=True)
+    command = [os.environ["HARMORPH"], "displace", f"{folder}/{job.name}.su2", "--given", ",".join(job.given), "--wall",
+               f"{folder}/{job.name}.field", "--json", *job.options, *options]
+    done = subprocess.run(command, capture_output=True, text=True)
     report = json.loads(done.stdout) if done.stdout.startswith("{") else {}
     valid = report.get("inverted") == 0 and report.get("step_fraction", 1) == 1
     return (report["min_quality"], report["mean_quality"]) if valid else (0.0, 0.0), report
@@ -112,12 +113,15 @@ def best(quality, names):
 def show(rows):
     print("\n== Other methods on the jobs of tests/measure/improve\n\ntable Smallest / mean quality; the best other "
           "method in each; harmorph; a star: within 2 % of the best other method in both")
-    print(f"  {'job':27}  {'best smallest':>17}  {'best mean':>17}  " + "  ".join(f"{m:>13}" for m in MODES))
+    heads = [f"{text:>17}" for text in ("best smallest", "best mean")] + [f"{mode:>13}" for mode in MODES]
+    print("  ".join([f"  {'job':27}", *heads]))
     for job, quality, _, _ in rows:
         top = best(quality, PEERS)
-        ours = [f"{quality[m][0]:.3f}/{quality[m][1]:.3f}" + ("*" if all(close(quality[m], top)) else " ") for m in MODES]
-        print(f"  {job.name:27}  " + "  ".join(f"{value:.3f} {name:>11}" for value, name in top) + "  " +
-              "  ".join(f"{cell:>13}" for cell in ours))
+        cells = [f"{value:.3f} {name:>11}" for value, name in top]
+        for mode in MODES:
+            star = "*" if all(close(quality[mode], top)) else " "
+            cells.append(f"{quality[mode][0]:.3f}/{quality[mode][1]:.3f}{star}")
+        print(f"  {job.name:27}  " + "  ".join(f"{cell:>13}" for cell in cells))
 
 
 def close(quality, top):
@@ -146,8 +150,8 @@ def summary(rows):
         counts = count(known, ["reference"])
         print(f"  {f'L-BFGS of tests/measure/improve, {len(known)} rows':36}  " + "  ".join(f"{c:8d}" for c in counts) +
               f"  {100 * counts[2] / len(known):6.0f} %")
-    print("\ntable Rows in which each method has the best smallest quality, or mean, of the other methods; median of its "
-          "processor time [s]")
+    print("\ntable Rows in which each other method has the best smallest quality, or mean; median of its processor "
+          "time [s]")
     print(f"  {'method':12}  {'smallest':>8}  {'mean':>8}  {'seconds':>8}")
     tops = [best(quality, PEERS) for _, quality, _, _ in rows]
     for name in PEERS:
@@ -157,15 +161,15 @@ def summary(rows):
 
 def study(rows):
     """Elasticity in one step as an operator of harmorph."""
-    print("\ntable One linear step up to the first inverted cell, in parts of the job's movement, as the geometric mean "
+    print("\ntable One linear step up to the first inverted cell, in parts of the job's movement: the geometric mean "
           "of each family (values above 100 count as 100)")
     names = [*OPERATORS, *ONE_STEP]
     print(f"  {'movement':10}  {'rows':>4}  " + "  ".join(f"{n:>9}" for n in names))
     families = sorted({job.movement for job, *_ in rows})
     for family in families:
         mine = [reach for job, _, reach, _ in rows if job.movement == family]
-        print(f"  {family:10}  {len(mine):4d}  " + "  ".join(
-            f"{np.exp(np.mean([np.log(min(r[n], 100)) for r in mine])):9.2f}" for n in names))
+        means = [np.exp(np.mean([np.log(min(reach[name], 100)) for reach in mine])) for name in names]
+        print(f"  {family:10}  {len(mine):4d}  " + "  ".join(f"{mean:9.2f}" for mean in means))
     print(f"\ntable Rows, of {len(rows)}, within 2 % of the best one-step method, with the better of some operators")
     print(f"  {'operators':30}  {'smallest':>8}  {'mean':>8}  {'both':>8}")
     for ours in (["conformal"], ["laplace"], ["elastic"], ["conformal", "laplace"], ["conformal", "elastic"],

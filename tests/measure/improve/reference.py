@@ -1,5 +1,5 @@
-"""The reference for improvement: the objective J = log(smallest quality) + WEIGHT log(mean quality), its exact gradient,
-and its maximum by L-BFGS over the inner points, with smooth minima that become sharper and sharper.
+"""The reference for improvement: the objective J = log(smallest quality) + WEIGHT log(mean quality), its exact
+gradient, and its maximum by L-BFGS over the inner points, with smooth minima that become sharper and sharper.
 
 The memory of L-BFGS starts from the factor of a Hessian whose cells are projected to positive matrices (scipy's splu),
 so that thin layers and large cells converge alike; the limit is that of L-BFGS without it.
@@ -13,7 +13,7 @@ from meshes import area, cross
 
 WEIGHT = 1.0  # w of the mean
 LAYER = 4.0  # wall points have a layer where faces are longer than this, in heights of the first layer
-SHARPNESS = (10, 30, 100, 300, 1000, 4000)  # rho of the smooth minimum: 1 / rho is its relative width
+SHARPNESS = (10, 50, 250, 1250)  # rho of the smooth minimum: 1 / rho is its relative width
 
 
 class Cells:
@@ -318,12 +318,10 @@ def reference(mesh, given, starts, notify=None):
     distance of its layer from where it should be, and the steps."""
     layer = Layer(mesh, given)
     objective = Objective(mesh, free_points(mesh, layer))
-    meshes_, steps = [with_layer(mesh, layer, start) for start in starts], 0
-    rough = []
-    for at in meshes_:
-        at, n = lbfgs(objective, at, SHARPNESS[0], 1 / SHARPNESS[0], 1e-6)
+    found, steps = [], 0
+    for k, start in enumerate(starts):
+        at, n = lbfgs(objective, with_layer(mesh, layer, start), SHARPNESS[0], 1 / SHARPNESS[0], 1e-5)
         steps += n
-        rough.append((layer.error(at) < 1e-6, objective.value(at), len(rough)))
-        meshes_[len(rough) - 1] = at
-    at, _, n = maximum(objective, meshes_[max(rough)[2]], notify=notify)
+        found.append((layer.error(at) < 1e-6, objective.value(at), -k, at))
+    at, _, n = maximum(objective, max(found)[3], notify=notify)
     return at, (*objective.report(at), layer.error(at), steps + n)

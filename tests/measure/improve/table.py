@@ -1,8 +1,8 @@
 """The table of jobs: smallest / mean quality by programs of several commits and by the reference, and what is reached.
 
-usage: table.py BUILD [SEED]   Environment: HARMORPH, the program to judge (BUILD/harmorph); BEFORE and TODAY, programs of
-other commits to show beside it; JOBS, processes (1); ONLY, the part of names that jobs must have. The files of jobs and the
-meshes of the reference are kept in BUILD/improve.
+usage: table.py BUILD [SEED]   Environment: HARMORPH, the program to judge (BUILD/harmorph); BEFORE and TODAY, programs
+of other commits to show beside it; JOBS, processes (1); ONLY, the part of names that jobs must have. The files of jobs
+and the meshes of the reference are kept in BUILD/improve.
 """
 
 import hashlib
@@ -83,6 +83,9 @@ class Judged:
         if kept is not None:  # a better mesh than the kept one is a new start
             best = self.objective.value(kept)
             starts = [s for s in starts if self.layer.error(s) < 1e-6 and self.objective.value(s) > best + 1e-5]
+        else:
+            starts = sorted(starts, key=self.objective.value)
+            starts = [starts[0], starts[-1]]
         if starts:
             at = reference.reference(job.mesh, job.given, starts)[0]
             if kept is None or self.objective.value(at) > self.objective.value(kept):
@@ -108,8 +111,8 @@ def show(judged, programs):
         print(f"{one.name:28} " + " ".join(cells) + f" {mine['layer']:6.2f} {mine['cost']:6.1f} {mark}", flush=True)
         for problem in one.problems:
             print(f"FAIL {problem}")
-    print("layer: the largest distance of an outer end of the first layer from its place, in parts of its edge, with "
-          "--safe --improve of `new`;\ncost in solutions; a number behind the mean: the part of the movement; a star: the "
+    print("layer: the largest distance of an outer end of the first layer from its place, in parts of its edge, with\n"
+          "--safe --improve of `new`; cost: in solutions; a number behind the mean: the part of the movement; a star: the\n"
           "reference did not find a valid mesh with the whole layer in its place")
 
 
