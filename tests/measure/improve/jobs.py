@@ -116,11 +116,11 @@ def section_meshes(random):
     def between(low, high):
         return int(random.integers(low, high))
 
-    around = between(88, 112)
+    around = between(64, 80)
     layered = 1 + np.array(meshes.heights(40.0, between(40, 48), random.uniform(3e-4, 8e-4)))
     yield "isotropic-quads", meshes.o_mesh(around, np.exp(2 * np.pi / around * np.arange(int(0.57 * around))), -0.08)
     yield "layered", meshes.o_mesh(between(88, 112), layered, -0.1)
-    around = between(88, 112)
+    around = between(60, 72)
     yield "isotropic-rings", meshes.o_mesh(around, np.exp(np.pi * 3**0.5 / around * np.arange(int(0.66 * around))),
                                            -0.07, kind="triangles")
     yield "isotropic", meshes.free([meshes.naca(between(90, 110), random.uniform(0.09, 0.14))], ["airfoil"], random)

@@ -12,6 +12,7 @@ class Mesh:
         self.points = np.asarray(points, complex)
         self.cells = [np.asarray(c, int).reshape(-1, n) for n, c in ((3, triangles), (4, quads))]
         self.sides = {name: np.asarray(faces, int) for name, faces in sides.items()}
+        assert all((area(self.points[c]) > 0).all() for c in self.cells), "a cell is not counter-clockwise"
 
     def on(self, *names):
         """The points on these markers."""
@@ -48,11 +49,13 @@ def read(path):
         elif key.strip() == "MARKER_TAG":
             count = int(next(words).partition("=")[2])
             sides[value.strip()] = [list(map(int, next(words).split()[1:3])) for _ in range(count)]
-    mesh = Mesh(points, cells[5], cells[9], sides)
-    for part in mesh.cells:
-        clockwise = area(mesh.points[part]) < 0
-        part[clockwise] = part[clockwise, ::-1]
-    return mesh
+    points = np.array(points)
+    return Mesh(points, *(oriented(points, np.array(cells[n]).reshape(-1, k)) for n, k in ((5, 3), (9, 4))), sides)
+
+
+def oriented(points, cells):
+    """The cells counter-clockwise."""
+    return np.where((area(points[cells]) < 0)[:, None], cells[:, ::-1], cells)
 
 
 def cross(u, v):
@@ -150,7 +153,7 @@ def o_mesh(around, radii, shift=-0.08, lift=0.0, kind="quads"):
         a, d, b, c = here[k], after[k], here[k + 1], after[k + 1]
         pair = ((a, b, d), (d, b, c)) if k % 2 == 0 else ((a, c, d), (a, b, c))
         cells += [np.stack(corners, axis=1) for corners in pair]
-    return Mesh(w, np.concatenate(cells)[:, ::-1], [], sides)
+    return Mesh(w, np.concatenate(cells), [], sides)
 
 
 def naca(count, thickness, camber=0.0):

@@ -56,7 +56,8 @@ class Judged:
             for mode, options in MODES.items():
                 report = run(program, folder, job, options)
                 self.found[who, mode] = self._judge(report, plain, f"{who} {mode}")
-                if report.get("step_fraction") == 1 and "points" in report:
+                valid = "points" in report and self.objective.report(report["points"])[0] > 0
+                if valid and report["step_fraction"] == 1:
                     starts.append(report["points"])
         self.reference = self._reference(folder, job, starts) if starts else None
         self.layer = self.objective = None  # large, and not wanted in the other process
@@ -75,10 +76,11 @@ class Judged:
 
     def _reference(self, folder, job, starts):
         boundary = [start[self.layer.boundary] for start in starts]
-        places = np.round(boundary[0] / np.ptp(boundary[0].real), 9)
+        own = boundary[-1]  # of the program to judge; points that slip may be elsewhere by other programs
+        places = np.round(own / np.ptp(own.real), 9)
         key = hashlib.sha256(job.mesh.points.tobytes() + places.tobytes() + bytes(str(reference.WEIGHT), "ascii"))
         path = f"{folder}/{job.name}-{key.hexdigest()[:12]}.npy"
-        starts = [s for s, b in zip(starts, boundary) if abs(b - boundary[0]).max() < 1e-9]
+        starts = [s for s, b in zip(starts, boundary) if abs(b - own).max() < 1e-9]
         kept = np.load(path) if os.path.exists(path) else None
         if kept is not None:  # a better mesh than the kept one is a new start
             best = self.objective.value(kept)
@@ -112,8 +114,8 @@ def show(judged, programs):
         for problem in one.problems:
             print(f"FAIL {problem}")
     print("layer: the largest distance of an outer end of the first layer from its place, in parts of its edge, with\n"
-          "--safe --improve of `new`; cost: in solutions; a number behind the mean: the part of the movement; a star: the\n"
-          "reference did not find a valid mesh with the whole layer in its place")
+          "--safe --improve of `new`; cost: in solutions; a number behind the mean: the part of the movement; a star:\n"
+          "the reference did not find a valid mesh with the whole layer in its place")
 
 
 def share(flags):
