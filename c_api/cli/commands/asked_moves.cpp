@@ -15,8 +15,7 @@ AskedMoves moves_of_file(const Arguments& arguments, const Basis& basis, const M
     AskedMoves asked;
     if (!arguments.has("--variables")) {
         if (!arguments.has("--by")) arguments.text("--move");  // one of the two options is needed
-        asked.moves =
-            read_moves(texts_of_moves(arguments), movable_of(basis), mesh, &asked.errors);
+        asked.moves = read_moves(texts_of_moves(arguments), movable_of(basis), mesh, &asked.errors);
         return asked;
     }
     if (arguments.has("--by")) arguments.refuse("--by and --variables exclude each other");

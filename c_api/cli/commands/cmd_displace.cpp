@@ -81,11 +81,10 @@ std::string tear_of(const Mesh& mesh, const Task& task, const Solver& solver,
     const double extent = extent_of(mesh, info);
     for (std::size_t k = 0; k < shared.points.size(); ++k) {
         const auto point = static_cast<std::size_t>(shared.points[k]);
-        const double distance =
-            std::hypot(by.x[point] - shared.x[k], by.y[point] - shared.y[k]);
+        const double distance = std::hypot(by.x[point] - shared.x[k], by.y[point] - shared.y[k]);
         if (distance <= tolerance * extent) continue;
-        const auto at = std::find(info.shared_point, info.shared_point + info.shared_points,
-                                  shared.points[k]);
+        const auto at =
+            std::find(info.shared_point, info.shared_point + info.shared_points, shared.points[k]);
         return why_torn(info, task.conditions, mesh, *at,
                         info.shared_condition[2 * (at - info.shared_point) + 1], distance);
     }
@@ -137,8 +136,8 @@ void at_once(const Mesh& mesh, Solver& solver, const WallMovement& movement, std
     }
 }
 
-void safely(const Mesh& mesh, Solver& solver, const WallMovement& movement,
-            hm_safe_options options, Displacement& found) {
+void safely(const Mesh& mesh, Solver& solver, const WallMovement& movement, hm_safe_options options,
+            Displacement& found) {
     std::size_t bytes = 0;
     call(mesh, hm_displace_safe_size, solver.plan(), solver.basis(), &bytes);
     Block work(bytes);
@@ -243,8 +242,8 @@ Displacement best_displacement(const Arguments& arguments, const Mesh& mesh, con
             by.options.exponent = by.options.offset_correction = 0;
         }
         Solver solver(mesh, by, threads);
-        Displacement found = displacement_of(arguments, mesh, by, solver, movement,
-                                             trials.empty(), threads);
+        Displacement found =
+            displacement_of(arguments, mesh, by, solver, movement, trials.empty(), threads);
         trial.step_fraction = found.safe ? found.safe->step_fraction : found.valid() ? 1 : 0;
         trial.min_quality = found.quality.min_quality;
         trial.is_short = own != HM_CONFORMAL && !found.refusal.empty();
@@ -313,7 +312,8 @@ const Command displace_command = {
          "morph`",
          FileUse::input},
         by_option,
-        {"-o", "MESH", "moved mesh to write", FileUse::moved_mesh},
+        {"-o", "MESH", "moved mesh to write; the ending chooses the format, as in `morph`",
+         FileUse::moved_mesh},
         {"--vtu", "FILE", "moved mesh and its displacement for ParaView", FileUse::output},
         {"--report", "FILE",
          "HTML page for any browser, as of `harmorph morph`; written even if the moved mesh is not "
@@ -332,7 +332,8 @@ const Command displace_command = {
             {"--json", nullptr,
              "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing, "
              "min_quality,\n"
-             "mean_quality, boundary_error (largest distance of wall points from where the movement "
+             "mean_quality, boundary_error (largest distance of wall points from where the "
+             "movement "
              "takes them), engine\n"
              "(with the reason), factor_seconds (analysis included), "
              "displace_seconds; with --safe no\n"

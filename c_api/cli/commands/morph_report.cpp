@@ -8,8 +8,7 @@
 
 namespace cli {
 
-void print_json(const Morph& morph, bool safe, const Companions& written,
-                const AskedMoves& asked) {
+void print_json(const Morph& morph, bool safe, const Companions& written, const AskedMoves& asked) {
     JsonObject object;
     object.add("inverted", morph.quality.inverted);
     if (!safe) {

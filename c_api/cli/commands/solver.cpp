@@ -111,8 +111,8 @@ void Solver::analyse() {
     call(mesh_, hm_analysis_size, &problem_, &options_, &bytes);
     analysis_block_.resize(bytes);
     hm_error error = {};
-    const hm_status status = hm_analysis_init(&analysis_, analysis_block_.data(), bytes, &problem_,
-                                              &options_, &error);
+    const hm_status status =
+        hm_analysis_init(&analysis_, analysis_block_.data(), bytes, &problem_, &options_, &error);
     if (status < 0) refuse_analysis(error, mesh_);
     const bool is_new = problem_.max_curve_distance != 0;  // not that of a basis
     if (status == HM_FAR_FROM_CURVE && is_new) warn(error.text);

@@ -208,7 +208,8 @@ std::vector<Option> condition_options() {
     std::vector<Option> of_conditions = {
         {"--curve", "A[,B..]=CURVE",
          "markers, and the file with the curves they lie on (may be repeated). A@X:Y is the piece\n"
-         "of marker A nearest to (X, Y): one of several bodies or sides, here and below. A name with "
+         "of marker A nearest to (X, Y): one of several bodies or sides, here and below. A name "
+         "with "
          "blanks,\n"
          "commas, quotes or = may stand in quotes: \"a name\"@X:Y",
          FileUse::input_after_equals},
