@@ -110,8 +110,7 @@ void run_align(const Arguments& arguments) {
     }
     OutputFiles files;
     if (arguments.has("-o"))
-        write_moved(files.add(moved_file(mesh, arguments.text("-o"))), mesh, morph.moved.x.data(),
-                    morph.moved.y.data());
+        write_moved(files, mesh, arguments.text("-o"), morph.moved.x.data(), morph.moved.y.data());
     if (arguments.has("--fields-out")) {
         const Interpolated found = interpolated(mesh, morph.moved, fields, reference, threads);
         judge_outside(arguments, found, mesh.file.path(), to);

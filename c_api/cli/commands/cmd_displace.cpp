@@ -312,7 +312,8 @@ const Command displace_command = {
          "morph`",
          FileUse::input},
         by_option,
-        {"-o", "MESH", "moved mesh to write", FileUse::moved_mesh},
+        {"-o", "MESH", "moved mesh to write; the ending chooses the format, as in `morph`",
+         FileUse::moved_mesh},
         {"--vtu", "FILE", "moved mesh and its displacement for ParaView", FileUse::output},
         {"--report", "FILE",
          "HTML page for any browser, as of `harmorph morph`; written even if the moved mesh is not "

@@ -44,8 +44,7 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
                  const Morph& morph, const Companions& companions, OutputFiles& files) {
     const Field& moved = morph.moved;
     if (arguments.has("-o"))
-        write_moved(files.add(moved_file(mesh, arguments.text("-o"))), mesh, moved.x.data(),
-                    moved.y.data());
+        write_moved(files, mesh, arguments.text("-o"), moved.x.data(), moved.y.data());
     if (!companions.curve.empty())
         write_curve_file(files, companions.curve, morph.moved_curves(basis));
     if (!companions.reached.empty())
@@ -212,7 +211,10 @@ const Command morph_command = {
          "for --to-airfoil: where to write the movement, for --move; written even if the morphed "
          "mesh is not valid",
          FileUse::output},
-        {"-o", "MESH", "morphed mesh to write, in the format of MESH", FileUse::moved_mesh},
+        {"-o", "MESH",
+         "morphed mesh to write: the file MESH with other coordinates, or, by another ending\n"
+         "(.su2, .msh, .vtk, .vtu), a new file as of `convert`",
+         FileUse::moved_mesh},
         {"--curve-out", "CURVE",
          "where to write the moved curve (default: the file of -o with .curve "
          "appended)\n" CURVE_FORMATS,

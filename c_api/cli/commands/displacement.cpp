@@ -59,8 +59,7 @@ void write_displacement_page(std::ostream& out, const Mesh& mesh, const Task& ta
 void write_displacement(const Arguments& arguments, const Mesh& mesh, const Displacement& found,
                         OutputFiles& files) {
     if (arguments.has("-o"))
-        write_moved(files.add(moved_file(mesh, arguments.text("-o"))), mesh, found.moved.x.data(),
-                    found.moved.y.data());
+        write_moved(files, mesh, arguments.text("-o"), found.moved.x.data(), found.moved.y.data());
     if (arguments.has("--vtu")) {
         write_vtu(files.add(arguments.text("--vtu")), mesh, found.moved.x, found.moved.y,
                   {displacement_data(found.by)});

@@ -11,6 +11,8 @@
 
 namespace cli {
 
+class OutputFiles;
+
 struct ReadOptions {
     std::int32_t threads = 1;
     std::string format;                    // the name of the format; empty: found from the content
@@ -57,6 +59,13 @@ Mesh read_mesh_file(const std::string& path, const ReadOptions& options);
 // Writes the file of the mesh with the coordinates that changed. They have as many digits as the
 // file has, or more where these would move a point by more than a thousandth of its shortest edge.
 void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const double* y);
+
+// Writes the mesh with these coordinates to a path, as one of `files`. The ending of the path
+// decides the format: the file of the mesh with other coordinates, as above, if the ending is that
+// of the mesh, of its format, or of no format; otherwise a new file, as `convert` writes it. The
+// ending of a format in which no new file can be written is refused.
+void write_moved(OutputFiles& files, const Mesh& mesh, const std::string& path, const double* x,
+                 const double* y);
 
 // Rounds the coordinates to single precision if the file has them in single precision.
 void round_as_file(const Mesh& mesh, std::vector<double>& x, std::vector<double>& y);

@@ -15,6 +15,8 @@
 
 namespace cli {
 
+struct Format;
+
 // A marker, or the piece of the marker that is nearest to a point.
 struct MarkerPiece {
     std::int32_t marker = 0;
@@ -24,6 +26,7 @@ struct MarkerPiece {
 
 struct Mesh {
     TextFile file;
+    const Format* format = nullptr;  // of the file; NULL: the mesh comes from no file
     std::vector<double> x, y;
     std::vector<std::int32_t> cell_start = {0}, cell_points;  // compressed rows, counted from 0
     bool has_polygons = false;  // cells of more than four corners, or with hanging nodes
