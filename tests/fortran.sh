@@ -173,7 +173,8 @@ if [ -n "$long" ]; then legacy_calls long $long -fdefault-double-8; fi
 example() {   # place, flags...: the example in this place, with the module compiled there
     place=$dir/$1; shift
     mkdir -p "$place"
-    check "module with $*" quietly $FC $strict $FFLAGS -O0 "$@" -J"$place" -c "$build/harmorph.f90" -o "$place/harmorph.o"
+    check "module with $*" quietly $FC $strict $FFLAGS -O0 "$@" -J"$place" -c "$build/harmorph.f90" \
+        -o "$place/harmorph.o"
     check "the example with $*" quietly $FC $FFLAGS -O0 "$@" -I"$place" "$place/morph.f90" "$place/harmorph.o" \
         "$build/libharmorph.a" -o "$place/morph"
     "$place/morph" >"$place/out"

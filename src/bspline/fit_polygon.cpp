@@ -7,14 +7,14 @@
 namespace harmorph {
 namespace {
 
-constexpr Index samples_per_step = 32;
-constexpr Index knot_rounds = 4;  // in each round of insertion
+constexpr Index samples_per_insertion = 32;
+constexpr Index inserted_knot_rounds = 4;  // in each round of insertion
 // Inserted points are at most `aim` from the polygon in the first round, and nearer by this part of
 // `aim` in each later round, because the curve passes them by.
 constexpr Index rounds = 5;
 constexpr Real nearer_by = 0.15;
-constexpr Real aim = 1.7e-3;       // [extent] the largest departure from the polygon
-constexpr Real error_aim = 3e-4;   // [extent] an error of the points that is as bad as `aim`
+constexpr Real aim = 1.7e-3;      // [extent] the largest departure from the polygon
+constexpr Real error_aim = 3e-4;  // [extent] an error of the points that is as bad as `aim`
 // [radians] Where the polygon turns less from side to side, the points resolve the shape, and the
 // curve may leave the polygon by the sagitta of an arc with this turn.
 constexpr Real resolved_turn = 0.52, sagitta_margin = 1.5;
@@ -54,10 +54,10 @@ Real Fit::turn_at(Index position) const noexcept {
 Real Fit::departure_after(Index position) const noexcept {
     Curve const shape = unit_curve();
     Real largest = 0;
-    for (Index sample = 0; sample < samples_per_step; ++sample) {
-        Real const share = (sample + 0.5) / samples_per_step;
-        Vec2 const place = curve_point(
-            shape, (1 - share) * best_u_[position] + share * best_u_[position + 1]);
+    for (Index sample = 0; sample < samples_per_insertion; ++sample) {
+        Real const share = (sample + 0.5) / samples_per_insertion;
+        Vec2 const place =
+            curve_point(shape, (1 - share) * best_u_[position] + share * best_u_[position + 1]);
         Real nearest = infinity;
         for (Index k = position - 1; k <= position + 1; ++k) {
             Vec2 foot;
@@ -182,15 +182,15 @@ void Fit::stay_near_polygon(Index n_corners, FitOptions const& options) noexcept
         for (Index& position : corner_.first(n_corners)) position = place_[position];
         weigh_points(n, options);
         Real const kept_error = best_error_;
-        if (grows(n)) approximate(n_corners, knot_rounds);
+        if (grows(n)) approximate(n_corners, inserted_knot_rounds);
         else best_error_ = infinity;
         bool const fits = best_error_ < infinity;
         remove_inserted(n_corners, options);
         if (!fits) restore();
         Real const now = mark_departures(), error_now = error_at_points();
         best_error_ = kept_error;
-        bool const is_better = max(now / aim, error_now / error_aim) <
-                               max(departure / aim, error / error_aim);
+        bool const is_better =
+            max(now / aim, error_now / error_aim) < max(departure / aim, error / error_aim);
         if (fits && is_better && find_backtrack() == none) {
             departure = now;
             error = error_now;

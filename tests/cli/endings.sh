@@ -20,13 +20,14 @@ for ending in msh vtu vtk; do
     check "endings: as many lines as of convert, .$ending" test "$(wc -l <"$tmp/still.$ending")" = \
         "$(wc -l <"$tmp/other.$ending")"
 done
-case $(head -c 20 "$tmp/other.msh") in *MeshFormat*) passed=$((passed + 1)) ;; *) fail "endings: other.msh is Gmsh's" ;; esac
+check "endings: other.msh is Gmsh's" grep -q MeshFormat "$tmp/other.msh"
 makes convert "$ring" "$tmp/start.msh"
 makes fit "$tmp/start.msh" --marker body --n 12 --closed periodic -o "$tmp/start.curve"
 makes solve "$tmp/start.msh" --curve body="$tmp/start.curve" -o "$tmp/start.basis"
 runs "endings: Gmsh to SU2" 0 morph "$tmp/start.msh" "$tmp/start.basis" --move "$tmp/moves" -o "$tmp/changed.su2"
 check "endings: an SU2 file" grep -q '^NDIME' "$tmp/changed.su2"
-awk '/^NPOIN/ { inside = 1; next } /^[A-Z]/ { inside = 0 } inside && n++ < 48 { print n - 1, 0, .01 }' "$ring" >"$tmp/given"
+awk '/^NPOIN/ { inside = 1; next } /^[A-Z]/ { inside = 0 } inside && n++ < 48 { print n - 1, 0, .01 }' "$ring" \
+    >"$tmp/given"
 runs "endings: displace to .vtu" 0 displace "$ring" --given body --wall "$tmp/given" -o "$tmp/displaced.vtu"
 check "endings: a VTK file" grep -q '<VTKFile' "$tmp/displaced.vtu"
 for ending in p3d ugrid cgns; do

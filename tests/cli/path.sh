@@ -6,7 +6,8 @@ has_keys "check: keys" points cells triangles quads polygons inverted min_area m
 check "check: counts" says '"points": 624, "cells": 624, "triangles": 96, "quads": 528, "polygons": 0, "inverted": 0'
 check "check: markers" says '"markers": [{"name": "body", "faces": 48}, {"name": "far", "faces": 48}]'
 runs "fit" 0 fit "$ring" --marker=body --points 12 --closed periodic -o "$curve" --json
-has_keys "fit: keys" points degree closed corners base_points backtracks max_error rms_error max_departure elements layout
+has_keys "fit: keys" points degree closed corners base_points backtracks max_error rms_error max_departure elements \
+    layout
 check "fit: periodic file" grep -c 'closed periodic' "$curve"
 runs "solve" 0 solve "$ring" --curve body="$curve" -o "$basis" --json --repeat 2
 has_keys "solve: keys" points cells functions boundary_error partition_defect min_value max_value residual \

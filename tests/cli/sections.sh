@@ -1,7 +1,7 @@
-# Airfoil files of all layouts: each gives the curve of the plain file, bit for bit, and says which layout it is; outlines
+# Airfoil files of all layouts: each gives the curve of the plain file, bit for bit, and says its layout; outlines
 # that are no section are refused with both places.
 
-# points N THICKNESS CHORD BASE: lines "x y" from the upper trailing edge round to the lower one, with a base if BASE > 0
+# points N THICKNESS CHORD BASE: lines "x y" from the upper trailing edge round to the lower one; a base if BASE > 0
 points() {
     awk -v n="$1" -v t="$2" -v chord="$3" -v base="$4" 'BEGIN {
         pi = atan2(0, -1)
@@ -75,10 +75,13 @@ for variation in "24 .12 1 0" "31 .09 100 0" "27 .18 1 .02"; do
     awk '{ print NR, $0 }' "$tmp/plain.points" | layout "numbered points" "numbered"
     awk '{ print NR - 1, $0, 0 }' "$tmp/plain.points" | layout "numbered points with z" "numbered"
     chord=$(echo "$variation" | cut -d' ' -f3)
-    { echo "$((count + 1)) NumCoords ! with the reference point"; printf '! x-y\n! reference\n!\n%s 0\n! airfoil\n! x y\n' \
-        "$(echo "$chord" | awk '{ print .25 * $1 }')"; cat "$tmp/plain.points"; } | layout "OpenFAST" "OpenFAST.*reference"
+    { echo "$((count + 1)) NumCoords ! with the reference point"
+        printf '! x-y\n! reference\n!\n%s 0\n! airfoil\n! x y\n' \
+        "$(echo "$chord" | awk '{ print .25 * $1 }')"; cat "$tmp/plain.points"; } | \
+        layout "OpenFAST" "OpenFAST.*reference"
     awk '{ printf "%s\r\n", $0 }' "$tmp/plain.dat" | layout "DOS lines" "one run"
-    awk '{ print "  +" $1 "D0\t" $2 "d+00" }' "$tmp/plain.points" | sed 's/+-/-/' | layout "Fortran's exponents" "one run"
+    awk '{ print "  +" $1 "D0\t" $2 "d+00" }' "$tmp/plain.points" | sed 's/+-/-/' | \
+        layout "Fortran's exponents" "one run"
     # The content decides, whatever the ending.
     for ending in txt af csv none; do
         cp "$tmp/plain.dat" "$tmp/plain.$ending"

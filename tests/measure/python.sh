@@ -4,7 +4,8 @@
 # output says that a Python package is missing.
 build=$(cd "$1" && pwd) && script=$2 && shift 2 || exit 2
 : "${PYTHON:=/usr/bin/python3}"
-imports=$(sed -nE 's/^(from|import) (scipy|matplotlib).*/\2/p; s/^(from|import) (shared|reference).*/scipy/p' "$script" | sort -u)
+imports=$(sed -nE 's/^(from|import) (scipy|matplotlib).*/\2/p; s/^(from|import) (shared|reference).*/scipy/p' \
+    "$script" | sort -u)
 for package in numpy cffi setuptools $imports; do
     $PYTHON -c "import $package" 2>/dev/null || { echo "skipped: $PYTHON has no $package"; exit 0; }
 done

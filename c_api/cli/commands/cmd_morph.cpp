@@ -203,8 +203,7 @@ const Command morph_command = {
          "for --to-airfoil: scale, turn and shift the points of DAT so that their leading and "
          "trailing edges\n"
          "are those of the curve (default: DAT has the coordinates of the mesh)"},
-        {"--element", "K",
-         "for --to-airfoil: the element of a DAT with several sections, from 1"},
+        {"--element", "K", "for --to-airfoil: the element of a DAT with several sections, from 1"},
         {"--airfoil-curve", "N",
          "for --to-airfoil: which curve of the basis is the airfoil (default 1)"},
         {"--moves-out", "MOVES",

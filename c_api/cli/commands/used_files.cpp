@@ -59,7 +59,7 @@ struct OneFormat {
 constexpr OneFormat one_format[] = {{"--svg", ".svg", "an SVG picture"},
                                     {"--boundary-svg", ".svg", "an SVG picture"},
                                     {"--vtu", ".vtu", "a VTK XML file"},
-                                    {"--csv", ".csv", "a CSV table"},
+                                    {"--csv", ".csv", "a table"},
                                     {"--report", ".html", "an HTML page"}};
 constexpr const char* known_endings[] = {".svg", ".png",  ".jpg", ".jpeg", ".gif", ".pdf", ".eps",
                                          ".vtu", ".vtk",  ".csv", ".html", ".su2", ".msh", ".txt",
