@@ -54,13 +54,13 @@ void refuse_inputs(const Arguments& arguments, const NamedFile& output,
 // Outputs that are written in one format: the ending of another known format is refused, as the
 // file would not contain what its name says.
 struct OneFormat {
-    const char *option, *ending, *content;
+    const char *ending, *option, *content;
 };
-constexpr OneFormat one_format[] = {{"--svg", ".svg", "an SVG picture"},
-                                    {"--boundary-svg", ".svg", "an SVG picture"},
-                                    {"--vtu", ".vtu", "a VTK XML file"},
-                                    {"--csv", ".csv", "a table"},
-                                    {"--report", ".html", "an HTML page"}};
+constexpr OneFormat one_format[] = {{".svg", "--svg", "an SVG picture"},
+                                    {".svg", "--boundary-svg", "an SVG picture"},
+                                    {".vtu", "--vtu", "a VTK XML file"},
+                                    {".csv", "--csv", "a table"},
+                                    {".html", "--report", "an HTML page"}};
 constexpr const char* known_endings[] = {".svg", ".png",  ".jpg", ".jpeg", ".gif", ".pdf", ".eps",
                                          ".vtu", ".vtk",  ".csv", ".html", ".su2", ".msh", ".txt",
                                          ".dat", ".json", ".npz", ".tif",  ".bmp", ".ps"};
