@@ -110,7 +110,8 @@ void run_align(const Arguments& arguments) {
     }
     OutputFiles files;
     if (arguments.has("-o"))
-        write_moved(files, mesh, arguments.text("-o"), morph.moved.x.data(), morph.moved.y.data());
+        warn_of(arguments.text("-o"), write_moved(files, mesh, arguments.text("-o"),
+                                                  morph.moved.x.data(), morph.moved.y.data()));
     if (arguments.has("--fields-out")) {
         const Interpolated found = interpolated(mesh, morph.moved, fields, reference, threads);
         judge_outside(arguments, found, mesh.file.path(), to);

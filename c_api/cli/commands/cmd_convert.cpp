@@ -13,7 +13,7 @@ void run_convert(const Arguments& arguments) {
     const std::string name = arguments.has("--to") ? arguments.text("--to") : "";
     const Format& format = format_to_create(name, path);
     Mesh mesh = read_mesh(arguments, 0);
-    for (const std::string& sentence : make_writable(mesh, format)) warn(path + ": " + sentence);
+    warn_of(path, make_writable(mesh, format));
     OutputFiles files;
     format.create(files.add(path), mesh);
     files.commit();

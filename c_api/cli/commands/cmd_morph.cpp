@@ -44,7 +44,8 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
                  const Morph& morph, const Companions& companions, OutputFiles& files) {
     const Field& moved = morph.moved;
     if (arguments.has("-o"))
-        write_moved(files, mesh, arguments.text("-o"), moved.x.data(), moved.y.data());
+        warn_of(arguments.text("-o"),
+                write_moved(files, mesh, arguments.text("-o"), moved.x.data(), moved.y.data()));
     if (!companions.curve.empty())
         write_curve_file(files, companions.curve, morph.moved_curves(basis));
     if (!companions.reached.empty())

@@ -103,4 +103,8 @@ Mesh read_mesh(const Arguments& arguments, std::size_t operand) {
 
 void warn(const std::string& message) { print_error("warning: " + message); }
 
+void warn_of(const std::string& path, const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences) warn(path + ": " + sentence);
+}
+
 }  // namespace cli

@@ -24,5 +24,7 @@ Mesh read_mesh(const Arguments& arguments, std::size_t operand);
 Mesh read_mesh(const std::string& path, const ReadOptions& options = {});
 
 void warn(const std::string& message);  // to standard error
+// Warns of each of these sentences about a file.
+void warn_of(const std::string& path, const std::vector<std::string>& sentences);
 
 }  // namespace cli

@@ -1,3 +1,4 @@
+#include "commands/commands.hpp"
 #include "commands/displacement.hpp"
 
 #include "basics/json.hpp"
@@ -59,7 +60,8 @@ void write_displacement_page(std::ostream& out, const Mesh& mesh, const Task& ta
 void write_displacement(const Arguments& arguments, const Mesh& mesh, const Displacement& found,
                         OutputFiles& files) {
     if (arguments.has("-o"))
-        write_moved(files, mesh, arguments.text("-o"), found.moved.x.data(), found.moved.y.data());
+        warn_of(arguments.text("-o"), write_moved(files, mesh, arguments.text("-o"),
+                                                  found.moved.x.data(), found.moved.y.data()));
     if (arguments.has("--vtu")) {
         write_vtu(files.add(arguments.text("--vtu")), mesh, found.moved.x, found.moved.y,
                   {displacement_data(found.by)});

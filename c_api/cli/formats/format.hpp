@@ -63,9 +63,10 @@ void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const dou
 // Writes the mesh with these coordinates to a path, as one of `files`. The ending of the path
 // decides the format: the file of the mesh with other coordinates, as above, if the ending is that
 // of the mesh, of its format, or of no format; otherwise a new file, as `convert` writes it. The
-// ending of a format in which no new file can be written is refused.
-void write_moved(OutputFiles& files, const Mesh& mesh, const std::string& path, const double* x,
-                 const double* y);
+// ending of a format in which no new file can be written is refused. Returns the sentences of
+// make_writable().
+std::vector<std::string> write_moved(OutputFiles& files, const Mesh& mesh, const std::string& path,
+                                     const double* x, const double* y);
 
 // Rounds the coordinates to single precision if the file has them in single precision.
 void round_as_file(const Mesh& mesh, std::vector<double>& x, std::vector<double>& y);

@@ -2,7 +2,6 @@
 #include "formats/format.hpp"
 
 #include "basics/failure.hpp"
-#include "basics/print.hpp"
 #include "formats/deflate.hpp"
 #include "formats/tidy.hpp"
 #include "formats/vtk_parallel.hpp"
@@ -222,18 +221,19 @@ const Format* other_format(const Mesh& mesh, const std::string& path) {
 
 }  // namespace
 
-void write_moved(OutputFiles& files, const Mesh& mesh, const std::string& path, const double* x,
-                 const double* y) {
+std::vector<std::string> write_moved(OutputFiles& files, const Mesh& mesh, const std::string& path,
+                                     const double* x, const double* y) {
     const Format* const other = other_format(mesh, path);
     if (other == nullptr) {
         write_moved(files.add(moved_file(mesh, path)), mesh, x, y);
-        return;
+        return {};
     }
     Mesh moved = mesh;
     moved.x.assign(x, x + mesh.x.size());
     moved.y.assign(y, y + mesh.y.size());
-    for (const std::string& sentence : make_writable(moved, *other)) warn(path + ": " + sentence);
+    std::vector<std::string> sentences = make_writable(moved, *other);
     other->create(files.add(path), moved);
+    return sentences;
 }
 
 std::vector<std::string> make_writable(Mesh& mesh, const Format& format) {
