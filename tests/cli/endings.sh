@@ -22,7 +22,7 @@ for ending in msh vtu vtk; do
 done
 check "endings: other.msh is Gmsh's" grep -q MeshFormat "$tmp/other.msh"
 makes convert "$ring" "$tmp/start.msh"
-makes fit "$tmp/start.msh" --marker body --n 12 --closed periodic -o "$tmp/start.curve"
+makes fit "$tmp/start.msh" --marker body --points 12 --closed periodic -o "$tmp/start.curve"
 makes solve "$tmp/start.msh" --curve body="$tmp/start.curve" -o "$tmp/start.basis"
 runs "endings: Gmsh to SU2" 0 morph "$tmp/start.msh" "$tmp/start.basis" --move "$tmp/moves" -o "$tmp/changed.su2"
 check "endings: an SU2 file" grep -q '^NDIME' "$tmp/changed.su2"
@@ -35,9 +35,9 @@ for ending in p3d ugrid cgns; do
         -o "$tmp/x.$ending"
     leaves_nothing "endings: nothing in .$ending" "$tmp/x.$ending"
 done
-for words in "--svg x.png must.end.in..svg" "--vtu x.vtk must.end.in..vtu" "--csv x.txt must.end.in..csv" \
-    "--report x.pdf must.end.in..html" "--boundary-svg x.jpg must.end.in..svg"; do
+for words in "--svg x.png .svg" "--vtu x.vtk .vtu" "--csv x.txt .csv" "--report x.pdf .html" \
+    "--boundary-svg x.jpg .svg"; do
     set -- $words
-    refuses "endings: $1 $2" 2 "$3" morph "$ring" "$basis" --move "$tmp/moves" $1 "$tmp/$2"
+    refuses "endings: $1 $2" 2 "must end in $3" morph "$ring" "$basis" --move "$tmp/moves" $1 "$tmp/$2"
     leaves_nothing "endings: no $2" "$tmp/$2"
 done
