@@ -8,7 +8,7 @@ namespace {
 // only, and a round arc or a corner nearby over long lengths only.
 constexpr Real window[] = {2e-5, 5e-4, 1e-2};
 
-constexpr Real min_corner_turn = 0.087;  // 5 degrees
+constexpr Real min_corner_turn = 0.087;   // 5 degrees
 constexpr Real side_straightness = 0.02;  // as a fraction of the length of the side
 constexpr Real coordinate_noise = 2e-6;   // the precision of coordinates with six digits
 // A point with a smaller turn divides a straight facet; more than max_flat_points of them in a row

@@ -100,7 +100,7 @@ private:
     Course course_;
     KnotSites sites_;
     LeastSquares squares_;
-    Span<Index> corner_;                  // [n] points at first, then positions
+    Span<Index> corner_;  // [n] points at first, then positions
     // Arrays along the curve have room for the points of the caller and for inserted points.
     Span<Vec2> along_;                    // the points along the curve
     Span<Real> arc_, curvature_, start_;  // start_ is arc_ / total length

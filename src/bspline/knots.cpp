@@ -149,8 +149,7 @@ void weigh_by_error(Curve const& curve, Span<const Real> u, Span<const Real> err
         span_error[span] =
             root(clamp(span_error[span] * n_spans / sum, 1e-3, 1e3), curve.degree + 1);
     for (Index k = 0; k < sites.mass.count(); ++k)
-        sites.mass[k] *=
-            1 + pace * (mean_over(curve, span_error, sites.u[k], sites.u[k + 1]) - 1);
+        sites.mass[k] *= 1 + pace * (mean_over(curve, span_error, sites.u[k], sites.u[k + 1]) - 1);
 }
 
 Index corners_possible(Index degree, Index n_indices) noexcept {

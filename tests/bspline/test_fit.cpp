@@ -474,8 +474,8 @@ TEST_CASE("bases of up to half the chord and wide wedges get a straight curve of
             for (int k = side; k > -side - 1; --k) {
                 double const s = std::fabs(k) / double(side);
                 double const x = 0.5 * (1 - std::cos(fixtures::pi * s));
-                points.push_back({x, (k > 0 ? 1 : -1) * (0.1 * std::sqrt(x) * (1 - x) +
-                                                          0.5 * base * x)});
+                points.push_back(
+                    {x, (k > 0 ? 1 : -1) * (0.1 * std::sqrt(x) * (1 - x) + 0.5 * base * x)});
             }
             FitRun const run(points, {});
             REQUIRE(!failed(run.status));

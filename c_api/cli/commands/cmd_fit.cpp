@@ -166,7 +166,8 @@ void warn_about(const Fit& fit, const Outline& outline) {
         warn(element + "between the points the curve is up to " +
              brief(fit.report.max_departure / chord) +
              " chord off the lines that connect them, behind the point x = " +
-             brief(outline.x[departure]) + ", y = " + brief(outline.y[departure]) + "; more points there, fewer control points or --smooth help");
+             brief(outline.x[departure]) + ", y = " + brief(outline.y[departure]) +
+             "; more points there, fewer control points or --smooth help");
     }
 }
 
@@ -250,8 +251,7 @@ std::vector<Outline> outlines_of(const Arguments& arguments, const std::string& 
     std::vector<Section> sections;
     if (arguments.has("--element"))
         sections = {read_section(path, arguments.whole("--element", 1, 1, INT32_MAX))};
-    else
-        sections = read_sections(path);
+    else sections = read_sections(path);
     std::vector<Outline> outlines;
     for (const Section& section : sections) {
         const bool is_one = sections.size() == 1;

@@ -22,6 +22,9 @@ namespace cli {
 
 namespace {
 
+// [chord] A wall that is farther from the section of --to-airfoil is reported.
+constexpr double far_from_section = 5e-3;
+
 Companions companions_of(const Arguments& arguments, const Basis& basis, const Morph& morph) {
     const bool has_reached = arguments.has("--reached") || !morph.refusal.empty();
     Companions names = {arguments.output("--curve-out"),
@@ -128,6 +131,17 @@ void run_morph(const Arguments& arguments) {
                        : Morph(basis, mesh, moves, repeats, threads);
     if (!safe && arguments.has("--improve") && morph.valid())
         morph.improve(basis, mesh, threads, improve_options_of(arguments));
+    if (airfoil) {
+        const std::int32_t curve = arguments.whole("--airfoil-curve", 1, 1, INT32_MAX) - 1;
+        measure_wall(*airfoil, basis, curve, mesh, morph.moved.x, morph.moved.y);
+        if (airfoil->wall_error > far_from_section * airfoil->chord) {
+            warn("the wall of the morphed mesh is up to " +
+                 brief(airfoil->wall_error / airfoil->chord) + " chord off the section of " +
+                 arguments.text("--to-airfoil") +
+                 "; before the movement, the curve of the basis may be off the wall, or a safe "
+                 "morph may have stopped");
+        }
+    }
     if (safe) warn_of_heights(arguments, morph.safe, morph.valid());
     const bool strict = arguments.has("--strict") && !morph.warning.empty();
     const bool reached = morph.valid() && morph.refusal.empty() && !strict;
@@ -193,15 +207,14 @@ const Command morph_command = {
          "morph the airfoil of the mesh to this one (see `harmorph fit`): the "
          "control points\n"
          "are fitted by least squares, the knots stay; the distances of the points of DAT from the "
-         "curve are\n"
-         "reported",
+         "curve, and of\n"
+         "the moved wall from the section are reported",
          FileUse::input},
         {"--on-chord", nullptr,
          "for --to-airfoil: scale, turn and shift the points of DAT so that their leading and "
          "trailing edges\n"
          "are those of the curve (default: DAT has the coordinates of the mesh)"},
-        {"--element", "K",
-         "for --to-airfoil: the element of a DAT with several sections, from 1"},
+        {"--element", "K", "for --to-airfoil: the element of a DAT with several sections, from 1"},
         {"--airfoil-curve", "N",
          "for --to-airfoil: which curve of the basis is the airfoil (default 1)"},
         {"--moves-out", "MOVES",
@@ -275,7 +288,9 @@ const Command morph_command = {
              "boundary;\n"
              "-1: none), end_distance, warning, worst_cells (cell, quality, start_quality, x, y); "
              "with --to-airfoil\n"
-             "airfoil_max_error and airfoil_rms_error (distances of the points of DAT from the "
+             "airfoil_max_error, airfoil_rms_error and airfoil_wall_error (distances of the points "
+             "of "
+             "DAT from the "
              "curve)"}},
     "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg "
     "morphed.svg\n"

@@ -20,7 +20,7 @@
 namespace cli {
 
 Curves read_curves(const std::string& path);
-bool is_curve_file(const TextFile& file);  // by the first word of the content
+bool is_curve_file(const TextFile& file);                       // by the first word of the content
 Curves read_curves(const std::string& path, std::string text);  // reads `text` instead of the file
 void write_curves(std::ostream& out, const Curves& curves);
 

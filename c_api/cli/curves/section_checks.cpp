@@ -10,12 +10,12 @@ namespace cli {
 
 namespace {
 
-constexpr double much_longer = 10;       // than the segments beside a jump
+constexpr double much_longer = 10;          // than the segments beside a jump
 constexpr double cosine_of_return = -.866;  // a stray point turns the outline by 150 degrees
 constexpr double rounded_crossing = 2e-4;   // [chord] the width of a loop that rounding makes
 constexpr double least_area = 1e-6;         // [chord^2]
-constexpr double long_way = .25;  // [chord] a way back that counts for the leading edges
-constexpr std::size_t least_points = 8;  // with fewer points no point is called stray
+constexpr double long_way = .25;            // [chord] a way back that counts for the leading edges
+constexpr std::size_t least_points = 8;     // with fewer points no point is called stray
 
 struct SectionStep {
     double x, y;
@@ -24,7 +24,9 @@ SectionStep from_to(const SectionPoint& a, const SectionPoint& b) { return {b.x 
 double dot_of(SectionStep a, SectionStep b) { return a.x * b.x + a.y * b.y; }
 double cross_of(SectionStep a, SectionStep b) { return a.x * b.y - a.y * b.x; }
 double length_of_step(SectionStep a) { return std::sqrt(dot_of(a, a)); }
-double step_length(const SectionPoint& a, const SectionPoint& b) { return length_of_step(from_to(a, b)); }
+double step_length(const SectionPoint& a, const SectionPoint& b) {
+    return length_of_step(from_to(a, b));
+}
 
 const SectionPoint& farthest_point(const SectionOutline& outline, const SectionPoint& from) {
     const SectionPoint* found = &outline[0];
@@ -85,8 +87,9 @@ private:
             if (!(step > .5 * extent_)) continue;
             const bool jumps = step > much_longer * loop_.step(k + loop_.n - 1) &&
                                step > much_longer * loop_.step(k + 1);
-            const bool is_base = k + 1 == loop_.n && std::fabs(dot_of(from_to(loop_.at(k), loop_.at(0)),
-                                                                   chord)) < .5 * step * extent_;
+            const bool is_base =
+                k + 1 == loop_.n &&
+                std::fabs(dot_of(from_to(loop_.at(k), loop_.at(0)), chord)) < .5 * step * extent_;
             if (jumps && !is_base) {
                 return refuse(k + 1, "the outline jumps from " + segment(k) + ", by " +
                                          brief(step / extent_) +
@@ -131,7 +134,8 @@ private:
         bool has_warned = false;
         for (std::size_t a = 0; a < loop_.n; ++a) {
             for (std::size_t b = a + 1; b < loop_.n && low(order[b]) <= high(order[a]); ++b) {
-                const std::size_t i = std::min(order[a], order[b]), j = std::max(order[a], order[b]);
+                const std::size_t i = std::min(order[a], order[b]),
+                                  j = std::max(order[a], order[b]);
                 if (!cross_each_other(i, j)) continue;
                 const std::string where = segment(i) + ", and " + segment(j);
                 if (width_of_loop(i, j) > rounded_crossing * extent_)
@@ -159,7 +163,8 @@ private:
         int turns = 0, direction = 1;
         double extreme = 0;
         for (std::size_t k = 0; k <= loop_.n; ++k) {
-            const double at = dot_of(from_to(end, loop_.at(begin + k)), chord) / (extent_ * extent_);
+            const double at =
+                dot_of(from_to(end, loop_.at(begin + k)), chord) / (extent_ * extent_);
             const double ahead = direction * (at - extreme);
             if (ahead < -long_way) {
                 direction = -direction;
@@ -191,7 +196,7 @@ double area_of(const SectionOutline& outline) {
     double sum = 0;
     for (std::size_t k = 0; k < outline.size(); ++k) {
         const SectionStep a = from_to(outline[0], outline[k]),
-                   b = from_to(outline[0], outline[(k + 1) % outline.size()]);
+                          b = from_to(outline[0], outline[(k + 1) % outline.size()]);
         sum += cross_of(a, b);
     }
     return sum / 2;
@@ -214,8 +219,9 @@ std::size_t stray_point(const SectionOutline& outline) {
         SectionOutline others = outline;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
         const double extent = extent_of(others), least = std::min(in, out);
-        const bool returns = dot_of(from_to(loop.at(k + loop.n - 1), loop.at(k)),
-                                 from_to(loop.at(k), loop.at(k + 1))) < cosine_of_return * in * out;
+        const bool returns =
+            dot_of(from_to(loop.at(k + loop.n - 1), loop.at(k)),
+                   from_to(loop.at(k), loop.at(k + 1))) < cosine_of_return * in * out;
         if (least > .5 * extent || (least > .1 * extent && returns)) return k;
     }
     return loop.n;

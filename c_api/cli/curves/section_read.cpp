@@ -18,7 +18,9 @@ constexpr double equal_points = 1e-12;  // [extent] consecutive points this near
 constexpr double widest_base = .75;
 constexpr double same_end = .2;  // [extent] sides that begin as near as this begin together
 
-double gap_between(const SectionPoint& a, const SectionPoint& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+double gap_between(const SectionPoint& a, const SectionPoint& b) {
+    return std::hypot(b.x - a.x, b.y - a.y);
+}
 
 SectionOutline without_repeats(const SectionOutline& points) {
     const double near = equal_points * extent_of(points);
@@ -35,7 +37,8 @@ SectionOutline joined_points(SectionOutline first, const SectionOutline& second)
 }
 
 bool has_closed_ends(const SectionOutline& block) {
-    return block.size() > 4 && gap_between(block.front(), block.back()) < widest_base * extent_of(block);
+    return block.size() > 4 &&
+           gap_between(block.front(), block.back()) < widest_base * extent_of(block);
 }
 
 // Both sides begin at the same end of the section, and end at the other end.
@@ -70,15 +73,17 @@ public:
         take_counts();
         std::vector<FoundSection> found;
         for (auto block = table_.blocks.begin(); block != table_.blocks.end();) {
-            const auto end = std::find_if(block, table_.blocks.end(), [&](const SectionBlock& other) {
-                return other.element != block->element;
-            });
+            const auto end = std::find_if(
+                block, table_.blocks.end(),
+                [&](const SectionBlock& other) { return other.element != block->element; });
             std::vector<SectionOutline> pieces;
             for (; block != end; ++block) pieces.push_back(block->points);
-            for (FoundSection& one : outlines_in(std::move(pieces))) found.push_back(std::move(one));
+            for (FoundSection& one : outlines_in(std::move(pieces)))
+                found.push_back(std::move(one));
         }
         std::vector<Section> sections;
-        for (FoundSection& one : found) sections.push_back(section_of(std::move(one), found.size()));
+        for (FoundSection& one : found)
+            sections.push_back(section_of(std::move(one), found.size()));
         return sections;
     }
 
@@ -100,13 +105,15 @@ private:
         if (table_.blocks[0].points.empty()) table_.blocks.erase(table_.blocks.begin());
         --points_;
         use_counts(first.x, first.y, first.offset);
-        if (table_.blocks.empty()) file_.fail(first.offset, "no points follow the counts of points");
+        if (table_.blocks.empty())
+            file_.fail(first.offset, "no points follow the counts of points");
     }
 
     // Tells whether the first point is farther from all others than these are from each other.
     bool stands_apart() const {
         SectionOutline all;
-        for (const SectionBlock& block : table_.blocks) all = joined_points(std::move(all), block.points);
+        for (const SectionBlock& block : table_.blocks)
+            all = joined_points(std::move(all), block.points);
         if (all.size() < 4) return true;
         if (stray_point(all) == 0) return true;
         const SectionOutline others(all.begin() + 1, all.end());
@@ -146,8 +153,7 @@ private:
         FoundSection sides;
         if (pieces.size() == 2 && begin_together(pieces[0], pieces[1]))
             sides = {loop_of_sides(pieces[0], pieces[1]), "two sides without counts"};
-        else if (pieces.size() != 2)
-            sides = sides_in(all);
+        else if (pieces.size() != 2) sides = sides_in(all);
         if (sides.outline.empty() && !counts_nearly_agree()) {
             if (has_counts_) add_property("a title of two numbers");
             return {{std::move(all), "one run"}};
@@ -183,7 +189,8 @@ private:
     FoundSection sides_with_counts(const SectionOutline& all) const {
         const auto middle = all.begin() + static_cast<std::ptrdiff_t>(upper_);
         SectionOutline upper(std::make_reverse_iterator(middle), all.rend());
-        return {joined_points(std::move(upper), {middle, all.end()}), "two sides with counts (Lednicer)"};
+        return {joined_points(std::move(upper), {middle, all.end()}),
+                "two sides with counts (Lednicer)"};
     }
 
     // The longest segment of one list of both sides goes from the end of a side to the beginning of
@@ -191,8 +198,10 @@ private:
     static FoundSection sides_in(const SectionOutline& all) {
         std::size_t longest = 0;
         for (std::size_t k = 0; k + 1 < all.size(); ++k)
-            if (gap_between(all[k], all[k + 1]) > gap_between(all[longest], all[longest + 1])) longest = k;
-        if (all.size() < 6 || !(gap_between(all[longest], all[longest + 1]) > .5 * extent_of(all))) return {};
+            if (gap_between(all[k], all[k + 1]) > gap_between(all[longest], all[longest + 1]))
+                longest = k;
+        if (all.size() < 6 || !(gap_between(all[longest], all[longest + 1]) > .5 * extent_of(all)))
+            return {};
         const auto middle = all.begin() + static_cast<std::ptrdiff_t>(longest) + 1;
         const SectionOutline a(all.begin(), middle), b(middle, all.end());
         if (!begin_together(a, b)) return {};
@@ -245,10 +254,10 @@ Section read_section(const std::string& path, std::int32_t element) {
     const auto n = static_cast<std::int32_t>(all.size());
     if (element == 0 && n == 1) return std::move(all[0]);
     if (element >= 1 && element <= n) return std::move(all[static_cast<std::size_t>(element) - 1]);
-    throw Failure(exit_file, path + ": the file has " + plural(n, "element") +
-                                 (element == 0 ? "; --element K (from 1) chooses one"
-                                               : ", and none with the number " +
-                                                     std::to_string(element)));
+    throw Failure(exit_file,
+                  path + ": the file has " + plural(n, "element") +
+                      (element == 0 ? "; --element K (from 1) chooses one"
+                                    : ", and none with the number " + std::to_string(element)));
 }
 
 bool is_section_file(const TextFile& file) { return looks_like_section(file); }

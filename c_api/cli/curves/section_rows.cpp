@@ -14,9 +14,9 @@ namespace {
 struct SectionRow {
     std::string_view line;  // trimmed, without a comment
     std::size_t offset = 0;
-    bool is_comment = false;           // the line has only a comment
-    std::vector<std::string> words;    // with decimal points
-    std::vector<double> numbers;       // empty if a word is no number
+    bool is_comment = false;         // the line has only a comment
+    std::vector<std::string> words;  // with decimal points
+    std::vector<double> numbers;     // empty if a word is no number
     bool is_blank() const { return line.empty() && !is_comment; }
 };
 
@@ -251,11 +251,9 @@ private:
         const bool is_separator = row.numbers.size() == 2 && is_999(row.numbers[0], row.numbers[1]);
         if (is_separator) return separate();
         const bool is_count = row.numbers.size() == 1 && is_whole_number(row.numbers[0]);
-        if (!is_count &&
-            (!row.numbers.empty() || is_damaged(row, columns_, is_last)))
+        if (!is_count && (!row.numbers.empty() || is_damaged(row, columns_, is_last)))
             file_.fail(row.offset, "the file needs " + plural(std::int64_t(columns_), "number") +
-                                       " of a point here, but " + in_quotes(row.line) +
-                                       " follows");
+                                       " of a point here, but " + in_quotes(row.line) + " follows");
         is_open_ = false;
         const std::string line = in_lower_case(std::string(row.line));
         if (line.substr(0, 4) == "zone") is_tecplot_ = true;

@@ -23,11 +23,11 @@ struct SectionBlock {
 };
 
 struct SectionTable {
-    std::vector<SectionBlock> blocks;      // none is empty
-    std::vector<double> counts;            // two whole numbers before points of three columns, or
-                                           // one number before the points
-    std::vector<std::string> properties;   // what was recognised, for people
-    bool is_openfast = false;              // the first point may be a reference point
+    std::vector<SectionBlock> blocks;     // none is empty
+    std::vector<double> counts;           // two whole numbers before points of three columns, or
+                                          // one number before the points
+    std::vector<std::string> properties;  // what was recognised, for people
+    bool is_openfast = false;             // the first point may be a reference point
 };
 
 // Fails with the line if a line between points has another number of columns or a word for a
