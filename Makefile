@@ -24,6 +24,8 @@
 #                         TARGETS="s390x musl"; see tests/cross/run.sh
 #   make compilers        all compilers that are installed, without a warning; LEVELS=-O2; see tests/compilers.sh
 #   make amalgamation     the library in one source with its headers, in build/amalgamation
+#   make test-systems     both commands of README.md in fresh systems, as the superuser: SYSTEMS="bookworm trixie", in the
+#                         folder ROOTS; see tests/systems.sh
 #   make bench            against CHOLMOD, MUMPS, SuperLU, Eigen and OpenBLAS, PETSc (PARTS=iterative) and gmsh
 #                         (PARTS=files), as far as they are there; see tests/measure/bench/run.sh
 #   make bench-rows       measures what tests/measure/bench/README.md says about speed, and prints the rows of its tables
@@ -57,7 +59,7 @@
 .PHONY: all checked rules deform-seeded test-programs unit fuzzer fuzz test library-only tests-only coverage mutate sanitize test-petsc test-python mpi \
 	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
-	test-openfoam test-saturne \
+	test-openfoam test-saturne test-systems \
 	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist
 
 BUILD = build
@@ -78,6 +80,8 @@ AR = ar
 JOBS = 2
 UNITS = tests/*/test_*.cpp
 TARGETS =
+# Folder of the systems that `make test-systems` makes.
+ROOTS = /var/tmp/harmorph-systems
 RELEASE =
 SECONDS = 60
 MPICC = mpicc
@@ -228,6 +232,9 @@ test-openfoam: all
 test-saturne: all
 	@MAKE='$(MAKE)' FC='$(FC)' sh fortran/examples/code_saturne/run.sh $(BUILD)
 
+test-systems: checked
+	@SYSTEMS='$(SYSTEMS)' MIRROR='$(MIRROR)' sh tests/systems.sh '$(ROOTS)'
+
 bench-petsc: all
 	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/measure/bench/petsc.sh
 
@@ -272,8 +279,17 @@ INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/h
 	share/harmorph/harmorph_mpi.c share/harmorph/harmorph_petsc.c share/harmorph/read_su2.c share/harmorph/read_su2.h \
 	share/harmorph/naca0012.su2 share/harmorph/openfoam/* share/harmorph/code_saturne/*
 
+# Everybody may read what is installed, whatever the umask is: new folders get their modes from this umask, files from
+# OPEN_FILES, which sets the modes of all files of this list that are there.
+OPEN_FILES = for file in $(INSTALLED); do \
+	    for name in "$$to"/$$file; do \
+	        if [ -f "$$name" ] && [ ! -h "$$name" ]; then chmod 644 "$$name"; fi; \
+	    done; \
+	done; \
+	if [ -f "$$to/bin/harmorph" ]; then chmod 755 "$$to/bin/harmorph"; fi
+
 # Copies headers, library, harmorph.pc and the CMake files into the folder $$to.
-INSTALL_LIBRARY = to=$(INSTALLATION); set -e; \
+INSTALL_LIBRARY = to=$(INSTALLATION); set -e; umask 022; \
 	mkdir -p "$$to/include" "$$to/lib/pkgconfig" "$$to/lib/cmake/harmorph"; \
 	cp include/*.h "$$to/include/"; \
 	cp $(LIBRARY) "$$to/lib/"; \
@@ -291,15 +307,19 @@ install: manual
 	cp c_api/openfoam/*.cpp c_api/openfoam/*.hpp c_api/openfoam/Makefile "$$to/share/harmorph/openfoam/"; \
 	cp fortran/examples/code_saturne/*.f90 fortran/examples/code_saturne/mesh.awk \
 	    fortran/examples/code_saturne/cs_user_scripts.py "$$to/share/harmorph/code_saturne/"; \
+	$(OPEN_FILES); \
 	echo "harmorph $$version is in $$to"
 
 install-library: library-only
 	@$(INSTALL_LIBRARY); \
+	$(OPEN_FILES); \
 	echo "the library of harmorph $$version is in $$to"
 
 install-shared: shared
-	@mkdir -p $(INSTALLATION)/lib
-	@cp -P $(BUILD)/shared/libharmorph.so* $(INSTALLATION)/lib/
+	@to=$(INSTALLATION); set -e; umask 022; \
+	mkdir -p "$$to/lib"; \
+	cp -P $(BUILD)/shared/libharmorph.so* "$$to/lib/"; \
+	$(OPEN_FILES)
 
 uninstall:
 	@to=$(INSTALLATION); \
@@ -307,4 +327,5 @@ uninstall:
 	rmdir "$$to/lib/cmake/harmorph" "$$to"/share/harmorph/* "$$to/share/harmorph" 2>/dev/null || :
 
 clean:
+	@sh c_api/packaging/check_build.sh "$${BUILD-build}" remove
 	rm -rf $(BUILD)

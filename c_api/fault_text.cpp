@@ -111,6 +111,7 @@ void put_sentence(Fault const& fault, NumberedItem const& item, NumberedItem con
                 sentence.put(')');
                 break;
             case '%': sentence.put(fault.argument); break;
+            case '&': sentence.put(fault.other_argument); break;
             default: sentence.put(*c);
         }
     }

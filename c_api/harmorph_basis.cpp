@@ -29,6 +29,9 @@ hm_basis_info info_of(Basis const& basis) noexcept {
     filled.curve_point = basis.wall_point.data();
     filled.point_curve = basis.wall_curve.data();
     filled.point_u = basis.wall_u.data();
+    filled.shared_points = header.counts.shared;
+    filled.shared_point = basis.shared_point.data();
+    filled.shared_condition = basis.shared_condition.data();
     return filled;
 }
 

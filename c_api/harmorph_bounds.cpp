@@ -1,5 +1,6 @@
 // The C interface: smooth bounds of the quality of a mesh, and the derivative of the admissible
 // step.
+#include "apart.hpp"
 #include "mesh_pair.hpp"
 #include "morph/cell_bounds.hpp"
 #include "morph/mesh_quality.hpp"
@@ -143,6 +144,28 @@ struct BoundsCall {
     }
 };
 
+// Gradients must be apart from `at` and from each other.
+Status check_gradients(const hm_points_out* gradients, Index n, Points at, Index n_points,
+                       Fault& fault) noexcept {
+    auto const view = [&](Index k) {
+        return MutablePoints{gradients[k].x, gradients[k].y, stride_of(gradients[k].stride)};
+    };
+    for (Index k = 0; gradients != nullptr && k < n; ++k) {
+        for (Index before = none; before < k; ++before) {
+            Apart arrays;
+            if (before == none) {
+                arrays.add("at", at, n_points);
+                HARMORPH_TRY(arrays.check("gradients", view(k), n_points, fault));
+                continue;
+            }
+            MutablePoints const other = view(before);
+            arrays.add("gradients", Points{other.x, other.y, other.stride}, n_points);
+            HARMORPH_TRY(arrays.check("gradients", view(k), n_points, fault));
+        }
+    }
+    return Status::ok;
+}
+
 Status view_start(const hm_points* given, Mesh const& mesh, Points& start, Fault& fault) noexcept {
     HARMORPH_TRY(view_coordinates(given, "start", mesh, start, fault));
     return check_range(start, mesh.n_points, fault);
@@ -218,6 +241,7 @@ hm_status hm_quality_bounds(const hm_quality* quality, const hm_points* at, int3
         Executor threads;
         HARMORPH_TRY(view_executor(executor, threads, fault));
         HARMORPH_TRY(view_coordinates(at, "at", mesh, here, fault));
+        HARMORPH_TRY(check_gradients(gradients, n, here, mesh.n_points, fault));
         HARMORPH_TRY(check_range(here, mesh.n_points, fault, threads));
         BoundsCall{opened, here, threads, bounds, gradients, values}.find_all(n);
         return Status::ok;

@@ -39,7 +39,7 @@ struct EquationsRequest : Request {
                             "bodies or given displacements");
     }
     PartProblem asked() const noexcept {
-        return {problem.method, problem.demands, problem.executor};
+        return {problem.method, problem.demands, problem.executor, problem.max_curve_distance};
     }
     void lay_out(Arena& arena, InBlock<PartEquations>& made) const noexcept {
         made.lay_out(arena, *part, asked(), n_edges, n_curves, n_conditions, n_control());

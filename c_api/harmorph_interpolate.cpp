@@ -1,4 +1,5 @@
 // The C interface: fields of one mesh at the points of another, and the transpose.
+#include "apart.hpp"
 #include "handles.hpp"
 #include "fields/interpolation.hpp"
 #include "harmorph_fields.h"
@@ -62,6 +63,10 @@ hm_status hm_interpolation_init(hm_interpolation** interpolation, void* block, s
         HARMORPH_TRY(view_points_if(at, "at", points, fault));
         HARMORPH_TRY(view_points(to, "to", targets, fault, n));
         HARMORPH_TRY(view_executor(executor, threads, fault));
+        Apart arrays;
+        arrays.add("at", points, opened->problem().mesh.n_points);
+        arrays.add("to", targets, n);
+        HARMORPH_TRY(arrays.check("distance", distance, n, fault));
         HARMORPH_TRY(check_range(points, opened->problem().mesh.n_points, fault, threads));
         HARMORPH_TRY(check_range(targets, n, fault, threads));
         HARMORPH_TRY(check_inverted(opened->topology(), points, threads,
@@ -95,6 +100,9 @@ hm_status hm_interpolate(const hm_interpolation* interpolation, int32_t n_fields
         HARMORPH_TRY(require({{"from", from}, {"to", to}}, fault));
         HARMORPH_TRY(check_fields(n_fields, fault));
         HARMORPH_TRY(view_executor(executor, threads, fault));
+        Apart arrays;
+        arrays.add("from", from, Offset{opened->n_mesh_points} * n_fields);
+        HARMORPH_TRY(arrays.check("to", to, Offset{opened->count()} * n_fields, fault));
         for (Index field = 0; field < n_fields; ++field) {
             opened->apply(from + Offset{opened->n_mesh_points} * field,
                           to + Offset{opened->count()} * field, threads);
@@ -110,6 +118,10 @@ hm_status hm_interpolate_adjoint(const hm_interpolation* interpolation, int32_t 
         HARMORPH_TRY(open_interpolation(interpolation, opened, fault));
         HARMORPH_TRY(require({{"to_dj", to_dj}, {"from_dj", from_dj}}, fault));
         HARMORPH_TRY(check_fields(n_fields, fault));
+        Apart arrays;
+        arrays.add("to_dj", to_dj, Offset{opened->count()} * n_fields);
+        HARMORPH_TRY(
+            arrays.check("from_dj", from_dj, Offset{opened->n_mesh_points} * n_fields, fault));
         for (Index field = 0; field < n_fields; ++field) {
             opened->add_transpose(to_dj + Offset{opened->count()} * field,
                                   from_dj + Offset{opened->n_mesh_points} * field);

@@ -93,6 +93,14 @@ struct MovementTask {
         return needs_chord ? find_chord(fault) : Status::ok;
     }
     bool changes_outline() const noexcept { return !movement[0].maps_points(); }
+    // Tells whether a movement maps the control points otherwise than by an affine map, so that the
+    // curve does not move as the map of its points.
+    bool bends() const noexcept {
+        for (Index k = 0; k < n_movements; ++k) {
+            if (movement[k].kind == MovementKind::flap) return true;
+        }
+        return false;
+    }
 
 private:
     Status find_chord(CallFault& fault) noexcept {
@@ -111,6 +119,7 @@ private:
 struct MovementWork {
     VariableMap map;              // of a change of the outline
     Span<Vec2> place;             // [n_control] where the control points are
+    Span<Vec2> unmapped;          // [n_control] where they were before the maps; if the task bends
     Span<Vec2> move;              // [n_control]
     Span<Vec2> derivative;        // [values * n_control]
     Span<Real> start;             // [values]
@@ -122,6 +131,7 @@ struct MovementWork {
         if (task.changes_outline())
             map.lay_out(arena, task.view.set.n_control, 1 + task.movement[0].count());
         arena.take(place, n);
+        arena.take(unmapped, task.bends() ? n : 0);
         arena.take(move, n);
         arena.take(derivative, n * task.n_values);
         arena.take(start, task.n_values);
@@ -134,8 +144,10 @@ struct MovementWork {
             Movement const& movement = task.movement[k];
             Index const bad = movement.find_bad_value(values + first);
             if (bad != none) return refuse_value(first + bad, values, fault);
+            if (!movement.maps_points())
+                HARMORPH_TRY(change_outline(task.section, movement, values, fault));
+            if (k == 0 && !unmapped.empty()) copy(unmapped, Span<const Vec2>(place));
             if (movement.maps_points()) map_points(movement, values + first, first);
-            else HARMORPH_TRY(change_outline(task.section, movement, values, fault));
             first += movement.count();
         }
         for (Index i = 0; i < move.count(); ++i) {
@@ -144,6 +156,7 @@ struct MovementWork {
                                 "the values move control point # beyond 1e100",
                                 control_point_item(i));
         }
+        if (!unmapped.empty()) add_error_of_maps(task, values);
         return Status::ok;
     }
 
@@ -181,6 +194,49 @@ private:
             place[i] = place[i] + mapped.move;
             move[i] = move[i] + mapped.move;
         }
+    }
+    // Compares the moved curves with the maps of their points.
+    void add_error_of_maps(MovementTask const& task, const Real* values) noexcept {
+        constexpr Index samples = 16;  // of a span of the knots
+        Real largest = 0, squares = 0, total = 0;
+        for (Index c = 0; c < task.section.n_curves; ++c) {
+            Curve const& curve = task.section.curve[c];
+            Vec2 before;
+            for (Index span = curve.degree; span < curve.n_indices; ++span) {
+                Real const begin = curve.knots[span], range = curve.knots[span + 1] - begin;
+                for (Index k = 0; k <= samples && range > 0; ++k) {
+                    CurveBasis const basis =
+                        curve_basis_in(curve, span, begin + k * (range / samples), 0);
+                    Vec2 const at = sum_of(basis, unmapped), moved = sum_of(basis, place);
+                    Real const difference = length(moved - mapped(task, values, at)),
+                               weight = k > 0 ? length(at - before) : 0;
+                    before = at;
+                    largest = max(largest, difference);
+                    squares += weight * difference * difference;
+                    total += weight;
+                }
+            }
+        }
+        Real const rms = total > 0 ? sqrt(squares / total) : 0;
+        error[0] = sqrt(error[0] * error[0] + rms * rms);
+        error[1] += largest;
+    }
+    static Vec2 sum_of(CurveBasis const& basis, Span<const Vec2> control) noexcept {
+        Vec2 sum;
+        for (Index k = 0; k < basis.order; ++k)
+            sum = sum + basis.value[0][k] * control[basis.control[k]];
+        return sum;
+    }
+    // Returns where all maps of the task take a point.
+    static Vec2 mapped(MovementTask const& task, const Real* values, Vec2 point) noexcept {
+        Index first = 0;
+        for (Index k = 0; k < task.n_movements; ++k) {
+            Movement const& movement = task.movement[k];
+            if (movement.maps_points())
+                point = point + map_point(movement, values + first, point).move;
+            first += movement.count();
+        }
+        return point;
     }
     Status change_outline(Section const& section, Movement const& movement, const Real* values,
                           Fault& fault) noexcept {

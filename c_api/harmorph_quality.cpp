@@ -109,7 +109,7 @@ hm_status hm_boundary_error(const hm_basis* basis, const double* move, const hm_
         BoundaryError const worst = boundary_error(b, move, before, after);
         *error = worst.error;
         if (point != nullptr) *point = numbered(worst.point, b.header->index_base);
-        return Status::ok;
+        return check_tear(b, move, before, Status::torn, fault);
     });
 }
 

@@ -35,8 +35,8 @@ hm_status hm_recover_movement_size(const hm_basis* basis, size_t* bytes, hm_erro
 }
 
 hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double tolerance,
-                              double* move, double* residual, int32_t* point, void* work,
-                              size_t bytes, hm_error* err) {
+                              double* move, double* residual, double* turned_offset, int32_t* point,
+                              void* work, size_t bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         Points now;
@@ -51,7 +51,8 @@ hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double
         HARMORPH_TRY(check_wall(b, now, fault));
         HARMORPH_TRY(place(work, bytes, fault,
                            [&](Arena& arena) { found.lay_out(arena, b.header->counts); }));
-        BoundaryError const worst = found.find(b, now);
+        found.find(b, now);
+        BoundaryError const worst = found.following;
         Real const max_error = tolerance > 0
                                    ? tolerance
                                    : WallMovement::default_tolerance * WallMovement::extent(b, now);
@@ -66,8 +67,9 @@ hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double
             move[2 * i] = found.unknown[i].x;
             move[2 * i + 1] = found.unknown[i].y;
         }
-        if (residual != nullptr) *residual = worst.error;
-        if (point != nullptr) *point = numbered(worst.point, b.header->index_base);
+        if (residual != nullptr) *residual = found.residual.error;
+        if (turned_offset != nullptr) *turned_offset = found.turned_offset;
+        if (point != nullptr) *point = numbered(found.residual.point, b.header->index_base);
         return Status::ok;
     });
 }

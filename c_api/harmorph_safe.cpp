@@ -212,7 +212,11 @@ hm_status hm_morph_safe_size(const hm_plan* plan, const hm_basis* basis, size_t*
         if (basis != nullptr) HARMORPH_TRY(p->check_fit(b, fault));
         BasisCounts const& counts = basis != nullptr ? b.header->counts : p->basis_counts();
         SafeMorph safe;
-        return count_bytes(bytes, fault, [&](Arena& arena) { safe.lay_out(arena, *p, counts); });
+        Span<Basis> others;
+        return count_bytes(bytes, fault, [&](Arena& arena) {
+            arena.take(others, max_others);
+            safe.lay_out(arena, *p, counts);
+        });
     });
 }
 
@@ -221,22 +225,25 @@ hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move
                         const hm_safe_options* options, hm_safe_report* report, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Plan* p = nullptr;
-        Basis b, sum, others[max_others];
+        Basis b, sum;
         SafeCall call;
+        SafeMorph safe;
+        Span<Basis> others;  // too large for the stack
         HARMORPH_TRY(open_solved(basis, b, fault));
         if (derivative == basis)
             return fault.refuse(Status::bad_argument,
                                 "derivative and basis must be two different bases");
         if (derivative != nullptr) sum = view_basis(derivative, fault);
         HARMORPH_TRY(open_plan(plan, p, fault));
-        HARMORPH_TRY(call.open(to, options, report, {others, max_others}, fault));
+        HARMORPH_TRY(p->check_fit(b, fault));
+        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) {
+            arena.take(others, max_others);
+            safe.lay_out(arena, *p, b.header->counts);
+        }));
+        HARMORPH_TRY(call.open(to, options, report, others, fault));
         HARMORPH_TRY(check_move(b, move, fault));
         HARMORPH_TRY(check_derivative_is_apart(sum, call.options.others, fault));
-        HARMORPH_TRY(p->check_fit(b, fault));
         HARMORPH_TRY(check_start(*p, b, fault));
-        SafeMorph safe;
-        HARMORPH_TRY(place(work, bytes, fault,
-                           [&](Arena& arena) { safe.lay_out(arena, *p, b.header->counts); }));
         Status const status = safe.run(*p, b, move, call.options,
                                        derivative != nullptr ? &sum : nullptr, call.reached, fault);
         return call.finish(*p, safe, static_cast<Size>(b.header->counts.functions()), status);

@@ -1,4 +1,5 @@
 // The C interface: puts points that slip along curves back onto their curves.
+#include "apart.hpp"
 #include "handles.hpp"
 #include "base/range.hpp"
 #include "morph/slip_projection.hpp"
@@ -37,6 +38,8 @@ hm_status hm_slip(const hm_analysis* analysis, const hm_points* from, const hm_p
         HARMORPH_TRY(open_complete(analysis, opened, fault));
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(to, "to", after, fault));
+        Index const n = opened->problem().mesh.n_points;
+        HARMORPH_TRY(Apart::check_in_place("from", before, "to", after, n, fault));
         HARMORPH_TRY(check_slipping(opened->slip_curves(), before, fault));
         slip_of(*opened).project(before, after);
         return Status::ok;

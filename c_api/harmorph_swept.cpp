@@ -1,4 +1,5 @@
 // The C interface: swept areas between two positions of a mesh.
+#include "apart.hpp"
 #include "views.hpp"
 #include "fields/swept_areas.hpp"
 #include "harmorph_fields.h"
@@ -35,9 +36,16 @@ hm_status hm_swept_areas(const hm_mesh* mesh, const hm_points* from, const hm_po
             return fault.refuse(Status::bad_argument,
                                 "sides, duals and halves are all NULL; ask for at least one array");
         }
+        Offset const entries = SweptAreas::count_entries(view);
+        Apart arrays;
+        arrays.add("from", start, view.n_points);
+        arrays.add("to", target, view.n_points);
+        HARMORPH_TRY(arrays.check("sides", sides, entries, fault));
+        HARMORPH_TRY(arrays.check("duals", duals, entries, fault));
+        HARMORPH_TRY(arrays.check("halves", halves, 2 * entries, fault));
         HARMORPH_TRY(check_range(start, view.n_points, fault, threads));
         HARMORPH_TRY(check_range(target, view.n_points, fault, threads));
-        Size const n = static_cast<Size>(SweptAreas::count_entries(view));
+        Size const n = static_cast<Size>(entries);
         SweptAreas areas;
         if (sides != nullptr) areas.sides = {sides, n};
         if (duals != nullptr) areas.duals = {duals, n};

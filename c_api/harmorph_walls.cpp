@@ -1,5 +1,6 @@
 // The C interface: distances to the walls of a mesh in any position, and heights of the first
 // layer.
+#include "apart.hpp"
 #include "handles.hpp"
 #include "fields/walls.hpp"
 #include "harmorph_fields.h"
@@ -162,6 +163,10 @@ hm_status hm_wall_distance(const hm_walls* walls, int32_t n, const hm_points* po
             return fault.refuse(Status::bad_argument, "n is #, but must not be negative", plain(n));
         HARMORPH_TRY(view_points(points, "points", at, fault, n));
         HARMORPH_TRY(view_executor(executor, threads, fault));
+        Apart arrays;
+        arrays.add("points", at, n);
+        HARMORPH_TRY(arrays.check("distance", distance, n, fault));
+        HARMORPH_TRY(arrays.check("parameter", parameter, n, fault));
         HARMORPH_TRY(check_range(at, n, fault, threads));
         Walls const& chosen = *opened;
         auto const hint_of = [&](Index k) {
@@ -192,6 +197,11 @@ hm_status hm_wall_distance_change(const hm_walls* walls, int32_t n, const hm_poi
         HARMORPH_TRY(view_feet(*opened, n, points, face, at, fault));
         HARMORPH_TRY(view_points_if(point_change, "point_change", of_points, fault, n));
         HARMORPH_TRY(view_points_if(mesh_change, "mesh_change", of_mesh, fault));
+        Apart arrays;
+        arrays.add("points", at, n);
+        arrays.add("point_change", of_points, n);
+        arrays.add("mesh_change", of_mesh, opened->n_points);
+        HARMORPH_TRY(arrays.check("change", change, n, fault));
         for (Index k = 0; k < n; ++k) {
             WallFoot const foot = opened->foot_on(from_zero(face[k], opened->index_base), at[k]);
             Vec2 total = of_points.given() ? of_points[k] : Vec2{};
@@ -217,6 +227,12 @@ hm_status hm_wall_distance_adjoint(const hm_walls* walls, int32_t n, const hm_po
         if (point_dj != nullptr)
             HARMORPH_TRY(view_points(point_dj, "point_dj", of_points, fault, n));
         if (mesh_dj != nullptr) HARMORPH_TRY(view_points(mesh_dj, "mesh_dj", of_mesh, fault));
+        Apart arrays;
+        arrays.add("points", at, n);
+        arrays.add("dj", dj, n);
+        HARMORPH_TRY(arrays.check("point_dj", of_points, n, fault));
+        bool const same = of_points.x == of_mesh.x && of_points.y == of_mesh.y;
+        if (!same) HARMORPH_TRY(arrays.check("mesh_dj", of_mesh, opened->n_points, fault));
         for (Index k = 0; k < n; ++k) {
             WallFoot const foot = opened->foot_on(from_zero(face[k], opened->index_base), at[k]);
             Vec2 const by_point = dj[k] * foot.normal;
@@ -238,6 +254,9 @@ hm_status hm_first_layer(const hm_walls* walls, const hm_points* at, double* hei
         HARMORPH_TRY(open_walls(walls, opened, fault));
         HARMORPH_TRY(require({{"heights", heights}}, fault));
         HARMORPH_TRY(view_points(at, "at", points, fault));
+        Apart arrays;
+        arrays.add("at", points, opened->n_points);
+        HARMORPH_TRY(arrays.check("heights", heights, opened->layer.wall.count, fault));
         opened->heights(points, {heights, static_cast<Size>(opened->layer.wall.count)});
         return Status::ok;
     });

@@ -1,3 +1,4 @@
+#include "base/range.hpp"
 #include "request.hpp"
 
 namespace harmorph {
@@ -47,6 +48,12 @@ Status Request::read_rest(hm_problem const& p, const hm_options* options,
             "problem.given_points, given_curves or given_u is NULL, but problem.n_given is #",
             plain(p.n_given));
     }
+    if (!is_between(0, p.max_curve_distance, largest_coordinate)) {
+        return fault.refuse(Status::bad_argument,
+                            "problem.max_curve_distance must be between 0 and 1e100, not ~", {}, {},
+                            p.max_curve_distance);
+    }
+    if (p.max_curve_distance > 0) problem.max_curve_distance = p.max_curve_distance;
     Size const n = static_cast<Size>(p.n_given);
     problem.given = {
         problem.mesh.index_base, {p.given_points, n}, {p.given_curves, n}, {p.given_u, n}};

@@ -56,6 +56,8 @@
  *                  quadrilateral that is not convex is inverted. A corner with a sine below 5e-16
  *                  may count as either.
  * Markers          A marker without a condition is fixed: the points on it do not move.
+ * Arrays           Arrays that a call writes must have no number in common with other arrays of
+ *                  the call, except where the same arrays are allowed. Else HM_BAD_ARGUMENT.
  * NULL             NULL is allowed only where stated. hm_error may always be NULL.
  * Status           0: success. Positive: success with a warning, the result can be used. Negative:
  *                  the call was refused; outputs and blocks are as before the call, but a block
@@ -63,7 +65,7 @@
  * Threads          There is no hidden state. Only one thread at a time may write an object (plan,
  *                  basis) or make other objects from one (analysis); any number may read (morph,
  *                  adjoint, assess). The library uses the threads of an hm_executor, if given.
- * Stack            hm_morph: 16 KiB; hm_adjoint on one thread: 40 KiB; other calls: 112 KiB.
+ * Stack            hm_morph: 16 KiB; hm_adjoint: 40 KiB; other calls: 56 KiB.
  * Exceptions       A call that succeeds on finite numbers raises only inexact and underflow.
  * Repeatability    The same input and the same kernel give bitwise identical results: from run to
  *                  run, for any number of threads and of processes (harmorph_mpi.h).
@@ -113,11 +115,15 @@ enum {
     HM_SHORT = 3,
     HM_BACKTRACKS = 4, /* hm_fit: the curve runs backwards after the point error.item */
     /* hm_analysis_init: a point (error.item) is far from the curve of its marker, or beyond the end
-     * of the curve, see hm_condition.first_curve. error.value: the distance. */
+     * of the curve, see hm_problem.max_curve_distance. error.value: the distance. */
     HM_FAR_FROM_CURVE = 5,
     /* The mesh is valid and at the target, but cells are poorer, or heights of the first layer
      * changed more, than the options ask for. error.item: the cell, or the wall point. */
     HM_POOR = 6,
+    /* hm_analysis_init: a point (error.item) belongs to two moving conditions that do not move it
+     * alike, see hm_basis_info.shared_point. error.other: the second one. hm_boundary_error: the
+     * movement tears the two apart. error.value: the distance. */
+    HM_TORN = 7,
     HM_CANCELLED = -1,     /* the progress callback asked to stop; repeat the call to continue */
     HM_BAD_ARGUMENT = -2,  /* NULL, a size or number out of range, an unknown struct_size */
     HM_BAD_MESH = -3,      /* index, repeated point, non-manifold edge, inverted cell, coordinate */
@@ -128,8 +134,8 @@ enum {
     HM_NOT_POSITIVE = -8,    /* the matrix is not positive definite; error.item: the mesh point */
     HM_UNSUPPORTED = -9,     /* a combination of options that is not available */
     /* No mesh has the moved boundary: faces cross, a body leaves the domain, lies inside another
-     * body or is turned inside out, or points on the boundary alone invert a cell. error.item: a
-     * point of the boundary, or the cell. */
+     * body or is turned inside out, points on the boundary alone invert a cell, or a movement tears
+     * two conditions apart (HM_TORN). error.item: a point of the boundary, or the cell. */
     HM_CROSSING = -10
 };
 
@@ -251,8 +257,12 @@ enum { HM_NO_MARKER = INT32_MIN };
 
 /* Every boundary edge must be on a marker. The exception is a cut, such as the seam of an O-mesh or
  * the wake line of a C-mesh: two points of unmarked boundary edges with equal coordinates are one
- * point for the library and move together. Faces of one marker may belong to several bodies, and
- * one body may have several markers. */
+ * point for the library and move together. If edges without a marker remain, their points are
+ * joined, too, where they differ by rounding, such as the two sides of a trailing edge that a
+ * formula leaves open by 1e-16: each coordinate by at most 1e-12 of the diagonal of the box round
+ * all unmarked edges, or 1e-15 of their largest coordinate. Both sides receive the same
+ * displacements, bit by bit, and so keep their gap. A wider gap is refused with its width. Faces of
+ * one marker may belong to several bodies, and one body may have several markers. */
 typedef struct hm_mesh {
     uint64_t struct_size;
     int32_t index_base;  /* 0 or 1: the first number of points and cells, in arrays and reports */
@@ -293,7 +303,9 @@ typedef struct hm_curve {
     int32_t degree;       /* 1..5 */
     int32_t n_indices;    /* control points, repeated ones counted again; > degree */
     /* [n_indices] NULL: the points in order. Repeated points close a curve: with periodic knots the
-     * first `degree` points are repeated at the end, with clamped knots the first point is. */
+     * first `degree` points are repeated at the end, with clamped knots the first point is. The
+     * curve of a closed wall is refused (HM_BAD_CURVE) if its ends are at one place but belong to
+     * different control points there: moving one of them would tear the wall. */
     const int32_t* indices;
     /* [n_indices + degree + 1] non-decreasing, up to 1e100; inner knots are at most degree-fold. */
     const double* knots;
@@ -409,11 +421,9 @@ typedef struct hm_condition {
     int32_t marker;
     int32_t kind; /* HM_ON_CURVE, ... */
     /* On curve: each point lies on one of the curves first_curve .. first_curve+n_curves-1, from 0;
-     * a section with a blunt base has two. HM_FAR_FROM_CURVE: a point is farther from its curve
-     * than 5 % of the width or height of the control polygon, or of all points on curves, or more
-     * than a quarter of a face beyond the end of the curve. Refused: a point that is farther than
-     * the whole width or height, or on a curve that is not among these. Slip: n_curves is the
-     * number of curves in `along`. */
+     * a section with a blunt base has two. A point that is far from its curve:
+     * hm_problem.max_curve_distance. Refused: a point on a curve that is not among these. Slip:
+     * n_curves is the number of curves in `along`. */
     int32_t first_curve;
     int32_t n_curves;
     int32_t body; /* rigid: number of the body, from 0 without gaps */
@@ -446,6 +456,13 @@ typedef struct hm_problem {
     const int32_t* given_points; /* [n_given] */
     const int32_t* given_curves; /* [n_given] */
     const double* given_u;       /* [n_given] */
+    /* [-] 0 .. 1e100. HM_FAR_FROM_CURVE: the distance of a point from its curve is at least 0.001
+     * of the diagonal of the box around the curve, or the point is more than a quarter of a face
+     * beyond the end of the curve. Refused (HM_BAD_CONDITION): a distance of at least this part of
+     * the diagonal (0: no limit; the program has 0.01), or of more than the width or height of the
+     * control polygon or of all points on curves. The wall keeps its distance in every movement:
+     * with the curve of another airfoil it does not become what the curve becomes. */
+    double max_curve_distance;
 } hm_problem;
 
 /* Available combinations with the compact scheme (all others: HM_UNSUPPORTED; other schemes:
@@ -458,9 +475,10 @@ typedef struct hm_problem {
  *   HM_CONFORMAL              HM_DIRECT, HM_MULTIGRID      all but free    complex
  *   HM_LAPLACE, HM_WEIGHTED   HM_DIRECT, HM_MULTIGRID      all             real
  *
- * The weight of an operator is k = 1 / d^q. d is the distance from the barycentre of a cell to the
- * nearest face on a curve or rigid body (or on a periodic or rotated image), divided by the extent
- * of these faces. Cells near the moving boundary are stiff and keep their shape; others deform. */
+ * The weight of an operator is k = 1 / d^q. d is the distance from the mean of the corners of a
+ * cell to the nearest face that moves, that is on a curve, a rigid body or a marker with HM_GIVEN
+ * (or on a periodic or rotated image), divided by the extent of these faces. Cells near the moving
+ * boundary are stiff and keep their shape; others deform. */
 
 /* hm_options.operator_kind */
 enum {
@@ -602,6 +620,17 @@ typedef struct hm_basis_info {
     /* functions = (combined, or control_points where that is 0) + 2 * bodies + modes */
     int32_t control_points;
     int32_t modes; /* functions by table (hm_tabulate) */
+    /* Points that belong to two moving conditions which do not move them alike: the end of a curve
+     * beside another curve without a common control point or beside a rigid body, bodies that
+     * touch. The first condition moves the point; a movement by which the second one would take it
+     * elsewhere tears the two apart (hm_boundary_error; refused by safe morphs). Markers that one
+     * condition puts on one set of curves, or one body, and curves with a common end control point
+     * move together exactly. */
+    int32_t shared_points, reserved;
+    const int32_t* shared_point; /* [shared_points] mesh points, counted from 0; some repeatedly */
+    /* [2*shared_points] the two conditions of each point, from 0; the same one if a point is at
+     * both ends of its curve */
+    const int32_t* shared_condition;
 } hm_basis_info;
 HM_API hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, hm_error* err);
 
@@ -678,6 +707,17 @@ HM_API hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_
                            const hm_points* displacement, const hm_points* reference,
                            const hm_executor* executor, hm_step_report* step,
                            hm_quality_report* quality, hm_error* err);
+
+/* The largest difference [length] between the displacement of the points on curves and rigid
+ * bodies, to - from, and that which `move` (see hm_morph) gives them by each of their conditions.
+ * *point: the point with this difference; point may be NULL. HM_TORN: the movement takes two
+ * conditions of a point (error.item) apart by error.value, more than 1e-6 of the diagonal of the
+ * box around the wall at `from`; do not use the moved mesh. error.other: the condition that does
+ * not move the point. The remedy is one curve through both markers, or a common control point.
+ * Displacements of points with HM_GIVEN are not compared. */
+HM_API hm_status hm_boundary_error(const hm_basis* basis, const double* move, const hm_points* from,
+                                   const hm_points* to, double* error, int32_t* point,
+                                   hm_error* err);
 
 /* ---- Given displacements of wall points: from a structural code, a CAD system, a table ---- */
 

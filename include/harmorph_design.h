@@ -380,9 +380,10 @@ HM_API hm_status hm_move_section_size(const hm_curves* curves, const hm_section*
  *
  * Turn, shift and scale map control points, and so move the curves exactly. A flap maps control
  * points, too: the curve moves as the map of its points except near the transition, where control
- * points that are dense compared with `length` make the difference small. The other three move the
- * outline in the least-squares sense of hm_variables_map. error [2], or NULL: root mean square and
- * largest difference that remains on the outline [length], 0 for maps of control points. start [n],
+ * points that are dense compared with `length` make the difference small (hm_refine). The other
+ * three move the outline in the least-squares sense of hm_variables_map. error [2], or NULL: root
+ * mean square and largest difference [length] that remains on the outline, at these values; of a
+ * flap between the moved curve and the map of its points; 0 for turn, shift and scale. start [n],
  * or NULL: the values that the given curves have: the parameters for HM_PARSEC, the angles for
  * HM_BLADE, otherwise 0. The camber line is the polynomial s (1-s) p(s), p of degree 5, that is
  * nearest to the middles of the thickness normal to this line, at 33 stations. section as in
@@ -402,12 +403,12 @@ HM_API hm_status hm_move_section(const hm_curves* curves, const hm_section* sect
  * first, as design variables (they are linear: hm_morph takes sums of modes times values). The
  * inner product of movements a and b is sum_i D_i a_i . b_i / sum_i D_i, D_i the integral of N_i by
  * the arc length of the curves. The modes are orthonormal: the root mean square of each is 1 unit
- * of length. singular [n]: singular values [length], descending; the modes of values below 1e-12
- * times the first one are 0. A combination of the first k modes is the nearest one to all
- * movements, in the sum of squares. The largest component of each mode is positive. 1 <= n <= 1024.
- * Control points that no curve uses have weight 0 and receive 0. Refused with HM_BAD_ARGUMENT:
- * movements that are not finite, or all 0 (outputs unchanged). (One-sided Jacobi: Hestenes, J. SIAM
- * 6 (1958) 51.) */
+ * of length, to 1e-12. singular [n]: singular values [length], descending; the modes of values
+ * below 1e-12 times the first one are 0. A combination of the first k modes is the nearest one to
+ * all movements, in the sum of squares. The largest component of each mode is positive. 1 <= n <=
+ * 1024. Control points that no curve uses have weight 0 and receive 0. Refused with
+ * HM_BAD_ARGUMENT: movements that are not finite, or all 0 (outputs unchanged). (One-sided Jacobi:
+ * Hestenes, J. SIAM 6 (1958) 51.) */
 HM_API hm_status hm_family_modes_size(const hm_curves* curves, size_t* work_bytes, hm_error* err);
 HM_API hm_status hm_family_modes(const hm_curves* curves, int32_t n, double* movements,
                                  double* singular, void* work, size_t work_bytes, hm_error* err);
@@ -454,23 +455,31 @@ HM_API hm_status hm_recover_movement_size(const hm_basis* basis, size_t* bytes, 
  * hm_morph moves the points on curves and rigid bodies from where they were at hm_basis_init to
  * where they are in `at` [n_points]. It is the solution of a least-squares problem for all
  * functions together, with the parameters that the points had: exact to rounding where the mesh was
- * moved by hm_morph or hm_morph_safe, in any number of steps. One rotation and scale for each
- * curve, with which hm_morph_safe turns the offsets of points from their curve, is found along with
- * it, unless hm_options.offset_correction is 1. A control point on which no point of the wall
- * depends moves with its neighbours on the curve, where possible by the same rotation, scale and
- * translation. Points of markers with HM_GIVEN count only if the basis has modes. Functions of real
- * variables (hm_combine) may receive a second component that is not 0.
+ * moved by hm_morph or hm_morph_safe, in any number of steps. If several movements lead the points
+ * to the same places, the smallest one is found, in the sum of squares of all numbers; control
+ * points on which no point of the wall depends receive 0. Points of markers with HM_GIVEN count
+ * only if the basis has modes. Functions of real variables (hm_combine) may receive a second
+ * component that is not 0.
  *
- * *residual [length]: the largest distance of a point of the wall from where `move` leads it;
- * *point: that point, -1: there are no points; both may be NULL. Refused with HM_BAD_MESH: this
- * distance is more than `tolerance` [length], because the wall is then on no curve of this basis
- * (error.item: the point, error.value: the distance); a coordinate of the wall is beyond the range.
- * tolerance 0 means 1e-4 of the width or height of the wall in `at`, the larger one; infinity: any.
+ * hm_morph_safe turns the offsets of points from their curve. If the functions alone do not lead
+ * the points to `at`, and one rotation and scale for each curve makes the distances at least ten
+ * times smaller, these rotations are found along with the movement; not with
+ * hm_options.offset_correction 1, nor for a curve with too few points: there must be at least two
+ * points on the wall more than control points on which they depend.
+ *
+ * *residual [length]: the largest distance of a point of the wall in `at` from where hm_morph leads
+ * it from its place at hm_basis_init by `move`; *point: that point, -1: there are no points;
+ * *turned_offset [length]: the largest distance by which turned offsets contribute to the
+ * residual, 0: none has turned; all three may be NULL. Refused with HM_BAD_MESH: the distance that
+ * remains beside the turned offsets is more than `tolerance` [length], because the wall is then on
+ * no curve of this basis (error.item: the point, error.value: the distance); a coordinate of the
+ * wall is beyond the range. tolerance 0 means 1e-4 of the width or height of the wall in `at`, the
+ * larger one; infinity: any.
  * The basis must be solved, and have all functions. After a refused call the outputs are unchanged.
  */
 HM_API hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double tolerance,
-                                     double* move, double* residual, int32_t* point, void* work,
-                                     size_t bytes, hm_error* err);
+                                     double* move, double* residual, double* turned_offset,
+                                     int32_t* point, void* work, size_t bytes, hm_error* err);
 
 #ifdef __cplusplus
 }

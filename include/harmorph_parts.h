@@ -35,8 +35,9 @@ extern "C" {
  * in that order, and points in reports are positions in the list. A wall point remains a wall point
  * at its first position in the list (or that of the other side of a cut). The new basis has no
  * cells: calls with a mesh refuse it. Like any basis it is one block that refers to nothing else
- * and may be moved. The size is sufficient for any list of n points, n <= 2^30. An extract of a
- * basis that has only some functions (hm_share_init) receives its values by hm_parcel_unpack. */
+ * and may be moved. The size is a bound, sufficient for any list of n points, n <= 2^30. An extract
+ * of a basis that has only some functions (hm_share_init) receives its values by hm_parcel_unpack.
+ */
 HM_API hm_status hm_extract_size(const hm_basis* basis, int32_t n, size_t* bytes, hm_error* err);
 HM_API hm_status hm_extract_init(hm_basis** rows, void* block, size_t bytes, const hm_basis* basis,
                                  int32_t n, const int32_t* points, hm_error* err);
@@ -86,8 +87,8 @@ typedef struct hm_part hm_part;
 typedef struct hm_part_mesh {
     uint64_t struct_size;
     /* The part: points, cells, boundary faces. Every face of an own cell that is on the boundary of
-     * the whole mesh must have a marker, cuts excepted; faces of ghost cells must not be given.
-     * index_base counts the points and cells of the part. */
+     * the whole mesh must have a marker, cuts excepted (see hm_mesh); faces of ghost cells must not
+     * be given. index_base counts the points and cells of the part. */
     const hm_mesh* mesh;
     /* [n_points] global numbers of the points, 0 .. 2^61, all different. A point of several parts
      * has the same number and the same coordinates in each. Numbers need not be consecutive. */

@@ -65,11 +65,11 @@ typedef struct hm_petsc_report {
 
 /* Makes a system. part: see hm_part_init; its arrays must exist as long as the system. problem and
  * options are those of hm_equations_init, and the same on all processes; problem.mesh is ignored.
- * HM_FAR_FROM_CURVE is that of hm_analysis_init. Refused on all processes, in addition to what
- * hm_part_init, hm_match_edges and hm_equations_init refuse: a point with two positions, a point
- * that two processes have inside their own cells (global numbers are wrong), a ghost point that no
- * process has in an own cell (HM_BAD_MESH); curves, conditions or options that are not those of
- * rank 0 (HM_BAD_CONDITION). */
+ * HM_FAR_FROM_CURVE and HM_TORN are those of hm_analysis_init. Refused on all processes, in
+ * addition to what hm_part_init, hm_match_edges and hm_equations_init refuse: a point with two
+ * positions, a point that two processes have inside their own cells (global numbers are wrong), a
+ * ghost point that no process has in an own cell (HM_BAD_MESH); curves, conditions or options that
+ * are not those of rank 0 (HM_BAD_CONDITION). */
 hm_status hm_petsc_create(hm_petsc** system, const hm_part_mesh* part, const hm_problem* problem,
                           const hm_options* options, MPI_Comm comm, hm_error* err);
 /* Frees the system; collective, because the solvers of PETSc end together. *system becomes NULL. If

@@ -35,18 +35,16 @@ enum {
     HM_BOUNDED = 2,
     /* The scheme of the paper: Green-Gauss gradients over the cells around each point; the flux
      * through a face uses the mean of the gradients of its two points, with the component along the
-     * edge replaced by the difference of the values. Second order; for comparison. Errors on 128 x
-     * 128 squares are 4.1e-5 (compact: 1.1e-5), on perturbed squares 3.0e-5 (3.7e-5), on perturbed
-     * triangles 3.8e-5 (4.5e-5). On airfoil meshes, viscous ones too, the functions differ from the
-     * compact scheme by 1e-3 to 7e-3 at edges of the airfoil and by 1e-4 on average; by 0.2 where
-     * few points surround an edge in cells with aspect ratios of 1e4. */
+     * edge replaced by the difference of the values. Second order, with errors like those of the
+     * compact scheme; on squares both are the five-point scheme. On airfoil meshes the functions
+     * differ most from those of the compact scheme at edges of the airfoil, and much where few
+     * points surround an edge in long thin cells. For comparison. */
     HM_NODAL_GRADIENT = 1,
     /* HM_NODAL_GRADIENT without that replacement, as in the text of the paper; only to reproduce
-     * the paper. Odd-even oscillations are not damped: errors are 2.3e-4 on those squares, and 2e-2
-     * on perturbed ones, where the errors do not decrease with refinement. The scheme takes 500 to
-     * 2000 cycles on isotropic meshes. On viscous meshes it mostly does not converge
-     * (HM_NOT_CONVERGED), because eigenvalues may have the wrong sign: values left [0, 1] by 0.3 on
-     * one mesh and grew without limit on another. */
+     * the paper. Odd-even oscillations are not damped: on perturbed squares the errors do not
+     * decrease with refinement. The scheme takes hundreds of cycles on isotropic meshes. On viscous
+     * meshes it mostly does not converge (HM_NOT_CONVERGED), because eigenvalues may have the wrong
+     * sign: values may leave [0, 1], or grow without limit. */
     HM_NODAL_GRADIENT_PLAIN = 3
 };
 /* hm_options.engine, beside those of harmorph.h. Of the engines that iterate, hm_solve_report tells
@@ -169,12 +167,6 @@ HM_API hm_status hm_basis_along(const hm_basis* basis, int32_t condition, hm_cur
  * function and number are counted from 0. */
 HM_API hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t number,
                                  double* values, hm_error* err);
-
-/* The largest difference [length] on the curves between the displacement of the points, to - from,
- * and that of the B-spline. *point: the point with this difference; point may be NULL. */
-HM_API hm_status hm_boundary_error(const hm_basis* basis, const double* move, const hm_points* from,
-                                   const hm_points* to, double* error, int32_t* point,
-                                   hm_error* err);
 
 #ifdef __cplusplus
 }

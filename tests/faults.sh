@@ -150,6 +150,18 @@ if strace -f -qq -o trace -e trace=rename "$harmorph" --version >out 2>err; then
         done 2>shell_says
         passes "ended by $signal at a call from $first to $n: $bad times not all outputs or none" $((bad > 0))
     done
+    # Another program shortens a file just after it was mapped, which takes a second here.
+    for size in 0 5000; do
+        cp "$mesh" shrinking.su2
+        (sleep .4; truncate -s $size shrinking.su2) &
+        strace -f -qq -o trace -P shrinking.su2 -e trace=mmap -e inject=mmap:delay_exit=1000000 \
+            "$harmorph" convert shrinking.su2 converted.msh >out 2>err
+        code=$?
+        wait
+        passes "a file that another program shortens to $size bytes: exit code 3" $((code != 3))
+        passes "a file that shrinks: its name" "$(grep -q 'shrinking.su2: cannot be read' err; echo $?)"
+        passes "a file that shrinks: no output" "$(ls | grep -c converted)"
+    done
 else
     skip "outputs that cannot take their places, and signals" "strace is not installed or may not trace"
 fi

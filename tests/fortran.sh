@@ -153,15 +153,40 @@ missing() {
 nothing_missing() { missing | tee "$dir/missing"; test ! -s "$dir/missing"; }
 check "all of the header is in the module" nothing_missing
 
-check "harmorph77.f90" quietly $FC $strict $FFLAGS $checks -I"$dir/checked" -J"$dir" -c "$build/harmorph77.f90" \
-    -o "$dir/harmorph77.o"
-check "legacy_tools.f" $FC $legacy $FFLAGS $checks -c tests/legacy_tools.f -o "$dir/legacy_tools.o"
-for test in legacy legacy_cells legacy_design legacy_fields; do
-    check "$test.f" $FC $legacy $FFLAGS $checks -c tests/$test.f -o "$dir/$test.o"
-    check "link of $test" $FC $FFLAGS "$dir/$test.o" "$dir/legacy_tools.o" "$dir/harmorph77.o" \
-        "$dir/checked/harmorph.o" "$build/libharmorph.a" -o "$dir/$test"
-    "$dir/$test" || fail $test
-done
+# The legacy calls with the module of a place, and the same flags: DOUBLE PRECISION always has 8 bytes.
+legacy_calls() {   # place, flags...
+    place=$dir/$1; shift
+    check "harmorph77.f90 with $*" quietly $FC $strict $FFLAGS "$@" -I"$place" -J"$place" -c "$build/harmorph77.f90" \
+        -o "$place/harmorph77.o"
+    check "legacy_tools.f with $*" $FC $legacy $FFLAGS "$@" -c tests/legacy_tools.f -o "$place/legacy_tools.o"
+    for test in legacy legacy_cells legacy_design legacy_fields; do
+        check "$test.f with $*" $FC $legacy $FFLAGS "$@" -c tests/$test.f -o "$place/$test.o"
+        check "link of $test with $*" $FC $FFLAGS "$place/$test.o" "$place/legacy_tools.o" "$place/harmorph77.o" \
+            "$place/harmorph.o" "$build/libharmorph.a" -o "$place/$test"
+        "$place/$test" || fail "$place/$test"
+    done
+}
+legacy_calls checked $checks
+if [ -n "$long" ]; then legacy_calls long $long -fdefault-double-8; fi
+# Options that make default or single precision double: the example with reals of the default kind prints what the
+# example prints.
+example() {   # place, flags...: the example in this place, with the module compiled there
+    place=$dir/$1; shift
+    mkdir -p "$place"
+    check "module with $*" quietly $FC $strict $FFLAGS -O0 "$@" -J"$place" -c "$build/harmorph.f90" -o "$place/harmorph.o"
+    check "the example with $*" quietly $FC $FFLAGS -O0 "$@" -I"$place" "$place/morph.f90" "$place/harmorph.o" \
+        "$build/libharmorph.a" -o "$place/morph"
+    "$place/morph" >"$place/out"
+}
+mkdir -p "$dir/plain" && cp fortran/examples/morph.f90 "$dir/plain" && example plain
+if [ -n "$long" ]; then
+    for flag in -freal-4-real-8 -fdefault-real-8; do
+        mkdir -p "$dir/promoted$flag"
+        sed 's/real(dp)/real/' fortran/examples/morph.f90 >"$dir/promoted$flag/morph.f90"
+        example promoted$flag $flag
+        check "the example prints the same with $flag" cmp "$dir/plain/out" "$dir/promoted$flag/out"
+    done
+fi
 # Every legacy call is in the manual at the head of the file, and is called by a test.
 unknown_calls() {
     for name in $(sed -n 's/^subroutine \(hm[a-z]*\)(.*/\1/p' "$build/harmorph77.f90" | tr a-z A-Z); do

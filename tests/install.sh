@@ -69,18 +69,28 @@ version_refused() {
     ! cmake -S "$dir/later" -B "$dir/user" -DCMAKE_PREFIX_PATH="$1" -DCMAKE_C_COMPILER="${CC%% *}"
 }
 same_files() { listing "$1" | diff "$dir/expected" -; }
+# Everybody may run the program, read the other files and enter the folders.
+open_to_all() {
+    (cd "$1" && find . -type d ! -perm 755 -o -type f ! -name harmorph ! -name '*.so.*' ! -perm 644 \
+        -o -path ./bin/harmorph ! -perm 755) >"$dir/closed"
+    cat "$dir/closed"
+    test ! -s "$dir/closed"
+}
 nothing_left() { test -z "$(listing "$1")"; }
 no_such_text() { ! grep -r "$1" "$2"; }
 
 # A packager's way: staged under DESTDIR, of which no trace may stay.
 check "make install with DESTDIR" make_in "$build" install "$dir/stage" /opt/harmorph
 check "the list of files" same_files "$dir/stage/opt/harmorph"
+check "modes of folders and files" open_to_all "$dir/stage/opt/harmorph"
 check "no path of the staging place inside" no_such_text "$dir/stage" "$dir/stage/opt/harmorph/lib/pkgconfig"
 check "make uninstall" make_in "$build" uninstall "$dir/stage" /opt/harmorph
 check "nothing left after it" nothing_left "$dir/stage"
 
-# A user's way, then moved elsewhere.
-check "make install" make_in "$build" install "" "$dir/first"
+# A user's way, with a umask that lets nobody else read, then moved elsewhere.
+with_umask() (umask "$1"; shift; "$@")
+check "make install" with_umask 077 make_in "$build" install "" "$dir/first"
+check "modes of folders and files, umask 077" open_to_all "$dir/first"
 check "use by pkg-config" by_pkg_config "$dir/first"
 mv "$dir/first" "$dir/moved"
 check "use by pkg-config, moved" by_pkg_config "$dir/moved"
@@ -88,7 +98,8 @@ check "use by find_package, moved" by_find_package "$dir/moved"
 check "a version to come is refused" version_refused "$dir/moved"
 
 # The library alone, without program and Fortran sources.
-check "make install-library" make_in "$build" install-library "" "$dir/library"
+check "make install-library" with_umask 027 make_in "$build" install-library "" "$dir/library"
+check "modes of the library's folders and files" open_to_all "$dir/library"
 check "use of the library alone by pkg-config" by_pkg_config "$dir/library"
 check "use of the library alone by find_package" by_find_package "$dir/library"
 check "neither program nor share" sh -c '[ "$(ls "$0" | tr "\n" " ")" = "include lib " ]' "$dir/library"
@@ -97,11 +108,20 @@ check "neither program nor share" sh -c '[ "$(ls "$0" | tr "\n" " ")" = "include
 check "cmake configures" cmake -S . -B "$dir/cmake" -DBUILD_TESTING=OFF -DCMAKE_BUILD_TYPE=None \
     -DCMAKE_CXX_COMPILER="${CXX%% *}" -DCMAKE_C_COMPILER="${CC%% *}" -DCMAKE_INSTALL_LIBDIR=lib
 check "cmake builds" cmake --build "$dir/cmake" -j "${JOBS:-2}"
-check "cmake installs" cmake --install "$dir/cmake" --prefix "$dir/second"
+check "cmake installs" with_umask 077 cmake --install "$dir/cmake" --prefix "$dir/second"
+check "modes of folders and files by cmake" open_to_all "$dir/second"
 check "the list of files by cmake" same_files "$dir/second"
 check "the same harmorph.f90 by cmake" cmp "$dir/moved/share/harmorph/harmorph.f90" \
     "$dir/second/share/harmorph/harmorph.f90"
 check "use by pkg-config, by cmake" by_pkg_config "$dir/second"
 check "use by find_package, by cmake" by_find_package "$dir/second"
+
+# What no build has made is not removed.
+mkdir -p "$dir/sources/room" "$dir/empty"
+echo mine >"$dir/sources/room/file"
+clean_refused() { ! $MAKE BUILD="$1" clean && test -s "$1/room/file"; }
+check "make clean of a folder that is no build" clean_refused "$dir/sources"
+check "make clean of an empty folder" $MAKE BUILD="$dir/empty" clean
+check "make clean of no folder" $MAKE BUILD="$dir/empty" clean
 
 finish "$dir"

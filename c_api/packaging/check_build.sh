@@ -1,5 +1,5 @@
 #!/bin/sh
-# usage: check_build.sh BUILD   (called by make before anything is written to BUILD or removed there)
+# usage: check_build.sh BUILD [remove]   (called by make before anything is written to BUILD, or before it is removed)
 # The rules of make name files below BUILD. A name in a rule cannot have blanks, quotes, dollar signs and the like, and
 # a shell would divide them: `rm -rf parent/my build` removes two folders.
 build=$1
@@ -8,8 +8,15 @@ case $build in
 "") reason="has no name" ;;
 -*) reason="begins with a hyphen" ;;
 *)
-    [ -n "$odd" ] || exit 0
-    reason="has characters that make cannot have in rules: $odd" ;;
+    if [ -n "$odd" ]; then
+        reason="has characters that make cannot have in rules: $odd"
+    elif [ "$2" = remove ] && [ -n "$(ls -A "$build" 2>/dev/null)" ] && [ ! -f "$build/flags" ]; then
+        # Only what make has made is removed: every build has this file.
+        echo "The folder BUILD, \"$build\", has no file flags, so no build has made it: it is not removed" >&2
+        exit 1
+    else
+        exit 0
+    fi ;;
 esac
 printf '%s\n' "The folder BUILD, \"$build\", $reason" \
     "Choose a name of letters, digits and _ . / + , @ -; the folder of the sources may have any name." >&2

@@ -78,7 +78,8 @@ class BuildNative(build_ext):
         sources.append(HERE / "native/mesh_files.cpp")
         readers.write_text("".join(f'#include "{path}"\n' for path in sources), encoding="utf-8")
         zlib = self._zlib(folder)
-        objects.append(self._compiled(readers, [*includes, f"-I{READERS}", *zlib["compile"]]))
+        objects.append(self._compiled(readers, [*includes, f"-I{READERS}", "-DHARMORPH_READS_FILES",
+                                                *zlib["compile"]]))
 
         library = os.environ.get("HARMORPH_LIBRARY")
         if library:

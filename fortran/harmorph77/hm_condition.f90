@@ -15,12 +15,12 @@ subroutine hmcond(w, mark, kind, icurv, ncurv, ierr, msg)
     call this%refuse_if(kind == hm_periodic_pair, "KIND is that of a periodic pair: call HMPAIR")
     call this%refuse_if(kind == hm_rotation_pair, "KIND is that of a rotation pair: call HMTURN")
     call this%refuse_if(kind == hm_interface, "KIND is that of a sliding interface: call HMINTF")
-    condition = hm_c_condition(marker=mark, kind=kind)
+    condition = hm_c_condition(marker=short(mark), kind=short(kind))
     if (kind == hm_on_curve .or. .not. (icurv == ncurv .and. (icurv == 0 .or. icurv == 1))) then
-        condition%first_curve = icurv - 1
-        condition%n_curves = ncurv
+        condition%first_curve = short(icurv - 1)
+        condition%n_curves = short(ncurv)
         if (kind == hm_on_curve .and. ncurv == 0 .and. this%ok()) &
-            condition%n_curves = this%kept%set%n_curves - int(icurv - 1, c_int32_t)     ! all curves from ICURV on
+            condition%n_curves = this%kept%set%n_curves - short(icurv - 1)     ! all curves from ICURV on
     end if
     call keep_condition(this, condition)
     call this%finish(ierr, msg)
@@ -34,7 +34,8 @@ subroutine hmrigd(w, mark, ibody, xc, yc, ierr, msg)
     real(c_double), intent(inout), target :: w(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
-    call add_condition(w, hm_c_condition(marker=mark, kind=hm_rigid, body=ibody - 1, x=xc, y=yc), ierr, msg)
+    call add_condition(w, hm_c_condition(marker=short(mark), kind=hm_rigid, body=short(ibody - 1), x=xc, y=yc), ierr, &
+        msg)
 end subroutine
 
 subroutine hmpair(w, mark, mark2, ierr, msg)
@@ -44,7 +45,7 @@ subroutine hmpair(w, mark, mark2, ierr, msg)
     real(c_double), intent(inout), target :: w(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
-    call add_condition(w, hm_c_condition(marker=mark, kind=hm_periodic_pair, partner=mark2), ierr, msg)
+    call add_condition(w, hm_c_condition(marker=short(mark), kind=hm_periodic_pair, partner=short(mark2)), ierr, msg)
 end subroutine
 
 subroutine hmturn(w, mark, mark2, xc, yc, ierr, msg)
@@ -55,7 +56,8 @@ subroutine hmturn(w, mark, mark2, xc, yc, ierr, msg)
     real(c_double), intent(inout), target :: w(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
-    call add_condition(w, hm_c_condition(marker=mark, kind=hm_rotation_pair, partner=mark2, x=xc, y=yc), ierr, msg)
+    call add_condition(w, hm_c_condition(marker=short(mark), kind=hm_rotation_pair, partner=short(mark2), x=xc, y=yc), &
+        ierr, msg)
 end subroutine
 
 subroutine hmintf(w, mark, mark2, ierr, msg)
@@ -65,7 +67,7 @@ subroutine hmintf(w, mark, mark2, ierr, msg)
     real(c_double), intent(inout), target :: w(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
-    call add_condition(w, hm_c_condition(marker=mark, kind=hm_interface, partner=mark2), ierr, msg)
+    call add_condition(w, hm_c_condition(marker=short(mark), kind=hm_interface, partner=short(mark2)), ierr, msg)
 end subroutine
 
 subroutine hmnear(w, x, y, ierr, msg)
@@ -88,41 +90,21 @@ subroutine hmnear(w, x, y, ierr, msg)
     call this%finish(ierr, msg)
 end subroutine
 
-! Conditions with the same control points share one set of curves.
 subroutine hmalng(w, ncp, p, wt, ideg, nidx, idx, u, ierr, msg)
     use harmorph77
     implicit none
-    integer, intent(in) :: ncp, ideg, nidx
-    integer, intent(in), target :: idx(nidx)
-    real(c_double), intent(in), target :: p(2, ncp), wt(ncp), u(*)
+    integer, intent(in) :: ncp, ideg, nidx, idx(*)
+    real(c_double), intent(in) :: p(2, *), wt(*), u(*)
     real(c_double), intent(inout), target :: w(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
-    integer :: n, first
     call this%open(w)
     if (this%ok()) call this%refuse_if(this%kept%n_conditions == 0, "HMALNG: there is no condition yet")
     if (this%ok()) call this%refuse_if(this%kept%condition(this%kept%n_conditions)%kind /= hm_slip, &
         "HMALNG: the KIND of the last condition is not 3")
-    if (this%ok()) then
-        associate (kept => this%kept)
-            n = kept%n_conditions
-            kept%along_curve(n) = hm_c_curve(int(c_sizeof(kept%along_curve(n)), c_int64_t), &
-                ideg, nidx, c_loc(idx), c_loc(u))
-            kept%along(n) = hm_c_curves(int(c_sizeof(kept%along(n)), c_int64_t), &
-                1_c_int32_t, ncp, c_loc(p), c_loc(wt), 1_c_int32_t, c_loc(kept%along_curve(n)))
-            call this%told(hm_c_curves_check(kept%along(n), this%e))
-            if (this%ok()) then
-                first = 1
-                do while (first < n)
-                    if (c_associated(kept%condition(first)%along) .and. &
-                        c_associated(kept%along(first)%control, c_loc(p))) exit
-                    first = first + 1
-                end do
-                kept%condition(n)%along = c_loc(kept%along(first))
-                kept%condition(n)%n_curves = 1
-            end if
-        end associate
-    end if
+    call this%refuse_if(ncp < 2, "NCP must be at least 2")
+    call this%refuse_if(nidx < 2 .or. ideg < 1 .or. ideg > 5, "IDEG must be between 1 and 5, and NIDX at least 2")
+    if (this%ok()) call keep_along(this, ncp, p, wt, ideg, nidx, idx, u)
     call this%finish(ierr, msg)
 end subroutine

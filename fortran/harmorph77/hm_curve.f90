@@ -1,33 +1,41 @@
 
 ! ---- Curves ----------------------------------------------------------------------------------------------------------
 
-subroutine hmwall(w, mark, nmax, ipts, n, loop, ierr, msg)
+subroutine hmwall(w, mark, x, y, inc, nmax, ipts, n, loop, ierr, msg)
     use harmorph77
     implicit none
-    integer, intent(in) :: mark, nmax
+    integer, intent(in) :: mark, inc, nmax
     real(c_double), intent(inout), target :: w(*)
-    integer(c_int32_t), intent(inout) :: ipts(*)
+    real(c_double), intent(in), target :: x(*), y(*)
+    integer, intent(inout) :: ipts(*)
     integer, intent(out) :: n, loop, ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
-    type(c_ptr) :: analysis
+    type(c_ptr) :: analysis, place
+    integer(c_int32_t), pointer :: points(:)
     integer(c_int32_t) :: found, is_loop
     found = 0
     is_loop = 0
-    call this%open(w)
+    call open_at(this, w, x, y, inc)
     call analyse(this, .false., analysis)
-    if (this%ok()) call this%told(hm_c_analysis_boundary(analysis, 1_c_int32_t, [int(mark, c_int32_t)], 0_c_int32_t, &
-        ipts, int(nmax, c_int32_t), found, is_loop, this%e))
+    call this%room(4_c_size_t * max(nmax, 0), place)
+    if (this%ok()) then
+        call c_f_pointer(place, points, [max(nmax, 0)])
+        call this%told(hm_c_analysis_boundary(analysis, 1_c_int32_t, [short(mark)], 0_c_int32_t, points, short(nmax), &
+            found, is_loop, this%e))
+    end if
+    if (this%ok()) ipts(:found) = int(points(:found))
     n = int(found)
     loop = int(is_loop)
     call this%finish(ierr, msg)
 end subroutine
 
-subroutine hmfit(w, mark, ncp, ideg, iclos, dmax, ierr, msg)
+subroutine hmfit(w, mark, x, y, inc, ncp, ideg, iclos, dmax, ierr, msg)
     use harmorph77
     implicit none
-    integer, intent(in) :: mark, ncp, ideg, iclos
+    integer, intent(in) :: mark, inc, ncp, ideg, iclos
     real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(in), target :: x(*), y(*)
     real(c_double), intent(inout) :: dmax
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
@@ -36,18 +44,18 @@ subroutine hmfit(w, mark, ncp, ideg, iclos, dmax, ierr, msg)
     type(hm_c_fit_options) :: options
     type(hm_fit_report) :: report
     integer(c_size_t) :: bytes, work_bytes
-    options = hm_c_fit_options(degree=ideg, n_control=ncp, closed=iclos, index_base=1)
+    options = hm_c_fit_options(degree=short(ideg), n_control=short(ncp), closed=short(iclos), index_base=1)
     options%struct_size = int(c_sizeof(options), c_int64_t)
     report%struct_size = int(c_sizeof(report), c_int64_t)
-    call this%open(w)
+    call open_at(this, w, x, y, inc)
     if (this%ok()) call forget_curves(this%kept)
     if (this%ok()) this%top = this%kept%words
-    if (this%ok()) call this%told(hm_c_fit_marker_size(this%kept%mesh, 1_c_int32_t, [int(mark, c_int32_t)], options, &
-        bytes, work_bytes, this%e))
+    if (this%ok()) call this%told(hm_c_fit_marker_size(this%kept%mesh, 1_c_int32_t, [short(mark)], options, bytes, &
+        work_bytes, this%e))
     call this%room(bytes, block)
     call this%room(work_bytes, work)
     if (this%ok()) call this%told(hm_c_fit_marker(made, block, bytes, this%kept%mesh, 1_c_int32_t, &
-        [int(mark, c_int32_t)], options, report, work, work_bytes, this%e))
+        [short(mark)], options, report, work, work_bytes, this%e))
     if (this%ok()) call keep_set(this, made)
     if (this%ok()) dmax = report%max_error
     call this%finish(ierr, msg)
@@ -73,9 +81,8 @@ end subroutine
 subroutine hmcurv(w, ideg, nidx, idx, u, ierr, msg)
     use harmorph77
     implicit none
-    integer, intent(in) :: ideg, nidx
+    integer, intent(in) :: ideg, nidx, idx(*)
     real(c_double), intent(inout), target :: w(*)
-    integer(c_int32_t), intent(in) :: idx(*)
     real(c_double), intent(in) :: u(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
@@ -133,11 +140,11 @@ subroutine hmrefn(w, icurv, ideg, nu, u, la, a, ncp, ierr, msg)
     ncp = 0
     call this%open(w)
     call curves_now(this, set, list)
-    if (this%ok()) call this%told(hm_c_refine_size(set, int(icurv - 1, c_int32_t), int(ideg, c_int32_t), &
-        int(nu, c_int32_t), u, bytes, this%e))
+    if (this%ok()) call this%told(hm_c_refine_size(set, short(icurv - 1), short(ideg), &
+        short(nu), u, bytes, this%e))
     call this%room(bytes, place)
-    if (this%ok()) call this%told(hm_c_refine(finer, matrix, place, bytes, set, int(icurv - 1, c_int32_t), &
-        int(ideg, c_int32_t), int(nu, c_int32_t), u, this%e))
+    if (this%ok()) call this%told(hm_c_refine(finer, matrix, place, bytes, set, short(icurv - 1), &
+        short(ideg), short(nu), u, this%e))
     if (this%ok()) call keep_finer(this, finer, matrix, int(set%n_control), la, a, ncp)
     call this%finish(ierr, msg)
 end subroutine

@@ -11,8 +11,8 @@ subroutine hmsect(w, icurv, ncurv, chord, ierr, msg)
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
     call this%open(w)
-    if (this%ok()) this%kept%section = hm_c_section(this%kept%section%struct_size, int(merge(icurv - 1, 0, ncurv > 0), &
-        c_int32_t), int(ncurv, c_int32_t), chord(1), chord(2), chord(3), chord(4))
+    if (this%ok()) this%kept%section = hm_c_section(this%kept%section%struct_size, &
+        short(merge(icurv - 1, 0, ncurv > 0)), short(ncurv), chord(1), chord(2), chord(3), chord(4))
     call this%finish(ierr, msg)
 end subroutine
 
@@ -28,7 +28,7 @@ subroutine hmmeas(w, kind, statn, dp, value, g, ierr, msg)
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
     call this%open_solved(w)
-    call measure(this, "HMMEAS", hm_c_quantity(kind=kind, station=statn), dp, value, g)
+    call measure(this, "HMMEAS", hm_c_quantity(kind=short(kind), station=statn), dp, value, g)
     call this%finish(ierr, msg)
 end subroutine
 
@@ -46,7 +46,7 @@ subroutine hmclea(w, npol, poly, dp, value, g, ierr, msg)
     type(legacy_call) :: this
     type(hm_c_quantity) :: clearance
     call this%open_solved(w)
-    clearance = hm_c_quantity(kind=hm_clearance, n_polygon=npol)
+    clearance = hm_c_quantity(kind=hm_clearance, n_polygon=short(npol))
     clearance%polygon = c_loc(poly)
     call measure(this, "HMCLEA", clearance, dp, value, g)
     call this%finish(ierr, msg)
@@ -92,18 +92,18 @@ subroutine hmvars(w, kind, n1, n2, par, la, a, nv, err, ierr, msg)
     nv = 0
     call this%open(w)
     call curves_now(this, set, list)
-    variables = hm_c_variables(kind=kind)
+    variables = hm_c_variables(kind=short(kind))
     variables%struct_size = int(c_sizeof(variables), c_int64_t)
     if (kind == hm_ffd) then
-        variables%degree_x = n1
-        variables%degree_y = n2
+        variables%degree_x = short(n1)
+        variables%degree_y = short(n2)
         variables%x_min = par(1)
         variables%y_min = par(2)
         variables%x_max = par(3)
         variables%y_max = par(4)
     else
-        variables%n_upper = n1
-        variables%n_lower = n2
+        variables%n_upper = short(n1)
+        variables%n_lower = short(n2)
     end if
     select case (kind)
     case (hm_cst)

@@ -4,20 +4,20 @@
 subroutine hmgive(w, n, ip, wx, wy, dx, dy, inc, ierr, msg)
     use harmorph77
     implicit none
-    integer, intent(in) :: n, inc
-    integer(c_int32_t), intent(in), target :: ip(*)
+    integer, intent(in) :: n, inc, ip(*)
     real(c_double), intent(inout), target :: w(*), dx(*), dy(*)
     real(c_double), intent(in), target :: wx(*), wy(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
     type(hm_solve_report) :: report
-    type(c_ptr) :: work
+    type(c_ptr) :: points, work
     integer(c_size_t) :: bytes
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call this%open(w)
     call work_of_field(this, work, bytes)
-    if (this%ok()) call this%told(hm_c_displace(this%kept%plan, int(n, c_int32_t), c_loc(ip), 1_c_int32_t, &
+    call this%list(ip, n, points)
+    if (this%ok()) call this%told(hm_c_displace(this%kept%plan, short(n), points, 1_c_int32_t, &
         [points_of(wx, wy, 1)], c_null_ptr, [points_of(dx, dy, inc)], work, bytes, report, this%e))
     call this%finish(ierr, msg)
 end subroutine
@@ -25,31 +25,30 @@ end subroutine
 subroutine hmgadj(w, n, ip, gx, gy, inc, hx, hy, ierr, msg)
     use harmorph77
     implicit none
-    integer, intent(in) :: n, inc
-    integer(c_int32_t), intent(in), target :: ip(*)
+    integer, intent(in) :: n, inc, ip(*)
     real(c_double), intent(inout), target :: w(*), hx(*), hy(*)
     real(c_double), intent(in), target :: gx(*), gy(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
     type(hm_solve_report) :: report
-    type(c_ptr) :: work
+    type(c_ptr) :: points, work
     integer(c_size_t) :: bytes
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call this%open(w)
     call work_of_field(this, work, bytes)
-    if (this%ok()) call this%told(hm_c_displace_adjoint(this%kept%plan, int(n, c_int32_t), c_loc(ip), 1_c_int32_t, &
+    call this%list(ip, n, points)
+    if (this%ok()) call this%told(hm_c_displace_adjoint(this%kept%plan, short(n), points, 1_c_int32_t, &
         [points_of(gx, gy, inc)], [points_of(hx, hy, 1)], work, bytes, report, this%e))
     call this%finish(ierr, msg)
 end subroutine
 
-subroutine hmgsaf(w, n, ip, wx, wy, dp, xn, yn, inc, frac, istrat, ierr, msg)
+subroutine hmgsaf(w, n, ip, wx, wy, dp, x, y, xn, yn, inc, frac, istrat, ierr, msg)
     use harmorph77
     implicit none
-    integer, intent(in) :: n, inc
-    integer(c_int32_t), intent(in), target :: ip(*)
+    integer, intent(in) :: n, inc, ip(*)
     real(c_double), intent(inout), target :: w(*), xn(*), yn(*)
-    real(c_double), intent(in), target :: wx(*), wy(*), dp(2, *)
+    real(c_double), intent(in), target :: wx(*), wy(*), dp(2, *), x(*), y(*)
     real(c_double), intent(inout) :: frac
     integer, intent(inout) :: istrat
     integer, intent(out) :: ierr
@@ -58,19 +57,20 @@ subroutine hmgsaf(w, n, ip, wx, wy, dp, xn, yn, inc, frac, istrat, ierr, msg)
     type(hm_c_basis_info) :: info
     type(hm_c_safe_options) :: options
     type(hm_safe_report) :: report
-    type(c_ptr) :: plan, move, work
+    type(c_ptr) :: points, plan, move, work
     integer(c_size_t) :: bytes
     info%struct_size = int(c_sizeof(info), c_int64_t)
     options%struct_size = int(c_sizeof(options), c_int64_t)
     report%struct_size = int(c_sizeof(report), c_int64_t)
-    call this%open_solved(w)
+    call open_solved_at(this, w, x, y, inc)
     call plan_of_start(this, "HMGSAF", plan)
+    call this%list(ip, n, points)
     if (this%ok()) call this%told(hm_c_basis_info_get(this%kept%basis, info, this%e))
     if (this%ok()) call this%told(hm_c_displace_safe_size(plan, this%kept%basis, bytes, this%e))
     call this%room(bytes, work)
     move = c_null_ptr
     if (info%functions > 0) move = c_loc(dp)
-    if (this%ok()) call this%told(hm_c_displace_safe(plan, this%kept%basis, move, int(n, c_int32_t), c_loc(ip), &
+    if (this%ok()) call this%told(hm_c_displace_safe(plan, this%kept%basis, move, short(n), points, &
         points_of(wx, wy, 1), points_of(xn, yn, inc), work, bytes, options, report, this%e))
     if (this%ok()) then
         frac = report%step_fraction

@@ -28,12 +28,13 @@ subroutine hmreco(w, x, y, inc, dp, res, ierr, msg)
     type(legacy_call) :: this
     type(c_ptr) :: work
     integer(c_size_t) :: bytes
+    real(c_double) :: turned
     integer(c_int32_t) :: point
     call this%open_solved(w)
     if (this%ok()) call this%told(hm_c_recover_movement_size(this%kept%basis, bytes, this%e))
     call this%room(bytes, work)
     if (this%ok()) call this%told(hm_c_recover_movement(this%kept%basis, points_of(x, y, inc), 0._c_double, dp, res, &
-        point, work, bytes, this%e))
+        turned, point, work, bytes, this%e))
     call this%finish(ierr, msg)
 end subroutine
 
@@ -67,11 +68,12 @@ subroutine hmadj(w, gx, gy, inc, g, ierr, msg)
     call this%finish(ierr, msg)
 end subroutine
 
-subroutine hmsafe(w, dp, xn, yn, inc, dr, frac, istrat, ierr, msg)
+subroutine hmsafe(w, dp, x, y, xn, yn, inc, dr, frac, istrat, ierr, msg)
     use harmorph77
     implicit none
     integer, intent(in) :: inc
     real(c_double), intent(inout), target :: w(*), xn(*), yn(*)
+    real(c_double), intent(in), target :: x(*), y(*)
     real(c_double), intent(in) :: dp(2, *)
     real(c_double), intent(inout), target :: dr(2, *)
     real(c_double), intent(inout) :: frac
@@ -86,7 +88,7 @@ subroutine hmsafe(w, dp, xn, yn, inc, dr, frac, istrat, ierr, msg)
     options%struct_size = int(c_sizeof(options), c_int64_t)
     options%reached = c_loc(dr)
     report%struct_size = int(c_sizeof(report), c_int64_t)
-    call this%open_solved(w)
+    call open_solved_at(this, w, x, y, inc)
     call plan_of_start(this, "HMSAFE", plan)
     if (this%ok()) call this%told(hm_c_morph_safe_size(plan, this%kept%basis, bytes, this%e))
     call this%room(bytes, work)
@@ -99,33 +101,34 @@ subroutine hmsafe(w, dp, xn, yn, inc, dr, frac, istrat, ierr, msg)
     call this%finish(ierr, msg)
 end subroutine
 
-subroutine hmslip(w, x, y, inc, ierr, msg)
+subroutine hmslip(w, xs, ys, x, y, inc, ierr, msg)
     use harmorph77
     implicit none
     integer, intent(in) :: inc
     real(c_double), intent(inout), target :: w(*), x(*), y(*)
+    real(c_double), intent(in), target :: xs(*), ys(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
     type(c_ptr) :: analysis
-    call this%open_solved(w)
+    call open_solved_at(this, w, xs, ys, inc)
     call analysis_of_start(this, "HMSLIP", analysis)
     call this%forgive()
     if (this%ok()) call this%told(hm_c_slip(analysis, points_of(x, y, inc), points_of(x, y, inc), this%e))
     call this%finish(ierr, msg)
 end subroutine
 
-subroutine hmsadj(w, x, y, gx, gy, inc, ierr, msg)
+subroutine hmsadj(w, xs, ys, x, y, gx, gy, inc, ierr, msg)
     use harmorph77
     implicit none
     integer, intent(in) :: inc
     real(c_double), intent(inout), target :: w(*), gx(*), gy(*)
-    real(c_double), intent(in), target :: x(*), y(*)
+    real(c_double), intent(in), target :: xs(*), ys(*), x(*), y(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
     type(c_ptr) :: analysis
-    call this%open_solved(w)
+    call open_solved_at(this, w, xs, ys, inc)
     call analysis_of_start(this, "HMSADJ", analysis)
     call this%forgive()
     if (this%ok()) call this%told(hm_c_slip_adjoint(analysis, points_of(x, y, inc), points_of(gx, gy, inc), &
@@ -204,7 +207,7 @@ subroutine hmboun(w, kind, rho, xs, ys, x, y, inc, bound, gx, gy, ierr, msg)
     start = points_of(xs, ys, inc)
     at = points_of(x, y, inc)
     gradient = points_of(gx, gy, inc)
-    wanted = hm_c_bound(kind=kind, sharpness=rho)
+    wanted = hm_c_bound(kind=short(kind), sharpness=rho)
     wanted%struct_size = int(c_sizeof(wanted), c_int64_t)
     found%struct_size = int(c_sizeof(found(1)), c_int64_t)
     call this%open_solved(w)

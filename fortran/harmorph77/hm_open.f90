@@ -14,8 +14,6 @@ subroutine hmopen(w, lw, ierr, msg)
     character(len=112) :: text
     write(text, "(a, i0, a)") "W is too small: W needs at least ", words_of(c_sizeof(fresh)), " words"
     if (lw < words_of(c_sizeof(fresh))) call this%refuse(text, hm_block_too_small)
-    call this%refuse_if(storage_size(lw) /= 32, &
-        "the legacy calls need INTEGER of 4 bytes; the module harmorph also takes 8 bytes")
     call this%refuse_if(hm_abi_version() /= hm_abi, "harmorph77.f90 and libharmorph.a have different versions")
     if (this%ok()) then
         call c_f_pointer(c_loc(w), kept)
@@ -62,7 +60,7 @@ subroutine hmopt(w, name, ival, ierr, msg)
     type(legacy_call) :: this
     call this%open(w)
     if (this%ok()) then
-        associate (options => this%kept%options, value => int(ival, c_int32_t))
+        associate (options => this%kept%options, value => short(ival))
             select case (name)
             case ("OPERATOR")
                 options%operator_kind = value
@@ -105,11 +103,12 @@ subroutine hmsave(w, lun, ierr, msg)
     call this%finish(ierr, msg)
 end subroutine
 
-subroutine hmload(w, lun, ierr, msg)
+subroutine hmload(w, lun, x, y, inc, ierr, msg)
     use harmorph77
     implicit none
-    integer, intent(in) :: lun
+    integer, intent(in) :: lun, inc
     real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(in), target :: x(*), y(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
@@ -118,7 +117,7 @@ subroutine hmload(w, lun, ierr, msg)
     integer(c_int64_t) :: bytes
     integer :: failed
     bytes = 0
-    call this%open(w)
+    call open_at(this, w, x, y, inc)
     if (this%ok()) then
         call forget_curves(this%kept)
         this%top = this%kept%words

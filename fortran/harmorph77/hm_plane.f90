@@ -5,10 +5,9 @@
 subroutine hmplan(w, np, x, y, z, inc, nf, npf, faces, ns, sides, marks, kind, axis, nplane, ierr, msg)
     use harmorph77
     implicit none
-    integer, intent(in) :: np, inc, nf, npf, ns, kind
+    integer, intent(in) :: np, inc, nf, npf, faces(*), ns, sides(*), marks(*), kind
     real(c_double), intent(inout), target :: w(*)
     real(c_double), intent(in), target :: x(*), y(*), z(*)
-    integer(c_int32_t), intent(in), target :: faces(*), sides(*), marks(*)
     real(c_double), intent(in) :: axis(6)
     integer, intent(out) :: nplane, ierr
     character(len=*), intent(inout) :: msg
@@ -17,26 +16,37 @@ subroutine hmplan(w, np, x, y, z, inc, nf, npf, faces, ns, sides, marks, kind, a
     type(hm_c_mesh) :: mesh
     type(c_ptr) :: place
     integer(c_int32_t), pointer :: start(:)
-    integer(c_int32_t) :: k
+    integer :: k
     integer(c_size_t) :: bytes
+    integer(c_int64_t) :: top
     nplane = 0
     call this%open(w)
     call this%refuse_if(npf /= 3 .and. npf /= 4, "NPF must be 3 or 4; triangles of 4 points repeat their last point")
-    space = hm_c_space_mesh(index_base=1, n_points=np, points=space_points_of(x, y, z, inc), kind=kind, n_faces=nf, &
-        n_sides=ns, axis_point=axis(:3), axis=axis(4:))
+    space = hm_c_space_mesh(index_base=1, n_points=short(np), points=space_points_of(x, y, z, inc), kind=short(kind), &
+        n_faces=short(nf), n_sides=short(ns), axis_point=axis(:3), axis=axis(4:))
     space%struct_size = int(c_sizeof(space), c_int64_t)
-    space%face_points = c_loc(faces)
-    space%side_points = c_loc(sides)
-    space%side_markers = c_loc(marks)
-    if (this%ok()) call this%told(hm_c_plane_size(space, bytes, this%e))
-    call keep_mesh(this, hm_c_mesh(), words_of(bytes))
+    if (this%ok()) then
+        call forget_curves(this%kept)
+        this%top = this%kept%words
+    end if
+    call this%list(faces, npf * nf, space%face_points)
+    call this%list(sides, 4 * ns, space%side_points)
+    call this%list(marks, ns, space%side_markers)
     if (this%ok() .and. npf == 3) then
         call this%room(4_c_size_t * (nf + 1), place)
         if (this%ok()) then
             call c_f_pointer(place, start, [nf + 1])
-            start = [(3 * k + 1_c_int32_t, k = 0, int(nf, c_int32_t))]
+            start = [(short(3 * k + 1), k = 0, nf)]
         end if
         space%face_start = place
+    end if
+    if (this%ok()) call this%told(hm_c_plane_size(space, bytes, this%e))
+    if (this%fits(words_of(bytes), own_words(this))) then
+        top = this%top                          ! the copies stay until this call ends
+        call keep_mesh(this, hm_c_mesh(), words_of(bytes))
+        this%kept%mesh_end = own_words(this) + words_of(bytes)
+        call forget_curves(this%kept)
+        this%top = top
     end if
     if (this%ok()) call this%told(hm_c_plane_init(this%kept%plane, this%at(own_words(this) + 1), bytes, space, this%e))
     mesh%struct_size = int(c_sizeof(mesh), c_int64_t)
@@ -53,7 +63,7 @@ subroutine hmpfol(w, nmax, ifol, ierr, msg)
     implicit none
     integer, intent(in) :: nmax
     real(c_double), intent(inout), target :: w(*)
-    integer(c_int32_t), intent(inout) :: ifol(*)
+    integer, intent(inout) :: ifol(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
@@ -65,7 +75,7 @@ subroutine hmpfol(w, nmax, ifol, ierr, msg)
     call this%refuse_if(info%n_space_points > nmax, "IFOL is too small: IFOL needs room for NP numbers")
     if (this%ok()) then
         call c_f_pointer(info%follows, follows, [info%n_space_points])
-        ifol(:info%n_space_points) = follows
+        ifol(:info%n_space_points) = int(follows)
     end if
     call this%finish(ierr, msg)
 end subroutine

@@ -1,24 +1,28 @@
 
 ! ---- The functions: solved, combined, by table, in single precision --------------------------------------------------
 
-subroutine hmsolv(w, resid, ierr, msg)
+subroutine hmsolv(w, x, y, inc, resid, ierr, msg)
     use harmorph77
     implicit none
+    integer, intent(in) :: inc
     real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(in), target :: x(*), y(*)
     real(c_double), intent(inout) :: resid
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
-    call solve(w, .false., resid, ierr, msg)
+    call solve(w, x, y, inc, .false., resid, ierr, msg)
 end subroutine
 
-subroutine hmfact(w, resid, ierr, msg)
+subroutine hmfact(w, x, y, inc, resid, ierr, msg)
     use harmorph77
     implicit none
+    integer, intent(in) :: inc
     real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(in), target :: x(*), y(*)
     real(c_double), intent(inout) :: resid
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
-    call solve(w, .true., resid, ierr, msg)
+    call solve(w, x, y, inc, .true., resid, ierr, msg)
 end subroutine
 
 subroutine hmcomb(w, n, num, a, ierr, msg)
@@ -33,11 +37,11 @@ subroutine hmcomb(w, n, num, a, ierr, msg)
     type(c_ptr) :: made, place
     integer(c_size_t) :: bytes
     call this%open_solved(w)
-    if (this%ok()) call this%told(hm_c_combine_size(this%kept%basis, int(n, c_int32_t), int(num, c_int32_t), bytes, &
+    if (this%ok()) call this%told(hm_c_combine_size(this%kept%basis, short(n), short(num), bytes, &
         this%e))
     call this%spare(bytes, place)
-    if (this%ok()) call this%told(hm_c_combine(made, place, bytes, this%kept%basis, int(n, c_int32_t), &
-        int(num, c_int32_t), a, this%e))
+    if (this%ok()) call this%told(hm_c_combine(made, place, bytes, this%kept%basis, short(n), &
+        short(num), a, this%e))
     call replace_functions(this, made)
     call this%finish(ierr, msg)
 end subroutine
@@ -45,25 +49,25 @@ end subroutine
 subroutine hmtabl(w, m, num, n, ip, v, ierr, msg)
     use harmorph77
     implicit none
-    integer, intent(in) :: m, num, n
-    integer(c_int32_t), intent(in), target :: ip(*)
+    integer, intent(in) :: m, num, n, ip(*)
     real(c_double), intent(inout), target :: w(*)
     real(c_double), intent(in) :: v(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
     type(hm_solve_report) :: report
-    type(c_ptr) :: made, place, work
+    type(c_ptr) :: made, place, points, work
     integer(c_size_t) :: bytes, work_bytes
     call this%open_solved(w)
     if (this%ok()) call this%refuse_if(.not. c_associated(this%kept%plan), "W has no factor: call HMFACT first")
-    if (this%ok()) call this%told(hm_c_tabulate_size(this%kept%plan, this%kept%basis, int(m, c_int32_t), &
-        int(num, c_int32_t), bytes, work_bytes, this%e))
+    if (this%ok()) call this%told(hm_c_tabulate_size(this%kept%plan, this%kept%basis, short(m), &
+        short(num), bytes, work_bytes, this%e))
     call this%room(work_bytes, work)
+    call this%list(ip, n, points)
     call this%spare(bytes, place)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     if (this%ok()) call this%told(hm_c_tabulate(made, place, bytes, this%kept%plan, this%kept%basis, &
-        int(n, c_int32_t), c_loc(ip), int(m, c_int32_t), int(num, c_int32_t), v, work, work_bytes, report, this%e))
+        short(n), points, short(m), short(num), v, work, work_bytes, report, this%e))
     call replace_functions(this, made)
     call this%finish(ierr, msg)
 end subroutine

@@ -30,6 +30,21 @@ inline bool take_flag(bool& flag) noexcept {
 }
 #endif
 
+// Lets one task after the other run a few instructions. The order is any, so what these leave
+// behind must not depend on it, as sums of integers or a minimum.
+class Turns {
+public:
+    template <class Body>
+    void take(Body const& body) noexcept {
+        while (!take_flag(is_free_)) {}
+        body();
+        raise_flag(is_free_);
+    }
+
+private:
+    bool is_free_ = true;
+};
+
 // Gives out the numbers 0, 1, 2, ...; each number goes to one task only.
 class NextItem {
 public:

@@ -41,6 +41,7 @@ enum class Status : std::int32_t {
     backtracks = 4,
     far_from_curve = 5,
     poor = 6,
+    torn = 7,
     cancelled = -1,
     bad_argument = -2,
     bad_mesh = -3,
@@ -110,19 +111,20 @@ constexpr Item global_point_item(Offset number) noexcept {
 }
 
 // A Fault says why a call was refused. In the sentence, # stands for item, @ for other, ~ for
-// value, $ for the place and % for argument. A fault without a reason consists of zeros, so that
-// the library has no initialised data for it.
+// value, $ for the place, % for argument and & for a second argument. A fault without a reason
+// consists of zeros, so that the library has no initialised data for it.
 struct Fault {
     Status status = Status::ok;
     Item item, other;
     Real value = 0;
     const char* sentence = nullptr;
     const char* argument = nullptr;
+    const char* other_argument = nullptr;
     Real place[2] = {0, 0};  // coordinates
 
     Status refuse(Status why, const char* text, Item first = {}, Item second = {},
                   Real found = 0) noexcept {
-        *this = {why, first, second, found, text, nullptr, {0, 0}};
+        *this = {why, first, second, found, text, nullptr, nullptr, {0, 0}};
         return why;
     }
     Status refuse_at(Real x, Real y, Status why, const char* text, Item first = {},
@@ -136,6 +138,12 @@ struct Fault {
     Status refuse_argument(const char* name, const char* text) noexcept {
         refuse(Status::bad_argument, text);
         argument = name;
+        return status;
+    }
+    // Refuses two arguments together; & in the text stands for the name of the second one.
+    Status refuse_arguments(const char* name, const char* second, const char* text) noexcept {
+        refuse_argument(name, text);
+        other_argument = second;
         return status;
     }
 };

@@ -31,6 +31,10 @@ void Basis::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(wall_u, counts.wall);
     arena.take(wall_offset, counts.wall);
     arena.take(wall_start, counts.wall);
+    arena.take(shared_point, counts.shared);
+    arena.take(shared_condition, 2 * Offset{counts.shared});
+    arena.take(shared_place, counts.shared);
+    arena.take(shared_slot, counts.shared);
     arena.take(joined_point, counts.joined);
     arena.take(joined_slot, counts.joined);
     arena.take(boundary_point, counts.boundary);
@@ -76,13 +80,12 @@ Curve Basis::curve(Index number) const noexcept {
 
 // At a point of a curve the functions are N_i, or N_i + e N_i' / C' if the point's offset e turns
 // with the curve.
-BoundaryFunctions Basis::boundary_functions(Index slot) const noexcept {
+BoundaryFunctions Basis::boundary_functions(WallPlace const& at) const noexcept {
     BoundaryFunctions out;
-    Vec2 const offset = wall_offset[slot];
-    if (is_given(slot)) return out;
-    if (!is_on_curve(slot)) {
-        Index const translation =
-            header->counts.shapes() + 2 * (wall_curve[slot] - header->counts.curves);
+    Vec2 const offset = at.offset;
+    if (is_given(at)) return out;
+    if (!is_on_curve(at)) {
+        Index const translation = header->counts.shapes() + 2 * (at.curve - header->counts.curves);
         out.order = 2;
         out.function[0] = translation;
         out.value[0] = {1, 0};
@@ -91,8 +94,8 @@ BoundaryFunctions Basis::boundary_functions(Index slot) const noexcept {
         return out;
     }
     bool const turns = offset.x != 0 || offset.y != 0;
-    Curve const spline = curve(wall_curve[slot]);
-    CurveBasis const functions = curve_basis(spline, wall_u[slot], 1);
+    Curve const spline = curve(at.curve);
+    CurveBasis const functions = curve_basis(spline, at.u, 1);
     Vec2 const per_derivative = turns ? quotient(offset, derivative_of(spline, functions)) : Vec2{};
     out.order = functions.order;
     for (Index k = 0; k < max_order; ++k) {  // The values from the order on are 0.
@@ -155,13 +158,16 @@ Vec2 given_move(Basis const& basis, Index slot, const Real* move) noexcept {
 }  // namespace
 
 Vec2 Basis::wall_move(Index slot, const Real* move) const noexcept {
-    if (is_given(slot)) return given_move(*this, slot, move);
-    BoundaryFunctions const functions = boundary_functions(slot);
+    return is_given(slot) ? given_move(*this, slot, move) : wall_move(place(slot), move);
+}
+
+Vec2 Basis::wall_move(WallPlace const& at, const Real* move) const noexcept {
+    BoundaryFunctions const functions = boundary_functions(at);
     Vec2 sum;
     for (Index k = 0; k < functions.order; ++k) {
         Index const i = functions.function[k];
         Vec2 const by =
-            is_on_curve(slot) ? control_move(i, move) : Vec2{move[2 * i], move[2 * i + 1]};
+            is_on_curve(at) ? control_move(i, move) : Vec2{move[2 * i], move[2 * i + 1]};
         sum = sum + product(functions.value[k], by);
     }
     return sum;

@@ -23,6 +23,7 @@ struct BasisCounts {
     // The number of functions of design variables, and of numbers in an entry of their matrix; 0
     // means that there are none.
     Index combined = 0, combination = 0;
+    Index shared = 0;          // See SharedPoint.
     Index modes = 0;           // Functions with values from a table; they follow all others.
     KeptCurves::Counts along;  // The curves along which points slip.
     // The functions whose values are stored here: all of them, or those of one process.
@@ -116,7 +117,11 @@ struct Basis {
     Span<Index> wall_point, wall_curve;  // [wall]
     Span<Real> wall_u;
     Span<Vec2> wall_offset;
-    Span<Vec2> wall_start;  // [wall] The places of these points when the basis was made.
+    Span<Vec2> wall_start;         // [wall] The places of these points when the basis was made.
+    Span<Index> shared_point;      // [shared] See SharedPoint.
+    Span<Index> shared_condition;  // [2 * shared]
+    Span<WallPlace> shared_place;  // [shared] The place by the second condition.
+    Span<Index> shared_slot;       // [shared]
     // [joined] Points that are joined to the point of a slot of the wall: they are on the other
     // side of a cut.
     Span<Index> joined_point, joined_slot;
@@ -161,12 +166,19 @@ struct Basis {
     // Refuses combined functions and modes, for calls that evaluate boundary functions again.
     Status require_control_points(Fault& fault) const noexcept;
     Curve curve(Index number) const noexcept;
-    bool is_on_curve(Index slot) const noexcept { return wall_curve[slot] < header->counts.curves; }
+    WallPlace place(Index slot) const noexcept {
+        return {wall_curve[slot], wall_u[slot], wall_offset[slot]};
+    }
+    bool is_on_curve(WallPlace const& at) const noexcept {
+        return at.curve < header->counts.curves;
+    }
+    bool is_on_curve(Index slot) const noexcept { return is_on_curve(place(slot)); }
     // Tells whether the displacement of the point is given from call to call, so that only modes
     // move it.
-    bool is_given(Index slot) const noexcept {
-        return wall_curve[slot] == header->counts.curves + header->counts.bodies;
+    bool is_given(WallPlace const& at) const noexcept {
+        return at.curve == header->counts.curves + header->counts.bodies;
     }
+    bool is_given(Index slot) const noexcept { return is_given(place(slot)); }
     // Returns a complex number; valid only if functions are combined.
     Vec2 combination_at(Index control_point, Index variable) const noexcept;
     // Both return the movement that follows from the movements of functions, [2 * functions] x,y
@@ -174,9 +186,14 @@ struct Basis {
     // must be in double precision.
     Vec2 control_move(Index control_point, const Real* move) const noexcept;
     Vec2 wall_move(Index slot, const Real* move) const noexcept;
+    // Returns the movement of a place that is not given.
+    Vec2 wall_move(WallPlace const& at, const Real* move) const noexcept;
     // Returns the boundary functions at a point of the wall: evaluated from the parameter, or the
     // movements of the rigid body. There are none at a given point.
-    BoundaryFunctions boundary_functions(Index slot) const noexcept;
+    BoundaryFunctions boundary_functions(WallPlace const& at) const noexcept;
+    BoundaryFunctions boundary_functions(Index slot) const noexcept {
+        return boundary_functions(place(slot));
+    }
     // Returns those of the functions whose values are stored here, numbered from the first of
     // these.
     BoundaryFunctions stored_boundary_functions(Index slot) const noexcept;

@@ -18,13 +18,13 @@ bool is_within(Index number, Index begin, Index end) noexcept {
 
 bool counts_are_plausible(BasisCounts const& counts) noexcept {
     Index const all[] = {
-        counts.points,       counts.cells,         counts.control,     counts.bodies,
-        counts.curves,       counts.indices,       counts.knots,       counts.weights,
-        counts.wall,         counts.joined,        counts.boundary,    counts.loops,
-        counts.conditions,   counts.first_stored,  counts.stored,      counts.combined,
-        counts.modes,        counts.pieces,        counts.guards,      counts.sides,
-        counts.along.curves, counts.along.indices, counts.along.knots, counts.along.control,
-        counts.along.weights};
+        counts.points,        counts.cells,         counts.control,     counts.bodies,
+        counts.curves,        counts.indices,       counts.knots,       counts.weights,
+        counts.wall,          counts.joined,        counts.boundary,    counts.loops,
+        counts.conditions,    counts.first_stored,  counts.stored,      counts.combined,
+        counts.modes,         counts.pieces,        counts.guards,      counts.sides,
+        counts.along.curves,  counts.along.indices, counts.along.knots, counts.along.control,
+        counts.along.weights, counts.shared};
     for (Index const count : all) {
         if (!is_within(count, 0, max_count + 1)) return false;
     }
@@ -152,6 +152,19 @@ private:
                 return false;
             if (!is_finite(basis_.wall_u[slot]) || !is_coordinate(basis_.wall_start[slot]))
                 return false;
+        }
+        for (Index k = 0; k < counts_.shared; ++k) {
+            WallPlace const& place = basis_.shared_place[k];
+            Index const slot = basis_.shared_slot[k];
+            if (!is_within(slot, 0, counts_.wall) ||
+                basis_.shared_point[k] != basis_.wall_point[slot])
+                return false;
+            if (!is_within(place.curve, 0, counts_.curves + counts_.bodies + 1) ||
+                !is_finite(place.u) || !is_coordinate(place.offset))
+                return false;
+            for (Index const condition : basis_.shared_condition.from(2 * k, 2)) {
+                if (!is_within(condition, none, counts_.conditions)) return false;
+            }
         }
         for (Index k = 0; k < counts_.joined; ++k) {
             if (!is_within(basis_.joined_point[k], 0, counts_.points)) return false;

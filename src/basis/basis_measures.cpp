@@ -1,5 +1,6 @@
 #include "basis/basis_measures.hpp"
 
+#include "base/box.hpp"
 #include "base/parallel_reduce.hpp"
 
 namespace harmorph {
@@ -32,7 +33,41 @@ BoundaryError boundary_error(Basis const& basis, const Real* move, Points from,
         Vec2 const curve_moved = basis.wall_move(slot, move);
         worst.include(length(to[point] - from[point] - curve_moved), point);
     }
+    for (Index k = 0; k < basis.shared_point.count(); ++k) {
+        WallPlace const& place = basis.shared_place[k];
+        if (basis.is_given(place) || basis.is_given(basis.shared_slot[k])) continue;
+        Index const point = basis.shared_point[k];
+        worst.include(length(to[point] - from[point] - basis.wall_move(place, move)), point);
+    }
     return worst;
+}
+
+Tear find_tear(Basis const& basis, const Real* move, Points at) noexcept {
+    Tear worst;
+    if (basis.shared_point.empty()) return worst;
+    Box box;
+    for (Index const point : basis.wall_point) box.include(at[point]);
+    worst.distance = Tear::tolerance * length(box.size());
+    for (Index k = 0; k < basis.shared_point.count(); ++k) {
+        WallPlace const& place = basis.shared_place[k];
+        Index const slot = basis.shared_slot[k];
+        if (basis.is_given(place) || basis.is_given(slot)) continue;
+        Real const distance = length(basis.wall_move(place, move) - basis.wall_move(slot, move));
+        if (!exceeds(distance, worst.distance)) continue;
+        worst = {distance, k};
+    }
+    return worst;
+}
+
+Status check_tear(Basis const& basis, const Real* move, Points at, Status status,
+                  Fault& fault) noexcept {
+    Tear const tear = find_tear(basis, move, at);
+    if (tear.shared == none) return Status::ok;
+    return fault.refuse(status,
+                        "the movement leaves point # ~ away from where condition @ takes it; put "
+                        "both markers on one curve, or give the curves a common control point",
+                        point_item(basis.shared_point[tear.shared]),
+                        condition_item(basis.shared_condition[2 * tear.shared + 1]), tear.distance);
 }
 
 BasisMeasures measure_basis(Basis const& basis, Points points, Executor const& executor) noexcept {

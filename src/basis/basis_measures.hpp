@@ -14,9 +14,23 @@ struct BoundaryError {
         if (point == none || exceeds(found, error)) *this = {found, at};
     }
 };
-// Compares the movement of the points of the wall with that of the B-spline; returns the largest
-// difference.
+// Compares the movement of the points of the wall with that of the B-spline, and the movement of
+// shared points with that of both conditions; returns the largest difference.
 BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, Points to) noexcept;
+
+// The shared point whose two conditions differ most after a movement.
+struct Tear {
+    // As a fraction of the extent, the diagonal of the box around the wall.
+    static constexpr Real tolerance = 1e-6;
+    Real distance = 0;
+    Index shared = none;  // The number of the point among the shared ones.
+};
+// Returns the largest tear beyond the tolerance. The displacements of given points are not known,
+// so they are compared with nothing.
+Tear find_tear(Basis const& basis, const Real* move, Points at) noexcept;
+// Refuses the movement, or warns of it, by this status if it tears two conditions apart.
+Status check_tear(Basis const& basis, const Real* move, Points at, Status status,
+                  Fault& fault) noexcept;
 
 // Compares values on the curves with boundary functions that are evaluated again, the sum of the
 // values with 1, and the points with the curves.

@@ -23,6 +23,7 @@ BasisCounts BasisSource::counts() const noexcept {
     }
     counts.weights = !curves.empty() && curves[0].weights != nullptr ? counts.control : 0;
     counts.wall = wall.count;
+    counts.shared = wall.n_shared;
     for_each_joined([&](Index, Index) { ++counts.joined; });
     counts.boundary = boundary.count;
     counts.loops = boundary.n_loops;
@@ -76,6 +77,14 @@ void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const
     copy(basis.wall_curve, Span<const Index>(source.wall.curve.first(counts.wall)));
     copy(basis.wall_u, Span<const Real>(source.wall.u.first(counts.wall)));
     copy(basis.wall_offset, Span<const Vec2>(source.wall.offset.first(counts.wall)));
+    for (Index k = 0; k < counts.shared; ++k) {
+        SharedPoint const& shared = source.wall.shared[k];
+        basis.shared_point[k] = source.wall.point[shared.slot];
+        basis.shared_condition[2 * k] = shared.condition[0];
+        basis.shared_condition[2 * k + 1] = shared.condition[1];
+        basis.shared_place[k] = shared.place;
+        basis.shared_slot[k] = shared.slot;
+    }
     Points const start = source.topology.mesh.points;
     for (Index slot = 0; slot < counts.wall; ++slot)
         basis.wall_start[slot] = start[basis.wall_point[slot]];

@@ -23,6 +23,10 @@ void begin_derived(Basis const& from, BasisCounts const& counts, Basis const& to
     copy(to.wall_u, Span<const Real>(from.wall_u));
     copy(to.wall_offset, Span<const Vec2>(from.wall_offset));
     copy(to.wall_start, Span<const Vec2>(from.wall_start));
+    copy(to.shared_point, Span<const Index>(from.shared_point));
+    copy(to.shared_condition, Span<const Index>(from.shared_condition));
+    copy(to.shared_place, Span<const WallPlace>(from.shared_place));
+    copy(to.shared_slot, Span<const Index>(from.shared_slot));
     copy(to.joined_point, Span<const Index>(from.joined_point));
     copy(to.joined_slot, Span<const Index>(from.joined_slot));
     copy(to.boundary_point, Span<const Index>(from.boundary_point));

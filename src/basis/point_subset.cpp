@@ -6,10 +6,11 @@
 namespace harmorph {
 namespace {
 
-BasisCounts counts_of(Basis const& whole, Index points, Index wall) noexcept {
+BasisCounts counts_of(Basis const& whole, Index points, Index wall, Index shared) noexcept {
     BasisCounts counts = whole.header->counts;
     counts.points = points;
     counts.wall = wall;
+    counts.shared = shared;
     counts.cells = counts.pieces = counts.guards = counts.boundary = counts.loops = 0;
     return counts.share(0, counts.functions());
 }
@@ -60,7 +61,8 @@ void Extract::count(Arena& arena, Basis const& whole, Index n_points) noexcept {
     constexpr Index spare = 24;
     Extract bound;
     bound.take_work(arena, whole);
-    BasisCounts counts = counts_of(whole, n_points, min(n_points, whole.wall_point.count()));
+    BasisCounts counts = counts_of(whole, n_points, min(n_points, whole.wall_point.count()),
+                                   whole.shared_slot.count());
     counts.joined = n_points - counts.wall + spare;
     bound.basis.lay_out(arena, counts);
 }
@@ -69,10 +71,11 @@ void Extract::lay_out(Arena& arena, Basis const& whole, PointList const& list) n
     take_work(arena, whole);
     if (arena.overflown()) return;
     find_wall_points(whole, list);
-    Index n_wall = 0, n_joined = 0;
+    Index n_wall = 0, n_joined = 0, n_shared = 0;
     for (Index const first : position) n_wall += first != none ? 1 : 0;
     for_each_joined(list, [&](Index, Index) { ++n_joined; });
-    BasisCounts counts = counts_of(whole, list.count(), n_wall);
+    for (Index const whole_slot : whole.shared_slot) n_shared += slot[whole_slot] != none ? 1 : 0;
+    BasisCounts counts = counts_of(whole, list.count(), n_wall, n_shared);
     counts.joined = n_joined;
     basis.lay_out(arena, counts);
     if (arena.overflown()) return;
@@ -139,6 +142,16 @@ void Extract::init(Basis const& whole, PointList const& list) const noexcept {
         basis.wall_start[slot[whole_slot]] = whole.wall_start[whole_slot];
     }
     Index n = 0;
+    for (Index k = 0; k < whole.shared_slot.count(); ++k) {
+        Index const own = slot[whole.shared_slot[k]];
+        if (own == none) continue;
+        basis.shared_point[n] = basis.wall_point[own];
+        basis.shared_condition[2 * n] = whole.shared_condition[2 * k];
+        basis.shared_condition[2 * n + 1] = whole.shared_condition[2 * k + 1];
+        basis.shared_place[n] = whole.shared_place[k];
+        basis.shared_slot[n++] = own;
+    }
+    n = 0;
     for_each_joined(list, [&](Index k, Index whole_slot) {
         basis.joined_point[n] = k;
         basis.joined_slot[n++] = slot[whole_slot];

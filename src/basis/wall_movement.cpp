@@ -3,10 +3,10 @@
 namespace harmorph {
 namespace {
 
-// Both are relative to the mean diagonal entry. The first is added to all diagonal entries; the
-// second is the weight of differences between the movements of neighbouring control points, and of
-// turning offsets.
-constexpr Real size_regularisation = 1e-14, bending_regularisation = 1e-7;
+// This number, relative to the mean diagonal entry, is added to all diagonal entries.
+constexpr Real regularisation = 1e-12;
+// The residual of the solution with turned offsets must be below this fraction of that without.
+constexpr Real much_better = 0.1;
 constexpr Index max_refinements = 200;
 
 // Points with displacements that are given from call to call follow no function, unless modes move
@@ -30,6 +30,7 @@ void WallMovement::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(row, n);
     arena.take(unknown, n);
     arena.take(step, n);
+    arena.take(first, n);
     arena.take(scale, counts.curves);
 }
 
@@ -60,14 +61,34 @@ void WallMovement::find_row(Basis const& basis, Index slot) noexcept {
     row[n + curve] = (1 / scale[curve]) * offset_at_start(basis, slot);
 }
 
-// Returns the residual of the point of the wall for which find_row() was called last.
-Vec2 WallMovement::residual(Basis const& basis, Index slot, Points at) noexcept {
+// Returns what the first columns leave of the movement of the point of the wall for which
+// find_row() was called last.
+Vec2 WallMovement::rest(Basis const& basis, Index slot, Index n_columns, Points at) noexcept {
     Vec2 rest = at[basis.wall_point[slot]] - basis.wall_start[slot];
-    for (Index i = 0; i < row.count(); ++i) rest = rest - product(row[i], unknown[i]);
+    for (Index i = 0; i < n_columns; ++i) rest = rest - product(row[i], unknown[i]);
     return rest;
 }
 
-void WallMovement::set_up(Basis const& basis) noexcept {
+// Tells whether more points follow the curve than it has functions and a turn. The marks of
+// functions are in `step`.
+bool WallMovement::determines_turn(Basis const& basis, Index curve) noexcept {
+    Index surplus = -1;
+    fill(step, Vec2{});
+    for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
+        if (basis.wall_curve[slot] != curve) continue;
+        ++surplus;
+        find_row(basis, slot);
+        for (Index i = 0; i < basis.n_functions(); ++i) {
+            if (is_zero(row[i]) || !is_zero(step[i])) continue;
+            step[i] = {1, 0};
+            --surplus;
+        }
+    }
+    return surplus > 0;
+}
+
+// Finds the scales of the curves whose offsets may have turned. Returns whether there are any.
+bool WallMovement::find_scales(Basis const& basis) noexcept {
     Real size = 0;
     for (Vec2 const start : basis.wall_start) size = max(size, largest_of(start));
     fill(scale, Real(0));
@@ -76,7 +97,16 @@ void WallMovement::set_up(Basis const& basis) noexcept {
         Real& curve_scale = scale[basis.wall_curve[slot]];
         curve_scale = max(curve_scale, length(offset_at_start(basis, slot)));
     }
-    for (Real& curve_scale : scale) curve_scale = curve_scale > min_offset * size ? curve_scale : 0;
+    bool any = false;
+    for (Index curve = 0; curve < scale.count(); ++curve) {
+        bool const turns = scale[curve] > min_offset * size && determines_turn(basis, curve);
+        if (!turns) scale[curve] = 0;
+        any = any || turns;
+    }
+    return any;
+}
+
+void WallMovement::set_up(Basis const& basis) noexcept {
     fill(matrix, Vec2{});
     fill(unknown, Vec2{});
     Index const n = unknown.count();
@@ -95,27 +125,6 @@ void WallMovement::set_up(Basis const& basis) noexcept {
     factor(regularise(basis));
 }
 
-// The expression (P_2 - P_1) (m_1 - m_0) - (P_1 - P_0) (m_2 - m_1), divided by the lengths, is 0
-// for m = a P + b; its square is added to the energy.
-void WallMovement::add_similarity(Curve const& curve, Index k, Real strength) noexcept {
-    Vec2 const before = curve.point(k) - curve.point(k - 1),
-               after = curve.point(k + 1) - curve.point(k);
-    Real const lengths = length(before) + length(after);
-    if (!(lengths > 0)) return;
-    Vec2 const factor[3] = {(-1 / lengths) * after, (1 / lengths) * (before + after),
-                            (-1 / lengths) * before};
-    Offset const n = unknown.count();
-    for (Index a = 0; a < 3; ++a) {
-        Index const i = curve.control_point(k - 1 + a);
-        for (Index b = 0; b < 3; ++b) {
-            Index const j = curve.control_point(k - 1 + b);
-            if (j > i) continue;
-            Vec2& entry = matrix[i * n + j];
-            entry = entry + strength * product(conjugate(factor[a]), factor[b]);
-        }
-    }
-}
-
 // Adds the regularisation. Returns the smallest entry that a diagonal may have.
 Real WallMovement::regularise(Basis const& basis) noexcept {
     Offset const n = unknown.count();
@@ -126,18 +135,9 @@ Real WallMovement::regularise(Basis const& basis) noexcept {
     Real const mean = sum > 0 ? sum / shapes : 1;
     for (Index i = 0; i < n; ++i) {
         Real& diagonal = matrix[i * n + i].x;
-        diagonal += size_regularisation * (i < shapes || diagonal == 0 ? mean : diagonal);
+        diagonal += regularisation * (i < shapes || diagonal == 0 ? mean : diagonal);
     }
-    for (Index i = basis.n_functions(); i < n; ++i)
-        matrix[i * n + i].x += bending_regularisation * mean;
-    Real const smallest = 0.5 * size_regularisation * mean;
-    if (!basis.combination.empty()) return smallest;
-    for (Index number = 0; number < scale.count(); ++number) {
-        Curve const curve = basis.curve(number);
-        for (Index k = 1; k + 1 < curve.n_indices; ++k)
-            add_similarity(curve, k, bending_regularisation * mean);
-    }
-    return smallest;
+    return 0.5 * regularisation * mean;
 }
 
 void WallMovement::factor(Real smallest_pivot) noexcept {
@@ -172,7 +172,8 @@ void WallMovement::solve() noexcept {
     }
 }
 
-BoundaryError WallMovement::find(Basis const& basis, Points at) noexcept {
+// Returns the largest residual, which the turned offsets have made smaller.
+BoundaryError WallMovement::find_solution(Basis const& basis, Points at) noexcept {
     set_up(basis);
     BoundaryError best;
     for (Index refinement = 0; refinement <= max_refinements; ++refinement) {
@@ -181,10 +182,10 @@ BoundaryError WallMovement::find(Basis const& basis, Points at) noexcept {
         for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
             if (!follows_functions(basis, slot)) continue;
             find_row(basis, slot);
-            Vec2 const rest = residual(basis, slot, at);
-            worst.include(length(rest), basis.wall_point[slot]);
+            Vec2 const left = rest(basis, slot, row.count(), at);
+            worst.include(length(left), basis.wall_point[slot]);
             for (Index i = 0; i < row.count(); ++i)
-                step[i] = step[i] + product(conjugate(row[i]), rest);
+                step[i] = step[i] + product(conjugate(row[i]), left);
         }
         bool const still_falls = refinement < 2 || worst.error < 0.9 * best.error;
         best = worst;
@@ -193,6 +194,36 @@ BoundaryError WallMovement::find(Basis const& basis, Points at) noexcept {
         for (Index i = 0; i < unknown.count(); ++i) unknown[i] = unknown[i] + step[i];
     }
     return best;
+}
+
+// Measures where the functions alone lead the points, as a morph does.
+void WallMovement::measure(Basis const& basis, Points at) noexcept {
+    residual = {};
+    turned_offset = 0;
+    Index const n = basis.n_functions();
+    for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
+        if (!follows_functions(basis, slot)) continue;
+        find_row(basis, slot);
+        residual.include(length(rest(basis, slot, n, at)), basis.wall_point[slot]);
+        for (Index k = n; k < row.count(); ++k)
+            turned_offset = max(turned_offset, length(product(row[k], unknown[k])));
+    }
+}
+
+void WallMovement::find(Basis const& basis, Points at) noexcept {
+    fill(scale, Real(0));
+    following = find_solution(basis, at);
+    for (Index i = 0; i < unknown.count(); ++i) first[i] = unknown[i];
+    if (find_scales(basis)) {
+        BoundaryError const turned = find_solution(basis, at);
+        if (turned.error < much_better * following.error) {
+            following = turned;
+        } else {
+            fill(scale, Real(0));
+            for (Index i = 0; i < unknown.count(); ++i) unknown[i] = first[i];
+        }
+    }
+    measure(basis, at);
 }
 
 }  // namespace harmorph

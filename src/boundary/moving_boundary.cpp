@@ -1,6 +1,7 @@
 #include "boundary/moving_boundary.hpp"
 
 #include "base/hash.hpp"
+#include "base/sort.hpp"
 #include "boundary/wall_distances.hpp"
 
 namespace harmorph {
@@ -22,7 +23,21 @@ public:
         fill(work_.is_break.first(n_points_), std::uint8_t{0});
         for (Curve const& curve : curves_.from(condition.first_curve, condition.n_curves))
             mark_breaks(curve);
-        for (Index chain = 0; chain < n_chains_; ++chain) parametrise_chain(chain, condition);
+        for (Index chain = 0; chain < n_chains_; ++chain) {
+            if (work_.is_loop[chain] != 0 && condition.n_curves == 1)
+                check_ends(condition.first_curve);
+            parametrise_chain(chain, condition);
+        }
+    }
+
+    // Refuses a curve whose ends a control point may separate, of a wall that is closed.
+    Status check_torn(Fault& fault) const noexcept {
+        if (torn_.first == none) return Status::ok;
+        return fault.refuse(Status::bad_curve,
+                            "the wall is closed, but control points # and @ at the same place, at "
+                            "both ends of its curve, would tear the curve: name one of them twice "
+                            "in indices instead",
+                            control_point_item(torn_.first), control_point_item(torn_.last));
     }
 
     // Adds the points of the condition that are on no wall yet, in order along the boundary.
@@ -34,6 +49,11 @@ public:
     }
 
 private:
+    void check_ends(Index curve) noexcept {
+        TornEnds const found = torn_ends(curves_[curve]);
+        if (torn_.first == none) torn_ = found;
+    }
+
     bool belongs(Index face, Condition const& condition) const noexcept {
         const Condition* const found = condition_of(conditions_, boundary_, face);
         return found != nullptr && found->kind == ConditionKind::on_curve &&
@@ -112,11 +132,31 @@ private:
             }
         }
         for (Index k = 0; k < n_segment; ++k) put(point_at(k), best, best_u[k]);
+        if (!is_loop && n_segment > n_chain)
+            note_both_ends(point_at(0), best, best_u[n_segment - 1]);
     }
 
-    // A point of two segments or two conditions keeps the first parameter.
+    // The point is at both ends of a curve round a body. `last` is its parameter at the end of the
+    // segment, which is that at the beginning where both ends of the curve are at one place.
+    void note_both_ends(Index point, Index number, Real last) const noexcept {
+        Curve const& curve = curves_[number];
+        Index const slot = work_.slot[point];
+        Real const u = wall_.u[slot];
+        bool const is_end = u == curve.begin() || u == curve.end();
+        if (wall_.curve[slot] != number || (last == u && !is_end)) return;
+        Real const other = last != u ? last : u == curve.begin() ? curve.end() : curve.begin();
+        wall_.shared[wall_.n_shared++] = {slot, {none, none}, {number, other, {}}};
+    }
+
+    // A point of two segments or two conditions keeps the first parameter; those on other curves
+    // are noted.
     void put(Index point, Index curve, Real u) noexcept {
-        if (work_.slot[point] != none) return;
+        Index const slot = work_.slot[point];
+        if (slot != none) {
+            if (wall_.curve[slot] != curve)
+                wall_.shared[wall_.n_shared++] = {slot, {none, none}, {curve, u, {}}};
+            return;
+        }
         work_.slot[point] = wall_.count;
         wall_.point[wall_.count] = point;
         wall_.curve[wall_.count] = curve;
@@ -130,6 +170,7 @@ private:
     WallWork const& work_;
     Wall& wall_;
     Index n_chains_ = 0, n_points_ = 0;  // of the current condition
+    TornEnds torn_;                      // of the first closed wall whose curve may tear
 };
 
 Status apply_given(GivenParameters const& given, Span<const Curve> curves,
@@ -166,10 +207,85 @@ Status apply_given(GivenParameters const& given, Span<const Curve> curves,
                                 "curve",
                                 point_item(point), {}, given.u[i]);
         }
+        // The place on the curve that is given takes the place of the one that was found.
+        for (SharedPoint& other : wall.shared.first(wall.n_shared)) {
+            if (other.slot == slot && other.place.curve == curve && wall.curve[slot] != curve)
+                other.place = {wall.curve[slot], wall.u[slot], {}};
+        }
         wall.curve[slot] = curve;
         wall.u[slot] = given.u[i];
     }
     return Status::ok;
+}
+
+// Tells whether any movement moves both places alike.
+bool move_alike(Span<const Curve> curves, WallPlace const& a, WallPlace const& b) noexcept {
+    constexpr Real rounding = 1e-8;
+    bool const on_curves = a.curve < curves.count() && b.curve < curves.count();
+    if (!on_curves) return a.curve == b.curve;
+    CurveBasis const of_a = curve_basis(curves[a.curve], a.u, 0),
+                     of_b = curve_basis(curves[b.curve], b.u, 0);
+    // A control point may be repeated, so its values are added up.
+    auto const sum = [](CurveBasis const& functions, Index control) {
+        Real total = 0;
+        for (Index k = 0; k < functions.order; ++k)
+            total += functions.control[k] == control ? functions.value[0][k] : 0;
+        return total;
+    };
+    auto const differ = [&](CurveBasis const& functions) {
+        for (Index k = 0; k < functions.order; ++k) {
+            Index const control = functions.control[k];
+            if (abs(sum(of_a, control) - sum(of_b, control)) > rounding) return true;
+        }
+        return false;
+    };
+    if (differ(of_a) || differ(of_b)) return false;
+    return length(a.offset - b.offset) == 0;
+}
+
+// Tells whether the condition moves points by the curve or body of this number, see WallPlace.
+bool moves_by(Condition const& condition, Index number, Index n_curves, Index n_bodies) noexcept {
+    switch (condition.kind) {
+        case ConditionKind::on_curve:
+            return number >= condition.first_curve &&
+                   number < condition.first_curve + condition.n_curves;
+        case ConditionKind::rigid: return number == n_curves + condition.body;
+        case ConditionKind::given: return number == n_curves + n_bodies;
+        default: return false;
+    }
+}
+
+// Finds the two conditions of each shared point among those of the faces at the point.
+void name_conditions(Boundary const& boundary, Span<const Condition> conditions, Index n_curves,
+                     Span<const Index> slot_of_point, Wall& wall) noexcept {
+    Demands all;
+    for (Condition const& condition : conditions) all.add(condition);
+    Span<SharedPoint> const shared = wall.shared.first(wall.n_shared);
+    auto const note = [&](Index point, Index condition) {
+        Index const slot = slot_of_point[point];
+        Index begin = 0, end = shared.count();
+        while (begin < end) {
+            Index const middle = begin + (end - begin) / 2;
+            if (shared[middle].slot < slot) begin = middle + 1;
+            else end = middle;
+        }
+        for (Index i = begin; i < shared.count() && shared[i].slot == slot; ++i) {
+            Index const numbers[2] = {wall.curve[slot], shared[i].place.curve};
+            for (Index k = 0; k < 2; ++k) {
+                Index& found = shared[i].condition[k];
+                bool const moves =
+                    moves_by(conditions[condition], numbers[k], n_curves, all.bodies);
+                if (moves && found == none) found = condition;
+            }
+        }
+    };
+    for (Index loop = 0; loop < boundary.n_loops && !shared.empty(); ++loop) {
+        for (Index face = boundary.loop_start[loop]; face < boundary.loop_start[loop + 1]; ++face) {
+            if (boundary.condition[face] == none) continue;
+            note(boundary.point[face], boundary.condition[face]);
+            note(boundary.point[boundary.after(face, loop)], boundary.condition[face]);
+        }
+    }
 }
 
 }  // namespace
@@ -180,6 +296,7 @@ void Wall::lay_out(Arena& arena, Mesh const& mesh) noexcept {
     arena.take(curve, n);
     arena.take(u, n);
     arena.take(offset, n);
+    arena.take(shared, n);
 }
 
 void WallWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
@@ -198,9 +315,9 @@ void WallWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
 
 Status parametrise(Topology const& topology, Boundary const& boundary,
                    Span<const Condition> conditions, Span<const Curve> curves,
-                   GivenParameters const& given, WallWork const& work, Wall& wall,
-                   Fault& fault) noexcept {
-    wall.count = 0;
+                   GivenParameters const& given, Real max_distance, WallWork const& work,
+                   Wall& wall, Fault& fault) noexcept {
+    wall.count = wall.n_shared = 0;
     fill(work.slot, none);
     Parametriser parametriser(topology.mesh, boundary, conditions, curves, work, wall);
     for (Index i = 0; i < conditions.count(); ++i) {
@@ -212,6 +329,7 @@ Status parametrise(Topology const& topology, Boundary const& boundary,
         }
         if (is_first) parametriser.run(conditions[i]);
     }
+    HARMORPH_TRY(parametriser.check_torn(fault));
     Demands all;
     for (Condition const& condition : conditions) {
         all.add(condition);
@@ -223,7 +341,7 @@ Status parametrise(Topology const& topology, Boundary const& boundary,
             parametriser.add(condition, curves.count() + all.bodies);
     }
     HARMORPH_TRY(apply_given(given, curves, topology.representative, work, wall, fault));
-    return check_distances(topology.mesh.points, conditions, curves, wall, fault);
+    return check_distances(topology.mesh.points, conditions, curves, max_distance, wall, fault);
 }
 
 Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept {
@@ -243,21 +361,45 @@ Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept {
 
 void find_offsets(Points points, Span<const Condition> conditions, Span<const Curve> curves,
                   bool offset_correction, Wall& wall) noexcept {
-    for (Index slot = 0; slot < wall.count; ++slot) {
-        Index const curve = wall.curve[slot];
-        Vec2 const point = points[wall.point[slot]];
-        wall.offset[slot] = {};
-        if (curve < curves.count()) {
-            if (offset_correction)
-                wall.offset[slot] = offset_from(curves[curve], wall.u[slot], point);
-            continue;
-        }
+    auto const offset_at = [&](WallPlace const& place, Vec2 point) {
+        if (place.curve < curves.count())
+            return offset_correction ? offset_from(curves[place.curve], place.u, point) : Vec2{};
+        Vec2 offset;
         for (Condition const& condition : conditions) {
-            bool const is_body =
-                condition.kind == ConditionKind::rigid && condition.body == curve - curves.count();
-            if (is_body) wall.offset[slot] = point - condition.centre;
+            bool const is_body = condition.kind == ConditionKind::rigid &&
+                                 condition.body == place.curve - curves.count();
+            if (is_body) offset = point - condition.centre;
         }
+        return offset;
+    };
+    for (Index slot = 0; slot < wall.count; ++slot)
+        wall.offset[slot] = offset_at(wall.place(slot), points[wall.point[slot]]);
+    for (SharedPoint& shared : wall.shared.first(wall.n_shared))
+        shared.place.offset = offset_at(shared.place, points[wall.point[shared.slot]]);
+}
+
+void find_shared(Boundary const& boundary, Span<const Condition> conditions,
+                 Span<const Curve> curves, Span<const Index> slot_of_point, Wall& wall,
+                 Fault& fault) noexcept {
+    Span<SharedPoint> const all = wall.shared.first(wall.n_shared);
+    sort(all, [](SharedPoint const& a, SharedPoint const& b) {
+        if (a.slot != b.slot) return a.slot < b.slot;
+        return a.place.curve != b.place.curve ? a.place.curve < b.place.curve
+                                              : a.place.u < b.place.u;
+    });
+    wall.n_shared = 0;
+    for (SharedPoint const& other : all) {
+        bool alike = move_alike(curves, other.place, wall.place(other.slot));
+        for (Index k = wall.n_shared - 1; k >= 0 && all[k].slot == other.slot; --k)
+            alike = alike || move_alike(curves, other.place, all[k].place);
+        if (!alike) all[wall.n_shared++] = other;
     }
+    name_conditions(boundary, conditions, curves.count(), slot_of_point, wall);
+    if (wall.n_shared == 0 || fault.status != Status::ok) return;
+    fault.refuse(Status::torn,
+                 "point # also belongs to condition @, which moves it by other functions; put both "
+                 "markers on one curve, or give the curves a common control point",
+                 point_item(wall.point[all[0].slot]), condition_item(all[0].condition[1]));
 }
 
 std::uint64_t fingerprint_of(Span<const PointKind> kinds, Wall const& wall) noexcept {
@@ -269,6 +411,11 @@ std::uint64_t fingerprint_of(Span<const PointKind> kinds, Wall const& wall) noex
         hash.add(bits_of(wall.u[slot]));
         hash.add(bits_of(wall.offset[slot].x));
         hash.add(bits_of(wall.offset[slot].y));
+    }
+    for (SharedPoint const& shared : wall.shared.first(wall.n_shared)) {
+        hash.add(static_cast<std::uint64_t>(shared.slot));
+        hash.add(static_cast<std::uint64_t>(shared.place.curve));
+        hash.add(bits_of(shared.place.u));
     }
     return hash.value();
 }

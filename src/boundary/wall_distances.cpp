@@ -12,11 +12,28 @@ Real extent_of(Curve const& curve) noexcept {
     return box.extent();
 }
 
+// Returns the diagonal of the box around the curve.
+Real diagonal_of(Curve const& curve) noexcept {
+    constexpr Index pieces = 8;  // of a span of the knots
+    Box box;
+    box.include(curve_point(curve, curve.end()));
+    for (Index k = curve.degree; k < curve.n_indices; ++k) {
+        Real const begin = curve.knots[k], length = curve.knots[k + 1] - begin;
+        for (Index piece = 0; piece < pieces && length > 0; ++piece)
+            box.include(curve_point(curve, begin + piece * (length / pieces)));
+    }
+    return length(box.size());
+}
+
 class DistanceCheck {
 public:
     DistanceCheck(Points points, Span<const Condition> conditions, Span<const Curve> curves,
-                  Wall const& wall) noexcept
-        : points_(points), conditions_(conditions), curves_(curves), wall_(wall) {
+                  Real max_distance, Wall const& wall) noexcept
+        : points_(points),
+          conditions_(conditions),
+          curves_(curves),
+          max_distance_(max_distance),
+          wall_(wall) {
         Box box;
         for (Index slot = 0; slot < wall.count; ++slot) {
             if (wall.curve[slot] < curves.count()) box.include(points[wall.point[slot]]);
@@ -28,7 +45,8 @@ public:
         for (Index slot = 0; slot < wall_.count; ++slot) {
             if (wall_.curve[slot] < curves_.count()) HARMORPH_TRY(look_at(slot, fault));
         }
-        if (farthest_ != none) return refuse_far(fault);
+        bool const is_refused = farthest_ != none && (outside_ || largest_ >= max_distance_);
+        if (farthest_ != none && (is_refused || beyond_ == none)) return refuse_far(fault);
         if (beyond_ == none) return Status::ok;
         return fault.refuse(
             Status::far_from_curve,
@@ -48,10 +66,12 @@ private:
         if (measured_ != number) {
             measured_ = number;
             curve_extent_ = extent_of(curve);
+            diagonal_ = diagonal_of(curve);
         }
         Real const extent = min(curve_extent_, wall_extent_);
-        Real const relative = extent > smallest_height ? distance / extent : infinity;
-        if (relative > largest_) {
+        outside_ = outside_ || !(extent > smallest_height) || distance > extent;
+        Real const relative = diagonal_ > smallest_height ? distance / diagonal_ : infinity;
+        if (relative > largest_ || (farthest_ == none && relative == largest_)) {
             largest_ = relative;
             largest_distance_ = distance;
             farthest_ = slot;
@@ -98,27 +118,39 @@ private:
     }
 
     Status refuse_far(Fault& fault) const noexcept {
-        bool const is_another = largest_ > 1;
-        return fault.refuse(is_another ? Status::bad_condition : Status::far_from_curve,
-                            is_another
-                                ? "point # is ~ away from its curve, more than the extent of "
-                                  "the curve or wall; check the marker of the condition"
-                                : "point # is ~ away from its curve, more than 0.05 of the "
-                                  "extent of the curve or wall; check the curve",
-                            point_item(wall_.point[farthest_]), {}, largest_distance_);
+        Status status = Status::bad_condition;
+        const char* text =
+            "point # is ~ away from its curve, more than the extent of the curve or wall; check "
+            "the marker of the condition";
+        if (!outside_) {
+            text =
+                "point # is ~ away from its curve, which is too far for a curve of this wall; fit "
+                "a curve to the wall, or accept the distance "
+                "(hm_problem.max_curve_distance)";
+            if (largest_ < max_distance_) {
+                status = Status::far_from_curve;
+                text =
+                    "point # is ~ away from its curve, at least 0.001 of the diagonal of the box "
+                    "around the curve; check the curve";
+            }
+        }
+        return fault.refuse(status, text, point_item(wall_.point[farthest_]), {},
+                            largest_distance_);
     }
 
-    static constexpr Real far = 0.05;            // as a fraction of the extent
+    static constexpr Real far = 0.001;           // as a fraction of the diagonal
     static constexpr Real share_of_face = 0.25;  // points of a good fit are nearer to the curve
     static constexpr Real much_nearer = 0.0625;  // as a fraction of the distance
 
     Points points_;
     Span<const Condition> conditions_;
     Span<const Curve> curves_;
+    Real max_distance_;
     Wall const& wall_;
     Real wall_extent_ = 0;   // the extent of all points on curves
-    Index measured_ = none;  // the curve whose extent is curve_extent_
-    Real curve_extent_ = 0;
+    Index measured_ = none;  // the curve whose measures the next two are
+    Real curve_extent_ = 0, diagonal_ = 0;
+    bool outside_ = false;                   // a point is farther away than the extent
     Index farthest_ = none, beyond_ = none;  // slots
     Real largest_ = far, largest_distance_ = 0, beyond_distance_ = 0;
 };
@@ -126,8 +158,8 @@ private:
 }  // namespace
 
 Status check_distances(Points points, Span<const Condition> conditions, Span<const Curve> curves,
-                       Wall const& wall, Fault& fault) noexcept {
-    return DistanceCheck(points, conditions, curves, wall).run(fault);
+                       Real max_distance, Wall const& wall, Fault& fault) noexcept {
+    return DistanceCheck(points, conditions, curves, max_distance, wall).run(fault);
 }
 
 }  // namespace harmorph

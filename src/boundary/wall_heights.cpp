@@ -135,7 +135,8 @@ void WallHeights::restore(FaceDistance const& walls, Points before, MutablePoint
         }
     });
     for (Index k = 0; k < foot.count(); ++k) {
-        if (representative[k] != k) points.set(k, after[representative[k]]);
+        Index const same = representative[k];  // beyond a cut, whose gap stays
+        if (same != k) points.set(k, after[same] + (before[k] - before[same]));
     }
 }
 

@@ -22,12 +22,28 @@ void FamilyModes::add(Curve const& curve) noexcept {
     for (Index span = curve.degree; span < curve.n_indices; ++span) {
         Real const low = curve.knots[span], high = curve.knots[span + 1];
         if (!(low < high)) continue;
-        Gauss10::for_each(low, high, [&](Real u, Real weight) {
-            CurveBasis const basis = curve_basis_in(curve, span, u, 0);
+        auto const speed_at = [&](Real u) {
             Vec2 c[2];
             curve_point_in(curve, span, u, 1, c);
-            for (Index k = 0; k < basis.order; ++k)
-                weight_[basis.control[k]] += weight * length(c[1]) * basis.value[0][k];
+            return length(c[1]);
+        };
+        // The integrals of all functions that are not 0 there; the arc length is their size.
+        auto const integrand = [&](Real u) {
+            Sums<2 * max_order> at;
+            CurveBasis const basis = curve_basis_in(curve, span, u, 0);
+            Real const speed = speed_at(u);
+            for (Index k = 0; k < basis.order; ++k) {
+                at.value[k] = speed * basis.value[0][k];
+                at.value[max_order + k] = speed;
+            }
+            return at;
+        };
+        for_converged<2 * max_order>(low, high, integrand, [&](Real from, Real to) {
+            Gauss10::for_each(from, to, [&](Real u, Real weight) {
+                CurveBasis const basis = curve_basis_in(curve, span, u, 0);
+                for (Index k = 0; k < basis.order; ++k)
+                    weight_[basis.control[k]] += weight * speed_at(u) * basis.value[0][k];
+            });
         });
     }
 }

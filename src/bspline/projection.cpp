@@ -139,4 +139,29 @@ bool is_periodic(Curve const& curve) noexcept {
     return abs(cross(begin[1], end[1])) <= 1e-6 * dot(begin[1], end[1]) && square(begin[1]) > 0;
 }
 
+TornEnds torn_ends(Curve const& curve) noexcept {
+    constexpr Real rounding = 1e-12;  // of the extent
+    CurveBasis const begin = curve_basis(curve, curve.begin(), 0),
+                     end = curve_basis(curve, curve.end(), 0);
+    Box box;
+    for (Index k = 0; k < curve.n_indices; ++k) box.include(curve.point(k));
+    auto const place = [&](Index control) {
+        return Vec2{curve.control[2 * control], curve.control[2 * control + 1]};
+    };
+    Real const extent = box.extent();
+    Vec2 const ends[2] = {curve_point(curve, curve.begin()), curve_point(curve, curve.end())};
+    if (!(length(ends[1] - ends[0]) <= rounding * extent)) return {};
+    for (Index k = 0; k < begin.order; ++k) {
+        for (Index j = 0; j < end.order; ++j) {
+            Index const first = begin.control[k], last = end.control[j];
+            bool const both_move =
+                abs(begin.value[0][k]) > rounding && abs(end.value[0][j]) > rounding;
+            if (both_move && first != last &&
+                length(place(last) - place(first)) <= rounding * extent)
+                return {first, last};
+        }
+    }
+    return {};
+}
+
 }  // namespace harmorph

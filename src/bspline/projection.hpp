@@ -56,6 +56,13 @@ private:
 bool is_closed(Curve const& curve) noexcept;
 bool is_periodic(Curve const& curve) noexcept;
 
+// Two control points at the same place, one of which moves the first end of a curve and the other
+// one the last end, so that a closed curve may tear; none if there are none.
+struct TornEnds {
+    Index first = none, last = none;
+};
+TornEnds torn_ends(Curve const& curve) noexcept;
+
 // The working space of project_chain() for up to n points.
 struct ChainWork {
     Span<Index> previous, run;

@@ -176,7 +176,8 @@ Status VariableMap::check_independence(Fault& fault) noexcept {
     if (dependent.column == none) return Status::ok;
     const char* const text = dependent.is_zero ? "variable # moves no control point"
                                                : "variable # is a linear combination of the "
-                                                 "variables before it";
+                                                 "variables before it: the curve has too few "
+                                                 "control points in the region that they move";
     return fault.refuse(Status::bad_condition, text, variable_item(dependent.column));
 }
 

@@ -126,21 +126,20 @@ Status Multifrontal::factorise(Matrix const& matrix, Progress const& progress,
     Factorisation const factorisation(*this, matrix);
     fill(numbers.min_pivot_ratio, Real{1});
     fill(numbers.min_pivot_to_diagonal, Real{1});
-    Fault fault_of[Executor::max_threads];
+    Turns turns;
     // The fault with the first position is kept, so that the result does not depend on the number
     // of threads.
     auto const take_first = [](Fault const& other, Fault& first) {
         bool const is_first = !failed(first.status) || other.item.number < first.item.number;
         if (failed(other.status) && is_first) first = other;
     };
-    for_each_subtree([&](Index subtree, Index number, Worker const& worker) {
+    for_each_subtree([&](Index subtree, Index, Worker const& worker) {
         Fault subtree_fault;
         factorisation.run(
             subtrees.all[subtree].root, kept_update(subtree), worker.stack, worker,
             [](Index) { return Status::ok; }, subtree_fault);
-        take_first(subtree_fault, fault_of[number]);
+        turns.take([&] { take_first(subtree_fault, fault); });
     });
-    for (Fault const& other : fault_of) take_first(other, fault);
     HARMORPH_TRY(fault.status);
 
     auto const report = [&](Index node) {

@@ -8,15 +8,50 @@ namespace {
 constexpr Index face_of_edge(Index second) noexcept { return -2 - second; }
 constexpr Index marked_with(Index face) noexcept { return -2 - face; }
 
-Status refuse_unmarked(Edges const& edges, Fault& fault) noexcept {
+Real distance(Points points, Index a, Index b) noexcept { return length(points[a] - points[b]); }
+
+// Two points of edges without a marker that may be meant as one point of a cut.
+struct Gap {
+    Index point = none, other = none;
+    Real width = infinity;
+
+    // Takes the ends that are farther apart, of edges that are closer together than any before.
+    void include(Points points, const Index (&ends)[2], Index low, Index high) noexcept {
+        Index const turns[2][2] = {{low, high}, {high, low}};
+        for (Index const(&to)[2] : turns) {
+            Real const apart[2] = {distance(points, ends[0], to[0]),
+                                   distance(points, ends[1], to[1])};
+            Index const wider = apart[0] >= apart[1] ? 0 : 1;
+            if (apart[wider] < width) *this = {ends[wider], to[wider], apart[wider]};
+        }
+    }
+};
+
+// Refuses the first edge without a marker. If another one is beside it, both may be sides of a cut.
+Status refuse_unmarked(Topology const& topology, Fault& fault) noexcept {
+    constexpr Real much_narrower = 0.1;  // than the edge is long
+    Edges const& edges = topology.edges;
+    Points const points = topology.mesh.points;
+    Index first = none, ends[2] = {};
+    Gap gap;
     edges.for_each([&](Index edge, Index low, Index high) {
-        if (edges.second[edge] != Edges::unmarked || failed(fault.status)) return;
-        fault.refuse(Status::bad_mesh,
-                     "the edge between points # and @ has a cell on one side only and no marker: a "
-                     "marker or a cell is missing",
-                     point_item(low), point_item(high));
+        if (edges.second[edge] != Edges::unmarked) return;
+        if (first != none) return gap.include(points, ends, low, high);
+        first = edge;
+        ends[0] = low;
+        ends[1] = high;
     });
-    return fault.status;
+    if (gap.width <= much_narrower * distance(points, ends[0], ends[1])) {
+        return fault.refuse(Status::bad_mesh,
+                            "points # and @ of edges without a marker are ~ apart: if both are one "
+                            "point of a cut, give them equal coordinates; otherwise a marker or a "
+                            "cell is missing",
+                            point_item(gap.point), point_item(gap.other), gap.width);
+    }
+    return fault.refuse(Status::bad_mesh,
+                        "the edge between points # and @ has a cell on one side only and no "
+                        "marker: a marker or a cell is missing",
+                        point_item(ends[0]), point_item(ends[1]));
 }
 
 // Refuses a face of the caller that is not a boundary edge of the cells.
@@ -90,7 +125,7 @@ Status Boundary::mark(Topology& topology, Fault& fault) noexcept {
 
 Status Boundary::order(Topology const& topology, Fault& fault) noexcept {
     Edges const& edges = topology.edges;
-    if (count < edges.n_boundary) return refuse_unmarked(edges, fault);
+    if (count < edges.n_boundary) return refuse_unmarked(topology, fault);
     for (Index face = 0; face < count; ++face) {
         Index const edge = given_begin[face], low = given_end[face], high = edges.first[edge].end;
         Index const code = edges.first[edge].code;
@@ -122,10 +157,11 @@ Status Boundary::order(Topology const& topology, Fault& fault) noexcept {
     return Status::ok;
 }
 
-Index join_cuts(Topology& topology, Span<Index> points) noexcept {
-    Mesh const& mesh = topology.mesh;
+namespace {
+
+// Returns the ends of unmarked edges in ascending order, at the beginning of `points`.
+Span<Index> ends_of_unmarked(Topology const& topology, Span<Index> points) noexcept {
     Edges const& edges = topology.edges;
-    Size n = 0;
     // At first, points[k] is k if point k is an end of an unmarked edge, and none otherwise.
     fill(points, none);
     edges.for_each([&](Index edge, Index low, Index high) {
@@ -134,27 +170,66 @@ Index join_cuts(Topology& topology, Span<Index> points) noexcept {
             points[high] = high;
         }
     });
-    for (Index k = 0; k < mesh.n_points; ++k) {
+    Size n = 0;
+    for (Index k = 0; k < topology.mesh.n_points; ++k) {
         if (points[k] != none) points[n++] = k;
     }
-    auto const order_of = [&](Index a, Index b) -> int {
-        Vec2 const p = mesh.points[a], q = mesh.points[b];
-        if (p.x != q.x) return p.x < q.x ? -1 : 1;
-        if (p.y != q.y) return p.y < q.y ? -1 : 1;
-        return 0;
-    };
-    Span<Index> const ends = points.first(n);
+    return points.first(n);
+}
+
+// Gives both points the smaller one of their representatives. Returns whether these differed.
+bool join(Span<Index> representative, Index a, Index b) noexcept {
+    while (representative[a] != a) a = representative[a];
+    while (representative[b] != b) b = representative[b];
+    representative[max(a, b)] = min(a, b);
+    return a != b;
+}
+
+// The order of points along a direction to which hardly any cut is normal, so that few points have
+// nearly equal numbers.
+Real along(Vec2 point) noexcept { return point.x + 0.7548776662466927 * point.y; }
+
+}  // namespace
+
+Index join_cuts(Topology& topology, Span<Index> points, Real tolerance) noexcept {
+    Points const at = topology.mesh.points;
+    Span<Index> const same = topology.representative;
+    Span<Index> const ends = ends_of_unmarked(topology, points);
     sort(ends, [&](Index a, Index b) {
-        int const order = order_of(a, b);
-        return order != 0 ? order < 0 : a < b;
+        Real const p = along(at[a]), q = along(at[b]);
+        return p != q ? p < q : a < b;
     });
     Index joined = 0;
-    for (Size k = 1; k < n; ++k) {
-        if (order_of(ends[k - 1], ends[k]) != 0) continue;
-        topology.representative[ends[k]] = topology.representative[ends[k - 1]];
-        ++joined;
+    for (Size k = 1; k < ends.size(); ++k) {
+        Vec2 const here = at[ends[k]];
+        for (Size before = k; before-- > 0;) {
+            Vec2 const other = at[ends[before]];
+            if (along(here) - along(other) > 4 * tolerance) break;
+            if (!(largest_of(here - other) <= tolerance)) continue;
+            if (join(same, ends[k], ends[before])) ++joined;
+        }
     }
+    // A representative is never larger than the point, so it has its own one already.
+    for (Index& representative : same) representative = same[representative];
     return joined;
+}
+
+Real rounding_of_cuts(Topology const& topology) noexcept {
+    constexpr Real of_extent = 1e-12, of_coordinates = 1e-15;
+    Edges const& edges = topology.edges;
+    Vec2 low{infinity, infinity}, high{-infinity, -infinity};
+    Real largest = 0;
+    edges.for_each([&](Index edge, Index first, Index last) {
+        if (edges.second[edge] != Edges::unmarked) return;
+        Vec2 const ends[2] = {topology.mesh.points[first], topology.mesh.points[last]};
+        for (Vec2 const p : ends) {
+            low = {min(low.x, p.x), min(low.y, p.y)};
+            high = {max(high.x, p.x), max(high.y, p.y)};
+            largest = max(largest, largest_of(p));
+        }
+    });
+    if (!(high.x >= low.x)) return 0;
+    return max(of_extent * length(high - low), of_coordinates * largest);
 }
 
 }  // namespace harmorph

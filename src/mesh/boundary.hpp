@@ -75,9 +75,29 @@ Index Boundary::for_each_chain(IsOn is_on, Visit visit, Close close) const noexc
     return chain;
 }
 
-// Joins the points of a cut: ends of edges without a marker are joined if they have exactly the
-// same coordinates. `points` [n_points] is working space. Returns the number of points that were
-// joined to another point.
-Index join_cuts(Topology& topology, Span<Index> points) noexcept;
+// Joins the points of a cut: ends of edges without a marker are joined if no coordinate differs by
+// more than the tolerance. `points` [n_points] is working space. Returns the number of points that
+// were joined to another point.
+Index join_cuts(Topology& topology, Span<Index> points, Real tolerance) noexcept;
+// Returns the distance up to which points of a cut may differ by rounding.
+Real rounding_of_cuts(Topology const& topology) noexcept;
+
+// Joins cuts as far as edges without a marker remain: first points with equal coordinates, then
+// points that differ by rounding, so that cuts without a gap never depend on the tolerance.
+// rebuild() finds and marks the edges between representatives again.
+template <class Rebuild>
+Status join_cuts(Topology& topology, Boundary& boundary, Fault& fault,
+                 Rebuild const& rebuild) noexcept {
+    if (boundary.count == topology.edges.n_boundary) return Status::ok;
+    Span<Index> const points = boundary.head.first(topology.mesh.n_points);
+    Real const tolerances[2] = {0, rounding_of_cuts(topology)};
+    for (Real const tolerance : tolerances) {
+        if (boundary.count == topology.edges.n_boundary) break;
+        if (join_cuts(topology, points, tolerance) == 0) continue;
+        rebuild();
+        HARMORPH_TRY(fault.status);
+    }
+    return Status::ok;
+}
 
 }  // namespace harmorph

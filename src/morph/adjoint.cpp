@@ -1,5 +1,6 @@
 #include "morph/adjoint.hpp"
 
+#include "base/shared_work.hpp"
 #include "morph/product.hpp"
 
 namespace harmorph {
@@ -17,8 +18,9 @@ constexpr Real not_a_number = __builtin_nan("");
 template <class Body>
 Index for_block_ranges(Index n_points, Executor const& executor, Body const& body) noexcept {
     Index const blocks = blocks_of(n_points);
-    Index const ranges =
-        executor.is_serial() ? 1 : clamp(blocks / min_blocks_to_gather, Index{1}, max_ranges);
+    Index const ranges = executor.is_serial()
+                             ? 1
+                             : sharing(clamp(blocks / min_blocks_to_gather, Index{1}, max_ranges));
     auto const bound = [&](Index i) { return static_cast<Index>(Offset{blocks} * i / ranges); };
     executor.for_each(ranges, [&](Index i) { body(bound(i), bound(i + 1), i); });
     return ranges;
@@ -110,18 +112,17 @@ struct Adder {
 // inlined, as one thread needs no stack for these.
 __attribute__((noinline)) void add_in_ranges(Adder const& adder, Executor const& executor,
                                              FixedSums& total) noexcept {
-    FixedSums sums_of_range[max_ranges];
-    Index const ranges =
-        for_block_ranges(adder.basis.n_points(), executor, [&](Index begin, Index end, Index i) {
-            sums_of_range[i] = {};
-            adder.add_points_of_basis(begin, end, sums_of_range[i]);
+    Turns turns;
+    for_block_ranges(adder.basis.n_points(), executor, [&](Index begin, Index end, Index) {
+        FixedSums sums{};
+        adder.add_points_of_basis(begin, end, sums);
+        turns.take([&] {
+            for (Index k = 0; k < adder.slice.width; ++k) {
+                total.x[k] += sums.x[k];
+                total.y[k] += sums.y[k];
+            }
         });
-    for (Index k = 0; k < adder.slice.width; ++k) {
-        for (Index i = 0; i < ranges; ++i) {
-            total.x[k] += sums_of_range[i].x[k];
-            total.y[k] += sums_of_range[i].y[k];
-        }
-    }
+    });
 }
 
 // The sums for a slice of the rows.

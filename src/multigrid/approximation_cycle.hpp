@@ -161,8 +161,7 @@ private:
     }
 
     void cycle(Index level, bool has_rest) noexcept {
-        if (a_.count == 1) return step(level, has_rest);
-        if (level + 1 == a_.count) return steps(level, coarsest_steps, has_rest);
+        if (level + 1 >= a_.count) return steps(level, level > 0 ? coarsest_steps : 1, has_rest);
         Index const n = level == 0 ? finest_steps : coarse_steps;
         steps(level, n, has_rest);
         restrict_to_coarse(level);

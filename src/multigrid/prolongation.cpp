@@ -217,7 +217,7 @@ bool Contraction::contract(Prolongation const& by, Offset room, CoarseRows& resu
         for (Offset e = begin; e < used; ++e) result.value[e] = row[e - begin];
     }
     result.start[n] = used;
-    copy(result.diagonal, Span<const Real>(coarse_sum_.first(n)));
+    for (Index c = 0; c < n; ++c) result.diagonal[c] = coarse_sum_[c];
     for (Index c = 0; c < n; ++c) {
         for (Offset e = result.start[c]; e < result.start[c + 1]; ++e) {
             result.diagonal[c] -= result.value[e];

@@ -6,7 +6,7 @@
 namespace harmorph {
 namespace {
 
-constexpr Index max_subtrees = 64;  // The norms of each subtree are on the stack.
+constexpr Index max_subtrees = 64;
 // A task treats at least so many rows.
 constexpr Index min_subtree_rows = 1024;
 
@@ -37,15 +37,25 @@ Residual::Norms find_balances(Residual const& work, Matrix const& matrix, DofVal
     SubtreeRanges const& subtrees = work.subtrees;
     auto const find = residual_kernels(work.kernel).find_balances;
     list_couplings(work, matrix);
-    Residual::Norms norms, norms_of[max_subtrees];
+    Residual::Norms norms;
     Index left_over[max_subtrees];
     work.executor.for_each(subtrees.count, [&](Index i) {
         BalancedRows task{subtrees.subtree[i], subtrees.subtree[i].end};
-        find(work, matrix, dofs, first, n, task, stores, norms_of[i]);
+        Residual::Norms of_subtree;
+        find(work, matrix, dofs, first, n, task, stores, of_subtree);
+        Real* const numbers = work.norms_of_subtree(i);
+        for (Index k = 0; k < n; ++k) {
+            numbers[2 * k] = of_subtree.right_hand_side[k];
+            numbers[2 * k + 1] = of_subtree.rest[k];
+        }
         left_over[i] = task.left_over;
     });
     for (Index i = 0; i < subtrees.count; ++i) {
-        norms.add(norms_of[i], n);
+        const Real* const numbers = work.norms_of_subtree(i);
+        for (Index k = 0; k < n; ++k) {
+            norms.right_hand_side[k] += numbers[2 * k];
+            norms.rest[k] += numbers[2 * k + 1];
+        }
         list_rows_left_over(work, matrix, left_over[i]);
     }
     subtrees.for_each_between(matrix.n, [&](PositionRange rows) {
@@ -132,6 +142,7 @@ void Residual::lay_out(Arena& arena, Index unknowns, Index couplings, MatrixKind
     arena.take(latest, waits ? unknowns : 0);
     arena.take(next, waits ? Offset{unknowns} + couplings : 0);
     arena.take(passed, waits ? unknowns : 0);
+    arena.take(norms, waits ? 2 * max_subtrees * width : 0);
 }
 
 void Residual::choose_subtrees(AssemblyTree const& tree, Executor const& by) noexcept {
@@ -142,13 +153,6 @@ void Residual::choose_subtrees(AssemblyTree const& tree, Executor const& by) noe
 
 Real Residual::Norms::relative(Index k) const noexcept {
     return sqrt(rest[k]) / (right_hand_side[k] > 0 ? sqrt(right_hand_side[k]) : 1);
-}
-
-void Residual::Norms::add(Norms const& others, Index n) noexcept {
-    for (Index k = 0; k < n; ++k) {
-        right_hand_side[k] += others.right_hand_side[k];
-        rest[k] += others.rest[k];
-    }
 }
 
 Residual::Norms Residual::compute(Matrix const& matrix, DofValues const& dofs, Index first,

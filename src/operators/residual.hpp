@@ -99,11 +99,13 @@ struct Residual {
     Span<Index> next;  // [n + couplings] The entry of the same list before this one.
     // [n] For each listed row, the number of entries before the one by which the row is listed.
     Span<Index> passed;
+    Span<Real> norms;  // [subtrees x width x 2] The sums of each subtree for Norms.
     // The subtrees are the same for any number of threads; if there are none, all rows are summed
     // one after the other.
     SubtreeRanges subtrees;
     Executor executor;
 
+    Real* norms_of_subtree(Index i) const noexcept { return norms.data() + 2 * i * width; }
     void lay_out(Arena& arena, Index unknowns, Index couplings, MatrixKind kind,
                  Index n_columns = 6) noexcept;
     // Chooses the subtrees; rows are in the order of elimination of this tree.
@@ -113,7 +115,6 @@ struct Residual {
         Real right_hand_side[max_width] = {}, rest[max_width] = {};
         // Returns |b - A F| / |b|, or the numerator alone if b is 0.
         Real relative(Index k) const noexcept;
-        void add(Norms const& others, Index n) noexcept;
     };
     Norms compute(Matrix const& matrix, DofValues const& dofs, Index first, Index n) const noexcept;
     // Computes the norms alone, n <= max_width; not if x and y are coupled.

@@ -35,6 +35,7 @@ void PartEquations::lay_out(Arena& arena, Part const& own_part, PartProblem cons
     arena.take(wall.curve, max_wall);
     arena.take(wall.u, max_wall);
     arena.take(wall.offset, max_wall);
+    arena.take(wall.shared, n_shared);
     arena.take(slot, n_points);
     arena.take(local, n_shared);
     faces.lay_out(arena, static_cast<Size>(n_edges));
@@ -94,7 +95,7 @@ void PartEquations::join_points() noexcept {
 // Takes the slots of the shared boundary whose points the part has, in the order of the boundary.
 void PartEquations::find_wall() noexcept {
     fill(slot, none);
-    wall.count = 0;
+    wall.count = wall.n_shared = 0;
     for (Index k = 0; k < shared.wall.count; ++k) {
         Index const point = local[shared.topology.representative[shared.wall.point[k]]];
         if (point == none) continue;
@@ -103,6 +104,12 @@ void PartEquations::find_wall() noexcept {
         wall.curve[wall.count] = shared.wall.curve[k];
         wall.u[wall.count] = shared.wall.u[k];
         wall.offset[wall.count++] = shared.wall.offset[k];
+    }
+    for (SharedPoint point : shared.wall.shared.first(shared.wall.n_shared)) {
+        Index const same = shared.topology.representative[shared.wall.point[point.slot]];
+        if (local[same] == none) continue;
+        point.slot = slot[local[same]];
+        wall.shared[wall.n_shared++] = point;
     }
 }
 

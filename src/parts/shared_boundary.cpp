@@ -210,11 +210,7 @@ void SharedBoundary::take_edges(Fault& fault) noexcept {
 Status SharedBoundary::find_boundary(Fault& fault) noexcept {
     take_edges(fault);
     HARMORPH_TRY(fault.status);
-    if (boundary.count < topology.edges.n_boundary &&
-        join_cuts(topology, boundary.head.first(n_points)) > 0) {
-        take_edges(fault);
-        HARMORPH_TRY(fault.status);
-    }
+    HARMORPH_TRY(join_cuts(topology, boundary, fault, [&] { take_edges(fault); }));
     return boundary.order(topology, fault);
 }
 
@@ -230,8 +226,10 @@ Status SharedBoundary::analyse(PartProblem const& problem, Fault& fault) noexcep
         HARMORPH_TRY(check_curve(curves[k], k, fault));
     }
     HARMORPH_TRY(check_conditions(conditions, curves.count(), boundary, fault));
-    HARMORPH_TRY(parametrise(topology, boundary, conditions, curves, {}, wall_work, wall, fault));
+    HARMORPH_TRY(parametrise(topology, boundary, conditions, curves, {}, problem.max_curve_distance,
+                             wall_work, wall, fault));
     find_offsets(points(), conditions, curves, problem.method.offset_correction != 0, wall);
+    find_shared(boundary, conditions, curves, wall_work.slot, wall, fault);
     if (problem.demands.slip) {
         HARMORPH_TRY(find_slip_lines(points(), boundary, conditions, {{}, wall_work}, kinds,
                                      tangent, slip_curves, fault));

@@ -22,6 +22,7 @@ struct PartProblem {
     Method method;
     Demands demands;
     Executor executor;
+    Real max_curve_distance = infinity;
 };
 
 // Points are counted from 0 in the order of their global numbers. Points that a fault names are

@@ -74,11 +74,10 @@ Status Analysis::analyse_mesh(Fault& fault) noexcept {
     });
     HARMORPH_TRY(fault.status);
     HARMORPH_TRY(boundary_.mark(topology_, fault));
-    bool const all_marked = boundary_.count == edges.n_boundary;
-    if (!all_marked && join_cuts(topology_, boundary_.head) > 0) {
-        HARMORPH_TRY(edges.build(mesh, topology_.representative, fault));
-        HARMORPH_TRY(boundary_.mark(topology_, fault));
-    }
+    HARMORPH_TRY(join_cuts(topology_, boundary_, fault, [&] {
+        if (!failed(edges.build(mesh, topology_.representative, fault)))
+            boundary_.mark(topology_, fault);
+    }));
     HARMORPH_TRY(orient(topology_, sense, orientation_work_, inverted_, fault));
     division_.pieces.orient_guards(topology_.reversed);
     for (Index i = mesh.n_cells; i < mesh.n_checked() && inverted_ == none; ++i) {
@@ -145,10 +144,11 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
 
 void Analysis::find_wall(Fault& fault) noexcept {
     Points const points = problem_.mesh.points;
-    if (failed(parametrise(topology_, boundary_, conditions_, curves_, problem_.given, wall_work_,
-                           wall_, fault)))
+    if (failed(parametrise(topology_, boundary_, conditions_, curves_, problem_.given,
+                           problem_.max_curve_distance, wall_work_, wall_, fault)))
         return;
     find_offsets(points, conditions_, curves_, problem_.method.offset_correction != 0, wall_);
+    find_shared(boundary_, conditions_, curves_, wall_work_.slot, wall_, fault);
 }
 
 // Refuses cells so thin that rounding of moved coordinates decides whether they are inverted.

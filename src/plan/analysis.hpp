@@ -26,6 +26,7 @@ namespace harmorph {
 struct Problem {
     Mesh mesh;
     GivenParameters given;
+    Real max_curve_distance = infinity;
     Method method;
     Iteration iteration;
     Demands demands;

@@ -2,6 +2,7 @@
 
 #include "safe/basis_match.hpp"
 #include "base/range.hpp"
+#include "basis/basis_measures.hpp"
 #include "morph/weighted_sum.hpp"
 #include "safe/target.hpp"
 #include "safe/safe_work.hpp"
@@ -50,6 +51,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
         if (mesh.ends[k] == KnownEnd::on_line) mesh.to_ahead().set(k, plan.mesh().points[k]);
     }
     HARMORPH_TRY(check_target(target, report.crossing, fault));
+    HARMORPH_TRY(check_tear(basis, move, plan.mesh().points, Status::crossing, fault));
 
     report.start_quality =
         measure_quality(work.cells(), mesh.now(), {}, work.executor()).min_quality;

@@ -109,7 +109,7 @@ TEST_CASE("a solution that is cancelled at any moment has the same bits when rep
             hm_status const status =
                 hm_analysis_init(&attempt.analysis, attempt.analysis_block->data(),
                                  attempt.analysis_block->size(), &problem, &options, nullptr);
-            REQUIRE(status == HM_OK);  // in the same block
+            REQUIRE(status >= HM_OK);  // in the same block
         }
         REQUIRE(attempt.prepare());
         hm_status status = hm_plan_factor(attempt.plan, nullptr, &attempt.error);

@@ -211,33 +211,89 @@ TEST_CASE("points farther from their curve than its extent are refused with poin
     }
 }
 
-TEST_CASE("points farther from their curve than 5 % of its extent give a warning") {
-    for (double const size : {1.0, 1e-6, 1e6})
-        for (double const part : {0.049, 0.051}) {
-            Case setup;
-            setup.mesh = square(10, Cells::quads, 2, 2);
-            setup.curves = polyline(
-                {{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6 - 0.2 * part}, {0.4, 0.6 - 0.2 * part}});
-            setup.curves.control.insert(setup.curves.control.end(), {0.4, 0.6});  // of no curve
-            setup.put_on_curves(body);
-            for (std::vector<double>* const numbers :
-                 {&setup.mesh.x, &setup.mesh.y, &setup.curves.control})
-                for (double& number : *numbers) number *= size;
-            Attempt attempt;
-            CHECK(attempt.analyse(setup.problem()));
-            CHECK(attempt.error.code == attempt.status);
-            if (part < 0.05) {
+TEST_CASE("points that are a thousandth of the curve's diagonal from their curve give a warning") {
+    for (double const size : {1.0, 1e-6, 1e6}) {
+        for (double const part : {0.00098, 0.00102, 0.0098, 0.0102}) {
+            for (double const limit : {0.0, 0.01, 0.02, 1e100}) {
+                CAPTURE(size);
+                CAPTURE(part);
+                CAPTURE(limit);
+                Case setup;
+                setup.mesh = square(10, Cells::quads, 2, 2);
+                double const gap = part * 0.2 * std::sqrt(2);  // of the diagonal, nearly
+                setup.curves =
+                    polyline({{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6 - gap}, {0.4, 0.6 - gap}});
+                setup.put_on_curves(body);
+                for (std::vector<double>* const numbers :
+                     {&setup.mesh.x, &setup.mesh.y, &setup.curves.control})
+                    for (double& number : *numbers) number *= size;
+                hm_problem problem = setup.problem();
+                problem.max_curve_distance = limit;
+                Attempt attempt;
+                bool const is_refused = limit > 0 && part > limit;
+                CHECK(attempt.analyse(problem) == !is_refused);
+                CHECK(attempt.error.code == attempt.status);
+                CHECK(attempt.status == (is_refused     ? HM_BAD_CONDITION
+                                         : part < 0.001 ? HM_OK
+                                                        : HM_FAR_FROM_CURVE));
+                if (part < 0.001) continue;
+                INFO(attempt.error.text);
+                CHECK(says(attempt.error, is_refused ? "too far for a curve of this wall"
+                                                     : "at least 0.001 of the diagonal"));
+                CHECK(attempt.error.value == doctest::Approx(gap * size));
+                CHECK(setup.mesh.y[std::size_t(attempt.error.item)] == 0.6 * size);
+                if (is_refused) continue;
+                CHECK(attempt.prepare());
+                CHECK(attempt.solve());  // the result can be used
                 CHECK(attempt.status == HM_OK);
-                continue;
             }
-            CHECK(attempt.status == HM_FAR_FROM_CURVE);
-            CHECK(std::string(attempt.error.text)
-                      .find("away from its curve, more than 0.05 of the extent of the curve or "
-                            "wall; check the curve") != std::string::npos);
-            CHECK(attempt.error.value == doctest::Approx(0.2 * part * size));
-            CHECK(setup.mesh.y[std::size_t(attempt.error.item)] == 0.6 * size);
-            CHECK(attempt.prepare());
-            CHECK(attempt.solve());  // the result can be used
-            CHECK(attempt.status == HM_OK);
         }
+    }
+    for (double const limit : {-1.0, 2e100, double(NAN)}) {
+        Case setup = tiny_case();
+        hm_problem problem = setup.problem();
+        problem.max_curve_distance = limit;
+        Attempt attempt;
+        CHECK(!attempt.analyse(problem));
+        CHECK(attempt.status == HM_BAD_ARGUMENT);
+    }
+}
+
+TEST_CASE("the curve of a closed wall is refused if control points at one place would tear it") {
+    struct Row {
+        int degree, n;
+        bool clamped;
+    };
+    for (Row const& row : {Row{2, 9, false}, Row{3, 14, false}, Row{5, 11, false}, Row{3, 12, true},
+                           Row{1, 8, true}}) {
+        CAPTURE(row.degree);
+        Case setup = ring_case(4, 24, 1, 3);
+        setup.given_points.clear();
+        setup.given_curves.clear();
+        setup.given_u.clear();
+        Spline curve = ring(row.degree, row.n, 1, 1);
+        if (row.clamped) {
+            curve.indices.resize(std::size_t(row.n));
+            curve.indices.push_back(0);
+            curve.knots = clamped_knots(row.degree, row.n + 1);
+        }
+        Spline written = curve;  // the repeated points are written once more
+        for (std::size_t k = std::size_t(row.n); k < curve.indices.size(); ++k) {
+            auto const from = 2 * std::size_t(curve.indices[k]);
+            written.control.push_back(curve.control[from]);
+            written.control.push_back(curve.control[from + 1]);
+        }
+        written.indices.clear();
+        setup.curves = written;
+        Attempt const torn(setup.problem(), nullptr);
+        CHECK(torn.status == HM_BAD_CURVE);
+        CHECK(says(torn.error, "name one of them twice in indices"));
+        CHECK(torn.error.item_kind == HM_ITEM_CONTROL_POINT);
+        CHECK(torn.error.item == 0);
+        CHECK(torn.error.other == row.n);
+        setup.curves = curve;
+        Attempt const closed(setup.problem(), nullptr);
+        INFO(closed.error.text);
+        CHECK(closed.status >= 0);
+    }
 }

@@ -97,6 +97,56 @@ TEST_CASE("modes are orthonormal, and their sums give back all movements") {
     }
 }
 
+TEST_CASE("modes of rational curves of any degree are orthonormal to rounding") {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> any(-1, 1);
+    for (int const degree : {1, 2, 3, 5}) {
+        for (double const uneven : {0.3, 0.9}) {
+            int const n_control = 9;
+            fixtures::Spline spline = fixtures::clamped(degree, n_control, unsigned(degree));
+            for (int k = 0; k < n_control; ++k) spline.weights.push_back(1 + uneven * any(random));
+            CurveSet set(spline);
+            // Gauss' rule with 3 points on many intervals: the error falls with their length^6.
+            std::vector<double> weight(std::size_t(n_control), 0.0);
+            double total = 0;
+            int const intervals = 3000;
+            for (int span = 0; span < n_control - degree; ++span) {
+                double const low = spline.knots[std::size_t(degree + span)],
+                             high = spline.knots[std::size_t(degree + span + 1)],
+                             half = 0.5 * (high - low) / intervals;
+                for (int k = 0; k < 3 * intervals; ++k) {
+                    double const node = k % 3 == 0   ? -std::sqrt(0.6)
+                                        : k % 3 == 1 ? 0
+                                                     : std::sqrt(0.6);
+                    double const u = low + half * (2 * (k / 3) + 1 + node);
+                    std::int32_t control[6];
+                    double value[6], at[4];
+                    REQUIRE(hm_curve_basis(&set.view(), 0, u, 0, control, value, nullptr) == HM_OK);
+                    REQUIRE(hm_curve_point(&set.view(), 0, u, 1, at, nullptr) == HM_OK);
+                    double const w = half * (k % 3 == 1 ? 8. : 5.) / 9 * std::hypot(at[2], at[3]);
+                    for (int i = 0; i <= degree; ++i)
+                        weight[std::size_t(control[i])] += w * value[i];
+                    total += w;
+                }
+            }
+            std::size_t const length = 2 * std::size_t(n_control);
+            std::vector<double> movements(4 * length);
+            for (double& number : movements) number = any(random);
+            Modes const out = modes_of(set, movements, 4);
+            REQUIRE(out.status == HM_OK);
+            for (std::size_t a = 0; a < 4; ++a) {
+                for (std::size_t b = 0; b <= a; ++b) {
+                    double product = 0;
+                    for (std::size_t i = 0; i < length; ++i)
+                        product += weight[i / 2] / total * out.modes[a * length + i] *
+                                   out.modes[b * length + i];
+                    CHECK(std::fabs(product - (a == b ? 1 : 0)) < 1e-12);
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("one movement is its own mode, and movements that cannot be used are refused") {
     CurveSet set(fixtures::ring(3, 14, 2, 1));
     std::vector<double> shift(28);

@@ -213,6 +213,43 @@ TEST_CASE("a turn of a periodic curve needs no chord, and moves its control poin
     CHECK(moved(set, {movement(HM_FLAP, 5, 0)}, {1}, &second).status == HM_BAD_CURVE);
 }
 
+TEST_CASE("the error of a flap is the distance of the curve from the map of its points") {
+    for (double const length : {0.1, 0.3}) {
+        for (double const degrees : {-15.0, 4.0}) {
+            CurveSet set = airfoil();
+            double const x = 0.6, y = 0.01;
+            Moved const by = moved(set, {movement(HM_FLAP, x, y, length)}, {degrees});
+            REQUIRE(by.status == HM_OK);
+            CurveSet bent = after(set, by);
+            double largest = 0;
+            double const begin = set.shapes[0].knots.front(), end = set.shapes[0].knots.back();
+            for (int k = 0; k <= 5000; ++k) {
+                double const u = begin + (end - begin) * k / 5000;
+                At const from = curve_at(set, u), to = curve_at(bent, u);
+                // The chord is the x axis to 1e-3.
+                double const t = std::min(std::max((from.x - x) / length, 0.0), 1.0),
+                             a = degrees * pi / 180 * t * t * t * (10 - t * (15 - 6 * t));
+                double const dx = from.x - x, dy = from.y - y;
+                largest =
+                    std::max(largest, std::hypot(to.x - x - std::cos(a) * dx + std::sin(a) * dy,
+                                                 to.y - y - std::sin(a) * dx - std::cos(a) * dy));
+            }
+            CHECK(largest > 1e-4);
+            CHECK(by.difference[1] == doctest::Approx(largest).epsilon(0.05));
+            CHECK(by.difference[0] > 0);
+            CHECK(by.difference[0] < by.difference[1]);
+            // A turn after the flap, which is an isometry, changes no distance.
+            Moved const both = moved(
+                set, {movement(HM_FLAP, x, y, length), movement(HM_TURN, 0, 0)}, {degrees, 40});
+            CHECK(both.difference[1] == doctest::Approx(by.difference[1]).epsilon(1e-9));
+        }
+    }
+    CurveSet set = airfoil();
+    Moved const rigid = moved(
+        set, {movement(HM_TURN, 0.25, 0), movement(HM_SCALE), movement(HM_SHIFT)}, {10, 0.2, 1, 2});
+    CHECK(rigid.difference == std::vector<double>{0, 0});
+}
+
 TEST_CASE("a flap leaves control points ahead of the hinge, and turns those behind as a body") {
     CurveSet set = airfoil();
     double const x = 0.6, y = 0.01, length = 0.2, degrees = -15;

@@ -196,8 +196,10 @@ TEST_CASE("movements, gradients, quality") {
     std::size_t bytes = 0;
     check_arguments("basis, bytes", hm_recover_movement_size, g.basis, &bytes);
     Guarded room(bytes);
-    check_arguments("basis, at, -, move, ?residual, ?point, block, bytes", hm_recover_movement,
-                    g.basis, &g.at, 0.0, g.numbers.data(), &error, &g.n, room.data(), bytes);
+    double turned = 0;
+    check_arguments("basis, at, -, move, ?residual, ?turned_offset, ?point, block, bytes",
+                    hm_recover_movement, g.basis, &g.at, 0.0, g.numbers.data(), &error, &turned,
+                    &g.n, room.data(), bytes);
     check_arguments("analysis, from, to", hm_slip, g.analysis, &g.at, &g.to);
     check_arguments("analysis, from, dj, dj_from", hm_slip_adjoint, g.analysis, &g.at, &g.at,
                     &g.to);

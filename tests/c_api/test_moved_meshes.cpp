@@ -137,11 +137,11 @@ TEST_CASE("a morph into arrays that share numbers of other points is refused and
          "from.x and from.y have numbers in common; set the stride to 2 for x,y pairs",
          morph({xy + 1, xy, 0}, {xy, xy + 1, 2})},
         {HM_BAD_ARGUMENT,
-         "to has numbers in common with `from`, but at other points; give the same arrays or "
+         "to and from have numbers in common, but at other points; give the same arrays or "
          "separate ones",
          morph({xy, xy + 1, 2}, {xy + 2, xy + 3, 2})},
         {HM_BAD_ARGUMENT,
-         "to has numbers in common with `from`, but at other points; give the same arrays or "
+         "to and from have numbers in common, but at other points; give the same arrays or "
          "separate ones",
          morph({xy, xy + n, 1}, {xy + n, xy, 1})},
     });

@@ -33,8 +33,10 @@ check "adjoint: a program in C is compiled" $CC -std=c99 ${CFLAGS-} -Iinclude -o
 lines "$tmp/sens.txt" >"$tmp/rows"
 check "adjoint: hm_adjoint, called from C" sh -c "'$tmp/adjoint_bits' '$basis' '$tmp/rows' >'$tmp/from-c'"
 check "adjoint: hm_adjoint, called from C: the same bits" same_lines "$tmp/gradient" "$tmp/from-c"
-for layout in .csv -ordered.csv; do
-    runs "adjoint: sens$layout" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/sens$layout" -o "$tmp/other"
+for layout in .csv "-ordered.csv --in-order"; do
+    order=${layout#* } layout=${layout% *}
+    [ "$order" = "$layout" ] && order=
+    runs "adjoint: sens$layout" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/sens$layout" $order -o "$tmp/other"
     check "adjoint: sens$layout: the same bits" same_lines "$tmp/gradient" "$tmp/other"
 done
 runs "adjoint: by coordinates, other columns" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/sens-placed.csv" \
@@ -45,7 +47,8 @@ if command -v perl >/dev/null; then
         print pack("i<5", 535532, 3, scalar @r, 0, 0);
         print map { pack "a33", $_ } "Pressure", "Sensitivity_x", "Sensitivity_y";
         print pack("d<3", 1, @$_) for @r' "$tmp/sens-ordered.csv" >"$tmp/restart.dat"
-    runs "adjoint: SU2's restart" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/restart.dat" -o "$tmp/other"
+    runs "adjoint: SU2's restart" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/restart.dat" --in-order \
+        -o "$tmp/other"
     check "adjoint: SU2's restart: the same bits" same_lines "$tmp/gradient" "$tmp/other"
     head -c 3000 "$tmp/restart.dat" >"$tmp/short.dat"
     refuses "adjoint: a short restart" 3 'but is shorter' adjoint "$mesh" "$basis" \
@@ -146,7 +149,7 @@ adjoint "a place without a point" 'no point at' "$tmp/bad.csv" --x jx --y jy
 sed '9s/,[^,]*$//' "$tmp/sens.csv" >"$tmp/bad.csv"
 adjoint "a row without a column" 'bad.csv:9' "$tmp/bad.csv"
 sed '$d' "$tmp/sens-ordered.csv" >"$tmp/bad.csv"
-adjoint "a row that is missing" 'but the mesh has' "$tmp/bad.csv"
+adjoint "a row that is missing" 'but the mesh has' "$tmp/bad.csv" --in-order
 { cat "$tmp/sens.txt"; echo '4 1 1'; } >"$tmp/bad.txt"
 adjoint "a point twice" 'has values already' "$tmp/bad.txt"
 echo '999999 1 1' >"$tmp/bad.txt"

@@ -38,3 +38,29 @@ refuses "basis: in the place of the mesh" 3 "$basis: the file is a basis" morph 
 refuses "basis: in the place of the curve" 3 "$basis: the file is a basis" solve "$ring" \
     --curve body="$basis" -o "$tmp/x"
 refuses "basis: of another mesh" 3 "$basis" morph "$meshes/naca0012.su2" "$basis" --move "$no_moves"
+
+# Meshes without points or cells, in all formats that have counts: each command refuses the file by its name.
+head='# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n'
+no_mesh() { # no_mesh FILE CONTENT
+    file=$tmp/empty-$1
+    printf "$2" >"$file"
+    refuses "no mesh: $1: check" 3 "$file" check "$file"
+    refuses "no mesh: $1: fit" 3 "$file" fit "$file" --marker body -o "$tmp/x"
+    refuses "no mesh: $1: convert" 3 "$file" convert "$file" "$tmp/x.su2"
+    refuses "no mesh: $1: displace" 3 "$file" displace "$file" --given body --wall "$no_moves" -o "$tmp/x"
+    for rows in '' '0,0,0,1\n' '0,0,0,1\n1,1,0,2\n'; do
+        printf "point,x,y,f\n$rows" >"$tmp/empty.csv"
+        refuses "no mesh: $1: fields" 3 "$file" interpolate "$file" "$tmp/empty.csv" "$ring" -o "$tmp/x"
+    done
+    refuses "no mesh: $1: as another mesh" 3 "$file" align "$ring" --to "$file" --marker body -o "$tmp/x"
+}
+no_mesh none.su2 'NDIME= 2\nNELEM= 0\nNPOIN= 0\nNMARK= 0\n'
+no_mesh points.su2 'NDIME= 2\nNELEM= 0\nNPOIN= 3\n0 0\n1 0\n0 1\nNMARK= 1\nMARKER_TAG= body\nMARKER_ELEMS= 0\n'
+no_mesh none.msh '$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n0\n$EndNodes\n$Elements\n0\n$EndElements\n'
+no_mesh fluent.msh '(2 2)\n(10 (0 1 0 0 2))\n(13 (0 1 0 0))\n'
+no_mesh faces.msh '(2 2)\n(10 (1 1 2 1 2)(0 0 1 0))\n(13 (3 1 1 3 2)(1 2 0 0))\n'
+no_mesh none.vtk "${head}POINTS 0 double\n\nCELLS 0 0\nCELL_TYPES 0\n"
+no_mesh points.vtk "${head}POINTS 1 double\n0 0 0\nCELLS 0 0\nCELL_TYPES 0\n"
+no_mesh none.vtu '<VTKFile type="UnstructuredGrid"><Piece NumberOfPoints="0" NumberOfCells="0"/></VTKFile>'
+no_mesh none.ugrid '0 0 0 0 0 0 0\n'
+no_mesh none.p3d '1\n0 0\n'

@@ -61,3 +61,24 @@ check "fit that runs back: is said" says '"backtracks": true'
 check "fit that runs back: and where" says 'the curve runs against the order of the points'
 runs "fit that does not" 0 fit "$tmp/square.dat" --points 12 -o "$tmp/square.curve" --json
 check "fit that does not: is not said" says '"backtracks": false'
+
+# The notation of the literature writes the first points, as many as the degree, again at the end of a periodic curve.
+for degree in 2 3 5; do
+    makes fit "$ring" --marker body --points 11 --degree $degree --closed periodic -o "$tmp/usual.curve"
+    awk -v degree=$degree '/^points/ { print $1, $2 + degree; n = $2; next }
+        n > 0 { point[++k] = $0; print
+            if (k == n) { for (i = 1; i <= degree; i++) print point[i]; n = 0 }
+            next }
+        { print }' "$tmp/usual.curve" >"$tmp/repeated.curve"
+    makes solve "$ring" --curve body="$tmp/usual.curve" -o "$tmp/usual.basis"
+    makes solve "$ring" --curve body="$tmp/repeated.curve" -o "$tmp/repeated.basis"
+    check "degree $degree: points of a periodic curve that are written twice" \
+        cmp "$tmp/usual.basis" "$tmp/repeated.basis"
+    sed 's/^closed periodic/closed open/' "$tmp/repeated.curve" >"$tmp/open.curve"
+    refuses "degree $degree: an open curve that repeats its points" 3 \
+        "the last $degree points repeat the first $degree" \
+        solve "$ring" --curve body="$tmp/open.curve" -o "$tmp/x"
+    { cat "$tmp/usual.curve"; sed -n '/^indices/,$p' "$tmp/err"; } >"$tmp/lines.curve"
+    makes solve "$ring" --curve body="$tmp/lines.curve" -o "$tmp/lines.basis"
+    check "degree $degree: the lines that the message proposes" cmp "$tmp/usual.basis" "$tmp/lines.basis"
+done

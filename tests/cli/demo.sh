@@ -14,3 +14,8 @@ check "demo: the fine mesh has four times the cells" \
 runs "demo: the fine basis moves the fine mesh" 0 morph "$tmp/demo/fine.su2" "$tmp/demo/fine.basis" \
     --move "$tmp/demo/moves.txt"
 refuses "demo without its mesh" 3 '--mesh' demo "$tmp/demo" --mesh "$tmp/nowhere.su2"
+mkdir -p "$tmp/project"
+echo mine >"$tmp/project/mesh.su2"
+refuses "demo in a folder with files of others" 2 'is not empty and has no demo.txt' demo "$tmp/project" \
+    --mesh "$meshes/naca0012.su2"
+check "demo: the files of others stay" test "$(cat "$tmp/project/mesh.su2")" = mine

@@ -12,8 +12,8 @@ for operator in conformal laplace weighted; do
     wall_field "$ring" "$tmp/by_curve.su2" >"$tmp/wall.txt"
     runs "displace: $operator" 0 displace "$ring" --given body --wall "$tmp/wall.txt" --operator $operator \
         -o "$tmp/displaced.su2" --json
-    has_keys "displace: $operator: keys" inverted admissible_step self_crossing min_quality mean_quality \
-        engine factor_seconds displace_seconds
+    has_keys "displace: $operator: keys" inverted admissible_step self_crossing boundary_error min_quality \
+        mean_quality engine factor_seconds displace_seconds
     check "displace: $operator: the mesh of the morph" awk 'NF == 3 && index($0, ".") { getline other <FILE2
         split(other, b); d = $1 - b[1]; e = $2 - b[2]; if (d * d + e * e > 1e-18) wrong++; n++; next }
         { getline other <FILE2 } END { exit wrong > 0 || n < 600 }' FILE2="$tmp/by_curve.su2" "$tmp/displaced.su2"
@@ -74,8 +74,8 @@ check "displace --operator auto: says why" grep -E '^not  *conformal: ' "$tmp/ou
 # Safely, all of the way; beside a rigid body; and what does not go together.
 runs "displace --safe" 0 displace "$ring" --given body --wall "$tmp/turn.txt" --operator laplace --safe \
     -o "$tmp/safe.su2" --json
-has_keys "displace --safe: keys" inverted self_crossing min_quality mean_quality engine factor_seconds \
-    displace_seconds step_fraction steps resolves strategy last_step_admissible heights $safe_keys
+has_keys "displace --safe: keys" inverted self_crossing boundary_error min_quality mean_quality engine \
+    factor_seconds displace_seconds step_fraction steps resolves strategy last_step_admissible heights $safe_keys
 check "displace --safe: all of the way" says '"step_fraction": 1,'
 check "displace --safe: no inverted cell" says '"inverted": 0,'
 wall_field "$ring" "$tmp/safe.su2" >"$tmp/reached.txt"

@@ -169,5 +169,5 @@ if (ulimit -v 2000000 && "$harmorph" --version) >/dev/null 2>&1 && [ -r /proc/se
     check "less and less memory: multigrid" [ -n "$found" ]
     check "less and less memory: the reason" says 'MB that the system has left; direct needs'
 else
-    skip "less and less memory" "the program does not run in an address space of 2 GB"
+    skip "less and less memory" "the program does not run in an address space of 2000000 KiB"
 fi

@@ -16,7 +16,8 @@ topic=program log=$tmp/log
 . "$here/ring.sh"
 . "$here/box.sh"
 parts="exit_codes path again mesh_files bad_files displace transfer operators slip periodic rigid safe
-    markers names curves sections demo design sample outputs adjoint movements fields options"
+    markers names grammar shared curves sections demo design sample outputs adjoint movements fields tables endings
+    options"
 if [ $# -gt 0 ]; then parts=$*; fi
 for part in $parts; do
     . "$here/$part.sh"

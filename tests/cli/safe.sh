@@ -9,6 +9,9 @@ has_keys "--safe: keys" inverted self_crossing boundary_error min_quality mean_q
 check "--safe: the whole way" says '"step_fraction": 1,'
 check "--safe: nothing inverted" says '"inverted": 0'
 check "--safe: not by the linear morph" sh -c "! grep -q '\"strategy\": \"linear\"' '$tmp/out'"
+check "--safe: in a stack of 64 KiB" sh -c "ulimit -s 64 && exec '$harmorph' morph '$box' '$tmp/conformal.basis' \
+    --move '$tmp/turn150.txt' --safe -o '$tmp/small_stack.su2'"
+check "--safe: in a stack of 64 KiB: the same mesh" cmp "$tmp/turned.su2" "$tmp/small_stack.su2"
 runs "--safe: check of the result" 0 check "$tmp/turned.su2"
 check "--safe: the block is where it should be" near $(place 8 6 "$tmp/turned.su2") \
     $(awk 'BEGIN { a = atan2(0, -1) * 5 / 6; printf "%.17g %.17g", 6 + 2 * cos(a), 6 + 2 * sin(a) }')

@@ -193,3 +193,52 @@ awk -F'|' '$2 ~ /^ [a-z]/ && $2 !~ /family/ { ++n; sections += $3; bad += $3 != 
         bad += $7 > ($2 ~ /blunt|modified/ ? 6e-3 : 1.5e-3) }
     END { print n, sections, bad; exit !(n == 9 && sections == 54 && !bad) }' "$tmp/log" >"$tmp/counts"
 check "sample: sections of nine families: reached, near the points, with good cells" test $? = 0
+
+# Folders of others: refused, and every file stays; of a set, only its own files are removed.
+mkdir -p "$tmp/others/shards" "$tmp/others/vtk"
+for file in README.md designs.csv index.html backup.part1 shards/notes.part2f shards/00001.npz vtk/keep.part0; do
+    echo mine >"$tmp/others/$file"
+done
+cp -R "$tmp/others" "$tmp/others.before"
+refuses "sample: a folder with files of others" 2 'is not empty and has no set.txt' sample "$ring" "$basis" \
+    --range=-.05,.05 --count 2 -o "$tmp/others"
+check "sample: files of others stay" diff -r "$tmp/others" "$tmp/others.before"
+mkdir "$tmp/others/deeper"
+refuses "sample: the same folder, spelled otherwise" 2 'is not empty and has no set.txt' sample "$ring" "$basis" \
+    --range=-.05,.05 --count 2 -o "$tmp/others/deeper/.."
+rmdir "$tmp/others/deeper"
+check "sample: files of others stay there, too" diff -r "$tmp/others" "$tmp/others.before"
+mkdir -p "$tmp/empty"
+check "sample: an empty folder" set_of "$tmp/empty"
+check "sample: an empty folder: the lock is gone" test ! -e "$tmp/empty/set.txt.lock"
+for file in backup.part1 mine.part2f shards/notes.part2f shards/1.npz.part3 shards/00001.npz.bak.partz; do
+    echo mine >"$tmp/empty/$file"
+done
+echo half >"$tmp/empty/designs.csv.part7a"
+echo half >"$tmp/empty/shards/00002.csv.part12"
+check "sample: continued beside files of others" set_of "$tmp/empty"
+for file in backup.part1 mine.part2f shards/notes.part2f shards/1.npz.part3 shards/00001.npz.bak.partz; do
+    check "sample: a set beside $file, which stays" test -s "$tmp/empty/$file"
+done
+for file in designs.csv.part7a shards/00002.csv.part12; do
+    check "sample: a set with $file, which goes" test ! -e "$tmp/empty/$file"
+done
+# Two runs at once: the second is refused; a run that was killed does not block the next one.
+"$harmorph" sample "$ring" "$basis" --range=-.05,.05 --count 100000 --shard 50 -o "$tmp/busy" >/dev/null 2>&1 &
+running=$!
+for tenth in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+    if [ -e "$tmp/busy/set.txt" ]; then break; fi
+    sleep .5
+done
+"$harmorph" sample "$ring" "$basis" --range=-.05,.05 --count 100000 --shard 50 -o "$tmp/busy" >"$tmp/out" 2>"$tmp/err"
+code=$?
+kill -KILL $running
+wait $running 2>/dev/null
+check "sample: a second run in the folder: exit code 2" test $code = 2
+check "sample: a second run in the folder: says so" grep -q 'is being filled by another run' "$tmp/err"
+"$harmorph" sample "$ring" "$basis" --range=-.05,.05 --count 100000 --shard 50 -o "$tmp/busy" >"$tmp/out" 2>&1 &
+running=$!
+sleep 1
+check "sample: a killed run does not block the next one" kill -TERM $running
+wait $running 2>/dev/null
+rm -rf "$tmp/busy"

@@ -1,14 +1,10 @@
 # Damaged files are refused, or read: never more. (A part of tests/formats.sh.)
-# As one file, so that the headers that they share are read once.
-for source in c_api/cli/formats/*.cpp c_api/cli/basics/text_file.cpp c_api/cli/basics/numbers.cpp \
-    c_api/cli/basics/decimals.cpp c_api/cli/basics/mapped_file.cpp c_api/cli/basics/ordered_output.cpp \
-    c_api/cli/basics/tasks.cpp c_api/cli/basics/large_arrays.cpp \
-    c_api/cli/mesh/mesh_file.cpp c_api/cli/mesh/boundary_loops.cpp c_api/cli/basics/output_file.cpp \
-    c_api/cli/basics/temporary_files.cpp c_api/cli/basics/readable.cpp \
-    c_api/cli/mesh/one_cell_thick.cpp c_api/cli/mesh/cell_faces.cpp \
-    c_api/cli/mesh/space_mesh.cpp; do
-    echo "#include \"$source\""
-done >"$tmp/readers.cpp"
+# As one file, so that the headers that they share are read once: the sources that the Python package compiles.
+PYTHONPATH=c_api/python/native PYTHONDONTWRITEBYTECODE=1 "${PYTHON:-/usr/bin/python3}" -c '
+import reader_sources
+for path in reader_sources.reader_sources("c_api/cli"):
+    if path.suffix == ".cpp":
+        print("#include \"" + str(path) + "\"")' >"$tmp/readers.cpp"
 library=$(dirname "$harmorph")/libharmorph.a
 zlib= library_of_zlib=
 if has_zlib; then zlib=-DHARMORPH_ZLIB library_of_zlib=-lz; fi

@@ -62,7 +62,7 @@ if echo '#include <cgnslib.h>' | $CXX -x c++ -E - >/dev/null 2>&1 && command -v 
     refuses "cgns: a cell of a point that does not exist" \
         "outside.cgns: zone 'Ring', section 'Cells': element 168 has point 1000, but there are 168 points" \
         "$with_cgns" check "$tmp/outside.cgns"
-    # Sizes and ranges that the file does not have: within 256 MB, the program refuses the file.
+    # Sizes and ranges that the file does not have: within 256 MiB, the program refuses the file.
     for kind in plane cells block; do rm -f "$tmp/$kind.cgns"; "$tmp/make_cgns" "$tmp/$kind.cgns" $kind double; done
     cgns_claim() { # cgns_claim KIND TEXT NODE NUMBER...
         cp "$tmp/$1.cgns" "$tmp/bad.cgns"

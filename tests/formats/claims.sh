@@ -1,6 +1,6 @@
 # Files that claim to hold more than they do: memory and time of every reader are at most linear in the
 # size of the file. (A part of tests/formats.sh.) Each file is small and claims about 2^31 of something;
-# the program may take 256 MB, most of which is the program itself, and no more than 60 s of the
+# the program may take 256 MiB, most of which is the program itself, and no more than 60 s of the
 # processor, of which it needs a thousandth.
 claims() { # claims NAME FILE: the program refuses the file, or reads it, within these bounds
     (ulimit -v 262144 && ulimit -t 60 && exec "$harmorph" check "$2") >"$tmp/out" 2>&1
@@ -92,7 +92,7 @@ if (ulimit -v 262144 && "$harmorph" --version) >/dev/null 2>&1; then
     cp "$tmp/claim/boundary" "$tmp/claim/foam-bad/constant/polyMesh/boundary"
     claims "OpenFOAM: patches of all faces" "$tmp/claim/foam-bad"
 else
-    echo "the program does not start with 256 MB, or ulimit has no -v: claims of files are not tested"
+    echo "the program does not start with 256 MiB, or ulimit has no -v: claims of files are not tested"
 fi
 # Files whose reading takes quadratic time where each item is compared with all others. They take a second of the
 # processor at most; the bound of 60 s is for slow machines, and ends what would run for hours.

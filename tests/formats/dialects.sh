@@ -226,13 +226,14 @@ refuses "PVTU: a piece without its end" 'the piece has no end </Piece>' "$harmor
 sed '1s/VTKFile /VTKFile header_type="UInt64" /' "$tmp/parallel/half-2.vtu" >"$tmp/parallel/bad.vtu"
 refuses "PVTU: pieces that store numbers in different ways" 'save all pieces with the same settings' "$harmorph" \
     check "$tmp/bad.pvtu"
-# A structured grid whose first and last lines meet.
-for layers in 1 2; do
-    awk -v layers=$layers 'BEGIN { pi = atan2(0, -1)
+# A structured grid whose first and last lines meet: exactly, and after one turn, where they differ by rounding.
+for case in "1 0" "2 0" "1 24"; do
+    layers=${case% *}
+    awk -v layers=$layers -v last=${case#* } 'BEGIN { pi = atan2(0, -1)
         print "# vtk DataFile Version 3.0\nring\nASCII\nDATASET STRUCTURED_GRID\nDIMENSIONS 25 7", layers
         print "POINTS", 175 * layers, "double"
         for (k = 0; k < layers; k++) for (j = 0; j < 7; j++) for (i = 0; i < 25; i++) {
-            t = 2 * pi * (i % 24 + .25) / 24; r = 4 ^ (j / 6)
+            t = 2 * pi * ((i < 24 ? i : last) + .25) / 24; r = 4 ^ (j / 6)
             printf "%.17g %.17g %g\n", r * cos(t), r * sin(t), .5 * k }
         }' >"$tmp/structured-$layers.vtk"
     # Both sides of the cut are ends of the curve.

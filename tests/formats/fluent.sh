@@ -30,6 +30,51 @@ change 's/^2 2 1 1 0/2 2 1 2 0/'
 refuses "fluent: a cell whose faces are no polygon" 'do not form a polygon' "$harmorph" check "$tmp/bad.msh"
 change 's/^2 2 1 1 0/2 1 2 1 0/'
 check "fluent: a face the other way round" "$harmorph" check "$tmp/bad.msh"
+# Cells that no face names: the first ones, or all between the first and the last.
+for gap in 1 2 3; do
+    awk -v cell=$((gap + 1)) 'BEGIN {
+        printf "(2 2)\n(10 (0 1 4 0 2))\n(12 (0 1 %x 0))\n(13 (0 1 4 0))\n(10 (1 1 4 1 2)(", cell
+        printf "\n0 0\n1 0\n1 1\n0 1\n))\n(13 (3 1 4 3 2)(\n"
+        for (i = 1; i <= 4; i++) printf "%x %x %x 0\n", i, i % 4 + 1, cell
+        print "))" }' >"$tmp/bad.msh"
+    refuses "fluent: $gap cells without faces" 'the faces of cell 1 (0 faces) do not form a polygon' \
+        "$harmorph" check "$tmp/bad.msh"
+done
+tr -d '\r' <"$tmp/fluent.msh" | awk 'NF >= 4 { for (k = NF - 1; k <= NF; k++) if ($k == "90") $k = "a0" } { print }' \
+    >"$tmp/bad.msh"
+refuses "fluent: cells without faces between others" 'the faces of cell 144 (0 faces) do not form a polygon' \
+    "$harmorph" check "$tmp/bad.msh"
+# Sections whose first word is no number are settings in Scheme: brackets in their texts and characters do not count,
+# and the mesh is that of the file without them.
+n=0
+while IFS= read -r section; do
+    n=$((n + 1))
+    case $n in
+    1 | 3 | 5) { printf '%s\n' "$section"; cat "$tmp/fluent.msh"; } >"$tmp/settings.msh" ;;
+    *) sed '$d' "$tmp/fluent.msh" >"$tmp/settings.msh"
+       { printf '%s\n' "$section"; tail -n 1 "$tmp/fluent.msh"; } >>"$tmp/settings.msh" ;;
+    esac
+    "$harmorph" check "$tmp/fluent.msh" --json >"$tmp/wanted.json" 2>&1
+    "$harmorph" check "$tmp/settings.msh" --json >"$tmp/settings.json" 2>&1
+    check "fluent: settings $n: the same mesh" cmp "$tmp/wanted.json" "$tmp/settings.json"
+done <<'END'
+(cad/options ((recursive? #f) (pattern "^(Color|Layer[0-9]:).*\\") (file "a\(b\\\"c)") (empty "")))
+(cad/options (file "a (old) \"(((\" ") (n 1e-3))
+(rp-vars ((one #t) (two "))))") (three #\() (four #\))))
+(%settings () ((())))
+(3d-view "unbalanced ( \\" (1 2 3))
+(2d? #t)
+(-5 (a list))
+( cad "C:\")
+END
+morphs "fluent: settings in Scheme" "$tmp/settings.msh" body
+echo '(cad "without a mesh")' >"$tmp/bad.msh"
+refuses "fluent: settings alone" "no known mesh file begins with" "$harmorph" check "$tmp/bad.msh"
+refuses "fluent: settings alone, as Fluent" "the file needs a section (10 ...) with nodes" "$harmorph" \
+    check "$tmp/bad.msh" --format fluent
+{ echo '(cad (never "closed"'; cat "$tmp/fluent.msh"; } >"$tmp/bad.msh"
+refuses "fluent: settings that are not closed" 'bad.msh:1: this bracket is not closed before the end of the file' \
+    "$harmorph" check "$tmp/bad.msh" --format fluent
 head -c 5000 "$tmp/fluent.msh" >"$tmp/bad.msh"
 refuses "fluent: cut off" 'bad.msh:6: this bracket is not closed before the end of the file' "$harmorph" \
     check "$tmp/bad.msh"

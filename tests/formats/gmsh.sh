@@ -16,6 +16,20 @@ sed '/^[0-9]* 1 2 2 7/d; s/^192$/168/' "$tmp/text-2.msh" >"$tmp/open.msh"
 check "gmsh: boundary without lines" "$harmorph" check "$tmp/open.msh" --json
 says "gmsh: boundary without lines: gets a name" '"boundary1", "faces": 24'
 
+# A group whose name is empty is called by its number, and what convert writes can be read.
+for name in body far; do
+    sed "s/\"$name\"/\"\"/" "$tmp/text-2.msh" >"$tmp/nameless.msh"
+    number=$(sed -n "s/^1 \([0-9]*\) \"$name\".*/\1/p" "$tmp/text-2.msh")
+    check "gmsh: $name without a name" "$harmorph" check "$tmp/nameless.msh" --json
+    says "gmsh: $name without a name: the number" "\"name\": \"$number\""
+    for ending in su2 msh; do
+        check "gmsh: $name without a name: convert to $ending" "$harmorph" convert "$tmp/nameless.msh" \
+            "$tmp/named.$ending"
+        check "gmsh: $name without a name: $ending is read" "$harmorph" check "$tmp/named.$ending" --json
+        says "gmsh: $name without a name: $ending: the number" "\"name\": \"$number\""
+    done
+done
+
 if command -v gmsh >/dev/null 2>&1; then
     cat >"$tmp/two.geo" <<'END'
 Point(1) = {0, 0, 0, .3}; Point(2) = {1, 0, 0, .3}; Point(3) = {-1, 0, 0, .3};

@@ -2,6 +2,12 @@
 check "numbers.cpp is compiled" $CXX -std=c++17 -O1 -Ic_api/cli -o "$tmp/numbers" tests/formats/numbers.cpp \
     c_api/cli/basics/numbers.cpp c_api/cli/basics/decimals.cpp
 check "numbers are written as printf and std::to_chars write them" "$tmp/numbers"
+# A locale with a decimal comma, made for this test alone. In the Python package the caller chooses the locale.
+if localedef -i de_DE -f UTF-8 "$tmp/de_DE.UTF-8" >/dev/null 2>&1; then
+    check "numbers of all 617 exponents in a locale with a decimal comma" env LOCPATH="$tmp" "$tmp/numbers" de_DE.UTF-8
+else
+    skip "numbers in a locale with a decimal comma" "localedef cannot make one (Debian's locales)"
+fi
 awk -v n=200 -v m=150 -f tests/formats/large_mesh.awk >"$tmp/large.su2"
 for ending in su2 msh vtk vtu; do
     "$harmorph" convert "$tmp/large.su2" "$tmp/one.$ending" >/dev/null

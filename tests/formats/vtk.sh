@@ -47,3 +47,48 @@ check "vtu: what convert writes: the same points" "$harmorph" convert "$tmp/ring
 sed -n '/^NPOIN/,/^NMARK/p' "$tmp/ring.su2" | awk '{ print $1, $2 }' >"$tmp/points-before"
 sed -n '/^NPOIN/,/^NMARK/p' "$tmp/again.su2" | awk '{ print $1, $2 }' >"$tmp/points-after"
 check "vtu: what convert writes: the same coordinates" alike 0 "$tmp/points-before" "$tmp/points-after"
+
+# Lagrange cells of first and second order are the cells that VTK had before: the same mesh, and the same movement.
+vtu_cells() { "${PYTHON:-/usr/bin/python3}" tests/formats/vtu_cells.py "$@"; }
+if vtu_cells cells 9 4 "$tmp/old.vtu" 2>/dev/null; then
+    for pair in '5 69 3' '22 69 6' '34 69 7' '9 70 4' '23 70 8' '28 70 9'; do
+        set -- $pair
+        name="vtu: type $2 with $3 points"
+        vtu_cells cells $1 $3 "$tmp/old.vtu"
+        vtu_cells cells $2 $3 "$tmp/lagrange.vtu"
+        morphs "$name: the older type $1" "$tmp/old.vtu" boundary1
+        morphs "$name" "$tmp/lagrange.vtu" boundary1
+        sed "/\"types\"/s/ $2\\>/ $1/g; /\"types\"/s/>$2\\>/>$1/" "$tmp/moved-lagrange.vtu" >"$tmp/as-old.vtu"
+        check "$name: moves like type $1" cmp "$tmp/moved-old.vtu" "$tmp/as-old.vtu"
+    done
+    for wrong in '69 4' '70 7' '69 5' '70 3'; do
+        set -- $wrong
+        vtu_cells cells 9 4 "$tmp/old.vtu"
+        sed "/\"types\"/s/\\<9\\>/$1/g" "$tmp/old.vtu" | sed "/\"offsets\"/s/>4 /> $2 /" >"$tmp/bad.vtu"
+        refuses "vtu: type $1 with $2 points" "cell 0 is of type $1 with $2 points" "$harmorph" check "$tmp/bad.vtu"
+    done
+    # Compressed arrays that unpack to more than the points and cells need are refused before they are unpacked: the
+    # memory that the program may take does not hold the last ones.
+    if has_zlib; then
+        vtu_cells packed none 0 "$tmp/packed-cells.vtu"
+        check "vtu: packed arrays" "$harmorph" check "$tmp/packed-cells.vtu"
+        for array in Points connectivity offsets types; do
+            for extra in 1 8 70000; do
+                vtu_cells packed $array $extra "$tmp/bad.vtu"
+                refuses "vtu: $array unpack to $extra bytes too many" "the array $array unpacks to " \
+                    "$harmorph" check "$tmp/bad.vtu"
+            done
+        done
+        vtu_cells packed field 16 "$tmp/bad.vtu"
+        refuses "vtu: a field unpacks to too much" 'the array field unpacks to ' "$harmorph" interpolate \
+            "$tmp/packed-cells.vtu" "$tmp/bad.vtu" "$tmp/packed-cells.vtu" -o "$tmp/x.csv"
+        check "vtu: another field unpacks to too much: the mesh is read" "$harmorph" check "$tmp/bad.vtu"
+        if (ulimit -v 262144 && "$harmorph" --version) >/dev/null 2>&1; then
+            for array in Points connectivity; do
+                vtu_cells packed $array 400000000 "$tmp/bad.vtu"
+                refuses "vtu: $array of 400 MB in 1 MB" "the array $array unpacks to 4e+08 bytes" \
+                    sh -c 'ulimit -v 262144; exec "$0" check "$1"' "$harmorph" "$tmp/bad.vtu"
+            done
+        fi
+    fi
+else skip "cells of VTU files" "python3 is not installed"; fi

@@ -76,8 +76,11 @@ contains
         movements = [hm_movement(hm_flap, [0.7_dp, 0._dp]), hm_movement(hm_turn, [0.25_dp, 0._dp])]
         call curves%move_section(movements, [-10._dp, 3._dp], move, by, start, error)
         call curves%move_section(movements, [-10._dp + 1e-5_dp, 3._dp], next)
-        call check(maxval(abs(move)) > 0.015_dp .and. maxval(abs(error)) <= 0 .and. maxval(abs(start)) <= 0, &
-            "a section that values move")
+        call check(maxval(abs(move)) > 0.015_dp .and. maxval(abs(start)) <= 0, "a section that values move")
+        call check(error(1) > 0 .and. error(1) < error(2) .and. error(2) < 0.1_dp, "what control points do not follow")
+        call curves%move_section(movements(2:), [3._dp], next, error=error)
+        call check(maxval(abs(error)) <= 0, "a turn leaves no error")
+        call curves%move_section(movements, [-10._dp + 1e-5_dp, 3._dp], next)
         call check(maxval(abs((next - move) / 1e-5_dp - by(:, :, 1))) < 1e-7_dp, "derivatives by the values")
         call curves%move_section(movements, [1._dp], move, stat=stat)
         call check(stat == hm_bad_argument, "values that are too few")

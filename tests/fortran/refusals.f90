@@ -4,7 +4,7 @@ module refusals_tests
     use body_mesh
     implicit none
     private
-    public :: numbers_in_errors, refusals
+    public :: numbers_in_errors, refusals, shared_points
 
 contains
 
@@ -59,6 +59,48 @@ contains
         call check(same([err%x, err%y], [all_x(5), y(5)]), "the place of this point")
         call check(err%value > 5 .and. err%value <= 10, "the distance of this point")
         call check(err%other_kind == hm_item_none .and. err%other == -1, "nothing else is named")
+    end subroutine
+
+    ! The wall of a ring has two markers, whose bodies touch at two points.
+    subroutine shared_points()
+        integer, parameter :: ni = 25, nj = 6
+        type(hm_mesh) :: ring
+        type(hm_plan) :: plan
+        type(hm_basis) :: bodies
+        type(hm_basis_info) :: info
+        type(hm_error) :: err
+        real(dp), target :: x(ni, nj), y(ni, nj)
+        real(dp) :: a(ni, nj), b(ni, nj), move(2, 4), error
+        integer :: i, j, stat
+        do j = 1, nj
+            do i = 1, ni
+                x(i, j) = j * cos(8 * atan(1._dp) * modulo(i - 1, ni - 1) / (ni - 1))
+                y(i, j) = j * sin(8 * atan(1._dp) * modulo(i - 1, ni - 1) / (ni - 1))
+            end do
+        end do
+        call ring%points(x, y)
+        call ring%line(1, 1, 13, 1, 1)
+        call ring%line(2, 13, ni, 1, 1)
+        call ring%line(3, 1, ni, nj, nj)
+        call plan%analyse(ring, conditions=[hm_condition(1, hm_rigid), hm_condition(2, hm_rigid, body=2)], &
+            stat=stat, err=err)
+        call check(stat == hm_torn .and. err%item_kind == hm_item_point, "bodies that touch: " // err%text)
+        call plan%factor()
+        call plan%solve(bodies)
+        call bodies%info(info)
+        call check(size(info%shared_point) == 2 .and. all(info%shared_condition(1, :) == 1) .and. &
+            all(info%shared_condition(2, :) == 2), "both touch at two points")
+        call check(any(info%shared_point == 1) .and. any(info%shared_point == 13), "at these")
+        move = 0
+        move(1, 1) = 0.1_dp
+        call bodies%morph_to(move, x, y, a, b)
+        call bodies%boundary_error(move, x, y, a, b, error, stat=stat, err=err)
+        call check(stat == hm_torn .and. abs(error - 0.1_dp) < 1e-12_dp .and. abs(err%value - 0.1_dp) < 1e-12_dp, &
+            "one body moves: " // err%text)
+        move(1, 3) = 0.1_dp
+        call bodies%morph_to(move, x, y, a, b)
+        call bodies%boundary_error(move, x, y, a, b, error, stat=stat)
+        call check(stat == 0 .and. error < 1e-12_dp, "both bodies move")
     end subroutine
 
     subroutine refusals()

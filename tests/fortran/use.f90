@@ -96,6 +96,7 @@ program use
     call planes()
     call numbers_in_errors()
     call refusals()
+    call shared_points()
     call tell_counts()
 
 contains

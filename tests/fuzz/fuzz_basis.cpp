@@ -84,7 +84,7 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
     std::size_t work_bytes = 0;
     if (hm_recover_movement_size(basis, &work_bytes, &error) >= 0 && work_bytes < 1 << 24) {
         Block const work(work_bytes, 0, 0x3F);
-        hm_recover_movement(basis, &in, 0, gradient.data(), &worst, nullptr, work.data(),
+        hm_recover_movement(basis, &in, 0, gradient.data(), &worst, nullptr, nullptr, work.data(),
                             work_bytes, &error);
         work.expect_intact();
     }

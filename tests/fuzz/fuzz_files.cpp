@@ -11,6 +11,8 @@
 
 #include <harmorph.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -203,8 +205,12 @@ struct SolvedSquare {
         on_curve.marker = mesh.find_markers("wall")[0];
         on_curve.n_curves = 1;
         hm_mesh const view = mesh.view();
-        hm_problem const problem{sizeof problem, &view,   &curves, 1, &on_curve, 0,
-                                 nullptr,        nullptr, nullptr};
+        hm_problem problem{};
+        problem.struct_size = sizeof problem;
+        problem.mesh = &view;
+        problem.curves = &curves;
+        problem.n_conditions = 1;
+        problem.conditions = &on_curve;
         std::vector<char> blocks[3];
         hm_analysis* analysis = nullptr;
         hm_plan* plan = nullptr;
@@ -228,12 +234,86 @@ struct SolvedSquare {
     }
 };
 
+// Names of markers with characters that mean something in lists and lines; and a mesh whose markers
+// have two faces each, which are not connected.
+std::vector<std::string> random_names(Input& input) {
+    static const char* const parts[] = {
+        "wall",  " ",  "\"", "'",  "=", ",",   "@", "#",    ":", "8:2", "*",    "?",   "\\",
+        "loop:", "\t", "\n", "\r", "1", "\\n", "a", "\\\"", "+", "far", "turn", "'a'", "\"a\""};
+    std::vector<std::string> names;
+    for (std::int32_t k = input.from(1, 4); k > 0; --k) {
+        std::string name;
+        for (std::int32_t part = input.from(1, 5); part > 0; --part) name += one_of(parts, input);
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    return names;
+}
+
+cli::Mesh mesh_with(std::vector<std::string> const& names) {
+    cli::Mesh mesh;
+    mesh.markers = names;
+    for (std::int32_t face = 0; face < 2 * std::int32_t(names.size()); ++face) {
+        for (std::int32_t end = 0; end < 2; ++end) {
+            mesh.x.push_back(4.0 * face + end);
+            mesh.y.push_back(1);
+        }
+        mesh.add_face(2 * face, 2 * face + 1, face / 2, 0);
+    }
+    return mesh;
+}
+
+// Every line that the program writes for a body is read back, and names the same markers in
+// options.
+void check_names(Input& input) {
+    cli::Mesh const mesh = mesh_with(random_names(input));
+    std::vector<hm_condition> conditions;
+    bool const are_pieces = input.one_in(2);
+    for (std::int32_t face = 0; face < mesh.faces(); face += are_pieces ? 1 : 2) {
+        hm_condition condition = {};
+        condition.struct_size = sizeof condition;
+        condition.marker = face / 2;
+        condition.kind = HM_RIGID;
+        condition.body = std::int32_t(conditions.size());
+        condition.piece = are_pieces ? 1 : 0;
+        condition.near_x = are_pieces ? 4.0 * face + input.between(-1, 2) : 0;
+        condition.near_y = are_pieces ? input.between(0, 2) : 0;
+        conditions.push_back(condition);
+    }
+    std::vector<double> moves;
+    std::ostringstream text;
+    for (hm_condition const& condition : conditions) {
+        for (std::int32_t k = 0; k < 4; ++k) moves.push_back(input.between(-0.5, 0.5));
+        text << "  ";
+        cli::write_body(text, mesh, condition, &moves[moves.size() - 4]);
+        std::string const name = mesh.name_of(condition);
+        for (std::string const& list : {name, mesh.split_binding(name + "=a=b").first}) {
+            std::vector<cli::MarkerPiece> const found = mesh.find_pieces(list);
+            expect(found.size() == 1 && found[0].marker == condition.marker &&
+                       found[0].is_piece == are_pieces && found[0].x == condition.near_x &&
+                       found[0].y == condition.near_y,
+                   "a list is not the marker that was written: " + list);
+        }
+        expect(mesh.split_binding(name + "=a=b").second == "a=b", "the value behind " + name);
+    }
+    cli::Movable movable;
+    movable.n_bodies = std::int32_t(conditions.size());
+    movable.conditions = conditions;
+    std::vector<double> const again =
+        cli::read_moves({cli::TextFile("moves", text.str() + "# the end\n")}, movable, mesh);
+    for (std::size_t k = 0; k < moves.size(); ++k)
+        expect(std::fabs(again[k] - moves[k]) < 1e-12, "a line that is written: " + text.str());
+}
+
 }  // namespace
 
 Outcome run_files(Input& input) {
     static Scratch const scratch;
     static SolvedSquare const square;
     std::uint32_t const what = input.below(4);
+    if (what == 2 && input.one_in(3)) {
+        check_names(input);
+        return Outcome::done;
+    }
     std::string const good = what == 0   ? one_of(mesh_files, input)
                              : what == 1 ? one_of(curve_files, input)
                              : what == 2 ? one_of(moves_files, input)

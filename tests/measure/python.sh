@@ -4,7 +4,7 @@
 # output says that a Python package is missing.
 build=$(cd "$1" && pwd) && script=$2 && shift 2 || exit 2
 : "${PYTHON:=/usr/bin/python3}"
-imports=$(sed -nE 's/^(from|import) (scipy|matplotlib).*/\2/p; s/^(from|import) shared.*/scipy/p' "$script" | sort -u)
+imports=$(sed -nE 's/^(from|import) (scipy|matplotlib).*/\2/p; s/^(from|import) (shared|reference).*/scipy/p' "$script" | sort -u)
 for package in numpy cffi setuptools $imports; do
     $PYTHON -c "import $package" 2>/dev/null || { echo "skipped: $PYTHON has no $package"; exit 0; }
 done
@@ -17,5 +17,5 @@ if [ ! -d "$made" ] || [ -n "$(find "$build/libharmorph.a" c_api/python -newer "
         { cat "$build/measure/log"; exit 2; }
     touch "$made"
 fi
-PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$made:tests/measure:$PYTHONPATH MPLBACKEND=svg \
+PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$made:tests/measure:tests/measure/improve:$PYTHONPATH MPLBACKEND=svg \
     exec $PYTHON -W ignore::UserWarning "$script" "$@"

@@ -167,7 +167,7 @@ TEST_CASE("blocks that are wrong are refused") {
     refused(HM_BAD_MESH, "cells, but mesh.n_cells is", [](Blocks&, hm_mesh& m) { m.n_cells = 5; });
     refused(HM_BAD_MESH, "has a cell on one side only and no marker",
             [](Blocks& b, hm_mesh&) { b.markers[2] = HM_NO_MARKER; });
-    refused(HM_BAD_MESH, "has a cell on one side only and no marker",
+    refused(HM_BAD_MESH, "of edges without a marker are",
             [](Blocks& b, hm_mesh&) { b.x[0] *= 1 + 1e-9; });
     refused(HM_BAD_MESH, "more than two cells", [](Blocks& b, hm_mesh& m) {  // a block twice
         b.sizes.insert(b.sizes.end(), {b.sizes[0], b.sizes[1]});

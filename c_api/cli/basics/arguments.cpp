@@ -1,4 +1,5 @@
 #include "basics/arguments.hpp"
+#include "basics/quoted_name.hpp"
 
 #include "basics/numbers.hpp"
 #include "basics/output_file.hpp"
@@ -92,7 +93,7 @@ std::vector<NamedFile> Arguments::files() const {
     for (const Option& option : command_.options) {
         for (const std::string& value : all(option.name)) {
             const bool is_bound = option.use == FileUse::input_after_equals;
-            const std::size_t equals = value.find('=');
+            const std::size_t equals = equals_behind_names(value, 0);
             if (!is_bound) add(option.use, option.name, value);
             if (is_bound && equals != value.npos)
                 add(FileUse::input, option.name, value.substr(equals + 1));

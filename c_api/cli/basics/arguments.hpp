@@ -15,7 +15,7 @@ enum class FileUse {
     none,                // the word is no file
     mesh,                // reads a mesh, with the files beside the mesh that belong to it
     input,               // reads the file
-    input_after_equals,  // reads the file whose name follows the first `=` of the value, if any
+    input_after_equals,  // reads the file whose name follows the `=` behind the names of the value
     output,              // writes the file
     moved_mesh           // writes a moved mesh, which may replace the mesh of the first operand
 };

@@ -1,6 +1,7 @@
 #include <harmorph_design.h>
 #include "basics/csv.hpp"
 
+#include "basics/csv_cells.hpp"
 #include "basics/library.hpp"
 #include "basics/numbers.hpp"
 #include "pictures/draw_curves.hpp"
@@ -11,7 +12,7 @@ namespace cli {
 
 void write_csv(std::ostream& out, const Mesh& mesh, const std::vector<Column>& columns) {
     out << "point,x,y";
-    for (const Column& column : columns) out << ',' << column.name;
+    for (const Column& column : columns) out << ',' << csv_cell(column.name);
     out << '\n';
     for (std::size_t point = 0; point < mesh.x.size(); ++point) {
         out << point << ',' << exact(mesh.x[point]) << ',' << exact(mesh.y[point]);

@@ -8,7 +8,7 @@
 namespace cli {
 
 // Touches the pages of memory that has not been used yet, by several threads: the system clears
-// each page at the first touch. Pages have two megabytes where the system has such pages.
+// each page at the first touch. Pages have 2 MiB where the system has such pages.
 void touch_pages(void* memory, std::size_t bytes, std::int32_t threads);
 
 template <class Value>

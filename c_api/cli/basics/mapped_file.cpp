@@ -8,7 +8,10 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#ifndef _WIN32
+#if !defined(_WIN32) && !defined(HARMORPH_READS_FILES)
+#define HARMORPH_MAPS_FILES
+#include "basics/ended_reading.hpp"
+
 #include <sys/mman.h>
 #endif
 
@@ -45,18 +48,28 @@ private:
 
 MappedFile::MappedFile(const std::string& path) {
     const Opened file(path);
-#ifndef _WIN32
     struct stat status;
     if (fstat(file.number(), &status) != 0) file.fail();
-    if (S_ISREG(status.st_mode) && status.st_size > 0) {
+    const bool is_regular = (status.st_mode & S_IFMT) == S_IFREG && status.st_size > 0;
+#ifdef HARMORPH_MAPS_FILES
+    if (is_regular) {
         size_ = static_cast<std::size_t>(status.st_size);
         mapped_ = mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file.number(), 0);
-        if (mapped_ != MAP_FAILED) return;
+        if (mapped_ != MAP_FAILED) {
+            watch_mapping(mapped_, size_, path);
+            return;
+        }
         mapped_ = nullptr;
     }
 #endif
+    // One byte more than a regular file has tells that the file has ended.
+    constexpr std::size_t at_first = 1 << 16;
+    std::size_t room = is_regular ? static_cast<std::size_t>(status.st_size) + 1 : at_first;
     for (size_ = 0;;) {
-        read_.resize(std::max<std::size_t>(2 * size_, 1 << 16));
+        if (size_ == read_.size()) {
+            read_.resize(room);
+            room = 2 * read_.size();
+        }
         const ssize_t more = read(file.number(), &read_[size_], read_.size() - size_);
         if (more < 0 && errno != EINTR) file.fail();
         if (more == 0) return;
@@ -65,8 +78,10 @@ MappedFile::MappedFile(const std::string& path) {
 }
 
 MappedFile::~MappedFile() {
-#ifndef _WIN32
-    if (mapped_) munmap(mapped_, size_);
+#ifdef HARMORPH_MAPS_FILES
+    if (mapped_ == nullptr) return;
+    forget_mapping(mapped_);
+    munmap(mapped_, size_);
 #endif
 }
 

@@ -1,6 +1,8 @@
 // A file whose bytes are in memory. A regular file is mapped, so that its bytes are neither copied
-// nor kept twice; other files, such as pipes, are read. A program that shortens the file meanwhile
-// ends this program by the signal SIGBUS.
+// nor kept twice; other files, such as pipes, are read. If another program shortens a mapped file,
+// this program ends with a message and exit code 3 (ended_reading.hpp). Where these sources are a
+// part of another process, HARMORPH_READS_FILES is defined: then every file is read, so that later
+// changes of the file cannot be seen.
 #pragma once
 
 #include <cstddef>

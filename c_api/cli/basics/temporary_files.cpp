@@ -23,7 +23,7 @@ std::atomic<int> waiting;  // the signal that has come meanwhile, or 0
 constexpr int ending_signals[] = {
     SIGINT,  SIGTERM,
 #ifdef SIGHUP
-    SIGHUP,  SIGQUIT, SIGPIPE, SIGBUS,
+    SIGHUP,  SIGQUIT, SIGPIPE,
 #endif
 #ifdef SIGXCPU
     SIGXCPU, SIGXFSZ,
@@ -35,9 +35,7 @@ extern "C" void remove_and_end(int signal) {
         waiting = signal;
         return;
     }
-    for (const Slot& slot : all_slots) {
-        if (slot.is_used) unlink(slot.path.data());
-    }
+    remove_temporaries();
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
@@ -54,6 +52,12 @@ void listen_once() {
 }
 
 }  // namespace
+
+void remove_temporaries() {
+    for (const Slot& slot : all_slots) {
+        if (slot.is_used) unlink(slot.path.data());
+    }
+}
 
 void remember_temporary(const std::string& path) {
     listen_once();

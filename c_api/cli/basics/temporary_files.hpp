@@ -10,6 +10,9 @@ namespace cli {
 void remember_temporary(const std::string& path);  // to be called before the file exists
 void forget_temporary(const std::string& path);    // to be called when the file has been renamed
 
+// Removes these files; a handler of a signal may call this function.
+void remove_temporaries();
+
 // While this object exists, these signals wait.
 class SignalsWait {
 public:

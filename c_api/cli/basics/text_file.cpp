@@ -2,6 +2,7 @@
 
 #include "basics/failure.hpp"
 #include "basics/mapped_file.hpp"
+#include "basics/quoted_name.hpp"
 #include "basics/readable.hpp"
 
 #include <algorithm>
@@ -23,6 +24,17 @@ constexpr auto kinds_of_bytes() {
 }
 constexpr std::array<unsigned char, 256> kind_of_byte = kinds_of_bytes();
 unsigned char kind(char c) { return kind_of_byte[static_cast<unsigned char>(c)]; }
+
+// Returns the length of the word at the beginning of the text, which may have names in quotes.
+std::size_t end_of_word(std::string_view text) {
+    std::size_t at = 0;
+    for (bool is_start = true; at < text.size() && kind(text[at]) == part_of_word;) {
+        const std::size_t behind = is_start ? behind_quoted(text, at) : at;
+        is_start = behind == at && text[at] == ',';
+        at = behind == at ? at + 1 : behind;
+    }
+    return at;
+}
 
 }  // namespace
 
@@ -69,7 +81,8 @@ void TextFile::report(std::size_t offset) const {
     listener_(std::min(1.0, static_cast<double>(offset) / static_cast<double>(text_.size() + 1)));
 }
 
-LineReader::LineReader(const TextFile& file, char comment) : file_(file), comment_(comment) {
+LineReader::LineReader(const TextFile& file, char comment, bool has_quotes)
+    : file_(file), comment_(comment), has_quotes_(has_quotes) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (file.text().substr(0, 3) == byte_order_mark) next_ = byte_order_mark.size();
 }
@@ -84,6 +97,11 @@ bool LineReader::next() {
         std::size_t at = next_;
         while (at < size && kind(text[at]) == blank) ++at;
         const std::size_t begin = at;
+        if (has_quotes_) {
+            end_at_comment(begin);
+            if (!line_.empty()) return true;
+            continue;
+        }
         std::size_t end = at;  // behind the last byte that is not blank
         for (; at < size && kind(text[at]) != end_of_line && text[at] != comment_; ++at) {
             if (kind(text[at]) == part_of_word) end = at + 1;
@@ -98,10 +116,28 @@ bool LineReader::next() {
     return false;
 }
 
+// The same for lines with names in quotes.
+void LineReader::end_at_comment(std::size_t begin) {
+    const std::string_view text = file_.text();
+    std::size_t at = begin;
+    for (bool is_start = true; at < text.size();) {
+        const std::size_t behind = is_start ? behind_quoted(text, at) : at;
+        is_start = behind == at && (text[at] == ',' || kind(text[at]) == blank);
+        if (behind == at && (kind(text[at]) == end_of_line || text[at] == comment_)) break;
+        at = behind == at ? at + 1 : behind;
+    }
+    line_ = text.substr(begin, at - begin);
+    line_ = line_.substr(0, trimmed(line_).size());
+    while (at < text.size() && kind(text[at]) != end_of_line) ++at;
+    const bool is_pair = text.substr(std::min(at, text.size()), 2) == "\r\n";
+    next_ = std::min(at + (is_pair ? 2 : 1), text.size());
+}
+
 const std::vector<std::string_view>& LineReader::words() {
     words_.clear();
     for (const char *at = line_.data(), *const end = at + line_.size(); at != end;) {
         const char* const begin = at;
+        if (has_quotes_) at += end_of_word({at, static_cast<std::size_t>(end - at)});
         while (at != end && kind(*at) == part_of_word) ++at;
         words_.emplace_back(begin, static_cast<std::size_t>(at - begin));
         while (at != end && kind(*at) != part_of_word) ++at;

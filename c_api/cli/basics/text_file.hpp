@@ -15,7 +15,7 @@ namespace cli {
 
 class TextFile {
 public:
-    explicit TextFile(const std::string& path);  // maps the whole file, or reads it
+    explicit TextFile(const std::string& path);  // maps or reads the whole file
     // The given text takes the place of the contents of the file.
     TextFile(const std::string& path, std::string text);
 
@@ -49,7 +49,9 @@ private:
 // Reads the lines that are not empty without their comments. A line ends with LF, CR LF or CR.
 class LineReader {
 public:
-    LineReader(const TextFile& file, char comment);
+    // If lines may have names in quotes (quoted_name.hpp), blanks and comments in them are parts of
+    // the name; they begin at the beginning of a word or after a comma.
+    LineReader(const TextFile& file, char comment, bool has_quotes = false);
 
     bool next();                                             // false: the end of the file
     std::string_view line() const { return line_; }          // trimmed
@@ -64,8 +66,11 @@ public:
     [[noreturn]] void expected(std::string_view what, std::string_view found) const;
 
 private:
+    void end_at_comment(std::size_t begin);
+
     const TextFile& file_;
     char comment_;
+    bool has_quotes_;
     std::size_t next_ = 0;
     std::string_view line_;
     std::vector<std::string_view> words_;

@@ -4,6 +4,7 @@
 
 #include "basics/arguments.hpp"
 #include "mesh/basis_file.hpp"
+#include "curves/section_movement.hpp"
 #include "curves/to_airfoil.hpp"
 
 #include <optional>
@@ -11,9 +12,16 @@
 
 namespace cli {
 
-// Returns pairs [2*functions] for hm_morph. `airfoil` gets the distances between the curve and the
-// airfoil of --to-airfoil; it stays empty without that option.
-std::vector<double> asked_moves(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
-                                std::optional<ToAirfoil>& airfoil);
+struct AskedMoves {
+    std::vector<double> moves;         // pairs [2*functions] for hm_morph
+    std::optional<ToAirfoil> airfoil;  // the distances of --to-airfoil
+    std::vector<MovementError> errors;
+};
+AskedMoves asked_moves(const Arguments& arguments, const Mesh& mesh, const Basis& basis);
+
+// Warns of movements that the control points do not follow within a ten thousandth of the chord.
+void warn_of_errors(const std::vector<MovementError>& errors);
+// Prints the error of each movement that does not only turn, shift or scale the section.
+void print_errors(const std::vector<MovementError>& errors);
 
 }  // namespace cli

@@ -9,6 +9,7 @@
 #include "commands/commands.hpp"
 #include "curves/gradient_file.hpp"
 #include "curves/variables_file.hpp"
+#include "mesh/mesh_fields.hpp"
 #include "mesh/sensitivity.hpp"
 
 #include <algorithm>
@@ -98,7 +99,8 @@ std::optional<VariablesAt> variables_at(const Arguments& arguments, const Basis&
 Gradient gradient_of(const Arguments& arguments, const std::string& path, const Mesh& mesh,
                      const Basis& basis, const std::optional<VariablesAt>& variables,
                      const Threads& threads) {
-    const Sensitivity sensitivity = read_sensitivity(path, columns_of(arguments), mesh);
+    const Sensitivity sensitivity =
+        read_sensitivity(path, columns_of(arguments), mesh, arguments.has("--in-order"));
     Gradient found;
     found.objective = path;
     found.points = sensitivity.rows;
@@ -168,9 +170,13 @@ const Command adjoint_command = {
     ".vtu with vectors at\n"
     "the points, a pointVectorField of OpenFOAM, or a CGNS file with arrays at the vertices "
     "(NAMEX is read as NAME_x; programs\n"
-    "made with CGNS=1). Rows are matched by the column PointID, or by x and y; where a file has "
-    "both, they must agree. Points\n"
-    "without a row have derivative 0. Where the rows are the points of MESH itself, and MESH is "
+    "made with CGNS=1). Rows are matched by the numbers of points (PointID, Point ID, "
+    "Global_Index, "
+    "GlobalPointIds, ...), or\n"
+    "by their coordinates (x and y, x_coord, CoordinateX, Points_0, X:0, x [m], ...); where a file "
+    "has both, they must agree.\n"
+    "Points without a row have derivative 0. Where the rows are the points of MESH itself, and "
+    "MESH is "
     "one cell thick, the derivatives\n"
     "by both planes are added. Derivatives by points at the same place, as at a cut or between "
     "zones, are added, too.\n"
@@ -188,6 +194,7 @@ const Command adjoint_command = {
         {"--vector", "NAME",
          "the array of vectors in a file of VTK or CGNS (default: Sensitivity), in place of --x "
          "and --y"},
+        in_order_option,
         {"--normal", "NAME",
          "the column of derivatives along the normals of the boundary, instead of --x and --y"},
         {"--into", "SIDE", "for --normal: fluid or body, into which the normals point"},

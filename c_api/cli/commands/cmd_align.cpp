@@ -63,7 +63,8 @@ Task task_on(const Mesh& mesh, const std::string& marker, const Curves& curves) 
 std::vector<Column> fields_to_bring(const Arguments& arguments, const Mesh& mesh) {
     std::vector<Column> fields;
     if (arguments.has("--fields"))
-        fields = read_fields(arguments.text("--fields"), arguments.all("--field"), mesh);
+        fields = read_fields(arguments.text("--fields"), arguments.all("--field"), mesh,
+                             arguments.has("--in-order"));
     fields.push_back({"from_x", mesh.x});
     fields.push_back({"from_y", mesh.y});
     return fields;
@@ -109,8 +110,7 @@ void run_align(const Arguments& arguments) {
     }
     OutputFiles files;
     if (arguments.has("-o"))
-        write_moved(files.add(moved_file(mesh, arguments.text("-o"))), mesh, morph.moved.x.data(),
-                    morph.moved.y.data());
+        write_moved(files, mesh, arguments.text("-o"), morph.moved.x.data(), morph.moved.y.data());
     if (arguments.has("--fields-out")) {
         const Interpolated found = interpolated(mesh, morph.moved, fields, reference, threads);
         judge_outside(arguments, found, mesh.file.path(), to);
@@ -144,6 +144,7 @@ const Command align_command = {
      {"--fields", "FILE", "fields at the points of MESH, as `harmorph interpolate` reads them",
       FileUse::input},
      {"--field", "NAME", "a column of --fields; may be repeated (default: all columns)"},
+     in_order_option,
      {"-o", "MESH", "the moved mesh, a file like MESH", FileUse::output},
      {"--fields-out", "FILE",
       "the fields at the points of REFERENCE, with from_x and from_y: .vtu, or else a CSV table",

@@ -10,8 +10,8 @@ namespace {
 
 void run_convert(const Arguments& arguments) {
     const std::string& path = arguments.operand(1);
-    const Format& format =
-        format_to_create(arguments.has("--to") ? arguments.text("--to") : "", path);
+    const std::string name = arguments.has("--to") ? arguments.text("--to") : "";
+    const Format& format = format_to_create(name, path);
     Mesh mesh = read_mesh(arguments, 0);
     for (const std::string& sentence : make_writable(mesh, format)) warn(path + ": " + sentence);
     OutputFiles files;

@@ -10,6 +10,7 @@
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
 #include "basics/output_file.hpp"
+#include "basics/own_folder.hpp"
 #include "mesh/refine.hpp"
 
 #include <algorithm>
@@ -121,6 +122,16 @@ constexpr const char* made_files[] = {
     "morphed.vtu",   "morphed.su2.curve", "morph.svg",    "report.html", "far.su2", "far.su2.curve",
     "far.svg",       "fine.su2",          "fine.basis",   "page.html"};
 
+// The file by which the demo recognises its own folder.
+constexpr const char* demo_sign = "demo.txt";
+
+void write_sign(const std::string& path) {
+    OutputFiles files;
+    files.add(path) << "harmorph demo made the files of this folder, and replaces them when it is "
+                       "run again.\n";
+    files.commit();
+}
+
 void run_demo(const Arguments& arguments) {
     const std::filesystem::path folder = arguments.operand(0);
     const std::string shipped =
@@ -131,14 +142,14 @@ void run_demo(const Arguments& arguments) {
                                      " does not exist; run the demo in the folder of harmorph, or "
                                      "name the mesh with --mesh");
     }
-    std::filesystem::create_directories(folder, error);
-    if (error) throw Failure(exit_file, folder.string() + ": cannot be made: " + error.message());
     const auto in_folder = [&folder](const char* name) { return (folder / name).string(); };
     const std::string mesh = in_folder("mesh.su2"), curve = in_folder("airfoil.curve"),
                       basis = in_folder("airfoil.basis"), moves = in_folder("moves.txt"),
                       far_moves = in_folder("far.txt"), fine = in_folder("fine.su2");
     for (const char* const name : made_files)
         refuse_overwriting(arguments, {FileUse::output, "a file of DIR,", in_folder(name)});
+    const OwnFolder owned(folder.string(), demo_sign);
+    write_sign(in_folder(demo_sign));
     copy_mesh(shipped, mesh);
 
     step("is the mesh sound?", {"check", mesh});
@@ -176,7 +187,9 @@ const Command demo_command = {
     "mesh.su2, airfoil.curve,\n"
     "airfoil.basis; moves.txt, a movement for one step, and far.txt, a movement for --safe; "
     "fine.su2, the mesh with each\n"
-    "cell divided in four. The examples of the other commands can be run on these files.\n",
+    "cell divided in four. The examples of the other commands can be run on these files. A folder "
+    "that is not empty is refused,\n"
+    "unless an earlier demo made it.\n",
     {{"--mesh", "FILE",
       "mesh with a marker `airfoil` of chord 1 (default tests/meshes/naca0012.su2)",
       FileUse::input}},

@@ -3,18 +3,93 @@
 #include "basics/numbers.hpp"
 #include "basics/output_file.hpp"
 #include "basics/print.hpp"
+#include "commands/asked_moves.hpp"
 #include "commands/commands.hpp"
 #include "commands/displacement.hpp"
 #include "commands/engine.hpp"
+#include "commands/shared_points.hpp"
 #include "commands/solver.hpp"
 #include "curves/moves_file.hpp"
 #include "formats/format.hpp"
+#include "mesh/mesh_fields.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cli {
 
 namespace {
+
+hm_basis_info info_of(const Mesh& mesh, const Solver& solver) {
+    auto info = sized<hm_basis_info>();
+    call(mesh, hm_basis_info_get, solver.basis(), &info);
+    return info;
+}
+
+// Splits the rows of the table: those of points that a curve or body moves, and the other ones,
+// which hm_displace takes.
+WallField take_shared_rows(const hm_basis_info& info, WallField& wall) {
+    const auto end = info.shared_point + info.shared_points;
+    const WallField all = wall;
+    WallField shared;
+    wall = {};
+    for (std::size_t k = 0; k < all.points.size(); ++k) {
+        const bool is_shared = std::find(info.shared_point, end, all.points[k]) != end;
+        WallField& to = is_shared ? shared : wall;
+        to.points.push_back(all.points[k]);
+        to.x.push_back(all.x[k]);
+        to.y.push_back(all.y[k]);
+    }
+    return shared;
+}
+
+// Returns the diagonal of the box around the moving walls.
+double extent_of(const Mesh& mesh, const hm_basis_info& info) {
+    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+    for (std::int32_t k = 0; k < info.curve_points; ++k) {
+        const auto point = static_cast<std::size_t>(info.curve_point[k]);
+        const double at[2] = {mesh.x[point], mesh.y[point]};
+        for (int i = 0; i < 2; ++i) {
+            low[i] = std::min(low[i], at[i]);
+            high[i] = std::max(high[i], at[i]);
+        }
+    }
+    return std::hypot(high[0] - low[0], high[1] - low[1]);
+}
+
+// Returns why the movement tears two conditions of a point apart; empty if it does not. `shared`
+// has the displacements that the table gives points of curves and bodies.
+std::string tear_of(const Mesh& mesh, const Task& task, const Solver& solver,
+                    const std::vector<double>& moves, const WallField& shared,
+                    const Threads& threads) {
+    if (moves.empty() && shared.points.empty()) return {};
+    const hm_basis_info info = info_of(mesh, solver);
+    Field by(mesh.x.size());
+    if (!moves.empty()) {
+        const hm_points at = mesh.coordinates();
+        const hm_points_out to = by.write();
+        double unused = 0;
+        hm_error error = {};
+        if (hm_boundary_error(solver.basis(), moves.data(), &at, &at, &unused, nullptr, &error) ==
+            HM_TORN) {
+            return why_torn(info, task.conditions, mesh, error.item - error.item_base,
+                            error.other - error.other_base, error.value);
+        }
+        call(mesh, hm_morph, solver.basis(), moves.data(), nullptr, &to, threads.executor());
+    }
+    constexpr double tolerance = 1e-6;  // that of hm_boundary_error
+    const double extent = extent_of(mesh, info);
+    for (std::size_t k = 0; k < shared.points.size(); ++k) {
+        const auto point = static_cast<std::size_t>(shared.points[k]);
+        const double distance = std::hypot(by.x[point] - shared.x[k], by.y[point] - shared.y[k]);
+        if (distance <= tolerance * extent) continue;
+        const auto at =
+            std::find(info.shared_point, info.shared_point + info.shared_points, shared.points[k]);
+        return why_torn(info, task.conditions, mesh, *at,
+                        info.shared_condition[2 * (at - info.shared_point) + 1], distance);
+    }
+    return {};
+}
 
 void displace(Solver& solver, const WallMovement& movement, const hm_points* from, Field& to,
               Block& work) {
@@ -61,8 +136,8 @@ void at_once(const Mesh& mesh, Solver& solver, const WallMovement& movement, std
     }
 }
 
-void safely(const Mesh& mesh, Solver& solver, const WallMovement& movement,
-            const hm_safe_options& options, Displacement& found) {
+void safely(const Mesh& mesh, Solver& solver, const WallMovement& movement, hm_safe_options options,
+            Displacement& found) {
     std::size_t bytes = 0;
     call(mesh, hm_displace_safe_size, solver.plan(), solver.basis(), &bytes);
     Block work(bytes);
@@ -71,6 +146,8 @@ void safely(const Mesh& mesh, Solver& solver, const WallMovement& movement,
     found.safe = sized<hm_safe_report>();
     const hm_points given = movement.wall.read();
     const hm_points_out to = found.moved.write();
+    found.moves = movement.moves;
+    if (!found.moves.empty()) options.reached = found.moves.data();
     hm_error error = {};
     const Stopwatch watch;
     const hm_status status = hm_displace_safe(
@@ -86,8 +163,9 @@ void safely(const Mesh& mesh, Solver& solver, const WallMovement& movement,
     }
 }
 
-Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solver& solver,
-                             const WallMovement& movement, const Threads& threads) {
+Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, const Task& task,
+                             Solver& solver, WallMovement movement, bool is_first,
+                             const Threads& threads) {
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
     Displacement found(mesh);
     const Stopwatch whole;
@@ -95,12 +173,16 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
     call(mesh, hm_plan_factor, solver.plan(), nullptr);
     found.factor_seconds = whole.seconds();
     found.engine = solver.engine_reason();
-    call(mesh, hm_basis_info_get, static_cast<const hm_basis*>(solver.basis()), &found.info);
+    found.info = info_of(mesh, solver);
     found.curve_points.assign(found.info.curve_point,
                               found.info.curve_point + found.info.curve_points);
-    found.info.curve_point = nullptr;  // the basis does not outlive this function
+    const WallField shared = take_shared_rows(found.info, movement.wall);
+    found.moves = movement.moves;
     if (!movement.moves.empty())
         call(mesh, hm_plan_solve, solver.plan(), solver.unsolved(), nullptr);
+    if (is_first) warn_of_shared_points(found.info, task.conditions, mesh);
+    found.torn = tear_of(mesh, task, solver, movement.moves, shared, threads);
+    if (!found.torn.empty() && !arguments.has("--force")) throw Failure(exit_unusable, found.torn);
     if (arguments.has("--safe")) {
         safely(mesh, solver, movement, safe_options_of(arguments), found);
     } else {
@@ -114,6 +196,9 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
     const bool may_improve = found.step.admissible > 1;
     if (!arguments.has("--safe") && arguments.has("--improve") && may_improve)
         solver.improve(found.moved, found.by, improve_options_of(arguments));
+    found.measure_boundary(mesh, solver, movement);
+    // The basis does not outlive this function.
+    found.info.curve_point = found.info.shared_point = found.info.shared_condition = nullptr;
     // The quality is that of the coordinates in the file.
     round_as_file(mesh, found.moved.x, found.moved.y);
     const hm_points at = found.moved.read(), start = mesh.coordinates();
@@ -123,8 +208,9 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
 }
 
 WallMovement movement_of(const Arguments& arguments, const Mesh& mesh, const Task& task) {
+    const std::string& path = arguments.text("--wall");
     WallMovement movement = {
-        arguments.text("--wall"), read_wall_field(arguments.text("--wall"), mesh), {}};
+        path, read_wall_field(path, mesh, task.conditions, arguments.has("--in-order")), {}};
     const CurvesView curves(task.curves);
     Movable movable = {static_cast<std::int32_t>(task.curves.control.size() / 2), 0, 0,
                        task.conditions, [&curves]() -> const hm_curves& { return *curves.get(); }};
@@ -136,7 +222,10 @@ WallMovement movement_of(const Arguments& arguments, const Mesh& mesh, const Tas
         if (arguments.has(option) && movable.functions() == 0)
             arguments.refuse(std::string(option) + " needs --curve or --rigid");
     }
-    movement.moves = read_moves(texts_of_moves(arguments), movable, mesh);
+    movable.n_curves = static_cast<std::int32_t>(task.curves.curves.size());
+    std::vector<MovementError> errors;
+    movement.moves = read_moves(texts_of_moves(arguments), movable, mesh, &errors);
+    warn_of_errors(errors);
     return movement;
 }
 
@@ -153,7 +242,8 @@ Displacement best_displacement(const Arguments& arguments, const Mesh& mesh, con
             by.options.exponent = by.options.offset_correction = 0;
         }
         Solver solver(mesh, by, threads);
-        Displacement found = displacement_of(arguments, mesh, solver, movement, threads);
+        Displacement found =
+            displacement_of(arguments, mesh, by, solver, movement, trials.empty(), threads);
         trial.step_fraction = found.safe ? found.safe->step_fraction : found.valid() ? 1 : 0;
         trial.min_quality = found.quality.min_quality;
         trial.is_short = own != HM_CONFORMAL && !found.refusal.empty();
@@ -201,8 +291,11 @@ const Command displace_command = {
     "FIELD is a text file with lines \"point dx dy\": all points of the markers of --given, "
     "each with its displacement. Points\n"
     "are counted from 0 in the order of the mesh file, as SU2 files count them; "
-    "`#` starts a comment. They move by exactly\n"
-    "these displacements; the other points follow as they follow a curve in `harmorph morph`. "
+    "`#` starts a comment. FIELD may also\n"
+    "be a table as `harmorph adjoint` reads tables, with the columns dx and dy, or displacement_x "
+    "and displacement_y; a table of\n"
+    "all points of MESH gives those of the markers. They move by exactly these displacements; the "
+    "other points follow as they follow a curve in `harmorph morph`. "
     "Markers on curves (--curve) and\n"
     "of rigid bodies (--rigid) move as the file of --move says; "
     "markers that are not named are fixed. A mesh with inverted\n"
@@ -213,12 +306,14 @@ const Command displace_command = {
     std::vector<Option>{
         {"--given", "A[,B..]", "markers whose displacements FIELD has (required; may be repeated)"},
         {"--wall", "FIELD", "their displacements (required)", FileUse::input},
+        in_order_option,
         {"--move", "MOVES",
          "with --curve or --rigid: the movements of control points and bodies, see `harmorph "
          "morph`",
          FileUse::input},
         by_option,
-        {"-o", "MESH", "moved mesh to write", FileUse::moved_mesh},
+        {"-o", "MESH", "moved mesh to write; the ending chooses the format, as in `morph`",
+         FileUse::moved_mesh},
         {"--vtu", "FILE", "moved mesh and its displacement for ParaView", FileUse::output},
         {"--report", "FILE",
          "HTML page for any browser, as of `harmorph morph`; written even if the moved mesh is not "
@@ -237,7 +332,9 @@ const Command displace_command = {
             {"--json", nullptr,
              "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing, "
              "min_quality,\n"
-             "mean_quality, engine (with the reason), factor_seconds (analysis included), "
+             "mean_quality, boundary_error (largest distance of wall points from where the "
+             "movement takes them), engine\n"
+             "(with the reason), factor_seconds (analysis included), "
              "displace_seconds; with --safe no\n"
              "admissible_step but the keys of `harmorph morph --safe`; with --operator auto "
              "operators (operator,\n"

@@ -41,8 +41,8 @@ void interpolate(const Arguments& arguments, const Mesh& from, const std::vector
 void run_interpolate(const Arguments& arguments) {
     if (!arguments.has("-o")) arguments.refuse("-o is required");
     const Mesh from = read_mesh(arguments, 0), to = read_mesh(arguments.operand(2));
-    const std::vector<Column> fields =
-        read_fields(arguments.operand(1), arguments.all("--field"), from);
+    const std::vector<Column> fields = read_fields(arguments.operand(1), arguments.all("--field"),
+                                                   from, arguments.has("--in-order"));
     const Threads threads(threads_of(arguments));
     interpolate(arguments, from, fields, to, threads);
 }
@@ -64,6 +64,7 @@ const Command interpolate_command = {
     "pointVectorField of OpenFOAM, or a CGNS file with arrays at the vertices (programs made with "
     "CGNS=1). Rows are matched as in `harmorph adjoint`.\n",
     {{"--field", "NAME", "a column of FIELDS; may be repeated (default: all columns)"},
+     in_order_option,
      {"-o", "FILE",
       "file to write (required): .vtu, with the mesh TO, or else a CSV table with the columns "
       "point, x, y and\nthe fields",

@@ -47,8 +47,7 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
                  const Morph& morph, const Companions& companions, OutputFiles& files) {
     const Field& moved = morph.moved;
     if (arguments.has("-o"))
-        write_moved(files.add(moved_file(mesh, arguments.text("-o"))), mesh, moved.x.data(),
-                    moved.y.data());
+        write_moved(files, mesh, arguments.text("-o"), moved.x.data(), moved.y.data());
     if (!companions.curve.empty())
         write_curve_file(files, companions.curve, morph.moved_curves(basis));
     if (!companions.reached.empty())
@@ -114,13 +113,25 @@ void warn_of_earlier_movement(const Arguments& arguments, const Basis& basis) {
          "takes them");
 }
 
+void measure_wall_of(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
+                     const Morph& morph, ToAirfoil& airfoil) {
+    const std::int32_t curve = arguments.whole("--airfoil-curve", 1, 1, INT32_MAX) - 1;
+    measure_wall(airfoil, basis, curve, mesh, morph.moved.x, morph.moved.y);
+    if (!(airfoil.wall_error > far_from_section * airfoil.chord)) return;
+    warn("the wall of the morphed mesh is up to " + brief(airfoil.wall_error / airfoil.chord) +
+         " chord off the section of " + arguments.text("--to-airfoil") +
+         "; the curve of the basis was off the wall before the movement, or the movement stopped "
+         "on its way");
+}
+
 void run_morph(const Arguments& arguments) {
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
     if (basis.mesh_has_moved()) warn_of_earlier_movement(arguments, basis);
-    std::optional<ToAirfoil> airfoil;
-    const std::vector<double> moves = asked_moves(arguments, mesh, basis, airfoil);
+    AskedMoves asked = asked_moves(arguments, mesh, basis);
+    const std::vector<double>& moves = asked.moves;
+    warn_of_errors(asked.errors);
     const Threads threads(threads_of(arguments), kernel_of(arguments));
     const bool safe = arguments.has("--safe");
     check_safe_options(arguments);
@@ -131,17 +142,7 @@ void run_morph(const Arguments& arguments) {
                        : Morph(basis, mesh, moves, repeats, threads);
     if (!safe && arguments.has("--improve") && morph.valid())
         morph.improve(basis, mesh, threads, improve_options_of(arguments));
-    if (airfoil) {
-        const std::int32_t curve = arguments.whole("--airfoil-curve", 1, 1, INT32_MAX) - 1;
-        measure_wall(*airfoil, basis, curve, mesh, morph.moved.x, morph.moved.y);
-        if (airfoil->wall_error > far_from_section * airfoil->chord) {
-            warn("the wall of the morphed mesh is up to " +
-                 brief(airfoil->wall_error / airfoil->chord) + " chord off the section of " +
-                 arguments.text("--to-airfoil") +
-                 "; before the movement, the curve of the basis may be off the wall, or a safe "
-                 "morph may have stopped");
-        }
-    }
+    if (asked.airfoil) measure_wall_of(arguments, mesh, basis, morph, *asked.airfoil);
     if (safe) warn_of_heights(arguments, morph.safe, morph.valid());
     const bool strict = arguments.has("--strict") && !morph.warning.empty();
     const bool reached = morph.valid() && morph.refusal.empty() && !strict;
@@ -158,9 +159,10 @@ void run_morph(const Arguments& arguments) {
         write_moves(files.add(arguments.text("--moves-out")), moves, basis, mesh);
     files.commit();
     if (arguments.has("--json")) {
-        print_json(morph, safe, written, airfoil);
+        print_json(morph, safe, written, asked);
     } else {
-        if (airfoil) print_airfoil(arguments.text("--to-airfoil"), *airfoil);
+        if (asked.airfoil) print_airfoil(arguments.text("--to-airfoil"), *asked.airfoil);
+        print_errors(asked.errors);
         print_for_people(morph, safe, written);
     }
     if (strict && morph.valid()) throw Failure(exit_unusable, morph.warning);
@@ -184,10 +186,12 @@ const Command morph_command = {
     "\"shift MARKER dx dy\",\n"
     "\"scale MARKER factor [X,Y]\" and \"flap MARKER X,Y degrees [length]\", a smooth "
     "deflection behind the hinge X,Y, over a\n"
-    "tenth of the chord or `length`. Lines are applied in their order. Control points\n"
-    "and bodies without a line do not move; `#` starts a comment. Points of the mesh on the curve "
-    "move exactly as the\n"
-    "B-spline does. A mesh with inverted cells or a boundary that crosses itself is not written.\n"
+    "tenth of the chord or `length`. MARKER may be a piece A@X:Y, or a name in quotes, \"a "
+    "name\". Lines are applied in their order.\n"
+    "Control points and bodies without a line do not move; `#` starts a comment. Points of the "
+    "mesh on the curve move exactly as\n"
+    "the B-spline does. A movement that takes a point away from one of two moving conditions is "
+    "refused. A mesh with inverted cells or a boundary that crosses itself is not written.\n"
     "The file of the morphed mesh has the text of MESH with other coordinates. The moved B-spline "
     "is written beside the\n"
     "file, with .curve appended to its name. With --safe --force the mesh may stop before the "
@@ -221,7 +225,10 @@ const Command morph_command = {
          "for --to-airfoil: where to write the movement, for --move; written even if the morphed "
          "mesh is not valid",
          FileUse::output},
-        {"-o", "MESH", "morphed mesh to write, in the format of MESH", FileUse::moved_mesh},
+        {"-o", "MESH",
+         "morphed mesh to write: the file MESH with other coordinates, or, by another ending\n"
+         "(.su2, .msh, .vtk, .vtu), a new file as of `convert`",
+         FileUse::moved_mesh},
         {"--curve-out", "CURVE",
          "where to write the moved curve (default: the file of -o with .curve "
          "appended)\n" CURVE_FORMATS,
@@ -287,11 +294,14 @@ const Command morph_command = {
              "start_quality, end_point (the end of a wall that leaves the line of the neighbouring "
              "boundary;\n"
              "-1: none), end_distance, warning, worst_cells (cell, quality, start_quality, x, y); "
-             "with --to-airfoil\n"
-             "airfoil_max_error, airfoil_rms_error and airfoil_wall_error (distances of the points "
-             "of "
-             "DAT from the "
-             "curve)"}},
+             "with movements of\n"
+             "sections movement_error (the largest distance of the curve from the movement, as the "
+             "control points do\n"
+             "not follow it); with --to-airfoil\n"
+             "airfoil_max_error, airfoil_rms_error (distances of the points of DAT from the curve) "
+             "and\n"
+             "airfoil_wall_error (distance of the moved wall from the polygon of DAT; below 0: not "
+             "known)"}},
     "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg "
     "morphed.svg\n"
     "  harmorph morph naca0012.su2 airfoil.basis --to-airfoil naca2412.dat --safe -o "

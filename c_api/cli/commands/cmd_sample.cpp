@@ -81,7 +81,7 @@ private:
     }
 
     std::size_t batch_size() const {
-        constexpr std::size_t numbers = std::size_t{1} << 23;  // 64 MB of coordinates
+        constexpr std::size_t numbers = std::size_t{1} << 23;  // 64 MiB of coordinates
         const std::size_t fitting = numbers / (6 * mesh_.x.size() + 1);
         const auto threads = static_cast<std::size_t>(threads_of(arguments_));
         if (threads == 1) return 1;  // so that the design stays in the cache until it is written

@@ -8,9 +8,11 @@
 #include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "commands/safe_way.hpp"
+#include "commands/shared_points.hpp"
 #include "commands/solver.hpp"
 #include "commands/storage.hpp"
 #include "commands/task.hpp"
+#include "mesh/mesh_fields.hpp"
 #include "mesh/wall_field.hpp"
 
 #include <algorithm>
@@ -102,12 +104,15 @@ void print_for_people(const Solver& solver, const Stored& stored, const Mesh& me
 // functions of the basis.
 class Modes {
 public:
-    Modes(const Arguments& arguments, const Mesh& mesh) : paths_(arguments.all("--mode")) {
+    Modes(const Arguments& arguments, const Mesh& mesh, const Task& task)
+        : paths_(arguments.all("--mode")) {
         if (paths_.empty()) return;
         if (!arguments.has("--given"))
             arguments.refuse(
                 "--mode states displacements of the markers of --given, but --given is missing");
-        for (const std::string& path : paths_) add(path, read_wall_field(path, mesh));
+        const bool in_order = arguments.has("--in-order");
+        for (const std::string& path : paths_)
+            add(path, read_wall_field(path, mesh, task.conditions, in_order));
     }
     const hm_basis* append_to(Solver& solver) {
         if (paths_.empty()) return solver.basis();
@@ -170,8 +175,8 @@ void run_solve(const Arguments& arguments) {
     if (compares_operators(arguments))
         arguments.refuse("--operator auto is only for displace and for morph --safe");
     const Mesh mesh = read_mesh(arguments, 0);
-    Modes modes(arguments, mesh);
     Task task = task_of(arguments, mesh);
+    Modes modes(arguments, mesh, task);
     std::vector<double> history(arguments.has("--history") ? max_history : 0);
     task.options.history = history.data();
     task.options.history_length = static_cast<std::int32_t>(history.size());
@@ -186,6 +191,9 @@ void run_solve(const Arguments& arguments) {
     }
     if (converged || arguments.has("--force")) write_basis(files.add(path), stored.basis(), mesh);
     files.commit();
+    auto info = sized<hm_basis_info>();
+    call(mesh, hm_basis_info_get, solver.basis(), &info);
+    warn_of_shared_points(info, task.conditions, mesh);
     if (arguments.has("--json")) {
         print_json(solver, stored, mesh, times);
     } else {
@@ -232,8 +240,9 @@ const Command solve_command = {
              "a function whose values at the points of --given are a table: lines \"point x y\", "
              "points counted\n"
              "from 0 (may be repeated; `morph` moves it by lines \"mode K amplitude [amplitude "
-             "y]\")",
+             "y]\"), or one as `harmorph displace` reads it",
              FileUse::input},
+            in_order_option,
             {"--repeat", "N",
              "solve N times after a warm-up, in memory, and report median times (default 1, no "
              "warm-up)"},

@@ -31,6 +31,18 @@ double distance_from_targets(const Mesh& mesh, const WallMovement& movement,
 
 }  // namespace
 
+void Displacement::measure_boundary(const Mesh& mesh, const Solver& solver,
+                                    const WallMovement& movement) {
+    if (!safe || safe->step_fraction == 1)
+        boundary_error = distance_from_targets(mesh, movement, *this);
+    if (moves.empty()) return;
+    const hm_points from = mesh.coordinates(), to = moved.read();
+    double on_curves = 0;
+    call(mesh, hm_boundary_error, solver.basis(), moves.data(), &from, &to, &on_curves, nullptr);
+    if (safe) on_curves = std::fabs(on_curves - safe->turned_offset);
+    boundary_error = std::max(boundary_error, on_curves);
+}
+
 void write_displacement_page(std::ostream& out, const Mesh& mesh, const Task& task,
                              const WallMovement& movement, const Displacement& found) {
     const CurvesView curves(task.curves);
@@ -47,8 +59,7 @@ void write_displacement_page(std::ostream& out, const Mesh& mesh, const Task& ta
 void write_displacement(const Arguments& arguments, const Mesh& mesh, const Displacement& found,
                         OutputFiles& files) {
     if (arguments.has("-o"))
-        write_moved(files.add(moved_file(mesh, arguments.text("-o"))), mesh, found.moved.x.data(),
-                    found.moved.y.data());
+        write_moved(files, mesh, arguments.text("-o"), found.moved.x.data(), found.moved.y.data());
     if (arguments.has("--vtu")) {
         write_vtu(files.add(arguments.text("--vtu")), mesh, found.moved.x, found.moved.y,
                   {displacement_data(found.by)});
@@ -59,7 +70,8 @@ void print_json(const Displacement& found) {
     JsonObject object;
     object.add("inverted", found.quality.inverted);
     if (!found.safe) object.add("admissible_step", valid_fraction(found.step));
-    object.add("self_crossing", found.quality.self_crossing != 0);
+    object.add("self_crossing", found.quality.self_crossing != 0)
+        .add("boundary_error", found.boundary_error);
     object.add("min_quality", found.quality.min_quality)
         .add("mean_quality", found.quality.mean_quality);
     object.add("engine", found.engine);
@@ -80,6 +92,7 @@ void print_displacement(const Displacement& found) {
         const std::string text = std::isinf(step) ? "unlimited" : brief(step) + " of this one";
         print("admissible step  %s\n", text.c_str());
     }
+    print("boundary         %s off its target at most\n", brief(found.boundary_error).c_str());
     print(
         "quality          %s at least, %s on average (size and skew, relative to the mesh as it "
         "was)\n",
@@ -90,6 +103,7 @@ void print_displacement(const Displacement& found) {
 }
 
 std::string why_invalid(const Displacement& found, const Mesh& mesh) {
+    if (!found.torn.empty()) return found.torn;
     std::string text = plural(found.quality.inverted, "inverted cell");
     if (found.step.cell >= 0) {
         const std::size_t line = mesh.cell_offset[static_cast<std::size_t>(found.step.cell)];

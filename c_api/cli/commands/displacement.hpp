@@ -5,6 +5,7 @@
 #include "basics/output_file.hpp"
 #include "commands/morph.hpp"
 #include "commands/safe_way.hpp"
+#include "commands/solver.hpp"
 #include "commands/task.hpp"
 #include "mesh/wall_field.hpp"
 
@@ -33,9 +34,17 @@ struct Displacement {
     std::vector<OperatorTrial> trials;  // the operators that were compared
     hm_basis_info info = sized<hm_basis_info>();
     std::vector<std::int32_t> curve_points;  // mesh points on curves
+    std::vector<double> moves;  // of control points and bodies, as far as the mesh went
+    // The largest distance of wall points from where the movement takes them.
+    double boundary_error = 0;
+    std::string torn;  // why the movement tears two conditions apart
 
     explicit Displacement(const Mesh& mesh) : by(mesh.x.size()), moved(mesh.x.size()) {}
-    bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
+    bool valid() const {
+        return quality.inverted == 0 && quality.self_crossing == 0 && torn.empty();
+    }
+    // Finds boundary_error, before coordinates are rounded.
+    void measure_boundary(const Mesh& mesh, const Solver& solver, const WallMovement& movement);
 };
 
 // Writes the moved mesh and the file for ParaView, as far as the command line asks for them.

@@ -3,6 +3,7 @@
 
 #include "formats/format.hpp"
 #include "basics/numbers.hpp"
+#include "commands/shared_points.hpp"
 #include "commands/solver.hpp"
 #include "basics/stopwatch.hpp"
 
@@ -29,6 +30,12 @@ double median_seconds(const Basis& basis, const Mesh& mesh, const std::vector<do
         seconds.push_back(watch.seconds());
     }
     return median(seconds);
+}
+
+// `error` names the point and its second condition.
+std::string why_torn_by(const Basis& basis, const Mesh& mesh, const hm_error& error) {
+    return why_torn(basis.info(), basis.conditions(), mesh, error.item - error.item_base,
+                    error.other - error.other_base, error.value);
 }
 
 }  // namespace
@@ -101,7 +108,10 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
                                            work.data(), bytes, &options, &safe, &error);
     if (status < 0 && status != HM_CROSSING) refuse(error, mesh);
     impossible = status == HM_CROSSING;
-    if (status == HM_POOR || status == HM_NOT_CONVERGED) {
+    const bool is_torn = status == HM_CROSSING && error.other_kind == HM_ITEM_CONDITION;
+    if (is_torn) {
+        refusal = why_torn_by(basis, mesh, error);
+    } else if (status == HM_POOR || status == HM_NOT_CONVERGED) {
         warning = error.text;
     } else if (status != HM_OK) {
         refusal = error.text;
@@ -154,9 +164,11 @@ void Morph::judge(const Basis& basis, const Mesh& mesh, const Threads& threads) 
     const hm_points along = displacement.read(), to = moved.read();
     call(mesh, hm_assess, basis.get(), &view, nullptr, &along, nullptr, threads.executor(), &step,
          &quality);
-    std::int32_t worst_point = -1;  // not used
-    call(mesh, hm_boundary_error, basis.get(), moves.data(), &view.points, &to, &boundary_error,
-         &worst_point);
+    hm_error error = {};
+    const hm_status status = hm_boundary_error(basis.get(), moves.data(), &view.points, &to,
+                                               &boundary_error, nullptr, &error);
+    if (status < 0) refuse(error, mesh);
+    if (status == HM_TORN) torn = why_torn_by(basis, mesh, error);
     boundary_error =
         std::fabs(boundary_error - safe.turned_offset);  // without the offsets that turned
     boundary_error += basis.distance_from_curves();      // the distance before this movement

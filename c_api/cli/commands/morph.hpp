@@ -31,6 +31,7 @@ struct Morph {
     hm_quality_report quality;  // relative to the mesh before the morph
     // The largest distance of wall points from the B-spline that `moves` moved.
     double boundary_error = 0;
+    std::string torn;         // why the movement tears two conditions apart
     double seconds = 0;       // of hm_morph: the median of all repeats; or of hm_morph_safe
     hm_safe_report safe;      // set by the safe morph, as are all members below
     std::string refusal;      // why the mesh does not reach the target
@@ -46,7 +47,9 @@ struct Morph {
     // Moves inner points to where cells are better. Walls, and therefore `moves`, stay.
     void improve(const Basis& basis, const Mesh& mesh, const Threads& threads,
                  const hm_improve_options& options);
-    bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
+    bool valid() const {
+        return quality.inverted == 0 && quality.self_crossing == 0 && torn.empty();
+    }
     std::vector<double> moved_control(
         const Basis& basis) const;  // pairs x, y of the control points after `moves`
     Curves moved_curves(const Basis& basis) const;  // the curves of the basis on the moved mesh

@@ -3,12 +3,12 @@
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cli {
 
-void print_json(const Morph& morph, bool safe, const Companions& written,
-                const std::optional<ToAirfoil>& airfoil) {
+void print_json(const Morph& morph, bool safe, const Companions& written, const AskedMoves& asked) {
     JsonObject object;
     object.add("inverted", morph.quality.inverted);
     if (!safe) {
@@ -25,10 +25,13 @@ void print_json(const Morph& morph, bool safe, const Companions& written,
         add_trials(object, morph.trials);
     }
     object.add("moved_curve", written.curve);
-    if (airfoil)
-        object.add("airfoil_max_error", airfoil->max_error)
-            .add("airfoil_rms_error", airfoil->rms_error)
-            .add("airfoil_wall_error", airfoil->wall_error);
+    if (asked.airfoil)
+        object.add("airfoil_max_error", asked.airfoil->max_error)
+            .add("airfoil_rms_error", asked.airfoil->rms_error)
+            .add("airfoil_wall_error", asked.airfoil->wall_error);
+    double largest = 0;
+    for (const MovementError& error : asked.errors) largest = std::max(largest, error.largest);
+    if (!asked.errors.empty()) object.add("movement_error", largest);
     print("%s\n", object.text().c_str());
 }
 
@@ -79,9 +82,10 @@ void print_for_people(const Morph& morph, bool safe, const Companions& written) 
 }
 
 std::string why_not_valid(const Morph& morph, const Mesh& mesh) {
-    std::string text;
+    std::string text = morph.torn;
     if (morph.quality.inverted > 0) {
-        text = plural(morph.quality.inverted, "inverted cell");
+        text += text.empty() ? "" : "; ";
+        text += plural(morph.quality.inverted, "inverted cell");
         if (morph.step.cell >= 0) {
             const std::size_t line = mesh.cell_offset[static_cast<std::size_t>(morph.step.cell)];
             text += ": " + brief(morph.step.admissible) +

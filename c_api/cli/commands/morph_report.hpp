@@ -1,11 +1,11 @@
 // The report of `harmorph morph` about a morphed mesh, for people and as JSON.
 #pragma once
 
+#include "commands/asked_moves.hpp"
 #include "commands/morph.hpp"
 #include "commands/safe_way.hpp"
 #include "curves/to_airfoil.hpp"
 
-#include <optional>
 #include <string>
 
 namespace cli {
@@ -17,8 +17,7 @@ struct Companions {
 };
 
 // safe: the mesh was moved by hm_morph_safe, whose report is morph.safe.
-void print_json(const Morph& morph, bool safe, const Companions& written,
-                const std::optional<ToAirfoil>& airfoil);
+void print_json(const Morph& morph, bool safe, const Companions& written, const AskedMoves& asked);
 void print_for_people(const Morph& morph, bool safe, const Companions& written);
 void print_airfoil(const std::string& path, const ToAirfoil& airfoil);
 

@@ -2,7 +2,24 @@
 #include <harmorph_study.h>
 #include "commands/solver.hpp"
 
+#include <algorithm>
+
 namespace cli {
+
+namespace {
+
+// Names the option in the place of the field of the library.
+[[noreturn]] void refuse_analysis(hm_error error, const Mesh& mesh) {
+    const std::string field = "hm_problem.max_curve_distance", option = "--far-from-curve";
+    std::string text = error.text;
+    const std::size_t at = text.find(field);
+    if (at != text.npos) text.replace(at, field.size(), option);
+    text.copy(error.text, sizeof error.text - 1);
+    error.text[std::min(text.size(), sizeof error.text - 1)] = '\0';
+    refuse(error, mesh);
+}
+
+}  // namespace
 
 Solver::Solver(const Mesh& mesh, const Task& task, const Threads& threads)
     : mesh_(mesh),
@@ -16,6 +33,7 @@ Solver::Solver(const Mesh& mesh, const Task& task, const Threads& threads)
     problem_.curves = task.curves.curves.empty() ? nullptr : curves_view_.get();
     problem_.n_conditions = static_cast<std::int32_t>(task.conditions.size());
     problem_.conditions = task.conditions.data();
+    problem_.max_curve_distance = task.max_curve_distance;
     problem_.n_given = static_cast<std::int32_t>(task.given_points.size());
     problem_.given_points = task.given_points.data();
     problem_.given_curves = task.given_curves.data();
@@ -92,7 +110,12 @@ void Solver::analyse() {
     std::size_t bytes = 0;
     call(mesh_, hm_analysis_size, &problem_, &options_, &bytes);
     analysis_block_.resize(bytes);
-    call(mesh_, hm_analysis_init, &analysis_, analysis_block_.data(), bytes, &problem_, &options_);
+    hm_error error = {};
+    const hm_status status =
+        hm_analysis_init(&analysis_, analysis_block_.data(), bytes, &problem_, &options_, &error);
+    if (status < 0) refuse_analysis(error, mesh_);
+    const bool is_new = problem_.max_curve_distance != 0;  // not that of a basis
+    if (status == HM_FAR_FROM_CURVE && is_new) warn(error.text);
 }
 
 void Solver::lay_out() {

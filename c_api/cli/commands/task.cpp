@@ -42,6 +42,10 @@ std::vector<Option> task_options() {
          "gradients, engines direct and fas; nodal-gradient-plain: the paper's text, engine fas"},
         {"--offset-correction", nullptr,
          "conformal: the offsets of wall points from their curve turn with the curve"},
+        {"--far-from-curve", nullptr,
+         "accept points that are farther from their curve than .01 of the diagonal of the box "
+         "around the curve;\n"
+         "they keep their distance in every movement. From .001 on there is a warning"},
         {"--tol", "T", "largest relative residual that counts as converged (default 1e-10)"}};
     return condition_options() + operator_options() + scheme_options;
 }
@@ -59,6 +63,8 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
                                       {"bounded", HM_BOUNDED}});
     task.options.offset_correction = arguments.has("--offset-correction") ? 1 : 0;
     set_engine(arguments, task);
+    constexpr double farthest = 0.01;
+    task.max_curve_distance = arguments.has("--far-from-curve") ? 1e100 : farthest;
     add_conditions(arguments, mesh, task);
     return task;
 }

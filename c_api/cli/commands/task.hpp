@@ -20,6 +20,7 @@ struct Task {
     std::vector<std::string> passages;                     // descriptions of pairs of turned sides
     std::vector<std::int32_t> given_points, given_curves;  // points with known parameters
     std::vector<double> given_u;
+    double max_curve_distance = 0;  // of hm_problem
     SolveOptions options;
     EngineChoice choice;  // if not empty, replaces the engine of `options`
 

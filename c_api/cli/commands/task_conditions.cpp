@@ -2,6 +2,7 @@
 #include "basics/numbers.hpp"
 #include "commands/task.hpp"
 #include "curves/curve_file.hpp"
+#include "curves/section_movement.hpp"
 #include "mesh/side_pair.hpp"
 
 #include <algorithm>
@@ -42,12 +43,11 @@ void add_condition(const Arguments& arguments, const Mesh& mesh, Task& task,
 // binding: "A[,B..]=FILE"; these markers lie on the curves of that file.
 void put_on_curves(const Arguments& arguments, const Mesh& mesh, Task& task,
                    const std::string& binding) {
-    const std::size_t equals = binding.find('=');
-    if (equals == std::string::npos)
-        arguments.refuse("--curve expects MARKER=FILE, not " + in_quotes(binding));
+    const auto [markers, file] = mesh.split_binding(binding);
+    if (file.empty()) arguments.refuse("--curve expects MARKER=FILE, not " + in_quotes(binding));
     const auto first_curve = static_cast<std::int32_t>(task.curves.curves.size());
-    task.curves.append(read_curves(binding.substr(equals + 1)));
-    for (const MarkerPiece& piece : mesh.find_pieces(binding.substr(0, equals))) {
+    task.curves.append(read_curves(file));
+    for (const MarkerPiece& piece : mesh.find_pieces(markers)) {
         hm_condition condition = condition_on(piece, HM_ON_CURVE);
         condition.first_curve = first_curve;
         condition.n_curves = static_cast<std::int32_t>(task.curves.curves.size()) - first_curve;
@@ -59,15 +59,14 @@ void put_on_curves(const Arguments& arguments, const Mesh& mesh, Task& task,
 // file if there is one.
 void let_slip(const Arguments& arguments, const Mesh& mesh, Task& task,
               const std::string& binding) {
-    const std::size_t equals = binding.find('=');
+    const auto [markers, file] = mesh.split_binding(binding);
     hm_condition along = condition_on(0, HM_SLIP);
-    if (equals != std::string::npos) {
-        task.slip_curves.push_back(
-            std::make_shared<const CurveSet>(read_curves(binding.substr(equals + 1))));
+    if (markers.size() < binding.size()) {
+        task.slip_curves.push_back(std::make_shared<const CurveSet>(read_curves(file)));
         along.along = task.slip_curves.back()->view.get();
         along.n_curves = along.along->n_curves;
     }
-    for (const MarkerPiece& piece : mesh.find_pieces(binding.substr(0, equals))) {
+    for (const MarkerPiece& piece : mesh.find_pieces(markers)) {
         hm_condition condition = condition_on(piece, HM_SLIP);
         condition.along = along.along;
         condition.n_curves = along.n_curves;
@@ -109,18 +108,12 @@ void centre_of(const Mesh& mesh, const std::vector<MarkerPiece>& pieces, double&
 // binding: "A[,B..]" or "A[,B..]=X,Y", the markers of one body and its centre of rotation.
 void make_rigid(const Arguments& arguments, const Mesh& mesh, Task& task,
                 const std::string& binding, std::int32_t body) {
-    const std::size_t equals = binding.find('=');
-    const std::vector<MarkerPiece> pieces = mesh.find_pieces(binding.substr(0, equals));
+    const auto [markers, centre] = mesh.split_binding(binding);
+    const std::vector<MarkerPiece> pieces = mesh.find_pieces(markers);
     double x = 0, y = 0;
     centre_of(mesh, pieces, x, y);
-    if (equals != std::string::npos) {
-        const std::string centre = binding.substr(equals + 1);
-        const std::size_t comma = centre.find(',');
-        if (comma == std::string::npos || !parse(centre.substr(0, comma), x) ||
-            !parse(centre.substr(comma + 1), y)) {
-            arguments.refuse("--rigid expects MARKER or MARKER=X,Y, not " + in_quotes(binding));
-        }
-    }
+    if (markers.size() < binding.size() && !parse_place(centre, x, y))
+        arguments.refuse("--rigid expects MARKER or MARKER=X,Y, not " + in_quotes(binding));
     for (const MarkerPiece& piece : pieces) {
         hm_condition condition = condition_on(piece, HM_RIGID);
         condition.body = body;
@@ -215,7 +208,9 @@ std::vector<Option> condition_options() {
     std::vector<Option> of_conditions = {
         {"--curve", "A[,B..]=CURVE",
          "markers, and the file with the curves they lie on (may be repeated). A@X:Y is the piece\n"
-         "of marker A nearest to (X, Y): one of several bodies or sides, here and below",
+         "of marker A nearest to (X, Y): one of several bodies or sides, here and below. A name "
+         "with blanks,\n"
+         "commas, quotes or = may stand in quotes: \"a name\"@X:Y",
          FileUse::input_after_equals},
         {"--rigid", "A[,B..][=X,Y]",
          "markers of a body that only moves, turns about X,Y (default: the centre of its bounding "

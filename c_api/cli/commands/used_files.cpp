@@ -4,6 +4,7 @@
 #include "formats/format.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace cli {
 
@@ -50,6 +51,31 @@ void refuse_inputs(const Arguments& arguments, const NamedFile& output,
     }
 }
 
+// Outputs that are written in one format: the ending of another known format is refused, as the
+// file would not contain what its name says.
+struct OneFormat {
+    const char *option, *ending, *content;
+};
+constexpr OneFormat one_format[] = {{"--svg", ".svg", "an SVG picture"},
+                                    {"--boundary-svg", ".svg", "an SVG picture"},
+                                    {"--vtu", ".vtu", "a VTK XML file"},
+                                    {"--csv", ".csv", "a CSV table"},
+                                    {"--report", ".html", "an HTML page"}};
+constexpr const char* known_endings[] = {".svg", ".png",  ".jpg", ".jpeg", ".gif", ".pdf", ".eps",
+                                         ".vtu", ".vtk",  ".csv", ".html", ".su2", ".msh", ".txt",
+                                         ".dat", ".json", ".npz", ".tif",  ".bmp", ".ps"};
+
+void refuse_other_ending(const Arguments& arguments, const NamedFile& file) {
+    const std::string ending = std::filesystem::path(file.path).extension().string();
+    const bool is_known = std::find(std::begin(known_endings), std::end(known_endings), ending) !=
+                          std::end(known_endings);
+    for (const OneFormat& one : one_format) {
+        if (file.name != one.option || !is_known || ending == one.ending) continue;
+        arguments.refuse(file.name + " writes " + one.content + ", so the name of the file, " +
+                         file.path + ", must end in " + one.ending);
+    }
+}
+
 }  // namespace
 
 void refuse_overwriting(const Arguments& arguments) {
@@ -59,6 +85,7 @@ void refuse_overwriting(const Arguments& arguments) {
         if (!is_output(file)) continue;
         refuse_inputs(arguments, file, inputs);
         for (const NamedFile& other : outputs) refuse_same(arguments, file, other);
+        refuse_other_ending(arguments, file);
         outputs.push_back(file);
     }
 }

@@ -2,7 +2,8 @@
 //
 //     degree 3
 //     closed tied       # open; tied: the first point is also the last one; periodic: the first 3
-//                       # points (as many as the degree) are repeated at the end
+//                       # points (as many as the degree) are repeated at the end; they may also be
+//                       # written again there, and then count as points
 //     points 20         # 20 lines x y
 //     knots 25          # as many values as control points with repeats, and degree + 1 more
 //     indices 21        # if the points are not used in order: the numbers of the points

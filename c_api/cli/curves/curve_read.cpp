@@ -5,6 +5,8 @@
 #include "basics/numbers.hpp"
 #include "basics/text_file.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace cli {
@@ -23,6 +25,9 @@ private:
     void read_points();
     void read_knots();
     void read_indices();
+    bool repeats_first_points() const;
+    [[noreturn]] void refuse_repeated_points() const;
+    void drop_repeated_points();
     void read_weights();
     void finish_curve();
 
@@ -139,7 +144,12 @@ void CurveReader::finish_curve() {
     if (!has_closed_) lines_.expected("closed");
     require_points();
     if (curve_.knots.empty()) lines_.expected("knots");
-    if (curve_.indices.empty()) {
+    if (curve_.indices.empty() && repeats_first_points()) {
+        const std::int32_t repeated = curve_.degree;
+        curve_.indices = default_indices(curves_.points() - repeated, repeated, HM_PERIODIC);
+        if (curve_.closed == HM_OPEN) refuse_repeated_points();
+        drop_repeated_points();
+    } else if (curve_.indices.empty()) {
         curve_.indices = default_indices(curves_.points(), curve_.degree, curve_.closed);
     } else if (!closes(curve_)) {
         const std::string how = closed_name(curve_.closed);
@@ -156,6 +166,47 @@ void CurveReader::finish_curve() {
     }
     curves_.curves.push_back(std::exchange(curve_, Curve()));
     has_closed_ = false;
+}
+
+// Tells whether the last points, as many as the degree, are the first ones again, as in the usual
+// notation of periodic curves, which has one knot more than these points and the degree.
+bool CurveReader::repeats_first_points() const {
+    const auto n = static_cast<std::size_t>(curves_.points()),
+               repeated = static_cast<std::size_t>(curve_.degree);
+    const bool is_alone = curves_.curves.empty() && curve_.knots.size() == n + repeated + 1;
+    if (curve_.closed == HM_TIED || n <= 2 * repeated || !is_alone) return false;
+    if (!(curve_.knots[0] < curve_.knots[repeated])) return false;  // clamped at the first point
+    const auto [low, high] = std::minmax_element(curves_.control.begin(), curves_.control.end());
+    const double rounding = 1e-12 * (*high - *low);
+    for (std::size_t k = 0; k < 2 * repeated; ++k) {
+        const double last = curves_.control[2 * (n - repeated) + k];
+        if (!(std::fabs(last - curves_.control[k]) <= rounding)) return false;
+    }
+    const std::vector<double>& weights = curves_.weights;
+    return weights.empty() || std::equal(weights.begin(), weights.begin() + curve_.degree,
+                                         weights.end() - curve_.degree);
+}
+
+void CurveReader::refuse_repeated_points() const {
+    std::string lines = "\nindices " + std::to_string(curve_.indices.size());
+    char separator = '\n';
+    for (const std::int32_t index : curve_.indices) {
+        lines += separator + std::to_string(index + 1);
+        separator = ' ';
+    }
+    const std::int32_t n = curves_.points() - curve_.degree;
+    file_.fail(knots_offset_,
+               "the last " + plural(curve_.degree, "point") + " repeat the first " +
+                   std::to_string(curve_.degree) +
+                   ", so that an open curve would tear where it closes; write closed periodic, or "
+                   "keep the first " +
+                   std::to_string(n) + " points and add the lines" + lines);
+}
+
+void CurveReader::drop_repeated_points() {
+    const auto n = static_cast<std::size_t>(curves_.points() - curve_.degree);
+    curves_.control.resize(2 * n);
+    if (!curves_.weights.empty()) curves_.weights.resize(n);
 }
 
 std::int32_t CurveReader::count(const char* keyword, std::int32_t smallest) {

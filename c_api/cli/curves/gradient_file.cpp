@@ -1,5 +1,6 @@
 #include "curves/gradient_file.hpp"
 
+#include "basics/csv_cells.hpp"
 #include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
 
@@ -22,7 +23,7 @@ void add_bodies(std::vector<Row>& rows, const std::vector<double>& g, const Basi
         const auto at = static_cast<std::size_t>(2 * basis.n_control() + 4 * condition.body);
         // s = scale (cos a, sin a): the derivative of s by the angle is (0, 1) at a = 0.
         rows.push_back({"rigid",
-                        mesh.markers[static_cast<std::size_t>(condition.marker)],
+                        mesh.name_of(condition),
                         {g[at], g[at + 1], g[at + 3] * pi / 180, g[at + 2]}});
     });
 }
@@ -57,7 +58,7 @@ void write_text(std::ostream& out, const std::vector<Row>& rows) {
 
 void write_csv(std::ostream& out, std::size_t objective, const std::vector<Row>& rows) {
     for (const Row& row : rows) {
-        out << objective << ',' << row.kind << ",\"" << row.name << '"';
+        out << objective << ',' << row.kind << ',' << csv_cell(row.name);
         for (std::size_t k = 0; k < 4; ++k)
             out << ',' << (k < row.values.size() ? exact(row.values[k]) : "");
         out << '\n';

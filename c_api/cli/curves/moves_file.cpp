@@ -5,6 +5,7 @@
 #include "basics/numbers.hpp"
 #include "basics/text_file.hpp"
 #include "curves/section_movement.hpp"
+#include "mesh/named_conditions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +18,12 @@ namespace {
 class MovesReader {
 public:
     MovesReader(const TextFile& file, const Movable& movable, const Mesh& mesh,
-                std::vector<double>& moves)
+                std::vector<double>& moves, std::vector<MovementError>* errors)
         : movable_(movable),
           mesh_(mesh),
-          lines_(file, '#'),
+          lines_(file, '#', true),
           moves_(moves),
+          errors_(errors),
           moved_(static_cast<std::size_t>(movable.functions())) {}
 
     void read() {
@@ -71,16 +73,16 @@ private:
         MovedSection moved;
         if (!move_section(curves, section, {line.movement}, line.values, moved, error))
             lines_.fail(error.text);
+        if (errors_ != nullptr)
+            errors_->push_back(movement_error(std::string(lines_.line()), curves, moved));
         for (std::size_t k = 0; k < n; ++k) moves_[k] += moved.move[k];
     }
 
     // Returns the curves of all conditions on the markers of this name.
     hm_section section_of(const std::string& name) const {
-        const std::vector<std::int32_t> markers = markers_of(name, "a marker on a curve");
         auto section = sized<hm_section>();
-        for (const hm_condition& condition : movable_.conditions) {
-            const auto found = std::find(markers.begin(), markers.end(), condition.marker);
-            if (condition.kind != HM_ON_CURVE || found == markers.end()) continue;
+        for (const hm_condition& condition :
+             conditions_of(name, HM_ON_CURVE, "a marker on a curve")) {
             const bool is_first = section.n_curves == 0;
             const std::int32_t first = is_first
                                            ? condition.first_curve
@@ -90,16 +92,19 @@ private:
             section.first_curve = first;
             section.n_curves = end - first;
         }
-        if (section.n_curves == 0) lines_.expected("a marker on a curve", name);
         return section;
     }
 
-    std::vector<std::int32_t> markers_of(const std::string& name, const char* what) const {
+    // Returns at least one condition.
+    std::vector<hm_condition> conditions_of(const std::string& name, std::int32_t kind,
+                                            const char* what) const {
+        std::vector<hm_condition> found;
         try {
-            return mesh_.find_markers(name);
-        } catch (const Failure&) {
-            lines_.expected(what, name);
-        }
+            found = ConditionsOfMesh{mesh_, movable_.conditions, movable_.mover, movable_.n_curves}
+                        .find(name, kind);
+        } catch (const Failure&) {}
+        if (found.empty()) lines_.expected(what, name);
+        return found;
     }
 
     void read_body() {
@@ -139,16 +144,13 @@ private:
 
     // Returns the first function of the body to which all markers of this name belong.
     std::int32_t function_of(const std::string& name) const {
-        const std::vector<std::int32_t> markers = markers_of(name, "a marker of a rigid body");
         std::int32_t body = -1;
-        for (const hm_condition& condition : movable_.conditions) {
-            const auto found = std::find(markers.begin(), markers.end(), condition.marker);
-            if (condition.kind != HM_RIGID || found == markers.end()) continue;
+        for (const hm_condition& condition :
+             conditions_of(name, HM_RIGID, "a marker of a rigid body")) {
             if (body >= 0 && condition.body != body)
-                lines_.expected("the markers of one rigid body", name);
+                lines_.expected("the markers of one rigid body, or a piece MARKER@X:Y", name);
             body = condition.body;
         }
-        if (body < 0) lines_.expected("a marker of a rigid body", name);
         return movable_.n_control + 2 * body;
     }
 
@@ -163,6 +165,7 @@ private:
     const Mesh& mesh_;
     LineReader lines_;
     std::vector<double>& moves_;
+    std::vector<MovementError>* errors_;
     std::vector<bool> moved_;
 };
 
@@ -192,22 +195,35 @@ std::vector<TextFile> texts_of_moves(const Arguments& arguments) {
 }
 
 std::vector<double> read_moves(const std::vector<TextFile>& texts, const Movable& movable,
-                               const Mesh& mesh) {
+                               const Mesh& mesh, std::vector<MovementError>* errors) {
     std::vector<double> moves(2 * static_cast<std::size_t>(movable.functions()));
-    for (const TextFile& text : texts) MovesReader(text, movable, mesh, moves).read();
+    for (const TextFile& text : texts) MovesReader(text, movable, mesh, moves, errors).read();
     return moves;
 }
 
 Movable movable_of(const Basis& basis) {
-    return {basis.n_control(), basis.info().bodies, basis.info().modes, basis.conditions(),
-            [&basis]() -> const hm_curves& { return basis.curves(); }};
+    const hm_basis_info& info = basis.info();
+    Movable movable = {basis.n_control(), info.bodies, info.modes, basis.conditions(),
+                       [&basis]() -> const hm_curves& { return basis.curves(); }};
+    movable.n_curves = info.curves;
+    movable.mover.assign(static_cast<std::size_t>(info.points), -1);
+    for (std::int32_t k = 0; k < info.curve_points; ++k)
+        movable.mover[static_cast<std::size_t>(info.curve_point[k])] = info.point_curve[k];
+    return movable;
 }
 
 bool has_section_movements(const TextFile& text) {
-    LineReader lines(text, '#');
+    LineReader lines(text, '#', true);
     while (lines.next())
         if (is_section_movement(lines.words()[0])) return true;
     return false;
+}
+
+void write_body(std::ostream& out, const Mesh& mesh, const hm_condition& condition,
+                const double* function) {
+    out << "rigid " << mesh.name_of(condition) << ' ' << exact(function[0]) << ' '
+        << exact(function[1]) << ' ' << exact(std::atan2(function[3], 1 + function[2]) * 180 / pi)
+        << ' ' << exact(std::hypot(1 + function[2], function[3])) << '\n';
 }
 
 void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis,
@@ -219,13 +235,9 @@ void write_moves(std::ostream& out, const std::vector<double>& moves, const Basi
             << '\n';
     }
     for_each_body(basis.conditions(), basis.info().bodies, [&](const hm_condition& condition) {
-        const double* const function =
-            &moves[2 * (n_control + 2 * static_cast<std::size_t>(condition.body))];
-        out << "# body, dx, dy, degrees, scale\nrigid "
-            << mesh.markers[static_cast<std::size_t>(condition.marker)] << ' ' << exact(function[0])
-            << ' ' << exact(function[1]) << ' '
-            << exact(std::atan2(function[3], 1 + function[2]) * 180 / pi) << ' '
-            << exact(std::hypot(1 + function[2], function[3])) << '\n';
+        out << "# body, dx, dy, degrees, scale\n";
+        write_body(out, mesh, condition,
+                   &moves[2 * (n_control + 2 * static_cast<std::size_t>(condition.body))]);
     });
 }
 

@@ -3,6 +3,9 @@
 #include "basics/library.hpp"
 #include "basics/numbers.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace cli {
 
 namespace {
@@ -82,6 +85,19 @@ bool move_section(const hm_curves& curves, const hm_section& section,
     moved.rms_error = errors[0];
     moved.max_error = errors[1];
     return true;
+}
+
+MovementError movement_error(std::string name, const hm_curves& curves, const MovedSection& moved) {
+    MovementError error = {std::move(name), moved.rms_error, moved.max_error, 0};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        double low = HUGE_VAL, high = -HUGE_VAL;
+        for (std::size_t k = axis; k < moved.move.size(); k += 2) {
+            low = std::min(low, curves.control[k]);
+            high = std::max(high, curves.control[k]);
+        }
+        error.chord = std::max(error.chord, high - low);
+    }
+    return error;
 }
 
 bool find_quarter_chord(const hm_curves& curves, const hm_section& section, double& x, double& y,

@@ -29,6 +29,13 @@ SectionMovement section_movement_of(LineReader& lines);
 // Reads the two numbers of "X,Y". Returns false for other texts.
 bool parse_place(std::string_view word, double& x, double& y);
 
+// What the control points of a curve cannot follow of a movement [length].
+struct MovementError {
+    std::string name;  // of the movement
+    double rms = 0, largest = 0;
+    double chord = 0;  // the larger side of the box around the control points
+};
+
 struct MovedSection {
     std::vector<double> move;         // of the control points [2*n_control]
     std::vector<double> derivatives;  // of `move` by each value [values * 2*n_control]
@@ -39,6 +46,7 @@ struct MovedSection {
 bool move_section(const hm_curves& curves, const hm_section& section,
                   const std::vector<hm_movement>& movements, const std::vector<double>& values,
                   MovedSection& moved, hm_error& error);
+MovementError movement_error(std::string name, const hm_curves& curves, const MovedSection& moved);
 bool find_quarter_chord(const hm_curves& curves, const hm_section& section, double& x, double& y,
                         hm_error& error);
 

@@ -128,8 +128,13 @@ MovedSection moved_by(const VariableMap& map, const hm_curves& curves,
 
 std::vector<double> VariableMap::control_moves(const hm_curves& curves,
                                                const std::vector<double>& values,
-                                               const std::string& path) const {
-    if (!movements.empty()) return moved_by(*this, curves, values, path).move;
+                                               const std::string& path,
+                                               std::vector<MovementError>* errors) const {
+    if (!movements.empty()) {
+        const MovedSection moved = moved_by(*this, curves, values, path);
+        if (errors != nullptr) errors->push_back(movement_error("the variables", curves, moved));
+        return moved.move;
+    }
     std::vector<double> moves(2 * static_cast<std::size_t>(points));
     const auto n = static_cast<std::size_t>(variables);
     for (std::size_t i = 0; i < static_cast<std::size_t>(points); ++i) {

@@ -16,6 +16,8 @@
 //     turn 0.25 0            # centre; likewise scale, and shift without a place
 #pragma once
 
+#include "curves/section_movement.hpp"
+
 #include <harmorph_design.h>
 #include <cstdint>
 #include <iosfwd>
@@ -31,9 +33,10 @@ struct VariableMap {
     hm_section section;
 
     // Returns the movements of the control points of `curves` for these values of the variables,
-    // both as pairs.
+    // both as pairs. `errors` receives what movements leave.
     std::vector<double> control_moves(const hm_curves& curves, const std::vector<double>& values,
-                                      const std::string& path) const;
+                                      const std::string& path,
+                                      std::vector<MovementError>* errors = nullptr) const;
     // Returns the derivatives by the variables at these values, as pairs, from derivatives by the
     // control points. `gradient` may have more pairs, which are not used.
     std::vector<double> variable_gradient(const hm_curves& curves,

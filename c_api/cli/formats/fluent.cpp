@@ -6,7 +6,9 @@
 // names of the zones, or else "zone:NUMBER".
 #include "formats/format.hpp"
 
+#include "basics/failure.hpp"
 #include "formats/fluent_read.hpp"
+#include "formats/fluent_sections.hpp"
 #include "basics/numbers.hpp"
 #include "basics/place.hpp"
 #include "mesh/one_cell_thick.hpp"
@@ -70,9 +72,10 @@ std::int32_t FluentMesh::marker_of(const FluentFace& face) {
 }
 
 // Returns the points round a cell, in the direction of its first side; some sides may be written
-// the other way round. The list is empty if the sides do not form one polygon. Sides are found by
-// their sorted ends, as a cell may have any number of sides.
+// the other way round. The list is empty if the sides do not form one polygon, or if there are
+// none. Sides are found by their sorted ends, as a cell may have any number of sides.
 std::vector<std::int32_t> polygon_of(const std::vector<std::array<std::int32_t, 2>>& sides) {
+    if (sides.empty()) return {};
     std::vector<std::pair<std::int32_t, std::size_t>> ends;  // a point, and a side there
     for (std::size_t side = 0; side < sides.size(); ++side) {
         for (const std::int32_t point : sides[side]) ends.emplace_back(point, side);
@@ -84,7 +87,7 @@ std::vector<std::int32_t> polygon_of(const std::vector<std::array<std::int32_t, 
     }
     std::vector<std::int32_t> points;
     std::size_t side = 0;
-    std::int32_t from = sides.empty() ? 0 : sides[0][0];
+    std::int32_t from = sides[0][0];
     do {
         points.push_back(from);
         const std::int32_t to = sides[side][0] == from ? sides[side][1] : sides[side][0];
@@ -149,12 +152,15 @@ void FluentMesh::build_solid() {
     solid.finish();
 }
 
-// The file begins with a bracket and the number of a section.
+// The file begins with a bracket and the number of a section, or with settings in Scheme before the
+// first such section.
 bool probe_fluent(const TextFile& file) {
-    const std::string_view start = trimmed(file.text().substr(0, 64));
-    if (start.substr(0, 1) != "(") return false;
-    const std::string_view number = trimmed(start.substr(1));
-    return !number.empty() && number[0] >= '0' && number[0] <= '9';
+    if (trimmed(file.text().substr(0, 64)).substr(0, 1) != "(") return false;
+    try {
+        return FluentSections(file).next();
+    } catch (const Failure&) {
+        return false;
+    }
 }
 
 void read_fluent(Mesh& mesh, const ReadOptions&) { FluentMesh(mesh).build(); }

@@ -1,5 +1,6 @@
 // Finds the sections (NUMBER (HEAD) (BODY)) or (NUMBER HEAD) of a Fluent mesh file, one after
-// another.
+// another. Sections whose first word is no number, such as (cad/adv-options ...), are settings in
+// the language Scheme, and are passed over.
 #pragma once
 
 #include "basics/text_file.hpp"
@@ -23,11 +24,13 @@ class FluentSections {
 public:
     explicit FluentSections(const TextFile& file) : file_(file), text_(file.text()) {}
 
-    bool next();  // false: the end of the file
+    bool next();  // goes to the next section with a number; false: the end of the file
     const FluentSection& section() const { return section_; }
 
 private:
     void over_blanks();
+    bool read_number();
+    void read_section(std::size_t begin);
     std::size_t end_of_list(std::size_t begin) const;
     std::size_t end_of_binary(std::size_t begin) const;
 

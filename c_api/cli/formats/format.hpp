@@ -11,6 +11,8 @@
 
 namespace cli {
 
+class OutputFiles;
+
 struct ReadOptions {
     std::int32_t threads = 1;
     std::string format;                    // the name of the format; empty: found from the content
@@ -58,6 +60,13 @@ Mesh read_mesh_file(const std::string& path, const ReadOptions& options);
 // file has, or more where these would move a point by more than a thousandth of its shortest edge.
 void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const double* y);
 
+// Writes the mesh with these coordinates to a path, as one of `files`. The ending of the path
+// decides the format: the file of the mesh with other coordinates, as above, if the ending is that
+// of the mesh, of its format, or of no format; otherwise a new file, as `convert` writes it. The
+// ending of a format in which no new file can be written is refused.
+void write_moved(OutputFiles& files, const Mesh& mesh, const std::string& path, const double* x,
+                 const double* y);
+
 // Rounds the coordinates to single precision if the file has them in single precision.
 void round_as_file(const Mesh& mesh, std::vector<double>& x, std::vector<double>& y);
 
@@ -65,8 +74,9 @@ void round_as_file(const Mesh& mesh, std::vector<double>& x, std::vector<double>
 // path.
 const Format& format_to_create(const std::string& name, const std::string& path);
 
-// Replaces characters in the names of markers that a new file of this format cannot hold by _, so
-// that names stay different. Returns a sentence for each marker that was renamed.
+// Replaces characters in the names of markers that a new file of this format cannot hold, and an
+// empty name, by _, so that names stay different. Returns a sentence for each marker that was
+// renamed.
 std::vector<std::string> make_writable(Mesh& mesh, const Format& format);
 
 std::string format_table();  // for the help of commands: a line for each format

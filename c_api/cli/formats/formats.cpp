@@ -2,6 +2,7 @@
 #include "formats/format.hpp"
 
 #include "basics/failure.hpp"
+#include "basics/print.hpp"
 #include "formats/deflate.hpp"
 #include "formats/tidy.hpp"
 #include "formats/vtk_parallel.hpp"
@@ -182,13 +183,57 @@ Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
     const Format& format = forced ? *forced : format_of(mesh.file);
     mesh.file.listen(options.progress);
     mesh.threads = options.threads;
+    mesh.format = &format;
     format.read(mesh, options);
     mesh.file.listen(nullptr);
     mesh.in_file.is_packed = is_packed && !mesh.in_file.is_joined;
     if (mesh.in_file.is_packed) mesh.in_file.store = packed(mesh.in_file.store);
+    if (mesh.points() == 0 || mesh.cells() == 0)
+        mesh.file.fail(0, mesh.points() == 0 ? "the file has no points" : "the file has no cells");
     check_points(mesh);
     drop_interior_faces(mesh, true);
     return mesh;
+}
+
+namespace {
+
+// What stands behind the last dot of the name of the file, with the dot; empty without a dot.
+std::string last_ending(const std::string& path) {
+    return std::filesystem::path(path).extension().string();
+}
+
+// Returns the format that the ending of the path asks for, if this is not that of the mesh, or
+// NULL. Refuses the ending of a format in which no new file can be written.
+const Format* other_format(const Mesh& mesh, const std::string& path) {
+    const std::string ending = last_ending(path);
+    if (mesh.format == nullptr || is_device(path) || ending.empty() ||
+        ending == last_ending(mesh.file.path()))
+        return nullptr;
+    const Format* other = nullptr;
+    bool is_known = false;
+    for (const Format* format : formats) {
+        if (ending != format->extension) continue;
+        if (format == mesh.format) return nullptr;
+        is_known = true;
+        if (other == nullptr && format->create != nullptr) other = format;
+    }
+    return is_known && other == nullptr ? &format_to_create("", path) : other;
+}
+
+}  // namespace
+
+void write_moved(OutputFiles& files, const Mesh& mesh, const std::string& path, const double* x,
+                 const double* y) {
+    const Format* const other = other_format(mesh, path);
+    if (other == nullptr) {
+        write_moved(files.add(moved_file(mesh, path)), mesh, x, y);
+        return;
+    }
+    Mesh moved = mesh;
+    moved.x.assign(x, x + mesh.x.size());
+    moved.y.assign(y, y + mesh.y.size());
+    for (const std::string& sentence : make_writable(moved, *other)) warn(path + ": " + sentence);
+    other->create(files.add(path), moved);
 }
 
 std::vector<std::string> make_writable(Mesh& mesh, const Format& format) {
@@ -204,11 +249,13 @@ std::vector<std::string> make_writable(Mesh& mesh, const Format& format) {
             if (refused.find(other[k]) != refused.npos || is_control || is_outer_blank)
                 other[k] = '_';
         }
+        if (other.empty()) other = "_";
         if (other == name) continue;
         while (names.count(other) > 0) other += '_';
         names.insert(other);
+        const std::string why = name.empty() ? " must not be empty" : " have no such characters";
         sentences.push_back("the marker " + in_quotes(name) + " is written as " + in_quotes(other) +
-                            ": names in the format " + format.name + " have no such characters");
+                            ": names in the format " + format.name + why);
         name = other;
     }
     return sentences;

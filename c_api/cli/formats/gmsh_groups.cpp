@@ -11,7 +11,8 @@ bool has_groups(int dimension) { return dimension == 1 || dimension == 2; }
 }  // namespace
 
 void GmshGroups::add_name(int dimension, std::int64_t physical, std::string_view name) {
-    if (has_groups(dimension)) names_[{dimension, physical}] = name;
+    // A group whose name is empty is selected by its number, as one without a name.
+    if (has_groups(dimension) && !name.empty()) names_[{dimension, physical}] = name;
 }
 
 bool GmshGroups::add_to_group(int dimension, std::int64_t entity, std::int64_t physical) {

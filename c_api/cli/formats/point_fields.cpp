@@ -67,14 +67,15 @@ int bytes_of_type(const std::string& type) {
 }
 
 std::vector<double> numbers_of(const TextFile& file, const VtkEncoding& as, const VtkArray& array,
-                               const std::string& name) {
+                               const std::string& name, std::int64_t n) {
     const int bytes = bytes_of_type(array.type);
     std::string decoded;
     std::size_t begin = array.begin, end = array.end;
     const bool is_binary = array.is_binary || array.is_appended;
     if (array.is_encoded(as)) {
         decoded = file.text();
-        const VtkDecoded found = decode_vtk(file, as, array, name, decoded);
+        const VtkDecoded found = decode_vtk(
+            file, as, array, name, static_cast<std::size_t>(n * array.number_bytes()), decoded);
         begin = found.bytes;
         end = found.bytes_end;
     } else if (array.is_appended) {
@@ -108,7 +109,8 @@ Columns piece_columns(const TextFile& file, const VtkEncoding& as, const VtkPiec
         std::int64_t components = 1;
         if (!array.components.empty() && !parse(array.components, components)) components = 0;
         if (components < 1 || components > 3) return;
-        const std::vector<double> values = numbers_of(file, as, array, name);
+        const std::vector<double> values =
+            numbers_of(file, as, array, name, components * piece.n_points);
         if (static_cast<std::int64_t>(values.size()) != components * piece.n_points) {
             file.fail(array.tag, "the array " + name + " has " +
                                      plural(static_cast<std::int64_t>(values.size()), "number") +

@@ -1,5 +1,6 @@
 #include "formats/point_table.hpp"
 
+#include "basics/csv_cells.hpp"
 #include "basics/failure.hpp"
 #include "basics/numbers.hpp"
 #include "formats/bytes.hpp"
@@ -14,8 +15,6 @@
 namespace cli {
 
 namespace {
-
-constexpr const char* point_name = "PointID";
 
 // ---- SU2's restart files: five integers, names of 33 characters, numbers point by point
 
@@ -58,52 +57,48 @@ PointTable read_restart(const std::shared_ptr<const TextFile>& file) {
 
 // ---- Text
 
-std::vector<std::string_view> split(std::string_view line) {
-    std::vector<std::string_view> words;
-    for (std::size_t begin = 0; begin <= line.size();) {
-        const std::size_t end = std::min(line.find(',', begin), line.size());
-        std::string_view word = trimmed(line.substr(begin, end - begin));
-        if (word.size() >= 2 && word.front() == '"' && word.back() == '"')
-            word = word.substr(1, word.size() - 2);
-        words.push_back(trimmed(word));
-        begin = end + 1;
-    }
-    return words;
-}
-
-void add_row(PointTable& table, LineReader& lines, const std::vector<std::string_view>& words) {
-    for (std::size_t k = 0; k < words.size(); ++k) {
-        double value = 0;
-        if (!parse(words[k], value))
-            lines.expected("a finite number for " + in_quotes(table.names[k]), words[k]);
-        table.values.push_back(value);
-    }
-    table.offsets.push_back(lines.offset());
-}
-
-PointTable read_csv(const std::shared_ptr<const TextFile>& file, LineReader& lines) {
+PointTable read_csv(const std::shared_ptr<const TextFile>& file) {
     PointTable table;
     table.file = file;
-    for (const std::string_view name : split(lines.line())) table.names.emplace_back(name);
-    while (lines.next()) {
-        const std::vector<std::string_view> words = split(lines.line());
-        if (words.size() != table.names.size()) {
-            lines.expected(plural(static_cast<std::int64_t>(table.names.size()), "column") +
-                           " as in the first line");
+    CsvReader records(*file);
+    if (records.next()) table.names = records.cells();
+    while (records.next()) {
+        const std::vector<std::string>& cells = records.cells();
+        if (cells.size() != table.names.size()) {
+            records.fail("the file needs " +
+                         plural(static_cast<std::int64_t>(table.names.size()), "column") +
+                         " as in the first line here, but " +
+                         plural(static_cast<std::int64_t>(cells.size()), "column") + " follow");
         }
-        add_row(table, lines, words);
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            double value = 0;
+            if (!parse(trimmed(cells[k]), value)) {
+                records.fail("the file needs a finite number for " + in_quotes(table.names[k]) +
+                             " here, but " + in_quotes(cells[k]) + " follows");
+            }
+            table.values.push_back(value);
+        }
+        table.offsets.push_back(records.offset());
     }
     return table;
 }
 
-PointTable read_plain(const std::shared_ptr<const TextFile>& file, LineReader& lines) {
+PointTable read_plain(const std::shared_ptr<const TextFile>& file) {
     PointTable table;
     table.file = file;
-    table.names = {point_name, "Sensitivity_x", "Sensitivity_y"};
-    do {
+    table.names = {"point", "Sensitivity_x", "Sensitivity_y"};
+    LineReader lines(*file, '#');
+    while (lines.next()) {
         if (lines.words().size() != 3) lines.expected("point dJ/dx dJ/dy");
-        add_row(table, lines, lines.words());
-    } while (lines.next());
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::string_view word = lines.words()[k];
+            double value = 0;
+            if (!parse(word, value))
+                lines.expected("a finite number for " + in_quotes(table.names[k]), word);
+            table.values.push_back(value);
+        }
+        table.offsets.push_back(lines.offset());
+    }
     return table;
 }
 
@@ -143,8 +138,9 @@ private:
 
 std::string place_text(double x, double y) { return "(" + brief(x) + ", " + brief(y) + ")"; }
 
-std::int32_t by_number(const PointTable& table, std::size_t row, const Mesh& mesh) {
-    const double number = table.at(row, table.column(point_name));
+std::int32_t by_number(const PointTable& table, std::size_t row, std::size_t column,
+                       const Mesh& mesh) {
+    const double number = table.at(row, column);
     if (number != std::floor(number) || number < 0 || number >= mesh.points()) {
         throw Failure(exit_file, table.place(row) + ": the mesh has points 0 to " +
                                      std::to_string(mesh.points() - 1) + ", and no point " +
@@ -154,20 +150,49 @@ std::int32_t by_number(const PointTable& table, std::size_t row, const Mesh& mes
 }
 
 [[noreturn]] void refuse_place(const PointTable& table, std::size_t row, const Mesh& mesh,
-                               std::int32_t point, double x, double y) {
+                               const PointColumns& columns, std::int32_t point) {
     std::string where = "this mesh has no point at ";
+    std::string remedy;
     if (point >= 0) {
         const auto k = static_cast<std::size_t>(point);
         where = "point " + std::to_string(point) + " of this mesh is at " +
                 place_text(mesh.x[k], mesh.y[k]) + ", not at ";
+        if (columns.has_numbers()) {
+            remedy = "; if the numbers " + in_quotes(table.names[columns.number]) +
+                     " are not those of this mesh, take the column away: rows are then found by "
+                     "their coordinates";
+        }
     }
-    throw Failure(exit_file, table.place(row) + ": the values are those of another mesh: " + where +
-                                 place_text(x, y));
+    throw Failure(exit_file,
+                  table.place(row) + ": the values are those of another mesh: " + where +
+                      place_text(table.at(row, columns.place[0]), table.at(row, columns.place[1])) +
+                      remedy);
+}
+
+// Refuses rows that nothing assigns to points, unless their order does.
+void check_order(const PointTable& table, const Mesh& mesh, bool in_order) {
+    if (!in_order && !table.has_file_points) {
+        throw Failure(exit_file,
+                      table.file->path() +
+                          ": no columns have the numbers of points (such as PointID) or their "
+                          "coordinates (such as x and y); the columns are " +
+                          table.name_list() +
+                          ". Name such columns so, or give --in-order if the rows are all points "
+                          "of the mesh in the order of its file");
+    }
+    if (table.rows() != mesh.x.size()) {
+        throw Failure(exit_file,
+                      table.file->path() + ": " +
+                          plural(static_cast<std::int64_t>(table.rows()), "row") +
+                          " without numbers and coordinates of points, but the mesh has " +
+                          plural(mesh.points(), "point"));
+    }
 }
 
 }  // namespace
 
 double reach_of(const Mesh& mesh) {
+    if (mesh.x.empty()) return 0;
     const auto x = std::minmax_element(mesh.x.begin(), mesh.x.end());
     const auto y = std::minmax_element(mesh.y.begin(), mesh.y.end());
     return 2e-6 * std::max(*x.second - *x.first, *y.second - *y.first);
@@ -176,9 +201,12 @@ double reach_of(const Mesh& mesh) {
 std::size_t PointTable::find(const std::string& name) const {
     auto found = std::find(names.begin(), names.end(), name);
     const std::size_t end = name.size() - std::min<std::size_t>(name.size(), 2);
-    for (const char* component : {"_xX", "_yY", "_zZ"}) {
-        if (found == names.end() && name.compare(end, 2, component, 2) == 0)
-            found = std::find(names.begin(), names.end(), name.substr(0, end) + component[2]);
+    for (const char* component : {"_xX0", "_yY1", "_zZ2"}) {
+        if (name.compare(end, 2, component, 2) != 0) continue;
+        const std::string stem = name.substr(0, end);
+        for (const std::string& other :
+             {stem + component[2], stem + ':' + component[3], stem + '_' + component[3]})
+            if (found == names.end()) found = std::find(names.begin(), names.end(), other);
     }
     return static_cast<std::size_t>(found - names.begin());
 }
@@ -186,11 +214,21 @@ std::size_t PointTable::find(const std::string& name) const {
 std::size_t PointTable::column(const std::string& name) const {
     const std::size_t found = find(name);
     if (found < names.size()) return found;
-    std::string known;
-    for (const std::string& other : names) known += (known.empty() ? "" : ", ") + in_quotes(other);
     throw Failure(exit_file, file->path() + ": there is no column " + in_quotes(name) +
-                                 "; the columns are " + known +
+                                 "; the columns are " + name_list() +
                                  (left_out.empty() ? "" : "; " + left_out));
+}
+
+std::string PointTable::name_list() const {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + in_quotes(name);
+    return list;
+}
+
+PointColumns PointTable::point_columns() const {
+    PointColumns columns = find_point_columns(names);
+    if (has_file_points) columns.number = PointColumns::none;
+    return columns;
 }
 
 std::string PointTable::place(std::size_t row) const {
@@ -198,41 +236,45 @@ std::string PointTable::place(std::size_t row) const {
                            : file->place(offsets[row]);
 }
 
-PointTable read_point_table(const std::string& path) {
-    const auto file = std::make_shared<const TextFile>(read_unpacked(path));
+bool is_plain_table(const TextFile& file) {
+    if (is_point_fields(file) || is_cgns(file) || is_restart(file.text())) return false;
+    CsvReader records(file);
+    return !records.next() || records.cells().size() == 1;
+}
+
+PointTable read_point_table(const std::shared_ptr<const TextFile>& file) {
     if (is_point_fields(*file)) return read_point_fields(file);
     if (is_cgns(*file)) return read_cgns_fields(*file);
     if (is_restart(file->text())) return read_restart(file);
-    LineReader lines(*file, '#');
-    if (!lines.next()) file->fail(0, "the file has no numbers");
-    const bool has_columns = lines.line().find(',') != std::string_view::npos;
-    return has_columns ? read_csv(file, lines) : read_plain(file, lines);
+    const PointTable table = is_plain_table(*file) ? read_plain(file) : read_csv(file);
+    if (table.rows() == 0) file->fail(0, "the file has no numbers");
+    return table;
 }
 
-std::vector<std::int32_t> points_of(const PointTable& table, const Mesh& mesh) {
-    const bool numbered = table.has(point_name), placed = table.has("x") && table.has("y");
-    if (!numbered && !placed && table.rows() != mesh.x.size()) {
-        throw Failure(exit_file, table.file->path() + ": " +
-                                     plural(static_cast<std::int64_t>(table.rows()), "row") +
-                                     " without PointID, x and y, but the mesh has " +
-                                     plural(mesh.points(), "point"));
-    }
+PointTable read_point_table(const std::string& path) {
+    return read_point_table(std::make_shared<const TextFile>(read_unpacked(path)));
+}
+
+std::vector<std::int32_t> points_of(const PointTable& table, const Mesh& mesh, bool in_order) {
+    const PointColumns columns = table.point_columns();
+    const bool is_numbered = columns.has_numbers(), is_placed = columns.has_places();
+    if (!is_numbered && !is_placed) check_order(table, mesh, in_order);
     const double reach = reach_of(mesh);
     const PointFinder finder(mesh);
     std::vector<std::int32_t> points;
     std::vector<bool> taken(mesh.x.size());
     for (std::size_t row = 0; row < table.rows(); ++row) {
-        std::int32_t point =
-            numbered ? by_number(table, row, mesh) : static_cast<std::int32_t>(row);
-        if (placed) {
-            const double x = table.at(row, table.column("x")), y = table.at(row, table.column("y"));
+        std::int32_t point = is_numbered ? by_number(table, row, columns.number, mesh)
+                                         : static_cast<std::int32_t>(row);
+        if (is_placed) {
+            const double x = table.at(row, columns.place[0]), y = table.at(row, columns.place[1]);
             const auto is_at = [&](std::int32_t p) {
                 const auto k = static_cast<std::size_t>(p);
                 return std::hypot(mesh.x[k] - x, mesh.y[k] - y) <= reach;
             };
-            if (!numbered && (point >= mesh.points() || !is_at(point)))
+            if (!is_numbered && (point >= mesh.points() || !is_at(point)))
                 point = finder.nearest(x, y, reach);
-            if (point < 0 || !is_at(point)) refuse_place(table, row, mesh, point, x, y);
+            if (point < 0 || !is_at(point)) refuse_place(table, row, mesh, columns, point);
         }
         const auto k = static_cast<std::size_t>(point);
         if (taken[k])

@@ -5,7 +5,7 @@
 #include "basics/tasks.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -33,22 +33,54 @@ void for_each_edge(const Mesh& mesh, std::size_t begin, std::size_t end, Visit v
     }
 }
 
+// Returns for each point of the edges one point at its place: the first one in an order along a
+// direction to which hardly any cut is normal. Places may differ by the rounding that the library
+// accepts in cuts (hm_mesh).
+std::unordered_map<std::int32_t, std::int32_t> places_of(const Mesh& mesh,
+                                                         const std::vector<std::int32_t>& edges) {
+    const auto x = [&](std::int32_t p) { return mesh.x[static_cast<std::size_t>(p)]; };
+    const auto y = [&](std::int32_t p) { return mesh.y[static_cast<std::size_t>(p)]; };
+    const auto along = [&](std::int32_t p) { return x(p) + 0.7548776662466927 * y(p); };
+    std::vector<std::int32_t> order(edges);
+    std::sort(order.begin(), order.end());
+    order.erase(std::unique(order.begin(), order.end()), order.end());
+    const auto by_x = [&](std::int32_t a, std::int32_t b) { return x(a) < x(b); };
+    const auto by_y = [&](std::int32_t a, std::int32_t b) { return y(a) < y(b); };
+    std::unordered_map<std::int32_t, std::int32_t> place;
+    if (order.empty()) return place;
+    const auto [left, right] = std::minmax_element(order.begin(), order.end(), by_x);
+    const auto [low, high] = std::minmax_element(order.begin(), order.end(), by_y);
+    const double largest = std::max(
+        {std::fabs(x(*left)), std::fabs(x(*right)), std::fabs(y(*low)), std::fabs(y(*high))});
+    const double tolerance =
+        std::max(1e-12 * std::hypot(x(*right) - x(*left), y(*high) - y(*low)), 1e-15 * largest);
+    std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+        return along(a) != along(b) ? along(a) < along(b) : a < b;
+    });
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const std::int32_t here = order[k];
+        place[here] = here;
+        for (std::size_t before = k; before-- > 0;) {
+            const std::int32_t other = order[before];
+            if (along(here) - along(other) > 4 * tolerance) break;
+            const double apart =
+                std::max(std::fabs(x(here) - x(other)), std::fabs(y(here) - y(other)));
+            if (apart <= tolerance) place[here] = place[other];
+        }
+    }
+    return place;
+}
+
 // Removes pairs of edges (two points each) at the same place. Such a pair is a cut, as in the wake
 // of a C-mesh or between the blocks of a grid; the library closes cuts whose edges have no marker.
 // Returns the pairs of points at one place that are both on remaining edges.
 std::vector<std::int32_t> drop_cuts(Mesh& mesh, std::vector<std::int32_t>& edges) {
-    using Ends = std::array<double, 4>;  // x and y of both ends, the lower one first
+    std::unordered_map<std::int32_t, std::int32_t> place = places_of(mesh, edges);
     const auto ends_of = [&](std::size_t edge) {
-        std::array<double, 2> at[2];
-        for (const std::size_t k : {0u, 1u}) {
-            const auto point = static_cast<std::size_t>(edges[2 * edge + k]);
-            at[k] = {mesh.x[point] + 0.0, mesh.y[point] + 0.0};  // -0 becomes 0
-        }
-        if (at[1] < at[0]) std::swap(at[0], at[1]);
-        return Ends{at[0][0], at[0][1], at[1][0], at[1][1]};
+        return edge_of(place[edges[2 * edge]], place[edges[2 * edge + 1]]);
     };
     std::vector<std::int32_t> pairs;
-    std::vector<std::pair<Ends, std::size_t>> order;
+    std::vector<std::pair<EdgeKey, std::size_t>> order;
     for (std::size_t edge = 0; 2 * edge < edges.size(); ++edge)
         order.emplace_back(ends_of(edge), edge);
     std::sort(order.begin(), order.end());
@@ -59,12 +91,7 @@ std::vector<std::int32_t> drop_cuts(Mesh& mesh, std::vector<std::int32_t>& edges
         is_cut[order[k].second] = is_cut[order[k - 1].second] = 1;
         ++cuts;
         const std::size_t a = 2 * order[k - 1].second, b = 2 * order[k].second;
-        const auto is_at = [&](std::size_t one, std::size_t other) {
-            const auto p = static_cast<std::size_t>(edges[one]),
-                       q = static_cast<std::size_t>(edges[other]);
-            return mesh.x[p] == mesh.x[q] && mesh.y[p] == mesh.y[q];
-        };
-        const bool turned = !is_at(a, b);
+        const bool turned = place[edges[a]] != place[edges[b]];
         pairs.insert(pairs.end(), {edges[a], edges[b + (turned ? 1 : 0)], edges[a + 1],
                                    edges[b + (turned ? 0 : 1)]});
     }

@@ -36,10 +36,20 @@ constexpr VtkShape vtk_shapes[] = {
     {29,
      {3, 8,
       "01 12 23 30 45 56 67 74 04 15 26 37 0473 1265 0154 2376 0321 4567 "
-      "01234567"}},                                                     // TRIQUADRATIC_HEXAHEDRON
-    {31, {3, 6, "01 12 20 34 45 53"}},                                  // QUADRATIC_LINEAR_WEDGE
-    {26, {3, 6, "01 12 20 34 45 53 03 14 25"}},                         // QUADRATIC_WEDGE
-    {32, {3, 6, "01 12 20 34 45 53 03 14 25 0143 1254 2035"}},          // BIQUADRATIC_..._WEDGE
+      "01234567"}},                                             // TRIQUADRATIC_HEXAHEDRON
+    {31, {3, 6, "01 12 20 34 45 53"}},                          // QUADRATIC_LINEAR_WEDGE
+    {26, {3, 6, "01 12 20 34 45 53 03 14 25"}},                 // QUADRATIC_WEDGE
+    {32, {3, 6, "01 12 20 34 45 53 03 14 25 0143 1254 2035"}},  // BIQUADRATIC_..._WEDGE
+    // LAGRANGE_CURVE, _TRIANGLE and _QUADRILATERAL of first and second order, as dolfinx and
+    // Firedrake write them. Their nodes have the places of the quadratic cells above.
+    {68, {1, 2}},
+    {68, {1, 2, "01"}},
+    {69, {2, 3}},
+    {69, {2, 3, "01 12 20"}},
+    {69, {2, 3, "01 12 20 012"}},
+    {70, {2, 4}},
+    {70, {2, 4, "01 12 23 30"}},
+    {70, {2, 4, "01 12 23 30 0123"}},
     {27, {3, 5, "01 12 23 30 04 14 24 34"}},                            // QUADRATIC_PYRAMID
     {37, {3, 5, "01 12 23 30 04 14 24 34 0321 014 124 234 304 01234"}}  // TRIQUADRATIC_PYRAMID
 };
@@ -87,7 +97,8 @@ void add_vtk_cells(const TextFile& file, const VtkCells& cells, std::int32_t fir
                       "cell " + std::to_string(i) + " is of type " + std::to_string(type) +
                           " with " + plural(n, "point") +
                           ", which is not read: save polygons, or triangles, quadrilaterals, "
-                          "wedges and hexahedra of first or second order");
+                          "wedges and hexahedra of first or second order (Lagrange triangles and "
+                          "quadrilaterals, too)");
         }
         elements.add(shape, -1, offset);
         for (std::int64_t k = 0; k < n; ++k) {

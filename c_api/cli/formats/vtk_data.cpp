@@ -77,12 +77,23 @@ void put_number(const VtkEncoding& as, std::size_t value, std::string& to) {
     }
 }
 
+void check_bytes(const TextFile& file, const VtkArray& array, const std::string& name, double bytes,
+                 std::size_t max_bytes) {
+    if (bytes <= static_cast<double>(max_bytes)) return;
+    file.fail(array.tag, "the array " + name + " unpacks to " + brief(bytes) +
+                             " bytes, but the points and cells of its piece need " +
+                             std::to_string(max_bytes) + " at most");
+}
+
 void decode_blocks(EncodedBytes& bytes, const TextFile& file, const VtkEncoding& as,
-                   const VtkArray& array, const std::string& name, VtkDecoded& found,
-                   std::string& text) {
+                   const VtkArray& array, const std::string& name, std::size_t max_bytes,
+                   VtkDecoded& found, std::string& text) {
     const std::int64_t n = bytes.number(as);
     if (n == 0) return;
     const std::int64_t block = bytes.number(as), last = bytes.number(as);
+    const double whole_blocks = static_cast<double>(last > 0 ? n - 1 : n);
+    check_bytes(file, array, name,
+                whole_blocks * static_cast<double>(block) + static_cast<double>(last), max_bytes);
     std::vector<std::size_t> sizes;
     for (std::int64_t k = 0; k < n; ++k)
         sizes.push_back(static_cast<std::size_t>(bytes.number(as)));
@@ -100,8 +111,14 @@ void decode_blocks(EncodedBytes& bytes, const TextFile& file, const VtkEncoding&
 
 }  // namespace
 
+int VtkArray::number_bytes() const {
+    if (type == "Int8" || type == "UInt8") return 1;
+    if (type == "Int16" || type == "UInt16") return 2;
+    return type == "Float32" || type == "Int32" || type == "UInt32" ? 4 : 8;
+}
+
 VtkDecoded decode_vtk(const TextFile& file, const VtkEncoding& as, const VtkArray& array,
-                      const std::string& name, std::string& text) {
+                      const std::string& name, std::size_t max_bytes, std::string& text) {
     VtkDecoded found;
     found.is_appended = array.is_appended;
     found.is_raw = array.is_appended && as.is_raw;
@@ -116,6 +133,7 @@ VtkDecoded decode_vtk(const TextFile& file, const VtkEncoding& as, const VtkArra
     EncodedBytes bytes(file, found.is_raw, found.begin, end, name);
     if (as.compressor.empty()) {
         const auto n = static_cast<std::size_t>(bytes.number(as));
+        check_bytes(file, array, name, static_cast<double>(n), max_bytes);
         found.has_own_header = bytes.at_padding();
         text += bytes.take(n);
     } else {
@@ -128,11 +146,11 @@ VtkDecoded decode_vtk(const TextFile& file, const VtkEncoding& as, const VtkArra
             file.fail(array.tag, "the array " + name + " is compressed, and " + lack_of_zlib() +
                                      ": save the file without compression");
         }
-        decode_blocks(bytes, file, as, array, name, found, text);
+        decode_blocks(bytes, file, as, array, name, max_bytes, found, text);
     }
     // Arrays that overlap could need more memory than the file can hold.
-    const std::size_t max_bytes = (as.compressor.empty() ? 1 : max_zlib_ratio) * file.text().size();
-    if (text.size() - file.text().size() > max_bytes)
+    const std::size_t max_total = (as.compressor.empty() ? 1 : max_zlib_ratio) * file.text().size();
+    if (text.size() - file.text().size() > max_total)
         file.fail(array.tag, "the arrays of the file overlap");
     found.end = bytes.offset();
     found.bytes_end = text.size();

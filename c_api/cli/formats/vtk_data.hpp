@@ -27,6 +27,8 @@ struct VtkArray {
                                      // begin is the offset
     std::size_t offset_at = 0, offset_length = 0;  // the place of the attribute offset in the file
 
+    int number_bytes() const;  // of a number of this type; 8 for types that are not read
+
     bool is_encoded(const VtkEncoding& as) const {
         return is_binary || (is_appended && (!as.is_raw || !as.compressor.empty()));
     }
@@ -42,9 +44,10 @@ struct VtkDecoded {
     bool is_raw = false, is_appended = false;
 };
 
-// Appends the bytes of an array to `text`, which begins with the whole file.
+// Appends the bytes of an array to `text`, which begins with the whole file. Refuses, before it
+// unpacks anything, an array of more than max_bytes.
 VtkDecoded decode_vtk(const TextFile& file, const VtkEncoding& as, const VtkArray& array,
-                      const std::string& name, std::string& text);
+                      const std::string& name, std::size_t max_bytes, std::string& text);
 
 // Returns the array with other bytes, encoded as in the file.
 std::string encode_vtk(const VtkEncoding& as, const VtkDecoded& array, std::string_view bytes);

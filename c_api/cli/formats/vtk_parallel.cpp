@@ -79,7 +79,7 @@ TextFile JoinedPieces::join() {
 }
 
 void JoinedPieces::add_file(const XmlTag& tag) {
-    const std::string source(tag.attribute("Source"));
+    const std::string source = xml_decoded(tag.attribute("Source"));
     if (source.empty()) parallel_.fail(tag.begin, "the piece has no attribute Source");
     const std::filesystem::path path = piece_path(parallel_, source);
     if (!names_.insert(path.lexically_normal()).second)
@@ -183,7 +183,7 @@ std::vector<std::string> piece_files(const std::string& parallel) {
         const TextFile file(parallel);
         XmlReader tags(file);
         while (tags.next()) {
-            const std::string source(tags.tag().attribute("Source"));
+            const std::string source = xml_decoded(tags.tag().attribute("Source"));
             if (!source.empty()) paths.push_back(piece_path(file, source).string());
         }
     } catch (const Failure&) {

@@ -72,6 +72,17 @@ void VtkXmlReader::read() {
     build_mesh(mesh_, elements_);
 }
 
+// Returns the bytes that an array has at most. Cells have up to 27 points each, except for
+// polygons: those in a plane have up to 6 corners for each point together, as a plane graph has at
+// most three edges for each point, and an edge is a side of at most two polygons.
+std::size_t most_bytes(const VtkPiece& piece, const VtkArray& array) {
+    const std::int64_t numbers = &array == &piece.points ? 3 * piece.n_points
+                                 : &array == &piece.connectivity
+                                     ? 27 * piece.n_cells + 6 * piece.n_points
+                                     : piece.n_cells;
+    return static_cast<std::size_t>(numbers * array.number_bytes());
+}
+
 // Appends encoded arrays to the text of the file, where they are read, and changed, as raw arrays.
 void VtkXmlReader::decode() {
     const VtkEncoding& as = content_.encoding;
@@ -88,7 +99,8 @@ void VtkXmlReader::decode() {
             if (!array->is_there || !is_needed || !array->is_encoded(as)) continue;
             if (array->is_appended && as.appended == 0) continue;  // source_of() refuses the array
             if (decoded_.empty()) text = mesh_.file.text();
-            decoded_.emplace_back(array->tag, decode_vtk(mesh_.file, as, *array, name, text));
+            decoded_.emplace_back(array->tag, decode_vtk(mesh_.file, as, *array, name,
+                                                         most_bytes(piece, *array), text));
             if (array == &piece.points) store_.points.push_back(decoded_.back().second);
         }
     }

@@ -133,7 +133,8 @@ void TagReader::read_array() {
     VtkArray* const place = place_of(tag().attribute("Name"));
     if (!place) {  // the array stays as it is
         if (section_ == "PointData" && !found_.pieces.empty())
-            found_.pieces.back().point_data.emplace_back(tag().attribute("Name"), array);
+            found_.pieces.back().point_data.emplace_back(xml_decoded(tag().attribute("Name")),
+                                                         array);
         return;
     }
     if (place->is_there) file_.fail(tag().begin, "the piece has this array a second time");

@@ -1,6 +1,7 @@
 #include "formats/vtu.hpp"
 
 #include "formats/vtk_cells.hpp"
+#include "formats/xml.hpp"
 
 #include "basics/ordered_output.hpp"
 #include "basics/text_out.hpp"
@@ -13,8 +14,8 @@ namespace {
 
 void begin_array(std::ostream& out, const std::string& type, const std::string& name,
                  std::size_t components) {
-    out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\""
-        << components << "\" format=\"ascii\">\n";
+    out << "<DataArray type=\"" << type << "\" Name=\"" << xml_encoded(name)
+        << "\" NumberOfComponents=\"" << components << "\" format=\"ascii\">\n";
 }
 
 void write_points(std::ostream& out, const std::vector<double>& x, const std::vector<double>& y,
@@ -51,8 +52,8 @@ void write_cells(std::ostream& out, const Mesh& mesh) {
 void write_point_data(std::ostream& out, const std::vector<PointData>& arrays,
                       std::int32_t threads) {
     const PointData& shown = arrays[0];
-    out << "<PointData " << (shown.components == 3 ? "Vectors" : "Scalars") << "=\"" << shown.name
-        << "\">\n";
+    out << "<PointData " << (shown.components == 3 ? "Vectors" : "Scalars") << "=\""
+        << xml_encoded(shown.name) << "\">\n";
     for (const PointData& data : arrays) {
         begin_array(out, "Float64", data.name, data.components);
         write_rows(out, data.values.size(), threads, [&](std::size_t i, TextOut& to) {

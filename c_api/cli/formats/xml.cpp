@@ -1,8 +1,82 @@
 #include "formats/xml.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <iterator>
 
 namespace cli {
+
+namespace {
+
+struct Entity {
+    char character;
+    std::string_view name;
+};
+constexpr Entity entities[] = {
+    {'<', "lt"}, {'>', "gt"}, {'&', "amp"}, {'"', "quot"}, {'\'', "apos"}};
+
+// Appends the character of an entity, named without & and ;. Returns false if there is no such one.
+bool append_entity(std::string_view name, std::string& to) {
+    for (const Entity& entity : entities) {
+        if (entity.name != name) continue;
+        to += entity.character;
+        return true;
+    }
+    if (name.substr(0, 1) != "#") return false;
+    const bool is_hexadecimal = name.size() > 1 && (name[1] == 'x' || name[1] == 'X');
+    const char* const from = name.data() + (is_hexadecimal ? 2 : 1);
+    const char* const end = name.data() + name.size();
+    std::uint32_t code = 0;
+    const auto [after, error] = std::from_chars(from, end, code, is_hexadecimal ? 16 : 10);
+    if (error != std::errc() || after != end || code == 0 || code > 0x10ffff) return false;
+    if (code >= 0xd800 && code < 0xe000) return false;  // half of a pair of UTF-16
+    const auto add = [&to](std::uint32_t byte) { to += static_cast<char>(byte); };
+    const auto tail = [&](int shift) { add(0x80 | (code >> shift & 0x3f)); };
+    if (code < 0x80) {
+        add(code);
+    } else if (code < 0x800) {
+        add(0xc0 | code >> 6), tail(0);
+    } else if (code < 0x10000) {
+        add(0xe0 | code >> 12), tail(6), tail(0);
+    } else {
+        add(0xf0 | code >> 18), tail(12), tail(6), tail(0);
+    }
+    return true;
+}
+
+}  // namespace
+
+std::string xml_decoded(std::string_view value) {
+    std::string text;
+    while (!value.empty()) {
+        const std::size_t begin = std::min(value.find('&'), value.size());
+        text += value.substr(0, begin);
+        value.remove_prefix(begin);
+        const std::size_t end = value.find(';');
+        if (end != value.npos && append_entity(value.substr(1, end - 1), text)) {
+            value.remove_prefix(end + 1);
+        } else if (!value.empty()) {
+            text += value[0];
+            value.remove_prefix(1);
+        }
+    }
+    return text;
+}
+
+std::string xml_encoded(std::string_view text) {
+    std::string value;
+    for (const char c : text) {
+        const auto* const entity =
+            std::find_if(std::begin(entities), std::end(entities),
+                         [c](const Entity& one) { return one.character == c; });
+        const bool is_space = c == '\t' || c == '\n' || c == '\r';
+        if (entity != std::end(entities)) value += '&' + std::string(entity->name) + ';';
+        else if (is_space) value += "&#" + std::to_string(static_cast<int>(c)) + ';';
+        else value += static_cast<unsigned char>(c) < 32 ? '_' : c;
+    }
+    return value;
+}
 
 std::string_view XmlTag::attribute(std::string_view key) const {
     const auto lower = [](char c) {

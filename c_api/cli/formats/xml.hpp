@@ -1,9 +1,11 @@
-// Reads the tags of an XML file one after another. Entities and sections CDATA are not supported;
-// mesh files do not have them.
+// Reads the tags of an XML file one after another. Values of attributes are the text of the file:
+// names in them are read by xml_decoded(). Sections CDATA are not supported; mesh files do not have
+// them.
 #pragma once
 
 #include "basics/text_file.hpp"
 
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -38,5 +40,12 @@ private:
     const TextFile& file_;
     XmlTag tag_;
 };
+
+// Replaces the entities &lt; &gt; &amp; &quot; &apos; &#N; and &#xN; by their characters, in UTF-8.
+// Other text, such as an & alone, stays.
+std::string xml_decoded(std::string_view value);
+// Returns the text as the value of an attribute in quotation marks, which xml_decoded() turns back.
+// XML cannot have control characters but tab and line ends; each of them becomes _.
+std::string xml_encoded(std::string_view text);
 
 }  // namespace cli

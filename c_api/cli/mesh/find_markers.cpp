@@ -4,6 +4,7 @@
 #include "mesh/mesh_file.hpp"
 #include "basics/numbers.hpp"
 #include "basics/place.hpp"
+#include "basics/quoted_name.hpp"
 
 #include <algorithm>
 #include <set>
@@ -45,10 +46,11 @@ public:
         return number_of(name) >= 0 || mesh_.groups.count(std::string(name));
     }
 
-    std::vector<std::int32_t> find(std::string_view name) const {
+    std::vector<std::int32_t> find(std::string_view name, bool is_literal) const {
         std::set<std::int32_t> found;
         add_named(std::string(name), found);
         std::int32_t loop = 0;
+        if (found.empty() && is_literal) refuse(name);
         if (found.empty() && name.substr(0, loop_prefix.size()) == loop_prefix &&
             parse(name.substr(loop_prefix.size()), loop)) {
             add_loop(loop, found);
@@ -135,13 +137,48 @@ private:
     std::vector<std::int32_t> faces_;  // number of faces of each marker
 };
 
-// Calls visit(name) for each name of a list. A single name may contain commas.
+// An entry of a list of markers: a name, which quotes make literal, and the place behind the @.
+struct Entry {
+    std::string name;
+    bool is_literal = false;
+    MarkerPiece piece;
+};
+
+bool read_place(std::string_view text, MarkerPiece& piece) {
+    const std::size_t colon = text.find(':');
+    piece.is_piece = colon != text.npos && parse(text.substr(0, colon), piece.x) &&
+                     parse(text.substr(colon + 1), piece.y);
+    return piece.is_piece;
+}
+
+// Text in quotes is a name in quotes rather than a name that has quotes of its own.
+Entry entry_of(const Selection& selection, std::string_view text) {
+    Entry entry;
+    const std::size_t behind = behind_quoted(text, 0);
+    const std::string_view rest = text.substr(behind);
+    const bool is_quoted =
+        behind > 0 && (rest.empty() || (rest[0] == '@' && read_place(rest.substr(1), entry.piece)));
+    if (is_quoted) {
+        entry.name = unquoted(text.substr(0, behind));
+        entry.is_literal = true;
+        if (selection.is_known(entry.name) || !selection.is_known(text)) return entry;
+    }
+    entry = {std::string(text), selection.is_known(text), {}};
+    const std::size_t at = text.rfind('@');
+    if (!entry.is_literal && at != text.npos && read_place(text.substr(at + 1), entry.piece))
+        entry.name = trimmed(text.substr(0, at));
+    return entry;
+}
+
+// Calls visit(entry) for each entry of a list. A single name may contain commas.
 template <class Visit>
-void for_each_name(const Selection& selection, const std::string& list, const Visit& visit) {
-    if (selection.is_known(list)) return visit(std::string_view(list));
+void for_each_entry(const Selection& selection, const std::string& list, const Visit& visit) {
+    const Entry whole = entry_of(selection, list);
+    if (whole.is_literal) return visit(whole);
     for (std::size_t begin = 0; begin <= list.size();) {
-        const std::size_t end = std::min(list.find(',', begin), list.size());
-        visit(trimmed(std::string_view(list).substr(begin, end - begin)));
+        const std::size_t name = std::min(list.find_first_not_of(blanks, begin), list.size());
+        const std::size_t end = std::min(list.find(',', behind_quoted(list, name)), list.size());
+        visit(entry_of(selection, trimmed(std::string_view(list).substr(begin, end - begin))));
         begin = end + 1;
     }
 }
@@ -149,31 +186,22 @@ void for_each_name(const Selection& selection, const std::string& list, const Vi
 }  // namespace
 
 std::vector<std::int32_t> Mesh::find_markers(const std::string& list) const {
-    const Selection selection(*this);
     std::vector<std::int32_t> found;
-    for_each_name(selection, list, [&](std::string_view name) {
-        for (const std::int32_t marker : selection.find(name)) {
-            if (std::find(found.begin(), found.end(), marker) == found.end())
-                found.push_back(marker);
-        }
-    });
+    for (const MarkerPiece& piece : find_pieces(list)) {
+        if (piece.is_piece)
+            throw Failure(exit_usage,
+                          "whole markers are expected, not a piece as in " + in_quotes(list));
+        found.push_back(piece.marker);
+    }
     return found;
 }
 
 std::vector<MarkerPiece> Mesh::find_pieces(const std::string& list) const {
     const Selection selection(*this);
     std::vector<MarkerPiece> found;
-    for_each_name(selection, list, [&](std::string_view name) {
-        MarkerPiece piece;
-        const std::size_t at = name.rfind('@');
-        if (!selection.is_known(name) && at != name.npos) {
-            const std::string_view point = name.substr(at + 1);
-            const std::size_t colon = point.find(':');
-            piece.is_piece = colon != point.npos && parse(point.substr(0, colon), piece.x) &&
-                             parse(point.substr(colon + 1), piece.y);
-        }
-        for (const std::int32_t marker :
-             selection.find(piece.is_piece ? trimmed(name.substr(0, at)) : name)) {
+    for_each_entry(selection, list, [&](const Entry& entry) {
+        MarkerPiece piece = entry.piece;
+        for (const std::int32_t marker : selection.find(entry.name, entry.is_literal)) {
             piece.marker = marker;
             const bool is_double =
                 std::any_of(found.begin(), found.end(), [&](const MarkerPiece& other) {
@@ -183,6 +211,35 @@ std::vector<MarkerPiece> Mesh::find_pieces(const std::string& list) const {
         }
     });
     return found;
+}
+
+std::pair<std::string, std::string> Mesh::split_binding(const std::string& binding) const {
+    const std::size_t first = equals_behind_names(binding, 0);
+    for (std::size_t equals = first; equals != binding.npos;
+         equals = equals_behind_names(binding, equals + 1)) {
+        if (has_markers(binding.substr(0, equals)))
+            return {binding.substr(0, equals), binding.substr(equals + 1)};
+    }
+    if (first == binding.npos || has_markers(binding)) return {binding, ""};
+    return {binding.substr(0, first), binding.substr(first + 1)};
+}
+
+bool Mesh::has_markers(const std::string& list) const {
+    try {
+        find_pieces(list);
+        return true;
+    } catch (const Failure&) {
+        return false;
+    }
+}
+
+std::string Mesh::name_of(const hm_condition& condition) const {
+    const std::string& name = markers[static_cast<std::size_t>(condition.marker)];
+    if (condition.piece == 0) return quoted_name(name);
+    const std::string near = '@' + exact(condition.near_x) + ':' + exact(condition.near_y);
+    // Another marker may have the name of this piece.
+    const bool is_taken = std::find(markers.begin(), markers.end(), name + near) != markers.end();
+    return quoted_name(name, is_taken) + near;
 }
 
 }  // namespace cli

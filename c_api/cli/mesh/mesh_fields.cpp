@@ -6,34 +6,27 @@
 #include "formats/vtu.hpp"
 #include "mesh/mesh_analysis.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cli {
 
-namespace {
-
-bool is_place(const std::string& name) {
-    static const char* const places[] = {"PointID", "point", "x", "y", "z"};
-    return std::find(std::begin(places), std::end(places), name) != std::end(places);
-}
-
-}  // namespace
-
 std::vector<Column> read_fields(const std::string& path, const std::vector<std::string>& names,
-                                const Mesh& mesh) {
+                                const Mesh& mesh, bool in_order) {
     const PointTable table = read_point_table(path);
-    const std::vector<std::int32_t> points = points_of(table, mesh);
+    const std::vector<std::int32_t> points = points_of(table, mesh, in_order);
     if (points.size() != mesh.x.size()) {
         throw Failure(exit_file,
                       path + " has " + plural(static_cast<std::int64_t>(points.size()), "row") +
                           ", but " + mesh.file.path() + " has " + plural(mesh.points(), "point"));
     }
     std::vector<Column> fields;
-    for (const std::string& name : names.empty() ? table.names : names) {
-        if (names.empty() && is_place(name)) continue;
+    std::vector<std::pair<std::string, std::size_t>> columns;
+    for (const std::string& name : names) columns.emplace_back(name, table.column(name));
+    for (std::size_t k = 0; names.empty() && k < table.names.size(); ++k)
+        if (!says_where(table.names, k)) columns.emplace_back(table.names[k], k);
+    for (const auto& [name, column] : columns) {
         Column field = {name, std::vector<double>(points.size())};
-        const std::size_t column = table.column(name);
         for (std::size_t row = 0; row < points.size(); ++row) {
             const double value = table.at(row, column);
             if (!std::isfinite(value)) {
@@ -59,13 +52,7 @@ void write_fields(OutputFiles& files, const std::string& path, const Mesh& mesh,
         return;
     }
     std::vector<PointData> data;
-    for (const Column& field : fields) {
-        if (field.name.find_first_of("<>&\"") != std::string::npos) {
-            throw Failure(exit_usage, path + ": a file .vtu cannot hold the name " +
-                                          in_quotes(field.name) + "; write a file .csv");
-        }
-        data.push_back({field.name, 1, field.values});
-    }
+    for (const Column& field : fields) data.push_back({field.name, 1, field.values});
     write_vtu(out, mesh, mesh.x, mesh.y, data);
 }
 
@@ -87,6 +74,11 @@ Interpolated interpolated(const Mesh& from, const Field& at, const std::vector<C
     }
     return found;
 }
+
+const Option in_order_option = {
+    "--in-order", nullptr,
+    "the rows of a table without numbers and coordinates of points are all points of the mesh, in "
+    "the order of\nits file (default: such a table is refused)"};
 
 const Option max_outside_option = {
     "--max-outside", "LENGTH",

@@ -15,9 +15,11 @@
 namespace cli {
 
 // Reads the columns of a table of point_table.hpp that have these names; no names: all columns
-// except numbers and coordinates of points. Each point of the mesh must have one row.
+// except numbers and coordinates of points. Each point of the mesh must have one row; in_order: see
+// points_of().
 std::vector<Column> read_fields(const std::string& path, const std::vector<std::string>& names,
-                                const Mesh& mesh);
+                                const Mesh& mesh, bool in_order);
+extern const Option in_order_option;  // for commands that read tables
 
 // Writes a .vtu file, or else a table with the columns point, x, y and those of the fields. This
 // function does not commit the file.

@@ -15,6 +15,8 @@
 
 namespace cli {
 
+struct Format;
+
 // A marker, or the piece of the marker that is nearest to a point.
 struct MarkerPiece {
     std::int32_t marker = 0;
@@ -24,6 +26,7 @@ struct MarkerPiece {
 
 struct Mesh {
     TextFile file;
+    const Format* format = nullptr;  // of the file; NULL: the mesh comes from no file
     std::vector<double> x, y;
     std::vector<std::int32_t> cell_start = {0}, cell_points;  // compressed rows, counted from 0
     bool has_polygons = false;  // cells of more than four corners, or with hanging nodes
@@ -54,12 +57,19 @@ struct Mesh {
     hm_mesh view() const;
 
     // Returns the numbers of the markers in a list "A,B". An entry is a marker, a name of `groups`,
-    // a pattern with * and ?, or a whole loop of the boundary, "loop:1". Refuses a name that the
-    // file does not have as wrong usage. A name may contain commas.
+    // a pattern with * and ?, a whole loop of the boundary, "loop:1", or a name in quotes
+    // (quoted_name.hpp), which stands for itself. Refuses a name that the file does not have as
+    // wrong usage. A list that is the name of one marker needs no quotes.
     std::vector<std::int32_t> find_markers(const std::string& list) const;
     // Does the same, except that an entry may be "A@X:Y": the piece of a marker that is nearest to
     // a point.
     std::vector<MarkerPiece> find_pieces(const std::string& list) const;
+    bool has_markers(const std::string& list) const;  // find_pieces() does not refuse the list
+    // Splits "A[,B]=VALUE" at the first `=` before which a list of markers stands. The value is
+    // empty if the whole text is such a list, or has no `=`.
+    std::pair<std::string, std::string> split_binding(const std::string& binding) const;
+    // Returns the marker of the condition as an entry of a list, as which it is read back.
+    std::string name_of(const hm_condition& condition) const;
 
     // Functions for readers. add_marker() returns the marker of this name, which may be new;
     // remark() keeps a text once. Offsets are places in the file.

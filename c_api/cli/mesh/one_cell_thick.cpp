@@ -133,11 +133,12 @@ void OneCellThick::find_planes(std::int32_t cell) {
         if (spread(face, found_[n], cells)) ++n;
     }
     if (n < 2) {
-        // A cell has no faces if all its corners are one point.
+        // A cell has no faces if no face of the file names the cell, or if all its corners are one
+        // point.
         const std::string where =
             first < end
                 ? "begins at " + coordinates(cells_.points[place(cells_.faces[place(first)].first)])
-                : "is a point";
+                : "has no faces";
         mesh_.file.fail(cell_offset_[place(cell)],
                         "the mesh has three dimensions and is not one cell thick: there are no two "
                         "planes in which each cell has a face; cell " +

@@ -82,7 +82,8 @@ Sensitivity by_points_of_file(const PointTable& table, const SensitivityColumns&
     if (has_ending) z.back() = static_cast<char>(z.back() + 2);
     std::size_t component[] = {table.column(columns.x), table.column(columns.y),
                                table.names.size()};
-    const bool has_places = table.has("x") && table.has("y") && table.has("z");
+    const PointColumns at = table.point_columns();
+    const bool has_places = at.has_places() && at.place[2] != PointColumns::none;
     const double reach = reach_of(mesh);
     Sensitivity found{Field(mesh.x.size()), table.rows()};
     for (const CoordinateSlot& slot : mesh.in_file.slots) {
@@ -93,12 +94,11 @@ Sensitivity by_points_of_file(const PointTable& table, const SensitivityColumns&
         Direction along = {{slot.rule == takes_x ? 1.0 : 0.0, slot.rule == takes_y ? 1.0 : 0.0}};
         if (slot.rule >= 0) along = mesh.in_file.directions[static_cast<std::size_t>(slot.rule)];
         const double place = slot.rule == takes_x ? mesh.x[point] : mesh.y[point];
-        if (has_places && slot.rule < 0 &&
-            std::fabs(table.at(row, table.column("x") + d) - place) > reach) {
+        if (has_places && slot.rule < 0 && std::fabs(table.at(row, at.place[d]) - place) > reach) {
             throw Failure(exit_file, table.place(row) +
                                          ": the values are those of another mesh: coordinate " +
                                          std::string(1, "xyz"[d]) + " is " +
-                                         brief(table.at(row, table.column("x") + d)) +
+                                         brief(table.at(row, at.place[d])) +
                                          ", that of this mesh is " + brief(place));
         }
         if (component[d] == table.names.size()) component[d] = table.column(z);
@@ -112,11 +112,11 @@ Sensitivity by_points_of_file(const PointTable& table, const SensitivityColumns&
 }  // namespace
 
 Sensitivity read_sensitivity(const std::string& path, const SensitivityColumns& columns,
-                             const Mesh& mesh) {
+                             const Mesh& mesh, bool in_order) {
     const PointTable table = read_point_table(path);
     if (columns.normal.empty() && has_points_of_file(table, mesh))
         return by_points_of_file(table, columns, mesh);
-    const std::vector<std::int32_t> points = points_of(table, mesh);
+    const std::vector<std::int32_t> points = points_of(table, mesh, in_order);
     Sensitivity found{Field(mesh.x.size()), points.size()};
     if (columns.normal.empty()) {
         const std::size_t x = table.column(columns.x), y = table.column(columns.y);

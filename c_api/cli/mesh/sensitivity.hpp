@@ -22,7 +22,8 @@ struct Sensitivity {
     std::size_t rows = 0;  // points that the file names
 };
 
+// in_order: see points_of().
 Sensitivity read_sensitivity(const std::string& path, const SensitivityColumns& columns,
-                             const Mesh& mesh);
+                             const Mesh& mesh, bool in_order);
 
 }  // namespace cli

@@ -199,7 +199,7 @@ private:
         std::vector<JsonObject> bodies(static_cast<std::size_t>(subject_.info.bodies));
         const auto add_body = [&](const hm_condition& condition) {
             JsonObject& body = bodies[static_cast<std::size_t>(condition.body)];
-            body.add("marker", mesh_.markers[static_cast<std::size_t>(condition.marker)]);
+            body.add("marker", mesh_.name_of(condition));
             body.add("x", condition.x).add("y", condition.y);
         };
         for_each_body(subject_.conditions, subject_.info.bodies, add_body);

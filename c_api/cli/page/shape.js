@@ -134,7 +134,13 @@ class Shape {
         const bodies = this.data.bodies.map(() => ({ x: 0, y: 0, degrees: 0, scale: 1 }));
         const seen = new Set();
         text.split("\n").forEach((line, number) => {
-            const words = line
+            // The name of a marker may have blanks and "#" in quotes.
+            const [, text_of_body] = /^\s*rigid\s+(.*)/.exec(line) || [];
+            const rigid = text_of_body !== undefined;
+            const named = (body) => rigid && `${text_of_body} `.startsWith(`${body.marker} `);
+            const place = this.data.bodies.findIndex(named);
+            const rest = place < 0 ? line : `rigid body ${text_of_body.slice(this.data.bodies[place].marker.length)}`;
+            const words = rest
                 .replace(/#.*/, "")
                 .trim()
                 .split(/\s+/)
@@ -143,15 +149,13 @@ class Shape {
             const fail = (reason) => {
                 throw new Error(`line ${number + 1}: ${reason}`);
             };
-            const rigid = words[0] === "rigid",
-                values = words.slice(rigid ? 2 : 1).map(Number);
+            if (rigid && place < 0) fail(`there is no rigid body ${words[1]}`);
+            const values = words.slice(rigid ? 2 : 1).map(Number);
             if (!values.every(Number.isFinite)) fail("a finite number is expected");
-            const name = rigid ? `rigid ${words[1]}` : words[0];
+            const name = rigid ? `rigid ${this.data.bodies[place].marker}` : words[0];
             if (seen.has(name)) fail(`${name} is moved a second time`);
             seen.add(name);
             if (rigid) {
-                const place = this.data.bodies.findIndex((body) => body.marker === words[1]);
-                if (place < 0) fail(`there is no rigid body ${words[1]}`);
                 if (values.length < 3 || values.length > 4) fail("rigid MARKER dx dy degrees [scale] is expected");
                 bodies[place] = {
                     x: values[0],

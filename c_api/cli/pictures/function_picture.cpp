@@ -94,8 +94,8 @@ std::string subject(const FunctionPanel& panel) {
 }
 
 std::string rounded(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2g", value + 0.0);
+    std::string text;
+    append_number(text, 'g', 2, value + 0.0);
     return text;
 }
 

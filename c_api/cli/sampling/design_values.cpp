@@ -24,11 +24,15 @@ double number_of(const LineReader& lines, std::string_view word) {
     return number;
 }
 
+// Names may be in quotation marks, as many programs write them; they have no commas.
 std::vector<std::string_view> words_of(std::string_view line) {
     std::vector<std::string_view> cells;
     while (!line.empty()) {
         const std::size_t end = std::min(line.find_first_of(", \t"), line.size());
-        if (end > 0) cells.push_back(line.substr(0, end));
+        std::string_view cell = line.substr(0, end);
+        if (cell.size() > 2 && cell.front() == '"' && cell.back() == '"')
+            cell = cell.substr(1, cell.size() - 2);
+        if (!cell.empty()) cells.push_back(cell);
         line.remove_prefix(std::min(end + 1, line.size()));
     }
     return cells;

@@ -61,40 +61,67 @@ void SampleFolder::make(const std::string& folder) const {
     if (error) throw Failure(exit_file, folder + ": cannot be made: " + error.message());
 }
 
-// Removes temporary files of OutputFile that are left if a program is killed.
-void SampleFolder::remove_parts(const std::string& folder) const {
+namespace {
+
+// Tells whether the name is that of a file of a set before OutputFile renames the file: for
+// example 00003.npz.part1a2b. `is_of_set` judges the name without this ending.
+template <class Judge>
+bool is_part_of(const std::string& name, const Judge& is_of_set) {
+    const std::size_t ending = name.rfind(".part");
+    return ending != std::string::npos && name.size() > ending + 5 &&
+           name.find_first_not_of("0123456789abcdef", ending + 5) == std::string::npos &&
+           is_of_set(name.substr(0, ending));
+}
+
+// Tells whether the name begins with this many digits, followed by a dot.
+bool is_numbered(const std::string& name, std::size_t digits) {
+    return name.size() > digits && name[digits] == '.' &&
+           name.find_first_not_of("0123456789") == digits;
+}
+
+bool is_of_folder(const std::string& name) {
+    return name == "set.txt" || name == "designs.csv" || name == "index.html" ||
+           name == "README.md";
+}
+
+// Removes the files of a set that a run left under temporary names when it was killed. All other
+// files stay, whatever their names are.
+template <class Judge>
+void remove_parts(const std::string& folder, const Judge& is_of_set) {
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-        const std::string name = entry.path().filename().string();
-        const std::size_t ending = name.rfind(".part");
-        const bool is_hexadecimal =
-            ending != std::string::npos && ending > 0 && name.size() > ending + 5 &&
-            name.find_first_not_of("0123456789abcdef", ending + 5) == std::string::npos;
         std::error_code ignored;
-        if (is_hexadecimal && entry.is_regular_file(ignored)) fs::remove(entry.path(), ignored);
+        const bool is_part = is_part_of(entry.path().filename().string(), is_of_set);
+        if (is_part && entry.is_regular_file(ignored)) fs::remove(entry.path(), ignored);
     }
 }
 
+}  // namespace
+
 void SampleFolder::open(const std::string& settings, bool has_meshes, bool has_vtk) {
-    std::error_code error;
+    owned_.emplace(path_, "set.txt");
     const std::string set = file("set.txt");
-    if (fs::exists(set, error)) {
-        if (TextFile(set).text() != settings)
-            throw Failure(exit_usage, path_ +
-                                          " has designs of other options or files (see its "
-                                          "set.txt): name another folder");
-    } else if (fs::exists(file("shards"), error)) {
-        throw Failure(exit_usage,
-                      path_ + " has a folder `shards` but no set.txt: name another folder");
+    std::error_code error;
+    if (!fs::exists(set, error)) {
+        OutputFiles files;
+        files.add(set) << settings;
+        files.commit();
+    } else if (TextFile(set).text() != settings) {
+        throw Failure(exit_usage, path_ +
+                                      " has designs of other options or files (see its set.txt): "
+                                      "name another folder");
     }
     make(file("shards"));
     if (has_meshes) make(file("meshes"));
     if (has_vtk) make(file("vtk"));
-    for (const char* const folder : {"", "shards", "meshes", "vtk"}) remove_parts(file(folder));
-    if (fs::exists(set, error)) return;
-    OutputFiles files;
-    files.add(set) << settings;
-    files.commit();
+    const auto is_shard = [](const std::string& name) { return is_numbered(name, 5); };
+    const auto is_design = [](const std::string& name) {
+        return is_numbered(name, 7) || name == "series.pvd";
+    };
+    remove_parts(path_, is_of_folder);
+    remove_parts(file("shards"), is_shard);
+    if (has_meshes) remove_parts(file("meshes"), is_design);
+    if (has_vtk) remove_parts(file("vtk"), is_design);
 }
 
 std::int64_t SampleFolder::complete_shards() const {

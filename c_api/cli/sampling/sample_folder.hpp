@@ -11,8 +11,10 @@
 #pragma once
 
 #include "basics/arguments.hpp"
+#include "basics/own_folder.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,17 +37,18 @@ public:
     std::string mesh_of(std::int64_t design, const std::string& ending) const;
     std::string vtk_of(std::int64_t design) const;
 
-    // Makes the folders. Refuses a folder whose set.txt has another text. Removes incomplete files
-    // of a program that was killed.
+    // Makes the folders. Refuses a folder that is not empty and has no set.txt, one whose set.txt
+    // has another text, and one that another run fills. Removes incomplete files of a run that was
+    // killed. The folder is locked as long as this object exists.
     void open(const std::string& settings, bool has_meshes, bool has_vtk);
     std::int64_t complete_shards() const;  // the shards 1 .. n have all files
 
 private:
     std::string shard_file(std::int64_t shard, const char* ending) const;
     void make(const std::string& folder) const;
-    void remove_parts(const std::string& folder) const;
 
     std::string path_;
+    std::optional<OwnFolder> owned_;
 };
 
 }  // namespace cli

@@ -1,5 +1,6 @@
 #include "sampling/sample_table.hpp"
 
+#include "basics/csv_cells.hpp"
 #include "basics/numbers.hpp"
 #include "basics/text_file.hpp"
 #include "basics/text_out.hpp"
@@ -13,34 +14,7 @@ namespace {
 
 constexpr std::size_t cells_before_numbers = 6, cells_after_numbers = 2;
 
-std::string quoted(const std::string& text) {
-    if (text.empty()) return text;
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"') out += '"';
-        out += c == '\n' || c == '\r' ? ' ' : c;
-    }
-    return out + '"';
-}
-
-std::vector<std::string> cells_of(std::string_view line) {
-    std::vector<std::string> cells(1);
-    bool in_text = false;
-    for (std::size_t k = 0; k < line.size(); ++k) {
-        const char c = line[k];
-        if (in_text && c == '"' && k + 1 < line.size() && line[k + 1] == '"') {
-            cells.back() += c;
-            ++k;
-        } else if (c == '"') {
-            in_text = !in_text;
-        } else if (c == ',' && !in_text) {
-            cells.emplace_back();
-        } else {
-            cells.back() += c;
-        }
-    }
-    return cells;
-}
+std::string text_cell(const std::string& text) { return text.empty() ? text : csv_cell(text); }
 
 }  // namespace
 
@@ -72,7 +46,7 @@ std::vector<double> SampleTable::numbers_of(const MorphedDesign& result) const {
 
 void SampleTable::write_names(std::ostream& out) const {
     out << "design,accepted,split,shard,row,way";
-    for (const std::string& name : numbers_) out << ',' << name;
+    for (const std::string& name : numbers_) out << ',' << csv_cell(name);
     out << ",section,reason\n";
 }
 
@@ -89,7 +63,7 @@ void SampleTable::write(std::ostream& stream, const SampleRow& row) const {
             if (std::isinf(value)) out << "inf";
             else if (!std::isnan(value)) out << value;
         }
-        out << ',' << quoted(row.section) << ',' << quoted(row.reason) << '\n';
+        out << ',' << text_cell(row.section) << ',' << text_cell(row.reason) << '\n';
     }
     stream << text;
 }
@@ -98,13 +72,10 @@ void SampleTable::read(const SampleFolder& folder, std::int64_t shards,
                        const std::function<void(const SampleRow&)>& take) const {
     for (std::int64_t shard = 1; shard <= shards; ++shard) {
         const TextFile file(folder.table_of(shard));
-        std::string_view text = file.text();
-        text.remove_prefix(std::min(text.find('\n') + 1, text.size()));
-        while (!text.empty()) {
-            const std::size_t end = std::min(text.find('\n'), text.size());
-            const std::vector<std::string> cells = cells_of(text.substr(0, end));
-            const std::size_t offset = static_cast<std::size_t>(text.data() - file.text().data());
-            text.remove_prefix(std::min(end + 1, text.size()));
+        CsvReader records(file);
+        for (records.next(); records.next();) {
+            const std::vector<std::string>& cells = records.cells();
+            const std::size_t offset = records.offset();
             SampleRow row;
             if (cells.size() != cells_before_numbers + numbers_.size() + cells_after_numbers ||
                 !parse(cells[0], row.design))

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import mmap
 import os
+from pathlib import Path
 from typing import Any, List, Optional, Tuple
 
 import numpy as np
@@ -37,6 +37,10 @@ class Basis:
         self.bytes: int = info.bytes
         self.info: Report = report(info)
         self.shape = (self.info.functions, 2)
+        n = info.shared_points
+        self.shared_points = np.array(
+            [[info.shared_point[k], info.shared_condition[2 * k], info.shared_condition[2 * k + 1]]
+             for k in range(n)], np.int32).reshape(n, 3)
         self.n_points: int = self.info.points
 
     @classmethod
@@ -59,13 +63,13 @@ class Basis:
 
     @classmethod
     def load(cls, path: Any, mesh: Optional[Mesh]) -> "Basis":
-        """Map a file and attach the basis in it."""
+        """Read a file and attach the basis in it; later changes of the file have no influence."""
         try:
-            with open(path, "rb") as file:
-                memory = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
-        except (OSError, ValueError) as error:
-            reason = getattr(error, "strerror", None) or "the file is empty"
-            raise Error(f"{path}: cannot be read: {reason}", Error.BAD_FILE) from None
+            memory = Path(os.fspath(path)).read_bytes()
+        except OSError as error:
+            raise Error(f"{path}: cannot be read: {error.strerror}", Error.BAD_FILE) from None
+        if len(memory) == 0:
+            raise Error(f"{path}: cannot be read: the file is empty", Error.BAD_FILE)
         return cls.attach(memory, mesh)
 
     def save(self, path: Any, mesh: Optional[Mesh]) -> None:

@@ -70,6 +70,23 @@ def fill(mesh: Any, layout: str, arrays: Arrays) -> None:
             mesh.quad_points = int32_view(arrays[1].reshape(-1))
 
 
+def distinct_sides(layout: str, arrays: Arrays) -> Optional[np.ndarray]:
+    """Return which sides of the library's cells are sides of `rows`, or None if all are.
+
+    The library counts four sides of each quadrilateral. Of a triangle that repeats its last point,
+    the side between the repetitions is none of the sides of `rows`.
+    """
+    if layout not in ("quads", "mixed"):
+        return None
+    masks: List[np.ndarray] = []
+    for table in arrays:
+        kept = np.ones(table.shape, bool)
+        if table.shape[1] == 4:
+            kept[:, 2] = table[:, 3] != table[:, 2]
+        masks.append(kept.reshape(-1))
+    return np.concatenate(masks)
+
+
 def rows(layout: str, arrays: Arrays) -> Tuple[np.ndarray, np.ndarray]:
     """Return the cells as compressed rows; a quadrilateral that repeats a point is a triangle."""
     if layout in ("rows", "polygons"):

@@ -87,8 +87,8 @@ class HarmorphWarning(_Finding, UserWarning):
     """A call succeeded, and its result can be used with the reservation that the text names.
 
     The attributes are those of :class:`Error`. The codes are attributes of the class:
-    ``HarmorphWarning.NOT_CONVERGED``, ``MOVED``, ``SHORT``, ``BACKTRACKS``, ``FAR_FROM_CURVE`` and
-    ``POOR``.
+    ``HarmorphWarning.NOT_CONVERGED``, ``MOVED``, ``SHORT``, ``BACKTRACKS``, ``FAR_FROM_CURVE``,
+    ``POOR`` and ``TORN``.
     """
 
     NOT_CONVERGED = lib.HM_NOT_CONVERGED
@@ -97,6 +97,7 @@ class HarmorphWarning(_Finding, UserWarning):
     BACKTRACKS = lib.HM_BACKTRACKS
     FAR_FROM_CURVE = lib.HM_FAR_FROM_CURVE
     POOR = lib.HM_POOR
+    TORN = lib.HM_TORN
 
 
 def check(status: int, error: Any, names: Optional[Mapping[int, str]] = None) -> int:

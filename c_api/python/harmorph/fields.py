@@ -39,7 +39,8 @@ def swept_areas(mesh: Mesh, to: Any, start: Any = None) -> Report:
     first, _first = points_in(mesh.points if start is None else start, mesh.n_points, "start")
     views = [ffi.from_buffer("double[]", array) for array in vars(result).values()]
     call(lib.hm_swept_areas, mesh._c, first, target, *views, ffi.NULL)
-    return result
+    kept = mesh._distinct_sides()
+    return result if kept is None else Report(**{name: array[kept] for name, array in vars(result).items()})
 
 
 class Walls:

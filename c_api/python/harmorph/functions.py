@@ -176,23 +176,52 @@ class Functions:
                  self._executor.view, step, quality)
         return Assessment(None if step == _NULL else report(step), report(quality))
 
+    def boundary_error(self, move: Any, moved: Any, points: Any = None) -> float:
+        """Return the largest distance of wall points from where their conditions take them [length].
+
+        Parameters
+        ----------
+        move : array of shape (functions, 2)
+        moved : array of shape (n_points, 2), or pair of arrays
+            The mesh after the movement.
+        points : array of shape (n_points, 2), or pair of arrays, optional
+            The mesh before the movement; the default is `start`.
+
+        Warns
+        -----
+        HarmorphWarning
+            ``TORN``: the movement takes the two conditions of a point apart by more than 1e-6 of
+            the diagonal of the box around the wall; do not use the moved mesh.
+        """
+        basis, n = self._open(), self.n_points
+        if points is None and self._problem is None:
+            raise Error("A basis without a mesh has no coordinates; give `points`.")
+        before, _alive = points_in(self._problem.points if points is None else points, n, "points")
+        after, _alive_too = points_in(moved, n, "moved")
+        error = ffi.new("double*")
+        call(lib.hm_boundary_error, basis.pointer, doubles(move, basis.shape, "move"), before, after,
+             error, ffi.NULL)
+        return error[0]
+
     def recover(self, points: Any, tolerance: float = 0.0) -> np.ndarray:
         """Return the movement, shape (functions, 2), that a mesh has made since the functions were solved.
+
+        If several movements lead the wall there, the smallest one is returned.
 
         Parameters
         ----------
         points : array of shape (n_points, 2), or pair of arrays
             The mesh after any number of morphs or safe morphs.
         tolerance : float
-            The call refuses a mesh whose wall is farther than this from where the movement leads it
-            [length]; 0 means 1e-4 of the extent of the wall.
+            The call refuses a mesh whose wall is farther than this from where the movement leads it,
+            apart from offsets that safe morphs have turned [length]; 0 means 1e-4 of the extent of the wall.
         """
         basis, size = self._open(), ffi.new("size_t*")
         view, _alive = points_in(points, basis.n_points, "points")
         call(lib.hm_recover_movement_size, basis.pointer, size)
         work, move = np.empty(size[0], np.uint8), np.empty(basis.shape)
         call(lib.hm_recover_movement, basis.pointer, view, tolerance, doubles(move, basis.shape, "move", out=True),
-             ffi.NULL, ffi.NULL, ffi.from_buffer(work), len(work))
+             ffi.NULL, ffi.NULL, ffi.NULL, ffi.from_buffer(work), len(work))
         return move
 
     def _open(self) -> Basis:

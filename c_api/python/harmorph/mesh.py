@@ -236,6 +236,9 @@ class Mesh(Boundary):
         """Return the cells as compressed rows (start, points), two int32 arrays."""
         return _cells.rows(self._layout, self._cells)
 
+    def _distinct_sides(self) -> Optional[np.ndarray]:
+        return _cells.distinct_sides(self._layout, self._cells)
+
     def report(self) -> Report:
         """Check the mesh and count what is in it.
 

@@ -49,6 +49,9 @@ class Morph(Functions, Large, Displacements, Stored):
         Conformal only: offsets of mesh points from the curve rotate with the curve.
     tolerance : float
         Relative residual above which the solution warns; 0 means 1e-10.
+    max_curve_distance : float
+        Points that are farther from their curve than this part of the diagonal of the box around
+        the curve are refused; 0 refuses none.
     threads : int
         Threads of each call, 1 to 256. Calls of one object wait for each other if it is not 1.
 
@@ -63,6 +66,9 @@ class Morph(Functions, Large, Displacements, Stored):
     n_points : int
     info : Report
         The members of ``hm_basis_info``.
+    shared_points : ndarray of shape (n, 3)
+        Points that two conditions move differently, and the positions of the first and of the
+        second of them in the list of conditions.
     solve_report : Report or None
         The members of ``hm_solve_report``; None after :meth:`load`.
 
@@ -74,7 +80,8 @@ class Morph(Functions, Large, Displacements, Stored):
     Warns
     -----
     HarmorphWarning
-        ``FAR_FROM_CURVE``: a point is far from its curve; ``NOT_CONVERGED``.
+        ``FAR_FROM_CURVE``: a point is far from its curve; ``TORN``: a point belongs to two moving
+        conditions, which movements may tear apart (`shared_points`); ``NOT_CONVERGED``.
 
     Notes
     -----
@@ -93,11 +100,13 @@ class Morph(Functions, Large, Displacements, Stored):
         exponent: Optional[float] = None,
         offset_correction: bool = False,
         tolerance: float = 0.0,
+        max_curve_distance: float = 0.0,
         threads: int = 1,
     ) -> None:
         if not isinstance(mesh, Mesh):
             raise Error(f"mesh must be a harmorph.Mesh, not {type(mesh).__name__}.")
         self._options = options_of(operator, engine, exponent, offset_correction, tolerance)
+        self._options["max_curve_distance"] = max_curve_distance
         self._own(mesh, curves, listed(mesh, curves, conditions), threads)
         self._solve()
 
@@ -140,6 +149,7 @@ class Morph(Functions, Large, Displacements, Stored):
     def _set_basis(self, basis: Basis) -> None:
         self._basis = basis
         self.functions, self.n_points, self.info = basis.shape[0], basis.n_points, basis.info
+        self.shared_points = basis.shared_points
 
     def _open(self) -> Basis:
         if self._basis is None:
@@ -227,7 +237,7 @@ class Morph(Functions, Large, Displacements, Stored):
             self._solver = None
 
     def close(self) -> None:
-        """Free everything. Later calls are refused; a mapped file is closed."""
+        """Free everything. Later calls are refused; the memory of the basis is free."""
         with self._lock:
             self._solver = self._basis = None
 

@@ -50,7 +50,7 @@ class Solver:
     curves : Curves or None
     pairs : list of (int, Condition)
     options : dict
-        What :func:`options_of` returned.
+        What :func:`options_of` returned, and ``max_curve_distance``.
     executor : Executor
     """
 
@@ -64,10 +64,11 @@ class Solver:
     ) -> None:
         self.mesh = mesh
         self._alive = (curves, pairs, executor)
-        struct = fill(new("hm_options"), **options)
+        own = dict(options)
+        problem = fill(new("hm_problem"), max_curve_distance=own.pop("max_curve_distance", 0.0))
+        struct = fill(new("hm_options"), **own)
         struct.executor = executor.view
         conditions = structs(mesh, curves, pairs)
-        problem = new("hm_problem")
         problem.mesh = mesh._c
         problem.curves = curves._c if curves is not None else ffi.NULL
         problem.n_conditions, problem.conditions = len(pairs), conditions

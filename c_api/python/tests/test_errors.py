@@ -56,6 +56,43 @@ def test_warnings_can_be_errors(mesh, curves):
             harmorph.Morph(mesh, far, {"wall": "curve"})
 
 
+def two_markers(split):
+    """A ring whose wall has the markers a and b, which begin at the columns 0 and `split`."""
+    ni, nj = 24, 6
+    points = ring(ni + 1, nj)[:, :ni].reshape(-1, 2)
+    at = np.arange(ni * nj).reshape(nj, ni)
+    right = np.roll(at, -1, axis=1)
+    cells = np.stack([at[:-1], right[:-1], right[1:], at[1:]], axis=-1).reshape(-1, 4)
+    wall, far = np.stack([at[0], right[0]], axis=1), np.stack([at[-1], right[-1]], axis=1)
+    return harmorph.Mesh(points, cells, {"a": wall[:split], "b": wall[split:], "far": far})
+
+
+@pytest.mark.parametrize("split", [12, 7])
+def test_points_of_two_moving_conditions(split):
+    mesh = two_markers(split)
+    bodies = [("a", harmorph.Condition("rigid", body=0)), ("b", harmorph.Condition("rigid", body=1))]
+    with pytest.warns(harmorph.HarmorphWarning, match="also belongs to condition") as caught:
+        morph = harmorph.Morph(mesh, conditions=bodies)
+    assert caught[0].message.code == harmorph.HarmorphWarning.TORN
+    assert sorted(morph.shared_points[:, 0]) == [0, split]
+    assert {tuple(both) for both in morph.shared_points[:, 1:]} == {(0, 1)}
+    move = np.zeros((4, 2))
+    move[0] = 0.1, 0
+    with pytest.warns(harmorph.HarmorphWarning, match="away from where condition 1 takes it"):
+        assert np.isclose(morph.boundary_error(move, morph.morph(move)), 0.1)
+    move[2] = move[0]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert morph.boundary_error(move, morph.morph(move)) < 1e-14
+
+
+def test_a_limit_for_the_distance_from_the_curve(mesh, curves):
+    off = harmorph.Curves(curves.control * 1.05, curves=curves.curves)
+    with pytest.raises(harmorph.Error, match="too far for a curve of this wall") as refused:
+        harmorph.Morph(mesh, off, {"wall": "curve"}, max_curve_distance=0.01)
+    assert refused.value.code == harmorph.Error.BAD_CONDITION
+
+
 @pytest.mark.parametrize("again", [copy.copy, lambda one: pickle.loads(pickle.dumps(one))])
 def test_errors_can_be_copied(again):
     error = harmorph.Error("text", harmorph.Error.BAD_MESH, "cell", 4, "point", 5, 0.5, (1.0, 2.0))

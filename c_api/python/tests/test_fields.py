@@ -29,6 +29,37 @@ def test_swept_areas_close_each_cell():
     assert np.array_equal(back.sides, -swept.sides) and np.array_equal(back.duals, -swept.duals)
 
 
+def closed_area(points):
+    x, y = points.T
+    return 0.5 * (x * np.roll(y, -1) - y * np.roll(x, -1)).sum()
+
+
+def repeats_points(layout):
+    points = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [2, 0.5], [2, 1.5]], float)
+    outline = [0, 1, 4, 5, 2, 3, 0]
+    quads = np.array([[1, 4, 2, 2], [0, 1, 2, 3], [4, 5, 2, 2]], np.int32)
+    if layout == "mixed":
+        return harmorph.Mesh(points, (quads[2:, :3].copy(), quads[:2]), {"b": np.array(outline)})
+    return harmorph.Mesh(points, quads, {"b": np.array(outline)})
+
+
+@pytest.mark.parametrize("layout", ["quads", "mixed"])
+def test_swept_areas_have_the_numbering_of_cell_rows(layout):
+    mesh = repeats_points(layout)
+    to = moved(mesh)
+    swept, (start, points) = harmorph.swept_areas(mesh, to), mesh.cell_rows()
+    assert len(swept.sides) == len(swept.duals) == len(swept.halves) == len(points)
+    for begin, end in zip(start, start[1:]):
+        corners = points[begin:end]
+        growth = closed_area(to[corners]) - closed_area(mesh.points[corners])
+        assert swept.sides[begin:end].sum() == pytest.approx(growth, abs=1e-14)
+        a, b = mesh.points[corners], to[corners]
+        for k in range(len(corners)):
+            ends = [k, (k + 1) % len(corners)]
+            quad = np.concatenate([a[ends], b[ends][::-1]])
+            assert swept.sides[begin + k] == pytest.approx(-closed_area(quad), abs=1e-14)
+
+
 def test_distances_are_those_of_the_nearest_face():
     mesh = ring_mesh(ni=33, nj=9)
     walls = harmorph.Walls(mesh, ["wall"])

@@ -45,6 +45,30 @@ def test_another_format_by_name(meshes, tmp_path):
     assert again.markers == mesh.markers and np.array_equal(again.points, mesh.points)
 
 
+@pytest.mark.parametrize("ending", [".su2", ".msh"])
+@pytest.mark.parametrize("names", [("", "wall"), ("far", ""), ("", "_")])
+def test_an_empty_name_is_written_as_one_that_can_be_read(mesh, tmp_path, ending, names):
+    boundary = {name: mesh.faces(old) for name, old in zip(names, ("far", "wall"))}
+    given = harmorph.Mesh(mesh.points, mesh.cell_rows(), boundary)
+    path = tmp_path / ("mesh" + ending)
+    given.write(path)
+    again = harmorph.Mesh.read(path)
+    assert len(again.markers) == 2 and "" not in again.markers
+    for name in names:
+        if name and names != ("", "_"):
+            assert len(again.faces(name)) == len(given.faces(name))
+    assert sorted(len(again.faces(name)) for name in again.markers) == sorted(
+        len(given.faces(name)) for name in names)
+
+
+def test_names_of_groups_that_are_empty_in_a_file(mesh, tmp_path):
+    mesh.write(tmp_path / "mesh.msh")
+    text = (tmp_path / "mesh.msh").read_text()
+    (tmp_path / "mesh.msh").write_text(text.replace('"wall"', '""'))
+    again = harmorph.Mesh.read(tmp_path / "mesh.msh")
+    assert len(again.markers) == 2 and "" not in again.markers and "far" in again.markers
+
+
 def test_remarks(meshes, tmp_path):
     text = (meshes / "naca0012.su2").read_text()
     (tmp_path / "odd.su2").write_text(text + "\nNOTHING= 4\n")

@@ -176,7 +176,7 @@ Limits measure_machine(Settings const& settings, Report& report) {
     std::string const threads =
         settings.threads == 1 ? "one thread" : std::to_string(settings.threads) + " threads";
     table.add(
-        {"reading " + std::to_string(n >> 17) + " MB, " + threads + ", best of four prefetches",
+        {"reading " + std::to_string(n >> 17) + " MiB, " + threads + ", best of four prefetches",
          {1e-9 * limits.read, "%.1f"},
          "GB/s"});
     std::size_t const third = n / 3;

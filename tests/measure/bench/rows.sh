@@ -24,7 +24,7 @@ function cells(a, b, c, d, e, f, g, h, i) {
 function head(text) { print ""; print text; print ""; section = text }
 function rule(    k, text) { text = "|"; for (k = 1; k <= n; ++k) text = text "---|"; print text }
 /^(machine|date|compiler|OpenBLAS):/ { print }
-/^reading 1280 MB/ { print "reading: " $(NF - 1) " " $NF }
+/^reading 1280 MiB/ { print "reading: " $(NF - 1) " " $NF }
 /^Ordering, symbolic pass/ {
     head("Ordering, symbolic pass, factorisation, solution [s]:")
     cells("mesh", "functions", "harmorph", "peer", "its time", "ratio", "bytes a point", "of the peer"); rule(); next

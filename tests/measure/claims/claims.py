@@ -14,12 +14,17 @@ The file claims.txt beside this script has one block of lines for each claim:
     tolerance  how much worse the measured number may be, in per cent of the claimed one
 
 A page or a command that a block does not name is that of the block before. A block with the lines
-page, text and exempt (the reason) stands for a paragraph whose numbers are not measured, as they
-state a case or the time of one machine.
+page, exempt (the reason) and text, once or several times, stands for sentences whose numbers are
+not measured, as they are limits, or state a case or the time of one machine.
 
-Three things are failures: a text that the page no longer contains, a paragraph with numbers and a
-measuring command that no claim stands for, and a measured number that is worse by more than the
-tolerance. The last line counts. A command that needs a program that is not installed says so in
+Every sentence, item and table of a page, and every sentence of a comment in the headers, with a
+number of a measurement needs a claim or an exemption whose text stands in it. In a paragraph that
+names a measuring command all numbers are those of measurements; elsewhere those with a unit of
+time, memory or share, with an exponent, and those of iterations, cycles and ratios.
+
+Three things are failures: a text that the page no longer contains, a sentence with such a number
+that no text stands for, and a measured number that is worse by more than the tolerance. The last
+line counts. A command that needs a program that is not installed says so in
 its output with the word "skipped"; claims on it are then skipped.
 """
 
@@ -33,6 +38,12 @@ COMMAND = re.compile(r"`([^`]*(?:make (?:deform|compare|paper|bench[a-z-]*|test-
                      r"(?:sh|python) tests/|sh c_api/)[^`]*)`")
 # A number of a measurement; numbers inside words, code, dates and versions are not.
 NUMBER = re.compile(r"(?<![\w.,-])\d*\.?\d+(?![\w-])")
+# A number of a measurement outside paragraphs with a command: with one of these units, or with an exponent.
+UNITS = (r"%|per cent|ms|milliseconds?|microseconds?|ns|us|seconds?|minutes?|hours?|s|[GMk]B|[KM]iB|bytes|"
+         r"[GM]B/s|cycles|iterations|times")
+MEASURED = re.compile(r"(?<![\w.,-])(?:\d+(?: \d{3})*(?:\.\d+)?|\.\d+)(?: (?:to|or|and) [\d.]+)? "
+                      rf"(?:{UNITS})(?!\w)|\d(?:\.\d+)?e-\d+")
+NOT_PROSE = re.compile(r"`[^`]*`|\(?\d{4}-\d\d-\d\d\)?")
 KEYS = {"page", "text", "command", "pattern", "worse", "tolerance"}
 
 
@@ -46,10 +57,13 @@ def claims(path):
         lines = [line for line in block.split("\n") if line and not line.startswith("#")]
         if not lines:
             continue
-        claim = {**last, **dict(line.split(None, 1) for line in lines)}
+        pairs = [line.split(None, 1) for line in lines]
+        claim = {**last, **dict(pairs)}
         last = {key: claim[key] for key in ("page", "command") if key in claim}
         if "exempt" in claim:
             claim.pop("command", None)
+            texts = [text for key, text in pairs if key == "text"]
+            found.extend({**claim, "text": text} for text in texts[:-1])
         if set(claim) not in (KEYS, {"page", "text", "exempt"}):
             sys.exit(f"{path}: a claim needs the lines {', '.join(sorted(KEYS))}: {lines[0]}")
         found.append(claim)
@@ -68,6 +82,20 @@ def paragraphs(page):
     return out
 
 
+def units(part):
+    """The sentences of a paragraph or an item; its table is one of them."""
+    prose = "\n".join(line for line in part.split("\n") if not line.lstrip().startswith("|"))
+    table = "\n".join(line for line in part.split("\n") if line.lstrip().startswith("|"))
+    text = normal(re.sub(r"^\s*\d+\. ", "", prose, flags=re.M))
+    sentences = re.split(r"(?<=[^\d.][.!?]) (?=[A-Z`(])|(?<=\d\d\.) (?=[A-Z])", text)
+    return [unit for unit in sentences + [normal(table)] if unit.strip()]
+
+
+def comments(header):
+    """The comments of a header, without what marks them."""
+    return [re.sub(r"^\s*\* ?", "", text, flags=re.M) for text in re.findall(r"/\*(.*?)\*/", header, re.S)]
+
+
 def number(text):
     return float(text.replace(" ", ""))
 
@@ -81,28 +109,36 @@ class Count:
         print(("  " if good else "FAIL claims: ") + text, flush=True)
 
 
+def contents(page):
+    text = Path(page).read_text(encoding="utf-8")
+    return normal(" ".join(comments(text)) if page.endswith(".h") else text)
+
+
 def find_texts(known, count):
     """All texts of claims stand on their pages."""
     for claim in known:
         text = normal(claim["text"]).replace("<", "").replace(">", "")
-        if text not in normal(Path(claim["page"]).read_text(encoding="utf-8")):
+        if text not in contents(claim["page"]):
             count.judge(False, f"{claim['page']} does not say: {text}")
 
 
 def find_numbers(known, count):
-    """Each paragraph with a measuring command and numbers has a claim."""
+    """Each sentence with a number of a measurement has a claim or an exemption."""
+    history = "c_api/packaging/CHANGELOG.md"
     pages = ["README.md"] + [path for top in ("c_api", "fortran", "include", "src", "tests")
-                             for path in sorted(map(str, Path(top).rglob("*.md")))]
+                             for path in sorted(map(str, Path(top).rglob("*.md"))) if path != history]
+    pages += sorted(map(str, Path("include").glob("*.h")))
     for page in pages:
-        for part in paragraphs(Path(page).read_text(encoding="utf-8")):
-            if not COMMAND.search(part):
-                continue
-            numbers = NUMBER.findall(re.sub(r"`[^`]*`|\(?\d{4}-\d\d-\d\d\)?", "", part))
-            stands = [claim for claim in known if claim["page"] == page and
-                      normal(claim["text"]).replace("<", "").replace(">", "") in normal(part)]
-            if numbers:
-                count.judge(bool(stands), f"{page}: {len(stands)} claims for {len(numbers)} numbers of "
-                            f"\"{normal(part)[:60]}...\"")
+        text = Path(page).read_text(encoding="utf-8")
+        texts = [normal(claim["text"]).replace("<", "").replace(">", "") for claim in known if claim["page"] == page]
+        for part in comments(text) if page.endswith(".h") else paragraphs(text):
+            wanted = NUMBER if COMMAND.search(part) else MEASURED
+            stands = [one for one in texts if one in normal(part)]
+            for unit in units(part):
+                if wanted.search(NOT_PROSE.sub("", unit)):
+                    good = any(one in unit or unit.strip() in one for one in stands)
+                    count.judge(good, f"{page}: \"{unit.strip()[:90]}...\"" +
+                                ("" if good else " has a number, but neither a claim nor an exemption"))
 
 
 def outputs(build, command):

@@ -15,9 +15,8 @@ import numpy as np
 import harmorph
 import shared
 from matplotlib import pyplot
-from scipy import linalg, sparse
-from scipy.sparse.linalg import splu
-from scipy.spatial.distance import cdist
+
+from methods import Elasticity, InverseDistance, RadialBasis, area, cross
 
 
 class Domain:
@@ -91,111 +90,6 @@ class Domain:
         return SimpleNamespace(min_quality=quality.min(), mean_quality=quality.mean(),
                                angle=np.degrees(abs(np.angle(now / before))).mean(),
                                min_height=ratio.min(), max_height=ratio.max(), height_error=abs(ratio - 1).mean())
-
-
-def cross(u, v):
-    return (u.conj() * v).imag
-
-
-def area(z):
-    return 0.5 * cross(z, np.roll(z, -1, axis=1)).sum(axis=1)
-
-
-class Elasticity:
-    """The mesh as an elastic solid of stiffness 1 / area, as SU2_DEF has it: linear triangles, plane strain,
-    quadrilaterals as the mean of their two divisions. R. P. Dwight, Robust mesh deformation using the linear elasticity
-    equations, Computational Fluid Dynamics 2006."""
-
-    poisson = 0.35
-
-    def __init__(self, domain, at):
-        self.domain, self.at, nu = domain, at, self.poisson
-        triangles, quads = domain.cells
-        corner = np.concatenate([triangles] + [np.roll(quads, k, axis=1)[:, :3] for k in range(4)])
-        part = np.repeat([1, 0.5], [len(triangles), 4 * len(quads)])
-        z = at[corner]
-        by = (np.roll(z, -2, axis=1) - np.roll(z, -1, axis=1)) / (2 * area(z)[:, None])  # the gradients, turned
-        strain = np.zeros((len(z), 3, 6))
-        strain[:, 0, 0::2] = strain[:, 2, 1::2] = -by.imag
-        strain[:, 1, 1::2] = strain[:, 2, 0::2] = by.real
-        law = np.array([[1 - nu, nu, 0], [nu, 1 - nu, 0], [0, 0, 0.5 - nu]]) / ((1 + nu) * (1 - 2 * nu))
-        local = part[:, None, None] * (strain.transpose(0, 2, 1) @ law @ strain)
-        number = (2 * corner[:, :, None] + [0, 1]).reshape(-1, 6)
-        matrix = sparse.coo_matrix((local.ravel(), (np.repeat(number, 6), np.tile(number, (1, 6)).ravel()))).tocsr()
-        self.unknown = (2 * domain.inner[:, None] + [0, 1]).ravel()
-        self.known = (2 * domain.wall[:, None] + [0, 1]).ravel()
-        rows = matrix[self.unknown]
-        self.boundary = rows[:, self.known]
-        self.factor = splu(rows[:, self.unknown].tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0,
-                           options={"SymmetricMode": True})
-
-    def moved(self, wall):
-        out, move = self.at.copy(), wall - self.at[self.domain.wall]
-        out[self.domain.inner] += -self.factor.solve(self.boundary @ move.view(float)).view(complex)
-        out[self.domain.wall] = wall
-        return out
-
-
-class RadialBasis:
-    """Wendland's C2 function with compact support, without a polynomial. A. de Boer, M. S. van der Schoot, H. Bijl,
-    Comput. Struct. 85 (2007) 784."""
-
-    radius = 10  # chords
-
-    def __init__(self, domain, at):
-        self.domain, self.at = domain, at
-        self.centre = at[np.append(domain.wall, domain.outer)]
-        self.factor = linalg.lu_factor(self.wendland(self.centre))
-
-    def wendland(self, at):
-        x = cdist(at.view(float).reshape(-1, 2), self.centre.view(float).reshape(-1, 2)) / self.radius
-        rest = np.maximum(1 - x, 0) ** 2
-        return rest * rest * (4 * x + 1)
-
-    def moved(self, wall):
-        out, move = self.at.copy(), np.zeros(len(self.centre), complex)
-        move[: len(wall)] = wall - self.at[self.domain.wall]
-        weight = linalg.lu_solve(self.factor, move.view(float).reshape(-1, 2))
-        for part in blocks(self.domain.inner):
-            out[part] += self.wendland(self.at[part]) @ weight @ [1, 1j]
-        out[self.domain.wall] = wall
-        return out
-
-
-class InverseDistance:
-    """Displacement and rotation of the boundary, averaged by inverse distances, as IDWarp does: E. Luke, E. Collins,
-    E. Blades, A fast mesh deformation method using explicit interpolation, J. Comput. Phys. 231 (2012) 586, with the
-    exponents 3 and 5 and the fraction 0.25 that are usual there."""
-
-    alpha = 0.25
-
-    def __init__(self, domain, at):  # nothing is prepared: the weights follow from distances to boundary points
-        self.domain, self.at = domain, at
-
-    def moved(self, wall):
-        domain, at = self.domain, self.at
-        out = at.copy()
-        out[domain.wall] = wall
-        turn = 0
-        for other in (domain.previous, domain.next):
-            ratio = (out[other] - wall) / (at[other] - at[domain.wall])
-            turn = turn + abs(at[other] - at[domain.wall]) * ratio / abs(ratio)
-        turn /= abs(turn)
-        length = (abs(at[domain.previous] - at[domain.wall]) + abs(at[domain.next] - at[domain.wall])) / 2
-        size = abs(at[domain.outer] - at[domain.outer].mean()).max()  # half the width of the domain
-        source = at[np.append(domain.wall, domain.outer)]
-        length = np.append(length, np.full(len(domain.outer), 2 * np.pi * size / len(domain.outer)))
-        turns = np.append(turn, np.ones(len(domain.outer)))  # each source moves z to turn z + shift
-        shifts = np.append(wall - turn * at[domain.wall], np.zeros(len(domain.outer)))
-        for part in blocks(domain.inner):
-            ratio = size / abs(at[part][:, None] - source)
-            weight = length * (ratio**3 + (self.alpha * ratio) ** 5)
-            out[part] = (at[part] * (weight @ turns) + weight @ shifts) / weight.sum(axis=1)
-        return out
-
-
-def blocks(points):
-    return np.array_split(points, len(points) // 256 + 1)
 
 
 def moved_by(method, domain, walls):
@@ -312,7 +206,7 @@ def begin_table(mesh, remark=""):
     print(f"\n== Against other methods: {mesh}\n\ntable The same movements by other methods{remark}. Quality is "
           "size-skew; angle is the mean change [degrees] between the wall and the first-layer edges; heights are "
           "ratios of first-layer heights, error the mean of |ratio - 1|; a star: the best, or within 2 % of the best "
-          "valid one; seconds of processor time for what is done once for a mesh, and for this movement; memory [MB]")
+          "valid one; seconds of processor time for what is done once for a mesh, and for this movement; memory [MiB]")
     print(f"  {'method':18}  {'steps':>5}  {'cells':>8}  {'min q':>9}  {'mean q':>9}  {'angle':>8}  {'lowest':>6}  "
           f"{'highest':>6}  {'error':>8}  {'set-up':>8}  {'movement':>8}  {'memory':>6}")
 

@@ -8,6 +8,7 @@ mkdir -p "$folder"
 awk -f tests/measure/compare/o_mesh.awk >"$folder/joukowski.su2" &&
     sh tests/measure/python.sh "$BUILD" tests/measure/compare/compare.py "$folder" tests/meshes/naca0012.su2:airfoil \
         "$folder/joukowski.su2:airfoil" $MESHES || exit
+sh tests/measure/python.sh "$BUILD" tests/measure/compare/peers.py "$BUILD" || exit
 
 # OpenFOAM's own solvers for moving meshes, and harmorph's where `make test-openfoam` has built it.
 library=$BUILD/openfoam/library
