@@ -84,11 +84,26 @@ for order in selig backwards open lednicer; do
         -o "$tmp/$order.su2" --moves-out "$tmp/$order.moves" --json
     cp "$tmp/log" "$tmp/json"
     check "to NACA 2412, $order: its points are near the curve" at_most "$(value airfoil_max_error)" 5e-5
+    check "to NACA 2412, $order: the wall is near the section" at_most "$(value airfoil_wall_error)" 3e-4
     check "to NACA 2412, $order: on average" at_most "$(value airfoil_rms_error)" 1.5e-5
     check "to NACA 2412, $order: the wall is where the formula says" distance_from_2412 "$tmp/$order.su2"
     check "to NACA 2412, $order: the moves make the same mesh" "$harmorph" morph "$naca" "$tmp/airfoil.basis" \
         --move "$tmp/$order.moves" -o "$tmp/by-moves.su2"
     check "to NACA 2412, $order: bit for bit" cmp "$tmp/by-moves.su2" "$tmp/$order.su2"
+done
+# A curve that is off the wall of the mesh moves the wall by as much beside the section: the distance of the wall says
+# so, that of the curve does not.
+for part in .9 .93; do
+    awk -v part=$part '/^points/ { n = $2; print; next } n > 0 { printf "%s %.17g\n", $1, part * $2; n--; next } { print }' \
+        "$tmp/airfoil.curve" >"$tmp/thin.curve"
+    check "a curve off the wall, $part: solve" "$harmorph" solve "$naca" --curve airfoil="$tmp/thin.curve" \
+        -o "$tmp/thin.basis"
+    check "a curve off the wall, $part" "$harmorph" morph "$naca" "$tmp/thin.basis" --to-airfoil "$tmp/selig.dat" --json
+    cp "$tmp/log" "$tmp/json"
+    check "a curve off the wall, $part: the curve is near" at_most "$(value airfoil_max_error)" 1e-4
+    check "a curve off the wall, $part: the wall is not" at_most .003 "$(value airfoil_wall_error)"
+    check "a curve off the wall, $part: by what the curve was off" at_most "$(value airfoil_wall_error)" \
+        "$(echo $part | awk '{ print .0601 * (1 - $1) + 3e-4 }')"
 done
 # Another chord and place, with and without bringing the edges to where those of the mesh are. The point of NACA 2412
 # that is farthest from the trailing edge is not quite at the beginning of the camber line,

@@ -15,7 +15,7 @@ constexpr Real exact = 1e-14;          // errors below this fraction of the exte
 // Each round makes this part of the change of the knots that the errors ask for. With the whole
 // change in each round, more than 12 knots jump to and fro, and rounding of the points grows from
 // round to round up to the distance of the points.
-Real pace(Index n_control, Index round) noexcept {
+Real pace_of_knots(Index n_control, Index round) noexcept {
     Real const many = static_cast<Real>(max(n_control - 12, Index(0))) / 28;  // 1: 40
     Real const first = 1 / (1 + 1.5 * many);
     return first / (1 + first * min(Real(1), many) * static_cast<Real>(round));
@@ -296,8 +296,8 @@ void Fit::find_knots(Index rounds) noexcept {
         pin_ends_and_corners();
         start_parameters();
         solve_and_correct(solves_per_round, 1);
-        weigh_by_error(shape, squares_.u, squares_.error, sites_, pace(shape.n_control, round),
-                       span_error_);
+        weigh_by_error(shape, squares_.u, squares_.error, sites_,
+                       pace_of_knots(shape.n_control, round), span_error_);
     }
 }
 

@@ -7,14 +7,15 @@
 namespace harmorph {
 namespace {
 
-constexpr Index samples_per_insertion = 32;
-constexpr Index inserted_knot_rounds = 4;  // in each round of insertion
-// Inserted points are at most `aim` from the polygon in the first round, and nearer by this part of
-// `aim` in each later round, because the curve passes them by.
-constexpr Index rounds = 5;
+constexpr Index departure_samples = 32;
+constexpr Index rounds_of_knots = 4;  // in each round of insertion
+// Inserted points are at most `near_polygon` from the polygon in the first round, and nearer by
+// this part of `near_polygon` in each later round, because the curve passes them by.
+constexpr Index insertion_rounds = 5;
 constexpr Real nearer_by = 0.15;
-constexpr Real aim = 1.7e-3;      // [extent] the largest departure from the polygon
-constexpr Real error_aim = 3e-4;  // [extent] an error of the points that is as bad as `aim`
+constexpr Real near_polygon = 1.7e-3;  // [extent] the largest departure from the polygon
+constexpr Real tolerable_error =
+    3e-4;  // [extent] an error of the points that is as bad as `near_polygon`
 // [radians] Where the polygon turns less from side to side, the points resolve the shape, and the
 // curve may leave the polygon by the sagitta of an arc with this turn.
 constexpr Real resolved_turn = 0.52, sagitta_margin = 1.5;
@@ -54,8 +55,8 @@ Real Fit::turn_at(Index position) const noexcept {
 Real Fit::departure_after(Index position) const noexcept {
     Curve const shape = unit_curve();
     Real largest = 0;
-    for (Index sample = 0; sample < samples_per_insertion; ++sample) {
-        Real const share = (sample + 0.5) / samples_per_insertion;
+    for (Index sample = 0; sample < departure_samples; ++sample) {
+        Real const share = (sample + 0.5) / departure_samples;
         Vec2 const place =
             curve_point(shape, (1 - share) * best_u_[position] + share * best_u_[position + 1]);
         Real nearest = infinity;
@@ -86,15 +87,16 @@ Real Fit::error_at_points() const noexcept {
     return largest;
 }
 
-// Marks the intervals in which the curve departs too far; marks of earlier rounds stay. Returns the
-// largest departure, or 0 if no interval departs too far.
+// Marks the intervals in which the curve departs too far; marks of earlier insertion_rounds stay.
+// Returns the largest departure, or 0 if no interval departs too far.
 Real Fit::mark_departures() noexcept {
     Real worst = 0;
     for (Index k = 0; k + 1 < course_.n_positions; ++k) {
         Real const turn = max(turn_at(k), turn_at(k + 1));
         Real const step = length(vertex(k + 1) - vertex(k));
-        Real const allowed =
-            turn < resolved_turn ? max(aim, sagitta_margin * step * turn / 8) : aim;
+        Real const allowed = turn < resolved_turn
+                                 ? max(near_polygon, sagitta_margin * step * turn / 8)
+                                 : near_polygon;
         Real const departure = departure_after(k);
         if (departure <= allowed) continue;
         worst = max(worst, departure);
@@ -176,21 +178,21 @@ void Fit::stay_near_polygon(Index n_corners, FitOptions const& options) noexcept
     if (options.weight != nullptr || options.smoothing > 0 || interpolates) return;
     fill(marked_, Index(0));
     Real departure = mark_departures(), error = error_at_points();
-    for (Index round = 0; round < rounds && departure > 2 * error; ++round) {
+    for (Index round = 0; round < insertion_rounds && departure > 2 * error; ++round) {
         keep();
-        Index const n = insert_points(aim * (1 - nearer_by * static_cast<Real>(round)));
+        Index const n = insert_points(near_polygon * (1 - nearer_by * static_cast<Real>(round)));
         for (Index& position : corner_.first(n_corners)) position = place_[position];
         weigh_points(n, options);
         Real const kept_error = best_error_;
-        if (grows(n)) approximate(n_corners, inserted_knot_rounds);
+        if (grows(n)) approximate(n_corners, rounds_of_knots);
         else best_error_ = infinity;
         bool const fits = best_error_ < infinity;
         remove_inserted(n_corners, options);
         if (!fits) restore();
         Real const now = mark_departures(), error_now = error_at_points();
         best_error_ = kept_error;
-        bool const is_better =
-            max(now / aim, error_now / error_aim) < max(departure / aim, error / error_aim);
+        bool const is_better = max(now / near_polygon, error_now / tolerable_error) <
+                               max(departure / near_polygon, error / tolerable_error);
         if (fits && is_better && find_backtrack() == none) {
             departure = now;
             error = error_now;

@@ -150,6 +150,8 @@ Status Refit::place_samples(RefitOptions const& options, RefitReport& report,
         turn_ = {samples_.points.extent / extent_, 0};
         shift_ = to_unit(samples_.points.centre);
     }
+    report.turn = (extent_ / samples_.points.extent) * turn_;
+    report.shift = centre_ + extent_ * shift_ - product(report.turn, samples_.points.centre);
     for (Index k = 0; k < line.n; ++k) line.at[k] = placed(line.at[k]);
     report.chord = extent_ * length(product(turn_, chord));
     Real const gap = length(line.at[line.n - 1] - line.at[0]);

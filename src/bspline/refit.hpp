@@ -19,6 +19,8 @@ struct RefitReport {
     Real chord = 0;  // [length] the chord of the placed points, in the units of the curve
     // [length] The width of a blunt base that was tapered to one point, or 0.
     Real closed_width = 0;
+    // A point p of the caller was placed at turn * p + shift, as complex numbers.
+    Vec2 turn{1, 0}, shift;
 };
 
 class Refit {

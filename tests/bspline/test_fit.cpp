@@ -389,36 +389,6 @@ double departure(FitRun const& run, std::vector<Vec2> const& points) {
     return worst;
 }
 
-// Sections with uniform or cosine spacing of x: NACA, CST, and CST with a base.
-std::vector<Vec2> member_of_family(int number, fixtures::SectionRandom& random) {
-    int const side = random.whole(12, 99), kind = number / 2 % 3;
-    double const base = kind == 2 ? random.between(0, 0.5) : 0;
-    fixtures::Naca4 const shape{random.between(0, 0.06), random.between(0.3, 0.6),
-                                random.between(0.06, 0.24), false};
-    double weight[2][6];
-    for (double& w : weight[0]) w = random.between(0.1, 0.25);
-    for (double& w : weight[1]) w = random.between(-0.25, -0.05);
-    auto const point = [&](int k, int sign) {
-        double const s = double(k) / side;
-        double const x = number % 2 == 1 ? s : 0.5 * (1 - std::cos(fixtures::pi * s));
-        if (kind == 0) {
-            fixtures::Point const p = fixtures::naca4_point(shape, x, sign);
-            return Vec2{p.x, p.y};
-        }
-        double sum = 0, choose = 1;
-        for (int j = 0; j < 6; ++j) {
-            sum += weight[sign > 0 ? 0 : 1][j] * choose * std::pow(x, j) * std::pow(1 - x, 5 - j);
-            choose = choose * (5 - j) / (j + 1);
-        }
-        return Vec2{x, std::sqrt(x) * (1 - x) * sum + sign * 0.5 * base * x};
-    };
-    std::vector<Vec2> out;
-    for (int k = side; k >= 0; --k) out.push_back(point(k, 1));
-    if (base == 0) out[0] = {1, 0};
-    for (int k = 1; k < side + (base > 0 ? 1 : 0); ++k) out.push_back(point(k, -1));
-    return out;
-}
-
 }  // namespace
 
 TEST_CASE("one unit in the last place of the points moves no control point by 1e-9") {
@@ -449,7 +419,8 @@ TEST_CASE("curves stay near the polygon of the points, and the report says where
     fixtures::SectionRandom random(11);
     int members = 0, far = 0, open = 0;
     for (int number = 0; number < 60; ++number) {
-        std::vector<Vec2> const points = member_of_family(number, random);
+        std::vector<Vec2> const points =
+            fixtures::vectors(fixtures::section_to_fit(number, random));
         FitRun const run(points, {});
         if (int(points.size()) < 20) continue;
         REQUIRE_MESSAGE(!failed(run.status), run.fault.sentence);

@@ -22,6 +22,9 @@ namespace cli {
 
 namespace {
 
+// [chord] A wall that is farther from the section of --to-airfoil is reported.
+constexpr double far_from_section = 5e-3;
+
 Companions companions_of(const Arguments& arguments, const Basis& basis, const Morph& morph) {
     const bool has_reached = arguments.has("--reached") || !morph.refusal.empty();
     Companions names = {arguments.output("--curve-out"),
@@ -111,12 +114,23 @@ void warn_of_earlier_movement(const Arguments& arguments, const Basis& basis) {
          "takes them");
 }
 
+void measure_wall_of(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
+                     const Morph& morph, ToAirfoil& airfoil) {
+    const std::int32_t curve = arguments.whole("--airfoil-curve", 1, 1, INT32_MAX) - 1;
+    measure_wall(airfoil, basis, curve, mesh, morph.moved.x, morph.moved.y);
+    if (!(airfoil.wall_error > far_from_section * airfoil.chord)) return;
+    warn("the wall of the morphed mesh is up to " + brief(airfoil.wall_error / airfoil.chord) +
+         " chord off the section of " + arguments.text("--to-airfoil") +
+         "; the curve of the basis was off the wall before the movement, or the movement stopped "
+         "on its way");
+}
+
 void run_morph(const Arguments& arguments) {
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
     if (basis.mesh_has_moved()) warn_of_earlier_movement(arguments, basis);
-    const AskedMoves asked = asked_moves(arguments, mesh, basis);
+    AskedMoves asked = asked_moves(arguments, mesh, basis);
     const std::vector<double>& moves = asked.moves;
     warn_of_errors(asked.errors);
     const Threads threads(threads_of(arguments), kernel_of(arguments));
@@ -129,6 +143,7 @@ void run_morph(const Arguments& arguments) {
                        : Morph(basis, mesh, moves, repeats, threads);
     if (!safe && arguments.has("--improve") && morph.valid())
         morph.improve(basis, mesh, threads, improve_options_of(arguments));
+    if (asked.airfoil) measure_wall_of(arguments, mesh, basis, morph, *asked.airfoil);
     if (safe) warn_of_heights(arguments, morph.safe, morph.valid());
     const bool strict = arguments.has("--strict") && !morph.warning.empty();
     const bool reached = morph.valid() && morph.refusal.empty() && !strict;
@@ -197,8 +212,8 @@ const Command morph_command = {
          "morph the airfoil of the mesh to this one (see `harmorph fit`): the "
          "control points\n"
          "are fitted by least squares, the knots stay; the distances of the points of DAT from the "
-         "curve are\n"
-         "reported",
+         "curve, and of\n"
+         "the moved wall from the section are reported",
          FileUse::input},
         {"--on-chord", nullptr,
          "for --to-airfoil: scale, turn and shift the points of DAT so that their leading and "
@@ -284,8 +299,10 @@ const Command morph_command = {
              "sections movement_error (the largest distance of the curve from the movement, as the "
              "control points do\n"
              "not follow it); with --to-airfoil\n"
-             "airfoil_max_error and airfoil_rms_error (distances of the points of DAT from the "
-             "curve)"}},
+             "airfoil_max_error, airfoil_rms_error (distances of the points of DAT from the curve) "
+             "and\n"
+             "airfoil_wall_error (distance of the moved wall from the polygon of DAT; below 0: not "
+             "known)"}},
     "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg "
     "morphed.svg\n"
     "  harmorph morph naca0012.su2 airfoil.basis --to-airfoil naca2412.dat --safe -o "

@@ -27,7 +27,8 @@ void print_json(const Morph& morph, bool safe, const Companions& written, const 
     object.add("moved_curve", written.curve);
     if (asked.airfoil)
         object.add("airfoil_max_error", asked.airfoil->max_error)
-            .add("airfoil_rms_error", asked.airfoil->rms_error);
+            .add("airfoil_rms_error", asked.airfoil->rms_error)
+            .add("airfoil_wall_error", asked.airfoil->wall_error);
     double largest = 0;
     for (const MovementError& error : asked.errors) largest = std::max(largest, error.largest);
     if (!asked.errors.empty()) object.add("movement_error", largest);
@@ -41,6 +42,9 @@ void print_airfoil(const std::string& path, const ToAirfoil& airfoil) {
         path.c_str(), plural(airfoil.points, "point").c_str(),
         brief(airfoil.max_error / airfoil.chord).c_str(), airfoil.worst_point,
         brief(airfoil.rms_error / airfoil.chord).c_str());
+    if (airfoil.wall_error < 0) return;
+    print("wall             the wall of the moved mesh is %s chord off this section at most\n",
+          brief(airfoil.wall_error / airfoil.chord).c_str());
 }
 
 void print_for_people(const Morph& morph, bool safe, const Companions& written) {
