@@ -50,7 +50,7 @@ def read(path):
             count = int(next(words).partition("=")[2])
             sides[value.strip()] = [list(map(int, next(words).split()[1:3])) for _ in range(count)]
     points = np.array(points)
-    return Mesh(points, *(oriented(points, np.array(cells[n]).reshape(-1, k)) for n, k in ((5, 3), (9, 4))), sides)
+    return Mesh(points, *(oriented(points, np.array(cells[n], int).reshape(-1, k)) for n, k in ((5, 3), (9, 4))), sides)
 
 
 def oriented(points, cells):
