@@ -116,8 +116,8 @@ typedef struct hm_refit_report {
     double closed_width;
     int32_t max_error_point; /* position in the list, from 0 */
     int32_t closed;          /* how the outline of the points closes: HM_OPEN, ... */
-    /* The point (x, y) was placed at (turn_x x - turn_y y + shift_x, turn_y x + turn_x y + shift_y);
-     * without on_chord the place is that of the point, to rounding. */
+    /* The point (x, y) was placed at (turn_x x - turn_y y + shift_x, turn_y x + turn_x y +
+     * shift_y); without on_chord the place is that of the point, to rounding. */
     double turn_x, turn_y;   /* [-] */
     double shift_x, shift_y; /* [length] of the curve */
 } hm_refit_report;

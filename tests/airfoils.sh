@@ -94,7 +94,8 @@ done
 # A curve that is off the wall of the mesh moves the wall by as much beside the section: the distance of the wall says
 # so, that of the curve does not.
 for part in .9 .93; do
-    awk -v part=$part '/^points/ { n = $2; print; next } n > 0 { printf "%s %.17g\n", $1, part * $2; n--; next } { print }' \
+    awk -v part=$part '/^points/ { n = $2; print; next }
+        n > 0 { printf "%s %.17g\n", $1, part * $2; n--; next } { print }' \
         "$tmp/airfoil.curve" >"$tmp/thin.curve"
     check "a curve off the wall, $part: solve" "$harmorph" solve "$naca" --curve airfoil="$tmp/thin.curve" \
         -o "$tmp/thin.basis"

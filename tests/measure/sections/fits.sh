@@ -11,7 +11,8 @@ rm -rf "$tmp" && mkdir -p "$tmp/sections" || exit 2
     "$tmp/make_family" "$tmp/sections" "$count" "$seed" || exit 2
 while read -r name; do
     "$harmorph" fit "$tmp/sections/$name" -o "$tmp/one.curve" --json >"$tmp/out" 2>"$tmp/err" || echo "refused $name"
-    echo "$name $(grep -c 'off the lines' "$tmp/err") $(sed 's/.*"max_error": \([^,]*\).*"max_departure": \([^,]*\).*/\1 \2/' \
+    echo "$name $(grep -c 'off the lines' "$tmp/err") \
+        $(sed 's/.*"max_error": \([^,]*\).*"max_departure": \([^,]*\).*/\1 \2/' \
         "$tmp/out")"
 done <"$tmp/sections/list" >"$tmp/rows"
 awk '
