@@ -419,8 +419,9 @@ TEST_CASE("curves stay near the polygon of the points, and the report says where
     fixtures::SectionRandom random(11);
     int members = 0, far = 0, open = 0;
     for (int number = 0; number < 60; ++number) {
-        std::vector<Vec2> const points =
-            fixtures::vectors(fixtures::section_to_fit(number, random));
+        std::vector<Vec2> points;
+        for (fixtures::Point const point : fixtures::section_to_fit(number, random))
+            points.push_back({point.x, point.y});
         FitRun const run(points, {});
         if (int(points.size()) < 20) continue;
         REQUIRE_MESSAGE(!failed(run.status), run.fault.sentence);
