@@ -1,16 +1,16 @@
 # The ending of an output decides its format.
 
 echo "3 0.02 0.04" >"$tmp/moves"
-makes morph "$ring" "$basis" --move "$tmp/moves" -o "$tmp/kept.su2"
+makes morph "$ring" "$tmp/ring.basis" --move "$tmp/moves" -o "$tmp/kept.su2"
 for name in kept.mesh kept.001 kept; do
-    makes morph "$ring" "$basis" --move "$tmp/moves" -o "$tmp/$name"
+    makes morph "$ring" "$tmp/ring.basis" --move "$tmp/moves" -o "$tmp/$name"
     check "endings: without a known one the format is kept: $name" cmp "$tmp/kept.su2" "$tmp/$name"
 done
 # The same coordinates in each format; those of the SU2 file have the digits of the file.
 coordinates_of() { awk '/^NPOIN/ { inside = 1; next } /^[A-Z]/ { inside = 0 } inside { print $1, $2 }' "$1"; }
 coordinates_of "$tmp/kept.su2" >"$tmp/kept.xy"
 for ending in msh vtu vtk; do
-    runs "endings: morph to .$ending" 0 morph "$ring" "$basis" --move "$tmp/moves" -o "$tmp/other.$ending"
+    runs "endings: morph to .$ending" 0 morph "$ring" "$tmp/ring.basis" --move "$tmp/moves" -o "$tmp/other.$ending"
     makes convert "$tmp/other.$ending" "$tmp/back.su2"
     coordinates_of "$tmp/back.su2" | paste -d' ' - "$tmp/kept.xy" >"$tmp/both"
     check "endings: the coordinates in .$ending" awk '{ for (k = 1; k < 3; k++) { d = $k - $(k + 2)
@@ -31,13 +31,13 @@ awk '/^NPOIN/ { inside = 1; next } /^[A-Z]/ { inside = 0 } inside && n++ < 48 { 
 runs "endings: displace to .vtu" 0 displace "$ring" --given body --wall "$tmp/given" -o "$tmp/displaced.vtu"
 check "endings: a VTK file" grep -q '<VTKFile' "$tmp/displaced.vtu"
 for ending in p3d ugrid cgns; do
-    refuses "endings: .$ending is not written" 2 'new files are gmsh' morph "$ring" "$basis" --move "$tmp/moves" \
+    refuses "endings: .$ending is not written" 2 'new files are gmsh' morph "$ring" "$tmp/ring.basis" --move "$tmp/moves" \
         -o "$tmp/x.$ending"
     leaves_nothing "endings: nothing in .$ending" "$tmp/x.$ending"
 done
 for words in "--svg x.png .svg" "--vtu x.vtk .vtu" "--csv x.txt .csv" "--report x.pdf .html" \
     "--boundary-svg x.jpg .svg"; do
     set -- $words
-    refuses "endings: $1 $2" 2 "must end in $3" morph "$ring" "$basis" --move "$tmp/moves" $1 "$tmp/$2"
+    refuses "endings: $1 $2" 2 "must end in $3" morph "$ring" "$tmp/ring.basis" --move "$tmp/moves" $1 "$tmp/$2"
     leaves_nothing "endings: no $2" "$tmp/$2"
 done
