@@ -32,6 +32,7 @@ runs "endings: displace to .vtu" 0 displace "$ring" --given body --wall "$tmp/gi
 check "endings: a VTK file" grep -q '<VTKFile' "$tmp/displaced.vtu"
 for ending in p3d ugrid cgns; do
     refuses "endings: .$ending is not written" 2 'new files are gmsh' morph "$ring" "$tmp/ring.basis" --move "$tmp/moves" \
+        \
         -o "$tmp/x.$ending"
     leaves_nothing "endings: nothing in .$ending" "$tmp/x.$ending"
 done
