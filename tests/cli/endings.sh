@@ -31,9 +31,8 @@ awk '/^NPOIN/ { inside = 1; next } /^[A-Z]/ { inside = 0 } inside && n++ < 48 { 
 runs "endings: displace to .vtu" 0 displace "$ring" --given body --wall "$tmp/given" -o "$tmp/displaced.vtu"
 check "endings: a VTK file" grep -q '<VTKFile' "$tmp/displaced.vtu"
 for ending in p3d ugrid cgns; do
-    refuses "endings: .$ending is not written" 2 'new files are gmsh' morph "$ring" "$tmp/ring.basis" --move "$tmp/moves" \
-        \
-        -o "$tmp/x.$ending"
+    refuses "endings: .$ending is not written" 2 'new files are gmsh' morph "$ring" "$tmp/ring.basis" \
+        --move "$tmp/moves" -o "$tmp/x.$ending"
     leaves_nothing "endings: nothing in .$ending" "$tmp/x.$ending"
 done
 for words in "--svg x.png .svg" "--vtu x.vtk .vtu" "--csv x.txt .csv" "--report x.pdf .html" \
