@@ -862,9 +862,9 @@ HM_API hm_status hm_displace_safe(hm_plan* plan, const hm_basis* basis, const do
 
 typedef struct hm_improve_options {
     uint64_t struct_size;
-    /* Steps of Newton's method, 0 .. 10000; 0 means 60. The limit of the work is proportional: with
-     * 60, about six times the work of analysis and solution of 20 conformal functions. */
-    int32_t max_iterations;
+    /* The largest number of solutions, 0 .. 10000; 0 means 20. A solution is a factorisation of a
+     * matrix with two unknowns at each point, with its substitution. */
+    int32_t max_solutions;
     int32_t reserved; /* 0 */
     /* [n_points] a valid mesh before the movement; NULL: the mesh's arrays, if not moved since. */
     const hm_points* reference;
@@ -872,7 +872,7 @@ typedef struct hm_improve_options {
 
 typedef struct hm_improve_report {
     uint64_t struct_size;
-    int32_t iterations;                             /* steps of Newton's method */
+    int32_t solutions;                              /* see max_solutions; each is one step */
     int32_t movable;                                /* points that could move */
     double min_quality_before, mean_quality_before; /* [0..1] of `from`, see hm_assess */
     double min_quality, mean_quality;               /* [0..1] of `to` */

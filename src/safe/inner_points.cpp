@@ -82,7 +82,7 @@ bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
         there.strategy = Strategy::improved;
         if (failed(MeshImprovement::check(work.plan, work.mesh().points, mesh.ahead(), why)))
             return false;
-        improvement.run(work.plan, work.improve_options(), work.mesh().points, mesh.ahead(),
+        improvement.run(work.plan, work.options.improve, work.mesh().points, mesh.ahead(),
                         mesh.to_ahead(), improved);
         if (!is_valid(work, mesh.ahead())) return false;
         measure(work, mesh.ahead(), there);
@@ -101,7 +101,7 @@ bool SafeMorph::improve(Work& work, Points from) noexcept {
     Fault why;
     if (work.best().fraction < 1) return false;
     if (failed(MeshImprovement::check(work.plan, work.mesh().points, from, why))) return false;
-    improvement.run(work.plan, work.improve_options(), work.mesh().points, from, mesh.to_ahead(),
+    improvement.run(work.plan, work.options.improve, work.mesh().points, from, mesh.to_ahead(),
                     report);
     Outcome outcome = work.best();
     measure(work, mesh.ahead(), outcome);

@@ -23,11 +23,6 @@ struct SafeMorph::Work {
     Outcome& best() const noexcept { return report.outcome; }
 
     Real goal() const noexcept { return options.min_quality * report.start_quality; }
-    ImproveOptions improve_options() const noexcept {
-        ImproveOptions improvement = options.improve;
-        improvement.enough = goal();
-        return improvement;
-    }
     // Returns the quality in parts of the quality asked for; 1 is enough.
     Real score(Outcome const& outcome) const noexcept {
         Real const quality = goal() > 0 ? outcome.min_quality / goal() : 1;

@@ -143,8 +143,9 @@ std::vector<Option> safe_options() {
          "those of MESH,\n"
          "and so that the worst cells are better; heights and angles of the first layer at walls "
          "are restored"},
-        {"--improve-iterations", "N",
-         "for --improve without --safe: steps of Newton's method at most (default 60)"}};
+        {"--improve-work", "SOLUTIONS",
+         "for --improve and --safe: the largest number of solutions of each improvement "
+         "(default 20)"}};
 }
 
 void check_safe_options(const Arguments& arguments) {
@@ -153,9 +154,8 @@ void check_safe_options(const Arguments& arguments) {
         if (!arguments.has("--safe") && arguments.has(option))
             arguments.refuse(std::string(option) + " needs --safe");
     }
-    if (arguments.has("--improve-iterations") &&
-        (arguments.has("--safe") || !arguments.has("--improve")))
-        arguments.refuse("--improve-iterations needs --improve, without --safe");
+    if (arguments.has("--improve-work") && !arguments.has("--safe") && !arguments.has("--improve"))
+        arguments.refuse("--improve-work needs --improve or --safe");
 }
 
 void warn_of_heights(const Arguments& arguments, const hm_safe_report& safe, bool is_valid) {
@@ -185,7 +185,7 @@ hm_safe_options safe_options_of(const Arguments& arguments) {
 
 hm_improve_options improve_options_of(const Arguments& arguments) {
     auto options = sized<hm_improve_options>();
-    options.max_iterations = arguments.whole("--improve-iterations", 0, 1, 10000);
+    options.max_solutions = arguments.whole("--improve-work", 0, 1, 10000);
     return options;
 }
 
