@@ -53,6 +53,7 @@ hm_improve_report report_of(ImproveReport const& improved, Quality const& before
     hm_improve_report filled = {};
     filled.solutions = improved.solutions;
     filled.movable = improved.unknowns;
+    filled.may_improve = improved.converged ? 0 : 1;
     filled.min_quality_before = before.min_quality;
     filled.mean_quality_before = before.mean_quality();
     filled.min_quality_cell_before = numbered(before.min_quality_cell, base);

@@ -771,6 +771,8 @@ typedef struct hm_safe_options {
     /* [-] > 1: the largest factor by which heights of the first layer may grow or shrink; where
      * they exceed it, they are restored as far as that helps. 0: any */
     double max_height_change;
+    int32_t improve_work; /* as hm_improve_options.max_solutions, for each improvement */
+    int32_t reserved;     /* 0 */
 } hm_safe_options;
 
 typedef struct hm_worst_cell {
@@ -804,8 +806,14 @@ typedef struct hm_safe_report {
     double start_quality;   /* [0..1] smallest skew quality of the start */
     hm_worst_cell worst[5]; /* [n_worst] the cells of lowest quality of `to`, the worst first */
     int32_t end_point; /* the end of a wall that leaves the boundary beside it farthest; -1: none */
-    int32_t reserved;  /* 0 */
+    /* What was spent: solutions of the functions, of improvements, and of untangling with a factor;
+     * at most 200. */
+    int32_t solutions;
     double end_distance; /* [length] of that end from this boundary at the target */
+    /* 1: the last improvement ended at its limit of solutions, so a larger options.improve_work may
+     * give better cells; 0: more work would bring little */
+    int32_t may_improve;
+    int32_t reserved; /* 0 */
 } hm_safe_report;
 
 /* Working memory of hm_morph_safe with a basis like this one; NULL: as hm_basis_init makes it. */
@@ -843,8 +851,7 @@ HM_API hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const doubl
 
 /* Does the same for displacements that are given at the points of markers with HM_GIVEN (see
  * hm_displace). n_others must be 0; functions of other operators are solved when they are needed
- * (report.other is then their operator_kind). Below 0.3 of the smallest quality of the start, other
- * operators and an improvement are tried, even if options.min_quality asks for less. basis: of the
+ * (report.other is then their operator_kind). basis: of the
  * same analysis as the plan; solved if it has functions, without functions by table. move
  * [2*functions]: the movement of curves and rigid bodies in the same call; NULL: none. A loop of
  * the boundary all of whose points are given rotates as a body; points of other loops move on
@@ -874,6 +881,8 @@ typedef struct hm_improve_report {
     uint64_t struct_size;
     int32_t solutions;                              /* see max_solutions; each is one step */
     int32_t movable;                                /* points that could move */
+    int32_t may_improve; /* 1: more solutions may give better cells; 0: they would bring little */
+    int32_t reserved;    /* 0 */
     double min_quality_before, mean_quality_before; /* [0..1] of `from`, see hm_assess */
     double min_quality, mean_quality;               /* [0..1] of `to` */
     int32_t min_quality_cell_before, min_quality_cell;

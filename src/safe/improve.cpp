@@ -10,17 +10,24 @@ constexpr Real share_of_admissible = 0.9;
 // Armijo's rule: the energy must fall by at least this part of what the slope promises.
 constexpr Real min_slope = 1e-4;
 constexpr Index max_halvings = 40, max_doublings = 3;
-// The first sharpness makes cells of the smallest quality as heavy as all others together, between
-// these limits.
-constexpr Real min_sharpness = 4, max_first_sharpness = 40, max_sharpness = 400;
-constexpr Real growth_of_sharpness = 1.4;
-constexpr Real first_blur = 0.3, fall_of_blur = 0.8, min_blur = 0.01;
+// The sharpness with which cells of the smallest quality are about as heavy as all others together
+// is ln(cells) / (largest y - y of the mean), between these limits. It is multiplied by a factor
+// that grows when a step gains little.
+constexpr Real min_sharpness = 4, max_natural_sharpness = 40, max_sharpness = 400;
+constexpr Real growth_of_factor = 1.4, little_gain = 0.03;
+constexpr Real blur_per_sharpness = 2, min_blur = 0.01, max_blur = 0.3;
 // The least curvature and the damping in parts of the slope of the mean cell.
 constexpr Real least_curvature = 0.1, first_damping = 10;
-constexpr Real growth_of_damping = 4, fall_of_damping = 3;
-constexpr Real short_step = 0.3;
-// J gains less than this in three steps.
-constexpr Real small_gain = 4e-3;
+// After a step that is shorter than short_step, the damping grows so much that the next one should
+// not be.
+constexpr Real short_step = 0.3, min_growth = 4, max_growth = 64, fall_of_damping = 3;
+// No y of a step is larger than the largest before the step plus this number.
+constexpr Real max_rise = 0.3;
+// The rest of the curvature of the smooth maximum along its gradient, in parts of the curvature.
+constexpr Real min_rest = 1e-3;
+// The steps end when J gains less than this in three steps, the sharpness has grown, and the
+// damping does not keep the steps short.
+constexpr Real small_gain = 0.02, enough_growth = 1.3, small_damping = 100;
 
 struct Largest {
     Real value = -infinity;
@@ -53,32 +60,43 @@ void Improvement::begin(Plan const& of_plan, Points points) noexcept {
     plan = &of_plan;
     if (PointFactor::exists(of_plan)) factor.init(of_plan);
     for (Index k = 0; k < now.count(); ++k) now[k] = points[k];
-    slipping.turn_lines(as_points(now));
-    fill(change, Vec2{});
     region.link(tangle);
-    region.grow(tangle, Region::whole);
     OrientedMesh const cells{tangle.mesh, tangle.reversed};
     executor.for_ranges(area.count(), 4096, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k)
             area[k] = measure_cell(cells, k, tangle.reference).area;
     });
-    blur = first_blur;
+    restart();
+}
+
+void Improvement::restart() noexcept {
+    slipping.turn_lines(as_points(now));
+    fill(change, Vec2{});
+    region.grow(tangle, Region::whole);
+    blur = max_blur;
     damping = first_damping;
-    sharpness = max_first_sharpness;
-    Sums const sums = sums_of(now);
+    sharpness = min_sharpness;
+    factor_of_sharpness = 1;
+    set_sharpness(sums_of(now));
+}
+
+void Improvement::set_sharpness(Sums const& sums) noexcept {
     Real const cells_in_all = static_cast<Real>(y.count()),
                mean = -logarithm(sums.qualities / cells_in_all),
                spread = max(sums.largest - mean, 1e-3);
-    sharpness = clamp(logarithm(cells_in_all) / spread, min_sharpness, max_first_sharpness);
+    Real const natural = clamp(logarithm(cells_in_all) / spread, min_sharpness, max_natural_sharpness);
+    sharpness = min(factor_of_sharpness * natural, max_sharpness);
+    blur = clamp(blur_per_sharpness / sharpness, min_blur, max_blur);
 }
 
 void Improvement::sharpen() noexcept {
-    sharpness = min(growth_of_sharpness * sharpness, max_sharpness);
-    blur = max(fall_of_blur * blur, min_blur);
+    if (last_gain < little_gain) factor_of_sharpness *= growth_of_factor;
+    set_sharpness(sums_of(now));
 }
 
-bool Improvement::is_at_rest(Real const (&gains)[3], Index) const noexcept {
-    return gains[0] + gains[1] + gains[2] < small_gain && sharpness > max_first_sharpness;
+bool Improvement::is_at_rest(Real const (&gains)[3]) const noexcept {
+    return gains[0] + gains[1] + gains[2] < small_gain && factor_of_sharpness > enough_growth &&
+           damping <= small_damping;
 }
 
 Improvement::Score Improvement::score() const noexcept {
@@ -111,7 +129,37 @@ Real Improvement::energy_of(Sums const& sums) const noexcept {
            logarithm(sums.qualities / static_cast<Real>(y.count()));
 }
 
-Real Improvement::energy_of(Span<const Vec2> points) noexcept { return energy_of(sums_of(points)); }
+Real Improvement::energy_of(Span<const Vec2> points, Real max_largest) noexcept {
+    Sums const sums = sums_of(points);
+    return sums.largest <= max_largest ? energy_of(sums) + energy_of_anchors(points) : infinity;
+}
+
+Real Improvement::energy_of_anchors(Span<const Vec2> points) const noexcept {
+    Real sum = 0;
+    for (Index k = 0; k < anchors.count; ++k)
+        sum += anchors.scale[k] * square(points[anchors.point[k]] - anchors.place[k]);
+    return 0.5 * anchors.weight * sum;
+}
+
+// Adds the derivatives of the energy of the anchors to those of the cells.
+void Improvement::pull_anchors() const noexcept {
+    for (Index k = 0; k < anchors.count; ++k) {
+        Index const point = anchors.point[k];
+        Index const u = region.unknown[point];
+        if (u == none) continue;
+        Real const factor_of_one = anchors.weight * anchors.scale[k];
+        Vec2 pull = factor_of_one * (now[point] - anchors.place[k]);
+        Block curvature;
+        if (tangle.slips(point)) {
+            Vec2 const line = tangle.line[point];
+            curvature.add(factor_of_one, line, line);
+            pull = dot(line, pull) * line;
+        } else {
+            curvature = {factor_of_one, 0, 0, factor_of_one};
+        }
+        system.add(region, u, pull, curvature);
+    }
+}
 
 LogarithmWeights Improvement::weights_of(Sums const& sums, Index number) const noexcept {
     Real const of_mean = 2 / static_cast<Real>(y.count());
@@ -177,7 +225,6 @@ bool Improvement::solve() noexcept {
         system.solve(region, step, step, max_products, residual, executor);
         system.solve(region, solved, solved, max_products, residual, executor);
     }
-    constexpr Real min_rest = 1e-3;
     Real const rest = max(sharpness - along_border(border, solved), min_rest * sharpness),
                factor_of_border = along_border(border, step) / rest;
     for (Index u = 0; u < region.n; ++u) step[u] = step[u] + factor_of_border * solved[u];
@@ -195,18 +242,22 @@ bool Improvement::solve() noexcept {
 
 bool Improvement::step() noexcept {
     Sums const sums = sums_of(now);
-    Real const before = energy_of(sums);
+    Real const before = energy_of(sums) + energy_of_anchors(now);
     if (!(before < infinity)) return false;
     system.assemble_cells(tangle, region, executor,
                           [&](Index i, auto& form) { differentiate(sums, i, form); });
-    Real const length = solve() ? descend(before) : 0;
-    if (length < short_step) damping *= growth_of_damping;
-    else if (length >= 1) damping /= fall_of_damping;
+    pull_anchors();
+    Real const length = solve() ? descend(before, sums.largest + max_rise) : 0;
+    last_gain = length > 0 ? before - energy_of(now, infinity) : 1;
+    if (length < short_step)
+        damping *= length > 0 ? clamp(short_step / length, min_growth, max_growth) : max_growth;
+    else if (length >= 1) damping /= fall_of_damping * length;
+
     return length > 0;
 }
 
 // Returns the length of the step, 0 if no step lowers the energy.
-Real Improvement::descend(Real before) noexcept {
+Real Improvement::descend(Real before, Real max_largest) noexcept {
     Real const slope = system.slope(region, executor);
     if (!(slope < 0)) return 0;
     OrientedMesh const cells{tangle.mesh, tangle.reversed};
@@ -216,7 +267,7 @@ Real Improvement::descend(Real before) noexcept {
     Real length = min(1.0, max_length), after = infinity;
     auto const falls_enough = [&] {
         look_ahead(length);
-        after = energy_of(ahead);
+        after = energy_of(ahead, max_largest);
         return after < before && after <= before + min_slope * length * slope && is_valid(ahead);
     };
     for (Index halvings = 0; !falls_enough(); length *= 0.5) {
@@ -224,7 +275,7 @@ Real Improvement::descend(Real before) noexcept {
     }
     for (Index doublings = 0; doublings < max_doublings && 2 * length <= max_length; ++doublings) {
         look_ahead(2 * length);
-        Real const farther = energy_of(ahead);
+        Real const farther = energy_of(ahead, max_largest);
         if (!(farther < after) || !is_valid(ahead)) break;
         after = farther;
         length *= 2;

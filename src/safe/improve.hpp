@@ -19,6 +19,26 @@ struct ImproveReport {
     bool converged = false;  // further solutions would bring little
 };
 
+// Points that are pulled to places, with the energy weight / 2 sum of scale |point - place|^2.
+struct Anchors {
+    Span<Index> point;
+    Span<Vec2> place;
+    Span<Real> scale;
+    Index count = 0;
+    Real weight = 0;
+
+    void lay_out(Arena& arena, Offset max_count) noexcept {
+        arena.take(point, max_count);
+        arena.take(place, max_count);
+        arena.take(scale, max_count);
+    }
+    void add(Index anchor, Vec2 at, Real of_one) noexcept {
+        point[count] = anchor;
+        place[count] = at;
+        scale[count++] = of_one;
+    }
+};
+
 // Maximises J = ln(smallest quality) + ln(mean quality), where quality is what measure_quality()
 // reports, relative to the reference. With y = -ln(quality) of a cell, the steps minimise
 //   ln(sum exp(sharpness y)) / sharpness - ln(mean exp(-y)),
@@ -44,23 +64,27 @@ struct Improvement {
     Span<Vec2> now, change, ahead, best;  // [n_points]
     Span<Real> area;                      // [given cells] at the reference
     Span<Real> y;                         // [given cells]
+    Anchors anchors;                      // laid out by the caller
 
     void lay_out(Arena& arena, Plan const& of_plan) noexcept;
 
     // The mesh `from` is valid. The mesh `to` becomes the best of all meshes on the way: the one
     // with the largest J, among those whose smallest quality is not below `lowest`, or with the
-    // largest smallest quality if there is none. Held points keep their bits, unless prepare(),
-    // which is called before each step, moves them: it returns true if it did, and then the search
-    // for the best mesh begins again. It must leave the mesh valid.
+    // largest smallest quality if there is none. Held points keep their bits. The function
+    // prepare() is called before each step. It may move points, as long as the mesh remains valid,
+    // and change the anchors. If it returns true, the search for the best mesh begins again.
     template <class Prepare>
     void run(Plan const& of_plan, ImproveOptions const& options, Real lowest, Points from,
              MutablePoints to, ImproveReport& report, Prepare const& prepare) noexcept;
 
-    // These are the parts of run(). begin() sets `now` to `points`. step() makes a step of Newton's
+    // These are the parts of run(). begin() sets `now` to `points`. restart() takes changes of held
+    // points into account. step() makes a step of Newton's
     // method and returns whether the mesh has changed.
     void begin(Plan const& of_plan, Points points) noexcept;
+    void restart() noexcept;
     bool step() noexcept;
-    Real energy() noexcept { return energy_of(now); }
+    Real energy() noexcept { return energy_of(now, infinity); }
+    Real smallest() const noexcept { return score().smallest; }
     void sharpen() noexcept;
 
 private:
@@ -82,19 +106,24 @@ private:
         Real qualities = 0;  // the sum of exp(-y)
     };
 
+    Real factor_of_sharpness = 1, last_gain = 0;
     Real sharpness = 0, blur = 0, damping = 0;
 
-    bool is_at_rest(Real const (&gains)[3], Index count) const noexcept;
+    bool is_at_rest(Real const (&gains)[3]) const noexcept;
     Score score() const noexcept;
+    void set_sharpness(Sums const& sums) noexcept;
     Sums sums_of(Span<const Vec2> points) noexcept;
-    Real energy_of(Span<const Vec2> points) noexcept;
+    // Returns infinity if a y is larger than `max_largest`.
+    Real energy_of(Span<const Vec2> points, Real max_largest) noexcept;
+    Real energy_of_anchors(Span<const Vec2> points) const noexcept;
+    void pull_anchors() const noexcept;
     Real energy_of(Sums const& sums) const noexcept;
     LogarithmWeights weights_of(Sums const& sums, Index number) const noexcept;
     template <Index n>
     void differentiate(Sums const& sums, Index cell, CellForm<n>& form) const noexcept;
     PolygonMeasures measure_polygon(Index number) const noexcept;
     bool solve() noexcept;
-    Real descend(Real before) noexcept;
+    Real descend(Real before, Real max_largest) noexcept;
     bool is_valid(Span<const Vec2> points) const noexcept;
     void look_ahead(Real length) const noexcept;
 };
@@ -117,14 +146,14 @@ void Improvement::run(Plan const& of_plan, ImproveOptions const& options, Real l
         Real const before = highest.value();
         ++report.solutions;
         step();
-        sharpen();
+        if (anchors.count == 0) sharpen();
         found = score();
         if (found.is_better_than(highest, lowest)) {
             highest = found;
             copy(best, Span<const Vec2>(now));
         }
         gains[report.solutions % 3] = is_prepared ? infinity : highest.value() - before;
-        report.converged = is_at_rest(gains, report.solutions);
+        report.converged = is_at_rest(gains);
     }
     for (Index k = 0; k < now.count(); ++k) to.set(k, best[k]);
 }

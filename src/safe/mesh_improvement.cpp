@@ -24,6 +24,7 @@ void MeshImprovement::lay_out(Arena& arena, Plan const& plan) noexcept {
     mobility.lay_out(arena, plan);
     first_layer.lay_out(arena, plan.mesh(), static_cast<Size>(plan.walls().count));
     improvement.lay_out(arena, plan);
+    improvement.anchors.lay_out(arena, plan.mesh().n_points < 2 * plan.walls().count ? plan.mesh().n_points : 2 * plan.walls().count);
     arena.take(result, plan.mesh().n_points);
 }
 
@@ -38,30 +39,33 @@ void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points refe
     FaceDistance const& walls = plan.walls_at(reference);
     mobility.find(plan, from);
     first_layer.find(plan.mesh(), reference, mobility.representative, walls.chosen());
-    find_layer(reference);
+    find_layer(reference, from);
     improvement.executor = plan.executor();
     improvement.tangle = mobility.tangle(plan, reference);
     improvement.slipping = mobility.slipping;
     auto const smallest = [&](Points points) {
         return measure_quality(plan.cells(), points, reference, plan.executor()).min_quality;
     };
+    constexpr Real min_kept = 0.9;  // of the smallest quality, if tops are put in their places at once
     MutablePoints const found{&result.data()->x, &result.data()->y, 2};
     constexpr Real rounding = 1e-9;  // the difference of one quality that is found in two ways
     Real const given = smallest(from);
-    auto const run = [&](bool carries) {
-        for (Index const top : first_layer.above.first(first_layer.wall.count)) {
-            if (top != none) mobility.held[top] = 1;
-        }
-        Index carried = 0;
-        improvement.run(plan, options, given, from, found, report, [&] {
-            return carries && carried++ < max_carries && carry_first_layer(reference, from);
-        });
-    };
-    run(true);
-    if (smallest(found) < (1 - rounding) * given) {
+    Anchors& anchors = improvement.anchors;
+    Index const n_anchors = anchors.count;
+    improvement.run(plan, options, given, from, found, report, [&] {
+        if (anchors.count == 0) return false;
+        bool const is_late = 2 * report.solutions >= options.max_solutions;
+        bool const is_first = report.solutions == 0;
+        if (!is_first && !is_late && farthest_top() > near_place) return true;
+        return place_first_layer(is_first ? min_kept * given : 0, from);
+    });
+    anchors.count = n_anchors;
+    if (n_anchors > 0 && smallest(found) < (1 - rounding) * given) {
         // The gain of the first layer is not worth that loss.
         ImproveReport const in_vain = report;
-        run(false);
+        hold_first_layer();
+        anchors.count = 0;
+        improvement.run(plan, options, given, from, found, report, [] { return false; });
         report.solutions += in_vain.solutions;
     }
     bool const is_better = smallest(found) >= given;
@@ -88,37 +92,89 @@ bool MeshImprovement::has_layer(Index slot, Points reference) const noexcept {
     return lengths * length(along) > layer_anisotropy * faces * abs(cross(along, edge));
 }
 
-// Forgets the tops where the mesh has no layer, and those that cannot move.
-void MeshImprovement::find_layer(Points reference) noexcept {
-    for (Index slot = 0; slot < first_layer.wall.count; ++slot) {
-        Index& top = first_layer.above[slot];
-        if (top != none && (mobility.held[top] != 0 || !has_layer(slot, reference))) top = none;
-    }
-}
-
-// Returns whether a top has moved.
-bool MeshImprovement::carry_first_layer(Points reference, Points from) noexcept {
+// Makes anchors of the tops where the mesh has a layer.
+void MeshImprovement::find_layer(Points reference, Points from) noexcept {
     constexpr Real rounding =
         1e-10;  // in parts of the height; a top that is nearer to its place stays
     WallPoints const& wall = first_layer.wall;
-    Span<Vec2> const now = improvement.now;
-    bool any = false;
+    Anchors& anchors = improvement.anchors;
+    anchors.count = 0;
+    anchors.weight = 1;
     for (Index slot = 0; slot < wall.count; ++slot) {
         Index const top = first_layer.above[slot], foot = wall.point[slot];
-        if (top == none) continue;
+        if (top == none || mobility.held[top] != 0 || !has_layer(slot, reference)) continue;
         Vec2 const edge =
             turned(reference[top] - reference[foot], wall.turn(slot, reference, from));
-        Vec2 way = from[foot] + edge - now[top];
-        if (improvement.tangle.slips(top)) way = dot(mobility.line[top], way) * mobility.line[top];
-        if (!(square(way) > rounding * rounding * square(edge))) continue;
-        Vec2 const here = now[top];
-        bool moves = false;
-        for (Real part = 1; part > 0.05 && !moves; part *= 0.5)
-            moves = try_top(top, mobility.slipping.placed(top, here + part * way), from);
-        any = any || moves;
+        Vec2 way = from[foot] + edge - from[top];
+        if (!mobility.line.empty() && square(mobility.line[top]) > 0)
+            way = dot(mobility.line[top], way) * mobility.line[top];
+        if (!(square(way) > rounding * rounding * square(edge))) way = {};
+        anchors.add(top, mobility.slipping.placed(top, from[top] + way), 1 / square(edge));
     }
-    for (Index k = 0; any && k < now.count(); ++k) now[k] = position(k, from);
-    return any;
+}
+
+// Returns the largest distance of a top from its place, in parts of its height.
+Real MeshImprovement::farthest_top() const noexcept {
+    Anchors const& anchors = improvement.anchors;
+    Real largest = 0;
+    for (Index k = 0; k < anchors.count; ++k)
+        largest = max(largest, anchors.scale[k] * square(improvement.now[anchors.point[k]] -
+                                                         anchors.place[k]));
+    return sqrt(largest);
+}
+
+void MeshImprovement::hold_first_layer() noexcept {
+    Anchors const& anchors = improvement.anchors;
+    for (Index const top : anchors.point.first(anchors.count)) mobility.held[top] = 1;
+}
+
+// Puts the tops in their places, as far as no cell is inverted, and holds them there. If the
+// smallest quality would then be below `lowest`, nothing changes. Returns true.
+bool MeshImprovement::place_first_layer(Real lowest, Points from) noexcept {
+    Anchors& anchors = improvement.anchors;
+    Span<Vec2> const now = improvement.now;
+    copy(improvement.change, Span<const Vec2>(now));
+    bool all = true;
+    for (Index k = 0; k < anchors.count; ++k) {
+        Index const top = anchors.point[k];
+        Vec2 const here = now[top], way = anchors.place[k] - here;
+        bool moves = way.x == 0 && way.y == 0;
+        for (Real part = 1; part > 0.05 && !moves; part *= 0.5) {
+            moves = try_top(top, mobility.slipping.placed(top, here + part * way), from);
+            all = all && moves && part == 1;
+        }
+    }
+    for (Index k = 0; k < now.count(); ++k) now[k] = position(k, from);
+    if (lowest > 0 && (!all || improvement.smallest() < lowest)) {
+        copy(now, Span<const Vec2>(improvement.change));
+        return true;
+    }
+    drop_poor_tops();
+    hold_first_layer();
+    anchors.count = 0;
+    improvement.restart();
+    return true;
+}
+
+// Lets tops go whose cells have less than this part of their former quality.
+void MeshImprovement::drop_poor_tops() noexcept {
+    constexpr Real part_of_own = 0.5;
+    Tangle const& tangle = improvement.tangle;
+    Anchors& anchors = improvement.anchors;
+    auto const is_poor = [&](Index i) {
+        CellShape const before = tangle.shape(i, tangle.reference);
+        CellMeasure const was(before.n, CellCorners(before));
+        CellShape const shape = tangle.shape(i, as_points(improvement.now));
+        CellMeasure const is(shape.n, CellCorners(shape));
+        return is.quality(was.area) < part_of_own * was.quality(0);
+    };
+    Index kept = 0;
+    for (Index k = 0; k < anchors.count; ++k) {
+        bool any = false;
+        for (Index const i : improvement.region.cells_of(anchors.point[k])) any = any || is_poor(i);
+        if (!any) anchors.point[kept++] = anchors.point[k];
+    }
+    anchors.count = kept;
 }
 
 // Moves a top unless the movement inverts one of the cells of the top.

@@ -22,8 +22,9 @@ struct MeshImprovement {
     // movement, which check() has accepted; the improved coordinates are written to `to`, which may
     // be `from`. The tops of the first layer are the ends of those edges that leave walls most
     // nearly along the normal. Where the mesh has a layer (see has_layer()), they are put where the
-    // wall carries them, with their former height and angle, as far as no cell is inverted, again
-    // before each step, and are held there. If the smallest quality ends below that of `from`, everything is
+    // wall carries them, with their former height and angle, and are held there. If that would
+    // make cells poor, the first steps, at most half of them, pull the tops to these places with
+    // all points free; then each top goes as far as no cell is inverted. If the smallest quality ends below that of `from`, everything is
     // repeated with the tops where they are in `from`. The plan's distances are left at the reference.
     void run(Plan& plan, ImproveOptions const& options, Points reference, Points from,
              MutablePoints to, ImproveReport& report) noexcept;
@@ -31,12 +32,15 @@ struct MeshImprovement {
 private:
     // A wall point has a layer if the wall faces beside it are longer than this number of heights.
     static constexpr Real layer_anisotropy = 4;
-    // The largest number of times that the tops go a part of their way.
-    static constexpr Index max_carries = 12;
+    // Anchors pull tops that are farther from their places than this, in parts of the height.
+    static constexpr Real near_place = 0.02;
 
     bool has_layer(Index slot, Points reference) const noexcept;
-    void find_layer(Points reference) noexcept;
-    bool carry_first_layer(Points reference, Points from) noexcept;
+    void find_layer(Points reference, Points from) noexcept;
+    bool place_first_layer(Real lowest, Points from) noexcept;
+    Real farthest_top() const noexcept;
+    void drop_poor_tops() noexcept;
+    void hold_first_layer() noexcept;
     bool try_top(Index top, Vec2 at, Points from) noexcept;
     Vec2 position(Index point, Points from) const noexcept;
 };

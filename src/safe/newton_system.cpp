@@ -69,6 +69,14 @@ void NewtonSystem::constrain_row(Tangle const& tangle, Region const& region,
     inverse[u] = inverse_of(own);
 }
 
+void NewtonSystem::add(Region const& region, Index u, Vec2 slope,
+                       Block const& curvature) const noexcept {
+    Block& own = hessian[region.start[u]];
+    own = own + curvature;
+    gradient[u] = gradient[u] + slope;
+    inverse[u] = inverse_of(own);
+}
+
 // Each pass over the rows is one pass over the memory: the sums of computed values are formed in
 // the same pass.
 Index NewtonSystem::solve(Region const& region, Span<const Vec2> right, Span<Vec2> to,

@@ -41,6 +41,9 @@ struct NewtonSystem {
     template <class Visit>
     void assemble(Tangle const& tangle, Region const& region, Executor const& executor,
                   Visit const& visit) const noexcept;
+    // Adds to the gradient and to the diagonal block of an unknown. For a point that slips, both are
+    // those along its line.
+    void add(Region const& region, Index u, Vec2 slope, Block const& curvature) const noexcept;
     // Solves approximately for to = hessian^-1 right by conjugate gradients. Returns the number of
     // products.
     Index solve(Region const& region, Span<const Vec2> right, Span<Vec2> to, Index max_products,

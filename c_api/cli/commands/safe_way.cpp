@@ -170,6 +170,7 @@ hm_safe_options safe_options_of(const Arguments& arguments) {
     auto options = sized<hm_safe_options>();
     options.improve = arguments.has("--improve") ? 1 : 0;
     options.heights = asked_heights(arguments);
+    options.improve_work = arguments.whole("--improve-work", 0, 1, 10000);
     const double quality = arguments.real("--min-quality", .05, 0, 1);
     options.min_quality = quality > 0 ? quality : -1;
     if (arguments.has("--max-height-change"))
