@@ -12,7 +12,7 @@ constexpr Real min_slope = 1e-4;
 constexpr Index max_halvings = 40, max_doublings = 3;
 // The sharpness with which cells of the smallest quality are about as heavy as all others together
 // is ln(cells) / (largest y - y of the mean), between these limits. It is multiplied by a factor
-// that grows when a step gains little.
+// that grows when a step gains little, or lowers J.
 constexpr Real min_sharpness = 4, max_natural_sharpness = 40, max_sharpness = 400;
 constexpr Real growth_of_factor = 1.4, little_gain = 0.03;
 constexpr Real blur_per_sharpness = 2, min_blur = 0.01, max_blur = 0.3;
@@ -27,7 +27,7 @@ constexpr Real max_rise = 0.3;
 constexpr Real min_rest = 1e-3;
 // The steps end when J gains less than this in three steps, the sharpness has grown, and the
 // damping does not keep the steps short.
-constexpr Real small_gain = 0.02, enough_growth = 1.3, small_damping = 100;
+constexpr Real small_gain = 0.02, enough_growth = 1.9, small_damping = 100;
 
 struct Largest {
     Real value = -infinity;
@@ -89,8 +89,8 @@ void Improvement::set_sharpness(Sums const& sums) noexcept {
     blur = clamp(blur_per_sharpness / sharpness, min_blur, max_blur);
 }
 
-void Improvement::sharpen() noexcept {
-    if (last_gain < little_gain) factor_of_sharpness *= growth_of_factor;
+void Improvement::sharpen(bool raises) noexcept {
+    if (last_gain < little_gain || !raises) factor_of_sharpness *= growth_of_factor;
     set_sharpness(sums_of(now));
 }
 

@@ -85,7 +85,8 @@ struct Improvement {
     bool step() noexcept;
     Real energy() noexcept { return energy_of(now, infinity); }
     Real smallest() const noexcept { return score().smallest; }
-    void sharpen() noexcept;
+    // Makes the smooth maximum sharper. `raises`: the last step has raised J.
+    void sharpen(bool raises) noexcept;
 
 private:
     struct Score {
@@ -146,8 +147,9 @@ void Improvement::run(Plan const& of_plan, ImproveOptions const& options, Real l
         Real const before = highest.value();
         ++report.solutions;
         step();
-        if (anchors.count == 0) sharpen();
+        Real const last = found.value();
         found = score();
+        if (anchors.count == 0) sharpen(found.value() > last);
         if (found.is_better_than(highest, lowest)) {
             highest = found;
             copy(best, Span<const Vec2>(now));

@@ -96,6 +96,8 @@ bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
 // as long as it raises the smallest quality clearly.
 void SafeMorph::run_improvement(Work& work, Points from) noexcept {
     constexpr Index max_repetitions = 4;
+    // If the smallest quality rose so much, another improvement is worth a try in any case.
+    constexpr Real clear_rise = 1.5;
     Points const before = work.mesh().points;
     auto const smallest = [&](Points points) {
         return measure_quality(work.cells(), points, before, work.executor()).min_quality;
@@ -109,7 +111,8 @@ void SafeMorph::run_improvement(Work& work, Points from) noexcept {
         work.report.improvements += report.solutions;
         work.report.may_improve = !report.converged;
         from = mesh.ahead();
-        if (report.converged || !(smallest(from) > SafeOptions::clear_gain * given)) break;
+        Real const enough = report.converged ? clear_rise : SafeOptions::clear_gain;
+        if (!(smallest(from) > enough * given)) break;
     }
 }
 

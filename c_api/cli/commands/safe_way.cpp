@@ -93,6 +93,8 @@ void print_target(const hm_safe_report& safe) {
     print("target           %s %% of the way in %s, %s of the functions; strategy: %s\n",
           brief(100 * safe.step_fraction).c_str(), plural(safe.steps, "step").c_str(),
           plural(safe.resolves, "new solution").c_str(), strategy_name(safe.strategy));
+    print("spent            %s%s\n", plural(safe.solutions, "solution").c_str(),
+          safe.may_improve != 0 ? "; a larger --improve-work may give better cells" : "");
     if (safe.end_point >= 0) {
         print("end of a wall    point %d leaves the line of the boundary beside it by %s\n",
               safe.end_point, brief(safe.end_distance).c_str());

@@ -129,7 +129,7 @@ class Large:
         return other
 
     def improve(
-        self, points: Any, out: Any = None, *, reference: Any = None, max_iterations: int = 0
+        self, points: Any, out: Any = None, *, reference: Any = None, max_solutions: int = 0
     ) -> Tuple[Any, Report]:
         """Make the cells of a moved mesh more like those before; no cell inverts.
 
@@ -141,8 +141,8 @@ class Large:
             Receives the coordinates; it may be `points`.
         reference : array of shape (n_points, 2), or pair of arrays, optional
             Coordinates before the movement; the default is `start`.
-        max_iterations : int
-            0 means 60.
+        max_solutions : int
+            Factorisations at most; 0 means 20.
 
         Returns
         -------
@@ -151,7 +151,7 @@ class Large:
             The members of ``hm_improve_report``: `min_quality_before`, `min_quality`, ...
         """
         options, result, n = new("hm_improve_options"), new("hm_improve_report"), self.n_points
-        fill(options, max_iterations=max_iterations)
+        fill(options, max_solutions=max_solutions)
         out = np.empty((n, 2)) if out is None else out
         to, _to_alive = points_out(out, n, "out")
         from_, _alive = points_in(apart(points, out), n, "points")
