@@ -33,6 +33,7 @@ void add_safe(JsonObject& object, const hm_safe_report& safe, const std::string&
     if (reached_moves != nullptr) object.add("reached_moves", *reached_moves);
     object.add("turned_offset", safe.turned_offset).add("start_quality", safe.start_quality);
     object.add("end_point", safe.end_point).add("end_distance", safe.end_distance);
+    object.add("solutions", safe.solutions).add("may_improve", safe.may_improve != 0);
     object.add("warning", warning);
     std::vector<JsonObject> worst(static_cast<std::size_t>(safe.n_worst));
     for (std::size_t i = 0; i < worst.size(); ++i) {

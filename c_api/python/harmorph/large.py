@@ -58,6 +58,7 @@ class Large:
         heights: float = 0.0,
         min_quality: float = 0.0,
         max_height_change: float = 0.0,
+        improve_work: int = 0,
         derivative: bool = False,
     ) -> Safe:
         """Move the mesh from `start` by a movement of any size, so that no cell inverts.
@@ -83,6 +84,8 @@ class Large:
             valid mesh.
         max_height_change : float
             The largest factor by which heights of the first layer may change; 0: any.
+        improve_work : int
+            Solutions of each improvement at most; 0 means 20.
         derivative : bool
             Also return the derivative.
 
@@ -101,7 +104,7 @@ class Large:
             ``SHORT``: only a part of the movement was possible; ``POOR``; ``NOT_CONVERGED``.
         """
         options, alive = safe_options(
-            max_resolves, skip, others, improve, heights, min_quality, max_height_change
+            max_resolves, skip, others, improve, heights, min_quality, max_height_change, improve_work
         )
         with self._lock:
             basis, solver = self._open(), self._ready()
@@ -244,10 +247,12 @@ def safe_options(
     heights: float,
     min_quality: float,
     max_height_change: float,
+    improve_work: int,
 ) -> Tuple[Any, Any]:
     """Return ``hm_safe_options*``, and what must stay alive with it."""
     options = fill(new("hm_safe_options"), max_resolves=max_resolves, improve=int(bool(improve)),
-                   heights=heights, min_quality=min_quality, max_height_change=max_height_change)
+                   heights=heights, min_quality=min_quality, max_height_change=max_height_change,
+                   improve_work=improve_work)
     for name in skip:
         if name not in _STRATEGIES:
             raise Error(f"The strategy {name!r} is unknown; known are {list(_STRATEGIES)}.")
