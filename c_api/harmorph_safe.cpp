@@ -53,7 +53,10 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
         return fault.refuse(Status::bad_argument, "options.reserved must be 0, not #",
                             plain(o.reserved));
     }
-    if (o.max_resolves != 0) options.max_resolves = max(o.max_resolves, Index{0});
+    if (o.max_resolves != 0) {
+        options.max_resolves = max(o.max_resolves, Index{0});
+        options.searches = false;
+    }
     if (!is_between(0, o.heights, 1)) {
         return fault.refuse(Status::bad_argument, "options.heights must be between 0 and 1, not ~",
                             {}, {}, o.heights);
@@ -64,6 +67,7 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
                             {}, {}, o.min_quality);
     }
     if (o.min_quality != 0) options.min_quality = max(o.min_quality, 0.0);
+    if (o.min_quality < 0) options.fair_quality = options.fine_quality = 0;
     if (o.max_height_change != o.max_height_change ||
         (o.max_height_change != 0 && o.max_height_change <= 1)) {
         return fault.refuse(Status::bad_argument,
@@ -243,7 +247,8 @@ hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move
         HARMORPH_TRY(open_plan(plan, p, fault));
         HARMORPH_TRY(call.open(to, options, report, {others, max_others}, fault));
         HARMORPH_TRY(check_move(b, move, fault));
-        call.options.solves_others = derivative == nullptr && call.options.others.empty();
+        call.options.solves_others = derivative == nullptr && call.options.others.empty() &&
+                                     call.options.fair_quality > 0;
         // The derivative does not contain what an improvement moves.
         if (derivative != nullptr) call.options.fair_quality = call.options.fine_quality = 0;
         HARMORPH_TRY(check_derivative_is_apart(sum, call.options.others, fault));

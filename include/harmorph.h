@@ -745,7 +745,9 @@ enum {
 
 typedef struct hm_safe_options {
     uint64_t struct_size;
-    /* how many times the functions may be solved again; 0 means 10; negative: never */
+    /* How many times the functions may be solved again. 0 means 10; then, if the target is not
+     * reached, parts of the movement are tried by bisection, with up to 60 more solutions.
+     * Negative: never. */
     int32_t max_resolves;
     int32_t skipped_strategies; /* sum of 1 << HM_STRATEGY_... of the strategies to skip */
     int32_t n_others;           /* 0 .. 64 */
@@ -766,7 +768,11 @@ typedef struct hm_safe_options {
      * whole movement, it differs from step_fraction * move, because bodies rotate on the way. */
     double* reached;
     /* [0..1] smallest size-skew quality of the mesh at the target, relative to the start, in parts
-     * of the smallest quality of the start; 0 means 0.05; negative: any valid mesh */
+     * of the smallest quality of the start; 0 means 0.05; negative: any valid mesh, and the first
+     * one at the target is taken. Otherwise other operators are tried where that part is below
+     * 0.8, and an improvement (hm_improve) where it is below 0.95; the improvement is kept if it
+     * raises the smallest quality by 5 % or more. With a derivative both are tried only where
+     * min_quality is missed. */
     double min_quality;
     /* [-] > 1: the largest factor by which heights of the first layer may grow or shrink; where
      * they exceed it, they are restored as far as that helps. 0: any */
@@ -888,14 +894,17 @@ typedef struct hm_improve_report {
     int32_t min_quality_cell_before, min_quality_cell;
 } hm_improve_report;
 
-/* Moves the inner points of a mesh after a movement so that the cells resemble those of the
- * reference: target-matrix optimisation (Knupp, Eng. Comput. 28 (2012) 419) by Newton's method. The
- * plan needs no factor. `from`: coordinates of a valid mesh; `to` may be the arrays of `from`. Thin
- * cells at walls are stretched with the wall. Then the worst cells are raised to the smallest
- * quality of the reference, and to half of their own quality there. No cell is inverted, and the
+/* Moves the inner points of a mesh after a movement so that ln(smallest quality) + ln(mean quality)
+ * becomes as large as possible, with the quality of hm_assess relative to the reference: Newton's
+ * method with a smooth minimum that becomes sharper. With the engine HM_DIRECT each step factors a
+ * matrix in the plan's order of elimination (the working memory is about twice that of a factor for
+ * complex functions); other engines use conjugate gradients. The plan needs no factor. `from`:
+ * coordinates of a valid mesh; `to` may be the arrays of `from`. No cell is inverted, and the
  * smallest quality never falls. Points on walls and on fixed and free boundaries keep their bits.
- * Outer ends of first-layer edges at walls get the heights and angles of the reference, unless this
- * lowers the smallest quality. Points with slip stay on their lines and curves (call hm_slip
+ * Where the wall faces beside a wall point are longer than 4 heights of the first-layer edge there,
+ * the outer end of this edge gets the height and angle of the reference, unless the cells there
+ * would then have less than half of their quality, or this lowers the smallest quality of the mesh.
+ * Cells of other walls are free. Points with slip stay on their lines and curves (call hm_slip
  * before). Points of a cut or pair move together. options and report may be NULL. Refused
  * (HM_BAD_MESH), `to` unchanged: an inverted cell or a coordinate out of range. */
 HM_API hm_status hm_improve_size(const hm_plan* plan, size_t* bytes, hm_error* err);

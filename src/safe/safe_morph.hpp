@@ -35,6 +35,8 @@ struct SafeOptions {
     UntangleOptions untangle;
     ImproveOptions improve;
     bool improves = false;  // the mesh at the target is always improved
+    // The largest part of a movement that cannot be completed is searched for.
+    bool searches = true;
     // Fractions, 0 to 1, of the smallest quality of the start. If the quality of an acceptable mesh
     // at the target is below fair_quality, other operators are tried, but no substeps; below
     // fine_quality, an improvement is tried.
