@@ -160,6 +160,8 @@ char* print_shortest(char* to, double value) {
     if (last > half || (last == half && (has_rest || (digits & 1) != 0))) ++digits;
     const int behind = k - (17 - n);  // digits behind the point
     if (behind < 0) return nullptr;
+    // All 17 digits of a number just below a power of 10 were dropped: the 1 is what they round to.
+    if (n == 0) n = 1;
     if (behind > n + (n == 1 ? 2 : 3)) return put_scientific(to, digits, n, n - 1 - behind);
     return put_fixed(to, digits, n, behind);
 }
