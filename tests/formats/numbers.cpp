@@ -99,6 +99,16 @@ int wrong_in_all_exponents() {
         if (cli::parse(word, value) != is_tiny || (is_tiny && value != 0))
             std::printf("%s\n", word), ++wrong;
     }
+    // The shortest digits of powers of ten, which are doubles just below or above the power.
+    for (int exponent = -323; exponent <= 308; ++exponent)
+        for (const char* const sign : {"", "-"}) {
+            const std::string word = sign + std::string("1e") + std::to_string(exponent);
+            std::string found;
+            double again = 0;
+            if (!cli::parse(word, value)) continue;
+            cli::TextOut(found) << value;
+            if (!cli::parse(found, again) || again != value) ++wrong;
+        }
     return seen == 617 ? wrong : 1;
 }
 
