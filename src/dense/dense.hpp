@@ -27,9 +27,9 @@
 // however widely the coefficients vary. Source: W. K. Grassmann, M. I. Taksar, D. P. Heyman, Oper.
 // Res. 33 (1985) 1107; A. S. Alfa, J. Xue, Q. Ye, Math. Comp. 71 (2002) 217.
 //
-// Numbers are real (one plane) or complex (two planes). A row of a slab consists
-// of the real parts, followed by the imaginary parts, and so does a row of right-hand sides.
-// Entries count the numbers of one plane.
+// Numbers are real (one plane) or complex (two planes). A row of a slab consists of the real parts,
+// followed by the imaginary parts, and so does a row of right-hand sides. Entries count the numbers
+// of one plane.
 #pragma once
 
 #include "base/executor.hpp"
@@ -162,13 +162,10 @@ void solve_backward(Kernel kernel, Panel const& panel, Real* y, Index row,
                     Executor const& executor) noexcept;
 
 // Copies the rows at positions begin .. begin+n-1 to rows of y, and fills the padding with zeros;
-// `row` is a multiple of slab. The first
-// of the `behind` rows that follow in memory are prefetched.
-
+// `row` is a multiple of slab. The first of the `behind` rows that follow in memory are prefetched.
 void gather(Kernel kernel, Rows const& from, Index begin, Index n, Index behind, Real* y, Index row,
             Index planes) noexcept;
 // Copies rows of y back to positions begin .. begin+n-1.
-
 void scatter(Kernel kernel, const Real* y, Index row, Index planes, Rows const& to, Index begin,
              Index n) noexcept;
 

@@ -90,7 +90,7 @@ struct Multifrontal {
             all.min_pivot_ratio.data() + n,
             all.min_pivot_to_diagonal.data() + n};
     }
-    // Calls body(number of the subtree, number of the worker, worker) for all subtrees. Those with
+    // Calls body(number of the subtree, worker) for all subtrees. Those with
     // the most work come first, and each goes to the worker that is free next.
     template <class Body>
     void for_each_subtree(Body const& body) const noexcept {
@@ -98,7 +98,7 @@ struct Multifrontal {
         executor.for_each(subtrees.count > 0 ? sharing(subtrees.workers) : 0, [&](Index number) {
             Worker const own = worker(number);
             for (Index k = next.take(); k < subtrees.count; k = next.take())
-                body(subtrees.all[k].by_work, number, own);
+                body(subtrees.all[k].by_work, own);
         });
     }
 

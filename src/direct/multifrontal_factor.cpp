@@ -133,7 +133,7 @@ Status Multifrontal::factorise(Matrix const& matrix, Progress const& progress,
         bool const is_first = !failed(first.status) || other.item.number < first.item.number;
         if (failed(other.status) && is_first) first = other;
     };
-    for_each_subtree([&](Index subtree, Index, Worker const& worker) {
+    for_each_subtree([&](Index subtree, Worker const& worker) {
         Fault subtree_fault;
         factorisation.run(
             subtrees.all[subtree].root, kept_update(subtree), worker.stack, worker,

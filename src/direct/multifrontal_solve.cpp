@@ -7,7 +7,6 @@ constexpr Index nodes_between_solve_reports = 512;
 
 // Right-hand sides go up the tree like update matrices, and solutions come down; a row has the
 // numbers of all functions.
-
 class Substitution {
 public:
     using Worker = Multifrontal::Worker;
@@ -129,7 +128,7 @@ Status Multifrontal::solve(Rows const& values, Progress const& progress, Fault& 
                                fault);
     };
     Worker const worker = top_worker();
-    for_each_subtree([&](Index subtree, Index, Worker const& own) {
+    for_each_subtree([&](Index subtree, Worker const& own) {
         substitution.forward(subtrees.all[subtree].root, kept_rows(subtree), own.rows, own,
                              [](Index) { return Status::ok; });
     });
@@ -143,7 +142,7 @@ Status Multifrontal::solve(Rows const& values, Progress const& progress, Fault& 
         HARMORPH_TRY(substitution.backward(
             node, worker.rows, worker.rows + substitution.entries(node), worker, report));
     }
-    for_each_subtree([&](Index subtree, Index, Worker const& own) {
+    for_each_subtree([&](Index subtree, Worker const& own) {
         substitution.backward(subtrees.all[subtree].root, kept_rows(subtree), own.rows, own,
                               [](Index) { return Status::ok; });
     });

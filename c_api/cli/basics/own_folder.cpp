@@ -31,7 +31,7 @@ OwnFolder::OwnFolder(const std::string& path, const std::string& sign)
     try {
         refuse_others(sign);  // another run may have filled the folder meanwhile
     } catch (const Failure&) {
-        this->~OwnFolder();
+        unlock();
         throw;
     }
 }
@@ -79,7 +79,7 @@ void OwnFolder::lock() {
     }
 }
 
-OwnFolder::~OwnFolder() {
+void OwnFolder::unlock() noexcept {
     if (descriptor_ < 0) return;
     unlink(lock_.c_str());
     close(descriptor_);
@@ -89,8 +89,10 @@ OwnFolder::~OwnFolder() {
 #else
 
 void OwnFolder::lock() {}
-OwnFolder::~OwnFolder() = default;
+void OwnFolder::unlock() noexcept {}
 
 #endif
+
+OwnFolder::~OwnFolder() { unlock(); }
 
 }  // namespace cli

@@ -20,6 +20,7 @@ public:
 private:
     void refuse_others(const std::string& sign) const;
     void lock();
+    void unlock() noexcept;
 
     std::string path_, lock_;
     int descriptor_ = -1;
