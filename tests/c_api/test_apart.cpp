@@ -41,6 +41,18 @@ struct Memory {
     bool is_unchanged() const { return numbers == before; }
 };
 
+// A solved mesh whose coordinates are in the array.
+struct Ready {
+    Case setup = tiny_case();
+    Mesh const& mesh = setup.mesh;
+    std::int32_t n = mesh.n_points();
+    Solved solved{setup};
+    hm_mesh view = setup.mesh_view();
+    Memory memory{mesh};
+    hm_points at{memory.at_x(), memory.at_y(mesh), 1};
+    hm_error error{};
+};
+
 void check_refused(Memory const& memory, hm_status status, hm_error const& error,
                    std::string const& first, std::string const& second) {
     INFO(error.text);
@@ -95,14 +107,8 @@ TEST_CASE("arrays of different steps that have a number in common are refused") 
 }
 
 TEST_CASE("fields of moving meshes and adjoints") {
-    Case setup = tiny_case();
-    Mesh const& mesh = setup.mesh;
-    std::int32_t const n = mesh.n_points();
-    Solved const solved(setup);
-    hm_mesh const view = setup.mesh_view();
-    Memory memory(mesh);
-    hm_points const at{memory.at_x(), memory.at_y(mesh), 1};
-    hm_error error{};
+    Ready ready;
+    auto& [setup, mesh, n, solved, view, memory, at, error] = ready;
     double* const x = memory.at_x();
 
     check_refused(memory, hm_adjoint(solved.basis, &at, x + n - 1, nullptr, &error), error,
@@ -153,13 +159,8 @@ TEST_CASE("fields of moving meshes and adjoints") {
 }
 
 TEST_CASE("interpolated fields") {
-    Case setup = tiny_case();
-    Mesh const& mesh = setup.mesh;
-    std::int32_t const n = mesh.n_points();
-    Solved const solved(setup);
-    Memory memory(mesh);
-    hm_points const at{memory.at_x(), memory.at_y(mesh), 1};
-    hm_error error{};
+    Ready ready;
+    auto& [setup, mesh, n, solved, view, memory, at, error] = ready;
     std::size_t bytes = 0;
     REQUIRE(hm_interpolation_size(solved.analysis, n, &bytes, &error) == HM_OK);
     Guarded block(bytes);
@@ -186,14 +187,8 @@ TEST_CASE("interpolated fields") {
 }
 
 TEST_CASE("gradients of bounds of the quality") {
-    Case setup = tiny_case();
-    Mesh const& mesh = setup.mesh;
-    std::int32_t const n = mesh.n_points();
-    Solved const solved(setup);
-    hm_mesh const view = setup.mesh_view();
-    Memory memory(mesh);
-    hm_points const at{memory.at_x(), memory.at_y(mesh), 1};
-    hm_error error{};
+    Ready ready;
+    auto& [setup, mesh, n, solved, view, memory, at, error] = ready;
     std::size_t bytes = 0;
     REQUIRE(hm_quality_size(solved.basis, &view, &bytes, &error) == HM_OK);
     Guarded block(bytes);
