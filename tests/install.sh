@@ -121,6 +121,9 @@ mkdir -p "$dir/sources/room" "$dir/empty"
 echo mine >"$dir/sources/room/file"
 clean_refused() { ! $MAKE BUILD="$1" clean && test -s "$1/room/file"; }
 check "make clean of a folder that is no build" clean_refused "$dir/sources"
+for folder in . src src/ tests/fixtures; do
+    check "make with BUILD=$folder" sh -c '! "$1" BUILD="$2" rules && test ! -e "$2/flags"' sh "$MAKE" "$folder"
+done
 check "make clean of an empty folder" $MAKE BUILD="$dir/empty" clean
 check "make clean of no folder" $MAKE BUILD="$dir/empty" clean
 

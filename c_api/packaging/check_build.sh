@@ -7,6 +7,9 @@ odd=$(printf '%s' "$build" | LC_ALL=C tr -d 'A-Za-z0-9_./+,@\200-\377-')
 case $build in
 "") reason="has no name" ;;
 -*) reason="begins with a hyphen" ;;
+. | .. | ./ | ../ | include | src | c_api | fortran | tests | .ci | .git | \
+    include/* | src/* | c_api/* | fortran/* | tests/* | .ci/* | .git/*)
+    reason="is a folder of the sources" ;;
 *)
     if [ -n "$odd" ]; then
         reason="has characters that make cannot have in rules: $odd"
