@@ -49,12 +49,12 @@ const Format& format_of(const TextFile& file) {
                      " (--format chooses one)");
 }
 
-// Returns the function that compresses what `store` writes. If no number changed, it writes the
-// given file.
-FileCoordinates::Store packed(const FileCoordinates::Store& store) {
-    return [store](std::ostream& out, const Mesh& mesh, const std::string& numbers) {
+// Returns the function that compresses what `store` writes. If no number changed, the function
+// writes the bytes of the compressed file as they were read.
+FileCoordinates::Store packed(const TextFile& compressed, const FileCoordinates::Store& store) {
+    return [compressed, store](std::ostream& out, const Mesh& mesh, const std::string& numbers) {
         if (numbers == mesh.file.text()) {
-            out << TextFile(mesh.file.path()).text();
+            out << compressed.text();
         } else if (!store) {
             out << gzip(numbers);
         } else {
@@ -177,8 +177,9 @@ Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
                           "constant/polyMesh/points nor polyMesh/points nor points is in "
                           "it, with or without .gz");
     Mesh mesh(file);
-    const bool is_packed = is_gzip(mesh.file.text());
-    if (is_packed) mesh.file = unpacked(mesh.file);
+    const TextFile as_read = mesh.file;
+    const bool is_packed = is_gzip(as_read.text());
+    if (is_packed) mesh.file = unpacked(as_read);
     const Format& format = forced ? *forced : format_of(mesh.file);
     mesh.file.listen(options.progress);
     mesh.threads = options.threads;
@@ -186,7 +187,7 @@ Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
     format.read(mesh, options);
     mesh.file.listen(nullptr);
     mesh.in_file.is_packed = is_packed && !mesh.in_file.is_joined;
-    if (mesh.in_file.is_packed) mesh.in_file.store = packed(mesh.in_file.store);
+    if (mesh.in_file.is_packed) mesh.in_file.store = packed(as_read, mesh.in_file.store);
     if (mesh.points() == 0 || mesh.cells() == 0)
         mesh.file.fail(0, mesh.points() == 0 ? "the file has no points" : "the file has no cells");
     check_points(mesh);
