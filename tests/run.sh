@@ -88,6 +88,12 @@ steps() {
     elif [ $doing = telling ]; then
         echo "== browsable manual: python3-sphinx or python3-myst-parser is not installed, its tests are SKIPPED"
     fi
+    without=
+    for tool in clang++ wasm-ld node npm; do command -v $tool >/dev/null || without="$without $tool"; done
+    if [ -z "$without" ]; then step 1 "package for npm" sh tests/web.sh "$BUILD"
+    elif [ $doing = telling ]; then
+        echo "== package for npm: not installed:$without (Debian's clang, lld, nodejs, npm), its tests are SKIPPED"
+    fi
     step 2 "program" sh tests/cli/run.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
     step 2 "faults of files" sh tests/faults.sh "$BUILD/harmorph" tests/meshes "$BUILD/faults"
     step 1 "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"

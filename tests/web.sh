@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: web.sh BUILD   (called by `make test-web` and `make test`; MAKE, CC from the environment)
-# The package for npm (c_api/web): `make web`, the bits of the native library, every call, memory, damaged input, and the
-# tarball installed in an empty folder without a network.
+# The package for npm (c_api/web): `make web`, the bits of the native library, every call, memory, damaged input, and
+# the tarball installed in an empty folder without a network.
 : "${MAKE:=make}" "${CC:=cc}"
 build=$(cd "$1" && pwd)
 dir=$build/web-test
@@ -35,5 +35,46 @@ native() {
 }
 check "checksums of the native library, baseline kernel" native
 same_sums() { node "$dir/installed/checksums.mjs" harmorph "$1" | diff "$dir/sums" -; }
-for kernel in baseline simd128; do check "the same checksums in node, kernel $kernel" same_sums $kernel; done
+
+# Scripts count for themselves; what they say is added up.
+counted() {   # what, command...
+    what=$1; shift
+    "$@" >"$log" 2>&1 || fail "$what" "$log"
+    passed=$((passed + $(sed -n 's/^\([0-9][0-9]*\) passed, .*/\1/p' "$log" | grep . || echo 0)))
+}
+for kernel in baseline simd128; do
+    check "the same checksums in node, kernel $kernel" same_sums $kernel
+    counted "every call, kernel $kernel" node "$dir/installed/package.mjs" harmorph $kernel
+done
+check "a mesh that is too large, and a worker" node "$dir/installed/large.mjs" harmorph "$build/web/harmorph.wasm"
+
+chromium=$CHROMIUM
+for name in chromium chromium-browser google-chrome; do
+    [ -n "$chromium" ] || chromium=$(command -v $name)
+done
+if [ -n "$chromium" ]; then
+    ln -s "$build/web/package" "$dir/package" && cp tests/web/case.mjs tests/web/checksums.mjs "$dir/"
+    sums_of_browser() { node tests/web/browser.mjs "$chromium" "$dir" checksums.mjs simd128 | diff "$dir/sums" -; }
+    check "the same checksums in Chromium" sums_of_browser
+else
+    skip "the package in a browser" "no Chromium is found (Debian's package chromium, or CHROMIUM=path)"
+fi
+
+# The program of the package's page runs as it stands there.
+page_program() (
+    awk '/^```js$/ { inside = 1; next } /^```$/ { inside = 0 } inside' c_api/web/README.md >"$dir/installed/page.mjs"
+    cd "$dir/installed" && node page.mjs >said && cat said &&
+        grep -q '^0 inverted cells; the mesh could follow [0-9.]* times as far$' said &&
+        grep -q '^kernel simd128: ' said
+)
+check "the program of the package's page" page_program
+if command -v tsc >/dev/null; then
+    types() (
+        cp tests/web/types.ts "$dir/installed/" && cd "$dir/installed" &&
+            tsc --noEmit --strict --target es2022 --module esnext --moduleResolution node16 --lib es2022,dom types.ts
+    )
+    check "types" types
+else
+    skip "types" "tsc is not installed (Debian's node-typescript)"
+fi
 finish "$dir"

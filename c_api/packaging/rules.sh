@@ -95,8 +95,8 @@ program() {
         "$list" $build $zlib
 }
 
-# The library as WebAssembly, in the folder web: NAME, flags. A page loads the module, so the module is compiled for size
-# but for the kernels and the search for crossings, in which most of the time is spent.
+# The library as WebAssembly, in the folder web: NAME, flags. A page loads the module, so the module is compiled for
+# size but for the kernels and the search for crossings, in which most of the time is spent.
 small_level() {
     case $1,$flags in
     src/morph/crossing.cpp,*-msimd128 | src/morph/touch.cpp,*-msimd128) echo -O2; return ;;
@@ -110,7 +110,8 @@ module() {
     printf '%s/web/%s.wasm:%s %s/web/exports %s/rules.mk\n\techo $(WASM_CXX) $@\n' $build $1 "$list" $build $build
     printf '\t$(WASM_CXX) $(WASM_LINK) @%s/web/exports -o $@%s\n' $build "$list"
 }
-exports() {   # what the scripts of the package call; other words, such as names of structs, are not there to be exported
+# What the scripts of the package call; other words, such as names of structs, are not there to be exported.
+exports() {
     cat c_api/web/package/*.js | grep -o 'hm_[a-z_]*' | sort -u | sed 's/^/-Wl,--export-if-defined=/'
 }
 layout() {

@@ -17,7 +17,9 @@ pack)
     [ -z "$missing" ] || exit 1
     web=$2/web to=$2/web/package
     rm -rf "$to" && mkdir -p "$to"
-    cp c_api/web/package/*.js c_api/web/package/*.d.ts c_api/web/package/README.md LICENSE "$web"/*.wasm "$to/"
+    cp c_api/web/package/*.js c_api/web/package/*.d.ts c_api/web/README.md LICENSE "$web"/*.wasm "$to/"
+    awk -f c_api/packaging/table.awk $(sed 's|^|include/|' fortran/harmorph/headers) | awk -f c_api/web/reports.awk \
+        >"$to/reports.d.ts"
     sed "s/@VERSION@/$VERSION/" c_api/web/package/package.json >"$to/package.json"
     chmod 644 "$to"/*
     # Nothing is fetched: the package has no dependencies, and npm's cache is a folder of the build.

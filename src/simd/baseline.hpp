@@ -1,6 +1,6 @@
 // Registers for the instructions that the compiler may use without further options: SSE2 on x86-64,
-// simd128 in a module for WebAssembly that has it, plain vectors elsewhere. This file documents Registers for all sets, and tests/simd/test_registers.cpp
-// covers them.
+// simd128 in a module for WebAssembly that has it, plain vectors elsewhere. This file documents
+// Registers for all sets, and tests/simd/test_registers.cpp covers them.
 #define HARMORPH_SET baseline
 #include "simd/begin.hpp"
 #if !defined(HARMORPH_REGISTERS_BASELINE)

@@ -1,5 +1,6 @@
-/* usage: speed NI NJ CONTROL   Milliseconds of the library with one thread and the baseline kernel, one line for each
- * part; speed.mjs prints the same lines for WebAssembly. The mesh consists of rings round an ellipse. */
+/* usage: speed NI NJ CONTROL   Milliseconds of the library with one thread and the baseline kernel,
+ * one line for each part; speed.mjs prints the same lines for WebAssembly. The mesh consists of
+ * rings round an ellipse. */
 #define _POSIX_C_SOURCE 199309L
 #include <harmorph.h>
 #include <math.h>
@@ -19,20 +20,20 @@ static double now(void) {
     return 1e3 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec;
 }
 /* Each part is repeated until it has taken 2 s, three times at least; the shortest time counts. */
-#define MEASURE(name, body)                                        \
-    do {                                                           \
-        double best = 1e300, all = 0;                              \
-        int runs;                                                  \
+#define MEASURE(name, body)                                              \
+    do {                                                                 \
+        double best = 1e300, all = 0;                                    \
+        int runs;                                                        \
         for (runs = 0; runs < 3 || (all < 2000 && runs < 200); ++runs) { \
-            const double begun = now();                            \
-            double took;                                           \
-            body;                                                  \
-            took = now() - begun;                                  \
-            all += took;                                           \
-            if (took < best) best = took;                          \
-        }                                                          \
-        printf("%s %.4f\n", name, best);                           \
-        fflush(stdout);                                            \
+            const double begun = now();                                  \
+            double took;                                                 \
+            body;                                                        \
+            took = now() - begun;                                        \
+            all += took;                                                 \
+            if (took < best) best = took;                                \
+        }                                                                \
+        printf("%s %.4f\n", name, best);                                 \
+        fflush(stdout);                                                  \
     } while (0)
 
 static hm_analysis* analysis;
@@ -55,7 +56,8 @@ static void prepare(const hm_problem* problem, const hm_options* options) {
 int main(int count, char** arguments) {
     const int ni = count > 1 ? atoi(arguments[1]) : 513, nj = count > 2 ? atoi(arguments[2]) : 193;
     const int n = ni * nj, n_control = count > 3 ? atoi(arguments[3]) : 20;
-    double *xy = malloc(16 * (size_t)n), *moved = malloc(16 * (size_t)n), *move = calloc((size_t)n_control, 16);
+    double *xy = malloc(16 * (size_t)n), *moved = malloc(16 * (size_t)n),
+           *move = calloc((size_t)n_control, 16);
     int32_t *lists = malloc(8 * (size_t)ni), start[3], markers[] = {1, 2};
     int i, j;
     size_t bytes;
@@ -90,13 +92,16 @@ int main(int count, char** arguments) {
     start[0] = 0, start[1] = ni, start[2] = 2 * ni;
     points.x = xy, points.y = xy + 1, points.stride = 2;
     by.x = to.x = moved, by.y = to.y = moved + 1, by.stride = to.stride = 2;
-    mesh.n_points = n, mesh.points = points, mesh.cell_layout = HM_CELLS_STRUCTURED, mesh.ni = ni, mesh.nj = nj;
-    mesh.n_lists = 2, mesh.list_start = start, mesh.list_points = lists, mesh.list_markers = markers;
+    mesh.n_points = n, mesh.points = points, mesh.cell_layout = HM_CELLS_STRUCTURED, mesh.ni = ni,
+    mesh.nj = nj;
+    mesh.n_lists = 2, mesh.list_start = start, mesh.list_points = lists,
+    mesh.list_markers = markers;
     fit.n_control = n_control, fit.closed = HM_PERIODIC;
     check(hm_fit_size(ni - 1, &fit, &bytes, &error));
     check(hm_fit(&curves, malloc(bytes), bytes, &points, ni - 1, 1, &fit, NULL, &error));
     wall.marker = 1, wall.n_curves = 1;
-    problem.mesh = &mesh, problem.curves = curves, problem.n_conditions = 1, problem.conditions = &wall;
+    problem.mesh = &mesh, problem.curves = curves, problem.n_conditions = 1,
+    problem.conditions = &wall;
     executor.kernel = HM_KERNEL_BASELINE;
     options.executor = &executor;
     for (i = 0; i < n_control; ++i) move[2 * i + 1] = 0.01 * (i % 3);

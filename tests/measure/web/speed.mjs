@@ -1,5 +1,5 @@
-// usage: node speed.mjs PACKAGE KERNEL NI NJ CONTROL   Prints the lines of speed.c for WebAssembly. A page calls
-// measure() itself.
+// usage: node speed.mjs PACKAGE KERNEL NI NJ CONTROL   Prints the lines of speed.c for WebAssembly; browser.mjs of
+// tests/web calls run() in Chromium.
 
 // Each part is repeated until it has taken 2 s, three times at least; the shortest time counts.
 function shortest(body) {
@@ -14,8 +14,8 @@ function shortest(body) {
     return best;
 }
 
-/** Calls say(line) for each part. */
-export function measure(hm, [ni, nj, n_control], say) {
+export async function run(load, [kernel, ...sizes], say) {
+    const hm = await load({ kernel }), [ni, nj, n_control] = sizes.map(Number);
     const n = ni * nj, xy = new Float64Array(2 * n), move = new Float64Array(2 * n_control);
     for (let j = 0; j < nj; ++j) {
         const r = Math.exp(3 * j / (nj - 1));
@@ -47,7 +47,7 @@ export function measure(hm, [ni, nj, n_control], say) {
     part("together", () => new hm.Morph(mesh, curves).free());
 }
 
-if (typeof process === "object" && process.argv[2] !== undefined) {
+if (typeof process === "object") {
     const { load } = await import(process.argv[2]);
-    measure(await load({ kernel: process.argv[3] }), process.argv.slice(4).map(Number), console.log);
+    await run(load, process.argv.slice(3), console.log);
 }
