@@ -70,17 +70,26 @@ for directory in tests/*/; do
     is_empty "$directory" "$([ -n "$(floor "$room")" ] || echo "is no room of the core")"
 done
 
-# The program is a client of the C header alone: its files include headers of its own rooms, and installed ones.
-rooms_of_program=$(ls -d c_api/cli/*/ | xargs -n 1 basename | tr '\n' '|')
-for file in c_api/cli/*.cpp c_api/cli/*/*.[ch]pp; do
-    is_empty "$file" "$(included "$file" | grep '/' | grep -vE "^(${rooms_of_program}sys)/")"
+# The program is a client of the C header alone: its files include headers of its own rooms, and installed ones. The
+# rooms of the program, bottom to top: its page has the same list.
+rooms='basics files options mesh formats curves work pictures page sampling commands'
+for file in c_api/cli/*/*.[ch]pp; do
+    here=$(floor "$(basename "$(dirname "$file")")") wrong=
+    for name in $(included "$file" | grep '/' | grep -v '^sys/'); do
+        there=$(floor "${name%/*}")
+        if [ -z "$there" ] || [ "$there" -gt "$here" ] || [ ! -f "c_api/cli/$name" ]; then wrong="$wrong $name"; fi
+    done
+    is_empty "$file" "$wrong"
 done
+described=$(sed -n '/^## The sources/,$s/^| `\([a-z]*\)` |.*/\1/p' c_api/cli/README.md | tr '\n' ' ')
+is_empty c_api/cli/README.md "$([ "$described" = "$rooms " ] || echo "has other rooms: $described")"
 
 # All that the program says goes through c_api/cli/basics/print.hpp, which makes any bytes readable. Each option whose
 # value names a file says what the command does with the file, so that no output replaces an input.
 is_empty "the program prints past basics/print.hpp" \
     "$(grep -nE 'std::(printf|puts|cout|cerr|vprintf)' c_api/cli/main.cpp c_api/cli/*/*.[ch]pp)"
-is_empty "options for files without a FileUse" "$(cat c_api/cli/commands/*.cpp | tr '\n' ' ' | awk -v RS='}' '
+with_options=$(ls c_api/cli/options/*.?pp c_api/cli/work/*.cpp c_api/cli/commands/*.cpp)
+is_empty "options for files without a FileUse" "$(cat $with_options | tr '\n' ' ' | awk -v RS='}' '
     match($0, /\{"-[-a-z]*", +"[^"]*(FILE|MESH|BASIS|CURVE|MOVES|MAP|DAT|FIELD|PAGE|csv)[^"]*"/) {
         if ($0 !~ /FileUse::/) print substr($0, RSTART + 1, RLENGTH - 1)
     }')"

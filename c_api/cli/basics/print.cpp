@@ -24,4 +24,10 @@ void print_error(const std::string& message) {
     std::fprintf(stderr, "harmorph: %s\n", readable(message, true).c_str());
 }
 
+void warn(const std::string& message) { print_error("warning: " + message); }
+
+void warn_of(const std::string& path, const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences) warn(path + ": " + sentence);
+}
+
 }  // namespace cli

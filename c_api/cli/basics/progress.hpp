@@ -1,9 +1,10 @@
 // Listens to the library's progress: seconds of each phase, and a bar.
 #pragma once
 
-#include "harmorph_study.h"
 #include "basics/progress_bar.hpp"
 #include "basics/stopwatch.hpp"
+
+#include <harmorph_study.h>
 
 #include <array>
 

@@ -1,17 +1,19 @@
 // harmorph demo: runs all steps on the shipped mesh, by the commands that a user would type.
-#include <harmorph_design.h>
-#include "mesh/basis_file.hpp"
-#include "commands/commands.hpp"
-#include "commands/used_files.hpp"
-#include "curves/curve_file.hpp"
-#include "commands/morph.hpp"
-#include "curves/moves_file.hpp"
 #include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "basics/output_file.hpp"
-#include "basics/own_folder.hpp"
+#include "commands/commands.hpp"
+#include "commands/used_files.hpp"
+#include "curves/curve_file.hpp"
+#include "files/output_file.hpp"
+#include "files/own_folder.hpp"
 #include "mesh/refine.hpp"
+#include "work/basis_file.hpp"
+#include "work/morph.hpp"
+#include "work/moves_file.hpp"
+#include "work/read_mesh.hpp"
+
+#include <harmorph_design.h>
 
 #include <algorithm>
 #include <cmath>

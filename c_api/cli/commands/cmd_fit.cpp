@@ -1,14 +1,16 @@
 // harmorph fit: fits a B-spline to the points of a marker, and writes the curve to a file.
-#include <harmorph_design.h>
-#include "commands/commands.hpp"
-#include "curves/curve_file.hpp"
 #include "basics/json.hpp"
-#include "mesh/mesh_analysis.hpp"
-#include "basics/number_list.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "basics/output_file.hpp"
+#include "commands/commands.hpp"
+#include "curves/curve_file.hpp"
 #include "curves/section.hpp"
+#include "files/output_file.hpp"
+#include "mesh/mesh_analysis.hpp"
+#include "options/number_list.hpp"
+#include "work/read_mesh.hpp"
+
+#include <harmorph_design.h>
 
 #include <algorithm>
 #include <filesystem>

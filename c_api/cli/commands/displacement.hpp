@@ -2,12 +2,12 @@
 #pragma once
 
 #include "basics/field.hpp"
-#include "basics/output_file.hpp"
-#include "commands/morph.hpp"
-#include "commands/safe_way.hpp"
-#include "commands/solver.hpp"
-#include "commands/task.hpp"
-#include "mesh/wall_field.hpp"
+#include "files/output_file.hpp"
+#include "work/morph.hpp"
+#include "work/safe_way.hpp"
+#include "work/solver.hpp"
+#include "work/task.hpp"
+#include "work/wall_field.hpp"
 
 #include <iosfwd>
 #include <optional>

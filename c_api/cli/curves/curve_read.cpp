@@ -1,9 +1,9 @@
-#include <harmorph_design.h>
-#include "curves/curve_file.hpp"
-
 #include "basics/library.hpp"
 #include "basics/numbers.hpp"
-#include "basics/text_file.hpp"
+#include "curves/curve_file.hpp"
+#include "files/text_file.hpp"
+
+#include <harmorph_design.h>
 
 #include <algorithm>
 #include <cmath>

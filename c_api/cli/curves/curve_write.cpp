@@ -1,6 +1,5 @@
-#include "curves/curve_file.hpp"
-
 #include "basics/numbers.hpp"
+#include "curves/curve_file.hpp"
 
 #include <ostream>
 

@@ -1,6 +1,5 @@
-#include "curves/cad_curves.hpp"
-
 #include "basics/numbers.hpp"
+#include "curves/cad_curves.hpp"
 
 #include <algorithm>
 #include <cstdio>

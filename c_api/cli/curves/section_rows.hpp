@@ -2,7 +2,7 @@
 // separated by blanks, commas or semicolons; decimals may have a comma. `#` and `!` begin comments.
 #pragma once
 
-#include "basics/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <cstddef>
 #include <string>

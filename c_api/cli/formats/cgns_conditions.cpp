@@ -1,8 +1,8 @@
 #include "formats/cgns_conditions.hpp"
 
 #ifdef HARMORPH_CGNS
-#include "formats/tidy.hpp"
 #include "basics/numbers.hpp"
+#include "mesh/tidy.hpp"
 
 #include <algorithm>
 

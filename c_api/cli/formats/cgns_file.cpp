@@ -1,17 +1,15 @@
 #include "formats/cgns_file.hpp"
 
 #ifdef HARMORPH_CGNS
+#include "basics/numbers.hpp"
 #include "formats/bytes.hpp"
 #include "formats/deflate.hpp"
-#include "basics/numbers.hpp"
 
 #include <cgns_io.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-
 #include <unistd.h>
 
 namespace cli {

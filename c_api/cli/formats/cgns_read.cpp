@@ -1,9 +1,9 @@
 #include "formats/cgns_read.hpp"
 
 #ifdef HARMORPH_CGNS
+#include "basics/numbers.hpp"
 #include "formats/cgns_conditions.hpp"
 #include "formats/deflate.hpp"
-#include "basics/numbers.hpp"
 #include "mesh/one_cell_thick.hpp"
 
 #include <algorithm>

@@ -4,13 +4,12 @@
 // Cells are given by their faces: in two dimensions a face goes from a node to another and has a
 // cell on its right and one on its left, or none. Markers are the zones of boundary faces, with the
 // names of the zones, or else "zone:NUMBER".
-#include "formats/format.hpp"
-
 #include "basics/failure.hpp"
-#include "formats/fluent_read.hpp"
-#include "formats/fluent_sections.hpp"
 #include "basics/numbers.hpp"
 #include "basics/place.hpp"
+#include "formats/fluent_read.hpp"
+#include "formats/fluent_sections.hpp"
+#include "formats/format.hpp"
 #include "mesh/one_cell_thick.hpp"
 
 #include <algorithm>

@@ -3,10 +3,10 @@
 // are hexadecimal, except the numbers of sections, the dimension, and the zones in 45 and 39.
 #include "formats/fluent_read.hpp"
 
+#include "basics/numbers.hpp"
 #include "formats/bytes.hpp"
 #include "formats/fluent_sections.hpp"
 #include "formats/number_reader.hpp"
-#include "basics/numbers.hpp"
 
 #include <algorithm>
 #include <charconv>

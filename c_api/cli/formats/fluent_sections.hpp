@@ -3,7 +3,7 @@
 // the language Scheme, and are passed over.
 #pragma once
 
-#include "basics/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <cstdint>
 

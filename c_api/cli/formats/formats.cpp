@@ -1,11 +1,10 @@
 // The table of formats, and the steps that reading has in common for all formats.
-#include "formats/format.hpp"
-
 #include "basics/failure.hpp"
+#include "files/output_file.hpp"
 #include "formats/deflate.hpp"
-#include "formats/tidy.hpp"
+#include "formats/format.hpp"
 #include "formats/vtk_parallel.hpp"
-#include "basics/output_file.hpp"
+#include "mesh/tidy.hpp"
 
 #include <algorithm>
 #include <filesystem>

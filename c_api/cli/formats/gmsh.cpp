@@ -3,11 +3,10 @@
 //
 // Markers are the physical groups of curves, or of surfaces in meshes one cell thick, by name if
 // there is one; a curve or surface without a group is "curve:TAG" or "surface:TAG".
-#include "formats/format.hpp"
-
-#include "formats/gmsh_read.hpp"
-#include "basics/ordered_output.hpp"
 #include "basics/text_out.hpp"
+#include "files/ordered_output.hpp"
+#include "formats/format.hpp"
+#include "formats/gmsh_read.hpp"
 
 #include <ostream>
 

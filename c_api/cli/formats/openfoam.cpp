@@ -3,13 +3,13 @@
 // the file `points`, in text or binary; the files faces, owner and boundary lie in the same folder,
 // or in constant/polyMesh. The two planes are the patches of type empty, or two patches of type
 // wedge. All other patches are markers.
-#include <harmorph_space.h>
-#include "formats/format.hpp"
-
+#include "basics/numbers.hpp"
 #include "formats/deflate.hpp"
 #include "formats/foam_list.hpp"
-#include "basics/numbers.hpp"
+#include "formats/format.hpp"
 #include "mesh/space_mesh.hpp"
+
+#include <harmorph_space.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -8,12 +8,11 @@
 // grid, or else BLOCK:SIDE, such as 1:jmin.
 // Numbers with a repeat count, as 3*1.0, are expanded when the file is read, and remain expanded in
 // the morphed file.
+#include "basics/numbers.hpp"
 #include "formats/format.hpp"
-
 #include "formats/plot3d_layout.hpp"
 #include "formats/plot3d_reader.hpp"
 #include "formats/repeats.hpp"
-#include "basics/numbers.hpp"
 
 #include <filesystem>
 

@@ -1,11 +1,11 @@
 #include "formats/plot3d_reader.hpp"
 
+#include "basics/numbers.hpp"
 #include "formats/nmf.hpp"
 #include "formats/number_reader.hpp"
 #include "formats/places.hpp"
-#include "formats/tidy.hpp"
-#include "basics/numbers.hpp"
 #include "mesh/one_cell_thick.hpp"
+#include "mesh/tidy.hpp"
 
 #include <algorithm>
 #include <cmath>

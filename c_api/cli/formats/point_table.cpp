@@ -1,8 +1,8 @@
 #include "formats/point_table.hpp"
 
-#include "basics/csv_cells.hpp"
 #include "basics/failure.hpp"
 #include "basics/numbers.hpp"
+#include "files/csv_cells.hpp"
 #include "formats/bytes.hpp"
 #include "formats/cgns.hpp"
 #include "formats/cgns_fields.hpp"

@@ -1,7 +1,7 @@
 // Repeat counts of list-directed output of Fortran, such as 3*1.0 for 1.0 1.0 1.0.
 #pragma once
 
-#include "basics/text_file.hpp"
+#include "files/text_file.hpp"
 
 namespace cli {
 

@@ -1,10 +1,9 @@
 // Writes the file of a mesh, of any format, with other coordinates.
-#include "formats/format.hpp"
-
+#include "files/ordered_output.hpp"
+#include "files/tasks.hpp"
 #include "formats/bytes.hpp"
+#include "formats/format.hpp"
 #include "formats/number_style.hpp"
-#include "basics/ordered_output.hpp"
-#include "basics/tasks.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // quadrilaterals.
 #include "formats/su2.hpp"
 
-#include "basics/ordered_output.hpp"
 #include "basics/text_out.hpp"
+#include "files/ordered_output.hpp"
 
 #include <ostream>
 

@@ -4,13 +4,12 @@
 // "KEY= value", two counts after NPOIN, 2 to 4 numbers per point, elements with or without their
 // number, and periodic blocks and FFD boxes between or after them. One of
 // several zones (NZONE, IZONE) is read; the lines of the others are ignored, and kept in the file.
-#include "formats/su2.hpp"
-
 #include "basics/failure.hpp"
-#include "basics/large_arrays.hpp"
 #include "basics/numbers.hpp"
 #include "basics/place.hpp"
+#include "files/large_arrays.hpp"
 #include "formats/plain_rows.hpp"
+#include "formats/su2.hpp"
 #include "formats/su2_rows.hpp"
 #include "formats/su2_zones.hpp"
 

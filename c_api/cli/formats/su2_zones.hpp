@@ -1,7 +1,7 @@
 // The zones of an SU2 file, of which one is read (NZONE= and IZONE=).
 #pragma once
 
-#include "basics/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <cstdint>
 #include <string>

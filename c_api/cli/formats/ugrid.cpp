@@ -3,11 +3,10 @@
 // cell thick, between planes of any direction or in a wedge: text, or binary of both byte orders
 // (.b8, .lb8, .b4, .lb4). Markers are called after their tags in a .mapbc file beside the
 // mesh, or else by the tags.
-#include "formats/format.hpp"
-
-#include "formats/bytes.hpp"
-#include "formats/number_reader.hpp"
 #include "basics/numbers.hpp"
+#include "formats/bytes.hpp"
+#include "formats/format.hpp"
+#include "formats/number_reader.hpp"
 #include "mesh/one_cell_thick.hpp"
 
 #include <filesystem>

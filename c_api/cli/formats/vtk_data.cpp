@@ -1,9 +1,9 @@
 #include "formats/vtk_data.hpp"
 
+#include "basics/numbers.hpp"
 #include "formats/base64.hpp"
 #include "formats/bytes.hpp"
 #include "formats/deflate.hpp"
-#include "basics/numbers.hpp"
 
 #include <algorithm>
 #include <ostream>

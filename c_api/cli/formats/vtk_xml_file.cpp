@@ -1,7 +1,7 @@
 #include "formats/vtk_xml_file.hpp"
 
-#include "formats/bytes.hpp"
 #include "basics/numbers.hpp"
+#include "formats/bytes.hpp"
 
 #include <sstream>
 

@@ -1,10 +1,10 @@
 // Finds markers by names, patterns with * and ?, and whole loops of the boundary.
-#include "mesh/boundary_loops.hpp"
 #include "basics/failure.hpp"
-#include "mesh/mesh_file.hpp"
 #include "basics/numbers.hpp"
 #include "basics/place.hpp"
 #include "basics/quoted_name.hpp"
+#include "mesh/boundary_loops.hpp"
+#include "mesh/mesh_file.hpp"
 
 #include <algorithm>
 #include <set>

@@ -2,9 +2,10 @@
 // morphed mesh is written as the same file with other numbers.
 #pragma once
 
-#include "formats/coordinates.hpp"
-#include "harmorph.h"
-#include "basics/text_file.hpp"
+#include "files/text_file.hpp"
+#include "mesh/coordinates.hpp"
+
+#include <harmorph.h>
 
 #include <cstdint>
 #include <map>
@@ -93,5 +94,9 @@ struct Mesh {
 private:
     std::unordered_map<std::string, std::int32_t> marker_numbers_;  // of `markers`
 };
+
+// Throws a Failure for an error of the library about the mesh: with the line of the file, if the
+// error is about an item that the file has, and with the names of markers.
+[[noreturn]] void refuse(const hm_error& error, const Mesh& mesh);
 
 }  // namespace cli

@@ -1,8 +1,8 @@
 #include "mesh/one_cell_thick.hpp"
 
-#include "formats/tidy.hpp"
 #include "basics/numbers.hpp"
 #include "basics/place.hpp"
+#include "mesh/tidy.hpp"
 
 #include <algorithm>
 #include <cmath>

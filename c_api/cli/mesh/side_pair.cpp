@@ -1,8 +1,8 @@
 #include "mesh/side_pair.hpp"
 
 #include "basics/failure.hpp"
-#include "mesh/mesh_analysis.hpp"
 #include "basics/numbers.hpp"
+#include "mesh/mesh_analysis.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "page/page_data.hpp"
 
 #include "basics/json.hpp"
-#include "basics/operators.hpp"
 #include "formats/base64.hpp"
+#include "options/operators.hpp"
 #include "page/page_text.hpp"
 
 #include <algorithm>

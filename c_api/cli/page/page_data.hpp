@@ -3,8 +3,8 @@
 #pragma once
 
 #include "basics/field.hpp"
-#include "mesh/basis_file.hpp"
 #include "page/page_selection.hpp"
+#include "work/basis_file.hpp"
 
 #include <iosfwd>
 #include <string>

@@ -3,7 +3,7 @@
 // which is only drawn.
 #pragma once
 
-#include "pictures/edge_chains.hpp"
+#include "mesh/edge_chains.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "pictures/function_bands.hpp"
 
-#include "pictures/colour_map.hpp"
 #include "basics/numbers.hpp"
+#include "pictures/colour_map.hpp"
 #include "pictures/raster.hpp"
 #include "pictures/triangles.hpp"
 

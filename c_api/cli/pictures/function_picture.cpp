@@ -1,11 +1,10 @@
-#include "pictures/pictures.hpp"
-
+#include "basics/numbers.hpp"
+#include "options/operators.hpp"
 #include "pictures/draw_contours.hpp"
 #include "pictures/draw_curves.hpp"
 #include "pictures/function_bands.hpp"
 #include "pictures/mesh_lines.hpp"
-#include "basics/numbers.hpp"
-#include "basics/operators.hpp"
+#include "pictures/pictures.hpp"
 #include "pictures/triangles.hpp"
 
 #include <algorithm>

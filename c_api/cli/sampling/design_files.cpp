@@ -1,6 +1,6 @@
 #include "sampling/design_files.hpp"
 
-#include "basics/output_file.hpp"
+#include "files/output_file.hpp"
 #include "formats/format.hpp"
 #include "formats/vtu.hpp"
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "basics/field.hpp"
-#include "commands/solver.hpp"
-#include "mesh/basis_file.hpp"
 #include "sampling/design_space.hpp"
+#include "work/basis_file.hpp"
+#include "work/solver.hpp"
 
 #include <exception>
 #include <memory>

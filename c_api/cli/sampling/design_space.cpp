@@ -1,10 +1,10 @@
 #include "sampling/design_space.hpp"
 
-#include "basics/number_list.hpp"
 #include "basics/numbers.hpp"
-#include "basics/text_file.hpp"
-#include "curves/to_airfoil.hpp"
+#include "files/text_file.hpp"
+#include "options/number_list.hpp"
 #include "sampling/section_formulas.hpp"
+#include "work/to_airfoil.hpp"
 
 #include <cmath>
 #include <filesystem>

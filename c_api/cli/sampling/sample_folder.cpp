@@ -1,8 +1,8 @@
 #include "sampling/sample_folder.hpp"
 
 #include "basics/failure.hpp"
-#include "basics/output_file.hpp"
-#include "basics/text_file.hpp"
+#include "files/output_file.hpp"
+#include "files/text_file.hpp"
 #include "formats/format.hpp"
 #include "sampling/crc32.hpp"
 

@@ -10,8 +10,8 @@
 // A shard is complete when its .npz exists, which is the last of its files.
 #pragma once
 
-#include "basics/arguments.hpp"
-#include "basics/own_folder.hpp"
+#include "files/own_folder.hpp"
+#include "options/arguments.hpp"
 
 #include <cstdint>
 #include <optional>

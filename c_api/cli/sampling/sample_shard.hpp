@@ -1,7 +1,7 @@
 // Writes one shard of a set: the table of its designs, and the arrays of the accepted designs.
 #pragma once
 
-#include "basics/output_file.hpp"
+#include "files/output_file.hpp"
 #include "sampling/npz.hpp"
 #include "sampling/sample_table.hpp"
 #include "sampling/wall_chains.hpp"

@@ -1,9 +1,10 @@
 // Distances of all mesh points to the moving walls, on one moved mesh after the other.
 #pragma once
 
-#include <harmorph_fields.h>
-#include "basics/threads.hpp"
+#include "files/threads.hpp"
 #include "mesh/mesh_analysis.hpp"
+
+#include <harmorph_fields.h>
 
 #include <cstdint>
 #include <vector>
