@@ -7,6 +7,7 @@
 #include "curves/curve_file.hpp"
 #include "files/output_file.hpp"
 #include "files/own_folder.hpp"
+#include "files/paths.hpp"
 #include "mesh/refine.hpp"
 #include "work/basis_file.hpp"
 #include "work/morph.hpp"
@@ -17,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace cli {
 
@@ -135,22 +135,21 @@ void write_sign(const std::string& path) {
 }
 
 void run_demo(const Arguments& arguments) {
-    const std::filesystem::path folder = arguments.operand(0);
+    const std::string folder = arguments.operand(0);
     const std::string shipped =
         arguments.has("--mesh") ? arguments.text("--mesh") : "tests/meshes/naca0012.su2";
-    std::error_code error;
-    if (!std::filesystem::exists(shipped, error)) {
+    if (!exists(shipped)) {
         throw Failure(exit_file, shipped +
                                      " does not exist; run the demo in the folder of harmorph, or "
                                      "name the mesh with --mesh");
     }
-    const auto in_folder = [&folder](const char* name) { return (folder / name).string(); };
+    const auto in_folder = [&folder](const char* name) { return path_in(folder, name); };
     const std::string mesh = in_folder("mesh.su2"), curve = in_folder("airfoil.curve"),
                       basis = in_folder("airfoil.basis"), moves = in_folder("moves.txt"),
                       far_moves = in_folder("far.txt"), fine = in_folder("fine.su2");
     for (const char* const name : made_files)
         refuse_overwriting(arguments, {FileUse::output, "a file of DIR,", in_folder(name)});
-    const OwnFolder owned(folder.string(), demo_sign);
+    const OwnFolder owned(folder, demo_sign);
     write_sign(in_folder(demo_sign));
     copy_mesh(shipped, mesh);
 

@@ -13,7 +13,6 @@
 #include "work/read_mesh.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 namespace cli {

@@ -9,12 +9,11 @@
 // Numbers with a repeat count, as 3*1.0, are expanded when the file is read, and remain expanded in
 // the morphed file.
 #include "basics/numbers.hpp"
+#include "files/paths.hpp"
 #include "formats/format.hpp"
 #include "formats/plot3d_layout.hpp"
 #include "formats/plot3d_reader.hpp"
 #include "formats/repeats.hpp"
-
-#include <filesystem>
 
 namespace cli {
 
@@ -27,7 +26,7 @@ bool begins_with_number(const TextFile& file) {
 }
 
 bool has_usual_extension(const std::string& path) {
-    const std::string extension = std::filesystem::path(path).extension().string();
+    const std::string extension = ending_of(path);
     for (const char* usual : {".p3d", ".p2d", ".xyz", ".x", ".grd", ".p3dfmt", ".p2dfmt", ".ufmt",
                               ".fmt", ".g", ".gu"}) {
         if (extension == usual) return true;

@@ -1,6 +1,7 @@
 #include "formats/plot3d_reader.hpp"
 
 #include "basics/numbers.hpp"
+#include "files/paths.hpp"
 #include "formats/nmf.hpp"
 #include "formats/number_reader.hpp"
 #include "formats/places.hpp"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 
 namespace cli {
@@ -57,12 +57,11 @@ private:
 
 void Plot3dReader::read() {
     read_points();
-    const std::filesystem::path map =
-        std::filesystem::path(mesh_.file.path()).replace_extension(".nmf");
-    if (std::filesystem::exists(map)) {
+    const std::string map = without_ending(mesh_.file.path()) + ".nmf";
+    if (exists(map)) {
         std::vector<Index3> sizes;
         for (const Plot3dBlock& block : layout_.blocks) sizes.push_back(block.n);
-        patches_ = read_nmf(map.string(), sizes);
+        patches_ = read_nmf(map, sizes);
     }
     join_points();
     const auto has_one_plane = [](const Plot3dBlock& block) {

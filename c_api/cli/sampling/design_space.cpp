@@ -1,13 +1,13 @@
 #include "sampling/design_space.hpp"
 
 #include "basics/numbers.hpp"
+#include "files/paths.hpp"
 #include "files/text_file.hpp"
 #include "options/number_list.hpp"
 #include "sampling/section_formulas.hpp"
 #include "work/to_airfoil.hpp"
 
 #include <cmath>
-#include <filesystem>
 
 namespace cli {
 
@@ -148,8 +148,8 @@ std::vector<DesignParameter> DesignSpace::parameters_of(const Arguments& argumen
 void DesignSpace::read_list(const std::string& path) {
     const TextFile file(path);
     LineReader lines(file, '#');
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    while (lines.next()) files_.push_back((folder / std::string(lines.line())).string());
+    const std::string folder = folder_of(path);
+    while (lines.next()) files_.push_back(path_in(folder, std::string(lines.line())));
 }
 
 Section DesignSpace::section_of(const std::vector<double>& values) const {
