@@ -32,7 +32,7 @@ void step(const std::string& purpose, const std::vector<std::string>& words) {
 }
 
 // The camber is in chords, the thickening a fraction of the thickness.
-constexpr double camber = .03, thickening = .4;
+constexpr double added_camber = .03, thickening = .4;
 
 // Returns moves that give an airfoil of chord 1 from x = 0 to 1 more camber (a parabolic arc) and
 // more thickness.
@@ -40,7 +40,7 @@ std::vector<double> pleasing_moves(const Curves& curves) {
     std::vector<double> moves(curves.control.size());
     for (std::size_t i = 0; i < moves.size(); i += 2) {
         const double x = std::clamp(curves.control[i], 0.0, 1.0), y = curves.control[i + 1];
-        moves[i + 1] = 4 * camber * x * (1 - x) + thickening * y;
+        moves[i + 1] = 4 * added_camber * x * (1 - x) + thickening * y;
     }
     return moves;
 }
@@ -57,7 +57,7 @@ void write_admissible_moves(const std::string& mesh_path, const std::string& cur
     const double scale = std::min(1.0, admissible / 2);
     for (double& move : moves) move *= scale;
     print("\n# more camber (%s chord) and thickness (%s %%), written to %s\n",
-          brief(camber * scale).c_str(), brief(100 * thickening * scale).c_str(),
+          brief(added_camber * scale).c_str(), brief(100 * thickening * scale).c_str(),
           moves_path.c_str());
     OutputFiles files;
     write_moves(files.add(moves_path), moves, basis, mesh);

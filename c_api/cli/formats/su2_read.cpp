@@ -8,17 +8,131 @@
 #include "basics/numbers.hpp"
 #include "basics/place.hpp"
 #include "files/large_arrays.hpp"
+#include "files/text_file.hpp"
 #include "formats/plain_rows.hpp"
 #include "formats/su2.hpp"
-#include "formats/su2_rows.hpp"
-#include "formats/su2_zones.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
+#include <string>
 
 namespace cli {
 
 namespace {
+
+// The rows of points and cells of SU2 files, as read_plain_rows() reads them into a mesh.
+
+// Rows "x y", with up to two whole numbers more.
+struct Su2PointRows {
+    Mesh& mesh;
+
+    std::int64_t items(PlainRow) const { return 0; }
+    void resize(TableEnd end) {
+        const auto n = static_cast<std::size_t>(end.rows);
+        mesh.x.resize(n);
+        mesh.y.resize(n);
+        mesh.point_offset.resize(n);
+    }
+    bool read(PlainRow& row, TableEnd& end) {
+        row.over_blanks();
+        const auto point = static_cast<std::size_t>(end.rows);
+        std::int32_t number = 0;
+        const std::size_t x_offset = row.offset();
+        if (!row.real(mesh.x[point]) || !row.real(mesh.y[point])) return false;
+        for (int more = 0; more < 2 && row.at_digit(); ++more) {
+            if (!row.whole(number)) return false;
+        }
+        mesh.point_offset[point] = x_offset;
+        if (!row.end_of_line()) return false;
+        ++end.rows;
+        return true;
+    }
+};
+
+// Rows "type points [number]".
+struct Su2CellRows {
+    Mesh& mesh;
+
+    static std::int64_t corners(std::int32_t type) {
+        return type == element_triangle ? 3 : type == element_quad ? 4 : 0;
+    }
+    std::int64_t items(PlainRow row) const {
+        std::int32_t type = 0;
+        row.over_blanks();
+        return row.whole(type) ? corners(type) : 0;
+    }
+    void resize(TableEnd end) {
+        mesh.cell_start.resize(static_cast<std::size_t>(end.rows) + 1);
+        mesh.cell_offset.resize(static_cast<std::size_t>(end.rows));
+        mesh.cell_points.resize(static_cast<std::size_t>(end.items));
+    }
+    bool read(PlainRow& row, TableEnd& end) {
+        row.over_blanks();
+        const std::size_t offset = row.offset();
+        std::int32_t type = 0;
+        if (!row.whole(type) || corners(type) == 0) return false;
+        const std::int64_t after = end.items + corners(type);
+        for (std::int64_t k = end.items; k < after; ++k) {
+            if (!row.whole(mesh.cell_points[static_cast<std::size_t>(k)])) return false;
+        }
+        if (row.at_digit() && !row.whole(type)) return false;
+        if (!row.end_of_line()) return false;
+        mesh.cell_offset[static_cast<std::size_t>(end.rows)] = offset;
+        ++end.rows;
+        end.items = after;
+        mesh.cell_start[static_cast<std::size_t>(end.rows)] = static_cast<std::int32_t>(after);
+        return true;
+    }
+};
+
+// The zones of an SU2 file, of which one is read (NZONE= and IZONE=).
+
+class Su2Zones {
+public:
+    // chosen: the number of the zone to read, or empty if the file must have only one.
+    explicit Su2Zones(const std::string& chosen) : chosen_(chosen) {}
+
+    void choose(const LineReader& lines, std::int32_t count);  // at NZONE=
+    // At IZONE=. Returns whether this zone is the one to read. Refuses zones that are not numbered
+    // 1, 2, ...
+    bool begin(const LineReader& lines, std::int32_t zone);
+    bool has_begun() const { return begun_ > 0; }
+    void check_complete(const TextFile& file) const;  // at the end of the file
+
+private:
+    const std::string& chosen_;
+    std::int32_t count_ = 1, number_ = 1, begun_ = 0;
+    std::size_t line_ = 0;  // the place of NZONE=
+};
+
+void Su2Zones::choose(const LineReader& lines, std::int32_t count) {
+    count_ = count;
+    line_ = lines.offset();
+    if (chosen_.empty() && count_ > 1) {
+        lines.fail("the file has " + std::to_string(count_) +
+                   " zones; choose one with --zone (the others stay as they are)");
+    }
+    if (chosen_.empty()) return;
+    if (!parse(chosen_, number_) || number_ < 1 || number_ > count_) {
+        throw Failure(exit_usage, "--zone expects a number between 1 and " +
+                                      std::to_string(count_) + ", not " + in_quotes(chosen_));
+    }
+}
+
+bool Su2Zones::begin(const LineReader& lines, std::int32_t zone) {
+    if (zone != ++begun_ || zone > count_) {
+        lines.expected("IZONE= " + std::to_string(begun_) + " of the " + plural(count_, "zone") +
+                       " that NZONE= announces");
+    }
+    return zone == number_;
+}
+
+void Su2Zones::check_complete(const TextFile& file) const {
+    if (count_ <= 1 || begun_ >= count_) return;
+    file.fail(line_, "NZONE= announces " + std::to_string(count_) + " zones, but the file has " +
+                         plural(begun_, "line") + " IZONE=");
+}
 
 struct Heading {  // a line KEY= value
     std::string key;
