@@ -5,8 +5,8 @@
 // cell on its right and one on its left, or none. Markers are the zones of boundary faces, with the
 // names of the zones, or else "zone:NUMBER".
 #include "basics/failure.hpp"
+#include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
-#include "basics/place.hpp"
 #include "files/text_file.hpp"
 #include "formats/bytes.hpp"
 #include "formats/format.hpp"

@@ -3,10 +3,9 @@
 #include "basics/failure.hpp"
 #include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
-#include "basics/place.hpp"
 #include "curves/section_movement.hpp"
 #include "files/text_file.hpp"
-#include "mesh/boundary_loops.hpp"
+#include "mesh/loops.hpp"
 #include "mesh/mesh_file.hpp"
 
 #include <algorithm>
