@@ -22,6 +22,7 @@
 #                         the last tagged release, RELEASE=tarball, or BASE=revision
 #   make cross            other processors and systems under emulators, as far as Debian's cross compilers are there;
 #                         TARGETS="s390x musl"; see tests/cross/run.sh
+#   make compile-commands  BUILD/compile_commands.json, for editors and clang-tidy
 #   make compilers        all compilers that are installed, without a warning; LEVELS=-O2; see tests/compilers.sh
 #   make amalgamation     the library in one source with its headers, in build/amalgamation
 #   make test-systems     both commands of README.md in fresh systems, as the superuser: SYSTEMS="bookworm trixie", in the
@@ -60,7 +61,7 @@
 	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
 	test-openfoam test-saturne test-systems \
-	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist
+	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist compile-commands
 
 BUILD = build
 # PREFIX is /usr/local if it is not given; DESTDIR is empty. Both come from the environment of the recipes, where make
@@ -139,6 +140,15 @@ deform-seeded: all
 MESH = $(BUILD)/meshes/naca0012.su2
 meshes: rules
 	+@$(MAKE_BY_RULES) $(MESH)
+
+compile-commands: rules
+	@for source in src/*/*.cpp c_api/*.cpp; do echo "$$source|$(CORE)"; done >$(BUILD)/sources.txt
+	@for source in c_api/cli/*.cpp c_api/cli/*/*.cpp; do echo "$$source|$(CLI)"; done >>$(BUILD)/sources.txt
+	@for source in tests/main.cpp $(UNITS); do echo "$$source|$(UNIT)"; done >>$(BUILD)/sources.txt
+	@awk -F '|' -v folder="$$PWD" -v compiler='$(CXX)' 'BEGIN { print "[" } { \
+	    printf "%s{\"directory\": \"%s\", \"file\": \"%s\",\n \"command\": \"%s %s -c %s\"}", \
+	        (NR > 1 ? ",\n" : ""), folder, $$1, compiler, $$2, $$1 } END { print "\n]" }' \
+	    $(BUILD)/sources.txt >$(BUILD)/compile_commands.json
 
 library-only: rules
 	+@$(MAKE_BY_RULES) $(LIBRARY)
