@@ -23,7 +23,7 @@ extension_alone() (
 check "the extension, linked with the library" extension_alone
 
 # pytest's last line is "293 passed, 2 skipped in 13.09s"; tests that are skipped are named with their reasons.
-(cd "$dir/work" && PYTHONPATH=$dir/lib HARMORPH_MESHES=$source/tests/meshes \
+(cd "$dir/work" && PYTHONPATH=$dir/lib HARMORPH_MESHES=$build/meshes \
     HARMORPH_PROGRAM=$build/harmorph MPLBACKEND=agg $PYTHON -m pytest -q -rs \
     --tb=short -p no:cacheprovider -c "$package/pyproject.toml" --rootdir "$package" "$package/tests") >"$log" 2>&1
 status=$?
@@ -57,7 +57,7 @@ if $PYTHON -c 'import build.__main__, wheel, venv, ensurepip' 2>/dev/null; then
             "$dir/env/bin/python" -c "import harmorph, os
 assert os.path.realpath(harmorph.__file__).startswith(os.path.realpath('$dir/env')), harmorph.__file__
 assert os.path.isfile(os.path.join(os.path.dirname(harmorph.__file__), 'py.typed'))
-mesh = harmorph.Mesh.read('$source/tests/meshes/naca0012.su2')
+mesh = harmorph.Mesh.read('$build/meshes/naca0012.su2')
 assert mesh.report().inverted == 0" &&
             "$dir/env/bin/python" morph.py | grep "^0 inverted cells; the mesh could follow"
     }

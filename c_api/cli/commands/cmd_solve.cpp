@@ -1,19 +1,21 @@
 // harmorph solve: solves the basis, the harmonic functions of all control points on a mesh.
-#include <harmorph_bases.h>
-#include "mesh/basis_file.hpp"
-#include "commands/commands.hpp"
-#include "commands/engine.hpp"
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "basics/output_file.hpp"
-#include "commands/safe_way.hpp"
-#include "commands/shared_points.hpp"
-#include "commands/solver.hpp"
-#include "commands/storage.hpp"
-#include "commands/task.hpp"
-#include "mesh/mesh_fields.hpp"
-#include "mesh/wall_field.hpp"
+#include "commands/commands.hpp"
+#include "files/output_file.hpp"
+#include "work/basis_file.hpp"
+#include "work/engine.hpp"
+#include "work/mesh_fields.hpp"
+#include "work/read_mesh.hpp"
+#include "work/safe_way.hpp"
+#include "work/shared_points.hpp"
+#include "work/solver.hpp"
+#include "work/storage.hpp"
+#include "work/task.hpp"
+#include "work/wall_field.hpp"
+
+#include <harmorph_bases.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,15 +1,17 @@
 // harmorph transfer: interpolates functions from one mesh to a finer mesh of the same domain.
-#include <harmorph_bases.h>
-#include "mesh/basis_file.hpp"
-#include "commands/commands.hpp"
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "basics/output_file.hpp"
 #include "basics/stopwatch.hpp"
-#include "commands/storage.hpp"
-#include "commands/task.hpp"
-#include "basics/threads.hpp"
+#include "commands/commands.hpp"
+#include "files/output_file.hpp"
+#include "files/threads.hpp"
+#include "work/basis_file.hpp"
+#include "work/read_mesh.hpp"
+#include "work/storage.hpp"
+#include "work/task.hpp"
+
+#include <harmorph_bases.h>
 
 #include <algorithm>
 

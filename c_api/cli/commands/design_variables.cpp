@@ -1,12 +1,12 @@
 #include "commands/design_variables.hpp"
 
-#include "curves/curve_file.hpp"
 #include "basics/library.hpp"
-#include "basics/number_list.hpp"
 #include "basics/numbers.hpp"
-#include "commands/section_option.hpp"
+#include "curves/curve_file.hpp"
 #include "curves/section.hpp"
 #include "curves/section_movement.hpp"
+#include "options/number_list.hpp"
+#include "options/section_option.hpp"
 
 #include <algorithm>
 #include <cmath>

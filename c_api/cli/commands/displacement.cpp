@@ -1,4 +1,3 @@
-#include "commands/commands.hpp"
 #include "commands/displacement.hpp"
 
 #include "basics/json.hpp"

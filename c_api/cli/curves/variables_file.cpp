@@ -2,8 +2,8 @@
 
 #include "basics/library.hpp"
 #include "basics/numbers.hpp"
-#include "basics/text_file.hpp"
 #include "curves/section_movement.hpp"
+#include "files/text_file.hpp"
 
 #include <ostream>
 
