@@ -96,8 +96,8 @@ program() {
 }
 
 # The library as WebAssembly, in the folder web: NAME, flags. A page loads the module, so the module is compiled for
-# size but for the kernels and the search for crossings, in which most of the time is spent. The module without simd128 is
-# for old engines, and small.
+# size but for the kernels and the search for crossings, in which most of the time is spent. The module without simd128
+# is for old engines, and small.
 small_levels() {   # source:level, of each source; one process for all, as there are many
     ls src/*/*.cpp c_api/*.cpp c_api/web/module.cpp | awk -v flags="$1" -v fast="$(
         grep -l '^#define HARMORPH_KERNELS' src/*/*.cpp | tr '\n' ' ')src/morph/crossing.cpp src/morph/touch.cpp" '
