@@ -10,6 +10,7 @@
 #                         tests/mutate.sh
 #   make sanitize         memory read before it is written, races between threads; see tests/sanitize.sh
 #   make test-python      the Python package of c_api/python, by PYTHON=/usr/bin/python3; see tests/python.sh
+#   make wheel            build/wheel/*.whl: the Python package in one file for every CPython from 3.9 on
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make test-petsc       harmorph_petsc.c on 1 to 4 processes, where petsc-dev is installed; MESHES=directory of SU2
 #                         files, LARGE="NI:NJ:FIRST ..." of O-meshes, PARTITIONS=012345 SOLVERS=01: tests/petsc/main.c
@@ -60,7 +61,7 @@
 	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
 	test-openfoam test-saturne test-systems \
-	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist
+	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist wheel
 
 BUILD = build
 # PREFIX is /usr/local if it is not given; DESTDIR is empty. Both come from the environment of the recipes, where make
@@ -222,6 +223,9 @@ test: all
 
 test-python: all
 	@CXX='$(CXX)' PYTHON='$(PYTHON)' sh tests/python.sh $(BUILD)
+
+wheel: all
+	@CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' sh c_api/packaging/wheel.sh $(BUILD)
 
 test-petsc: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' FFLAGS='$(FFLAGS)' MPICC='$(MPICC)' MESHES='$(MESHES)' sh tests/petsc.sh $(BUILD)

@@ -13,7 +13,8 @@ locales                             # faults: numbers where the decimal point is
 strace                              # faults: full disks, and kills at each system call
 chromium                            # page: the page of `harmorph explore` in a browser
 python3-dev python3-numpy python3-cffi python3-setuptools python3-pytest    # Python: the package and its tests
+python3-wheel python3-venv          # the same; README: the program in Python
 python3-scipy                       # Python: constraints and optimisers; measurements
-python3-wheel python3-build python3-venv    # Python: wheel and source distribution; README: the program in Python
+python3-build                       # Python: the source distribution
 python3-sphinx python3-myst-parser  # manual: the browsable manual
 LIST
