@@ -43,6 +43,8 @@
 #   make html             the browsable manual of all pages and headers in build/html; PYTHON needs Sphinx and MyST
 #   make fpm              build/fpm, a package for the Fortran package manager
 #   make test-packages    the Debian packages and the fpm package: built, checked and used, where Debian's tools are installed
+#   make test-release     builds all that a release gives away, and uses each of them from its files alone, in fresh systems,
+#                         too: hours; PARTS="wheel projects": some parts; see tests/release.sh
 #   make dist             build/harmorph-VERSION.tar.gz, the same bytes wherever it is made
 #   make install          headers, library, program, manual page, Fortran source, harmorph.pc, CMake config
 #   make install-library  headers, library, harmorph.pc and CMake config alone; the program is not built
@@ -61,7 +63,7 @@
 	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
 	test-openfoam test-saturne test-systems \
-	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist wheel
+	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist wheel test-release
 
 BUILD = build
 # PREFIX is /usr/local if it is not given; DESTDIR is empty. Both come from the environment of the recipes, where make
@@ -196,6 +198,10 @@ fpm: rules amalgamation
 
 test-packages: checked
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' FC='$(FC)' sh tests/packages.sh $(BUILD)
+
+test-release: all
+	@$(SCRIPT_JOBS); MAKE='$(MAKE)' PYTHON='$(PYTHON)' CC='$(CC)' FC='$(FC)' PARTS='$(PARTS)' SYSTEMS='$(SYSTEMS)' \
+	    MIRROR='$(MIRROR)' sh tests/release.sh $(BUILD) '$(ROOTS)'
 
 dist:
 	@mkdir -p $(BUILD)

@@ -30,6 +30,12 @@ assert os.path.realpath(harmorph.__file__).startswith(os.path.realpath('$dir/env
 assert os.path.isfile(os.path.join(os.path.dirname(harmorph.__file__), 'py.typed'))"
 }
 check "Python finds it there" is_inside
+# Names of a run-time library of C++ inside, if other extensions saw them, would join two versions of this library.
+one_name() {
+    names=$(nm -D --defined-only "$dir"/env/lib/python3*/site-packages/harmorph/_native*.so | awk '{ print $NF }')
+    [ "$names" = PyInit__native ] || { echo "$names" | head; return 1; }
+}
+if command -v nm >/dev/null; then check "the extension exports its beginning alone" one_name; fi
 cp "$package/examples/morph.py" "$dir/work"
 program() { cd "$dir/work" && "$python" morph.py | grep "^0 inverted cells; the mesh could follow"; }
 check "the program of README" program

@@ -94,9 +94,18 @@ class BuildNative(build_ext):
             objects.append(self._compiled(source, [*CORE_FLAGS, *includes]))
         target = Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
-        shared = ["-bundle", "-undefined", "dynamic_lookup"] if sys.platform == "darwin" else ["-shared"]
+        shared = self._shared(folder)
         flags = shlex.split(os.environ.get("LDFLAGS", ""))
         self._run([*self._cxx(), *shared, *flags, "-o", str(target), *objects, *zlib["link"], "-pthread"])
+
+    @staticmethod
+    def _shared(folder):
+        """The extension exports one name: a run-time library of C++ inside must not meet that of another extension."""
+        if sys.platform == "darwin":
+            return ["-bundle", "-undefined", "dynamic_lookup", "-Wl,-exported_symbol,_PyInit__native"]
+        script = folder / "exported.map"
+        script.write_text("{ global: PyInit__native; local: *; };\n", encoding="utf-8")
+        return ["-shared", f"-Wl,--version-script={script}"]
 
     @staticmethod
     def _declared_readers():
