@@ -23,6 +23,7 @@
 #                         the last tagged release, RELEASE=tarball, or BASE=revision
 #   make cross            other processors and systems under emulators, as far as Debian's cross compilers are there;
 #                         TARGETS="s390x musl"; see tests/cross/run.sh
+#   make compile-commands  BUILD/compile_commands.json, for editors and clang-tidy
 #   make compilers        all compilers that are installed, without a warning; LEVELS=-O2; see tests/compilers.sh
 #   make amalgamation     the library in one source with its headers, in build/amalgamation
 #   make test-systems     both commands of README.md in fresh systems, as the superuser: SYSTEMS="bookworm trixie", in the
@@ -59,11 +60,12 @@
 # cannot do without is added to CXXFLAGS.
 .POSIX:
 .SUFFIXES:
-.PHONY: all checked rules deform-seeded test-programs unit fuzzer fuzz test library-only tests-only coverage mutate sanitize test-petsc test-python mpi \
+.PHONY: all checked rules meshes deform-seeded test-programs unit fuzzer fuzz test library-only tests-only coverage mutate sanitize test-petsc test-python mpi \
 	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
 	test-openfoam test-saturne test-systems \
-	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist wheel test-release
+	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist compile-commands wheel \
+	test-release
 
 BUILD = build
 # PREFIX is /usr/local if it is not given; DESTDIR is empty. Both come from the environment of the recipes, where make
@@ -129,7 +131,8 @@ fuzz coverage mutate sanitize dist amalgamation clean: checked
 
 # What is joined or generated from sources, and the rules of all objects and programs.
 rules: checked
-	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit $(BUILD)/objects/fuzz
+	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit $(BUILD)/objects/fuzz \
+	    $(BUILD)/objects/mesh $(BUILD)/meshes
 	@LEVELS='$(LEVELS)' UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
 	    FLAGS='$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' sh c_api/packaging/rules.sh $(BUILD)
 
@@ -137,13 +140,27 @@ rules: checked
 deform-seeded: all
 	+@$(MAKE_BY_RULES) $(BUILD)/deform-seeded
 
+# The meshes of the demo and of the tests: a program of tests/meshes makes the largest of them.
+MESH = $(BUILD)/meshes/naca0012.su2
+meshes: rules
+	+@$(MAKE_BY_RULES) $(MESH)
+
+compile-commands: rules
+	@for source in src/*/*.cpp c_api/*.cpp; do echo "$$source|$(CORE)"; done >$(BUILD)/sources.txt
+	@for source in c_api/cli/*.cpp c_api/cli/*/*.cpp; do echo "$$source|$(CLI)"; done >>$(BUILD)/sources.txt
+	@for source in tests/main.cpp $(UNITS); do echo "$$source|$(UNIT)"; done >>$(BUILD)/sources.txt
+	@awk -F '|' -v folder="$$PWD" -v compiler='$(CXX)' 'BEGIN { print "[" } { \
+	    printf "%s{\"directory\": \"%s\", \"file\": \"%s\",\n \"command\": \"%s %s -c %s\"}", \
+	        (NR > 1 ? ",\n" : ""), folder, $$1, compiler, $$2, $$1 } END { print "\n]" }' \
+	    $(BUILD)/sources.txt >$(BUILD)/compile_commands.json
+
 library-only: rules
 	+@$(MAKE_BY_RULES) $(LIBRARY)
 
 tests-only: rules
 	+@$(MAKE_BY_RULES) $(BUILD)/tests
 
-unit: all
+unit: all meshes
 	@echo '#include <doctest/doctest.h>' | $(CXX) -x c++ -E - >/dev/null 2>&1 || \
 	    { echo "doctest/doctest.h not found: install Debian's doctest-dev"; exit 1; }
 	+@$(MAKE_BY_RULES) $(BUILD)/tests
@@ -151,7 +168,7 @@ unit: all
 
 # All programs that the tests run.
 test-programs: rules
-	+@$(MAKE_BY_RULES) $(LIBRARY) $(PROGRAM) $(BUILD)/tests $(BUILD)/fuzzer $(BUILD)/deform-seeded
+	+@$(MAKE_BY_RULES) $(LIBRARY) $(PROGRAM) $(BUILD)/tests $(BUILD)/fuzzer $(BUILD)/deform-seeded $(MESH)
 
 fuzzer: rules
 	+@$(MAKE_BY_RULES) $(BUILD)/fuzzer
@@ -199,7 +216,7 @@ fpm: rules amalgamation
 test-packages: checked
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' FC='$(FC)' sh tests/packages.sh $(BUILD)
 
-test-release: all
+test-release: all meshes
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' PYTHON='$(PYTHON)' CC='$(CC)' FC='$(FC)' PARTS='$(PARTS)' SYSTEMS='$(SYSTEMS)' \
 	    MIRROR='$(MIRROR)' sh tests/release.sh $(BUILD) '$(ROOTS)'
 
@@ -208,7 +225,7 @@ dist:
 	@sh c_api/packaging/dist.sh harmorph-$(VERSION) >$(BUILD)/harmorph-$(VERSION).tar.gz
 	@echo $(BUILD)/harmorph-$(VERSION).tar.gz
 
-cross: all
+cross: all meshes
 	@$(SCRIPT_JOBS); CC='$(CC)' TARGETS='$(TARGETS)' PARTS='$(PARTS)' sh tests/cross/run.sh $(BUILD)
 
 compilers: all
@@ -223,17 +240,17 @@ amalgamation:
 check-link: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/check_link.sh $(BUILD)
 
-test: all
+test: all meshes
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' \
 	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' sh tests/run.sh
 
-test-python: all
+test-python: all meshes
 	@CXX='$(CXX)' PYTHON='$(PYTHON)' sh tests/python.sh $(BUILD)
 
 wheel: all
 	@CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' sh c_api/packaging/wheel.sh $(BUILD)
 
-test-petsc: all
+test-petsc: all meshes
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' FFLAGS='$(FFLAGS)' MPICC='$(MPICC)' MESHES='$(MESHES)' sh tests/petsc.sh $(BUILD)
 
 test-openfoam: all
@@ -248,7 +265,7 @@ test-systems: checked
 bench-petsc: all
 	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/measure/bench/petsc.sh
 
-bench: all
+bench: all meshes
 	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' SIZES='$(SIZES)' KINDS='$(KINDS)' \
 	    PARTS='$(PARTS)' FUNCTIONS='$(FUNCTIONS)' THREADS='$(THREADS)' REPEATS='$(REPEATS)' \
 	    sh tests/measure/bench/run.sh
@@ -256,26 +273,26 @@ bench: all
 bench-rows: all
 	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' FILE='$(FILE)' sh tests/measure/bench/rows.sh
 
-deform: deform-seeded
+deform: deform-seeded meshes
 	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' SEEDS='$(SEEDS)' sh tests/figures.sh '$(BUILD)/deform' \
 	    'Large movements of meshes' \
 	    sh tests/measure/deform/run.sh
 
-compare: all
+compare: all meshes
 	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' sh tests/figures.sh '$(BUILD)/compare' \
 	    'Methods that deform meshes' sh tests/measure/compare/run.sh
 
-claims: all
+claims: all meshes
 	@$(SCRIPT_JOBS); $(PYTHON) tests/measure/claims/claims.py $(BUILD) $(NAMES)
 
-paper: all
+paper: all meshes
 	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' sh tests/figures.sh '$(BUILD)/paper' 'The cases of the paper' sh tests/measure/paper/run.sh
 
 bench-mpi: all
 	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/measure/bench/mpi.sh
 
-demo: all
-	$(PROGRAM) demo $(BUILD)/demo
+demo: all meshes
+	$(PROGRAM) demo $(BUILD)/demo --mesh $(MESH)
 	@ls $(BUILD)/demo/*.svg $(BUILD)/demo/*.html
 
 # What lies where after an installation; uninstall takes the same list away.
@@ -307,13 +324,13 @@ INSTALL_LIBRARY = to=$(INSTALLATION); set -e; umask 022; \
 	sed "s|@UP@|../..|; s|@VERSION@|$$version|" c_api/packaging/harmorph.pc.in >"$$to/lib/pkgconfig/harmorph.pc"; \
 	cp c_api/packaging/harmorphConfig.cmake c_api/packaging/harmorphConfigVersion.cmake "$$to/lib/cmake/harmorph/"
 
-install: manual
+install: manual meshes
 	@$(INSTALL_LIBRARY); \
 	mkdir -p "$$to/bin" "$$to/share/man/man1" "$$to/share/harmorph/openfoam" "$$to/share/harmorph/code_saturne"; \
 	cp $(PROGRAM) "$$to/bin/"; \
 	cp $(BUILD)/harmorph.1 "$$to/share/man/man1/"; \
 	cp $(BUILD)/harmorph*.f90 $(BUILD)/harmorph_mpi.c $(BUILD)/harmorph_petsc.c fortran/*.f90 \
-	    c_api/examples/read_su2.c c_api/examples/read_su2.h tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
+	    c_api/examples/read_su2.c c_api/examples/read_su2.h $(MESH) "$$to/share/harmorph/"; \
 	cp c_api/openfoam/*.cpp c_api/openfoam/*.hpp c_api/openfoam/Makefile "$$to/share/harmorph/openfoam/"; \
 	cp fortran/examples/code_saturne/*.f90 fortran/examples/code_saturne/mesh.awk \
 	    fortran/examples/code_saturne/cs_user_scripts.py "$$to/share/harmorph/code_saturne/"; \

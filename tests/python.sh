@@ -12,8 +12,8 @@ topic=Python log=$dir/log
 . "$(dirname "$0")/count.sh"
 rm -rf "$dir"
 mkdir -p "$dir/work"
-PYTHONDONTWRITEBYTECODE=1 HARMORPH_PROGRAM=$build/harmorph
-export PYTHONDONTWRITEBYTECODE HARMORPH_PROGRAM CXX PYTHON
+PYTHONDONTWRITEBYTECODE=1 HARMORPH_PROGRAM=$build/harmorph HARMORPH_MESHES=$build/meshes
+export PYTHONDONTWRITEBYTECODE HARMORPH_PROGRAM HARMORPH_MESHES CXX PYTHON
 package=$source/c_api/python
 
 cp "$build/libharmorph.a" "$dir/"
@@ -39,7 +39,7 @@ if $PYTHON -c 'import build.__main__' 2>/dev/null; then
         "$dir/env/bin/pip" install -q --no-index "$dir"/dist/harmorph-*.whl && cd "$dir/work" &&
             "$dir/env/bin/python" "$package/examples/morph.py" | grep "^0 inverted cells; the mesh could follow" &&
             "$dir/env/bin/python" -c "import harmorph
-assert harmorph.Mesh.read('$source/tests/meshes/naca0012.su2').report().inverted == 0"
+assert harmorph.Mesh.read('$HARMORPH_MESHES/naca0012.su2').report().inverted == 0"
     }
     check "this wheel works, too" installed
 else

@@ -31,6 +31,7 @@ part() {   # name, command: runs it, and adds up the counts that it prints
 made() {   # make's target, script that proves what was made
     $MAKE -s "$1" BUILD="$build" && shift && "$@"
 }
+export HARMORPH_MESHES=$build/meshes
 wheel() { HARMORPH_PROGRAM=$build/harmorph sh tests/wheel.sh "$(ls "$build"/wheel/*.whl)" "$build/release"; }
 source() {   # the one source by each compiler, with no flag but the level of optimisation
     status=0
@@ -46,11 +47,11 @@ source() {   # the one source by each compiler, with no flag but the level of op
 # In fresh systems: what a user gets is copied into them, and the sources of the tests beside.
 install_quietly='apt-get -qq update && apt-get -qq install -y --no-install-recommends >/dev/null'
 wheel_inside() {   # system: numpy, cffi and pytest are the system's; no compiler, no network
-    cp "$build"/wheel/*.whl "$folder/$1/root/" || return 1
+    rm -rf "$folder/$1/root/meshes" && cp -r "$build"/wheel/*.whl "$build/meshes" "$folder/$1/root/" || return 1
     inside "$1" "$install_quietly python3-numpy python3-cffi python3-scipy python3-venv python3-pytest &&
         ! command -v gcc && ! command -v c++" || return 1
     (alone=--net; inside "$1" 'cd /root/harmorph && python3 --version &&
-        sh tests/wheel.sh "$(ls /root/*.whl)" /root/out')
+        HARMORPH_MESHES=/root/meshes sh tests/wheel.sh "$(ls /root/*.whl)" /root/out')
 }
 packages_inside() {   # system, in which the packages were built: from the archives, by apt
     rm -rf "$folder/$1/root/debian" && mkdir -p "$folder/$1/root/debian" &&

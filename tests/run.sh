@@ -88,12 +88,12 @@ steps() {
     elif [ $doing = telling ]; then
         echo "== browsable manual: python3-sphinx or python3-myst-parser is not installed, its tests are SKIPPED"
     fi
-    step 2 "program" sh tests/cli/run.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
-    step 2 "faults of files" sh tests/faults.sh "$BUILD/harmorph" tests/meshes "$BUILD/faults"
+    step 2 "program" sh tests/cli/run.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/cli"
+    step 2 "faults of files" sh tests/faults.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/faults"
     step 1 "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"
-    step 2 "moved shapes" sh tests/airfoils.sh "$BUILD/harmorph" tests/meshes "$BUILD/airfoils-test"
-    step 2 "pictures of the program" sh tests/pictures.sh "$BUILD/harmorph" tests/meshes "$BUILD/pictures-test"
-    step 1 "page of the program" sh tests/page.sh "$BUILD/harmorph" tests/meshes "$BUILD/page-test"
+    step 2 "moved shapes" sh tests/airfoils.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/airfoils-test"
+    step 2 "pictures of the program" sh tests/pictures.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/pictures-test"
+    step 1 "page of the program" sh tests/page.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/page-test"
     step 2 "page of figures" sh tests/figures_test.sh "$BUILD/figures-test" "$BUILD"
     step 2 "includes point downwards" sh tests/includes.sh
 }

@@ -41,7 +41,7 @@ program() { cd "$dir/work" && "$python" morph.py | grep "^0 inverted cells; the 
 check "the program of README" program
 
 # pytest's last line is "293 passed, 2 skipped in 13.09s"; tests that are skipped are named with their reasons.
-(cd "$dir/work" && HARMORPH_MESHES=${HARMORPH_MESHES:-$source/tests/meshes} MPLBACKEND=agg "$python" -m pytest -q -rs \
+(cd "$dir/work" && MPLBACKEND=agg "$python" -m pytest -q -rs \
     --tb=short -p no:cacheprovider -c "$package/pyproject.toml" --rootdir "$package" "$package/tests") >"$log" 2>&1
 status=$?
 last=$(tail -n 1 "$log")

@@ -125,6 +125,14 @@ all_rules() {
     flags='$(UNIT) -Ic_api/cli' list=$parts
     objects fuzz tests/fuzz/*.cpp
     program fuzzer
+
+    # The meshes of the demo and of the tests: those of tests/meshes, and the one that a program makes.
+    flags='$(UNIT)' list=
+    objects mesh tests/meshes/make_naca0012.cpp
+    printf '%s/make_naca0012:%s\n\techo $(CXX) $@\n\t$(CXX) $(CXXFLAGS) -o $@%s $(LDFLAGS)\n' $build "$list" "$list"
+    printf '%s/meshes/naca0012.su2: %s/make_naca0012 %s\n\tcp tests/meshes/*.su2 tests/meshes/*.curve %s/meshes/\n' \
+        $build $build "$(echo tests/meshes/*.su2 tests/meshes/*.curve)" $build
+    printf '\t%s/make_naca0012 $@\n' $build
 }
 put rules.mk all_rules
 put depends.mk find $build/objects -name '*.d' -exec cat {} +
