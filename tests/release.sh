@@ -1,5 +1,5 @@
 #!/bin/sh
-# usage: release.sh BUILD FOLDER   (by `make test-release` after `make`; MAKE, PYTHON, CC, FC, JOBS from the environment)
+# usage: release.sh BUILD FOLDER   (by `make test-release` after `make`; MAKE, PYTHON, CC, FC, JOBS: the environment)
 # Builds all that a release gives away, and uses each of them as its page says, from the files that a user would get.
 # PARTS: some of the parts below, otherwise all. As the superuser, and with debootstrap, also in fresh systems of Debian
 # 12 and 13 in FOLDER, which see no more than their part needs: the wheel without compiler and network, the Debian
