@@ -13,7 +13,7 @@
  *   harmorph_study.h   diagnostics, and the schemes and engines of the paper
  *   harmorph_fields.h  swept areas, wall distances, coarse levels, fields of one mesh on another
  *   harmorph_space.h   meshes one cell thick, blocks in arrays of their own, meshes given as edges
- *   harmorph_parts.h   functions and meshes shared among processes (harmorph_mpi.h, _petsc.h)
+ *   harmorph_mpi.h, harmorph_petsc.h   several processes: functions or the mesh distributed
  *   harmorph_quality.h smooth bounds of the quality of a mesh, with derivatives, for optimisers
  *   harmorph_openmp.h, harmorph_pthreads.h, harmorph_pages.h   ready-made threads, huge pages
  *
@@ -653,10 +653,12 @@ HM_API hm_status hm_morph(const hm_basis* basis, const double* move, const hm_po
                           const hm_points_out* to, const hm_executor* executor, hm_error* err);
 /* The transpose of hm_morph. dj: derivatives of an objective J with respect to the mesh points (x:
  * dJ/dx_k, y: dJ/dy_k); gradient [2*functions]: derivatives with respect to the control points. The
- * result does not depend on the numbering of the mesh points, see hm_adjoint_scale of
- * harmorph_parts.h. If a number is not finite, the whole gradient is NaN. The morph F is linear, so
- * the product of the Hessian F^T H F of J and a vector v of movements is hm_adjoint of H times
- * hm_morph of v; H has the second derivatives of J with respect to the mesh points. */
+ * result does not depend on the numbering of the mesh points: products are rounded once and added
+ * as integers, in units of 2^-63 of a power of two up to 2 max|F| max|dj|. The error is at most
+ * 2^-51 sum|F dj| + N 2^-63 max|F| max|dj| for N points. If a number is not finite or a product
+ * could overflow, the whole gradient is NaN. The morph F is linear, so the product of the Hessian
+ * F^T H F of J and a vector v of movements is hm_adjoint of H times hm_morph of v; H has the second
+ * derivatives of J with respect to the mesh points. */
 HM_API hm_status hm_adjoint(const hm_basis* basis, const hm_points* dj, double* gradient,
                             const hm_executor* executor, hm_error* err);
 
