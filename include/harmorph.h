@@ -360,8 +360,11 @@ typedef struct hm_fit_report {
      * that are far apart at a round nose explain some of this distance, and a curve that bulges
      * between points the rest; above .002 chords, look at the curve. */
     double max_departure;
+    /* Bytes at the beginning of the block that the curves need; the rest of the block is free. */
+    uint64_t bytes;
 } hm_fit_report;
 
+/* Bytes of the block of hm_fit: the curves, and behind them working memory. */
 HM_API hm_status hm_fit_size(int32_t n, const hm_fit_options* options, size_t* bytes,
                              hm_error* err);
 /* Fits curves to n points in order, by least squares; knots are placed by arc length and curvature.
@@ -376,14 +379,13 @@ HM_API hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes,
  * boundary, joins the two sides of cuts (the trailing edge of a C-mesh), and fits each connected
  * piece, in the order of first faces, by curves of its own with n_control control points. The
  * report is that of the piece with the largest max_error. The size query reads the markers; *bytes
- * is enough for any number of pieces. A marker that no face has is refused (HM_BAD_CONDITION). */
+ * is enough for any number of pieces, with the working memory; only the first hm_fit_report.bytes
+ * of the block are needed afterwards. A marker that no face has is refused (HM_BAD_CONDITION). */
 HM_API hm_status hm_fit_marker_size(const hm_mesh* mesh, int32_t n_markers, const int32_t* markers,
-                                    const hm_fit_options* options, size_t* bytes,
-                                    size_t* work_bytes, hm_error* err);
+                                    const hm_fit_options* options, size_t* bytes, hm_error* err);
 HM_API hm_status hm_fit_marker(const hm_curves** curves, void* block, size_t bytes,
                                const hm_mesh* mesh, int32_t n_markers, const int32_t* markers,
-                               const hm_fit_options* options, hm_fit_report* report, void* work,
-                               size_t work_bytes, hm_error* err);
+                               const hm_fit_options* options, hm_fit_report* report, hm_error* err);
 
 /* ---- Problem: what is to be solved ---- */
 
@@ -592,6 +594,32 @@ typedef struct hm_solve_report {
  * HM_MULTIGRID starts from the functions of a solved basis: few iterations after a small step. */
 HM_API hm_status hm_plan_solve(hm_plan* plan, hm_basis* basis, hm_solve_report* report,
                                hm_error* err);
+
+/* ---- Setup: analysis, plan and basis in two blocks, for programs that keep them together ---- */
+
+typedef struct hm_setup {
+    uint64_t struct_size;
+    hm_analysis* analysis;
+    hm_plan* plan;   /* with a factor at the mesh's own coordinates; NULL before hm_setup_solve */
+    hm_basis* basis; /* solved; NULL before hm_setup_solve */
+    uint64_t solve_bytes; /* exact bytes of the block of hm_setup_solve */
+} hm_setup;
+
+/* Bytes of the first block, from the counts alone: those of hm_analysis_size. */
+HM_API hm_status hm_setup_size(const hm_problem* problem, const hm_options* options, size_t* bytes,
+                               hm_error* err);
+/* Does what hm_analysis_init does, and counts the bytes of plan and basis. Warnings are those of
+ * hm_analysis_init. A problem without conditions is refused (HM_BAD_ARGUMENT). */
+HM_API hm_status hm_setup_init(hm_setup* setup, void* block, size_t bytes,
+                               const hm_problem* problem, const hm_options* options, hm_error* err);
+/* Makes plan and basis in the second block, factors and solves, as hm_plan_init, hm_basis_init,
+ * hm_plan_factor and hm_plan_solve do with the same bits. report may be NULL. After a refused call
+ * setup is as before. The handles serve all other calls: to solve again on a moved mesh, call
+ * hm_plan_factor and hm_plan_solve with them. The basis lies at the beginning of the block, in
+ * front of the plan: where morphs follow alone, keep hm_basis_info.bytes bytes from setup.basis on.
+ */
+HM_API hm_status hm_setup_solve(hm_setup* setup, void* block, size_t bytes, hm_solve_report* report,
+                                hm_error* err);
 
 /* A basis is one block without pointers: write the block to a file unchanged (hm_basis_info.bytes),
  * read or map the file at a multiple of 8 bytes, and attach. Refused with the reason: no basis,

@@ -83,6 +83,7 @@ int main(void) {
     BEGINS(hm_condition);
     BEGINS(hm_problem);
     BEGINS(hm_options);
+    BEGINS(hm_setup);
     BEGINS(hm_solve_report);
     BEGINS(hm_basis_info);
     BEGINS(hm_step_report);

@@ -141,9 +141,10 @@ has_both() { grep hm_strategy_added "$dir/edited/$1" && grep '\badded\b' "$dir/e
 check "the new constant and member are in the module" has_both harmorph.f90
 check "the new constant and member are compared" has_both layout_f.inc
 
-# Every function of the headers must have an interface in the module, except hm_init, which sets the fields of C structs
-# to 0; the components of the derived types have initial values instead.
-not_for_fortran='hm_init'
+# Every function of the headers must have an interface in the module, with two exceptions. hm_init sets the fields of C
+# structs to 0; the components of the derived types have initial values instead. The calls hm_setup_* do what
+# plan%analyse, plan%factor and plan%solve do.
+not_for_fortran='hm_init|hm_setup_[a-z]*'
 missing() {
     for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' $headers | grep -vxE "$not_for_fortran"); do
         grep -q "name=\"$name\"" "$build/harmorph.f90" || echo "$name"
