@@ -5,8 +5,7 @@
 #include "curves/curves.hpp"
 #include "options/arguments.hpp"
 #include "work/basis_file.hpp"
-#include "work/engine_choice.hpp"
-#include "work/solve_options.hpp"
+#include "work/engine.hpp"
 
 #include <memory>
 #include <vector>

@@ -1,5 +1,3 @@
-#include "files/tasks.hpp"
-
 #include "files/threads.hpp"
 
 #include <algorithm>

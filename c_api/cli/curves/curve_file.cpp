@@ -1,12 +1,17 @@
+#include "curves/curve_file.hpp"
+
 #include "basics/library.hpp"
 #include "basics/numbers.hpp"
-#include "curves/curve_file.hpp"
+#include "curves/cad_curves.hpp"
+#include "curves/section.hpp"
 #include "files/text_file.hpp"
 
 #include <harmorph_design.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <ostream>
 #include <utility>
 
 namespace cli {
@@ -269,6 +274,61 @@ Curves read_curves(const std::string& path) { return CurveReader(TextFile(path))
 
 Curves read_curves(const std::string& path, std::string text) {
     return CurveReader(TextFile(path, std::move(text))).read();
+}
+
+// The extension of the path selects the format of a curve file.
+
+bool ends_with(const std::string& path, const std::string& ending) {
+    const auto same = [](char a, char b) {
+        return std::tolower(static_cast<unsigned char>(a)) == b;
+    };
+    if (path.size() < ending.size()) return false;
+    return std::equal(ending.rbegin(), ending.rend(), path.rbegin(),
+                      [&](char b, char a) { return same(a, b); });
+}
+
+void write_curve_file(OutputFiles& files, const std::string& path, const Curves& curves) {
+    std::ostream& out = files.add(path);
+    if (ends_with(path, ".igs") || ends_with(path, ".iges")) return write_iges(out, curves);
+    if (ends_with(path, ".stp") || ends_with(path, ".step")) return write_step(out, curves);
+    if (ends_with(path, ".nml")) return write_namelist(out, curves);
+    if (ends_with(path, ".dat")) return write_selig(out, curves);
+    write_curves(out, curves);
+}
+
+namespace {
+
+void write_numbers(std::ostream& out, const char* keyword, const std::vector<double>& values) {
+    out << keyword << ' ' << values.size() << '\n';
+    for (const double value : values) out << exact(value) << '\n';
+}
+
+void write_points(std::ostream& out, const Curves& curves) {
+    out << "points " << curves.points() << '\n';
+    for (std::size_t i = 0; i < curves.control.size(); i += 2) {
+        out << exact(curves.control[i]) << ' ' << exact(curves.control[i + 1]) << '\n';
+    }
+    if (!curves.weights.empty()) write_numbers(out, "weights", curves.weights);
+}
+
+void write_indices(std::ostream& out, const Curve& curve) {
+    out << "indices " << curve.indices.size() << '\n';
+    for (const std::int32_t index : curve.indices) out << index + 1 << '\n';
+}
+
+}  // namespace
+
+void write_curves(std::ostream& out, const Curves& curves) {
+    out << "# B-spline; control points are numbered from 1 in this order\n";
+    for (const Curve& curve : curves.curves) {
+        const bool first = &curve == &curves.curves.front();
+        if (!first) out << "curve\n";
+        out << "degree " << curve.degree << "\nclosed " << closed_name(curve.closed) << '\n';
+        if (first) write_points(out, curves);
+        if (curve.indices != default_indices(curves.points(), curve.degree, curve.closed))
+            write_indices(out, curve);
+        write_numbers(out, "knots", curve.knots);
+    }
 }
 
 }  // namespace cli
