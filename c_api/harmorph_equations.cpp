@@ -30,7 +30,7 @@ struct EquationsRequest : Request {
         if (problem.demands.slip_curves > 0) {
             wrong = "hm_condition.along is not available for a mesh in parts; leave it NULL";
         }
-        if (!problem.given.point.empty()) wrong = "problem.n_given must be 0 for a mesh in parts";
+        if (!problem.given.point.empty()) wrong = "problem.n_known must be 0 for a mesh in parts";
         if (wrong != nullptr) return fault.refuse(Status::unsupported, wrong);
         if (n_conditions > 0) return Status::ok;
         return fault.refuse(Status::bad_condition,

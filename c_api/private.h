@@ -150,7 +150,7 @@ HM_API hm_status hm_private_match_edges(hm_private_edge* edges, int64_t* n, hm_e
 typedef struct hm_private_equations hm_private_equations;
 
 /* Makes the equations of a part. problem: curves and conditions, the same in all parts;
- * problem.mesh is ignored, and n_given must be 0. options: operator, exponent, offset correction,
+ * problem.mesh is ignored, and n_known must be 0. options: operator, exponent, offset correction,
  * tolerance, kernel and executor count; scheme, engine and precision must be HM_COMPACT, HM_DIRECT
  * and HM_DOUBLE (else HM_UNSUPPORTED), though no engine is used. edges [n_edges]: the edges that
  * hm_private_match_edges has left of all parts, in any order, the same in all parts. The size is an

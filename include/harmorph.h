@@ -1,5 +1,6 @@
 /* clang-format off */
-/* harmorph morphs an airfoil and the CFD mesh around the airfoil together. MIT licence.
+/* harmorph morphs an airfoil and the CFD mesh around the airfoil together, in two dimensions. MIT
+ * licence.
  *
  * The airfoil is a B-spline curve. Each basis function N_i of the curve is boundary data for
  * Laplace's equation, or a related one, on the mesh. The solutions F_i are computed once, and then
@@ -7,27 +8,52 @@
  * (Nikolos, Lygidakis, Leloudas, Tavla, "Application of B-spline basis functions as harmonic
  * functions for the concurrent shape and mesh morphing of airfoils".)
  *
- * This header suffices for a solver on one process. The other headers contain, by topic:
- *   harmorph_design.h  evaluation, refinement and measures of curves, variables, slipping points
- *   harmorph_bases.h   bases made from another one: single precision, combined, finer, by table
- *   harmorph_study.h   diagnostics, and the schemes and engines of the paper
- *   harmorph_fields.h  swept areas, wall distances, coarse levels, fields of one mesh on another
- *   harmorph_space.h   meshes one cell thick, blocks in arrays of their own, meshes given as edges
- *   harmorph_mpi.h, harmorph_petsc.h   several processes: functions or the mesh distributed
- *   harmorph_quality.h smooth bounds of the quality of a mesh, with derivatives, for optimisers
- *   harmorph_openmp.h, harmorph_pthreads.h, harmorph_pages.h   ready-made threads, huge pages
+ * THE SHORTEST USE. `mesh` is an hm_mesh whose faces at the airfoil have the marker `wall`. The
+ * curve gets 20 control points; move [2*20] has the movement dx,dy of each of them.
+ *
+ *     hm_fit_marker_size(&mesh, 1, &wall, NULL, &bytes, &error);
+ *     hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, &wall, NULL, NULL, &error);
+ *     hm_condition on_curve = {sizeof on_curve, wall, HM_ON_CURVE};
+ *     on_curve.n_curves = curves->n_curves;
+ *     hm_problem problem = {sizeof problem, &mesh, curves, 1, &on_curve};
+ *     hm_setup setup = {sizeof setup};
+ *     hm_setup_size(&problem, NULL, &bytes, &error);
+ *     hm_setup_init(&setup, malloc(bytes), bytes, &problem, NULL, &error);
+ *     hm_setup_solve(&setup, malloc(setup.solve_bytes), setup.solve_bytes, NULL, &error);
+ *     hm_morph(setup.basis, move, &mesh.points, &to, NULL, &error);
+ *
+ * `to` is an hm_points_out, which may be the arrays of the mesh. Each call returns a status, which
+ * is negative if the call was refused; error.text then says why. c_api/examples/morph.c is a
+ * complete program of 60 lines.
+ *
+ * ORDER OF CALLS. Calls that end in _size say how many bytes the block of the next call takes.
+ *
+ *     hm_fit_marker, or hm_fit          a curve through the wall, unless there is one
+ *     hm_setup_init > hm_setup_solve    all of the next four lines, in two blocks
+ *         hm_analysis_init              checks, ordering, symbolic factorisation
+ *         hm_plan_init, hm_basis_init   memory for the factor, memory for the functions F_i
+ *         hm_plan_factor                matrix and factor
+ *         hm_plan_solve                 the functions
+ *     hm_morph, hm_adjoint, hm_assess   any number of times
+ *
+ * hm_morph and hm_adjoint need only the basis, hm_assess also the mesh. Keep the plan if you call
+ * hm_displace, hm_morph_safe, hm_displace_safe or hm_improve later, and the analysis if you call
+ * hm_slip later.
+ *
+ * HEADERS. This header suffices for a solver on one process. The other headers, by topic:
+ *
+ *     harmorph_design.h    evaluation, refinement, measures of curves; variables; slipping points
+ *     harmorph_bases.h     bases made from another one: single precision, combined, finer, by table
+ *     harmorph_quality.h   smooth bounds of the quality of a mesh, with derivatives, for optimisers
+ *     harmorph_fields.h    swept areas, wall distances, fields of one mesh on another
+ *     harmorph_space.h     meshes one cell thick, blocks in arrays of their own, meshes as edges
+ *     harmorph_study.h     diagnostics, and the schemes and engines of the paper
+ *     harmorph_mpi.h, harmorph_petsc.h   several processes: functions, or the mesh, distributed
+ *     harmorph_openmp.h, harmorph_pthreads.h, harmorph_pages.h   ready-made threads, huge pages
  *
  * CONVENTIONS hold for every function of these headers.
  *
  * Languages        C89 (with stdint.h), C99, C11, C++11 to C++20; no C++ run-time library.
- * Order of calls   hm_analysis_size > hm_analysis_init   checks, ordering, symbolic factorisation
- *                  hm_plan_size > hm_plan_init           memory for the matrix and the factor
- *                  hm_basis_size > hm_basis_init         memory for the functions F_i
- *                  hm_plan_factor > hm_plan_solve        matrix, factor, functions
- *                  hm_morph, hm_adjoint, hm_assess       any number of times
- *                  hm_morph and hm_adjoint need only the basis, hm_assess also the mesh. Keep the
- *                  plan if you call hm_displace, hm_morph_safe, hm_displace_safe or hm_improve
- *                  later, and the analysis if you call hm_slip later.
  * Memory           The library allocates no memory. A *_size function returns the exact number of
  *                  bytes; any alignment is accepted. An object lives inside the caller's block:
  *                  nothing has to be freed, and the block must not move while the object is in use
@@ -124,6 +150,9 @@ enum {
      * alike, see hm_basis_info.shared_point. error.other: the second one. hm_boundary_error: the
      * movement tears the two apart. error.value: the distance. */
     HM_TORN = 7,
+    /* hm_fit, hm_fit_marker: the curve is farther from a point (error.item) than
+     * hm_fit_details.tolerance. error.value: the largest distance. */
+    HM_FAR_FROM_POINTS = 8,
     HM_CANCELLED = -1,     /* the progress callback asked to stop; repeat the call to continue */
     HM_BAD_ARGUMENT = -2,  /* NULL, a size or number out of range, an unknown struct_size */
     HM_BAD_MESH = -3,      /* index, repeated point, non-manifold edge, inverted cell, coordinate */
@@ -453,11 +482,11 @@ typedef struct hm_problem {
     const hm_curves* curves;
     int32_t n_conditions;           /* at least one condition is on a curve, rigid or given */
     const hm_condition* conditions; /* [n_conditions] */
-    /* Curve points with a given parameter; the parameters of the others are found by projection. */
-    int32_t n_given;
-    const int32_t* given_points; /* [n_given] */
-    const int32_t* given_curves; /* [n_given] */
-    const double* given_u;       /* [n_given] */
+    /* Curve points with a known parameter; the parameters of the others are found by projection. */
+    int32_t n_known;
+    const int32_t* known_points; /* [n_known] */
+    const int32_t* known_curves; /* [n_known] */
+    const double* known_u;       /* [n_known] */
     /* [-] 0 .. 1e100. HM_FAR_FROM_CURVE: the distance of a point from its curve is at least 0.001
      * of the diagonal of the box around the curve, or the point is more than a quarter of a face
      * beyond the end of the curve. Refused (HM_BAD_CONDITION): a distance of at least this part of

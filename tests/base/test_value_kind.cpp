@@ -254,10 +254,10 @@ TEST_CASE("a basis gives back the conditions and options it was solved with") {
     problem.curves = &curves;
     problem.n_conditions = n;
     problem.conditions = found;
-    problem.n_given = std::int32_t(points.size());
-    problem.given_points = points.data();
-    problem.given_curves = on.data();
-    problem.given_u = u.data();
+    problem.n_known = std::int32_t(points.size());
+    problem.known_points = points.data();
+    problem.known_curves = on.data();
+    problem.known_u = u.data();
     Solved const again(problem, &options);
     REQUIRE(again.info().bytes == info.bytes);
     CHECK(std::memcmp(again.basis, solved.basis, std::size_t(info.bytes)) == 0);

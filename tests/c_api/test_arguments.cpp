@@ -101,10 +101,10 @@ TEST_CASE("curves and fits") {
         "curves, ?section, -, movements, values, move, ?derivatives, ?start, ?error, work, bytes",
         hm_move_section, &curves, &section, 1, &turn, values, map.data(), map.data() + 32, values,
         values, moved.data(), bytes);
-    check_arguments("curves, work_bytes", hm_family_modes_size, &curves, &bytes);
+    check_arguments("curves, bytes", hm_family_modes_size, &curves, &bytes);
     Guarded modes(bytes);
     map.assign(map.size(), 1);
-    check_arguments("curves, -, movements, singular, work, work_bytes", hm_family_modes, &curves, 1,
+    check_arguments("curves, -, movements, singular, work, bytes", hm_family_modes, &curves, 1,
                     map.data(), values, modes.data(), bytes);
 }
 

@@ -53,9 +53,9 @@ TEST_CASE("conditions and given parameters") {
     check_changes<P>(
         setup.problem(),
         {{nullptr, [](P&) {}},
-         {"given_u is NULL, but problem.n_given is 1", [](P& p) { p.given_points = nullptr; }},
-         {"given_u is NULL, but problem.n_given is 1", [](P& p) { p.given_curves = nullptr; }},
-         {"given_u is NULL, but problem.n_given is 1", [](P& p) { p.given_u = nullptr; }}},
+         {"known_u is NULL, but problem.n_known is 1", [](P& p) { p.known_points = nullptr; }},
+         {"known_u is NULL, but problem.n_known is 1", [](P& p) { p.known_curves = nullptr; }},
+         {"known_u is NULL, but problem.n_known is 1", [](P& p) { p.known_u = nullptr; }}},
         HM_BAD_ARGUMENT, size_of);
 }
 

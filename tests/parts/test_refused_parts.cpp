@@ -120,7 +120,7 @@ TEST_CASE("conditions that are refused for a whole mesh are refused for parts as
           "hm_condition.along is not available for a mesh in parts; leave it NULL");
     setup.conditions.pop_back();
     setup.give(0, 0.5);
-    CHECK(refusal([](Options&) {}) == "problem.n_given must be 0 for a mesh in parts");
+    CHECK(refusal([](Options&) {}) == "problem.n_known must be 0 for a mesh in parts");
 }
 
 TEST_CASE("arrays that are too short for the edges or the entries of a part are refused") {
