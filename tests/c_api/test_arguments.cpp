@@ -162,6 +162,8 @@ TEST_CASE("what a basis is asked for") {
                     g.numbers.data(), &curves, curve, 2);
     check_arguments("basis, ?out, -, n", hm_basis_conditions, g.basis, conditions, 4, &g.n);
     check_arguments("basis, -, -, values", hm_basis_values, g.basis, 0, 0, g.numbers.data());
+    std::vector<double> dense(2 * g.numbers.size() * 100);
+    check_arguments("basis, matrix", hm_basis_matrix, g.basis, dense.data());
     check_arguments("basis, bytes", hm_single_size, g.basis, &g.bytes);
     Guarded single(g.bytes);
     check_arguments("single, block, bytes, basis", hm_single_init, &made, single.data(), g.bytes,
