@@ -111,6 +111,9 @@ check "the lines of the first case of OpenFOAM" openfoam_case
 code_saturne_case() { block fortran/examples/code_saturne/README.md sh 1 | sh -n; }   # run.sh there runs the lines
 check "the lines of the first case of code_saturne" code_saturne_case
 
+# tests/projects.sh builds the projects of this page.
+for project in "cmake 1" "cmake 2" "ini 1" "meson 1"; do block c_api/packaging/README.md $project >/dev/null; done
+
 # Lines that no example has, inside programs that declare what the lines name.
 lines_of_c() {
     block c_api/README.md c 1 >"$dir/readme_given.inc"

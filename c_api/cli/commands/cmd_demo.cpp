@@ -137,7 +137,7 @@ void write_sign(const std::string& path) {
 void run_demo(const Arguments& arguments) {
     const std::string folder = arguments.operand(0);
     const std::string shipped =
-        arguments.has("--mesh") ? arguments.text("--mesh") : "tests/meshes/naca0012.su2";
+        arguments.has("--mesh") ? arguments.text("--mesh") : "build/meshes/naca0012.su2";
     if (!exists(shipped)) {
         throw Failure(exit_file, shipped +
                                      " does not exist; run the demo in the folder of harmorph, or "
@@ -192,7 +192,7 @@ const Command demo_command = {
     "that is not empty is refused,\n"
     "unless an earlier demo made it.\n",
     {{"--mesh", "FILE",
-      "mesh with a marker `airfoil` of chord 1 (default tests/meshes/naca0012.su2)",
+      "mesh with a marker `airfoil` of chord 1 (default build/meshes/naca0012.su2)",
       FileUse::input}},
     "  harmorph demo demo-output\n",
     run_demo};
