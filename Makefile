@@ -11,6 +11,8 @@
 #   make sanitize         memory read before it is written, races between threads; see tests/sanitize.sh
 #   make test-python      the Python package of c_api/python, by PYTHON=/usr/bin/python3; see tests/python.sh
 #   make wheel            build/wheel/*.whl: the Python package in one file for every CPython from 3.9 on
+#   make web              build/web/harmorph-VERSION.tgz, the library as WebAssembly in a package for npm (c_api/web)
+#   make test-web         this package in node, and in Chromium where Chromium is installed
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make test-petsc       harmorph_petsc.c on 1 to 4 processes, where petsc-dev is installed; MESHES=directory of SU2
 #                         files, LARGE="NI:NJ:FIRST ..." of O-meshes, PARTITIONS=012345 SOLVERS=01: tests/petsc/main.c
@@ -64,8 +66,8 @@
 	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
 	test-openfoam test-saturne test-systems \
-	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist compile-commands wheel \
-	test-release
+	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist \
+	compile-commands wheel test-release web-tools web-modules web test-web
 
 BUILD = build
 # PREFIX is /usr/local if it is not given; DESTDIR is empty. Both come from the environment of the recipes, where make
@@ -98,9 +100,16 @@ WARNINGS = -Wall -Wextra -Wconversion -Wshadow
 # No C++ runtime, no errno, so that only mem* stay undefined; no contraction, so that compilers agree on bits. Callers may
 # trap floating-point exceptions: so -fno-trapping-math, which lets compilers divide where the program does not, is not here;
 # what clang needs for that is in src/base/types.hpp.
-CORE = -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off \
+FREESTANDING = -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off \
 	-fno-threadsafe-statics -fno-stack-protector -fno-asynchronous-unwind-tables -U_FORTIFY_SOURCE \
-	-fvisibility=hidden -fPIC $(WARNINGS) -Iinclude -Isrc -Ic_api
+	-fvisibility=hidden -Iinclude -Isrc -Ic_api
+CORE = $(FREESTANDING) -fPIC $(WARNINGS)
+# The library as WebAssembly (c_api/web): Debian's clang and lld suffice. Nothing is imported; a stack that is too small
+# traps, as the stack comes first; what the library is given can be as large as 32 bits can address.
+WASM_CXX = clang++
+WASM = --target=wasm32 -mbulk-memory -nostdlibinc -isystem c_api/web/freestanding $(FREESTANDING) -I$(BUILD)/web
+WASM_LINK = --target=wasm32 -nostdlib -Wl,--no-entry,--gc-sections,--strip-all,-O2,--stack-first,-z,stack-size=262144 \
+	-Wl,--max-memory=4294967296,--export=__heap_base,--export-table,--growable-table
 CLI = -std=c++17 -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) $(WITH_ZLIB) -I. -Iinclude -Ic_api/cli
 # CGNS=1: the program reads and writes CGNS files; it needs libcgns (Debian's libcgns-dev), the library does not.
 CGNS =
@@ -131,10 +140,11 @@ fuzz coverage mutate sanitize dist amalgamation clean: checked
 
 # What is joined or generated from sources, and the rules of all objects and programs.
 rules: checked
-	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit $(BUILD)/objects/fuzz \
-	    $(BUILD)/objects/mesh $(BUILD)/meshes
+	@mkdir -p $(BUILD)/web $(BUILD)/meshes && cd $(BUILD) && mkdir -p objects/core objects/cli objects/unit objects/fuzz objects/mesh \
+	    objects/harmorph objects/harmorph_simd128
 	@LEVELS='$(LEVELS)' UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
-	    FLAGS='$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' sh c_api/packaging/rules.sh $(BUILD)
+	    FLAGS='$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' WASM_FLAGS='$(WASM_CXX) $(WASM) $(WASM_LINK)' \
+	    sh c_api/packaging/rules.sh $(BUILD)
 
 # The random movements of `make deform`; `make test` compiles them, too.
 deform-seeded: all
@@ -185,6 +195,18 @@ mutate:
 
 sanitize:
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' sh tests/sanitize.sh
+
+# The library as WebAssembly, and the package for npm.
+WEB = $(BUILD)/web/harmorph.wasm $(BUILD)/web/harmorph_simd128.wasm
+web-tools: checked
+	@WASM_CXX='$(WASM_CXX)' sh c_api/web/pack.sh tools
+web-modules: web-tools rules
+	+@$(MAKE_BY_RULES) $(WEB)
+web: web-modules
+	@VERSION=$(VERSION) sh c_api/web/pack.sh pack $(BUILD)
+
+test-web: all web
+	@CC='$(CC)' sh tests/web.sh $(BUILD)
 
 mpi: all
 	$(MPICC) $(CFLAGS) -Wall -Wextra -Wno-missing-field-initializers -fPIC -Iinclude -Ic_api -c -o $(BUILD)/objects/harmorph_mpi.o c_api/mpi/harmorph_mpi.c

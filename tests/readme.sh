@@ -79,8 +79,8 @@ if $PYTHON -c 'import numpy, cffi, wheel, setuptools, venv, ensurepip' 2>/dev/nu
     warped() { "$dir/env/bin/python" "$dir/warp.py" | grep -E '^The wall is (0.0|[0-9.]+e-1[5-9]) away'; }
     check "the grid of ADflow is warped" warped
     from_wheel() {
-        cp "$build/libharmorph.a" "$dir" && CXXFLAGS=-O0 sh c_api/packaging/wheel.sh "$dir" && cp "$dir"/wheel/*.whl "$dir" &&
-            path c_api/python/README.md 1 "^0 inverted cells; the mesh could follow"
+        cp "$build/libharmorph.a" "$dir" && CXXFLAGS=-O0 sh c_api/packaging/wheel.sh "$dir" &&
+            cp "$dir"/wheel/*.whl "$dir" && path c_api/python/README.md 1 "^0 inverted cells; the mesh could follow"
     }
     check "the lines that install a wheel" from_wheel
     if $PYTHON -c 'import torch' 2>/dev/null; then

@@ -1,10 +1,10 @@
 #!/bin/sh
-# usage: release.sh BUILD FOLDER   (by `make test-release`; MAKE, PYTHON, CC, FC, JOBS from the environment; after `make`)
+# usage: release.sh BUILD FOLDER   (by `make test-release` after `make`; MAKE, PYTHON, CC, FC, JOBS: the environment)
 # Builds all that a release gives away, and uses each of them as its page says, from the files that a user would get.
 # PARTS: some of the parts below, otherwise all. As the superuser, and with debootstrap, also in fresh systems of Debian
-# 12 and 13 in FOLDER, which see no more than their part needs: the wheel without compiler and network, the Debian packages
-# installed by apt, and the tarball with both commands of README. Each part prints a line of counts; the last line is their
-# sum. The tools that Debian builds packages with, Meson and clang are used where they are installed.
+# 12 and 13 in FOLDER, which see no more than their part needs: the wheel without compiler and network, the Debian
+# packages installed by apt, and the tarball with both commands of README. Each part prints a line of counts; the last
+# line is their sum. The tools that Debian builds packages with, Meson and clang are used where they are installed.
 : "${PARTS:=tarball wheel source packages projects web installed systems}"
 : "${MAKE:=make}" "${PYTHON:=/usr/bin/python3}" "${JOBS:=2}" "${SYSTEMS:=bookworm trixie}"
 export MAKE PYTHON JOBS SYSTEMS

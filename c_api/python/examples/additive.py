@@ -1,7 +1,7 @@
 """Morphs a mesh forward and back 1000 times: the last mesh has the bits of the first.
 
-Coordinates are never added up. `morph.morph(total)` starts from `morph.start` each time, so a mesh depends on the sum of
-the movements alone; and the sums are exact, as all movements are whole multiples of one power of two.
+Coordinates are never added up. `morph.morph(total)` starts from `morph.start` each time, so a mesh depends on the sum
+of the movements alone; and the sums are exact, as all movements are whole multiples of one power of two.
 """
 import harmorph
 import numpy as np

@@ -67,12 +67,14 @@ def test_data_set(meshes, program, tmp_path):
     commands = (
         ("fit", mesh, "--marker", "airfoil", "-o", "curve"),
         ("solve", mesh, "--curve", "airfoil=curve", "-o", "basis"),
-        ("sample", mesh, "basis", "--naca", "--count", 60, "--wall-distance", "--inside", "thickness=.08,.2", "-o", "set"),
+        ("sample", mesh, "basis", "--naca", "--count", 60, "--wall-distance", "--inside",
+         "thickness=.08,.2", "-o", "set"),
     )
     for command in commands:
         subprocess.run([program, *map(str, command)], cwd=tmp_path, check=True, capture_output=True)
     text = run("dataset/distance.py", tmp_path, mesh, "set", needs=["torch"])
-    trained, tested, out = (int(n) for n in re.match(r"(\d+) designs to train, (\d+) to test, (\d+) out", text).groups())
+    counts = re.match(r"(\d+) designs to train, (\d+) to test, (\d+) out", text).groups()
+    trained, tested, out = map(int, counts)
     assert trained + tested + out == 60 and min(trained, tested, out) > 0
     assert number(r"\ntest: .* chords, # times less", text) > 5
     assert number(r"out of range: .* chords, # times less", text) > 5
