@@ -8,6 +8,7 @@
 : "${PARTS:=tarball wheel source packages projects web installed systems}"
 : "${MAKE:=make}" "${PYTHON:=/usr/bin/python3}" "${JOBS:=2}" "${SYSTEMS:=bookworm trixie}"
 export MAKE PYTHON JOBS SYSTEMS
+given=$1
 mkdir -p "$1/release" && build=$(cd "$1" && pwd) && top=$(pwd) || exit 1
 roots=${2:?usage: release.sh BUILD FOLDER}
 topic=release log=$build/release/log
@@ -86,8 +87,10 @@ for name in $PARTS; do
     packages) part packages sh tests/packages.sh "$build" ;;
     projects) part projects sh tests/projects.sh "$build" ;;
     web)
-        if [ -d c_api/web ]; then part web made web $MAKE -s test-web BUILD="$build"
-        else echo "skipped: the packages for browsers, as c_api/web is not there"; fi ;;
+        without=
+        for tool in clang++ wasm-ld node npm; do command -v $tool >/dev/null || without="$without $tool"; done
+        if [ -z "$without" ]; then part web $MAKE -s test-web BUILD="$given"
+        else echo "skipped: the package for npm, as not installed:$without"; fi ;;
     installed | systems)
         if ! can_make_systems; then
             echo "skipped: $name in fresh systems, which need the superuser, debootstrap and unshare"
