@@ -10,6 +10,7 @@
 #                         tests/mutate.sh
 #   make sanitize         memory read before it is written, races between threads; see tests/sanitize.sh
 #   make test-python      the Python package of c_api/python, by PYTHON=/usr/bin/python3; see tests/python.sh
+#   make wheel            build/wheel/*.whl: the Python package in one file for every CPython from 3.9 on
 #   make web              build/web/harmorph-VERSION.tgz, the library as WebAssembly in a package for npm (c_api/web)
 #   make test-web         this package in node, and in Chromium where Chromium is installed
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
@@ -45,6 +46,8 @@
 #   make html             the browsable manual of all pages and headers in build/html; PYTHON needs Sphinx and MyST
 #   make fpm              build/fpm, a package for the Fortran package manager
 #   make test-packages    the Debian packages and the fpm package: built, checked and used, where Debian's tools are installed
+#   make test-release     builds all that a release gives away, and uses each of them from its files alone, in fresh systems,
+#                         too: hours; PARTS="wheel projects": some parts; see tests/release.sh
 #   make dist             build/harmorph-VERSION.tar.gz, the same bytes wherever it is made
 #   make install          headers, library, program, manual page, Fortran source, harmorph.pc, CMake config
 #   make install-library  headers, library, harmorph.pc and CMake config alone; the program is not built
@@ -63,8 +66,8 @@
 	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
 	test-openfoam test-saturne test-systems \
-	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist compile-commands \
-	web-tools web-modules web test-web
+	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist \
+	compile-commands wheel test-release web-tools web-modules web test-web
 
 BUILD = build
 # PREFIX is /usr/local if it is not given; DESTDIR is empty. Both come from the environment of the recipes, where make
@@ -235,6 +238,10 @@ fpm: rules amalgamation
 test-packages: checked
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' FC='$(FC)' sh tests/packages.sh $(BUILD)
 
+test-release: all meshes
+	@$(SCRIPT_JOBS); MAKE='$(MAKE)' PYTHON='$(PYTHON)' CC='$(CC)' FC='$(FC)' PARTS='$(PARTS)' SYSTEMS='$(SYSTEMS)' \
+	    MIRROR='$(MIRROR)' sh tests/release.sh $(BUILD) '$(ROOTS)'
+
 dist:
 	@mkdir -p $(BUILD)
 	@sh c_api/packaging/dist.sh harmorph-$(VERSION) >$(BUILD)/harmorph-$(VERSION).tar.gz
@@ -261,6 +268,9 @@ test: all meshes
 
 test-python: all meshes
 	@CXX='$(CXX)' PYTHON='$(PYTHON)' sh tests/python.sh $(BUILD)
+
+wheel: all
+	@CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' sh c_api/packaging/wheel.sh $(BUILD)
 
 test-petsc: all meshes
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' FFLAGS='$(FFLAGS)' MPICC='$(MPICC)' MESHES='$(MESHES)' sh tests/petsc.sh $(BUILD)
@@ -309,7 +319,7 @@ demo: all meshes
 
 # What lies where after an installation; uninstall takes the same list away.
 INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/harmorph.h include/harmorph_design.h \
-	include/harmorph_space.h include/harmorph_parts.h include/harmorph_study.h include/harmorph_openmp.h \
+	include/harmorph_space.h include/harmorph_study.h include/harmorph_openmp.h \
 	include/harmorph_quality.h include/harmorph_bases.h \
 	include/harmorph_pthreads.h include/harmorph_mpi.h include/harmorph_petsc.h include/harmorph_pages.h \
 	include/harmorph_fields.h \

@@ -15,8 +15,9 @@ strace                              # faults: full disks, and kills at each syst
 chromium                            # page: the page of `harmorph explore` in a browser
 clang lld node-typescript           # package for npm: the library as WebAssembly in node
 python3-dev python3-numpy python3-cffi python3-setuptools python3-pytest    # Python: the package and its tests
+python3-wheel python3-venv          # the same; README: the program in Python
 python3-scipy                       # Python: constraints and optimisers; measurements
-python3-wheel python3-build python3-venv    # Python: wheel and source distribution; README: the program in Python
+python3-build                       # Python: the source distribution
 python3-sphinx python3-myst-parser  # manual: the browsable manual
 LIST
 # Package for npm. Where node and npm have come from elsewhere, Debian's npm may conflict with them.
