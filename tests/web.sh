@@ -78,7 +78,7 @@ commands() (   # folder, program...
         "$@" solve "$naca" --curve airfoil=airfoil.curve --kernel baseline --threads 1 -o airfoil.basis >solve.txt &&
         "$@" morph "$naca" airfoil.basis --move moves.txt -o moved.su2 >morph.txt &&
         "$@" check moved.su2 --json >check.json &&
-        "$@" convert moved.su2 -o moved.vtu >convert.txt || exit 1
+        "$@" convert moved.su2 moved.vtu >convert.txt || exit 1
     if "$@" check no.su2 >/dev/null 2>refusal.txt; then exit 1; fi
     # Times, and the sizes of objects, in which addresses are shorter, are others.
     for text in solve.txt morph.txt; do
