@@ -319,7 +319,7 @@ demo: all meshes
 
 # What lies where after an installation; uninstall takes the same list away.
 INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/harmorph.h include/harmorph_design.h \
-	include/harmorph_space.h include/harmorph_parts.h include/harmorph_study.h include/harmorph_openmp.h \
+	include/harmorph_space.h include/harmorph_study.h include/harmorph_openmp.h \
 	include/harmorph_quality.h include/harmorph_bases.h \
 	include/harmorph_pthreads.h include/harmorph_mpi.h include/harmorph_petsc.h include/harmorph_pages.h \
 	include/harmorph_fields.h \

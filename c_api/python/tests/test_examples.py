@@ -55,6 +55,11 @@ def test_finite_elements(tmp_path):
     assert number("area: # less", text) == pytest.approx(number("section of # more", text), rel=5e-3)
 
 
+def test_batch(tmp_path):
+    text = run("batch.py", tmp_path)
+    assert text.startswith("1000 designs") and number("is # of the largest", text) < 1e-14
+
+
 def test_additive(tmp_path):
     text = run("additive.py", tmp_path)
     assert "back: the bits of the first mesh" in text
