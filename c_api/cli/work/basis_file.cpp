@@ -197,16 +197,16 @@ void Basis::find_curves(const Mesh& mesh) {
     std::vector<double> moves(2 * static_cast<std::size_t>(info_.functions) + 1);  // never empty
     const hm_points at = mesh.coordinates();
     hm_error error = {};
-    double turned_offset = 0;
+    double rotated_offset = 0;
     const hm_status status =
-        hm_recover_movement(basis_, &at, 0, moves.data(), &distance_, &turned_offset, nullptr,
+        hm_recover_movement(basis_, &at, 0, moves.data(), &distance_, &rotated_offset, nullptr,
                             work.data(), bytes, &error);
     if (status == HM_BAD_MESH) {
         why_on_no_curve_ = mesh.file.path() + ": " + error.text;
         return;
     }
     if (status < 0) refuse(error, path_);
-    distance_ = std::fabs(distance_ - turned_offset);  // without the offsets that turned
+    distance_ = std::fabs(distance_ - rotated_offset);  // without the offsets that turned
     moved_control_.resize(2 * static_cast<std::size_t>(n_control()) + 1);
     call(path_, hm_moved_curves, basis_, moves.data(), moved_control_.data(), &moved_curves_,
          curve_.data(), info_.curves);
