@@ -2,7 +2,7 @@
 # usage: projects.sh BUILD   (MAKE, CC, FC from the environment; after `make`)
 # Projects of others that build harmorph from the tarball of `make dist`, by the lines of c_api/packaging/README.md:
 # CMake with FetchContent, Meson with a subproject; and CMake with find_package from an installation. Each has one
-# program in C and one in Fortran, those of README. Without optimisation, to be quick.
+# program in C and one in Fortran, those of README.
 : "${MAKE:=make}" "${CC:=cc}" "${FC:=gfortran}"
 build=$(cd "$1" && pwd)
 source=$(pwd)

@@ -78,7 +78,20 @@ if $PYTHON -c 'import numpy, cffi, wheel, setuptools, venv, ensurepip' 2>/dev/nu
     block c_api/python/README.md python 1 >"$dir/warp.py"
     warped() { "$dir/env/bin/python" "$dir/warp.py" | grep -E '^The wall is (0.0|[0-9.]+e-1[5-9]) away'; }
     check "the grid of ADflow is warped" warped
+    from_wheel() {
+        cp "$build/libharmorph.a" "$dir" && CXXFLAGS=-O0 sh c_api/packaging/wheel.sh "$dir" &&
+            cp "$dir"/wheel/*.whl "$dir" && path c_api/python/README.md 1 "^0 inverted cells; the mesh could follow"
+    }
+    check "the lines that install a wheel" from_wheel
+    if $PYTHON -c 'import torch' 2>/dev/null; then
+        check "a data set to the end" path c_api/python/examples/dataset/README.md 1 "^test: .* times less"
+    else
+        block c_api/python/examples/dataset/README.md sh 1 >/dev/null
+        skip "a data set to the end" "PyTorch is not installed for $PYTHON"
+    fi
 else
+    block c_api/python/README.md sh 1 >/dev/null
+    block c_api/python/examples/dataset/README.md sh 1 >/dev/null
     block README.md sh 2 >/dev/null
     block c_api/python/README.md python 1 >/dev/null
     skip "the program in Python" "numpy, cffi, wheel, setuptools or venv is not installed for $PYTHON"

@@ -1,13 +1,14 @@
 #!/bin/sh
-# usage: release.sh BUILD FOLDER   (by `make test-release`; MAKE, PYTHON, CC, FC, JOBS from the environment; after `make`)
+# usage: release.sh BUILD FOLDER   (by `make test-release` after `make`; MAKE, PYTHON, CC, FC, JOBS: the environment)
 # Builds all that a release gives away, and uses each of them as its page says, from the files that a user would get.
 # PARTS: some of the parts below, otherwise all. As the superuser, and with debootstrap, also in fresh systems of Debian
-# 12 and 13 in FOLDER, which see no more than their part needs: the wheel without compiler and network, the Debian packages
-# installed by apt, and the tarball with both commands of README. Each part prints a line of counts; the last line is their
-# sum. The tools that Debian builds packages with, Meson and clang are used where they are installed.
+# 12 and 13 in FOLDER, which see no more than their part needs: the wheel without compiler and network, the Debian
+# packages installed by apt, and the tarball with both commands of README. Each part prints a line of counts; the last
+# line is their sum. The tools that Debian builds packages with, Meson and clang are used where they are installed.
 : "${PARTS:=tarball wheel source packages projects web installed systems}"
 : "${MAKE:=make}" "${PYTHON:=/usr/bin/python3}" "${JOBS:=2}" "${SYSTEMS:=bookworm trixie}"
 export MAKE PYTHON JOBS SYSTEMS
+given=$1
 mkdir -p "$1/release" && build=$(cd "$1" && pwd) && top=$(pwd) || exit 1
 roots=${2:?usage: release.sh BUILD FOLDER}
 topic=release log=$build/release/log
@@ -86,8 +87,10 @@ for name in $PARTS; do
     packages) part packages sh tests/packages.sh "$build" ;;
     projects) part projects sh tests/projects.sh "$build" ;;
     web)
-        if [ -d c_api/web ]; then part web made web $MAKE -s test-web BUILD="$build"
-        else echo "skipped: the packages for browsers, as c_api/web is not there"; fi ;;
+        without=
+        for tool in clang++ wasm-ld node npm; do command -v $tool >/dev/null || without="$without $tool"; done
+        if [ -z "$without" ]; then part web $MAKE -s test-web BUILD="$given"
+        else echo "skipped: the package for npm, as not installed:$without"; fi ;;
     installed | systems)
         if ! can_make_systems; then
             echo "skipped: $name in fresh systems, which need the superuser, debootstrap and unshare"

@@ -82,7 +82,7 @@ steps() {
         step 2 "Python" sh tests/python.sh "$BUILD"
         step 2 "given displacements on meshes" env MESHES="$MESHES" sh tests/measure/given/run.sh "$BUILD"
     elif [ $doing = telling ]; then
-        echo "== Python: $PYTHON lacks numpy, cffi, pytest, setuptools, wheel or venv (python3-...): its tests are SKIPPED"
+        echo "== Python: $PYTHON lacks numpy, cffi, pytest, setuptools, wheel or venv: its tests are SKIPPED"
     fi
     if $PYTHON -c 'import sphinx, myst_parser' 2>/dev/null; then step 2 "browsable manual" sh tests/html.sh "$BUILD"
     elif [ $doing = telling ]; then

@@ -1,6 +1,6 @@
 # Sourced by the scripts that run something in fresh systems, which debootstrap makes in the folder $folder, as the
-# superuser. MIRROR: where packages come from, otherwise as the system's apt has it; CCACHE_DIR: a compiler cache that the
-# systems share. Systems that are in the folder are used again. alone=--net: without a network.
+# superuser. MIRROR: where packages come from, otherwise as the system's apt has it; CCACHE_DIR: a compiler cache that
+# the systems share. Systems that are in the folder are used again. alone=--net: without a network.
 : "${MIRROR=}" "${CCACHE_DIR=}" "${alone=}"
 for tool in debootstrap unshare chroot; do
     command -v $tool >/dev/null || { echo "$tool not found: install Debian's debootstrap and util-linux"; exit 1; }

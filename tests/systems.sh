@@ -1,8 +1,8 @@
 #!/bin/sh
 # usage: systems.sh FOLDER   (by `make test-systems`, as the superuser)
-# Unpacks the tarball of `make dist` in fresh systems, which debootstrap makes in FOLDER (system.sh), and runs README.md's
-# two commands there (.ci/run): SYSTEMS="bookworm trixie" are Debian 12 and 13; of a system that is no release (unstable)
-# only the first command and what the library needs from outside, as its packages change every day.
+# Unpacks the tarball of `make dist` in fresh systems, which debootstrap makes in FOLDER (system.sh), and runs the two
+# commands of README.md there (.ci/run): SYSTEMS="bookworm trixie" are Debian 12 and 13; of a system that is no release
+# (unstable) only the first command and what the library needs from outside, as its packages change every day.
 : "${SYSTEMS:=bookworm trixie}"
 mkdir -p "${1:?usage: systems.sh FOLDER}" && folder=$(cd "$1" && pwd) || exit 1
 topic=systems log=$folder/log

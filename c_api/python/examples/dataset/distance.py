@@ -1,4 +1,4 @@
-"""Learns the distance to the wall from a set of `harmorph sample --wall-distance`: a Dataset of PyTorch, and a linear model.
+"""Learns the distance to the wall from a set of `harmorph sample`: a Dataset of PyTorch, and a linear model.
 
 usage: distance.py MESH SET
 """
