@@ -53,7 +53,7 @@ HM_API hm_status hm_single_init(hm_basis** single, void* block, size_t bytes, co
  * control point 0 first; controls = functions - 2 * bodies - modes of the given basis; numbers 1:
  * real values, 2: pairs x,y, complex numbers (those of hm_variables_map). Rigid bodies and modes
  * keep their functions after the n. Points are moved, gradients formed, and curves moved
- * (hm_moved_curves) by variables instead of control points; the basis has the memory of n
+ * (hm_basis_curves) by variables instead of control points; the basis has the memory of n
  * functions, and the first basis is no longer needed. Values are real if those of the first basis
  * and the matrix are. If the matrix of a variable or the functions are complex, the movement is
  * rotated by the angle of the variable; a variable that is one number v moves by (v, 0).

@@ -40,15 +40,13 @@ HM_API hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_mar
                                       const int32_t* markers, int32_t piece, int32_t* points,
                                       int32_t capacity, int32_t* n, int32_t* is_loop,
                                       hm_error* err);
-/* The curves that the basis was solved with (index_base 0). curve [capacity >= info.curves]
- * receives the curves, to which out->curve points; all other arrays are inside the basis. */
-HM_API hm_status hm_basis_curves(const hm_basis* basis, hm_curves* out, hm_curve* curve,
-                                 int32_t capacity, hm_error* err);
-/* The same curves after one movement: control [2*n_control] receives the control points of the
- * basis plus `move` (see hm_morph; rigid bodies have no curve), and out->control points there.
- * After several morphs in place, `move` is the sum of their movements, which hm_recover_movement
- * finds from the mesh. */
-HM_API hm_status hm_moved_curves(const hm_basis* basis, const double* move, double* control,
+/* The curves of a basis (index_base 0): those that the basis was solved with (move NULL; control is
+ * not used), or those after one movement. In the latter case control [2*n_control] receives the
+ * control points of the basis plus `move` (see hm_morph; rigid bodies have no curve), and
+ * out->control points there. After several morphs in place, `move` is the sum of their movements,
+ * which hm_recover_movement finds from the mesh. curve [capacity >= info.curves] receives the
+ * curves, to which out->curve points; all other arrays are inside the basis. */
+HM_API hm_status hm_basis_curves(const hm_basis* basis, const double* move, double* control,
                                  hm_curves* out, hm_curve* curve, int32_t capacity, hm_error* err);
 
 /* Further options of a fit: hm_fit_options.details. A field that is 0 has no effect. */

@@ -157,9 +157,8 @@ TEST_CASE("what a basis is asked for") {
     check_arguments("basis, block, -, ?mesh", hm_basis_attach, &attached,
                     static_cast<void*>(g.basis), std::size_t(info.bytes), &g.mesh);
     check_arguments("basis, info", hm_basis_info_get, g.basis, &info);
-    check_arguments("basis, out, !curve, -", hm_basis_curves, g.basis, &curves, curve, 2);
-    check_arguments("basis, move, control, out, !curve, -", hm_moved_curves, g.basis, g.move.data(),
-                    g.numbers.data(), &curves, curve, 2);
+    check_arguments("basis, ?move, control, out, !curve, -", hm_basis_curves, g.basis,
+                    g.move.data(), g.numbers.data(), &curves, curve, 2);
     check_arguments("basis, ?out, -, n", hm_basis_conditions, g.basis, conditions, 4, &g.n);
     check_arguments("basis, -, -, values", hm_basis_values, g.basis, 0, 0, g.numbers.data());
     std::vector<double> dense(2 * g.numbers.size() * 100);

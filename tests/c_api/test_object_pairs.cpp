@@ -95,13 +95,13 @@ TEST_CASE("each call takes the kinds of bases that it can use") {
          [](World&, hm_basis* b, hm_error* e) {
              hm_curves curves = sized<hm_curves>();
              hm_curve curve[2] = {sized<hm_curve>(), sized<hm_curve>()};
-             return hm_basis_curves(b, &curves, curve, 2, e);
+             return hm_basis_curves(b, nullptr, nullptr, &curves, curve, 2, e);
          }},
-        {"hm_moved_curves", "..............", false,
+        {"hm_basis_curves, moved", "..............", false,
          [](World& w, hm_basis* b, hm_error* e) {
              hm_curves curves = sized<hm_curves>();
              hm_curve curve[2] = {sized<hm_curve>(), sized<hm_curve>()};
-             return hm_moved_curves(b, w.arrays.move.data(), w.arrays.x.data(), &curves, curve, 2,
+             return hm_basis_curves(b, w.arrays.move.data(), w.arrays.x.data(), &curves, curve, 2,
                                     e);
          }},
         {"hm_basis_conditions", "..............", false,

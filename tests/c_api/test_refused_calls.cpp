@@ -68,7 +68,7 @@ TEST_CASE("room for fewer than there are, and numbers that there are not") {
          "n_markers is 0 and capacity is 0; n_markers must be at least 1, and capacity at least 0",
          [&](hm_error* e) { return boundary(0, 1, e); }},
         {HM_BAD_ARGUMENT, "curve has room for 0 curves, but the basis has 1",
-         call_by(hm_basis_curves, o.basis, &curves, &curve, 0)},
+         call_by(hm_basis_curves, o.basis, nullptr, nullptr, &curves, &curve, 0)},
         {HM_BAD_ARGUMENT, "capacity must be at least 0, not -1",
          call_by(hm_basis_conditions, o.basis, &condition, -1, &n)},
         {HM_BAD_ARGUMENT, "out has room for 0 conditions, but the basis has 1",

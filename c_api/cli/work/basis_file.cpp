@@ -155,7 +155,7 @@ Basis::Basis(const TextFile& file, const Mesh& mesh)
         throw Failure(exit_file, path_ + ": the basis has no functions, as it has not been solved");
     refuse_other_functions(info_, path_);
     curve_.assign(static_cast<std::size_t>(info_.curves) + 1, sized<hm_curve>());  // never empty
-    call(path_, hm_basis_curves, basis_, &curves_, curve_.data(), info_.curves);
+    call(path_, hm_basis_curves, basis_, nullptr, nullptr, &curves_, curve_.data(), info_.curves);
     std::int32_t n = 0;
     hm_basis_conditions(basis_, nullptr, 0, &n, nullptr);
     // One element more, so that the array has a first element, whose struct_size counts for all.
@@ -208,7 +208,7 @@ void Basis::find_curves(const Mesh& mesh) {
     if (status < 0) refuse(error, path_);
     distance_ = std::fabs(distance_ - rotated_offset);  // without the offsets that turned
     moved_control_.resize(2 * static_cast<std::size_t>(n_control()) + 1);
-    call(path_, hm_moved_curves, basis_, moves.data(), moved_control_.data(), &moved_curves_,
+    call(path_, hm_basis_curves, basis_, moves.data(), moved_control_.data(), &moved_curves_,
          curve_.data(), info_.curves);
 }
 
