@@ -896,7 +896,7 @@ typedef struct hm_safe_report {
     int32_t angle_point; /* where the angle changed most; -1: there are no first-layer edges */
     int32_t min_height_point, max_height_point;
     int32_t n_worst;        /* 0 .. 5, at most the number of cells */
-    double turned_offset;   /* [length] largest |(r - 1) e|, see hm_morph_safe */
+    double rotated_offset;  /* [length] largest |(r - 1) e|, see hm_morph_safe */
     double start_quality;   /* [0..1] smallest skew quality of the start */
     hm_worst_cell worst[5]; /* [n_worst] the cells of lowest quality of `to`, the worst first */
     int32_t end_point; /* the end of a wall that leaves the boundary beside it farthest; -1: none */
@@ -928,10 +928,10 @@ HM_API hm_status hm_morph_safe_size(const hm_plan* plan, const hm_basis* basis, 
  * derivative: NULL, or another basis of the same analysis (hm_basis_init). It receives the sum of
  * the functions of all steps, weighted by their parts of the movement, so that hm_morph with this
  * basis is the derivative of `to` with respect to `move`, and hm_adjoint the transpose. This is
- * exact for wall points on their curve; where a body turns or scales by r and has reached the part
- * t < 1, they move by t r^(t-1) sum_i N_i dP_i. Neglected are changes of (r - 1) e, the influence
- * of `move` and earlier steps on later functions, steps and rotations, how inner points follow
- * those that slip, and what untangling, improvement and heights moved. */
+ * exact for wall points on their curve; where a body rotates or scales by r and has reached the
+ * part t < 1, they move by t r^(t-1) sum_i N_i dP_i. Neglected are changes of (r - 1) e, the
+ * influence of `move` and earlier steps on later functions, steps and rotations, how inner points
+ * follow those that slip, and what untangling, improvement and heights moved. */
 HM_API hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move,
                                const hm_points_out* to, hm_basis* derivative, void* work,
                                size_t bytes, const hm_safe_options* options, hm_safe_report* report,
