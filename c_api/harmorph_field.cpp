@@ -1,7 +1,7 @@
 // The C interface: computes one field of given displacements in a part.
-#include "base/range.hpp"
-#include "operators/right_hand_sides.hpp"
+#include "base/vec2.hpp"
 #include "harmorph_parts.h"
+#include "operators/right_hand_sides.hpp"
 #include "part_handles.hpp"
 #include "views.hpp"
 

@@ -1,8 +1,8 @@
 // The C interface: gives right-hand sides and residuals of the functions at the points of a part,
 // and takes their values.
-#include "base/range.hpp"
-#include "operators/right_hand_sides.hpp"
+#include "base/vec2.hpp"
 #include "harmorph_parts.h"
+#include "operators/right_hand_sides.hpp"
 #include "part_handles.hpp"
 
 namespace harmorph {

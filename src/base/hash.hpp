@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "base/parallel_reduce.hpp"
+#include "base/executor.hpp"
 
 namespace harmorph {
 

@@ -154,4 +154,25 @@ struct Fault {
         if (::harmorph::failed(status_of_call)) return status_of_call; \
     } while (false)
 
+// Names the sets of vector instructions for which kernels are compiled.
+
+// The numbers are those of the C header. Different kernels agree to rounding; one kernel always
+// gives the same bits.
+enum class Kernel : std::int32_t { automatic = 0, baseline = 1, avx2 = 2, avx512 = 3, neon = 4 };
+
+// Supports tables with one row for each value of an enumeration, and sets of such values.
+template <class... Values>
+constexpr unsigned set_of(Values... values) noexcept {
+    return ((1u << static_cast<unsigned>(values)) | ... | 0u);
+}
+template <class Value>
+constexpr bool contains(unsigned set, Value value) noexcept {
+    return (set >> static_cast<unsigned>(value) & 1u) != 0;
+}
+// Returns whether the table has a row with this number.
+template <class Row, Size n>
+constexpr bool has_row(Row const (&)[n], std::int32_t number) noexcept {
+    return number >= 0 && static_cast<Size>(number) < n;
+}
+
 }  // namespace harmorph

@@ -3,15 +3,50 @@
 #pragma once
 
 #include "base/arena.hpp"
-#include "bspline/bspline.hpp"
-#include "basis/kept_curves.hpp"
 #include "basis/options.hpp"
 #include "basis/point_blocks.hpp"
 #include "boundary/moving_boundary.hpp"
+#include "bspline/bspline.hpp"
 #include "mesh/boundary_faces.hpp"
 #include "mesh/pieces.hpp"
 
 namespace harmorph {
+
+// Keeps the curves along which boundary points slip in the block of a basis.
+
+// The curves follow each other in the order of the analysis. Curves that follow each other and have
+// common control points share the copies of these.
+struct KeptCurves {
+    struct Counts {
+        Index curves = 0, indices = 0, knots = 0, control = 0, weights = 0;
+        Index reserved = 0;  // The counts are written and compared as bytes.
+    };
+    struct Shape {
+        Index degree, n_indices, first_index, first_knot;
+        Index first_control, n_control, rational, reserved;
+    };
+    Span<Shape> shape;    // [curves]
+    Span<Index> indices;  // Control points count from first_control.
+    Span<Real> knots;
+    Span<Real> control;  // [2 * control]
+    Span<Real> weights;  // [control], or empty if no curve is rational
+
+    static Counts count(Span<const Curve> curves) noexcept;
+    void lay_out(Arena& arena, Counts const& counts) noexcept;
+    void copy_from(Span<const Curve> curves) const noexcept;
+    void copy_from(KeptCurves const& other) const noexcept;
+    Curve curve(Index number) const noexcept;
+    // Tells whether the curves n .. n + count - 1 exist and have common control points.
+    bool is_set(Index n, Index count) const noexcept;
+    // Tells whether the data agree with the counts and all curves are well-formed.
+    bool fit() const noexcept;
+
+private:
+    // Calls visit(number, first_control, is_new) for each curve; is_new tells whether its control
+    // points are others than those of the curve before. Returns the number of control points.
+    template <class Visit>
+    static Index for_each(Span<const Curve> curves, Visit const& visit) noexcept;
+};
 
 struct BasisCounts {
     Index points = 0, cells = 0, control = 0, bodies = 0, curves = 0, indices = 0, knots = 0,
@@ -29,7 +64,7 @@ struct BasisCounts {
     // The functions whose values are stored here: all of them, or those of one process.
     Index first_stored = 0, stored = 0;
     ValueKind kind = ValueKind::real;
-    // The precision of the values; see single_precision.hpp.
+    // The precision of the values; see derived_basis.hpp.
     Precision storage = Precision::in_double;
 
     // Returns the number of functions of control points, or of design variables.
@@ -95,7 +130,7 @@ struct BasisHeader {
     Method method;
     // No value is larger in magnitude. The sums of the adjoint are scaled by this number.
     Real largest;
-    Index filled;  // The first functions up to this number have values; see packed_rows.hpp.
+    Index filled;  // The first functions up to this number have values; see point_subset.hpp.
 };
 
 // Views into the block.

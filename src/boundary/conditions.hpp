@@ -2,7 +2,7 @@
 // displacements), fixed, slipping, free, inside, or used by no cell.
 #pragma once
 
-#include "base/table.hpp"
+#include "base/types.hpp"
 #include "mesh/boundary.hpp"
 
 namespace harmorph {

@@ -2,12 +2,11 @@
 // towards these faces.
 #pragma once
 
+#include "base/executor.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/delaunay.hpp"
-#include "base/executor.hpp"
+#include "mesh/periodic_motion.hpp"
 #include "simd/cpu.hpp"
-#include "mesh/periodic_rotation.hpp"
-#include "mesh/periodic_translations.hpp"
 
 namespace harmorph {
 

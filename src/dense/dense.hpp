@@ -3,9 +3,8 @@
 //
 // Input: panels and update matrices (below), and right-hand sides. Output: the factored panel, the
 // update matrix for the parent front, and solutions. dense.cpp divides the work among threads.
-// dense_tile (sums in registers), dense_tiles (products), dense_sums (row sums), dense_kernel
-// (factorisation, substitution) and dense_moves (extend-add, gather, scatter) are compiled for each
-// instruction set.
+// dense_tiles (sums in registers, products) and dense_kernel (row sums, factorisation,
+// substitution, extend-add, gather, scatter) are compiled for each instruction set.
 //
 // Matrices are stored in slabs. A slab is eight columns side by side, row after row, so that
 // kernels read memory aligned and in order, and no numbers have to be packed. A slab that meets the
@@ -33,9 +32,8 @@
 #pragma once
 
 #include "base/executor.hpp"
-#include "simd/cpu.hpp"
-#include "base/row_view.hpp"
 #include "base/span.hpp"
+#include "simd/cpu.hpp"
 
 namespace harmorph::dense {
 

@@ -3,7 +3,7 @@
 // have no branches.
 #pragma once
 
-#include "base/parallel_reduce.hpp"
+#include "base/executor.hpp"
 #include "mesh/cell_shape.hpp"
 #include "mesh/topology.hpp"
 #include "simd/cpu.hpp"

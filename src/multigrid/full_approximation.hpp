@@ -7,9 +7,9 @@
 // and 11 of the paper are printed with the opposite sign, with which F would grow without bound.
 #pragma once
 
-#include "mesh/control_volumes.hpp"
+#include "mesh/median_dual.hpp"
 #include "multigrid/iteration.hpp"
-#include "operators/nodal_gradient.hpp"
+#include "operators/nodal_equations.hpp"
 
 namespace harmorph {
 

@@ -1,5 +1,5 @@
 // The Hermitian matrix of the unknowns in the order of elimination, and the columns of the known
-// values on the wall. tests/operators/test_matrix.cpp covers matrix_pattern.cpp, too.
+// values on the wall. tests/operators/test_matrix.cpp covers this file.
 #pragma once
 
 #include "base/executor.hpp"

@@ -3,22 +3,21 @@
 // tests/c_api/test_bad_input.cpp cover this file.
 #pragma once
 
-#include "basis/basis_source.hpp"
-#include "mesh/boundary.hpp"
-#include "mesh/delaunay.hpp"
-#include "mesh/pieces.hpp"
 #include "base/executor.hpp"
-#include "ordering/symbolic.hpp"
-#include "multigrid/iteration.hpp"
-#include "ordering/advancing_front.hpp"
-#include "operators/matrix.hpp"
-#include "mesh/orientation.hpp"
+#include "basis/basis_source.hpp"
+#include "boundary/moving_boundary.hpp"
 #include "boundary/periodic.hpp"
-#include "base/progress.hpp"
 #include "boundary/slip.hpp"
 #include "boundary/slip_followers.hpp"
+#include "mesh/boundary.hpp"
+#include "mesh/delaunay.hpp"
+#include "mesh/orientation.hpp"
+#include "mesh/pieces.hpp"
+#include "multigrid/iteration.hpp"
+#include "operators/matrix.hpp"
+#include "ordering/graph.hpp"
 #include "ordering/subtrees.hpp"
-#include "boundary/moving_boundary.hpp"
+#include "ordering/symbolic.hpp"
 
 namespace harmorph {
 

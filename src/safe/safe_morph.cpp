@@ -1,11 +1,11 @@
 #include "safe/safe_morph.hpp"
 
-#include "safe/basis_match.hpp"
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "basis/basis_measures.hpp"
 #include "morph/weighted_sum.hpp"
-#include "safe/target.hpp"
+#include "safe/basis_match.hpp"
 #include "safe/safe_work.hpp"
+#include "safe/target.hpp"
 
 namespace harmorph {
 

@@ -1,6 +1,6 @@
 // The end of a safe morph: restored heights near walls, the worst cells, the derivative, and the
 // report to the caller.
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "morph/weighted_sum.hpp"
 #include "safe/safe_work.hpp"
 
