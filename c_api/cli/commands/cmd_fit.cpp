@@ -130,7 +130,7 @@ Fit fit(const std::string& path, const Outline& outline, const hm_fit_options& o
     const std::int32_t is_loop = outline.is_loop;
     const hm_status status = call(path, hm_fit, &curves, block.data(), bytes, &points,
                                   outline.points(), is_loop, &options, &fit.report);
-    if (status == HM_SHORT) {
+    if (status == HM_FAR_FROM_POINTS) {
         throw Failure(exit_unusable, path + ": " + plural(options.n_control, "control point") +
                                          " do not reach the tolerance; the largest error is " +
                                          brief(fit.report.max_error));

@@ -93,9 +93,9 @@ Task task_of(const Basis& basis) {
         copied(basis.why_on_no_curve().empty() ? basis.curves() : basis.curves_at_start());
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
         if (info.point_curve[k] >= info.curves) continue;  // the point is on no curve
-        task.given_points.push_back(info.curve_point[k]);
-        task.given_curves.push_back(info.point_curve[k]);
-        task.given_u.push_back(info.point_u[k]);
+        task.known_points.push_back(info.curve_point[k]);
+        task.known_curves.push_back(info.point_curve[k]);
+        task.known_u.push_back(info.point_u[k]);
     }
     return task;
 }
