@@ -92,8 +92,8 @@ Result reduce_cells(Index n_cells, Executor const& executor, Visit const& visit)
 // Distributes items of work among the tasks of one Executor::for_each() at run time, because the
 // time of each item is not known beforehand. Results must not depend on which task does an item.
 
-// These operations are atomic. For a processor without atomic instructions, compilers would call a
-// library, which the core does not have; there, one task does all the work.
+// The counters of shared work are atomic. For a processor without atomic instructions, compilers
+// would call a library, which the core does not have; there, one task does all the work.
 #if __GCC_ATOMIC_INT_LOCK_FREE == 2 && __GCC_ATOMIC_BOOL_LOCK_FREE == 2
 // Returns how many of the tasks may share work.
 constexpr Index sharing(Index tasks) noexcept { return tasks; }

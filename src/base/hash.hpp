@@ -1,5 +1,5 @@
-// Computes 64-bit fingerprints of numbers, which detect a damaged or foreign block. They do not
-// protect against intended manipulation.
+// Computes 64-bit fingerprints of numbers, which detect a damaged or foreign block,
+// but do not protect against intended manipulation.
 #pragma once
 
 #include <cstring>

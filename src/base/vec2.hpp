@@ -19,7 +19,7 @@ constexpr Real dot(Vec2 a, Vec2 b) noexcept { return a.x * b.x + a.y * b.y; }
 constexpr Real cross(Vec2 a, Vec2 b) noexcept { return a.x * b.y - a.y * b.x; }
 constexpr Real square(Vec2 a) noexcept { return dot(a, a); }
 
-// These three functions treat vectors as complex numbers x + i y.
+// The next three functions treat vectors as complex numbers x + i y.
 constexpr Vec2 conjugate(Vec2 a) noexcept { return {a.x, -a.y}; }
 constexpr Vec2 product(Vec2 a, Vec2 b) noexcept {
     return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
@@ -62,8 +62,9 @@ struct StridedPoints {
 using Points = StridedPoints<const Real>;
 using MutablePoints = StridedPoints<Real>;
 
-// Checks that numbers of the caller are finite and in range. Their bits are tested before they are
-// compared: a comparison with NaN would raise a floating-point exception, which callers may trap.
+// Checks that numbers of the caller are finite and in range. The bits are tested before the numbers
+// are compared: a comparison with NaN would raise a floating-point exception, which callers may
+// trap.
 
 // All three functions return false for NaN.
 inline bool is_at_most(Real x, Real size) noexcept { return is_finite(x) && abs(x) <= size; }

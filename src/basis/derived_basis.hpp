@@ -10,10 +10,10 @@ namespace harmorph {
 // counts; `to` is not sealed.
 void begin_derived(Basis const& from, BasisCounts const& counts, Basis const& to) noexcept;
 
-// A basis whose functions are combinations of those of another basis, one for each design variable.
+// A basis whose functions combine the functions of another basis, one for each design variable.
 
-// Returns the counts for n functions F M in place of those of `from`; M has entries of 1 number
-// (real) or 2 (complex).
+// Returns the counts for n functions F M in place of the functions F of `from`; M has entries of 1
+// number (real) or 2 (complex).
 BasisCounts combined_counts(Basis const& from, Index n, Index numbers) noexcept;
 
 // Combines the functions. `to` has been laid out for combined_counts(); `from` is solved, complete

@@ -39,8 +39,7 @@ constexpr Numbers numbers_of(ValueKind kind, Vec2 value) noexcept {
     return {{value.x, value.y, 0, 0}};
 }
 
-// The numbers are those of the C header, which explains them, and those of the rows of the tables
-// below.
+// The C header has the same numbers, and explains them; the tables below have a row for each.
 enum class Operator : std::int32_t { conformal = 0, laplace = 1, weighted = 2 };
 enum class Scheme : std::int32_t {
     compact = 0,
@@ -70,7 +69,7 @@ inline constexpr EngineTraits engine_traits[] = {
 
 struct SchemeTraits {
     unsigned engines;
-    const char* other_engines;  // This sentence refuses the other engines.
+    const char* other_engines;  // The sentence that refuses the other engines.
     bool takes_slip, takes_given;
 };
 inline constexpr SchemeTraits scheme_traits[] = {

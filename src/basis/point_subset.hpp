@@ -15,7 +15,7 @@ struct PointList {
     Index count() const noexcept { return point.count(); }
     Index operator[](Index k) const noexcept { return point[k] - index_base; }
     // Returns the fingerprint of the points of the list in their order; the points of `from` may
-    // themselves be those of a list. The list of all points of `from` in their order has the
+    // themselves come from a list. The list of all points of `from` in their order has the
     // fingerprint of `from`.
     std::uint64_t fingerprint(Basis const& from) const noexcept;
     static Status check_length(Index n, Fault& fault) noexcept;
@@ -65,7 +65,7 @@ struct ParcelLabel {
     static constexpr std::uint64_t mark = 0x6c65637261706d68;  // The bytes are "hmparcel".
 
     std::uint64_t magic;
-    MeshFingerprint topology;  // The fingerprints are those of the basis.
+    MeshFingerprint topology;  // The fingerprints of the basis.
     std::uint64_t coordinates, conditions, list;
     // A fingerprint of the curves and of the energy that the functions minimise.
     std::uint64_t functions;

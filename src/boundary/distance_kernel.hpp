@@ -67,8 +67,8 @@ HARMORPH_INLINE Vector square_outside(Corner low_x, Corner low_y, Corner high_x,
     return x * x + y * y;
 }
 
-// Enumerates those of eight nodes that may contain a face within `reach` of a point: first the node
-// with the smallest bound, then the others in order.
+// Enumerates the nodes, out of eight, that may contain a face within `reach` of a point: first the
+// node with the smallest bound, then the others in order.
 class Candidates {
 public:
     HARMORPH_INLINE Candidates(FaceDistance::Boxes const& boxes, Vec2 from, Real reach) noexcept {

@@ -24,7 +24,7 @@ struct WallPoints {
     // Returns the tangent, not normalised, of the parabola through the point of a slot and both
     // neighbours.
     Vec2 tangent(Index at_slot, Points points) const noexcept;
-    // Returns the rotation of the wall between two states of the mesh, as cosine and sine. It is
+    // Returns the rotation of the wall between two states of the mesh, as cosine and sine:
     // the mean over the adjacent faces, not the rotation of the tangent, so that it is correct at
     // sharp edges as well as on smooth walls.
     Vec2 turn(Index at_slot, Points before, Points after) const noexcept;
@@ -68,7 +68,7 @@ FirstLayerChange compare(FirstLayer const& layer, Points before, Points after) n
 // changed at all.
 //
 // The reach is a function along the wall: the smaller of the radius of curvature and a quarter of
-// the extent of all walls. At the end of a wall the reach is 0. It does not include points that are
+// the extent of all walls. At the end of a wall the reach is 0. The reach excludes points that are
 // equally near to another wall (in a gap or a concave corner). Along the wall the reach grows by at
 // most half of the distance.
 struct WallHeights {

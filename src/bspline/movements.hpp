@@ -60,7 +60,7 @@ inline Vec2 turn_by(Real degrees) noexcept {
     return turn;
 }
 
-// The numbers are those of the C header, which explains them.
+// The C header has the same numbers, and explains the movements.
 enum class MovementKind : std::int32_t {
     turn = 0,
     shift = 1,

@@ -45,7 +45,7 @@ Status smallest_radius(Section const& section, SmallestRadius& bend,
 Status curvature_variation(Section const& section, Real& variation, ControlGradient const& gradient,
                            Fault& fault) noexcept;
 
-// The numbers are those of the C header, which explains them.
+// The C header has the same numbers, and explains the quantities.
 enum class QuantityKind : std::int32_t {
     area = 0,
     centroid_x = 1,

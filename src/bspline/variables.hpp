@@ -9,7 +9,7 @@
 
 namespace harmorph {
 
-// The numbers are those of the C header, which explains them.
+// The C header has the same numbers, and explains the variables.
 enum class VariableKind : std::int32_t { ffd = 0, cst = 1, hicks_henne = 2, naca4 = 3 };
 
 // Writes the Bernstein polynomials of degree n - 1 at t to value [n], by de Casteljau's algorithm.

@@ -235,7 +235,7 @@ Index factor_diagonal(Panel const& panel, Index first, Index end, Real* sums, Ta
                       Real floor, Real& min_pivot_ratio) noexcept {
     Slabs const own = panel.own();
     Offset const plane = panel.sums_plane();
-    Real inner[planes][strip];  // These are the sums of the rows over the strip's own columns.
+    Real inner[planes][strip];  // The sums of the rows over the strip's own columns.
     Index const padded_end = first + (end - first + slab - 1) / slab * slab;
     for (Index p = 0; p < planes; ++p) {
         for (Index r = first; r < end; ++r)
@@ -379,7 +379,7 @@ namespace harmorph::dense::HARMORPH_SET {
 
 namespace {
 
-// The columns of a child front that are added to one vector of the parent front. They are
+// The columns of a child front that are added to one vector of the parent front:
 // neighbours in the child, where they lie in one vector or in two.
 struct Source {
     Real* first;

@@ -9,8 +9,8 @@ namespace harmorph::dense::HARMORPH_SET {
 
 namespace {
 
-// These functions are not those of base/scalar.hpp, because the linker might use the copy that is
-// compiled here, with the instructions of this set, in all other code.
+// base/scalar.hpp has the same functions, which are not used here, because the linker might use the
+// copy that is compiled here, with the instructions of this set, in all other code.
 HARMORPH_INLINE constexpr Index min(Index a, Index b) noexcept { return b < a ? b : a; }
 HARMORPH_INLINE Index max(Index a, Index b) noexcept { return a < b ? b : a; }
 

@@ -89,7 +89,7 @@ struct Multifrontal {
             all.min_pivot_ratio.data() + n,
             all.min_pivot_to_diagonal.data() + n};
     }
-    // Calls body(number of the subtree, worker) for all subtrees. Those with
+    // Calls body(number of the subtree, worker) for all subtrees. Subtrees with
     // the most work come first, and each goes to the worker that is free next.
     template <class Body>
     void for_each_subtree(Body const& body) const noexcept {

@@ -115,7 +115,7 @@ struct Mesh {
     // Returns a cell of any layout except polygons, or a guard, if i is not less than n_cells. A
     // quad whose last point is repeated is a triangle.
     Cell cell(Index i) const noexcept;
-    // Returns the first cell for which matches(i, cell) holds, or none. This is faster than a loop
+    // Returns the first cell for which matches(i, cell) holds, or none, faster than a loop
     // over cell(i): matches() is called separately for triangles and quads, so that the compiler
     // knows the number of points and keeps them in registers.
     template <class Matches>

@@ -80,8 +80,8 @@ struct Topology : OrientedMesh {
     }
 };
 
-// Counts points, cells with guards, and pairs of neighbours in a mesh. The counts bound those of
-// any region of the mesh.
+// Counts points, cells with guards, and pairs of neighbours in a mesh. No region of the mesh has
+// larger counts.
 struct RegionCounts {
     Index points = 0, cells = 0;
     Offset cell_corners = 0;  // the number of corners of all cells

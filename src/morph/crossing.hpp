@@ -15,8 +15,8 @@ struct Crossing {
 };
 
 // Tells whether the distance of two points is within the rounding of their coordinates, both before
-// a movement and after it. This holds for points on the two sides of a wall without thickness if a
-// file has rounded both sides differently.
+// a movement and after it. Equal places occur for points on the two sides of a wall without
+// thickness if a file has rounded both sides differently.
 bool stay_at_one_place(Vec2 a, Vec2 b, Vec2 a_moved, Vec2 b_moved) noexcept;
 
 // Points that slip or are free follow the cells. If faces of such points overlap at the end of one

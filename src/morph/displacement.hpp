@@ -16,7 +16,7 @@ struct Displacement {
     Index n_fields = 0;
     Span<Index> place;  // [given points] The first place of each point in the caller's list.
     // Blocks of GivenWall::fields_at_once fields: rows of all points, with the x of all fields of
-    // the block, then the y. They contain first the given values, then the result.
+    // the block, then the y; first the given values, then the result.
     Span<Real> value;
     Span<Real> source;  // [rows of a block] The right-hand sides of the transpose.
 

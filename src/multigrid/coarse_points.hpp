@@ -120,7 +120,7 @@ struct CoarsePoints {
     static Index most_first(Index n) noexcept { return n / 2 + n / 16; }
     static Offset coarse_points(Index n) noexcept { return Offset{2} * most_first(n); }
 
-    // entries: those of the finest level.
+    // entries: the number of entries of the finest level.
     void lay_out(Arena& arena, Index n, Offset entries) noexcept;
     // Lays out the working space of build().
     void lay_out_work(Arena& arena, Index n, Offset entries) noexcept;

@@ -33,7 +33,7 @@ struct FunctionBlock {
     Index functions = 0;  // So many functions exist; columns of the block after them are 0.
 
     Index plane_width() const noexcept { return width / planes; }
-    // Returns the values of the block in a row: those of one plane.
+    // Returns the values of the block in one plane of a row.
     Real* at(Index row, Index plane) const noexcept {
         return values[row] + plane * values.plane + first;
     }
@@ -77,7 +77,7 @@ struct CycleLevel {
     const Index* column = nullptr;
     const Number* value = nullptr;
     const Number* diagonal = nullptr;
-    // These arrays do not exist on the last level.
+    // The last level has none of the arrays below.
     const Offset* by_start = nullptr;
     const Index* by_column = nullptr;
     const Number* by_weight = nullptr;
@@ -108,7 +108,7 @@ struct CycleKernels {
         Real squares[FunctionBlock::max_width];
         bool descends;  // The pass also does what descend() does for a level.
     };
-    // These are the parts of symmetric Gauss-Seidel with a coarse correction in between, for a
+    // The parts of symmetric Gauss-Seidel with a coarse correction in between, for a
     // start of 0, and a single array for the right-hand side and the result x:
     //   descend: x = (L + D)^-1 x; coarse = P^T (right-hand side - A x) = -P^T L^T x; x = D x;
     //   ascend:  x = (D + L^T)^-1 (x - L P coarse).

@@ -15,7 +15,7 @@ namespace harmorph {
 // The explicit four-stage Runge-Kutta scheme of the paper's iteration, dF/dt = R(F): F(k) = F(0) +
 // alpha_k dt R(F(k-1)), k = 1 .. 4, and F(4) is the new F.
 
-// These coefficients are usual in agglomeration multigrid of second order. They come from M.-H.
+// The coefficients are usual in agglomeration multigrid of second order. Their source: M.-H.
 // Lallemand, Etude de schemas Runge-Kutta a 4 pas pour la resolution multigrille des equations
 // d'Euler 2D, INRIA 1988, as quoted by others. alpha_4 = 1 and alpha_3 = 1/2 give the order; the
 // others were chosen for damping.
@@ -40,7 +40,7 @@ struct Iteration {
     // The tolerance of each function, both for the relative residual in 2-norms, and for the
     // estimated error relative to the largest value.
     Real tolerance = 1e-10;
-    // The caller's array, or empty. It receives the largest relative residual before the first
+    // The caller's array, or empty; receives the largest relative residual before the first
     // iteration and after each iteration.
     Span<Real> history;
 

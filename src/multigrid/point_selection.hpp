@@ -35,7 +35,7 @@ struct FullRows {
     Span<Real> row_sum;         // [n]
     Span<Real> strongest;       // [n] The size of the strongest coupling of each point.
 
-    // entries: those of one triangle.
+    // entries: the number of entries of one triangle.
     void lay_out(Arena& arena, Index rows, Offset entries) noexcept;
     // Takes the upper triangle, which is viewed, and stores the entries of the lower one that are
     // not 0; row_sum must have been set.

@@ -11,9 +11,9 @@ namespace harmorph {
 
 // Laplace's operator on the Delaunay triangulation of the mesh's points: the bounded scheme.
 
-// This is the compact scheme on other triangles: the conductance of an edge is half the sum of the
-// two cotangents opposite to the edge, times k at the midpoint of the edge. Linear fields are
-// reproduced exactly if k is constant.
+// The bounded scheme is the compact scheme on other triangles: the conductance of an edge is half
+// the sum of the two cotangents opposite to the edge, times k at the midpoint of the edge. Linear
+// fields are reproduced exactly if k is constant.
 //
 // The two angles opposite to an inner edge of a Delaunay triangulation sum to pi at most, so no
 // conductance is negative, and conductances that rounding makes negative are set to 0. The matrix

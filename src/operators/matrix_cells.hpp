@@ -1,5 +1,5 @@
-// The functions that add cells to the matrix. They are in a header so that the compiler can inline
-// them, as they are the inner loop of the assembly. tests/operators/test_matrix.cpp covers this
+// The functions that add cells to the matrix are in a header so that the compiler can inline them,
+// as they are the inner loop of the assembly. tests/operators/test_matrix.cpp covers this
 // file.
 #pragma once
 

@@ -45,8 +45,8 @@ struct NodalGradient {
 
     OrientedMesh mesh;  // The array `reversed` belongs to the caller.
     bool corrected = false;
-    Span<Index> row_of;  // [n_points]
-    Edges edges;  // This is a copy, as init() runs once, and measure() runs for many coordinates.
+    Span<Index> row_of;    // [n_points]
+    Edges edges;           // A copy, as init() runs once, and measure() runs for many coordinates.
     Span<CellRows> cells;  // [n_cells]
     // [rows] 1 / area of all cells round a point; 0 if there is no cell.
     Span<Real> inverse_area;

@@ -20,7 +20,7 @@ struct CutSizes {
     static constexpr Index large = 1 << 16;
 
     Index left = 0, right = 0, separator = 0;
-    // These are the unknowns next to separators above; they are counted only if the region is
+    // The unknowns next to separators above, which are counted only if the region is
     // large.
     Index left_border = 0, right_border = 0;
 

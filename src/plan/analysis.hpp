@@ -67,7 +67,7 @@ public:
     Index count_wall_faces() const noexcept;
     // [n_points] This array exists if there are slip lines.
     Span<Vec2> tangent() const noexcept { return tangent_; }
-    // These are the curved slip lines.
+    // The curved slip lines.
     SlipCurves const& slip_curves() const noexcept { return slip_curves_; }
     SlipFollowers const& slip_followers() const noexcept { return slip_followers_; }
     Periodicity const& periodicity() const noexcept { return periodicity_; }

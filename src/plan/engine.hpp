@@ -14,7 +14,8 @@ namespace harmorph {
 
 // The common members of all engines that iterate on levels.
 
-// Iterative is a BlockIteration. It iterates to the given tolerance, so solutions are not refined.
+// Iterative is a BlockIteration, which iterates to the given tolerance, so solutions are not
+// refined.
 template <class Iterative>
 struct LevelEngine {
     static constexpr bool trusted = true;

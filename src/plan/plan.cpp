@@ -184,7 +184,7 @@ Status Plan::solve_rows(DofValues const& dofs, SolveReport& report, Fault& fault
 void Plan::clear_all_but_wall(DofValues const& dofs) const noexcept {
     Index const components = equations_.matrix().components();
     for (Index point = 0; point < mesh_.n_points; ++point) {
-        Index const slot = wall_slot(point);
+        Index const slot = unknowns().wall_slot(point);
         if (slot != none && wall_point_[slot] == point) continue;
         for (Index dof = components * point; dof < components * (point + 1); ++dof) {
             std::memset(dofs.values_of_dof(dof), 0,
@@ -206,7 +206,7 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells,
                             entry_item(level), plain(levels->count));
     }
     for (Index point = 0; point < mesh_.n_points; ++point) {
-        Index cell = is_unknown(point) ? unknowns().first_row(point) : none;
+        Index cell = unknowns().is_unknown(point) ? unknowns().first_row(point) : none;
         for (Index l = 0; l < level && cell != none; ++l) cell = levels->cell_of[l][cell];
         cell_of[point] = cell;
     }
@@ -265,13 +265,13 @@ void Plan::to_displacements_transposed(DofValues const& values) const noexcept {
 }
 
 Index Plan::same_point(Index point) const noexcept {
-    if (is_unknown(point)) return representative(point);
-    Index const slot = wall_slot(point);
+    if (unknowns().is_unknown(point)) return representative(point);
+    Index const slot = unknowns().wall_slot(point);
     return slot == none ? none : wall_point_[slot];
 }
 
 Index Plan::given_index(Index point) const noexcept {
-    Index const slot = wall_slot(point);
+    Index const slot = unknowns().wall_slot(point);
     return slot != none && slot >= given_.first_slot ? slot - given_.first_slot : none;
 }
 
