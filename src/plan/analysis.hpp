@@ -4,6 +4,7 @@
 #pragma once
 
 #include "basis/basis_source.hpp"
+#include "boundary/fluxes.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/delaunay.hpp"
 #include "mesh/pieces.hpp"
@@ -26,6 +27,7 @@ namespace harmorph {
 struct Problem {
     Mesh mesh;
     GivenParameters given;
+    Fluxes fluxes;
     Real max_curve_distance = infinity;
     Method method;
     Iteration iteration;

@@ -3,6 +3,7 @@
 
 #include "mesh/region_counts.hpp"
 #include "operators/right_hand_sides.hpp"
+#include "plan/flux_rows.hpp"
 #include "plan/given_wall.hpp"
 #include "plan/refinement.hpp"
 
@@ -122,6 +123,7 @@ private:
     Refinement refinement_;
     Span<Index> wall_point_;  // [points of the wall] The mesh point of each slot.
     GivenWall given_;
+    FluxRows fluxes_;
     Executor executor_;
     Progress progress_;
     BasisCounts basis_counts_;

@@ -39,6 +39,7 @@ Solver::Solver(const Mesh& mesh, const Task& task, const Threads& threads)
     problem_.given_points = task.given_points.data();
     problem_.given_curves = task.given_curves.data();
     problem_.given_u = task.given_u.data();
+    task.fluxes.give_to(problem_);
     options_.executor = threads.executor();
     progress_.listen(options_);
 }
