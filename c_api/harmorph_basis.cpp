@@ -188,4 +188,18 @@ hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t numbe
     });
 }
 
+hm_status hm_basis_matrix(const hm_basis* basis, double* matrix, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Basis b;
+        HARMORPH_TRY(require({{"matrix", matrix}}, fault));
+        HARMORPH_TRY(open_complete(basis, b, fault));
+        Index const functions = b.n_functions();
+        Offset const plane = Offset{b.n_points()} * functions;
+        for (Index number = 0; number < numbers_of(b.kind()); ++number)
+            for (Index i = 0; i < functions; ++i)
+                b.column(number * functions + i, matrix + number * plane + i, functions);
+        return Status::ok;
+    });
+}
+
 }  // extern "C"

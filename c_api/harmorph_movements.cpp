@@ -310,19 +310,19 @@ hm_status hm_move_section(const hm_curves* curves, const hm_section* section, in
     });
 }
 
-hm_status hm_family_modes_size(const hm_curves* curves, size_t* work_bytes, hm_error* err) {
+hm_status hm_family_modes_size(const hm_curves* curves, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         CurvesView view;
         FamilyModes modes;
-        HARMORPH_TRY(require({{"work_bytes", work_bytes}}, fault));
+        HARMORPH_TRY(require({{"bytes", bytes}}, fault));
         HARMORPH_TRY(view_curves(curves, view, fault));
-        return count_bytes(work_bytes, fault,
+        return count_bytes(bytes, fault,
                            [&](Arena& arena) { modes.lay_out(arena, view.set.n_control); });
     });
 }
 
 hm_status hm_family_modes(const hm_curves* curves, int32_t n, double* movements, double* singular,
-                          void* work, size_t work_bytes, hm_error* err) {
+                          void* work, size_t bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         CurvesView view;
         FamilyModes modes;
@@ -332,7 +332,7 @@ hm_status hm_family_modes(const hm_curves* curves, int32_t n, double* movements,
             return fault.refuse(Status::bad_argument, "n must be between 1 and 1024, not #",
                                 plain(n));
         HARMORPH_TRY(view_curves(curves, view, fault));
-        HARMORPH_TRY(place(work, work_bytes, fault,
+        HARMORPH_TRY(place(work, bytes, fault,
                            [&](Arena& arena) { modes.lay_out(arena, view.set.n_control); }));
         modes.start();
         for (Index number = 0; number < view.count(); ++number) {

@@ -1,6 +1,7 @@
 /* Bases that are made from another basis: its functions in single precision, combined into one
  * function for each design variable, interpolated to a finer mesh, or extended by functions whose
- * values at the wall are given by a table. The conventions of harmorph.h hold. */
+ * values at the wall are given by a table; and the functions as a dense array. The conventions of
+ * harmorph.h hold. */
 #ifndef HARMORPH_BASES_H
 #define HARMORPH_BASES_H
 
@@ -9,6 +10,18 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* ---- Functions as a dense array, for products elsewhere ---- */
+
+/* Copies all functions at all points to matrix [numbers_per_value * n_points * functions]: planes
+ * of numbers (hm_basis_info), in each plane the points one after the other, for each point the
+ * functions. With the planes as matrices F0, F1, ... [n_points, functions], and the movements of
+ * hm_morph as the columns px, py [functions], the displacements of hm_morph are, but for rounding,
+ *     1 plane:   dx = F0 px              dy = F0 py
+ *     2 planes:  dx = F0 px - F1 py      dy = F1 px + F0 py
+ *     4 planes:  dx = F0 px + F1 py      dy = F2 px + F3 py
+ * so that a thousand movements are one product of matrices in any library, on any device. */
+HM_API hm_status hm_basis_matrix(const hm_basis* basis, double* matrix, hm_error* err);
 
 /* ---- Functions in single precision ---- */
 

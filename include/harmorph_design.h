@@ -66,9 +66,9 @@ typedef struct hm_fit_details {
     double smoothing;
     /* [length] > 0: control points (and with them knots, where the errors are) are inserted, from
      * degree + 1 up to options.n_control, until report.max_error is at most this; each step adds
-     * one control point, or an eighth of their number if that is more. HM_SHORT: n_control control
-     * points do not suffice; the curve is that of the last step. The size queries count n_control.
-     * 0: the curve has n_control control points. */
+     * one control point, or an eighth of their number if that is more. HM_FAR_FROM_POINTS:
+     * n_control points do not suffice; the curve is that of the last step. The size queries count
+     * n_control. 0: the curve has n_control control points. */
     double tolerance;
     /* Directions of the curve (not the other way round) where it begins and where it ends, of any
      * length; 0,0: free. Degree >= 2, n_control >= 4; not for periodic curves. HM_BAD_CURVE: the
@@ -140,11 +140,11 @@ typedef struct hm_refit_report {
  * are no such outline, points with a sharp trailing edge for a curve with a blunt base. A failed
  * call leaves movement as it was. (W. Wang, H. Pottmann, Y. Liu, ACM Trans. Graph. 25 (2006) 214.)
  */
-HM_API hm_status hm_refit_size(const hm_curves* curves, int32_t curve, int32_t n,
-                               size_t* work_bytes, hm_error* err);
+HM_API hm_status hm_refit_size(const hm_curves* curves, int32_t curve, int32_t n, size_t* bytes,
+                               hm_error* err);
 HM_API hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_points* points,
                           int32_t n, int32_t is_loop, int32_t on_chord, double* movement,
-                          hm_refit_report* report, void* work, size_t work_bytes, hm_error* err);
+                          hm_refit_report* report, void* work, size_t bytes, hm_error* err);
 
 /* ---- Smooth gradients ---- */
 
@@ -159,10 +159,9 @@ HM_API hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_point
  * there; ends that share no control point are independent. A control point that no curve uses keeps
  * its gradient. The shape of s does not depend on the unit of length of g. (A. Jameson, J. Sci.
  * Comput. 3 (1988) 233.) */
-HM_API hm_status hm_smooth_gradient_size(const hm_curves* curves, size_t* work_bytes,
-                                         hm_error* err);
+HM_API hm_status hm_smooth_gradient_size(const hm_curves* curves, size_t* bytes, hm_error* err);
 HM_API hm_status hm_smooth_gradient(const hm_curves* curves, double length, const double* gradient,
-                                    double* smoothed, void* work, size_t work_bytes, hm_error* err);
+                                    double* smoothed, void* work, size_t bytes, hm_error* err);
 
 /* ---- Measures of a section, with derivatives with respect to the control points ---- */
 
@@ -409,9 +408,9 @@ HM_API hm_status hm_move_section(const hm_curves* curves, const hm_section* sect
  * 1024. Control points that no curve uses have weight 0 and receive 0. Refused with
  * HM_BAD_ARGUMENT: movements that are not finite, or all 0 (outputs unchanged). (One-sided Jacobi:
  * Hestenes, J. SIAM 6 (1958) 51.) */
-HM_API hm_status hm_family_modes_size(const hm_curves* curves, size_t* work_bytes, hm_error* err);
+HM_API hm_status hm_family_modes_size(const hm_curves* curves, size_t* bytes, hm_error* err);
 HM_API hm_status hm_family_modes(const hm_curves* curves, int32_t n, double* movements,
-                                 double* singular, void* work, size_t work_bytes, hm_error* err);
+                                 double* singular, void* work, size_t bytes, hm_error* err);
 
 /* ---- Points that slip along curves ---- */
 

@@ -20,6 +20,14 @@ for standard in c++11 c++14 c++17 c++20; do
         "$build/libharmorph.a" -lm $LDFLAGS
     check "$standard, structs" "$dir/$standard"
 done
+# The shortest use, as the head page of harmorph.h has it.
+awk '/^ \* THE SHORTEST USE/ { page = 1 } /^ \* ORDER/ { exit } page && sub(/^ \*     /, "    ")' include/harmorph.h \
+    >"$dir/head_page.inc"
+check "the head page has the shortest use in 12 lines" sh -c '[ "$(wc -l <"$0")" -ge 5 ] && [ "$(wc -l <"$0")" -le 12 ]' \
+    "$dir/head_page.inc"
+check "the shortest use" $CC -std=c99 $strict -Wno-missing-field-initializers -I"$dir" -o "$dir/head_page" \
+    tests/head_page.c "$build/libharmorph.a" -lm $LDFLAGS
+check "the shortest use runs" "$dir/head_page"
 headers=$(sed 's|^|include/|' fortran/harmorph/headers)
 awk '/^typedef struct [a-z_]* \{/ { name = $3 } /^    uint64_t struct_size;/ { print name }' $headers |
     sort >"$dir/declared"

@@ -42,6 +42,7 @@ enum class Status : std::int32_t {
     far_from_curve = 5,
     poor = 6,
     torn = 7,
+    far_from_points = 8,
     cancelled = -1,
     bad_argument = -2,
     bad_mesh = -3,

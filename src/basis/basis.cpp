@@ -173,16 +173,16 @@ Vec2 Basis::wall_move(WallPlace const& at, const Real* move) const noexcept {
     return sum;
 }
 
-void Basis::column(Index number, Real* out) const noexcept {
+void Basis::column(Index number, Real* out, Offset stride) const noexcept {
     for (Index point = 0; point < n_points(); ++point) {
-        out[point] =
+        out[point * stride] =
             in_single() ? static_cast<Real>(single_row(point)[number]) : row(point)[number];
     }
     if (!in_single()) return;
     for (Index slot = 0; slot < wall_point.count(); ++slot)
-        out[wall_point[slot]] = row(slot)[number];
+        out[wall_point[slot] * stride] = row(slot)[number];
     for (Index k = 0; k < joined_point.count(); ++k)
-        out[joined_point[k]] = row(joined_slot[k])[number];
+        out[joined_point[k] * stride] = row(joined_slot[k])[number];
 }
 
 OrientedMesh Basis::cells(Mesh const& mesh) const noexcept {

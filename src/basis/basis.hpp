@@ -160,7 +160,7 @@ struct Basis {
         return {single.data(), row_length(), point};
     }
     // Stores number `number` of the rows of all points in `out`.
-    void column(Index number, Real* out) const noexcept;
+    void column(Index number, Real* out, Offset stride = 1) const noexcept;
     // Refuses single storage, for calls that write values or compute others from them.
     Status require_double(Fault& fault) const noexcept;
     // Refuses combined functions and modes, for calls that evaluate boundary functions again.

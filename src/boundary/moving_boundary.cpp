@@ -197,7 +197,7 @@ Status apply_given(GivenParameters const& given, Span<const Curve> curves,
         }
         if (curve < 0 || curve >= curves.count()) {
             return fault.refuse(Status::bad_condition,
-                                "given parameter # names curve @, which does not exist",
+                                "known parameter # names curve @, which does not exist",
                                 entry_item(i), curve_item(curve));
         }
         if (!is_finite(given.u[i]) || given.u[i] < curves[curve].begin() ||

@@ -93,7 +93,7 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
         fewer.n_control =
             min(options.n_control, fewer.n_control + max(Index(1), fewer.n_control / 8));
     }
-    return fault.refuse(Status::short_of_target,
+    return fault.refuse(Status::far_from_points,
                         "with # control points the largest error of the fit is ~, above the "
                         "tolerance",
                         plain(options.n_control), {}, report.max_error);

@@ -6,7 +6,7 @@ void MeshQuality::lay_out(Arena& arena, Basis const& basis, Mesh const& mesh) no
     Size const n_faces = static_cast<Size>(basis.faces().count());
     arena.take(xy, 2 * static_cast<Size>(mesh.n_points));
     arena.take(edge, WallPoints::max_count(mesh.n_points, n_faces));
-    Size const mark = arena.mark();
+    auto const mark = arena.mark();
     layer_.lay_out(arena, mesh, n_faces);
     arena.take(wall_face_, n_faces);
     arena.take(representative_, mesh.n_points);

@@ -16,7 +16,7 @@ void CoarsePoints::lay_out(Arena& arena, Index n, Offset entries) noexcept {
 void CoarsePoints::lay_out_work(Arena& arena, Index n, Offset entries) noexcept {
     contraction_.lay_out(arena, n, max(entries, 2 * entry_room(n) / 3));
     // A level is made in three steps, whose working spaces share their memory.
-    Size const shared = arena.mark();
+    auto const shared = arena.mark();
     selection_.lay_out(arena, n);
     arena.release(shared);
     contraction_.lay_out_interpolation(arena, n);

@@ -124,7 +124,7 @@ void DissectionWork::lay_out(Arena& arena, Index max_unknowns) noexcept {
     coordinates.lay_out(arena, max_unknowns);
     cover.lay_out(arena, max_unknowns);
     arena.take(moved, max_unknowns);
-    Size const shared = arena.mark();
+    auto const shared = arena.mark();
     coordinates.lay_out_layers(arena, max_unknowns);
     arena.release(shared);
     arena.take(keyed, max_unknowns);

@@ -14,7 +14,7 @@
 namespace harmorph {
 
 // An edge with one cell in a part; the cell is on the left of the edge. The layout is that of
-// hm_edge.
+// hm_private_edge.
 struct OpenEdge {
     Offset begin = 0, end = 0;  // The ends are global numbers.
     Vec2 at_begin, at_end;

@@ -46,7 +46,7 @@ Status raise_by_negative(Multifrontal& factor, Matrix const& matrix, Span<Real> 
 void DirectEngine::lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
     factor.lay_out(arena, analysis.tree().count, analysis.fronts(), analysis.subtrees(), columns,
                    analysis.matrix_sizes().kind == MatrixKind::complex);
-    Size const shared = arena.mark();
+    auto const shared = arena.mark();
     factor.lay_out_stack(arena);
     arena.release(shared);
 }

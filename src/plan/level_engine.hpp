@@ -20,7 +20,7 @@ struct LevelEngine {
         bool const is_complex = analysis.matrix_sizes().kind == MatrixKind::complex;
         iteration.lay_out(arena, n, is_complex ? 2 * columns : columns,
                           analysis.problem().iteration, analysis.problem().executor);
-        Size const shared = arena.mark();
+        auto const shared = arena.mark();
         iteration.lay_out_work(arena, n, entries);
         arena.release(shared);
         iteration.lay_out_vectors(arena, n);

@@ -21,7 +21,7 @@ void SafeMorph::lay_out(Arena& arena, Plan const& plan, BasisCounts const& count
     wall_heights.lay_out(arena, plan.mesh(), static_cast<Size>(plan.walls().count));
     arena.take(kinds, n);
     mobility.lay_out(arena, plan);
-    Size const shared = arena.mark();
+    auto const shared = arena.mark();
     untangling.lay_out(arena, plan.region_counts());
     arena.release(shared);
     improvement.lay_out(arena, plan);

@@ -183,9 +183,9 @@ TEST_CASE("of several movements that lead the wall to its place the smallest one
     setup.curves = ring(3, 60, 1, 1);
     setup.conditions.clear();
     setup.put_on_curves(body);
-    setup.given_points.clear();
-    setup.given_curves.clear();
-    setup.given_u.clear();
+    setup.known_points.clear();
+    setup.known_curves.clear();
+    setup.known_u.clear();
     for (int k = 0; k < 12; ++k) setup.give(k, ring_parameter(3, 60, 2 * pi * k / 12));
     Solved solved(setup.problem(), options_of(HM_CONFORMAL));
     REQUIRE(solved.status >= 0);

@@ -2,7 +2,7 @@
 // numbers out of range, objects that do not belong together, steps in the wrong order.
 #include <harmorph_bases.h>
 #include <harmorph_design.h>
-#include <harmorph_parts.h>
+#include "private.h"
 #include <harmorph_study.h>
 #include <doctest/doctest.h>
 
@@ -39,7 +39,9 @@ TEST_CASE("a problem that is too large for the addresses of the machine") {
     arena.take(numbers, std::numeric_limits<std::size_t>::max() / 24);
     harmorph::Fault fault;
     CHECK(arena.verify(0, fault) == harmorph::Status::bad_argument);
-    CHECK(std::string(fault.sentence) == "the problem is too large for this machine's addresses");
+    CHECK(std::string(fault.sentence) ==
+          "the problem needs a block of ~ bytes, which is too large for this machine's addresses");
+    CHECK(fault.value >= 16.0 * double(std::numeric_limits<std::size_t>::max() / 24));
 }
 
 TEST_CASE("room for fewer than there are, and numbers that there are not") {
@@ -122,40 +124,42 @@ TEST_CASE("combined functions, gradients in parts, parcels") {
     std::int64_t sums[64], doubles = 0;
     std::int32_t scale = 0;
     hm_points const dj = o.points;
-    REQUIRE(hm_adjoint_scale(o.basis, &dj, &scale, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_private_adjoint_scale(o.basis, &dj, &scale, nullptr, nullptr) == HM_OK);
     std::string const too_small = "scale is " + std::to_string(scale - 1) +
                                   ", but these points need at least " + std::to_string(scale) +
                                   "; take the largest scale of all parts";
     hm_basis *share = nullptr, *rows = nullptr;
-    Guarded share_block = block_of(hm_share_size, o.solved.analysis, 0, 2);
-    REQUIRE(hm_share_init(&share, share_block.data(), share_block.size(), o.solved.analysis, 0, 2,
-                          nullptr) == HM_OK);
+    Guarded share_block = block_of(hm_private_share_size, o.solved.analysis, 0, 2);
+    REQUIRE(hm_private_share_init(&share, share_block.data(), share_block.size(), o.solved.analysis,
+                                  0, 2, nullptr) == HM_OK);
     REQUIRE(hm_plan_solve(o.solved.plan, share, nullptr, nullptr) == HM_OK);
     std::int32_t const list[] = {20, 30};
-    Guarded block = block_of(hm_extract_size, share, 2);
-    REQUIRE(hm_extract_init(&rows, block.data(), block.size(), share, 2, list, nullptr) == HM_OK);
-    REQUIRE(hm_parcel_size(share, 2, &doubles, nullptr) == HM_OK);
+    Guarded block = block_of(hm_private_extract_size, share, 2);
+    REQUIRE(hm_private_extract_init(&rows, block.data(), block.size(), share, 2, list, nullptr) ==
+            HM_OK);
+    REQUIRE(hm_private_parcel_size(share, 2, &doubles, nullptr) == HM_OK);
     std::vector<double> parcel(static_cast<std::size_t>(doubles));
-    REQUIRE(hm_parcel_pack(share, 2, list, parcel.data(), nullptr) == HM_OK);
+    REQUIRE(hm_private_parcel_pack(share, 2, list, parcel.data(), nullptr) == HM_OK);
     hm_basis* const few = share;  // for all points, but no rows of all functions
     std::int64_t n_few = 0;
     std::vector<std::int32_t> everywhere(48);
     for (std::size_t k = 0; k < 48; ++k) everywhere[k] = std::int32_t(k);
-    REQUIRE(hm_parcel_size(share, 48, &n_few, nullptr) == HM_OK);
+    REQUIRE(hm_private_parcel_size(share, 48, &n_few, nullptr) == HM_OK);
     std::vector<double> of_few(static_cast<std::size_t>(n_few));
-    REQUIRE(hm_parcel_pack(share, 48, everywhere.data(), of_few.data(), nullptr) == HM_OK);
+    REQUIRE(hm_private_parcel_pack(share, 48, everywhere.data(), of_few.data(), nullptr) == HM_OK);
     check_texts({
-        {HM_BAD_ARGUMENT, "scale is 100000, but it must be a number that hm_adjoint_scale returned",
-         call_by(hm_adjoint_sums, o.basis, &dj, 100000, sums, nullptr)},
+        {HM_BAD_ARGUMENT,
+         "scale is 100000, but it must be a number that hm_private_adjoint_scale returned",
+         call_by(hm_private_adjoint_sums, o.basis, &dj, 100000, sums, nullptr)},
         {HM_BAD_ARGUMENT, too_small.c_str(),
-         call_by(hm_adjoint_sums, o.basis, &dj, scale - 1, sums, nullptr)},
+         call_by(hm_private_adjoint_sums, o.basis, &dj, scale - 1, sums, nullptr)},
         {HM_BAD_BASIS,
          "a parcel needs rows of all functions, but these rows have a share of the functions",
-         call_by(hm_parcel_unpack, few, of_few.data(), n_few)},
+         call_by(hm_private_parcel_unpack, few, of_few.data(), n_few)},
         {HM_BAD_BASIS, "the parcel is truncated: it is shorter than its label",
-         call_by(hm_parcel_unpack, rows, parcel.data(), 1)},
+         call_by(hm_private_parcel_unpack, rows, parcel.data(), 1)},
         {HM_BAD_BASIS, "the length of the parcel does not fit the rows that its label announces",
-         call_by(hm_parcel_unpack, rows, parcel.data(), doubles - 1)},
+         call_by(hm_private_parcel_unpack, rows, parcel.data(), doubles - 1)},
     });
 }
 

@@ -4,7 +4,7 @@
 // sealed again by the library's own checksum, so that what lies behind it is tested, too.
 #include <harmorph_bases.h>
 #include <harmorph_design.h>
-#include <harmorph_parts.h>
+#include "private.h"
 #include <harmorph_study.h>
 #include "solution.hpp"
 #include "target.hpp"
@@ -121,10 +121,10 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
     }
     std::int32_t const few[] = {problem.mesh.index_base, info.points - 1 + problem.mesh.index_base,
                                 0, 1};
-    if (hm_extract_size(basis, 4, &bytes, &error) >= 0 && bytes < 1 << 24) {
+    if (hm_private_extract_size(basis, 4, &bytes, &error) >= 0 && bytes < 1 << 24) {
         Block const block(bytes, 0, 0x7F);
         hm_basis* rows = nullptr;
-        if (hm_extract_init(&rows, block.data(), bytes, basis, 4, few, &error) >= 0)
+        if (hm_private_extract_init(&rows, block.data(), bytes, basis, 4, few, &error) >= 0)
             hm_morph(rows, move.data(), nullptr, &out, nullptr, &error);
     }
 }

@@ -1,6 +1,6 @@
 #include "basics/text.hpp"
 
-#include "basics/readable.hpp"
+#include "basics/print.hpp"
 
 #include <algorithm>
 

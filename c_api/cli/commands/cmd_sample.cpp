@@ -1,6 +1,6 @@
 // harmorph sample: many designs of one mesh, for surrogate models.
 #include "basics/print.hpp"
-#include "basics/progress_bar.hpp"
+#include "basics/progress.hpp"
 #include "basics/stopwatch.hpp"
 #include "commands/commands.hpp"
 #include "commands/used_files.hpp"
@@ -13,7 +13,6 @@
 #include "work/read_mesh.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 namespace cli {

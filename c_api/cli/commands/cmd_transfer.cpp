@@ -35,7 +35,7 @@ std::int32_t same_marker(const Arguments& arguments, const Mesh& mesh, std::int3
 // curves are not copied: they are computed for the points of the fine mesh.
 Task task_on(const Arguments& arguments, const Basis& basis, const Mesh& mesh, const Mesh& fine) {
     Task task = task_of(basis);
-    task.given_points.clear();
+    task.known_points.clear();
     for (hm_condition& condition : task.conditions) {
         condition.marker = same_marker(arguments, mesh, condition.marker, fine);
         if (condition.kind == HM_PERIODIC_PAIR || condition.kind == HM_ROTATION_PAIR ||

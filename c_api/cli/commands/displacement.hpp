@@ -1,7 +1,7 @@
 // The given movement and the result of `harmorph displace`, and the output of the result.
 #pragma once
 
-#include "basics/field.hpp"
+#include "basics/geometry.hpp"
 #include "files/output_file.hpp"
 #include "work/morph.hpp"
 #include "work/safe_way.hpp"

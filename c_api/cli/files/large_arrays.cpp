@@ -1,6 +1,6 @@
 #include "files/large_arrays.hpp"
 
-#include "files/tasks.hpp"
+#include "files/threads.hpp"
 
 #ifdef __linux__
 #include <sys/mman.h>

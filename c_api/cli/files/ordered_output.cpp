@@ -1,6 +1,6 @@
 #include "files/ordered_output.hpp"
 
-#include "files/tasks.hpp"
+#include "files/threads.hpp"
 
 #include <condition_variable>
 #include <mutex>

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <random>
 #include <sstream>
 #include <sys/stat.h>
@@ -77,8 +78,8 @@ bool is_same_file(const std::string& path, const std::string& other) {
 OutputFile::OutputFile(const std::string& path)
     : path_(is_device(path) ? path : target_of(path).string()) {
     std::error_code ignored;
-    before_ = fs::status(path_, ignored);
-    if (fs::is_directory(before_))
+    const fs::file_status before = fs::status(path_, ignored);
+    if (fs::is_directory(before))
         throw Failure(exit_file, path + ": cannot be written: it is a directory");
     if (is_device(path_)) {
         stream_.open(path_, std::ios::binary | std::ios::trunc);
@@ -87,7 +88,10 @@ OutputFile::OutputFile(const std::string& path)
     }
     temporary_ = temporary_name(path_, ".part");
     remember_temporary(temporary_);
-    if (fs::exists(before_)) create_privately();
+    if (fs::exists(before)) {
+        permissions_ = static_cast<unsigned>(before.permissions() & fs::perms::all);
+        create_privately();
+    }
     stream_.open(temporary_, std::ios::binary | std::ios::trunc);
     if (!stream_) fail();
 }
@@ -112,16 +116,16 @@ void OutputFile::finish() {
     if (!stream_.flush()) fail();
     stream_.close();
     if (!stream_) fail();
-    if (temporary_.empty() || !fs::exists(before_)) return;
+    if (temporary_.empty() || !permissions_) return;
     copy_owner(path_, temporary_);
     std::error_code error;
-    fs::permissions(temporary_, before_.permissions() & fs::perms::all, error);
+    fs::permissions(temporary_, static_cast<fs::perms>(*permissions_), error);
     if (error) fail();
 }
 
 void OutputFile::replace(bool may_be_undone) {
     if (temporary_.empty()) return;
-    if (may_be_undone && fs::exists(before_)) {
+    if (may_be_undone && permissions_) {
         older_ = temporary_name(path_, ".older");
         std::error_code error;
         fs::create_hard_link(path_, older_, error);
@@ -136,7 +140,7 @@ void OutputFile::replace(bool may_be_undone) {
 void OutputFile::undo() noexcept {
     if (!has_replaced_) return;
     has_replaced_ = false;
-    if (!fs::exists(before_)) {
+    if (!permissions_) {
         std::remove(path_.c_str());
     } else if (!older_.empty() && std::rename(older_.c_str(), path_.c_str()) == 0) {
         older_.clear();

@@ -5,8 +5,8 @@
 #pragma once
 
 #include <deque>
-#include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 
 namespace cli {
@@ -41,7 +41,7 @@ private:
 
     std::string path_, temporary_, older_;  // empty: there is no such file to remove
     bool has_replaced_ = false;
-    std::filesystem::file_status before_;  // of the file that is replaced
+    std::optional<unsigned> permissions_;  // of the file that is replaced, if there is one
     std::ofstream stream_;
 };
 

@@ -1,6 +1,7 @@
 #include "files/own_folder.hpp"
 
 #include "basics/failure.hpp"
+#include "files/paths.hpp"
 
 #include <cerrno>
 #include <cstdio>
@@ -23,9 +24,7 @@ namespace fs = std::filesystem;
 
 OwnFolder::OwnFolder(const std::string& path, const std::string& sign)
     : path_(path), lock_(path + "/" + sign + ".lock") {
-    std::error_code error;
-    fs::create_directories(path_, error);
-    if (error) throw Failure(exit_file, path_ + ": cannot be made: " + error.message());
+    make_folders(path_);
     refuse_others(sign);
     lock();
     try {

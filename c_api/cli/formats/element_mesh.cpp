@@ -5,8 +5,8 @@
 // as the middle of the edge in the plane.
 #include "formats/element_mesh.hpp"
 
+#include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
-#include "basics/place.hpp"
 #include "mesh/one_cell_thick.hpp"
 #include "mesh/tidy.hpp"
 

@@ -1,7 +1,7 @@
 #include "mesh/refine.hpp"
 
 #include "basics/numbers.hpp"
-#include "mesh/edge_chains.hpp"
+#include "mesh/loops.hpp"
 
 #include <algorithm>
 #include <ostream>

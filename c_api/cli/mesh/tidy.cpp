@@ -1,8 +1,8 @@
 #include "mesh/tidy.hpp"
 
 #include "basics/numbers.hpp"
-#include "files/tasks.hpp"
-#include "mesh/boundary_loops.hpp"
+#include "files/threads.hpp"
+#include "mesh/loops.hpp"
 
 #include <algorithm>
 #include <cmath>

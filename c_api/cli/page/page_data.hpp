@@ -2,7 +2,7 @@
 // with the option --report.
 #pragma once
 
-#include "basics/field.hpp"
+#include "basics/geometry.hpp"
 #include "page/page_selection.hpp"
 #include "work/basis_file.hpp"
 

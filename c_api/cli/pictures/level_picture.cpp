@@ -1,5 +1,5 @@
+#include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
-#include "basics/place.hpp"
 #include "pictures/cell_parts.hpp"
 #include "pictures/draw_curves.hpp"
 #include "pictures/pictures.hpp"

@@ -1,8 +1,8 @@
 #include "pictures/mesh_lines.hpp"
 
+#include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
-#include "basics/place.hpp"
-#include "mesh/edge_chains.hpp"
+#include "mesh/loops.hpp"
 
 #include <algorithm>
 #include <cmath>

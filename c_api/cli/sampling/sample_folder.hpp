@@ -45,7 +45,6 @@ public:
 
 private:
     std::string shard_file(std::int64_t shard, const char* ending) const;
-    void make(const std::string& folder) const;
 
     std::string path_;
     std::optional<OwnFolder> owned_;

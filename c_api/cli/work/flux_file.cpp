@@ -1,7 +1,7 @@
 #include "work/flux_file.hpp"
 
+#include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
-#include "basics/place.hpp"
 #include "files/text_file.hpp"
 
 #include <algorithm>

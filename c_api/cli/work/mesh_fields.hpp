@@ -2,7 +2,7 @@
 // another mesh.
 #pragma once
 
-#include "basics/field.hpp"
+#include "basics/geometry.hpp"
 #include "files/output_file.hpp"
 #include "files/threads.hpp"
 #include "mesh/mesh_file.hpp"

@@ -1,7 +1,7 @@
 // A mesh that was moved by control points, and the quality of the moved mesh.
 #pragma once
 
-#include "basics/field.hpp"
+#include "basics/geometry.hpp"
 #include "curves/curves.hpp"
 #include "files/threads.hpp"
 #include "work/basis_file.hpp"

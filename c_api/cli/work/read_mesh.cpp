@@ -1,7 +1,7 @@
 #include "work/read_mesh.hpp"
 
 #include "basics/print.hpp"
-#include "basics/progress_bar.hpp"
+#include "basics/progress.hpp"
 #include "mesh/marker_names.hpp"
 
 namespace cli {

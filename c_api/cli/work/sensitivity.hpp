@@ -2,7 +2,7 @@
 // solvers.
 #pragma once
 
-#include "basics/field.hpp"
+#include "basics/geometry.hpp"
 #include "formats/point_table.hpp"
 
 #include <string>

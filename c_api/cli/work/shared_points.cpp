@@ -1,7 +1,7 @@
 #include "work/shared_points.hpp"
 
+#include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
-#include "basics/place.hpp"
 #include "basics/print.hpp"
 
 #include <algorithm>

@@ -35,10 +35,10 @@ Solver::Solver(const Mesh& mesh, const Task& task, const Threads& threads)
     problem_.n_conditions = static_cast<std::int32_t>(task.conditions.size());
     problem_.conditions = task.conditions.data();
     problem_.max_curve_distance = task.max_curve_distance;
-    problem_.n_given = static_cast<std::int32_t>(task.given_points.size());
-    problem_.given_points = task.given_points.data();
-    problem_.given_curves = task.given_curves.data();
-    problem_.given_u = task.given_u.data();
+    problem_.n_known = static_cast<std::int32_t>(task.known_points.size());
+    problem_.known_points = task.known_points.data();
+    problem_.known_curves = task.known_curves.data();
+    problem_.known_u = task.known_u.data();
     task.fluxes.give_to(problem_);
     options_.executor = threads.executor();
     progress_.listen(options_);

@@ -1,7 +1,7 @@
 // Solves the harmonic functions of a mesh by all calls of the library in turn, in memory.
 #pragma once
 
-#include "basics/field.hpp"
+#include "basics/geometry.hpp"
 #include "basics/library.hpp"
 #include "basics/progress.hpp"
 #include "files/threads.hpp"

@@ -5,9 +5,8 @@
 #include "curves/curves.hpp"
 #include "options/arguments.hpp"
 #include "work/basis_file.hpp"
-#include "work/engine_choice.hpp"
+#include "work/engine.hpp"
 #include "work/flux_file.hpp"
-#include "work/solve_options.hpp"
 
 #include <memory>
 #include <vector>
@@ -19,8 +18,8 @@ struct Task {
     std::vector<hm_condition> conditions;
     std::vector<std::shared_ptr<const CurveSet>> slip_curves;  // conditions point to these
     std::vector<std::string> passages;                     // descriptions of pairs of turned sides
-    std::vector<std::int32_t> given_points, given_curves;  // points with known parameters
-    std::vector<double> given_u;
+    std::vector<std::int32_t> known_points, known_curves;  // points with known parameters
+    std::vector<double> known_u;
     FluxList fluxes;
     double max_curve_distance = 0;  // of hm_problem
     SolveOptions options;

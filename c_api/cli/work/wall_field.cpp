@@ -1,8 +1,8 @@
 #include "work/wall_field.hpp"
 
 #include "basics/failure.hpp"
+#include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
-#include "basics/place.hpp"
 #include "formats/deflate.hpp"
 #include "formats/point_table.hpp"
 

@@ -308,3 +308,20 @@ def test_fluxes_of_a_linear_field():
         harmorph.Morph(mesh, curves, conditions, operator="laplace", fluxes=(faces, values[:, :1]))
     with pytest.raises(harmorph.Error, match="not free"):
         harmorph.Morph(mesh, curves, dict(conditions, top="fixed"), operator="laplace", fluxes=(faces, values))
+
+
+@pytest.mark.parametrize("operator, planes", [("conformal", 2), ("laplace", 1)])
+def test_functions_as_a_dense_array(curves, move, operator, planes):
+    morph = harmorph.Morph(ring_mesh(), curves, operator=operator)
+    f = morph.matrix()
+    assert f.shape == (planes, morph.n_points, 12)
+    if planes == 1:
+        found = f[0] @ move
+    else:
+        found = np.stack([f[0] @ move[:, 0] - f[1] @ move[:, 1], f[1] @ move[:, 0] + f[0] @ move[:, 1]], axis=1)
+    expected = morph.displacement(move)
+    assert np.abs(found - expected).max() <= 1e-14 * np.abs(expected).max()
+    again = np.empty(f.shape)
+    assert morph.matrix(out=again) is again and np.array_equal(again, f)
+    with pytest.raises(harmorph.Error):
+        morph.matrix(out=np.empty((1, 2, 3)))
