@@ -210,10 +210,10 @@ web-modules: web-tools rules
 	else echo "$(EMXX) not found: the package has no program; install Debian's emscripten and node-acorn"; fi; \
 	$(MAKE_BY_RULES) $(WEB) $$program
 web: web-modules
-	@VERSION=$(VERSION) sh c_api/web/pack.sh pack $(BUILD)
+	@VERSION=$(VERSION) EMXX='$(EMXX)' sh c_api/web/pack.sh pack $(BUILD)
 
 test-web: all web
-	@CC='$(CC)' sh tests/web.sh $(BUILD)
+	@CC='$(CC)' EMXX='$(EMXX)' sh tests/web.sh $(BUILD)
 
 mpi: all
 	$(MPICC) $(CFLAGS) -Wall -Wextra -Wno-missing-field-initializers -fPIC -Iinclude -Ic_api -c -o $(BUILD)/objects/harmorph_mpi.o c_api/mpi/harmorph_mpi.c

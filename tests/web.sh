@@ -1,15 +1,15 @@
 #!/bin/sh
-# usage: web.sh BUILD   (called by `make test-web` and `make test`; MAKE, CC from the environment)
+# usage: web.sh BUILD   (called by `make test-web` and `make test`; MAKE, CC, EMXX from the environment)
 # The package for npm (c_api/web): `make web`, the bits of the native library, every call, memory, damaged input, and
 # the tarball installed in an empty folder without a network.
-: "${MAKE:=make}" "${CC:=cc}"
+: "${MAKE:=make}" "${CC:=cc}" "${EMXX:=em++}"
 build=$(cd "$1" && pwd)
 dir=$build/web-test
 topic=web log=$dir/log
 . "$(dirname "$0")/count.sh"
 rm -rf "$dir" && mkdir -p "$dir/installed" || exit 1
 
-check "make web" $MAKE -s BUILD="$1" web
+check "make web" $MAKE -s BUILD="$1" EMXX="$EMXX" web
 version=$(sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' include/harmorph.h)
 tarball=$build/web/harmorph-$version.tgz
 installed() (
@@ -85,7 +85,7 @@ commands() (   # folder, program...
         grep -v -E '^(seconds|megabytes|engine) ' $text >new.txt && mv new.txt $text
     done
 )
-if command -v em++ >/dev/null; then
+if command -v $EMXX >/dev/null; then
     check "the native program" commands native "$build/harmorph"
     check "the program in node" commands node "$dir/installed/node_modules/.bin/harmorph"
     check "writes the same bytes" diff -r "$dir/native" "$dir/node"
@@ -94,7 +94,7 @@ if command -v em++ >/dev/null; then
 else
     without_program() { ! "$dir/installed/node_modules/.bin/harmorph"; }
     check "without emscripten the program says that it is not there" without_program
-    skip "the program in node" "em++ is not installed (Debian's emscripten, node-acorn)"
+    skip "the program in node" "$EMXX is not installed (Debian's emscripten, node-acorn)"
 fi
 if command -v tsc >/dev/null; then
     types() (

@@ -53,7 +53,7 @@ level() {
         }' "$LEVELS"
 }
 
-# object PART SOURCE [MEMBER]: its rule; adds the object, src-mesh-edges.o of src/mesh/edges.cpp, to $list. A group has
+# object PART SOURCE [MEMBER]: its rule; adds the object, src-mesh-mesh.o of src/mesh/mesh.cpp, to $list. A group has
 # the level of its first MEMBER. The headers that the source includes stand in depends.mk once the object has been made.
 object() {
     name=${2%.cpp} name=${name#$build/} name=${name#objects/$1/}

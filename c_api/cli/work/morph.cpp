@@ -78,7 +78,8 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& mo
 }
 
 Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target,
-             hm_safe_options options, std::int32_t operator_kind, const Threads& threads)
+             hm_safe_options options, std::int32_t operator_kind, const Threads& threads,
+             const FluxList& fluxes)
     : moves(target.size()),
       displacement(mesh.x.size()),
       moved(mesh.x.size()),
@@ -87,6 +88,7 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
       safe(sized<hm_safe_report>()) {
     const Stopwatch watch;
     Task task = task_of(basis);
+    task.fluxes = fluxes;
     const bool is_own = operator_kind == task.options.operator_kind;
     if (!is_own) {
         task.options.operator_kind = operator_kind;
@@ -171,8 +173,8 @@ void Morph::judge(const Basis& basis, const Mesh& mesh, const Threads& threads) 
     if (status < 0) refuse(error, mesh);
     if (status == HM_TORN) torn = why_torn_by(basis, mesh, error);
     boundary_error =
-        std::fabs(boundary_error - safe.turned_offset);  // without the offsets that turned
-    boundary_error += basis.distance_from_curves();      // the distance before this movement
+        std::fabs(boundary_error - safe.rotated_offset);  // without the offsets that turned
+    boundary_error += basis.distance_from_curves();       // the distance before this movement
 }
 
 }  // namespace cli
