@@ -148,7 +148,8 @@ rules: checked
 	@mkdir -p $(BUILD)/web $(BUILD)/meshes && cd $(BUILD) && mkdir -p objects/core objects/cli objects/unit objects/fuzz objects/mesh \
 	    objects/harmorph objects/harmorph_simd128 objects/node
 	@LEVELS='$(LEVELS)' UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
-	    FLAGS='$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' WASM_FLAGS='$(WASM_CXX) $(WASM) $(WASM_LINK) $(EMXX) $(NODE) $(NODE_LINK)' \
+	    FLAGS='$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' WASM_FLAGS='$(WASM_CXX) $(WASM) $(WASM_LINK)' \
+	    NODE_FLAGS='$(EMXX) $(NODE) $(NODE_LINK)' \
 	    sh c_api/packaging/rules.sh $(BUILD)
 
 # The random movements of `make deform`; `make test` compiles them, too.

@@ -43,6 +43,7 @@ if [ "$ZLIB" != 0 ]; then
     rm -f "$build/zlib.$$"*
 fi
 put flags echo "$FLAGS $(cat "$LEVELS") $with_zlib"
+put web/node_flags echo "$NODE_FLAGS"
 put web/flags echo "$WASM_FLAGS $(cat "$LEVELS") $(sed -n '/^small_levels/,/^}/p' "$0")"
 
 # level SOURCE: its flags in the file LEVELS
@@ -96,16 +97,21 @@ program() {
 }
 
 # The library as WebAssembly, in the folder web: NAME, flags. A page loads the module, so the module is compiled for
-# size but for the kernels and the search for crossings, in which most of the time is spent. The module without simd128
-# is for old engines, and small.
+# size but for the kernels and the search for crossings, in which most of the time is spent; rooms that are used once,
+# or not by most callers, are compiled for the smallest size. The module without simd128 is for old engines, and small.
 small_levels() {   # source:level, of each source; one process for all, as there are many
-    ls src/*/*.cpp c_api/*.cpp c_api/web/module.cpp | awk -v flags="$1" -v fast="$(
-        grep -l '^#define HARMORPH_KERNELS' src/*/*.cpp | tr '\n' ' ')src/morph/crossing.cpp src/morph/touch.cpp" '
-        BEGIN { n = split(fast, name, " "); for (k = 1; k <= n; ++k) is_fast[name[k]] = 1 }
+    fast=$(grep -l '^#define HARMORPH_KERNELS' src/dense/*.cpp src/morph/*.cpp src/operators/*.cpp)
+    fast="$fast src/morph/crossing.cpp src/morph/touch.cpp"
+    ls src/*/*.cpp c_api/*.cpp c_api/web/module.cpp | awk -v flags="$1" -v fast="$(echo $fast)" '
+        BEGIN {
+            rare = "^c_api/|^src/(boundary|bspline|fields|multigrid|safe|space)/"
+            n = split(fast, name, " ")
+            for (k = 1; k <= n; ++k) is_fast[name[k]] = 1
+        }
         NR == FNR { if ($0 !~ /^#/) { prefix[++levels] = $1; level[levels] = $2 } next }
         {
             for (k = 1; k < levels; ++k) if (index($1, prefix[k]) == 1) break
-            print $1 ":" (flags == "" || level[k] == "-Og" ? "-Oz" : $1 in is_fast ? "-O2" : "-Os")
+            print $1 ":" (flags == "" || level[k] == "-Og" || $1 ~ rare ? "-Oz" : $1 in is_fast ? "-O2" : "-Os")
         }' "$LEVELS" -
 }
 module() {
@@ -118,7 +124,7 @@ module() {
 # The program for node, by emscripten, with the library of the module with simd128.
 node_program() {
     library=$(echo "$list" | tr ' ' '\n' | grep -v web-module)
-    compiler='$(EMXX)' at=-O2 flags='$(NODE)' list=
+    compiler='$(EMXX)' at=-O2 flags='$(NODE)' list= stamp=$build/web/node_flags
     objects node $build/page_text.cpp c_api/cli/formats/cgns*.cpp c_api/cli/main.cpp
     groups node $in_program in_turn $(ls c_api/cli/*/*.cpp | grep -v /cgns)
     at=
