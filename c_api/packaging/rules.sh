@@ -115,6 +115,16 @@ module() {
     printf '%s/web/%s.wasm:%s %s/web/exports %s/rules.mk\n\techo $(WASM_CXX) $@\n' $build $1 "$list" $build $build
     printf '\t$(WASM_CXX) $(WASM_LINK) @%s/web/exports -o $@%s\n' $build "$list"
 }
+# The program for node, by emscripten, with the library of the module with simd128.
+node_program() {
+    library=$(echo "$list" | tr ' ' '\n' | grep -v web-module)
+    compiler='$(EMXX)' at=-O2 flags='$(NODE)' list=
+    objects node $build/page_text.cpp c_api/cli/formats/cgns*.cpp c_api/cli/main.cpp
+    groups node $in_program in_turn $(ls c_api/cli/*/*.cpp | grep -v /cgns)
+    at=
+    printf '%s/web/program.js:%s %s c_api/web/program_before.js\n\techo $(EMXX) $@\n' $build "$list" "$(echo $library)"
+    printf '\tNODE_PATH="$${NODE_PATH:-/usr/share/nodejs}" $(EMXX) $(NODE_LINK) -o $@%s %s\n' "$list" "$(echo $library)"
+}
 # What the scripts of the package call; other words, such as names of structs, are not there to be exported.
 exports() {
     cat c_api/web/package/*.js | grep -o 'hm_[a-z_]*' | sort -u | sed 's/^/-Wl,--export-if-defined=/'
@@ -123,6 +133,7 @@ layout() {
     awk -f c_api/packaging/table.awk $(sed 's|^|include/|' fortran/harmorph/headers) | awk -f c_api/web/layout.awk
 }
 put web/layout.inc layout
+put web/headers.inc sed 's/.*/#include "&"/' fortran/harmorph/headers
 put web/exports exports
 
 all_rules() {
@@ -130,6 +141,7 @@ all_rules() {
     compiler='$(WASM_CXX)' own= stamp=$build/web/flags
     module harmorph ''
     module harmorph_simd128 -msimd128
+    node_program
 
     compiler='$(CXX)' at= own='$(CXXFLAGS)' stamp=$build/flags
     flags='$(CORE)' list=
