@@ -1,4 +1,4 @@
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "request.hpp"
 
 namespace harmorph {

@@ -428,8 +428,8 @@ enum {
      * points of the marker, or along given B-splines (hm_condition.along). Points at corners are
      * fixed; hm_slip of harmorph_design.h says what a corner is. */
     HM_SLIP = 3,
-    /* Zero normal derivative, or a given one (hm_problem.fluxes): points may also leave the boundary
-     * line. */
+    /* Zero normal derivative, or a given one (hm_problem.fluxes): points may also leave the
+     * boundary line. */
     HM_FREE = 4,
     /* This marker and its partner are translates of each other: their points move by bitwise
      * identical displacements. A wall that moves must not end on them; give the part of the wall
@@ -504,8 +504,8 @@ typedef struct hm_problem {
      * bodies, have 0. The part of a flux normal to a slip line at its end is taken up by the line.
      * Factored at other coordinates, the derivatives stay, and the lengths of the faces change.
      * Refused: a face that is not free, or is named twice (HM_BAD_CONDITION); HM_ROTATION_PAIR, and
-     * solving functions again that are combined or have modes beside them (HM_UNSUPPORTED). The arrays must exist
-     * as long as the analysis; the plan has copies. */
+     * solving functions again that are combined or have modes beside them (HM_UNSUPPORTED). The
+     * arrays must exist as long as the analysis; the plan has copies. */
     int32_t n_fluxes;
     const int32_t* flux_points; /* [2*n_fluxes] in any order, counted from mesh.index_base */
     const double* fluxes;       /* [n_fluxes*n_control] finite, up to 1e100 */
@@ -911,7 +911,7 @@ typedef struct hm_safe_report {
     int32_t angle_point; /* where the angle changed most; -1: there are no first-layer edges */
     int32_t min_height_point, max_height_point;
     int32_t n_worst;        /* 0 .. 5, at most the number of cells */
-    double turned_offset;   /* [length] largest |(r - 1) e|, see hm_morph_safe */
+    double rotated_offset;  /* [length] largest |(r - 1) e|, see hm_morph_safe */
     double start_quality;   /* [0..1] smallest skew quality of the start */
     hm_worst_cell worst[5]; /* [n_worst] the cells of lowest quality of `to`, the worst first */
     int32_t end_point; /* the end of a wall that leaves the boundary beside it farthest; -1: none */
@@ -943,10 +943,10 @@ HM_API hm_status hm_morph_safe_size(const hm_plan* plan, const hm_basis* basis, 
  * derivative: NULL, or another basis of the same analysis (hm_basis_init). It receives the sum of
  * the functions of all steps, weighted by their parts of the movement, so that hm_morph with this
  * basis is the derivative of `to` with respect to `move`, and hm_adjoint the transpose. This is
- * exact for wall points on their curve; where a body turns or scales by r and has reached the part
- * t < 1, they move by t r^(t-1) sum_i N_i dP_i. Neglected are changes of (r - 1) e, the influence
- * of `move` and earlier steps on later functions, steps and rotations, how inner points follow
- * those that slip, and what untangling, improvement and heights moved. */
+ * exact for wall points on their curve; where a body rotates or scales by r and has reached the
+ * part t < 1, they move by t r^(t-1) sum_i N_i dP_i. Neglected are changes of (r - 1) e, the
+ * influence of `move` and earlier steps on later functions, steps and rotations, how inner points
+ * follow those that slip, and what untangling, improvement and heights moved. */
 HM_API hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move,
                                const hm_points_out* to, hm_basis* derivative, void* work,
                                size_t bytes, const hm_safe_options* options, hm_safe_report* report,

@@ -74,6 +74,7 @@ int main(void) {
 
     BEGINS(hm_executor);
     BEGINS(hm_mesh);
+    BEGINS(hm_modes);
     BEGINS(hm_movement);
     BEGINS(hm_curve);
     BEGINS(hm_curves);

@@ -1,7 +1,7 @@
 #include "boundary/fluxes.hpp"
 
 #include "base/hash.hpp"
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
 #include "plan/analysis.hpp"
 
-#include "mesh/guard_shape.hpp"
+#include "mesh/cell_shape.hpp"
 
 namespace harmorph {
 

@@ -95,13 +95,13 @@ TEST_CASE("each call takes the kinds of bases that it can use") {
          [](World&, hm_basis* b, hm_error* e) {
              hm_curves curves = sized<hm_curves>();
              hm_curve curve[2] = {sized<hm_curve>(), sized<hm_curve>()};
-             return hm_basis_curves(b, &curves, curve, 2, e);
+             return hm_basis_curves(b, nullptr, nullptr, &curves, curve, 2, e);
          }},
-        {"hm_moved_curves", "..............", false,
+        {"hm_basis_curves, moved", "..............", false,
          [](World& w, hm_basis* b, hm_error* e) {
              hm_curves curves = sized<hm_curves>();
              hm_curve curve[2] = {sized<hm_curve>(), sized<hm_curve>()};
-             return hm_moved_curves(b, w.arrays.move.data(), w.arrays.x.data(), &curves, curve, 2,
+             return hm_basis_curves(b, w.arrays.move.data(), w.arrays.x.data(), &curves, curve, 2,
                                     e);
          }},
         {"hm_basis_conditions", "..............", false,
@@ -207,15 +207,17 @@ TEST_CASE("each call takes the kinds of bases that it can use") {
                    })},
         {"hm_tabulate", ".bbbbbb..ubbbb", false,
          [=](World&, hm_basis* b, hm_error* e) {
-             std::size_t bytes = 0, work_bytes = 0;
-             hm_status const status = hm_tabulate_size(plan, b, 1, 1, &bytes, &work_bytes, e);
+             std::size_t bytes = 0;
+             auto modes = sized<hm_modes>();
+             modes.n_modes = modes.numbers = 1;
+             modes.n = std::int32_t(given_points(plan).size());
+             std::vector<double> const ones(std::size_t(modes.n), 1.0);
+             modes.values = ones.data();
+             hm_status const status = hm_tabulate_size(plan, b, &modes, &bytes, e);
              if (status < 0) return status;
-             Guarded block(bytes), work(work_bytes);
-             std::int32_t const all = std::int32_t(given_points(plan).size());
-             std::vector<double> const ones(std::size_t(all), 1.0);
+             Guarded block(bytes);
              hm_basis* made = nullptr;
-             return hm_tabulate(&made, block.data(), bytes, plan, b, all, nullptr, 1, 1,
-                                ones.data(), work.data(), work_bytes, nullptr, e);
+             return hm_tabulate(&made, block.data(), bytes, plan, b, &modes, nullptr, e);
          }},
         {"hm_plane_morph", ".bbbbb......bb", false,
          [](World& w, hm_basis* b, hm_error* e) {

@@ -346,7 +346,7 @@ const Command morph_command = {
              "heights (the part of\n"
              "the change of the distances from the wall that was undone), reached_moves (the "
              "file),\n"
-             "turned_offset (the largest change of a wall point's offset from the curve, because "
+             "rotated_offset (the largest change of a wall point's offset from the curve, because "
              "the body turned),\n"
              "start_quality, end_point (the end of a wall that leaves the line of the neighbouring "
              "boundary;\n"

@@ -118,17 +118,18 @@ public:
     }
     const hm_basis* append_to(Solver& solver) {
         if (paths_.empty()) return solver.basis();
-        const auto n = static_cast<std::int32_t>(points_.size()),
-                   n_modes = static_cast<std::int32_t>(paths_.size());
-        std::size_t bytes = 0, work_bytes = 0;
-        call(paths_[0], hm_tabulate_size, solver.plan(), solver.basis(), n_modes, 2, &bytes,
-             &work_bytes);
+        auto modes = sized<hm_modes>();
+        modes.n_modes = static_cast<std::int32_t>(paths_.size());
+        modes.n = static_cast<std::int32_t>(points_.size());
+        modes.points = points_.data();
+        modes.values = values_.data();
+        std::size_t bytes = 0;
+        call(paths_[0], hm_tabulate_size, solver.plan(), solver.basis(), &modes, &bytes);
         block_.resize(bytes);
-        Block work(work_bytes);
         hm_basis* basis = nullptr;
-        void *const block = block_.data(), *const working = work.data();
-        call(paths_[0], hm_tabulate, &basis, block, bytes, solver.plan(), solver.basis(), n,
-             points_.data(), n_modes, 2, values_.data(), working, work_bytes, nullptr);
+        void* const block = block_.data();
+        call(paths_[0], hm_tabulate, &basis, block, bytes, solver.plan(), solver.basis(), &modes,
+             nullptr);
         return basis;
     }
 

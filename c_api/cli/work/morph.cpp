@@ -173,8 +173,8 @@ void Morph::judge(const Basis& basis, const Mesh& mesh, const Threads& threads) 
     if (status < 0) refuse(error, mesh);
     if (status == HM_TORN) torn = why_torn_by(basis, mesh, error);
     boundary_error =
-        std::fabs(boundary_error - safe.turned_offset);  // without the offsets that turned
-    boundary_error += basis.distance_from_curves();      // the distance before this movement
+        std::fabs(boundary_error - safe.rotated_offset);  // without the offsets that turned
+    boundary_error += basis.distance_from_curves();       // the distance before this movement
 }
 
 }  // namespace cli

@@ -51,10 +51,9 @@ export class Curves extends Owner {
         return library.with((scope) => {
             const given = fit_options(scope, options, mesh.nPoints);
             const list = scope.integers(numbers, undefined, "markers");
-            const [bytes, work_bytes] = scope.sizes("hm_fit_marker_size", 2, mesh.address, numbers.length, list, given);
-            const report = scope.struct("hm_fit_report"), work = scope.take(work_bytes);
-            const found = scope.object("hm_fit_marker", bytes, mesh.address, numbers.length, list, given, report, work,
-                work_bytes);
+            const bytes = scope.size("hm_fit_marker_size", mesh.address, numbers.length, list, given);
+            const report = scope.struct("hm_fit_report");
+            const found = scope.object("hm_fit_marker", bytes, mesh.address, numbers.length, list, given, report);
             return this.found(found, library.layout.read("hm_fit_report", report), names);
         });
     }

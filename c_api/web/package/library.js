@@ -222,15 +222,11 @@ export class Scope {
 
     /** Returns the number of bytes that a size query states. */
     size(name, ...values) {
-        return this.sizes(name, 1, ...values)[0];
-    }
-
-    sizes(name, count, ...values) {
         const { library } = this;
-        const slots = this.take(4 * count);
-        library.call(name, ...values, ...Array.from({ length: count }, (_, k) => slots + 4 * k));
-        const found = Array.from({ length: count }, (_, k) => library.memory.data.getUint32(slots + 4 * k, true));
-        this.drop(slots);
+        const slot = this.take(4);
+        library.call(name, ...values, slot);
+        const found = library.memory.data.getUint32(slot, true);
+        this.drop(slot);
         return found;
     }
 

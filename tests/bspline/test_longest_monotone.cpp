@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "base/longest_monotone.hpp"
+#include "bspline/projection.hpp"
 
 #include <algorithm>
 #include <random>

@@ -1,4 +1,4 @@
-#include "plan/direct_engine.hpp"
+#include "plan/engine.hpp"
 
 namespace harmorph {
 namespace {
