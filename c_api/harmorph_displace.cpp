@@ -3,7 +3,7 @@
 #include <type_traits>
 
 #include "given_list.hpp"
-#include "morph/mode_functions.hpp"
+#include "morph/displacement.hpp"
 
 namespace harmorph {
 namespace {

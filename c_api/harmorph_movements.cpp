@@ -1,9 +1,8 @@
 // The C interface: moves a section by values, and finds the modes of a family of movements.
-#include "base/range.hpp"
-#include "bspline/camber_change.hpp"
-#include "bspline/family_modes.hpp"
+#include "base/vec2.hpp"
+#include "bspline/movements.hpp"
 #include "bspline/parsec.hpp"
-#include "bspline/section_area.hpp"
+#include "bspline/section_measures.hpp"
 #include "section_view.hpp"
 
 namespace harmorph {

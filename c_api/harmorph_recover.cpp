@@ -1,7 +1,7 @@
 // The C interface: finds the movement that a mesh has made since its basis was made.
-#include "handles.hpp"
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "basis/wall_movement.hpp"
+#include "handles.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,7 +1,7 @@
 // The C interface: makes large movements that stay valid, for which the functions are solved again
 // on the way.
+#include "base/vec2.hpp"
 #include "given_list.hpp"
-#include "base/range.hpp"
 #include "morph/quality.hpp"
 #include "safe/safe_displacement.hpp"
 

@@ -428,7 +428,9 @@ enum {
      * points of the marker, or along given B-splines (hm_condition.along). Points at corners are
      * fixed; hm_slip of harmorph_design.h says what a corner is. */
     HM_SLIP = 3,
-    HM_FREE = 4, /* zero normal derivative: points may also leave the boundary line */
+    /* Zero normal derivative, or a given one (hm_problem.fluxes): points may also leave the
+     * boundary line. */
+    HM_FREE = 4,
     /* This marker and its partner are translates of each other: their points move by bitwise
      * identical displacements. A wall that moves must not end on them; give the part of the wall
      * beside them a marker of its own, fixed or with slip. */
@@ -494,6 +496,19 @@ typedef struct hm_problem {
      * control polygon or of all points on curves. The wall keeps its distance in every movement:
      * with the curve of another airfoil it does not become what the curve becomes. */
     double max_curve_distance;
+    /* Neumann values. On face k of a free marker, between the points flux_points[2*k] and
+     * flux_points[2*k+1], the function of control point i has the outward normal derivative
+     * fluxes[k*n_control + i] [1/length], multiplied by the weight of the operator (1 for
+     * HM_LAPLACE). So a movement dP gives the displacements the normal derivative
+     * sum_i fluxes[k*n_control + i] dP_i there. Other free faces, and the functions of rigid
+     * bodies, have 0. The part of a flux normal to a slip line at its end is taken up by the line.
+     * Factored at other coordinates, the derivatives stay, and the lengths of the faces change.
+     * Refused: a face that is not free, or is named twice (HM_BAD_CONDITION); HM_ROTATION_PAIR, and
+     * solving functions again that are combined or have modes beside them (HM_UNSUPPORTED). The
+     * arrays must exist as long as the analysis; the plan has copies. */
+    int32_t n_fluxes;
+    const int32_t* flux_points; /* [2*n_fluxes] in any order, counted from mesh.index_base */
+    const double* fluxes;       /* [n_fluxes*n_control] finite, up to 1e100 */
 } hm_problem;
 
 /* Available combinations with the compact scheme (all others: HM_UNSUPPORTED; other schemes:

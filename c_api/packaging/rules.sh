@@ -43,7 +43,7 @@ if [ "$ZLIB" != 0 ]; then
     rm -f "$build/zlib.$$"*
 fi
 put flags echo "$FLAGS $(cat "$LEVELS") $with_zlib"
-put web/flags echo "$WASM_FLAGS $(cat "$LEVELS") $(sed -n '/^small_level/,/^}/p' "$0")"
+put web/flags echo "$WASM_FLAGS $(cat "$LEVELS") $(sed -n '/^small_levels/,/^}/p' "$0")"
 
 # level SOURCE: its flags in the file LEVELS
 level() {
@@ -53,13 +53,13 @@ level() {
         }' "$LEVELS"
 }
 
-# object PART SOURCE [MEMBER]: its rule; adds the object, src-mesh-edges.o of src/mesh/edges.cpp, to $list. A group has
+# object PART SOURCE [MEMBER]: its rule; adds the object, src-mesh-mesh.o of src/mesh/mesh.cpp, to $list. A group has
 # the level of its first MEMBER. The headers that the source includes stand in depends.mk once the object has been made.
 object() {
     name=${2%.cpp} name=${name#$build/} name=${name#objects/$1/}
     name=$build/objects/$1/$(IFS=/; set -- $name; IFS=-; echo "$*").o
     printf '%s: %s %s\n\techo %s %s\n\t%s %s %s -MMD -MP -c -o $@ %s\n' \
-        "$name" "$2" "$stamp" "$compiler" "$2" "$compiler" "$($levels ${3:-$2})" "$flags" "$2"
+        "$name" "$2" "$stamp" "$compiler" "$2" "$compiler" "${at:-$(level ${3:-$2})}${own:+ $own}" "$flags" "$2"
     list="$list $name"
 }
 objects() { part=$1; shift; for source do object $part $source; done; }
@@ -96,17 +96,22 @@ program() {
 }
 
 # The library as WebAssembly, in the folder web: NAME, flags. A page loads the module, so the module is compiled for
-# size but for the kernels and the search for crossings, in which most of the time is spent.
-small_level() {
-    case $1,$flags in
-    src/morph/crossing.cpp,*-msimd128 | src/morph/touch.cpp,*-msimd128) echo -O2; return ;;
-    *-msimd128) if grep -q '^#define HARMORPH_KERNELS' "$1"; then echo -O2; return; fi ;;
-    esac
-    case $(level "$1"),$flags in -Og,* | *'(WASM) ') echo -Oz ;; *) echo -Os ;; esac
+# size but for the kernels and the search for crossings, in which most of the time is spent. The module without simd128
+# is for old engines, and small.
+small_levels() {   # source:level, of each source; one process for all, as there are many
+    ls src/*/*.cpp c_api/*.cpp c_api/web/module.cpp | awk -v flags="$1" -v fast="$(
+        grep -l '^#define HARMORPH_KERNELS' src/*/*.cpp | tr '\n' ' ')src/morph/crossing.cpp src/morph/touch.cpp" '
+        BEGIN { n = split(fast, name, " "); for (k = 1; k <= n; ++k) is_fast[name[k]] = 1 }
+        NR == FNR { if ($0 !~ /^#/) { prefix[++levels] = $1; level[levels] = $2 } next }
+        {
+            for (k = 1; k < levels; ++k) if (index($1, prefix[k]) == 1) break
+            print $1 ":" (flags == "" || level[k] == "-Og" ? "-Oz" : $1 in is_fast ? "-O2" : "-Os")
+        }' "$LEVELS" -
 }
 module() {
     flags="\$(WASM) $2" list=
-    objects $1 src/*/*.cpp c_api/*.cpp c_api/web/module.cpp
+    for at in $(small_levels "$2"); do source=${at%:*} at=${at#*:}; object $1 $source; done
+    at=
     printf '%s/web/%s.wasm:%s %s/web/exports %s/rules.mk\n\techo $(WASM_CXX) $@\n' $build $1 "$list" $build $build
     printf '\t$(WASM_CXX) $(WASM_LINK) @%s/web/exports -o $@%s\n' $build "$list"
 }
@@ -122,11 +127,11 @@ put web/exports exports
 
 all_rules() {
     echo "WITH_ZLIB = $with_zlib"
-    compiler='$(WASM_CXX)' levels=small_level stamp=$build/web/flags
+    compiler='$(WASM_CXX)' own= stamp=$build/web/flags
     module harmorph ''
     module harmorph_simd128 -msimd128
 
-    compiler='$(CXX)' levels=level stamp=$build/flags
+    compiler='$(CXX)' at= own='$(CXXFLAGS)' stamp=$build/flags
     flags='$(CORE)' list=
     objects core src/*/*.cpp c_api/*.cpp
     printf '%s/libharmorph.a:%s\n\techo $(AR) $@\n\trm -f $@\n\t$(AR) rcs $@%s\n' $build "$list" "$list"

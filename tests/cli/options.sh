@@ -40,6 +40,8 @@ fit_ring() { "$harmorph" fit "$ring" --marker body -o "$tmp/traced" --json "$@";
 fit_tied() { fit_ring --closed tied "$@"; }
 solve_ring() { "$harmorph" solve "$ring" --curve body="$curve" -o "$tmp/traced" --json "$@"; }
 solve_laplace() { solve_ring --operator laplace "$@"; }
+solve_free() { solve_laplace --free far "$@"; }
+echo '577 576 2 .5' >"$tmp/fluxes.txt"
 solve_multigrid() { solve_laplace --engine multigrid "$@"; }
 solve_fas() { solve_laplace --engine fas "$@"; }
 solve_body() { "$harmorph" solve "$box" --rigid block -o "$tmp/traced" --json "$@"; }
@@ -86,6 +88,9 @@ for field in x y; do sets hm_condition.$field solve_body --rigid out=3,4; done
 for field in first_curve n_curves; do sets hm_condition.$field solve_body --curve out="$tmp/right.curve"; done
 sets hm_condition.partner solve_body --periodic low:high
 for field in piece near_x near_y; do sets hm_condition.$field solve_body --slip low@6:0; done
+for field in n_fluxes flux_points fluxes; do
+    sets hm_problem.$field solve_free --flux "$tmp/fluxes.txt"
+done
 sets hm_condition.along solve_body --slip low="$tmp/low.curve"
 
 sets hm_options.operator_kind solve_ring --operator laplace

@@ -78,7 +78,8 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& mo
 }
 
 Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target,
-             hm_safe_options options, std::int32_t operator_kind, const Threads& threads)
+             hm_safe_options options, std::int32_t operator_kind, const Threads& threads,
+             const FluxList& fluxes)
     : moves(target.size()),
       displacement(mesh.x.size()),
       moved(mesh.x.size()),
@@ -87,6 +88,7 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
       safe(sized<hm_safe_report>()) {
     const Stopwatch watch;
     Task task = task_of(basis);
+    task.fluxes = fluxes;
     const bool is_own = operator_kind == task.options.operator_kind;
     if (!is_own) {
         task.options.operator_kind = operator_kind;
