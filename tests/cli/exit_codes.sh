@@ -43,13 +43,14 @@ check "not converged, --force writes" test -s "$tmp/loose.basis"
 # Output that cannot be written.
 refuses "no such folder" 3 'no/such/folder' morph "$ring" "$basis" --move "$no_moves" -o "$tmp/no/such/folder/mesh.su2"
 if [ -c /dev/full ]; then
-    refuses "a full disk: the reason" 3 '/dev/full: cannot be written: No space left on device' morph "$ring" "$basis" --move "$no_moves" -o /dev/full
+    full='/dev/full: cannot be written: No space left on device'
+    refuses "a full disk: the reason" 3 "$full" morph "$ring" "$basis" --move "$no_moves" -o /dev/full
     refuses "all files or none" 3 '/dev/full' morph "$ring" "$basis" --move "$no_moves" -o "$tmp/x" --vtu /dev/full
     leaves_nothing "all files or none: none" "$tmp/x"
     # A file of megabytes fails long before the end of the command, which then asks for other files.
     make_ring 400 60 >"$tmp/many.su2"
     makes solve "$tmp/many.su2" --curve body="$curve" -o "$tmp/many.basis"
-    refuses "a full disk, found out early: the reason" 3 '/dev/full: cannot be written: No space left on device' \
+    refuses "a full disk, found out early: the reason" 3 "$full" \
         morph "$tmp/many.su2" "$tmp/many.basis" --move "$no_moves" -o /dev/full --vtu "$tmp/x"
     "$harmorph" check "$ring" >/dev/full 2>/dev/null
     check "standard output on a full disk" test $? -eq 3
@@ -76,10 +77,12 @@ refuses "help of no command" 2 "'moph' is unknown; did you mean 'morph'?" help m
 refuses "a command with wrong letters" 2 "'slove' is unknown; did you mean 'solve'?" slove
 refuses "a command like no other" 2 "'frobnicate' is unknown" frobnicate
 check "a command like no other: no proposal" sh -c "! grep 'did you mean' '$tmp/err'"
-refuses "an option with wrong letters" 2 "'--markre' is unknown; did you mean '--marker'?" fit "$ring" --markre body -o "$tmp/x"
+refuses "an option with wrong letters" 2 "'--markre' is unknown; did you mean '--marker'?" fit "$ring" \
+    --markre body -o "$tmp/x"
 refuses "a marker with wrong letters" 2 "did you mean 'body'?" fit "$ring" --marker Boddy -o "$tmp/x"
 refuses "no condition" 2 '--curve MARKER=FILE' solve "$ring" -o "$tmp/x"
-refuses "an unknown movement" 3 'turn, shift, scale, flap, rigid or mode' morph "$ring" "$basis" --by 'trun body 3' -o "$tmp/x"
+refuses "an unknown movement" 3 'turn, shift, scale, flap, rigid or mode' morph "$ring" "$basis" \
+    --by 'trun body 3' -o "$tmp/x"
 refuses "a line of moves is no file" 3 '--by:1: the option needs' morph "$ring" "$basis" --by '1 2' -o "$tmp/x"
 runs "morph without -o" 0 morph "$ring" "$basis" --move "$no_moves"
 check "morph without -o: nothing is written" grep '^morphed mesh  *not written: -o FILE' "$tmp/out"
