@@ -74,10 +74,13 @@ BUILD = build
 # puts what its command line says: no character in them can end a quotation.
 INSTALLATION = "$${DESTDIR-}$${PREFIX-/usr/local}"
 CXX = c++
-# CXXFLAGS follow the level of optimisation of each file, which the file LEVELS states; so CXXFLAGS="-O1 -g" replaces
-# all levels.
+# Levels of optimisation of the library, of its files with kernels for instruction sets, and of the program, which hardly
+# computes. CXXFLAGS follow them, so CXXFLAGS="-O1 -g" replaces all levels.
 CXXFLAGS =
-LEVELS = src/levels
+LEVEL = -O2
+KERNEL_LEVEL = $(LEVEL)
+PROGRAM_LEVEL = -O1
+LEVELS =
 CC = cc
 CFLAGS = -O2
 FC = gfortran
@@ -147,9 +150,9 @@ fuzz coverage mutate sanitize dist amalgamation clean: checked
 rules: checked
 	@mkdir -p $(BUILD)/web $(BUILD)/meshes && cd $(BUILD) && mkdir -p objects/core objects/cli objects/unit objects/fuzz objects/mesh \
 	    objects/harmorph objects/harmorph_simd128 objects/node
-	@LEVELS='$(LEVELS)' UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
-	    FLAGS='$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' WASM_FLAGS='$(WASM_CXX) $(WASM) $(WASM_LINK)' \
-	    NODE_FLAGS='$(EMXX) $(NODE) $(NODE_LINK)' \
+	@UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
+	    FLAGS='$(CXX) $(LEVEL) $(KERNEL_LEVEL) $(PROGRAM_LEVEL) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' \
+	    WASM_FLAGS='$(WASM_CXX) $(WASM) $(WASM_LINK)' NODE_FLAGS='$(EMXX) $(NODE) $(NODE_LINK)' \
 	    sh c_api/packaging/rules.sh $(BUILD)
 
 # The random movements of `make deform`; `make test` compiles them, too.

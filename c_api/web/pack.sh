@@ -20,11 +20,10 @@ pack)
     cp c_api/web/package/*.*js c_api/web/package/*.d.ts c_api/web/README.md LICENSE "$web"/harmorph*.wasm "$to/"
     # The program is there where emscripten was.
     if [ -e "$web/program.js" ] && command -v "${EMXX:-em++}" >/dev/null; then
-        cp "$web/program.js" "$to/program.cjs"
-        cp "$web/program.wasm" "$to/"
+        cp "$web/program.js" "$to/program.cjs" && cp "$web/program.wasm" "$to/"
     fi
-    awk -f c_api/packaging/table.awk $(sed 's|^|include/|' fortran/harmorph/headers) |
-        awk -f c_api/web/reports.awk >"$to/reports.d.ts"
+    awk -f c_api/packaging/table.awk $(sed 's|^|include/|' fortran/harmorph/headers) | awk -f c_api/web/reports.awk \
+        >"$to/reports.d.ts"
     sed "s/@VERSION@/$VERSION/" c_api/web/package/package.json >"$to/package.json"
     chmod 644 "$to"/*
     # Nothing is fetched: the package has no dependencies, and npm's cache is a folder of the build.

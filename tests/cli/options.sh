@@ -128,7 +128,8 @@ fixed hm_improve_options.reference "the cells of MESH are the targets; other coo
 
 include=$here/../../include
 awk -f "$here/../../c_api/packaging/table.awk" $(sed "s|^|$include/|" "$here/../../fortran/harmorph/headers") |
-    awk '$1 == "member" && $2 ~ /_options$|_details$|^hm_executor$|^hm_condition$/ && $3 !~ /^(struct_size|reserved)$/ {
+    awk '$1 == "member" && ($2 ~ /_options$|_details$|^hm_executor$|^hm_condition$/ || $3 ~ /flux/) \
+        && $3 !~ /^(struct_size|reserved)$/ {
         print $2 "." $3 }' | sort >"$tmp/declared"
 check "fields are declared" [ -s "$tmp/declared" ]
 check "every field of the options has a line here" sh -c 'sort -u "$0" | diff "$1" -' "$fields" "$tmp/declared"

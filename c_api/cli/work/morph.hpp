@@ -33,7 +33,7 @@ struct Morph {
     // The largest distance of wall points from the B-spline that `moves` moved.
     double boundary_error = 0;
     std::string torn;         // why the movement tears two conditions apart
-    double seconds = 0;       // of hm_morph: the median of all repeats; or of hm_morph_safe
+    double seconds = 0;       // of hm_morph: the median of all repeats; or of hm_move_safe
     hm_safe_report safe;      // set by the safe morph, as are all members below
     std::string refusal;      // why the mesh does not reach the target
     bool impossible = false;  // no mesh can have the boundary of the target

@@ -246,9 +246,8 @@ export class Morph extends Owner {
         const basis = this.open(), solver = this.ready();
         return this.library.with((scope) => {
             const step = scope.numbers(move, 2 * this.functions, "move");
-            const bytes = scope.size("hm_morph_safe_size", solver.plan, basis), work = scope.take(bytes);
-            return this.moved_safely(scope, options, (to, given, report) =>
-                this.library.call("hm_morph_safe", solver.plan, basis, step, to, 0, work, bytes, given, report));
+            const target = scope.struct("hm_safe_target", { move: step });
+            return this.moved_safely(scope, solver, basis, target, options);
         });
     }
 
@@ -259,20 +258,20 @@ export class Morph extends Owner {
             const { n, list } = this.wall_points(scope, wallPoints);
             const field = scope.points(wall ?? [], n, "wall");
             const step = move === undefined ? 0 : scope.numbers(move, 2 * this.functions, "move");
-            const bytes = scope.size("hm_displace_safe_size", solver.plan, basis), work = scope.take(bytes);
-            return this.moved_safely(scope, options, (to, given, report) =>
-                this.library.call("hm_displace_safe", solver.plan, basis, step, n, list, field, to, work, bytes, given,
-                    report));
+            const target = scope.struct("hm_safe_target", { move: step, n, points: list, wall: field });
+            return this.moved_safely(scope, solver, basis, target, options);
         });
     }
 
-    // Calls body(to, options, report); returns { points, report, reached }.
-    moved_safely(scope, options, body) {
+    // Moves to the target; returns { points, report, reached }.
+    moved_safely(scope, solver, basis, target, options) {
         const { library } = this, to = scope.points_out(options.out, this.nPoints);
         const reached = scope.numbers_out(null, 2 * this.functions);
         const given = this.safe_options(scope, options, reached.address), report = scope.struct("hm_safe_report");
         try {
-            this.run((_progress) => body(to.points, given, report));
+            const bytes = scope.size("hm_move_safe_size", solver.plan, basis, target), work = scope.take(bytes);
+            this.run((_progress) => library.call("hm_move_safe", solver.plan, basis, target, to.points, work, bytes,
+                given, report));
         } finally {
             if (library.layout.get("hm_safe_report", report, "resolves") !== 0) this.solver.has_factor = false;
         }
