@@ -49,6 +49,7 @@ if [ "$ZLIB" != 0 ]; then
     rm -f "$build/zlib.$$"*
 fi
 put flags echo "$FLAGS $with_zlib"
+put web/node_flags echo "$NODE_FLAGS"
 put web/flags echo "$WASM_FLAGS $(sed -n '/^module/,/^}/p' "$0")"
 
 # object PART SOURCE: its rule; adds the object, src-mesh-mesh.o of src/mesh/mesh.cpp, to $list. $own: its level, and
@@ -90,24 +91,26 @@ program() {
 }
 
 # The library as WebAssembly, in the folder web: NAME, flags. A page loads the module, so the module is compiled for
-# size but for the kernels and the search for crossings, in which most of the time is spent. The module without simd128
-# is for old engines, and small.
+# size but for the kernels and the search for crossings, in which most of the time is spent; rooms that are used once,
+# or not by most callers, are compiled for the smallest size. The module without simd128 is for old engines, and small.
 kernels=$(grep -l '^#define HARMORPH_KERNELS' src/*/*.cpp)
 others=$(grep -L '^#define HARMORPH_KERNELS' src/*/*.cpp c_api/*.cpp)
-crossings="src/morph/crossing.cpp src/morph/touch.cpp"
 module() {
     flags="\$(WASM) $2" list= own=-Oz
+    rare='^c_api/|^src/(boundary|bspline|fields|multigrid|safe|space)/'
+    fast=$(echo "$kernels" | grep -vE "$rare"; ls src/morph/crossing.cpp src/morph/touch.cpp)
+    objects $1 $(printf '%s\n' $kernels $others | grep -E "$rare") c_api/web/module.cpp
     if [ -n "$2" ]; then own=-O2; fi
-    objects $1 $kernels $crossings
+    objects $1 $fast
     if [ -n "$2" ]; then own=-Os; fi
-    objects $1 $(echo "$others" | grep -vxF "$(printf '%s\n' $crossings)") c_api/web/module.cpp
+    objects $1 $(printf '%s\n' $kernels $others | grep -vE "$rare" | grep -vxF "$fast")
     printf '%s/web/%s.wasm:%s %s/web/exports %s/rules.mk\n\techo $(WASM_CXX) $@\n' $build $1 "$list" $build $build
     printf '\t$(WASM_CXX) $(WASM_LINK) @%s/web/exports -o $@%s\n' $build "$list"
 }
 # The program for node, by emscripten, with the library of the module with simd128.
 node_program() {
     library=$(echo "$list" | tr ' ' '\n' | grep -v web-module)
-    compiler='$(EMXX)' own=-O2 flags='$(NODE)' list=
+    compiler='$(EMXX)' own=-O2 flags='$(NODE)' list= stamp=$build/web/node_flags
     objects node $build/page_text.cpp c_api/cli/formats/cgns*.cpp c_api/cli/main.cpp
     groups node $in_program in_turn $(ls c_api/cli/*/*.cpp | grep -v /cgns)
     printf '%s/web/program.js:%s %s c_api/web/program_before.js\n\techo $(EMXX) $@\n' $build "$list" "$(echo $library)"

@@ -450,7 +450,7 @@ export class Morph extends Owner {
             offset_correction: info.offsetCorrection,
             study: { scheme: info.scheme },
         };
-        if (info.curves > 0) this.curves = Curves.of_basis("hm_basis_curves", info.curves, this.basis.address);
+        if (info.curves > 0) this.curves = Curves.of_basis("hm_basis_curves", info.curves, this.basis.address, 0, 0);
         if (problem !== null) this.pairs = of_basis(library, problem.mesh, this.basis.address, Curves);
     }
 
