@@ -76,22 +76,16 @@ hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, hm_error
     });
 }
 
-hm_status hm_basis_curves(const hm_basis* basis, hm_curves* out, hm_curve* curve, int32_t capacity,
-                          hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        Basis b;
-        HARMORPH_TRY(open_curves(basis, out, curve, capacity, b, fault));
-        write_struct(curves_of(b, b.control.data(), curve), out);
-        return Status::ok;
-    });
-}
-
-hm_status hm_moved_curves(const hm_basis* basis, const double* move, double* control,
+hm_status hm_basis_curves(const hm_basis* basis, const double* move, double* control,
                           hm_curves* out, hm_curve* curve, int32_t capacity, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
-        HARMORPH_TRY(require({{"control", control}}, fault));
+        if (move != nullptr) HARMORPH_TRY(require({{"control", control}}, fault));
         HARMORPH_TRY(open_curves(basis, out, curve, capacity, b, fault));
+        if (move == nullptr) {
+            write_struct(curves_of(b, b.control.data(), curve), out);
+            return Status::ok;
+        }
         HARMORPH_TRY(check_move(b, move, fault));
         for (Index i = 0; i < b.header->counts.control; ++i) {
             Vec2 const by = b.control_move(i, move);

@@ -1,5 +1,5 @@
 // The C interface: computes one field of given displacements in a part.
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "operators/right_hand_sides.hpp"
 #include "part_handles.hpp"
 #include "views.hpp"

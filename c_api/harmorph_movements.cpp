@@ -1,9 +1,8 @@
 // The C interface: moves a section by values, and finds the modes of a family of movements.
-#include "base/range.hpp"
-#include "bspline/camber_change.hpp"
-#include "bspline/family_modes.hpp"
+#include "base/vec2.hpp"
+#include "bspline/movements.hpp"
 #include "bspline/parsec.hpp"
-#include "bspline/section_area.hpp"
+#include "bspline/section_measures.hpp"
 #include "section_view.hpp"
 
 namespace harmorph {
@@ -20,10 +19,10 @@ Status view_movement(const hm_movement* array, Index number, Movement& out, Faul
             "struct_size of movement # is not the size of an hm_movement; begin with HM_INIT",
             entry_item(number));
     }
-    if (m.kind < HM_TURN || m.kind > HM_BLADE) {
+    if (m.kind < HM_ROTATE || m.kind > HM_BLADE) {
         return fault.refuse(
             Status::bad_argument,
-            "the kind of movement # is @, but it must be one of HM_TURN to HM_BLADE",
+            "the kind of movement # is @, but it must be one of HM_ROTATE to HM_BLADE",
             entry_item(number), plain(m.kind));
     }
     out = {};

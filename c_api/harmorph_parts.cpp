@@ -1,7 +1,7 @@
 // The C interface for several processes: bases of some points, shares of the functions, parcels,
 // the sums of the adjoint.
+#include "basis/point_subset.hpp"
 #include "handles.hpp"
-#include "basis/packed_rows.hpp"
 #include "morph/adjoint.hpp"
 
 namespace harmorph {

@@ -1,6 +1,6 @@
 // The C interface: gives right-hand sides and residuals of the functions at the points of a part,
 // and takes their values.
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "operators/right_hand_sides.hpp"
 #include "part_handles.hpp"
 

@@ -1,6 +1,5 @@
 // The C interface: smooth gradients.
-#include "base/box.hpp"
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "bspline/smooth_gradient.hpp"
 #include "call.hpp"
 #include "views.hpp"

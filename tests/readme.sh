@@ -96,6 +96,7 @@ else
     block c_api/python/README.md python 1 >/dev/null
     skip "the program in Python" "numpy, cffi, wheel, setuptools or venv is not installed for $PYTHON"
 fi
+block c_api/web/README.md js 1 >/dev/null   # tests/web.sh runs the program, where node is installed
 check "the lines of C++" path c_api/cpp/README.md 1 "^0 inverted cells; the mesh could follow"
 check "the lines of FORTRAN 77" path fortran/harmorph77/README.md 1 "^ *[1-9][0-9]* passed, *0 failed"
 check "design variables from the command line" path src/bspline/README.md 1 "^inverted cells   0"

@@ -177,6 +177,7 @@ static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
     hm_quality_report quality;
     HM_INIT(quality);
     hm_safe_report report;
+    hm_safe_target target;
     HM_INIT(report);
     hm_improve_report improved;
     HM_INIT(improved);
@@ -206,7 +207,7 @@ static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
     require(hm_basis_conditions(basis, &condition, 1, &n, &error), "its conditions", &error);
     check(n == 1 && condition.marker == BODY && condition.kind == HM_ON_CURVE,
           "they are those of the problem", &error);
-    require(hm_basis_curves(basis, &curves, &curve, 1, &error), "its curve", &error);
+    require(hm_basis_curves(basis, NULL, NULL, &curves, &curve, 1, &error), "its curve", &error);
 
     options.operator_kind = HM_LAPLACE;
     require(hm_analysis_size(problem, &options, &bytes, &error), "size of Laplace's analysis",
@@ -235,10 +236,13 @@ static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
                       &quality, &error),
             "its assessment", &error);
     check(step.admissible < 1 && quality.inverted > 0, "at once, cells are inverted", &error);
-    require(hm_morph_safe_size(plan, laplace, &bytes, &error), "size of a safe morph", &error);
+    HM_INIT(target);
+    target.move = move;
+    require(hm_move_safe_size(plan, laplace, &target, &bytes, &error), "size of a safe morph",
+            &error);
     work = block_of(bytes);
-    require(hm_morph_safe(plan, laplace, move, &(hm_points_out){x_new, y_new, 1}, NULL, work, bytes,
-                          NULL, &report, &error),
+    require(hm_move_safe(plan, laplace, &target, &(hm_points_out){x_new, y_new, 1}, work, bytes,
+                         NULL, &report, &error),
             "it", &error);
     check(report.step_fraction >= 1 && report.strategy >= HM_STRATEGY_SUBSTEPS &&
               report.inverted == 0,

@@ -139,7 +139,7 @@ static int go_to(const double* v) {
     for (i = 0; i < N; ++i) g[i] = pairs[2 * i];
 
     pairs_of(v, pairs);
-    check(hm_moved_curves(few, pairs, moved_control, &moved, curve, 2, &error));
+    check(hm_basis_curves(few, pairs, moved_control, &moved, curve, 2, &error));
     check(hm_measure(&moved, NULL, 2, measured, found, NULL, slopes, &error));
     for (k = 0; k < 2; ++k) {
         c[k] = found[k] / start[k] - 0.98;

@@ -1,18 +1,18 @@
-// Residuals b - A F of the solved functions. They measure the accuracy of an engine's solution, and
-// are the right-hand sides of iterative refinement.
+// Residuals b - A F of the solved functions measure the accuracy of an engine's solution, and are
+// the right-hand sides of iterative refinement.
 #pragma once
 
+#include "base/span.hpp"
 #include "basis/basis.hpp"
-#include "operators/matrix.hpp"
 #include "basis/options.hpp"
-#include "simd/cpu.hpp"
-#include "base/row_view.hpp"
+#include "operators/matrix.hpp"
 #include "ordering/subtree_ranges.hpp"
+#include "simd/cpu.hpp"
 
 namespace harmorph {
 
 // The values at all points in the arrangement of the equations: the numbers of a dof (matrix.hpp)
-// stand side by side, one column for each right-hand side. They are the row of a point, or half a
+// stand side by side, one column for each right-hand side: the row of a point, or half a
 // row if a point has two dofs. For complex values all real parts come first, then all imaginary
 // parts. A basis has rows while its functions are being solved; then they become blocks
 // (RowsToBlocks).
@@ -24,9 +24,12 @@ struct DofValues {
     Index n_functions;                  // A plane of a row has one number for each function.
     Index first_function;               // The number of the first function, for reports.
     Index numbers;                      // The numbers of a dof.
-    // Rows like `value` with the part of the right-hand sides that does not come from the wall; the
-    // values on the wall are 0 then. Null means 0.
+    // Rows like those of `value` with the part of the right-hand sides that does not come from the
+    // wall. Null means 0.
     const Real* source = nullptr;
+    // [n] The number of each position's row in `source`, or none, for which the source is 0. If the
+    // array is empty, `source` has the rows of all dofs.
+    Span<const Index> source_row;
     // The values of unknowns are not right-hand sides but a first approximation; the right-hand
     // sides are those that the values on the wall make.
     bool is_start = false;
@@ -55,8 +58,10 @@ struct DofValues {
     Offset start_of(Index dof) const noexcept { return Offset{dof} * numbers; }
     Real* values_of_dof(Index dof) const noexcept { return value.data() + start_of(dof); }
     Real* at(Index position) const noexcept { return values_of_dof(dof_of_position[position]); }
+    // Returns null if there is no source at the position.
     const Real* source_at(Index position) const noexcept {
-        return source + start_of(dof_of_position[position]);
+        Index const number = source_row.empty() ? dof_of_position[position] : source_row[position];
+        return source == nullptr || number == none ? nullptr : source + start_of(number);
     }
     // Copies the numbers of one point to another; does nothing if `from` is none.
     void copy_row(Index from, Index to) const noexcept {
@@ -77,7 +82,7 @@ struct DofValues {
     }
 };
 
-// Residuals of a few columns at a time, for all rows. They are sums of differences of values along
+// Residuals of a few columns at a time, for all rows: sums of differences of values along
 // couplings, not products with the diagonal: the strong couplings of thin cells would make the
 // diagonal so large that its rounding hides the weak couplings (symmetric_matrix.hpp). If x and y
 // are coupled, residuals are sums of differences of displacements; the second dof of a slipping
@@ -134,6 +139,32 @@ struct Residual {
     };
     Changes add_to(Matrix const& matrix, DofValues const& dofs, Index first, Index n,
                    Choice const& chosen) const noexcept;
+};
+
+// Turns numbers of dofs into displacements of points, and back. Only this file and the matrix
+// distinguish slipping points and turned sides from others.
+class DofDirections {
+public:
+    explicit DofDirections(Matrix const& matrix) noexcept : matrix_(matrix) {}
+
+    // The dof of a slipping point is a movement along the tangent, which becomes movements along x
+    // and y. To be called before points that are joined to slipping ones get the same
+    // numbers.
+    void turn_slipping(DofValues const& values, Index n_points) const noexcept;
+    void turn_slipping_back(DofValues const& values, Index n_points) const noexcept;
+    // The number of a dof on a side of a passage becomes the displacement of the point. To
+    // be called after joined points have got the numbers of the points to which they are joined.
+    void turn_sides(DofValues const& values, Index n_points) const noexcept;
+    void turn_sides_back(DofValues const& values, Index n_points) const noexcept;
+
+private:
+    template <class Turn>
+    void for_each_slipping(DofValues const& values, Index n_points,
+                           Turn const& turn) const noexcept;
+    template <class Turn>
+    void for_each_turned(DofValues const& values, Index n_points, Turn const& turn) const noexcept;
+
+    Matrix const& matrix_;
 };
 
 }  // namespace harmorph

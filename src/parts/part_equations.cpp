@@ -1,7 +1,7 @@
 #include "parts/part_equations.hpp"
 
 #include "operators/assembly.hpp"
-#include "operators/dof_directions.hpp"
+#include "operators/residual.hpp"
 #include "operators/right_hand_sides.hpp"
 
 namespace harmorph {

@@ -1,8 +1,57 @@
 #include "plan/plan.hpp"
 
-#include "operators/dof_directions.hpp"
+#include "operators/residual.hpp"
 
 namespace harmorph {
+namespace {
+
+// Returns the first slot of given points; the slots of given points come last.
+Index first_given(Analysis const& analysis) noexcept {
+    Index const number = analysis.curves().count() + analysis.problem().demands.bodies;
+    Index slot = 0;
+    while (slot < analysis.wall().count && analysis.wall().curve[slot] != number) ++slot;
+    return slot;
+}
+
+// Calls visit(point) for the points that are joined to another one.
+template <class Visit>
+void for_each_joined(Span<const Index> representative, Visit const& visit) noexcept {
+    for (Index point = 0; point < representative.count(); ++point) {
+        if (representative[point] != point) visit(point);
+    }
+}
+
+}  // namespace
+
+void GivenWall::lay_out(Arena& arena, Analysis const& analysis) noexcept {
+    if (!analysis.problem().demands.given) return;
+    Index n_joined = 0;
+    for_each_joined(analysis.topology().representative, [&](Index) { ++n_joined; });
+    arena.take(point, analysis.wall().count - first_given(analysis));
+    arena.take(joined, n_joined);
+    arena.take(boundary_point, analysis.boundary().count);
+    arena.take(loop_start, Offset{analysis.boundary().n_loops} + 1);
+    arena.take(interface_side,
+               analysis.problem().demands.interfaces ? analysis.boundary().count : 0);
+}
+
+Index GivenWall::columns(Analysis const& analysis) noexcept {
+    if (!analysis.problem().demands.given) return 0;
+    return analysis.matrix_sizes().kind == MatrixKind::real ? 2 * fields_at_once : fields_at_once;
+}
+
+void GivenWall::init(Analysis const& analysis) noexcept {
+    if (!analysis.problem().demands.given) return;
+    first_slot = first_given(analysis);
+    copy(point, Span<const Index>(analysis.wall().point.from(first_slot, point.count())));
+    Index n_joined = 0;
+    for_each_joined(analysis.topology().representative, [&](Index at) { joined[n_joined++] = at; });
+    copy(boundary_point,
+         Span<const Index>(analysis.boundary().point.first(boundary_point.count())));
+    copy(loop_start, Span<const Index>(analysis.boundary().loop_start.first(loop_start.count())));
+    find_interface_sides(analysis.boundary(), analysis.conditions(), interface_side);
+}
+
 namespace {
 
 // A task has at least this many points.
@@ -18,6 +67,7 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     given_.lay_out(arena, analysis);
     Index const numbers_per_dof =
         numbers_of(counts.kind) * counts.functions() / equations_.matrix().components();
+    fluxes_.lay_out(arena, analysis, numbers_per_dof);
     Index const columns =
         max(equations_.matrix().is_complex() ? counts.functions() : numbers_per_dof,
             GivenWall::columns(analysis));
@@ -40,6 +90,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     factored_ = false;
     copy(wall_point_, Span<const Index>(analysis.wall().point.first(wall_point_.count())));
     given_.init(analysis);
+    fluxes_.init(analysis);
     equations_.init(analysis);
     mesh_ = equations_.cells().mesh;
     refinement_.residual.kernel = executor_.kernel = equations_.method().kernel;
@@ -58,6 +109,7 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
     HARMORPH_TRY(check_range(points, mesh_.n_points, fault, executor_));
     HARMORPH_TRY(progress_.report(Phase::assembly, 0, fault));
     HARMORPH_TRY(equations_.assemble(points, executor_, fault));
+    fluxes_.measure(points);
     HARMORPH_TRY(progress_.report(Phase::assembly, 1, fault));
     HARMORPH_TRY(progress_.report(Phase::factor, 0, fault));
     Status const status = engine_.set_up(equations_, points, progress_, fault);
@@ -85,13 +137,18 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault,
             plain(basis.row_length()),
             plain(static_cast<Index>(rows_in_work_.size() / block_points)));
     }
+    bool const is_derived = basis.header->counts.derived();
+    if (is_derived && fluxes_.any()) {
+        return fault.refuse(Status::unsupported,
+                            "functions with fluxes (hm_problem.fluxes) that are combined, or have "
+                            "modes beside them, cannot be solved again; solve, then combine");
+    }
     DofValues dofs = equations_.dofs(basis);
     dofs.is_start = equations_.method().traits().continues && basis.header->solved == 1;
     basis.unseal();
     HARMORPH_TRY(progress_.report(Phase::solve, 0, fault));
     RowsToBlocks const rows{basis.value.data(), basis.n_points(), basis.row_length(),
                             rows_in_work_};
-    bool const is_derived = basis.header->counts.derived();
     if (is_derived || dofs.is_start) rows.undo(executor_);
     if (dofs.is_start) {
         DofDirections(equations_.matrix()).turn_slipping_back(dofs, mesh_.n_points);
@@ -102,6 +159,7 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault,
     } else {
         set_right_hand_sides(equations_.matrix(), basis, dofs, executor_);
     }
+    fluxes_.add_to(equations_.matrix(), dofs);
     Status const status = solve_rows(dofs, report, fault);
     // The rows become blocks even if the solution failed, as the values of derived functions on the
     // wall must be kept.
@@ -135,7 +193,7 @@ Status Plan::solve_rows(DofValues const& dofs, SolveReport& report, Fault& fault
 void Plan::clear_all_but_wall(DofValues const& dofs) const noexcept {
     Index const components = equations_.matrix().components();
     for (Index point = 0; point < mesh_.n_points; ++point) {
-        Index const slot = wall_slot(point);
+        Index const slot = unknowns().wall_slot(point);
         if (slot != none && wall_point_[slot] == point) continue;
         for (Index dof = components * point; dof < components * (point + 1); ++dof) {
             std::memset(dofs.values_of_dof(dof), 0,
@@ -157,7 +215,7 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells,
                             entry_item(level), plain(levels->count));
     }
     for (Index point = 0; point < mesh_.n_points; ++point) {
-        Index cell = is_unknown(point) ? unknowns().first_row(point) : none;
+        Index cell = unknowns().is_unknown(point) ? unknowns().first_row(point) : none;
         for (Index l = 0; l < level && cell != none; ++l) cell = levels->cell_of[l][cell];
         cell_of[point] = cell;
     }
@@ -216,13 +274,13 @@ void Plan::to_displacements_transposed(DofValues const& values) const noexcept {
 }
 
 Index Plan::same_point(Index point) const noexcept {
-    if (is_unknown(point)) return representative(point);
-    Index const slot = wall_slot(point);
+    if (unknowns().is_unknown(point)) return representative(point);
+    Index const slot = unknowns().wall_slot(point);
     return slot == none ? none : wall_point_[slot];
 }
 
 Index Plan::given_index(Index point) const noexcept {
-    Index const slot = wall_slot(point);
+    Index const slot = unknowns().wall_slot(point);
     return slot != none && slot >= given_.first_slot ? slot - given_.first_slot : none;
 }
 

@@ -281,7 +281,7 @@ TEST_CASE("a basis gives back the conditions and options it was solved with") {
     // again.
     auto curves = sized<hm_curves>();
     hm_curve shape[2];
-    REQUIRE(hm_basis_curves(solved.basis, &curves, shape, 2, nullptr) == HM_OK);
+    REQUIRE(hm_basis_curves(solved.basis, nullptr, nullptr, &curves, shape, 2, nullptr) == HM_OK);
     std::vector<std::int32_t> points, on;
     std::vector<double> u;
     for (std::int32_t k = 0; k < info.curve_points; ++k) {

@@ -6,6 +6,7 @@
 #include <harmorph_fields.h>
 #include <harmorph_space.h>
 #include "private.h"
+#include <fixtures/safe_moves.hpp>
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
 #include <doctest/doctest.h>
@@ -157,9 +158,8 @@ TEST_CASE("what a basis is asked for") {
     check_arguments("basis, block, -, ?mesh", hm_basis_attach, &attached,
                     static_cast<void*>(g.basis), std::size_t(info.bytes), &g.mesh);
     check_arguments("basis, info", hm_basis_info_get, g.basis, &info);
-    check_arguments("basis, out, !curve, -", hm_basis_curves, g.basis, &curves, curve, 2);
-    check_arguments("basis, move, control, out, !curve, -", hm_moved_curves, g.basis, g.move.data(),
-                    g.numbers.data(), &curves, curve, 2);
+    check_arguments("basis, ?move, control, out, !curve, -", hm_basis_curves, g.basis,
+                    g.move.data(), g.numbers.data(), &curves, curve, 2);
     check_arguments("basis, ?out, -, n", hm_basis_conditions, g.basis, conditions, 4, &g.n);
     check_arguments("basis, -, -, values", hm_basis_values, g.basis, 0, 0, g.numbers.data());
     std::vector<double> dense(2 * g.numbers.size() * 100);
@@ -199,7 +199,7 @@ TEST_CASE("movements, gradients, quality") {
     check_arguments("basis, bytes", hm_recover_movement_size, g.basis, &bytes);
     Guarded room(bytes);
     double turned = 0;
-    check_arguments("basis, at, -, move, ?residual, ?turned_offset, ?point, block, bytes",
+    check_arguments("basis, at, -, move, ?residual, ?rotated_offset, ?point, block, bytes",
                     hm_recover_movement, g.basis, &g.at, 0.0, g.numbers.data(), &error, &turned,
                     &g.n, room.data(), bytes);
     check_arguments("analysis, from, to", hm_slip, g.analysis, &g.at, &g.to);
@@ -245,11 +245,13 @@ TEST_CASE("large movements and better cells") {
     hm_safe_report report = sized<hm_safe_report>();
     hm_improve_options better = sized<hm_improve_options>();
     hm_improve_report improved = sized<hm_improve_report>();
-    check_arguments("plan, ?basis, bytes", hm_morph_safe_size, g.plan, g.basis, &g.bytes);
+    auto target = sized<hm_safe_target>();
+    target.move = g.move.data();
+    check_arguments("plan, ?basis, ?target, bytes", hm_move_safe_size, g.plan, g.basis, &target,
+                    &g.bytes);
     Guarded work(g.bytes);
-    check_arguments("plan, basis, move, to, -, block, bytes, ?options, ?report", hm_morph_safe,
-                    g.plan, g.basis, g.move.data(), &g.to, nullptr, work.data(), g.bytes, &safe,
-                    &report);
+    check_arguments("plan, basis, target, to, block, bytes, ?options, ?report", hm_move_safe,
+                    g.plan, g.basis, &target, &g.to, work.data(), g.bytes, &safe, &report);
     check_arguments("plan, bytes", hm_improve_size, g.plan, &g.bytes);
     Guarded room(g.bytes);
     check_arguments("plan, ?from, to, block, bytes, ?options, ?report", hm_improve, g.plan, &g.at,
@@ -268,7 +270,7 @@ TEST_CASE("given displacements") {
     hm_safe_options safe = sized<hm_safe_options>();
     hm_safe_report of_safe = sized<hm_safe_report>();
     std::int32_t list[100] = {}, n_given = 0;
-    std::size_t bytes = 0, work_bytes = 0;
+    std::size_t bytes = 0;
     check_arguments("plan, points, -, n", hm_given_points, d.plan, list, 100, &n_given);
     check_arguments("plan, -, bytes", hm_displace_size, d.plan, 1, &bytes);
     Guarded work(bytes);
@@ -276,19 +278,23 @@ TEST_CASE("given displacements") {
                     d.plan, n, d.points.data(), 1, &wall, &from, &to, work.data(), bytes, &report);
     check_arguments("plan, -, ?points, -, dj, gradient, block, bytes, ?report", hm_displace_adjoint,
                     d.plan, n, d.points.data(), 1, &from, &to, work.data(), bytes, &report);
-    check_arguments("plan, basis, -, -, bytes, work_bytes", hm_tabulate_size, d.plan, d.basis, 1, 1,
-                    &bytes, &work_bytes);
-    Guarded block(bytes), room(work_bytes);
+    auto table = sized<hm_modes>();
+    table.n_modes = 1;
+    table.n = n;
+    table.values = modes.data();
+    check_arguments("plan, basis, modes, bytes", hm_tabulate_size, d.plan, d.basis, &table, &bytes);
+    Guarded block(bytes);
     hm_basis* tabulated = nullptr;
-    check_arguments(
-        "tabulated, block, bytes, plan, basis, -, ?points, -, -, modes, block, bytes, ?report",
-        hm_tabulate, &tabulated, block.data(), bytes, d.plan, d.basis, n, d.points.data(), 1, 1,
-        modes.data(), room.data(), work_bytes, &report);
-    check_arguments("plan, basis, bytes", hm_displace_safe_size, d.plan, d.basis, &bytes);
+    check_arguments("tabulated, block, bytes, plan, basis, modes, ?report", hm_tabulate, &tabulated,
+                    block.data(), bytes, d.plan, d.basis, &table, &report);
+    auto target = sized<hm_safe_target>();
+    target.n = n;
+    target.wall = &wall;
+    check_arguments("plan, basis, ?target, bytes", hm_move_safe_size, d.plan, d.basis, &target,
+                    &bytes);
     Guarded safe_work(bytes);
-    check_arguments("plan, ?basis, ?move, -, ?points, wall, to, block, bytes, ?options, ?report",
-                    hm_displace_safe, d.plan, d.basis, nullptr, n, d.points.data(), &wall, &to,
-                    safe_work.data(), bytes, &safe, &of_safe);
+    check_arguments("plan, ?basis, target, to, block, bytes, ?options, ?report", hm_move_safe,
+                    d.plan, d.basis, &target, &to, safe_work.data(), bytes, &safe, &of_safe);
 }
 
 TEST_CASE("a mesh one cell thick") {

@@ -2,6 +2,7 @@
 #include <harmorph_design.h>
 
 #include "solution_check.hpp"
+#include <fixtures/safe_moves.hpp>
 
 #include <cmath>
 #include <complex>
@@ -62,7 +63,7 @@ bool SolutionCheck::marker_slides(std::int32_t marker) const {
 
 void SolutionCheck::safe_morph() {
     std::size_t bytes = 0;
-    hm_status status = hm_morph_safe_size(its_.plan, its_.basis, &bytes, &error_);
+    hm_status status = fixtures::safe_move_size(its_.plan, its_.basis, &bytes, &error_);
     expect_told(status, error_);
     if (status < 0) return;
     Numbers x(n_, 7), y(n_, 7), reached(move_.size(), 7);
@@ -75,14 +76,14 @@ void SolutionCheck::safe_morph() {
     hm_safe_report report = sized<hm_safe_report>();
     Block& work = its_.blocks.take(bytes);
     hm_basis* const derivative = input_.one_in(3) ? another_basis() : nullptr;
-    status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, derivative, work.data(),
-                           bytes - 1, &options, &report, &error_);
+    status = fixtures::safe_move(its_.plan, its_.basis, move_.data(), &out, derivative, work.data(),
+                                 bytes - 1, &options, &report, &error_);
     expect(status < 0, "work space that is one byte too small is taken");
     Exceptions::clear();
-    status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, derivative, work.data(),
-                           bytes, &options, &report, &error_);
+    status = fixtures::safe_move(its_.plan, its_.basis, move_.data(), &out, derivative, work.data(),
+                                 bytes, &options, &report, &error_);
     expect_told(status, error_);
-    if (status >= 0) Exceptions::expect_none("hm_morph_safe");
+    if (status >= 0) Exceptions::expect_none("hm_move_safe");
     if (status < 0) return expect_untouched(x), expect_untouched(y), expect_untouched(reached);
     std::vector<Point> const at = moved(x, y);
     for (Point const& p : at)
@@ -103,8 +104,8 @@ void SolutionCheck::safe_morph() {
         dy[k] = y[k] - problem_.domain.points[k].y;
     }
     pairs_move_alike(dx, dy, 1e-14 * problem_.size());
-    if (is_real()) expect(report.turned_offset == 0, "real functions turn no offset");
-    wall_is_at(at, reached, report.turned_offset);
+    if (is_real()) expect(report.rotated_offset == 0, "real functions turn no offset");
+    wall_is_at(at, reached, report.rotated_offset);
     if (derivative == nullptr) return;
     walls_follow(derivative, report.step_fraction);
     field_follows(derivative, options, report);
@@ -181,7 +182,7 @@ void SolutionCheck::field_follows(hm_basis* derivative, hm_safe_options const& g
                     [](hm_condition const& condition) { return condition.kind == HM_SLIP; });
     bool const is_exact = first.strategy == HM_STRATEGY_LINEAR && first.steps == 1 &&
                           first.heights == 0 && first.step_fraction == 1 &&
-                          first.turned_offset == 0 && !slides;
+                          first.rotated_offset == 0 && !slides;
     static bool const is_shown = std::getenv("HARMORPH_DERIVATIVE") != nullptr;
     if (its_.status != HM_OK || first.steps == 0 || (!is_exact && !is_shown)) return;
     Numbers const by = some_movement();
@@ -191,16 +192,16 @@ void SolutionCheck::field_follows(hm_basis* derivative, hm_safe_options const& g
     hm_safe_options options = given;
     options.reached = nullptr;
     std::size_t bytes = 0;
-    expect(hm_morph_safe_size(its_.plan, its_.basis, &bytes, &error_) == HM_OK, "no size");
+    expect(fixtures::safe_move_size(its_.plan, its_.basis, &bytes, &error_) == HM_OK, "no size");
     for (int way = 0; way < 2; ++way) {
         Numbers move = move_;
         for (std::size_t k = 0; k < move.size(); ++k) move[k] += (way == 0 ? -h : h) * by[k];
         for (Numbers& axis : place[way]) axis.assign(n_, 7);
         hm_points_out const to{place[way][0].data(), place[way][1].data(), 1};
         hm_safe_report report = sized<hm_safe_report>();
-        hm_status const status =
-            hm_morph_safe(its_.plan, its_.basis, move.data(), &to, is_exact ? nullptr : derivative,
-                          its_.blocks.take(bytes).data(), bytes, &options, &report, &error_);
+        hm_status const status = fixtures::safe_move(
+            its_.plan, its_.basis, move.data(), &to, is_exact ? nullptr : derivative,
+            its_.blocks.take(bytes).data(), bytes, &options, &report, &error_);
         bool const is_alike = report.strategy == first.strategy && report.steps == first.steps &&
                               report.resolves == first.resolves &&
                               report.step_fraction == first.step_fraction;
@@ -216,7 +217,7 @@ void SolutionCheck::field_follows(hm_basis* derivative, hm_safe_options const& g
     if (!is_exact)
         std::printf("derivative: %d steps, strategy %d, heights %g, offset %g: error %.3g\n",
                     first.steps, first.strategy, first.heights,
-                    first.turned_offset / problem_.size(), worst / largest);
+                    first.rotated_offset / problem_.size(), worst / largest);
     double const rounding = 1e-15 * problem_.size() / h;
     expect(!is_exact || worst <= 1e-8 * largest + rounding,
            "the derivative of one linear step differs from differences by " + shown(worst));
@@ -225,7 +226,7 @@ void SolutionCheck::field_follows(hm_basis* derivative, hm_safe_options const& g
 // Points of curves have moved as the B-spline of the movement that was reached, but for offsets
 // that turned along.
 void SolutionCheck::wall_is_at(std::vector<Point> const& at, Numbers const& reached,
-                               double turned_offset) {
+                               double rotated_offset) {
     double const size = problem_.size();
     double largest = size;
     for (double const number : reached) largest = std::max(largest, std::abs(number));
@@ -238,9 +239,9 @@ void SolutionCheck::wall_is_at(std::vector<Point> const& at, Numbers const& reac
         for (std::size_t i = 0; i < basis.size(); ++i)
             dx += Wide(basis[i]) * reached[2 * i], dy += Wide(basis[i]) * reached[2 * i + 1];
         Point const from = problem_.domain.points[k];
-        expect(std::abs(at[k].x - double(from.x + dx)) <= turned_offset + 1e-12 * largest,
+        expect(std::abs(at[k].x - double(from.x + dx)) <= rotated_offset + 1e-12 * largest,
                "a wall point is not where the B-spline is");
-        expect(std::abs(at[k].y - double(from.y + dy)) <= turned_offset + 1e-12 * largest,
+        expect(std::abs(at[k].y - double(from.y + dy)) <= rotated_offset + 1e-12 * largest,
                "a wall point is not where the B-spline is");
     }
 }

@@ -91,7 +91,8 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
     std::vector<hm_curve> curves(at(info.curves) + 1);
     hm_curves set = sized<hm_curves>();
     for (hm_curve& curve : curves) curve.struct_size = sizeof curve;
-    if (hm_basis_curves(basis, &set, curves.data(), info.curves, &error) >= 0 && set.n_curves > 0) {
+    if (hm_basis_curves(basis, nullptr, nullptr, &set, curves.data(), info.curves, &error) >= 0 &&
+        set.n_curves > 0) {
         double xy[4], u, distance;
         for (std::int32_t c = 0; c < set.n_curves; ++c) {
             hm_curve_point(&set, c, input.between(-1, 10), 1, xy, &error);

@@ -1,6 +1,7 @@
 // Safe morphs: no cell is inverted and no boundary crosses whatever happens, and the report is
 // true.
 #include <fixtures/block_in_square.hpp>
+#include <fixtures/safe_moves.hpp>
 #include <fixtures/bounded.hpp>
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/fitted.hpp>
@@ -197,7 +198,7 @@ TEST_CASE("a thousand random movements of growing size are valid or refused with
             ++reached;
             ++by_strategy[safe.report.strategy];
             CHECK(safe.report.step_fraction == 1);
-            CHECK(std::fabs(safe.boundary_error(move) - safe.report.turned_offset) < 1e-14);
+            CHECK(std::fabs(safe.boundary_error(move) - safe.report.rotated_offset) < 1e-14);
         }
         CHECK(reached > 10);
         CHECK(refused > 5);
@@ -223,7 +224,7 @@ TEST_CASE("the two sides of the wake stay one when an airfoil in a C-mesh moves 
         if (status == HM_CROSSING) continue;
         CHECK(safe.is_valid());
         if (status == HM_OK)
-            CHECK(std::fabs(safe.boundary_error(move) - safe.report.turned_offset) < 1e-14);
+            CHECK(std::fabs(safe.boundary_error(move) - safe.report.rotated_offset) < 1e-14);
         ++by_strategy[safe.report.strategy];
         Mesh const& mesh = safe.mesh;
         std::map<std::pair<double, double>, std::size_t>
@@ -287,19 +288,19 @@ TEST_CASE("functions on the way that miss the tolerance give a warning and a val
     options.tolerance = 1e-18;
     Attempt const attempt(setup.problem(), &options);
     REQUIRE(attempt.status == HM_NOT_CONVERGED);
-    Guarded work = block_of(hm_morph_safe_size, attempt.plan, attempt.basis);
+    Guarded work = block_of(safe_move_size, attempt.plan, attempt.basis);
     auto report = sized<hm_safe_report>();
     std::vector<double> x(setup.mesh.x.size()), y(x.size());
     hm_error error{};
-    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(setup, 120).data(), points_out(x, y),
-                        nullptr, work.data(), work.size(), nullptr, &report,
-                        &error) == HM_NOT_CONVERGED);
+    CHECK(safe_move(attempt.plan, attempt.basis, turn_of(setup, 120).data(), points_out(x, y),
+                    nullptr, work.data(), work.size(), nullptr, &report,
+                    &error) == HM_NOT_CONVERGED);
     CHECK(report.step_fraction == 1);
     CHECK(report.resolves > 0);
     CHECK(report.inverted == 0);
     CHECK(x[0] == setup.mesh.x[0]);
     CHECK(error.value > 1e-18);
     // One step needs no functions other than the present ones.
-    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(setup, 10).data(), points_out(x, y),
-                        nullptr, work.data(), work.size(), nullptr, &report, &error) == HM_OK);
+    CHECK(safe_move(attempt.plan, attempt.basis, turn_of(setup, 10).data(), points_out(x, y),
+                    nullptr, work.data(), work.size(), nullptr, &report, &error) == HM_OK);
 }

@@ -118,17 +118,18 @@ public:
     }
     const hm_basis* append_to(Solver& solver) {
         if (paths_.empty()) return solver.basis();
-        const auto n = static_cast<std::int32_t>(points_.size()),
-                   n_modes = static_cast<std::int32_t>(paths_.size());
-        std::size_t bytes = 0, work_bytes = 0;
-        call(paths_[0], hm_tabulate_size, solver.plan(), solver.basis(), n_modes, 2, &bytes,
-             &work_bytes);
+        auto modes = sized<hm_modes>();
+        modes.n_modes = static_cast<std::int32_t>(paths_.size());
+        modes.n = static_cast<std::int32_t>(points_.size());
+        modes.points = points_.data();
+        modes.values = values_.data();
+        std::size_t bytes = 0;
+        call(paths_[0], hm_tabulate_size, solver.plan(), solver.basis(), &modes, &bytes);
         block_.resize(bytes);
-        Block work(work_bytes);
         hm_basis* basis = nullptr;
-        void *const block = block_.data(), *const working = work.data();
-        call(paths_[0], hm_tabulate, &basis, block, bytes, solver.plan(), solver.basis(), n,
-             points_.data(), n_modes, 2, values_.data(), working, work_bytes, nullptr);
+        void* const block = block_.data();
+        call(paths_[0], hm_tabulate, &basis, block, bytes, solver.plan(), solver.basis(), &modes,
+             nullptr);
         return basis;
     }
 
@@ -172,7 +173,7 @@ void run_solve(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
     if (!arguments.has("--curve") && !arguments.has("--rigid") && !arguments.has("--mode")) {
-        arguments.refuse("--curve, --rigid or --mode is missing");
+        arguments.refuse("--curve MARKER=FILE, --rigid MARKER or --mode FIELD is missing");
     }
     if (compares_operators(arguments))
         arguments.refuse("--operator auto is only for displace and for morph --safe");

@@ -120,7 +120,7 @@ std::vector<hm_movement> movements_of(const Arguments& arguments) {
         arguments.refuse("--camber-thickness, --parsec and --blade exclude each other");
     add("--flap", HM_FLAP);
     add("--scale", HM_SCALE);
-    add("--turn", HM_TURN);
+    add("--turn", HM_ROTATE);
     if (arguments.has("--shift")) {
         movements.push_back(sized<hm_movement>());
         movements.back().kind = HM_SHIFT;

@@ -42,7 +42,7 @@ struct MovementName {
     std::int32_t kind;
     std::size_t numbers;
 };
-constexpr MovementName movement_names[] = {{"turn", HM_TURN, 2},
+constexpr MovementName movement_names[] = {{"turn", HM_ROTATE, 2},
                                            {"shift", HM_SHIFT, 0},
                                            {"scale", HM_SCALE, 2},
                                            {"flap", HM_FLAP, 3},

@@ -155,7 +155,7 @@ Basis::Basis(const TextFile& file, const Mesh& mesh)
         throw Failure(exit_file, path_ + ": the basis has no functions, as it has not been solved");
     refuse_other_functions(info_, path_);
     curve_.assign(static_cast<std::size_t>(info_.curves) + 1, sized<hm_curve>());  // never empty
-    call(path_, hm_basis_curves, basis_, &curves_, curve_.data(), info_.curves);
+    call(path_, hm_basis_curves, basis_, nullptr, nullptr, &curves_, curve_.data(), info_.curves);
     std::int32_t n = 0;
     hm_basis_conditions(basis_, nullptr, 0, &n, nullptr);
     // One element more, so that the array has a first element, whose struct_size counts for all.
@@ -197,18 +197,18 @@ void Basis::find_curves(const Mesh& mesh) {
     std::vector<double> moves(2 * static_cast<std::size_t>(info_.functions) + 1);  // never empty
     const hm_points at = mesh.coordinates();
     hm_error error = {};
-    double turned_offset = 0;
+    double rotated_offset = 0;
     const hm_status status =
-        hm_recover_movement(basis_, &at, 0, moves.data(), &distance_, &turned_offset, nullptr,
+        hm_recover_movement(basis_, &at, 0, moves.data(), &distance_, &rotated_offset, nullptr,
                             work.data(), bytes, &error);
     if (status == HM_BAD_MESH) {
         why_on_no_curve_ = mesh.file.path() + ": " + error.text;
         return;
     }
     if (status < 0) refuse(error, path_);
-    distance_ = std::fabs(distance_ - turned_offset);  // without the offsets that turned
+    distance_ = std::fabs(distance_ - rotated_offset);  // without the offsets that turned
     moved_control_.resize(2 * static_cast<std::size_t>(n_control()) + 1);
-    call(path_, hm_moved_curves, basis_, moves.data(), moved_control_.data(), &moved_curves_,
+    call(path_, hm_basis_curves, basis_, moves.data(), moved_control_.data(), &moved_curves_,
          curve_.data(), info_.curves);
 }
 

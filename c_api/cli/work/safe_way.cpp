@@ -32,7 +32,7 @@ void add_safe(JsonObject& object, const hm_safe_report& safe, const std::string&
         .add("strategy", std::string(strategy_name(safe.strategy)));
     object.add("last_step_admissible", safe.admissible).add("heights", safe.heights);
     if (reached_moves != nullptr) object.add("reached_moves", *reached_moves);
-    object.add("turned_offset", safe.turned_offset).add("start_quality", safe.start_quality);
+    object.add("rotated_offset", safe.rotated_offset).add("start_quality", safe.start_quality);
     object.add("end_point", safe.end_point).add("end_distance", safe.end_distance);
     object.add("warning", warning);
     std::vector<JsonObject> worst(static_cast<std::size_t>(safe.n_worst));

@@ -30,8 +30,8 @@ ToAirfoil fit_to_airfoil(const Basis& basis, std::int32_t curve, const Section& 
     result.chord = report.chord;
     for (std::size_t k = 0; k < section.x.size(); ++k) {
         const double x = section.x[k], y = section.y[k];
-        result.x.push_back(report.turn_x * x - report.turn_y * y + report.shift_x);
-        result.y.push_back(report.turn_y * x + report.turn_x * y + report.shift_y);
+        result.x.push_back(report.rotation_x * x - report.rotation_y * y + report.shift_x);
+        result.y.push_back(report.rotation_y * x + report.rotation_x * y + report.shift_y);
     }
     return result;
 }

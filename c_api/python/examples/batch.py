@@ -19,4 +19,5 @@ dy = g @ moves[:, 0] + f @ moves[:, 1]
 
 one = morph.displacement(moves[:, :, 500])
 error = np.abs(one - np.stack([dx[:, 500], dy[:, 500]], axis=1)).max() / np.abs(one).max()
-print(f"{dx.shape[1]} designs of {dx.shape[0]} points; the difference from morph is {error:.1e} of the largest movement")
+print(f"{dx.shape[1]} designs of {dx.shape[0]} points; "
+      f"the difference from morph is {error:.1e} of the largest movement")

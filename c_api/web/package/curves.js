@@ -51,10 +51,9 @@ export class Curves extends Owner {
         return library.with((scope) => {
             const given = fit_options(scope, options, mesh.nPoints);
             const list = scope.integers(numbers, undefined, "markers");
-            const [bytes, work_bytes] = scope.sizes("hm_fit_marker_size", 2, mesh.address, numbers.length, list, given);
-            const report = scope.struct("hm_fit_report"), work = scope.take(work_bytes);
-            const found = scope.object("hm_fit_marker", bytes, mesh.address, numbers.length, list, given, report, work,
-                work_bytes);
+            const bytes = scope.size("hm_fit_marker_size", mesh.address, numbers.length, list, given);
+            const report = scope.struct("hm_fit_report");
+            const found = scope.object("hm_fit_marker", bytes, mesh.address, numbers.length, list, given, report);
             return this.found(found, library.layout.read("hm_fit_report", report), names);
         });
     }
@@ -102,6 +101,15 @@ export class Curves extends Owner {
         }
         const control = memory.numbers(of_set("control"), 2 * n).slice();
         return new this(control, curves, weights === 0 ? null : memory.numbers(weights, n).slice());
+    }
+
+    // The curves that a call of the library gives: (..., out, array of curves, its capacity).
+    static of_basis(call, n, ...values) {
+        return this.library.with((scope) => {
+            const out = scope.struct("hm_curves"), list = scope.structs("hm_curve", new Array(n).fill({}));
+            this.library.call(call, ...values, out, list, n);
+            return this.copied(out);
+        });
     }
 
     /** Returns the curves with control points moved by `move`. */
