@@ -122,13 +122,15 @@ sets hm_safe_options.heights morph_far --heights-part .5
 sets hm_safe_options.reached morph_far --reached "$tmp/traced.reached"
 sets hm_safe_options.min_quality morph_far --min-quality .99
 sets hm_safe_options.max_height_change morph_far --max-height-change 1.01
+fixed hm_safe_options.derivative "the program does not compute derivatives of safe movements"
 
 sets hm_improve_options.max_iterations morph_better --improve-iterations 1
 fixed hm_improve_options.reference "the cells of MESH are the targets; other coordinates would be another mesh file"
 
 include=$here/../../include
 awk -f "$here/../../c_api/packaging/table.awk" $(sed "s|^|$include/|" "$here/../../fortran/harmorph/headers") |
-    awk '$1 == "member" && $2 ~ /_options$|_details$|^hm_executor$|^hm_condition$/ && $3 !~ /^(struct_size|reserved)$/ {
+    awk '$1 == "member" && ($2 ~ /_options$|_details$|^hm_executor$|^hm_condition$/ || $3 ~ /flux/) \
+        && $3 !~ /^(struct_size|reserved)$/ {
         print $2 "." $3 }' | sort >"$tmp/declared"
 check "fields are declared" [ -s "$tmp/declared" ]
 check "every field of the options has a line here" sh -c 'sort -u "$0" | diff "$1" -' "$fields" "$tmp/declared"

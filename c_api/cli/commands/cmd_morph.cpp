@@ -213,6 +213,12 @@ void run_morph(const Arguments& arguments) {
         if (asked.airfoil) print_airfoil(arguments.text("--to-airfoil"), *asked.airfoil);
         print_errors(asked.errors);
         print_for_people(morph, safe, written);
+        const bool is_written = reached || arguments.has("--force");
+        if (arguments.has("-o") && is_written) {
+            print("morphed mesh     %s\n", arguments.text("-o").c_str());
+        } else if (!arguments.has("-o")) {
+            print("morphed mesh     not written: -o FILE writes the mesh\n");
+        }
     }
     if (strict && morph.valid()) throw Failure(exit_unusable, morph.warning);
     if (!reached)

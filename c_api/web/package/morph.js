@@ -1,6 +1,6 @@
 // Morph: the functions of a mesh, and all that is done with them.
 import { choice, number, refuse, show, whole } from "./errors.js";
-import { describe, listed } from "./conditions.js";
+import { describe, listed, of_basis } from "./conditions.js";
 import { disposable, Owner } from "./library.js";
 
 const OPERATORS = { conformal: "HM_CONFORMAL", laplace: "HM_LAPLACE", weighted: "HM_WEIGHTED" };
@@ -183,6 +183,16 @@ export class Morph extends Owner {
             const view = scope.points(dj ?? [], this.nPoints, "dj");
             const to = scope.numbers_out(out, 2 * this.functions);
             this.library.call("hm_adjoint", basis, view, to.address, 0);
+            return to.done();
+        });
+    }
+
+    /** Returns the functions as a dense array: planes, in each the points, for each point the functions. */
+    matrix({ out } = {}) {
+        const basis = this.open();
+        return this.library.with((scope) => {
+            const to = scope.numbers_out(out, this.info.numbersPerValue * this.nPoints * this.functions);
+            this.library.call("hm_basis_matrix", basis, to.address);
             return to.done();
         });
     }
@@ -421,14 +431,27 @@ export class Morph extends Owner {
             const slot = scope.take(4);
             library.call("hm_basis_attach", slot, block, bytes.length, mesh === null ? 0 : mesh.address);
             morph.take_basis(scope, library.memory.data.getUint32(slot, true));
+            morph.restore();
         } catch (error) {
             morph.disown(scope);
             morph.free();
             throw error;
         }
-        morph.ready = () =>
-            refuse("A basis that was loaded has no analysis; make a Morph of its mesh.", "HM_BAD_BASIS");
         return morph;
+    }
+
+    // Curves, conditions and options with which the basis was solved, for calls that need analysis and plan.
+    restore() {
+        const { info, library, problem } = this, { Curves } = library.bound;
+        this.solver_options = {
+            operator_kind: info.operatorKind,
+            engine: info.engine,
+            exponent: info.exponent || -1,
+            offset_correction: info.offsetCorrection,
+            study: { scheme: info.scheme },
+        };
+        if (info.curves > 0) this.curves = Curves.of_basis("hm_basis_curves", info.curves, this.basis.address);
+        if (problem !== null) this.pairs = of_basis(library, problem.mesh, this.basis.address, Curves);
     }
 
     /** Gives analysis and plan back. Calls that need them make them again, which takes time. */
