@@ -122,6 +122,7 @@ sets hm_safe_options.heights morph_far --heights-part .5
 sets hm_safe_options.reached morph_far --reached "$tmp/traced.reached"
 sets hm_safe_options.min_quality morph_far --min-quality .99
 sets hm_safe_options.max_height_change morph_far --max-height-change 1.01
+fixed hm_safe_options.derivative "the program does not compute derivatives of safe movements"
 
 sets hm_improve_options.max_iterations morph_better --improve-iterations 1
 fixed hm_improve_options.reference "the cells of MESH are the targets; other coordinates would be another mesh file"

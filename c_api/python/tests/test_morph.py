@@ -290,7 +290,8 @@ def test_fluxes_of_a_linear_field():
     n = 6
     x, y = np.meshgrid(np.arange(n) / (n - 1), np.arange(n) / (n - 1))
     mesh = harmorph.Mesh.structured(np.stack([x, y], axis=-1), j_min="low", j_max="top", i_min="left", i_max="right")
-    curves = harmorph.Curves.fit(np.stack([x[0], y[0]], axis=1), n_control=2, degree=1, closed="open")
+    curves = harmorph.Curves.fit_points(np.stack([x[0], y[0]], axis=1), False, n_control=2, degree=1,
+                                        closed="open")
     k = np.arange(n - 1)
     faces = np.concatenate([np.stack([n * (n - 1) + k, n * (n - 1) + k + 1], 1), np.stack([n * k, n * k + n], 1),
                             np.stack([n * k + n - 1, n * k + 2 * n - 1], 1)])
