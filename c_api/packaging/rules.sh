@@ -98,7 +98,7 @@ others=$(grep -L '^#define HARMORPH_KERNELS' src/*/*.cpp c_api/*.cpp)
 module() {
     flags="\$(WASM) $2" list= own=-Oz
     rare='^c_api/|^src/(boundary|bspline|fields|multigrid|safe|space)/'
-    fast=$(echo "$kernels" | grep -vE "$rare"; ls src/morph/crossing.cpp src/morph/touch.cpp)
+    fast=$(echo "$kernels" | grep -vE "$rare"; ls src/morph/crossing.cpp)
     objects $1 $(printf '%s\n' $kernels $others | grep -E "$rare") c_api/web/module.cpp
     if [ -n "$2" ]; then own=-O2; fi
     objects $1 $fast
