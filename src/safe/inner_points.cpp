@@ -68,22 +68,20 @@ bool SafeMorph::untangle_ahead(Work& work) noexcept {
 // from the mesh before the step.
 bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     if (!work.options.tries(Strategy::untangled)) return false;
-    look_ahead(work, by, 1);
+    look_ahead(work, by, work.aim);
     if (!untangle_ahead(work)) return false;
     Fault why;
     Outcome there = work.attempt;
     there.strategy = Strategy::untangled;
-    there.fraction = 1;
+    there.fraction = work.aim;
     ++there.steps;
-    there.turned_offset = mesh.carried.largest(work.basis, mesh.path, 1);
+    there.turned_offset = mesh.carried.largest(work.basis, mesh.path, work.aim);
     measure(work, mesh.ahead(), there);
     if (!work.is_good(there) && work.options.tries(Strategy::improved)) {
-        ImproveReport improved;
         there.strategy = Strategy::improved;
         if (failed(MeshImprovement::check(work.plan, work.mesh().points, mesh.ahead(), why)))
             return false;
-        improvement.run(work.plan, work.improve_options(), work.mesh().points, mesh.ahead(),
-                        mesh.to_ahead(), improved);
+        run_improvement(work, mesh.ahead());
         if (!is_valid(work, mesh.ahead())) return false;
         measure(work, mesh.ahead(), there);
     }
@@ -94,18 +92,50 @@ bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     return is_good;
 }
 
-// Improves a mesh at the target that has the same movement as the best mesh, and keeps the result
-// if it is better than the best mesh. The derivative remains that of the path.
+// Improves a mesh with the movement of the best mesh, to the mesh ahead. The improvement is repeated
+// as long as it raises the smallest quality clearly.
+void SafeMorph::run_improvement(Work& work, Points from) noexcept {
+    constexpr Index max_repetitions = 4;
+    // If the smallest quality rose so much, another improvement is worth a try in any case.
+    constexpr Real clear_rise = 1.5;
+    Points const before = work.mesh().points;
+    auto const smallest = [&](Points points) {
+        return measure_quality(work.cells(), points, before, work.executor()).min_quality;
+    };
+    ImproveOptions options = work.options.improve;
+    for (Index k = 0; k < max_repetitions; ++k) {
+        Real const given = smallest(from);
+        ImproveReport report;
+        options.max_solutions = min(options.max_solutions, work.solutions_left());
+        improvement.run(work.plan, options, before, from, mesh.to_ahead(), report);
+        work.report.improvements += report.solutions;
+        work.report.may_improve = !report.converged;
+        from = mesh.ahead();
+        Real const enough = report.converged ? clear_rise : SafeOptions::clear_gain;
+        if (!(smallest(from) > enough * given)) break;
+    }
+}
+
+// Improves the mesh `from`, which has the same movement as the best mesh, and keeps the result if
+// it is clearly better than the best mesh; if the options ask for improvement, if it is better at
+// all. The derivative remains that of the path.
 bool SafeMorph::improve(Work& work, Points from) noexcept {
-    ImproveReport report;
     Fault why;
-    if (work.best().fraction < 1) return false;
+    if (!work.arrives(work.best()) || work.solutions_left() == 0) return false;
     if (failed(MeshImprovement::check(work.plan, work.mesh().points, from, why))) return false;
-    improvement.run(work.plan, work.improve_options(), work.mesh().points, from, mesh.to_ahead(),
-                    report);
+    run_improvement(work, from);
     Outcome outcome = work.best();
     measure(work, mesh.ahead(), outcome);
-    if (!is_valid(work, mesh.ahead()) || !work.is_better(outcome, work.best())) return false;
+    bool const is_clear =
+        outcome.min_quality > SafeOptions::clear_gain * work.best().min_quality;
+    bool const is_mean_better = outcome.min_quality >= work.best().min_quality &&
+                                outcome.mean_quality > work.best().mean_quality;
+    bool const is_better = work.score(outcome) > work.score(work.best()) ||
+                           (work.score(outcome) == work.score(work.best()) &&
+                            (is_clear || (work.options.improves &&
+                                          (is_mean_better ||
+                                           outcome.min_quality > work.best().min_quality))));
+    if (!is_better || !is_valid(work, mesh.ahead())) return false;
     outcome.strategy = Strategy::improved;
     replace_inner_points(work, outcome);
     return true;

@@ -34,6 +34,7 @@ struct UntangleReport {
     Index stuck_cell = none;
     Index iterations = 0;  // the number in all regions
     Offset products = 0;   // the number of products with the Hessian
+    Index solutions = 0;   // the number of iterations with a factor of the Hessian
     Index regions = 0;     // the number of regions that were tried
     Index unknowns = 0;    // the number of points that could move in the last region
     // The smallest area of a corner that could move in that region, in units of the reference's.

@@ -82,7 +82,7 @@ TEST_CASE("hm_improve: better cells, the report is that of hm_assess, and walls 
     CHECK(after.inverted == 0);
     CHECK(after.self_crossing == 0);
     CHECK(after.mean_quality > before.mean_quality);
-    CHECK(out.report.iterations > 0);
+    CHECK(out.report.solutions > 0);
     std::vector<std::int32_t> const on_wall = points_on(setup.mesh, body);
     std::int32_t held = setup.mesh.n_points() - out.report.movable;
     CHECK(held >= std::int32_t(on_wall.size() + points_on(setup.mesh, far_field).size()));
@@ -239,7 +239,7 @@ TEST_CASE("hm_improve: what cannot be improved is refused by name, and nothing h
     refuses(HM_BAD_MESH, "is inverted");
     out.x[25] = x;
     auto options = sized<hm_improve_options>();
-    options.max_iterations = 1;
+    options.max_solutions = 1;
     CHECK(out.improve(&options) == HM_OK);
-    CHECK(out.report.iterations == 1);
+    CHECK(out.report.solutions == 1);
 }

@@ -118,7 +118,8 @@ sets hm_safe_options.reached morph_far --reached "$tmp/traced.reached"
 sets hm_safe_options.min_quality morph_far --min-quality .99
 sets hm_safe_options.max_height_change morph_far --max-height-change 1.01
 
-sets hm_improve_options.max_iterations morph_better --improve-iterations 1
+sets hm_improve_options.max_solutions morph_better --improve-work 1
+sets hm_safe_options.improve_work morph_far --improve-work 1
 fixed hm_improve_options.reference "the cells of MESH are the targets; other coordinates would be another mesh file"
 
 include=$here/../../include

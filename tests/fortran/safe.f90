@@ -161,7 +161,7 @@ contains
         call plan%improve(block_x, block_y, reshape(x, [around, rings]), reshape(y, [around, rings]), work=work)
         call check(same(reshape(block_x, [n_points]), x_other) .and. same(reshape(block_y, [n_points]), y_other), &
             "the mesh before the movement as reference, a block, own memory")
-        call plan%improve(x_other, y_other, max_iterations=-1, stat=stat)
+        call plan%improve(x_other, y_other, max_solutions=-1, stat=stat)
         call check(stat == hm_bad_argument, "fewer steps than none")
         call plan%improve(x_other(2:), y_other(2:), stat=stat)
         call check(stat == hm_bad_argument, "an improvement of a point too few")

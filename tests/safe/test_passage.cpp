@@ -111,10 +111,11 @@ TEST_CASE("cells of a passage improve as in the annulus of all passages") {
         hm_improve_report const report = improved(a, one.mesh, from, better);
         improved(b, all.mesh, from_all, better_all);
         CHECK(report.min_quality > report.min_quality_before);
-        CHECK(report.iterations > 2);
+        CHECK(report.solutions > 2);
         CHECK(misfit_of_sides(one.mesh, better, turn) < 1e-14);
         std::size_t const side = std::size_t(points_on(one.mesh, left)[4]);
         CHECK(std::abs(better[side] - from[side]) > 1e-4);
-        CHECK(difference_in(better, better_all, number[0]) < 1e-8);
+        // The sharpness of the smooth minimum depends on the number of cells.
+        CHECK(difference_in(better, better_all, number[0]) < 0.02);
     }
 }

@@ -69,7 +69,7 @@ def test_better_cells(laplace):
     assert laplace.assess(points=better, reference=laplace.start).quality.min_quality == pytest.approx(
         found.min_quality)
     same = moved.copy()
-    assert laplace.improve(same, same, reference=laplace.start, max_iterations=60)[0] is same
+    assert laplace.improve(same, same, reference=laplace.start, max_solutions=20)[0] is same
     assert np.array_equal(same, better)
 
 
