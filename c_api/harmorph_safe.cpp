@@ -258,8 +258,8 @@ hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move
         }));
         HARMORPH_TRY(call.open(to, options, report, others, fault));
         HARMORPH_TRY(check_move(b, move, fault));
-        call.options.solves_others = derivative == nullptr && call.options.others.empty() &&
-                                     call.options.fair_quality > 0;
+        call.options.solves_others =
+            derivative == nullptr && call.options.others.empty() && call.options.fair_quality > 0;
         // The derivative does not contain what an improvement moves.
         if (derivative != nullptr) call.options.fair_quality = call.options.fine_quality = 0;
         HARMORPH_TRY(check_derivative_is_apart(sum, call.options.others, fault));

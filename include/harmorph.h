@@ -937,7 +937,7 @@ typedef struct hm_improve_report {
  * matrix in the plan's order of elimination (the working memory is about twice that of a factor for
  * complex functions); other engines use conjugate gradients. The plan needs no factor. `from`:
  * coordinates of a valid mesh; `to` may be the arrays of `from`. No cell is inverted, and the
- * smallest quality never falls. Points on walls and on fixed and free boundaries keep their bits.
+ * smallest quality never falls. A mesh that is its own reference is not changed. Points on walls and on fixed and free boundaries keep their bits.
  * Where the wall faces beside a wall point are longer than 4 heights of the first-layer edge there,
  * the outer end of this edge gets the height and angle of the reference, unless the cells there
  * would then have less than half of their quality, or this lowers the smallest quality of the mesh.

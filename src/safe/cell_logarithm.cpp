@@ -23,7 +23,7 @@ struct LogSize {
 template <Index n>
 struct Frame {
     static constexpr Index patterns = n - 1, count = 2 * patterns;
-    Vec2 column[2];         // M
+    Vec2 column[2];          // M
     Vec2 inverse_column[2];  // of the transposed inverse of M
     Real pattern[patterns][n];
     Real unit;  // a power of two of the size of the cell; lengths are divided by it
@@ -80,8 +80,8 @@ void Frame<n>::to_points(Real const (&gradient)[count], Real const (&hessian)[co
     for (Index k = 0; k < n; ++k) {
         form.by[k] = {};
         for (Index j = 0; j < patterns; ++j)
-            form.by[k] = form.by[k] + per_unit * pattern[j][k] *
-                                          (gradient[2 * j] * f + gradient[2 * j + 1] * g);
+            form.by[k] = form.by[k] +
+                         per_unit * pattern[j][k] * (gradient[2 * j] * f + gradient[2 * j + 1] * g);
         for (Index other = 0; other < n; ++other) form.hessian[k][other] = {};
     }
     for (Index j = 0; j < patterns; ++j) {
@@ -139,8 +139,8 @@ void add_corner(Frame<n> const& frame, Index in, Index out, Real weight, Real sq
     for (Index i = 0; i < count; ++i) {
         for (Index j = i; j < count; ++j) {
             Real const turns = (q[i].y - p[i].y) * (q[j].y - p[j].y);
-            Real const bends = (p[i].x * p[j].y + p[i].y * p[j].x) -
-                               (q[i].x * q[j].y + q[i].y * q[j].x);
+            Real const bends =
+                (p[i].x * p[j].y + p[i].y * p[j].x) - (q[i].x * q[j].y + q[i].y * q[j].x);
             to.second[i][j] += weight * ((1 + cotangent * cotangent) * turns + cotangent * bends);
         }
     }
@@ -155,10 +155,8 @@ void add_area(Frame<n> const& frame, Real slope, Real square_weight, Derivatives
     constexpr Index count = 2 * (n - 1);
     constexpr Index last = n - 1;
     // The area is half the cross product of the two diagonals, or of two sides.
-    auto const first_of = [](Vec2 const (&side)[n]) {
-        return n == 3 ? side[0] : side[0] + side[1];
-    };
-    auto const second_of = [](Vec2 const (&side)[n]) {
+    auto const first_of = [](Vec2 const(&side)[n]) { return n == 3 ? side[0] : side[0] + side[1]; };
+    auto const second_of = [](Vec2 const(&side)[n]) {
         return n == 3 ? side[1] : side[1] + side[last - 1];
     };
     Vec2 const u = first_of(frame.side), v = second_of(frame.side);
@@ -172,8 +170,7 @@ void add_area(Frame<n> const& frame, Real slope, Real square_weight, Derivatives
     }
     for (Index i = 0; i < count; ++i) {
         for (Index j = i; j < count; ++j)
-            to.second[i][j] +=
-                slope * per_area * (cross(du[i], dv[j]) + cross(du[j], dv[i]));
+            to.second[i][j] += slope * per_area * (cross(du[i], dv[j]) + cross(du[j], dv[i]));
     }
     to.add_first(slope, gradient);
     to.add_square(square_weight - slope, gradient);
@@ -187,8 +184,8 @@ void finish(Frame<n> const& frame, Derivatives<n> const& y, LogarithmWeights con
     Real hessian[count][count], vector[count][count];
     for (Index i = 0; i < count; ++i) {
         for (Index j = i; j < count; ++j)
-            hessian[i][j] = weights.slope * y.second[i][j] +
-                            weights.curvature * y.first[i] * y.first[j];
+            hessian[i][j] =
+                weights.slope * y.second[i][j] + weights.curvature * y.first[i] * y.first[j];
     }
     diagonalise(hessian, vector);
     Real value[count];

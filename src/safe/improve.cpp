@@ -10,9 +10,12 @@ constexpr Real share_of_admissible = 0.9;
 // Armijo's rule: the energy must fall by at least this part of what the slope promises.
 constexpr Real min_slope = 1e-4;
 constexpr Index max_halvings = 40, max_doublings = 3;
-// The sharpness with which cells of the smallest quality are about as heavy as all others together
-// is ln(cells) / (largest y - y of the mean), between these limits. It is multiplied by a factor
-// that grows when a step gains little, or lowers J.
+// The natural sharpness makes cells of the smallest quality exp(log_of_weight) times as heavy as
+// cells of the mean quality, so that a few of the former are as heavy as all others together in a
+// mesh of some thousand cells. It does not depend on the number of cells, so that a passage is
+// improved as the annulus of all passages is. It is multiplied by a factor that grows when a step
+// gains little, or lowers J.
+constexpr Real log_of_weight = 7.5;
 constexpr Real min_sharpness = 4, max_natural_sharpness = 40, max_sharpness = 400;
 constexpr Real growth_of_factor = 1.4, little_gain = 0.03;
 constexpr Real blur_per_sharpness = 2, min_blur = 0.01, max_blur = 0.3;
@@ -61,12 +64,36 @@ void Improvement::begin(Plan const& of_plan, Points points) noexcept {
     if (PointFactor::exists(of_plan)) factor.init(of_plan);
     for (Index k = 0; k < now.count(); ++k) now[k] = points[k];
     region.link(tangle);
-    OrientedMesh const cells{tangle.mesh, tangle.reversed};
-    executor.for_ranges(area.count(), 4096, [&](Index begin, Index end) {
-        for (Index k = begin; k < end; ++k)
-            area[k] = measure_cell(cells, k, tangle.reference).area;
-    });
+    measure_reference();
     restart();
+}
+
+void Improvement::measure_reference() noexcept {
+    choose_unit();
+    executor.for_ranges(area.count(), 4096, [&](Index begin, Index end) {
+        for (Index k = begin; k < end; ++k) area[k] = measure_in_units(k, tangle.reference).area;
+    });
+}
+
+void Improvement::choose_unit() noexcept {
+    Vec2 lowest{infinity, infinity}, highest{-infinity, -infinity};
+    for (Index k = 0; k < tangle.mesh.n_points; ++k) {
+        Vec2 const p = tangle.reference[k];
+        lowest = {min(lowest.x, p.x), min(lowest.y, p.y)};
+        highest = {max(highest.x, p.x), max(highest.y, p.y)};
+    }
+    unit = power_of_two_at(max(highest.x - lowest.x, highest.y - lowest.y));
+    per_unit = 1 / unit;
+}
+
+CellShape Improvement::shape_in_units(Index i, Points points) const noexcept {
+    CellShape shape = tangle.shape(i, points);
+    for (Vec2& at : shape.at) at = per_unit * at;
+    return shape;
+}
+
+CellMeasure Improvement::measure_in_units(Index number, Points points) const noexcept {
+    return {tangle.mesh, number, [&](Index i) { return shape_in_units(i, points); }};
 }
 
 void Improvement::restart() noexcept {
@@ -81,10 +108,9 @@ void Improvement::restart() noexcept {
 }
 
 void Improvement::set_sharpness(Sums const& sums) noexcept {
-    Real const cells_in_all = static_cast<Real>(y.count()),
-               mean = -logarithm(sums.qualities / cells_in_all),
+    Real const mean = -logarithm(sums.qualities / static_cast<Real>(y.count())),
                spread = max(sums.largest - mean, 1e-3);
-    Real const natural = clamp(logarithm(cells_in_all) / spread, min_sharpness, max_natural_sharpness);
+    Real const natural = clamp(log_of_weight / spread, min_sharpness, max_natural_sharpness);
     sharpness = min(factor_of_sharpness * natural, max_sharpness);
     blur = clamp(blur_per_sharpness / sharpness, min_blur, max_blur);
 }
@@ -99,18 +125,18 @@ bool Improvement::is_at_rest(Real const (&gains)[3]) const noexcept {
            damping <= small_damping;
 }
 
-Improvement::Score Improvement::score() const noexcept {
-    Quality const quality = measure_quality({tangle.mesh, tangle.reversed}, as_points(now),
-                                            tangle.reference, executor);
+Improvement::Score Improvement::score(Points points) const noexcept {
+    Quality const quality = reduce_cells<Quality>(
+        area.count(), executor,
+        [&](Index k, Quality& sum) { sum.add(k, measure_in_units(k, points), area[k]); });
     return {quality.min_quality, quality.mean_quality()};
 }
 
 Improvement::Sums Improvement::sums_of(Span<const Vec2> points) noexcept {
-    OrientedMesh const cells{tangle.mesh, tangle.reversed};
     Sums sums;
     sums.largest = reduce_cells<Largest>(y.count(), executor, [&](Index k, Largest& largest) {
-                       y[k] = minus_log_quality(measure_cell(cells, k, as_points(points)), area[k],
-                                                blur);
+                       y[k] =
+                           minus_log_quality(measure_in_units(k, as_points(points)), area[k], blur);
                        largest.value = max(largest.value, y[k]);
                    }).value;
     if (!(sums.largest < infinity)) return sums;
@@ -147,8 +173,8 @@ void Improvement::pull_anchors() const noexcept {
         Index const point = anchors.point[k];
         Index const u = region.unknown[point];
         if (u == none) continue;
-        Real const factor_of_one = anchors.weight * anchors.scale[k];
-        Vec2 pull = factor_of_one * (now[point] - anchors.place[k]);
+        Real const factor_of_one = anchors.weight * (anchors.scale[k] * unit) * unit;
+        Vec2 pull = factor_of_one * (per_unit * (now[point] - anchors.place[k]));
         Block curvature;
         if (tangle.slips(point)) {
             Vec2 const line = tangle.line[point];
@@ -172,10 +198,10 @@ LogarithmWeights Improvement::weights_of(Sums const& sums, Index number) const n
 PolygonMeasures Improvement::measure_polygon(Index number) const noexcept {
     PolygonMeasures polygon{0, area[number], 0};
     for (Index const piece : tangle.mesh.pieces_of(number))
-        polygon.area += CellCorners(tangle.shape(piece, as_points(now))).cell_area(3);
+        polygon.area += CellCorners(shape_in_units(piece, as_points(now))).cell_area(3);
     for (Index const guard : tangle.mesh.guards_of(number)) {
         if (tangle.mesh.guard_kind[guard - tangle.mesh.n_cells] != CornerKind::convex) continue;
-        CellCorners const corner(tangle.shape(guard, as_points(now)));
+        CellCorners const corner(shape_in_units(guard, as_points(now)));
         polygon.inverse_sines +=
             length(corner.side[0]) * length(corner.side[1]) / corner.twice_area[0];
     }
@@ -187,10 +213,10 @@ template <Index n>
 void Improvement::differentiate(Sums const& sums, Index cell, CellForm<n>& form) const noexcept {
     Index const number = tangle.mesh.number(cell);
     LogarithmWeights const weights = weights_of(sums, number);
-    CellShape const shape = tangle.shape(cell, as_points(now));
+    CellShape const shape = shape_in_units(cell, as_points(now));
     form.slope = weights.slope;
-    form.curvature = sharpness * exponential(sharpness * (y[number] - sums.largest)) /
-                     sums.exponentials;
+    form.curvature =
+        sharpness * exponential(sharpness * (y[number] - sums.largest)) / sums.exponentials;
     if constexpr (n == 3) {
         if (tangle.mesh.is_piece_or_guard(cell)) {
             PolygonMeasures const polygon = measure_polygon(number);
@@ -210,9 +236,9 @@ bool Improvement::solve() noexcept {
     Span<Vec2> const step = system.step.first(region.n), border = system.border.first(region.n);
     for (Index u = 0; u < region.n; ++u) step[u] = -1 * system.gradient[u];
     auto const along_border = [&](Span<const Vec2> v, Span<const Vec2> by) {
-        return reduce_cells<Sum>(region.n, executor, [&](Index u, Sum& sum) {
-                   sum.value += dot(v[u], by[u]);
-               }).value;
+        return reduce_cells<Sum>(region.n, executor,
+                                 [&](Index u, Sum& sum) { sum.value += dot(v[u], by[u]); })
+            .value;
     };
     Span<Vec2> const solved = change.first(region.n);  // `change` is set after that
     for (Index u = 0; u < region.n; ++u) solved[u] = border[u];
@@ -234,7 +260,7 @@ bool Improvement::solve() noexcept {
     executor.for_ranges(now.count(), 4096, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
             Index const u = region.unknown[k];
-            change[k] = u != none ? tangle.turned_alike(k, step[u]) : Vec2{};
+            change[k] = u != none ? unit * tangle.turned_alike(k, step[u]) : Vec2{};
         }
     });
     return true;

@@ -14,8 +14,8 @@ struct ImproveOptions {
 };
 
 struct ImproveReport {
-    Index solutions = 0;  // each made one step of Newton's method
-    Index unknowns = 0;   // the number of points that could move
+    Index solutions = 0;     // each made one step of Newton's method
+    Index unknowns = 0;      // the number of points that could move
     bool converged = false;  // further solutions would bring little
 };
 
@@ -62,9 +62,12 @@ struct Improvement {
     NewtonSystem system;
     PointFactor factor;
     Span<Vec2> now, change, ahead, best;  // [n_points]
-    Span<Real> area;                      // [given cells] at the reference
+    Span<Real> area;                      // [given cells] at the reference, in square units
     Span<Real> y;                         // [given cells]
     Anchors anchors;                      // laid out by the caller
+    // Cells are measured, and the system is solved, in units of a power of two of the extent of the
+    // mesh, so that no bit depends on the unit of length.
+    Real unit = 1, per_unit = 1;
 
     void lay_out(Arena& arena, Plan const& of_plan) noexcept;
 
@@ -84,7 +87,10 @@ struct Improvement {
     void restart() noexcept;
     bool step() noexcept;
     Real energy() noexcept { return energy_of(now, infinity); }
-    Real smallest() const noexcept { return score().smallest; }
+    // Measures the cells of the reference; begin() does that, too.
+    void measure_reference() noexcept;
+    Real smallest_of(Points points) const noexcept { return score(points).smallest; }
+    Real smallest() const noexcept { return smallest_of(as_points(now)); }
     // Makes the smooth maximum sharper. `raises`: the last step has raised J.
     void sharpen(bool raises) noexcept;
 
@@ -102,16 +108,19 @@ private:
     };
     // What the terms of the energy have in common.
     struct Sums {
-        Real largest = 0;    // y
+        Real largest = 0;       // y
         Real exponentials = 0;  // the sum of exp(sharpness (y - largest))
-        Real qualities = 0;  // the sum of exp(-y)
+        Real qualities = 0;     // the sum of exp(-y)
     };
 
     Real factor_of_sharpness = 1, last_gain = 0;
     Real sharpness = 0, blur = 0, damping = 0;
 
     bool is_at_rest(Real const (&gains)[3]) const noexcept;
-    Score score() const noexcept;
+    Score score(Points points) const noexcept;
+    void choose_unit() noexcept;
+    CellShape shape_in_units(Index i, Points points) const noexcept;
+    CellMeasure measure_in_units(Index number, Points points) const noexcept;
     void set_sharpness(Sums const& sums) noexcept;
     Sums sums_of(Span<const Vec2> points) noexcept;
     // Returns infinity if a y is larger than `max_largest`.
@@ -135,20 +144,20 @@ void Improvement::run(Plan const& of_plan, ImproveOptions const& options, Real l
     report = {};
     begin(of_plan, from);
     report.unknowns = region.n;
-    Score found = score(), highest = found;
+    Score found = score(as_points(now)), highest = found;
     copy(best, Span<const Vec2>(now));
     Real gains[3] = {infinity, infinity, infinity};
     while (region.n > 0 && report.solutions < options.max_solutions && !report.converged) {
         bool const is_prepared = prepare();
         if (is_prepared) {
-            highest = found = score();
+            highest = found = score(as_points(now));
             copy(best, Span<const Vec2>(now));
         }
         Real const before = highest.value();
         ++report.solutions;
         step();
         Real const last = found.value();
-        found = score();
+        found = score(as_points(now));
         if (anchors.count == 0) sharpen(found.value() > last);
         if (found.is_better_than(highest, lowest)) {
             highest = found;

@@ -92,8 +92,8 @@ bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     return is_good;
 }
 
-// Improves a mesh with the movement of the best mesh, to the mesh ahead. The improvement is repeated
-// as long as it raises the smallest quality clearly.
+// Improves a mesh with the movement of the best mesh, to the mesh ahead. The improvement is
+// repeated as long as it raises the smallest quality clearly.
 void SafeMorph::run_improvement(Work& work, Points from) noexcept {
     constexpr Index max_repetitions = 4;
     // If the smallest quality rose so much, another improvement is worth a try in any case.
@@ -126,15 +126,14 @@ bool SafeMorph::improve(Work& work, Points from) noexcept {
     run_improvement(work, from);
     Outcome outcome = work.best();
     measure(work, mesh.ahead(), outcome);
-    bool const is_clear =
-        outcome.min_quality > SafeOptions::clear_gain * work.best().min_quality;
+    bool const is_clear = outcome.min_quality > SafeOptions::clear_gain * work.best().min_quality;
     bool const is_mean_better = outcome.min_quality >= work.best().min_quality &&
                                 outcome.mean_quality > work.best().mean_quality;
-    bool const is_better = work.score(outcome) > work.score(work.best()) ||
-                           (work.score(outcome) == work.score(work.best()) &&
-                            (is_clear || (work.options.improves &&
-                                          (is_mean_better ||
-                                           outcome.min_quality > work.best().min_quality))));
+    bool const is_better =
+        work.score(outcome) > work.score(work.best()) ||
+        (work.score(outcome) == work.score(work.best()) &&
+         (is_clear || (work.options.improves &&
+                       (is_mean_better || outcome.min_quality > work.best().min_quality))));
     if (!is_better || !is_valid(work, mesh.ahead())) return false;
     outcome.strategy = Strategy::improved;
     replace_inner_points(work, outcome);

@@ -18,13 +18,22 @@ Status check_points(Plan const& plan, Points points, const char* inverted_cell,
     return fault.refuse(Status::bad_mesh, inverted_cell, cell_item(plan.mesh().number(inverted)));
 }
 
+bool is_same(Points one, Points other, Index n) noexcept {
+    for (Index k = 0; k < n; ++k) {
+        if (one[k].x != other[k].x || one[k].y != other[k].y) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 void MeshImprovement::lay_out(Arena& arena, Plan const& plan) noexcept {
     mobility.lay_out(arena, plan);
     first_layer.lay_out(arena, plan.mesh(), static_cast<Size>(plan.walls().count));
     improvement.lay_out(arena, plan);
-    improvement.anchors.lay_out(arena, plan.mesh().n_points < 2 * plan.walls().count ? plan.mesh().n_points : 2 * plan.walls().count);
+    improvement.anchors.lay_out(arena, plan.mesh().n_points < 2 * plan.walls().count
+                                           ? plan.mesh().n_points
+                                           : 2 * plan.walls().count);
     arena.take(result, plan.mesh().n_points);
 }
 
@@ -37,18 +46,23 @@ Status MeshImprovement::check(Plan const& plan, Points reference, Points from,
 void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points reference, Points from,
                           MutablePoints to, ImproveReport& report) noexcept {
     FaceDistance const& walls = plan.walls_at(reference);
+    report = {};
+    if (is_same(reference, from, result.count())) {
+        report.converged = true;
+        for (Index k = 0; k < result.count(); ++k) to.set(k, from[k]);
+        return;
+    }
     mobility.find(plan, from);
     first_layer.find(plan.mesh(), reference, mobility.representative, walls.chosen());
     find_layer(reference, from);
     improvement.executor = plan.executor();
     improvement.tangle = mobility.tangle(plan, reference);
     improvement.slipping = mobility.slipping;
-    auto const smallest = [&](Points points) {
-        return measure_quality(plan.cells(), points, reference, plan.executor()).min_quality;
-    };
-    constexpr Real min_kept = 0.9;  // of the smallest quality, if tops are put in their places at once
+    constexpr Real min_kept = 0.9;  // of the smallest quality, if tops are put there at once
     MutablePoints const found{&result.data()->x, &result.data()->y, 2};
     constexpr Real rounding = 1e-9;  // the difference of one quality that is found in two ways
+    improvement.measure_reference();
+    auto const smallest = [&](Points points) { return improvement.smallest_of(points); };
     Real const given = smallest(from);
     Anchors& anchors = improvement.anchors;
     Index const n_anchors = anchors.count;
@@ -118,8 +132,8 @@ Real MeshImprovement::farthest_top() const noexcept {
     Anchors const& anchors = improvement.anchors;
     Real largest = 0;
     for (Index k = 0; k < anchors.count; ++k)
-        largest = max(largest, anchors.scale[k] * square(improvement.now[anchors.point[k]] -
-                                                         anchors.place[k]));
+        largest = max(largest, anchors.scale[k] *
+                                   square(improvement.now[anchors.point[k]] - anchors.place[k]));
     return sqrt(largest);
 }
 

@@ -41,8 +41,8 @@ struct NewtonSystem {
     template <class Visit>
     void assemble(Tangle const& tangle, Region const& region, Executor const& executor,
                   Visit const& visit) const noexcept;
-    // Adds to the gradient and to the diagonal block of an unknown. For a point that slips, both are
-    // those along its line.
+    // Adds to the gradient and to the diagonal block of an unknown. For a point that slips, both
+    // are those along its line.
     void add(Region const& region, Index u, Vec2 slope, Block const& curvature) const noexcept;
     // Solves approximately for to = hessian^-1 right by conjugate gradients. Returns the number of
     // products.

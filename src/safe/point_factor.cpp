@@ -25,9 +25,8 @@ Sizes sizes_of(Multifrontal const& plain, Index per, Span<Subtree> all) noexcept
     Subtrees& subtrees = sizes.subtrees;
     subtrees = plain.subtrees;
     subtrees.all = all;
-    subtrees.measure(
-        plain.tree, plain.subtrees.all, border,
-        [&](Index node) { return pivots(node) + border(node); });
+    subtrees.measure(plain.tree, plain.subtrees.all, border,
+                     [&](Index node) { return pivots(node) + border(node); });
     return sizes;
 }
 

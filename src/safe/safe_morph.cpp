@@ -60,7 +60,8 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
                      plan.walls_at(plan.mesh().points).chosen());
     Method const method = plan.equations().method();
     Status status = climb(work);
-    if (!failed(status) && !work.arrives(work.best()) && options.searches) status = search_farthest(work);
+    if (!failed(status) && !work.arrives(work.best()) && options.searches)
+        status = search_farthest(work);
     plan.change_operator(method.operator_kind, method.exponent_quarters);
     if (work.factored_again)
         plan.forget_factor();  // the factor is that of another mesh or operator

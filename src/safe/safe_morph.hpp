@@ -58,7 +58,7 @@ struct Outcome {
     // if the functions were those of the given basis.
     Index other = none;
     Index steps = 0;
-    Real fraction = 0;     // of the whole movement
+    Real fraction = 0;                       // of the whole movement
     Real min_quality = 0, mean_quality = 0;  // relative to the start
     // The largest displacement of points of walls that their carried offsets cause.
     Real turned_offset = 0;
@@ -76,11 +76,11 @@ struct WorstCell {
 struct SafeReport {
     static constexpr Index max_worst = 5;
 
-    Outcome outcome;       // of the returned mesh
-    Index resolves = 0;    // by all strategies together
+    Outcome outcome;           // of the returned mesh
+    Index resolves = 0;        // by all strategies together
     Index improvements = 0;    // the solutions of all improvements
     bool may_improve = false;  // the last improvement ended at the limit of solutions
-    AdmissibleStep limit;  // the limit of the last step that was tried
+    AdmissibleStep limit;      // the limit of the last step that was tried
     UntangleReport untangle;
     FirstLayerChange first_layer;
     Real heights = 0;        // the part of the heights that could be restored

@@ -62,8 +62,7 @@ Status SafeMorph::other_operators(Work& work) noexcept {
     begin(work);
     Basis const here = copy_to_solve(work);
     Operators const operators(work.basis.header->method);
-    for (Index k = 1; k < operators.count && work.resolves() < work.options.max_resolves;
-         ++k) {
+    for (Index k = 1; k < operators.count && work.resolves() < work.options.max_resolves; ++k) {
         Status const status = solve_by(work, here, operators.list[k]);
         if (status == Status::cancelled) return status;
         if (failed(status)) continue;
@@ -120,8 +119,7 @@ Status SafeMorph::substeps(Work& work) noexcept {
 
 // Returns whether a step is too short to reach the target with the remaining solutions.
 bool SafeMorph::is_stuck(Work const& work, Real length) const noexcept {
-    Real const left =
-        static_cast<Real>(max(work.options.max_resolves - work.resolves(), Index{1}));
+    Real const left = static_cast<Real>(max(work.options.max_resolves - work.resolves(), Index{1}));
     return length < stuck_below * (work.aim - mesh.time) / left;
 }
 
@@ -191,8 +189,8 @@ Status SafeMorph::solve_by(Work& work, Basis const& here, OperatorChoice const& 
 Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
     Index const planned = min(usual_resolves, work.options.max_resolves);
     Index const max_resolves = work.resolves() < planned ? planned : work.options.max_resolves;
-    Real const pace =
-        (work.aim - mesh.time) / static_cast<Real>(max(max_resolves - work.resolves(), Index{0}) + 1);
+    Real const pace = (work.aim - mesh.time) /
+                      static_cast<Real>(max(max_resolves - work.resolves(), Index{0}) + 1);
     Real length = work.aim - mesh.time;
     for (Index trial = 0; trial < max_trials && length >= min_substep; ++trial) {
         Real const end = min(mesh.time + length, work.aim);

@@ -14,7 +14,25 @@ using harmorph::Vec2;
 
 namespace {
 
+// A mesh and where its points are after a movement.
+struct Task {
+    Case setup;
+    Mesh now;
+};
+
 // A ring between two circles that is turned by an angle which falls towards the outer circle.
+Task sheared_ring(Cells kind, double angle = 1.2) {
+    Task task{ring_case(12, 36, 0.5, 2, kind), {}};
+    task.now = task.setup.mesh;
+    for (std::size_t k = 0; k < task.now.x.size(); ++k) {
+        double const x = task.now.x[k], y = task.now.y[k],
+                     turn = angle * (2 - std::hypot(x, y)) / 1.5;
+        task.now.x[k] = std::cos(turn) * x - std::sin(turn) * y;
+        task.now.y[k] = std::sin(turn) * x + std::cos(turn) * y;
+    }
+    return task;
+}
+
 struct Sheared {
     Case setup;
     Options options;
@@ -25,18 +43,14 @@ struct Sheared {
     harmorph::Improvement improvement;
     std::unique_ptr<Guarded> block;
 
-    explicit Sheared(Cells kind, std::int32_t operator_kind = HM_CONFORMAL, double angle = 1.2)
-        : setup(ring_case(12, 36, 0.5, 2, kind)),
+    explicit Sheared(Cells kind, std::int32_t operator_kind = HM_CONFORMAL)
+        : Sheared(sheared_ring(kind), operator_kind) {}
+    explicit Sheared(Task const& task, std::int32_t operator_kind = HM_CONFORMAL)
+        : setup(task.setup),
           options(options_of(operator_kind)),
           solved(setup, &options),
           plan(*reinterpret_cast<harmorph::Plan*>(solved.plan)),
-          now(setup.mesh) {
-        for (std::size_t k = 0; k < now.x.size(); ++k) {
-            double const x = now.x[k], y = now.y[k],
-                         turn = angle * (2 - std::hypot(x, y)) / 1.5;
-            now.x[k] = std::cos(turn) * x - std::sin(turn) * y;
-            now.y[k] = std::sin(turn) * x + std::cos(turn) * y;
-        }
+          now(task.now) {
         block = laid_out([&](harmorph::Arena& arena) {
             mobility.lay_out(arena, plan);
             improvement.lay_out(arena, plan);
@@ -86,8 +100,8 @@ TEST_CASE("each step lowers the energy and leaves no cell inverted; more solutio
         bool const moved = task.improvement.step();
         CHECK(task.improvement.energy() <= before);
         steps += moved ? 1 : 0;
-        CHECK(harmorph::count_inverted(task.plan.cells(),
-                                       harmorph::as_points(task.improvement.now), {}) == 0);
+        CHECK(harmorph::count_inverted(task.plan.cells(), harmorph::as_points(task.improvement.now),
+                                       {}) == 0);
         task.improvement.sharpen(true);
     }
     CHECK(steps > 4);
@@ -123,10 +137,10 @@ TEST_CASE("the gradient is that of the energy") {
         improvement.step();
         double largest = 0;
         for (Index u = 0; u < improvement.region.n; ++u)
-            largest = std::fmax(largest, length(improvement.system.gradient[u]));
+            largest = std::fmax(largest, length(improvement.system.gradient[u]) / improvement.unit);
         std::size_t k = 0;
         for (Index u = 0; u < improvement.region.n; u += 13) {
-            Vec2 const by = improvement.system.gradient[u];
+            Vec2 const by = 1 / improvement.unit * improvement.system.gradient[u];
             CHECK(std::fabs(by.x - slopes[k++]) < 1e-5 * largest);
             CHECK(std::fabs(by.y - slopes[k++]) < 1e-5 * largest);
         }
@@ -180,5 +194,58 @@ TEST_CASE("the number of threads changes no bit") {
         CHECK(task.now.x == plain.now.x);
         CHECK(task.now.y == plain.now.y);
         CHECK(order.tasks > 100);
+    }
+}
+
+TEST_CASE("a unit that is a power of two changes no bit, also far from 1") {
+    Task const task = sheared_ring(Cells::hybrid);
+    Sheared plain(task);
+    plain.run();
+    for (double const unit : {0x1p-310, 0x1p-20, 0x1p1, 0x1p320}) {
+        INFO(unit);
+        Task scaled = task;
+        scaled.setup = similar(task.setup, unit, 0);
+        scaled.now = Similarity{unit, 0, 0, 0}.image(task.now);
+        Sheared out(scaled);
+        out.run();
+        CHECK(out.now.x == Similarity{unit, 0, 0, 0}.image(plain.now).x);
+        CHECK(out.now.y == Similarity{unit, 0, 0, 0}.image(plain.now).y);
+    }
+}
+
+TEST_CASE("the quality of turned, moved, scaled and renumbered meshes is the same") {
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
+        Task const task = sheared_ring(kind);
+        Sheared plain(task);
+        plain.run();
+        harmorph::Quality const wanted = plain.quality();
+        auto const is_alike = [&](Task const& other) {
+            Sheared out(other);
+            out.run();
+            harmorph::Quality const found = out.quality();
+            CHECK(found.min_quality == doctest::Approx(wanted.min_quality).epsilon(1e-6));
+            CHECK(found.mean_quality() == doctest::Approx(wanted.mean_quality()).epsilon(1e-6));
+        };
+        for (Similarity const by : {Similarity{1, 1.1, 0, 0}, Similarity{1, 0, 3, -2},
+                                    Similarity{1e4, 0, 0, 0}, Similarity{1e-7, 2, 1e-7, 0}}) {
+            INFO("scale " << by.scale << ", angle " << by.angle);
+            Task moved = task;
+            moved.setup = similar(task.setup, std::polar(by.scale, by.angle), {by.x, by.y});
+            moved.now = by.image(task.now);
+            is_alike(moved);
+        }
+        for (unsigned seed = 1; seed <= 3; ++seed) {
+            INFO("seed " << seed);
+            Task other = task;
+            std::vector<std::int32_t> new_of;
+            for (Mesh* const mesh : {&other.setup.mesh, &other.now}) {
+                new_of = renumber_points(*mesh, seed);
+                shuffle_cells(*mesh, seed);
+                rotate_starts(*mesh, seed);
+                reverse_some(*mesh, seed);
+            }
+            for (std::int32_t& point : other.setup.given_points) point = new_of[std::size_t(point)];
+            is_alike(other);
+        }
     }
 }
