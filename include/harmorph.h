@@ -807,9 +807,11 @@ typedef struct hm_safe_options {
     /* [0..1] smallest size-skew quality of the mesh at the target, relative to the start, in parts
      * of the smallest quality of the start; 0 means 0.05; negative: any valid mesh, and the first
      * one at the target is taken. Otherwise other operators are tried where that part is below
-     * 0.8, and an improvement (hm_improve) where it is below 0.95; the improvement is kept if it
-     * raises the smallest quality by 5 % or more. With a derivative both are tried only where
-     * min_quality is missed. */
+     * 0.8, and an improvement (hm_improve) where it, or the mean quality in parts of that of the
+     * start, is below 0.95; the improvement is kept if the smallest quality does not fall and the
+     * product of smallest and mean quality rises by 5 % or more. Between substeps cells are
+     * improved where that part is below 0.5. With a derivative all these are left out; improvement
+     * is tried only where min_quality is missed. */
     double min_quality;
     /* [-] > 1: the largest factor by which heights of the first layer may grow or shrink; where
      * they exceed it, they are restored as far as that helps. 0: any */
@@ -849,8 +851,8 @@ typedef struct hm_safe_report {
     double start_quality;   /* [0..1] smallest skew quality of the start */
     hm_worst_cell worst[5]; /* [n_worst] the cells of lowest quality of `to`, the worst first */
     int32_t end_point; /* the end of a wall that leaves the boundary beside it farthest; -1: none */
-    /* What was spent: solutions of the functions, of improvements, and of untangling with a factor;
-     * at most 200. */
+    /* What was spent: solutions of the functions and of improvements, and the time of untangling in
+     * solutions; about 200 at most. */
     int32_t solutions;
     double end_distance; /* [length] of that end from this boundary at the target */
     /* 1: the last improvement ended at its limit of solutions, so a larger options.improve_work may
@@ -922,8 +924,8 @@ typedef struct hm_improve_options {
 
 typedef struct hm_improve_report {
     uint64_t struct_size;
-    int32_t solutions;                              /* see max_solutions; each is one step */
-    int32_t movable;                                /* points that could move */
+    int32_t solutions;   /* see max_solutions; each is one step */
+    int32_t movable;     /* points that could move */
     int32_t may_improve; /* 1: more solutions may give better cells; 0: they would bring little */
     int32_t reserved;    /* 0 */
     double min_quality_before, mean_quality_before; /* [0..1] of `from`, see hm_assess */
@@ -937,13 +939,14 @@ typedef struct hm_improve_report {
  * matrix in the plan's order of elimination (the working memory is about twice that of a factor for
  * complex functions); other engines use conjugate gradients. The plan needs no factor. `from`:
  * coordinates of a valid mesh; `to` may be the arrays of `from`. No cell is inverted, and the
- * smallest quality never falls. A mesh that is its own reference is not changed. Points on walls and on fixed and free boundaries keep their bits.
- * Where the wall faces beside a wall point are longer than 4 heights of the first-layer edge there,
- * the outer end of this edge gets the height and angle of the reference, unless the cells there
- * would then have less than half of their quality, or this lowers the smallest quality of the mesh.
- * Cells of other walls are free. Points with slip stay on their lines and curves (call hm_slip
- * before). Points of a cut or pair move together. options and report may be NULL. Refused
- * (HM_BAD_MESH), `to` unchanged: an inverted cell or a coordinate out of range. */
+ * smallest quality does not fall, but for rounding. A mesh that is its own reference is not
+ * changed. Points on walls and on fixed and free boundaries keep their bits. Where the wall faces
+ * beside a wall point are longer than 4 heights of the first-layer edge there, the outer end of
+ * this edge gets the height and angle of the reference, unless the cells there would then have less
+ * than half of their quality, or this lowers the smallest quality of the mesh. Cells of other walls
+ * are free. Points with slip stay on their lines and curves (call hm_slip before). Points of a cut
+ * or pair move together. options and report may be NULL. Refused (HM_BAD_MESH), `to` unchanged: an
+ * inverted cell or a coordinate out of range. */
 HM_API hm_status hm_improve_size(const hm_plan* plan, size_t* bytes, hm_error* err);
 HM_API hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* to,
                             void* work, size_t bytes, const hm_improve_options* options,

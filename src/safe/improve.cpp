@@ -13,11 +13,12 @@ constexpr Index max_halvings = 40, max_doublings = 3;
 // The natural sharpness makes cells of the smallest quality exp(log_of_weight) times as heavy as
 // cells of the mean quality, so that a few of the former are as heavy as all others together in a
 // mesh of some thousand cells. It does not depend on the number of cells, so that a passage is
-// improved as the annulus of all passages is. It is multiplied by a factor that grows when a step
-// gains little, or lowers J.
+// improved as the annulus of all passages is. It is multiplied by a factor
+// that grows when a step lowers J, or gains little beside the gap between the smooth and the exact
+// maximum; it grows fast after whole steps.
 constexpr Real log_of_weight = 7.5;
 constexpr Real min_sharpness = 4, max_natural_sharpness = 40, max_sharpness = 400;
-constexpr Real growth_of_factor = 1.4, little_gain = 0.03;
+constexpr Real small_part_of_gap = 0.1, fast_growth = 2.5, slow_growth = 1.4;
 constexpr Real blur_per_sharpness = 2, min_blur = 0.01, max_blur = 0.3;
 // The least curvature and the damping in parts of the slope of the mean cell.
 constexpr Real least_curvature = 0.1, first_damping = 10;
@@ -28,9 +29,11 @@ constexpr Real short_step = 0.3, min_growth = 4, max_growth = 64, fall_of_dampin
 constexpr Real max_rise = 0.3;
 // The rest of the curvature of the smooth maximum along its gradient, in parts of the curvature.
 constexpr Real min_rest = 1e-3;
-// The steps end when J gains less than this in three steps, the sharpness has grown, and the
-// damping does not keep the steps short.
-constexpr Real small_gain = 0.02, enough_growth = 1.9, small_damping = 100;
+// The steps end when J gains less than this in three steps, or when the gain of the last step and
+// the gap, which is the most that a sharper maximum can bring, are less together.
+constexpr Real small_gain = 0.015;
+// A step that lowers the energy by less is slow, while anchors pull.
+constexpr Real slow_gain = 0.02;
 
 struct Largest {
     Real value = -infinity;
@@ -96,6 +99,8 @@ CellMeasure Improvement::measure_in_units(Index number, Points points) const noe
     return {tangle.mesh, number, [&](Index i) { return shape_in_units(i, points); }};
 }
 
+bool Improvement::is_slow() const noexcept { return last_length >= 0.5 && last_gain < slow_gain; }
+
 void Improvement::restart() noexcept {
     slipping.turn_lines(as_points(now));
     fill(change, Vec2{});
@@ -116,13 +121,14 @@ void Improvement::set_sharpness(Sums const& sums) noexcept {
 }
 
 void Improvement::sharpen(bool raises) noexcept {
-    if (last_gain < little_gain || !raises) factor_of_sharpness *= growth_of_factor;
+    if (last_gain < small_part_of_gap * gap || !raises)
+        factor_of_sharpness *= last_length >= 1 ? fast_growth : slow_growth;
     set_sharpness(sums_of(now));
 }
 
 bool Improvement::is_at_rest(Real const (&gains)[3]) const noexcept {
-    return gains[0] + gains[1] + gains[2] < small_gain && factor_of_sharpness > enough_growth &&
-           damping <= small_damping;
+    bool const is_near = last_length >= 0.5 && last_gain + gap < small_gain;
+    return is_near || gains[0] + gains[1] + gains[2] < small_gain;
 }
 
 Improvement::Score Improvement::score(Points points) const noexcept {
@@ -274,7 +280,10 @@ bool Improvement::step() noexcept {
                           [&](Index i, auto& form) { differentiate(sums, i, form); });
     pull_anchors();
     Real const length = solve() ? descend(before, sums.largest + max_rise) : 0;
-    last_gain = length > 0 ? before - energy_of(now, infinity) : 1;
+    Sums const found = sums_of(now);
+    last_length = length;
+    last_gain = length > 0 ? before - energy_of(found) - energy_of_anchors(now) : 1;
+    gap = logarithm(found.exponentials) / sharpness;
     if (length < short_step)
         damping *= length > 0 ? clamp(short_step / length, min_growth, max_growth) : max_growth;
     else if (length >= 1) damping /= fall_of_damping * length;

@@ -19,6 +19,10 @@ struct ImproveReport {
     bool converged = false;  // further solutions would bring little
 };
 
+// What prepare() of Improvement::run() has done: nothing; it may have changed the mesh or the
+// anchors, so that the search for the best mesh begins again; or the run is to end.
+enum class Prepared { nothing, mesh, end };
+
 // Points that are pulled to places, with the energy weight / 2 sum of scale |point - place|^2.
 struct Anchors {
     Span<Index> point;
@@ -74,8 +78,7 @@ struct Improvement {
     // The mesh `from` is valid. The mesh `to` becomes the best of all meshes on the way: the one
     // with the largest J, among those whose smallest quality is not below `lowest`, or with the
     // largest smallest quality if there is none. Held points keep their bits. The function
-    // prepare() is called before each step. It may move points, as long as the mesh remains valid,
-    // and change the anchors. If it returns true, the search for the best mesh begins again.
+    // prepare() is called before each step; see Prepared. The mesh must remain valid.
     template <class Prepare>
     void run(Plan const& of_plan, ImproveOptions const& options, Real lowest, Points from,
              MutablePoints to, ImproveReport& report, Prepare const& prepare) noexcept;
@@ -86,6 +89,7 @@ struct Improvement {
     void begin(Plan const& of_plan, Points points) noexcept;
     void restart() noexcept;
     bool step() noexcept;
+    bool is_slow() const noexcept;  // the last step hardly lowered the energy
     Real energy() noexcept { return energy_of(now, infinity); }
     // Measures the cells of the reference; begin() does that, too.
     void measure_reference() noexcept;
@@ -113,7 +117,10 @@ private:
         Real qualities = 0;     // the sum of exp(-y)
     };
 
-    Real factor_of_sharpness = 1, last_gain = 0;
+    Real factor_of_sharpness = 1;
+    // Of the last step: its length, the gain of energy, and the gap that remains between the smooth
+    // maximum of y and the largest.
+    Real last_length = 0, last_gain = 0, gap = 0;
     Real sharpness = 0, blur = 0, damping = 0;
 
     bool is_at_rest(Real const (&gains)[3]) const noexcept;
@@ -148,7 +155,9 @@ void Improvement::run(Plan const& of_plan, ImproveOptions const& options, Real l
     copy(best, Span<const Vec2>(now));
     Real gains[3] = {infinity, infinity, infinity};
     while (region.n > 0 && report.solutions < options.max_solutions && !report.converged) {
-        bool const is_prepared = prepare();
+        Prepared const prepared = prepare();
+        if (prepared == Prepared::end) break;
+        bool const is_prepared = prepared == Prepared::mesh;
         if (is_prepared) {
             highest = found = score(as_points(now));
             copy(best, Span<const Vec2>(now));

@@ -51,8 +51,11 @@ bool SafeMorph::untangle_ahead(Work& work) noexcept {
         Fault why;
         untangling.tangle = tangle;
         untangling.slipping = slipping;
+        UntangleOptions options = work.options.untangle;
+        options.max_work = static_cast<Real>(work.solutions_left());
         Status const status =
-            untangling.run(work.options.untangle, mesh.to_ahead(), work.report.untangle, why);
+            untangling.run(options, mesh.to_ahead(), work.report.untangle, why);
+        work.report.untangling += work.report.untangle.work;
         // A boundary may cross itself although no cell is inverted.
         return status == Status::ok && is_valid(work, mesh.ahead());
     };
@@ -81,7 +84,8 @@ bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
         there.strategy = Strategy::improved;
         if (failed(MeshImprovement::check(work.plan, work.mesh().points, mesh.ahead(), why)))
             return false;
-        run_improvement(work, mesh.ahead());
+        work.report.may_improve =
+            run_improvement(work, work.options.improve.max_solutions, mesh.ahead());
         if (!is_valid(work, mesh.ahead())) return false;
         measure(work, mesh.ahead(), there);
     }
@@ -92,52 +96,55 @@ bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     return is_good;
 }
 
-// Improves a mesh with the movement of the best mesh, to the mesh ahead. The improvement is
-// repeated as long as it raises the smallest quality clearly.
-void SafeMorph::run_improvement(Work& work, Points from) noexcept {
-    constexpr Index max_repetitions = 4;
-    // If the smallest quality rose so much, another improvement is worth a try in any case.
-    constexpr Real clear_rise = 1.5;
-    Points const before = work.mesh().points;
-    auto const smallest = [&](Points points) {
-        return measure_quality(work.cells(), points, before, work.executor()).min_quality;
-    };
+// Improves a mesh with the movement of the best mesh, to the mesh ahead. Returns whether the limit
+// of solutions ended the improvement.
+bool SafeMorph::run_improvement(Work& work, Index max_solutions, Points from) noexcept {
     ImproveOptions options = work.options.improve;
-    for (Index k = 0; k < max_repetitions; ++k) {
-        Real const given = smallest(from);
-        ImproveReport report;
-        options.max_solutions = min(options.max_solutions, work.solutions_left());
-        improvement.run(work.plan, options, before, from, mesh.to_ahead(), report);
-        work.report.improvements += report.solutions;
-        work.report.may_improve = !report.converged;
-        from = mesh.ahead();
-        Real const enough = report.converged ? clear_rise : SafeOptions::clear_gain;
-        if (!(smallest(from) > enough * given)) break;
-    }
+    options.max_solutions = min(max_solutions, work.solutions_left());
+    ImproveReport report;
+    improvement.run(work.plan, options, work.mesh().points, from, mesh.to_ahead(), report);
+    work.report.improvements += report.solutions;
+    return !report.converged;
 }
 
 // Improves the mesh `from`, which has the same movement as the best mesh, and keeps the result if
 // it is clearly better than the best mesh; if the options ask for improvement, if it is better at
 // all. The derivative remains that of the path.
 bool SafeMorph::improve(Work& work, Points from) noexcept {
+    constexpr Real rounding = 1e-9;
     Fault why;
     if (!work.arrives(work.best()) || work.solutions_left() == 0) return false;
     if (failed(MeshImprovement::check(work.plan, work.mesh().points, from, why))) return false;
-    run_improvement(work, from);
+    work.report.may_improve = run_improvement(work, work.options.improve.max_solutions, from);
     Outcome outcome = work.best();
     measure(work, mesh.ahead(), outcome);
-    bool const is_clear = outcome.min_quality > SafeOptions::clear_gain * work.best().min_quality;
-    bool const is_mean_better = outcome.min_quality >= work.best().min_quality &&
-                                outcome.mean_quality > work.best().mean_quality;
-    bool const is_better =
-        work.score(outcome) > work.score(work.best()) ||
-        (work.score(outcome) == work.score(work.best()) &&
-         (is_clear || (work.options.improves &&
-                       (is_mean_better || outcome.min_quality > work.best().min_quality))));
+    // If improvement is asked for, any gain is kept.
+    Real const needed = work.options.improves ? 1 : SafeOptions::clear_gain;
+    bool const is_clear = outcome.min_quality >= (1 - rounding) * work.best().min_quality &&
+                          outcome.min_quality * outcome.mean_quality >
+                              needed * work.best().min_quality * work.best().mean_quality;
+    bool const is_better = work.score(outcome) > work.score(work.best()) ||
+                           (work.score(outcome) == work.score(work.best()) && is_clear);
     if (!is_better || !is_valid(work, mesh.ahead())) return false;
     outcome.strategy = Strategy::improved;
     replace_inner_points(work, outcome);
     return true;
+}
+
+// Improves the present mesh between two substeps, where its cells are poor: functions that are
+// solved on a better mesh carry the mesh farther, and to better cells.
+void SafeMorph::improve_on_the_way(Work& work) noexcept {
+    constexpr Real poor = 0.5;  // in parts of the smallest quality of the start
+    constexpr Index max_solutions = 4;
+    if (work.derivative != nullptr || !work.options.tries(Strategy::improved)) return;
+    Outcome here;
+    Fault why;
+    measure(work, mesh.now(), here);
+    if (here.min_quality >= poor * work.report.start_quality || work.solutions_left() == 0) return;
+    if (failed(MeshImprovement::check(work.plan, work.mesh().points, mesh.now(), why))) return;
+    run_improvement(work, max_solutions, mesh.now());
+    copy(mesh.x, Span<const Real>(mesh.ahead_x));
+    copy(mesh.y, Span<const Real>(mesh.ahead_y));
 }
 
 // Restores heights near the walls and improves cells, as far as the options ask for this.

@@ -60,29 +60,41 @@ void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points refe
     improvement.slipping = mobility.slipping;
     constexpr Real min_kept = 0.9;  // of the smallest quality, if tops are put there at once
     MutablePoints const found{&result.data()->x, &result.data()->y, 2};
+    // If the smallest quality falls below this part with the tops in their places, they go back.
+    constexpr Real hopeless = 0.3;
     constexpr Real rounding = 1e-9;  // the difference of one quality that is found in two ways
     improvement.measure_reference();
     auto const smallest = [&](Points points) { return improvement.smallest_of(points); };
     Real const given = smallest(from);
     Anchors& anchors = improvement.anchors;
     Index const n_anchors = anchors.count;
+    bool is_in_vain = false;
     improvement.run(plan, options, given, from, found, report, [&] {
-        if (anchors.count == 0) return false;
-        bool const is_late = 2 * report.solutions >= options.max_solutions;
+        if (anchors.count == 0) {
+            bool const is_last_chance = report.solutions == options.max_solutions * 3 / 5;
+            is_in_vain = n_anchors > 0 && is_last_chance && improvement.smallest() < given;
+            return is_in_vain ? Prepared::end : Prepared::nothing;
+        }
+        bool const is_late = 3 * report.solutions >= options.max_solutions;
         bool const is_first = report.solutions == 0;
-        if (!is_first && !is_late && farthest_top() > near_place) return true;
-        return place_first_layer(is_first ? min_kept * given : 0, from);
+        if (!is_first && !is_late && farthest_top() > near_place && !improvement.is_slow())
+            return Prepared::mesh;
+        place_first_layer(is_first ? min_kept * given : 0, from);
+        is_in_vain = anchors.count == 0 && improvement.smallest() < hopeless * given;
+        return is_in_vain ? Prepared::end : Prepared::mesh;
     });
     anchors.count = n_anchors;
-    if (n_anchors > 0 && smallest(found) < (1 - rounding) * given) {
+    if (n_anchors > 0 && (is_in_vain || smallest(found) < (1 - rounding) * given)) {
         // The gain of the first layer is not worth that loss.
         ImproveReport const in_vain = report;
         hold_first_layer();
         anchors.count = 0;
-        improvement.run(plan, options, given, from, found, report, [] { return false; });
+        ImproveOptions rest = options;
+        rest.max_solutions -= report.solutions;
+        improvement.run(plan, rest, given, from, found, report, [] { return Prepared::nothing; });
         report.solutions += in_vain.solutions;
     }
-    bool const is_better = smallest(found) >= given;
+    bool const is_better = smallest(found) >= (1 - rounding) * given;
     for (Index k = 0; k < result.count(); ++k) to.set(k, is_better ? found[k] : from[k]);
 }
 
@@ -144,7 +156,7 @@ void MeshImprovement::hold_first_layer() noexcept {
 
 // Puts the tops in their places, as far as no cell is inverted, and holds them there. If the
 // smallest quality would then be below `lowest`, nothing changes. Returns true.
-bool MeshImprovement::place_first_layer(Real lowest, Points from) noexcept {
+void MeshImprovement::place_first_layer(Real lowest, Points from) noexcept {
     Anchors& anchors = improvement.anchors;
     Span<Vec2> const now = improvement.now;
     copy(improvement.change, Span<const Vec2>(now));
@@ -161,13 +173,12 @@ bool MeshImprovement::place_first_layer(Real lowest, Points from) noexcept {
     for (Index k = 0; k < now.count(); ++k) now[k] = position(k, from);
     if (lowest > 0 && (!all || improvement.smallest() < lowest)) {
         copy(now, Span<const Vec2>(improvement.change));
-        return true;
+        return;
     }
     drop_poor_tops();
     hold_first_layer();
     anchors.count = 0;
     improvement.restart();
-    return true;
 }
 
 // Lets tops go whose cells have less than this part of their former quality.

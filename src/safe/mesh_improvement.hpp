@@ -38,7 +38,7 @@ private:
 
     bool has_layer(Index slot, Points reference) const noexcept;
     void find_layer(Points reference, Points from) noexcept;
-    bool place_first_layer(Real lowest, Points from) noexcept;
+    void place_first_layer(Real lowest, Points from) noexcept;
     Real farthest_top() const noexcept;
     void drop_poor_tops() noexcept;
     void hold_first_layer() noexcept;

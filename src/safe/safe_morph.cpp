@@ -53,8 +53,9 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     HARMORPH_TRY(check_target(target, report.crossing, fault));
     HARMORPH_TRY(check_tear(basis, move, plan.mesh().points, Status::crossing, fault));
 
-    report.start_quality =
-        measure_quality(work.cells(), mesh.now(), {}, work.executor()).min_quality;
+    Quality const start = measure_quality(work.cells(), mesh.now(), {}, work.executor());
+    report.start_quality = start.min_quality;
+    report.start_mean = start.mean_quality();
     report.outcome.min_quality = report.start_quality;
     first_layer.find(plan.mesh(), plan.mesh().points, mesh.representative,
                      plan.walls_at(plan.mesh().points).chosen());
@@ -82,11 +83,17 @@ Status SafeMorph::climb(Work& work) noexcept {
     if (!work.is_fair(work.best()) && options.solves_others && options.tries(Strategy::other))
         HARMORPH_TRY(other_operators(work));
     if (!work.is_good(work.best())) HARMORPH_TRY(several_steps(work));
+    improve_result(work);
+    return Status::ok;
+}
+
+void SafeMorph::improve_result(Work& work) noexcept {
+    SafeOptions const& options = work.options;
+    if (work.searches) return;
     bool const is_improved = work.best().strategy == Strategy::improved && !work.report.may_improve;
     if (!work.is_fine(work.best()) && options.tries(Strategy::improved) && !options.improves &&
         !is_improved)
         improve(work, result());
-    return Status::ok;
 }
 
 // Makes the movement in several steps, on straight ways where bodies that turn do not arrive.
@@ -113,9 +120,13 @@ Status SafeMorph::search_farthest(Work& work) noexcept {
            work.solutions_left() > 0) {
         work.aim = 0.5 * (work.best().fraction + refused);
         work.resolves_before = work.report.resolves;
+        work.searches = true;
         HARMORPH_TRY(climb(work));
         if (!work.arrives(work.best())) refused = work.aim;
     }
+    work.searches = false;
+    work.aim = work.best().fraction;
+    improve_result(work);
     work.aim = 1;
     return Status::ok;
 }

@@ -25,7 +25,8 @@ struct SafeOptions {
     // The largest number of solutions, of functions and of improvements together; and of those that
     // search for the largest part of a movement that cannot be completed.
     static constexpr Index max_solutions = 200, max_in_search = 60;
-    // An improvement that multiplies the smallest quality by less is not worth a change.
+    // An improvement that multiplies smallest and mean quality together by less is not worth a
+    // change.
     static constexpr Real clear_gain = 1.05;
     std::uint32_t skipped = 0;  // bit k: strategy k is skipped
     Span<const Basis> others;   // solved with other operators or exponents
@@ -78,14 +79,15 @@ struct SafeReport {
 
     Outcome outcome;           // of the returned mesh
     Index resolves = 0;        // by all strategies together
+    Real untangling = 0;       // the work of all untangling, in solutions
     Index improvements = 0;    // the solutions of all improvements
     bool may_improve = false;  // the last improvement ended at the limit of solutions
     AdmissibleStep limit;      // the limit of the last step that was tried
     UntangleReport untangle;
     FirstLayerChange first_layer;
-    Real heights = 0;        // the part of the heights that could be restored
-    Crossing crossing;       // of boundary faces at the target
-    Real start_quality = 0;  // the smallest quality at the start
+    Real heights = 0;                        // the part of the heights that could be restored
+    Crossing crossing;                       // of boundary faces at the target
+    Real start_quality = 0, start_mean = 0;  // the smallest and the mean quality at the start
     // Among the ends of walls that leave the lines beside them, the end that goes farthest from its
     // line, and the distance from the line; none if no end leaves its line.
     Index end = none;
@@ -93,7 +95,9 @@ struct SafeReport {
     Index n_worst = 0;
     WorstCell worst[max_worst];  // the worst cell first
 
-    Index solutions() const noexcept { return resolves + improvements + untangle.solutions; }
+    Index solutions() const noexcept {
+        return resolves + improvements + static_cast<Index>(untangling);
+    }
 };
 
 struct SafeMorph {
@@ -130,6 +134,7 @@ private:
     struct Work;  // the arguments of run() and the values derived from them
 
     Status climb(Work& work) noexcept;
+    void improve_result(Work& work) noexcept;
     Status several_steps(Work& work) noexcept;
     Status search_farthest(Work& work) noexcept;
     void begin(Work& work) noexcept;
@@ -161,8 +166,9 @@ private:
     Basis copy_to_solve(Work const& work) const noexcept;
 
     bool leap(Work& work, Basis const& by, bool is_last) noexcept;
-    void run_improvement(Work& work, Points from) noexcept;
+    bool run_improvement(Work& work, Index max_solutions, Points from) noexcept;
     bool improve(Work& work, Points from) noexcept;
+    void improve_on_the_way(Work& work) noexcept;
     void improve_at_end(Work& work) noexcept;
     void restore_heights(Work& work) noexcept;
     void measure_worst(Work& work) const noexcept;

@@ -20,6 +20,8 @@ struct SafeMorph::Work {
     Real aim = 1;
     // The solutions of the functions before these strategies began.
     Index resolves_before = 0;
+    // Any valid mesh will do, as the largest part of the movement is searched for.
+    bool searches = false;
 
     Mesh const& mesh() const noexcept { return plan.mesh(); }
     OrientedMesh const& cells() const noexcept { return plan.cells(); }
@@ -38,16 +40,17 @@ struct SafeMorph::Work {
         return min(min(quality, options.max_height_change / outcome.height_change), 1.0);
     }
     bool is_good(Outcome const& outcome) const noexcept {
-        return arrives(outcome) && score(outcome) >= 1;
+        return arrives(outcome) && (searches || score(outcome) >= 1);
     }
     // Returns whether the mesh is so good that no further strategy is tried.
     bool is_fair(Outcome const& outcome) const noexcept {
         return is_good(outcome) &&
-               outcome.min_quality >= options.fair_quality * report.start_quality;
+               (searches || outcome.min_quality >= options.fair_quality * report.start_quality);
     }
     bool is_fine(Outcome const& outcome) const noexcept {
         return is_good(outcome) &&
-               outcome.min_quality >= options.fine_quality * report.start_quality;
+               outcome.min_quality >= options.fine_quality * report.start_quality &&
+               outcome.mean_quality >= options.fine_quality * report.start_mean;
     }
     bool is_better(Outcome const& one, Outcome const& other) const noexcept {
         if (one.fraction != other.fraction) return one.fraction > other.fraction;

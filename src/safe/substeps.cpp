@@ -63,6 +63,7 @@ Status SafeMorph::other_operators(Work& work) noexcept {
     Basis const here = copy_to_solve(work);
     Operators const operators(work.basis.header->method);
     for (Index k = 1; k < operators.count && work.resolves() < work.options.max_resolves; ++k) {
+        if (operators.list[k].kind == operators.list[0].kind && work.is_good(work.best())) continue;
         Status const status = solve_by(work, here, operators.list[k]);
         if (status == Status::cancelled) return status;
         if (failed(status)) continue;
@@ -77,7 +78,7 @@ Status SafeMorph::substeps(Work& work) noexcept {
     begin(work);
     Basis const here = copy_to_solve(work);
     Operators operators(work.basis.header->method);
-    Index leaps = work.derivative == nullptr
+    Index leaps = work.derivative == nullptr && !work.searches
                       ? max_leaps
                       : 0;  // the derivative does not include movements by untangling
     // After a solution that failed, `here` may contain any values; the functions of the start can
@@ -94,6 +95,7 @@ Status SafeMorph::substeps(Work& work) noexcept {
                 return Status::ok;
             }
             if (work.resolves() >= work.options.max_resolves) break;
+            improve_on_the_way(work);
             Status status = solve_by(work, here, operators.now());
             if (!failed(status)) {
                 by = &here;
@@ -171,8 +173,9 @@ Status SafeMorph::change_operator(Work& work, Basis const& here, Operators& oper
 }
 
 // Solves the functions of an operator on the present mesh. Status::unsupported means that the
-// conditions do not allow this operator.
+// conditions do not allow this operator, or that no solution is left.
 Status SafeMorph::solve_by(Work& work, Basis const& here, OperatorChoice const& choice) noexcept {
+    if (work.solutions_left() == 0) return Status::unsupported;
     Method& method = here.header->method;
     bool const is_new =
         method.operator_kind != choice.kind || method.exponent_quarters != choice.exponent_quarters;

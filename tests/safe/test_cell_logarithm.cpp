@@ -161,8 +161,8 @@ TEST_CASE("a symmetric matrix is the sum over its eigenvectors") {
         double a[6][6], given[6][6], vector[6][6];
         for (int i = 0; i < 6; ++i) {
             for (int j = i; j < 6; ++j)
-                a[i][j] = given[i][j] = given[j][i] = trial % 3 == 0 && i != j ? 0
-                                                                               : random_number(random);
+                a[i][j] = given[i][j] = given[j][i] =
+                    trial % 3 == 0 && i != j ? 0 : random_number(random);
         }
         harmorph::diagonalise(a, vector);
         for (int i = 0; i < 6; ++i) {

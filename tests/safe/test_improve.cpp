@@ -68,7 +68,7 @@ struct Sheared {
         harmorph::ImproveOptions asked;
         asked.max_solutions = max_solutions;
         improvement.run(plan, asked, 0, at(), {now.x.data(), now.y.data(), 1}, report,
-                        [] { return false; });
+                        [] { return harmorph::Prepared::nothing; });
         CHECK(block->guards_intact());
         return report;
     }

@@ -54,6 +54,7 @@ TEST_CASE("another basis can be the strategy that helps") {
     CHECK(largest_difference(safe.moved(), moved_beside_others) == 0);
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED});
     safe.safe_options.n_others = 1;
+    safe.safe_options.max_resolves = 10;  // no part of the movement is searched for
     CHECK(safe.run(move) == HM_SHORT);  // with the other one alone: as far as one linear step goes
     CHECK(safe.report.step_fraction == doctest::Approx(0.98 * safe.admissible(move)));
     CHECK(safe.report.strategy == HM_STRATEGY_LINEAR);
@@ -91,6 +92,7 @@ TEST_CASE("the longest linear step is straight, without a derivative of a path t
     REQUIRE(safe.admissible(move) < 1);
     safe.safe_options.skipped_strategies = without(
         {HM_STRATEGY_OTHER, HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
+    safe.safe_options.max_resolves = 10;  // no part of the movement is searched for
     CHECK(safe.run(move, derivative.basis) == HM_SHORT);
     CHECK(safe.report.step_fraction == 0);
     CHECK(safe.untouched());
