@@ -10,6 +10,9 @@
 #                         tests/mutate.sh
 #   make sanitize         memory read before it is written, races between threads; see tests/sanitize.sh
 #   make test-python      the Python package of c_api/python, by PYTHON=/usr/bin/python3; see tests/python.sh
+#   make wheel            build/wheel/*.whl: the Python package in one file for every CPython from 3.9 on
+#   make web              build/web/harmorph-VERSION.tgz, the library as WebAssembly in a package for npm (c_api/web)
+#   make test-web         this package in node, and in Chromium where Chromium is installed
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make test-petsc       harmorph_petsc.c on 1 to 4 processes, where petsc-dev is installed; MESHES=directory of SU2
 #                         files, LARGE="NI:NJ:FIRST ..." of O-meshes, PARTITIONS=012345 SOLVERS=01: tests/petsc/main.c
@@ -22,6 +25,7 @@
 #                         the last tagged release, RELEASE=tarball, or BASE=revision
 #   make cross            other processors and systems under emulators, as far as Debian's cross compilers are there;
 #                         TARGETS="s390x musl"; see tests/cross/run.sh
+#   make compile-commands  BUILD/compile_commands.json, for editors and clang-tidy
 #   make compilers        all compilers that are installed, without a warning; LEVELS=-O2; see tests/compilers.sh
 #   make amalgamation     the library in one source with its headers, in build/amalgamation
 #   make test-systems     both commands of README.md in fresh systems, as the superuser: SYSTEMS="bookworm trixie", in the
@@ -42,6 +46,8 @@
 #   make html             the browsable manual of all pages and headers in build/html; PYTHON needs Sphinx and MyST
 #   make fpm              build/fpm, a package for the Fortran package manager
 #   make test-packages    the Debian packages and the fpm package: built, checked and used, where Debian's tools are installed
+#   make test-release     builds all that a release gives away, and uses each of them from its files alone, in fresh systems,
+#                         too: hours; PARTS="wheel projects": some parts; see tests/release.sh
 #   make dist             build/harmorph-VERSION.tar.gz, the same bytes wherever it is made
 #   make install          headers, library, program, manual page, Fortran source, harmorph.pc, CMake config
 #   make install-library  headers, library, harmorph.pc and CMake config alone; the program is not built
@@ -56,11 +62,12 @@
 # cannot do without is added to CXXFLAGS.
 .POSIX:
 .SUFFIXES:
-.PHONY: all checked rules deform-seeded test-programs unit fuzzer fuzz test library-only tests-only coverage mutate sanitize test-petsc test-python mpi \
+.PHONY: all checked rules meshes deform-seeded test-programs unit fuzzer fuzz test library-only tests-only coverage mutate sanitize test-petsc test-python mpi \
 	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
 	test-openfoam test-saturne test-systems \
-	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist
+	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist \
+	compile-commands wheel test-release web-tools web-modules web test-web
 
 BUILD = build
 # PREFIX is /usr/local if it is not given; DESTDIR is empty. Both come from the environment of the recipes, where make
@@ -93,9 +100,16 @@ WARNINGS = -Wall -Wextra -Wconversion -Wshadow
 # No C++ runtime, no errno, so that only mem* stay undefined; no contraction, so that compilers agree on bits. Callers may
 # trap floating-point exceptions: so -fno-trapping-math, which lets compilers divide where the program does not, is not here;
 # what clang needs for that is in src/base/types.hpp.
-CORE = -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off \
+FREESTANDING = -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off \
 	-fno-threadsafe-statics -fno-stack-protector -fno-asynchronous-unwind-tables -U_FORTIFY_SOURCE \
-	-fvisibility=hidden -fPIC $(WARNINGS) -Iinclude -Isrc -Ic_api
+	-fvisibility=hidden -Iinclude -Isrc -Ic_api
+CORE = $(FREESTANDING) -fPIC $(WARNINGS)
+# The library as WebAssembly (c_api/web): Debian's clang and lld suffice. Nothing is imported; a stack that is too small
+# traps, as the stack comes first; what the library is given can be as large as 32 bits can address.
+WASM_CXX = clang++
+WASM = --target=wasm32 -mbulk-memory -nostdlibinc -isystem c_api/web/freestanding $(FREESTANDING) -I$(BUILD)/web
+WASM_LINK = --target=wasm32 -nostdlib -Wl,--no-entry,--gc-sections,--strip-all,-O2,--stack-first,-z,stack-size=262144 \
+	-Wl,--max-memory=4294967296,--export=__heap_base,--export-table,--growable-table
 CLI = -std=c++17 -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) $(WITH_ZLIB) -I. -Iinclude -Ic_api/cli
 # CGNS=1: the program reads and writes CGNS files; it needs libcgns (Debian's libcgns-dev), the library does not.
 CGNS =
@@ -126,13 +140,29 @@ fuzz coverage mutate sanitize dist amalgamation clean: checked
 
 # What is joined or generated from sources, and the rules of all objects and programs.
 rules: checked
-	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit $(BUILD)/objects/fuzz
+	@mkdir -p $(BUILD)/web $(BUILD)/meshes && cd $(BUILD) && mkdir -p objects/core objects/cli objects/unit objects/fuzz objects/mesh \
+	    objects/harmorph objects/harmorph_simd128
 	@LEVELS='$(LEVELS)' UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
-	    FLAGS='$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' sh c_api/packaging/rules.sh $(BUILD)
+	    FLAGS='$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' WASM_FLAGS='$(WASM_CXX) $(WASM) $(WASM_LINK)' \
+	    sh c_api/packaging/rules.sh $(BUILD)
 
 # The random movements of `make deform`; `make test` compiles them, too.
 deform-seeded: all
 	+@$(MAKE_BY_RULES) $(BUILD)/deform-seeded
+
+# The meshes of the demo and of the tests: a program of tests/meshes makes the largest of them.
+MESH = $(BUILD)/meshes/naca0012.su2
+meshes: rules
+	+@$(MAKE_BY_RULES) $(MESH)
+
+compile-commands: rules
+	@for source in src/*/*.cpp c_api/*.cpp; do echo "$$source|$(CORE)"; done >$(BUILD)/sources.txt
+	@for source in c_api/cli/*.cpp c_api/cli/*/*.cpp; do echo "$$source|$(CLI)"; done >>$(BUILD)/sources.txt
+	@for source in tests/main.cpp $(UNITS); do echo "$$source|$(UNIT)"; done >>$(BUILD)/sources.txt
+	@awk -F '|' -v folder="$$PWD" -v compiler='$(CXX)' 'BEGIN { print "[" } { \
+	    printf "%s{\"directory\": \"%s\", \"file\": \"%s\",\n \"command\": \"%s %s -c %s\"}", \
+	        (NR > 1 ? ",\n" : ""), folder, $$1, compiler, $$2, $$1 } END { print "\n]" }' \
+	    $(BUILD)/sources.txt >$(BUILD)/compile_commands.json
 
 library-only: rules
 	+@$(MAKE_BY_RULES) $(LIBRARY)
@@ -140,7 +170,7 @@ library-only: rules
 tests-only: rules
 	+@$(MAKE_BY_RULES) $(BUILD)/tests
 
-unit: all
+unit: all meshes
 	@echo '#include <doctest/doctest.h>' | $(CXX) -x c++ -E - >/dev/null 2>&1 || \
 	    { echo "doctest/doctest.h not found: install Debian's doctest-dev"; exit 1; }
 	+@$(MAKE_BY_RULES) $(BUILD)/tests
@@ -148,7 +178,7 @@ unit: all
 
 # All programs that the tests run.
 test-programs: rules
-	+@$(MAKE_BY_RULES) $(LIBRARY) $(PROGRAM) $(BUILD)/tests $(BUILD)/fuzzer $(BUILD)/deform-seeded
+	+@$(MAKE_BY_RULES) $(LIBRARY) $(PROGRAM) $(BUILD)/tests $(BUILD)/fuzzer $(BUILD)/deform-seeded $(MESH)
 
 fuzzer: rules
 	+@$(MAKE_BY_RULES) $(BUILD)/fuzzer
@@ -165,6 +195,18 @@ mutate:
 
 sanitize:
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' sh tests/sanitize.sh
+
+# The library as WebAssembly, and the package for npm.
+WEB = $(BUILD)/web/harmorph.wasm $(BUILD)/web/harmorph_simd128.wasm
+web-tools: checked
+	@WASM_CXX='$(WASM_CXX)' sh c_api/web/pack.sh tools
+web-modules: web-tools rules
+	+@$(MAKE_BY_RULES) $(WEB)
+web: web-modules
+	@VERSION=$(VERSION) sh c_api/web/pack.sh pack $(BUILD)
+
+test-web: all web
+	@CC='$(CC)' sh tests/web.sh $(BUILD)
 
 mpi: all
 	$(MPICC) $(CFLAGS) -Wall -Wextra -Wno-missing-field-initializers -fPIC -Iinclude -Ic_api -c -o $(BUILD)/objects/harmorph_mpi.o c_api/mpi/harmorph_mpi.c
@@ -196,12 +238,16 @@ fpm: rules amalgamation
 test-packages: checked
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' FC='$(FC)' sh tests/packages.sh $(BUILD)
 
+test-release: all meshes
+	@$(SCRIPT_JOBS); MAKE='$(MAKE)' PYTHON='$(PYTHON)' CC='$(CC)' FC='$(FC)' PARTS='$(PARTS)' SYSTEMS='$(SYSTEMS)' \
+	    MIRROR='$(MIRROR)' sh tests/release.sh $(BUILD) '$(ROOTS)'
+
 dist:
 	@mkdir -p $(BUILD)
 	@sh c_api/packaging/dist.sh harmorph-$(VERSION) >$(BUILD)/harmorph-$(VERSION).tar.gz
 	@echo $(BUILD)/harmorph-$(VERSION).tar.gz
 
-cross: all
+cross: all meshes
 	@$(SCRIPT_JOBS); CC='$(CC)' TARGETS='$(TARGETS)' PARTS='$(PARTS)' sh tests/cross/run.sh $(BUILD)
 
 compilers: all
@@ -216,14 +262,17 @@ amalgamation:
 check-link: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/check_link.sh $(BUILD)
 
-test: all
+test: all meshes
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' \
 	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' sh tests/run.sh
 
-test-python: all
+test-python: all meshes
 	@CXX='$(CXX)' PYTHON='$(PYTHON)' sh tests/python.sh $(BUILD)
 
-test-petsc: all
+wheel: all
+	@CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' sh c_api/packaging/wheel.sh $(BUILD)
+
+test-petsc: all meshes
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' FFLAGS='$(FFLAGS)' MPICC='$(MPICC)' MESHES='$(MESHES)' sh tests/petsc.sh $(BUILD)
 
 test-openfoam: all
@@ -238,7 +287,7 @@ test-systems: checked
 bench-petsc: all
 	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/measure/bench/petsc.sh
 
-bench: all
+bench: all meshes
 	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' SIZES='$(SIZES)' KINDS='$(KINDS)' \
 	    PARTS='$(PARTS)' FUNCTIONS='$(FUNCTIONS)' THREADS='$(THREADS)' REPEATS='$(REPEATS)' \
 	    sh tests/measure/bench/run.sh
@@ -246,31 +295,31 @@ bench: all
 bench-rows: all
 	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' FILE='$(FILE)' sh tests/measure/bench/rows.sh
 
-deform: deform-seeded
+deform: deform-seeded meshes
 	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' SEEDS='$(SEEDS)' sh tests/figures.sh '$(BUILD)/deform' \
 	    'Large movements of meshes' \
 	    sh tests/measure/deform/run.sh
 
-compare: all
+compare: all meshes
 	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' sh tests/figures.sh '$(BUILD)/compare' \
 	    'Methods that deform meshes' sh tests/measure/compare/run.sh
 
-claims: all
+claims: all meshes
 	@$(SCRIPT_JOBS); $(PYTHON) tests/measure/claims/claims.py $(BUILD) $(NAMES)
 
-paper: all
+paper: all meshes
 	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' sh tests/figures.sh '$(BUILD)/paper' 'The cases of the paper' sh tests/measure/paper/run.sh
 
 bench-mpi: all
 	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/measure/bench/mpi.sh
 
-demo: all
-	$(PROGRAM) demo $(BUILD)/demo
+demo: all meshes
+	$(PROGRAM) demo $(BUILD)/demo --mesh $(MESH)
 	@ls $(BUILD)/demo/*.svg $(BUILD)/demo/*.html
 
 # What lies where after an installation; uninstall takes the same list away.
 INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/harmorph.h include/harmorph_design.h \
-	include/harmorph_space.h include/harmorph_parts.h include/harmorph_study.h include/harmorph_openmp.h \
+	include/harmorph_space.h include/harmorph_study.h include/harmorph_openmp.h \
 	include/harmorph_quality.h include/harmorph_bases.h \
 	include/harmorph_pthreads.h include/harmorph_mpi.h include/harmorph_petsc.h include/harmorph_pages.h \
 	include/harmorph_fields.h \
@@ -297,13 +346,13 @@ INSTALL_LIBRARY = to=$(INSTALLATION); set -e; umask 022; \
 	sed "s|@UP@|../..|; s|@VERSION@|$$version|" c_api/packaging/harmorph.pc.in >"$$to/lib/pkgconfig/harmorph.pc"; \
 	cp c_api/packaging/harmorphConfig.cmake c_api/packaging/harmorphConfigVersion.cmake "$$to/lib/cmake/harmorph/"
 
-install: manual
+install: manual meshes
 	@$(INSTALL_LIBRARY); \
 	mkdir -p "$$to/bin" "$$to/share/man/man1" "$$to/share/harmorph/openfoam" "$$to/share/harmorph/code_saturne"; \
 	cp $(PROGRAM) "$$to/bin/"; \
 	cp $(BUILD)/harmorph.1 "$$to/share/man/man1/"; \
 	cp $(BUILD)/harmorph*.f90 $(BUILD)/harmorph_mpi.c $(BUILD)/harmorph_petsc.c fortran/*.f90 \
-	    c_api/examples/read_su2.c c_api/examples/read_su2.h tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
+	    c_api/examples/read_su2.c c_api/examples/read_su2.h $(MESH) "$$to/share/harmorph/"; \
 	cp c_api/openfoam/*.cpp c_api/openfoam/*.hpp c_api/openfoam/Makefile "$$to/share/harmorph/openfoam/"; \
 	cp fortran/examples/code_saturne/*.f90 fortran/examples/code_saturne/mesh.awk \
 	    fortran/examples/code_saturne/cs_user_scripts.py "$$to/share/harmorph/code_saturne/"; \

@@ -6,7 +6,7 @@
 #include "fault_text.hpp"
 #include "harmorph_bases.h"
 #include "harmorph_design.h"
-#include "harmorph_parts.h"
+#include "private.h"
 #include "harmorph_quality.h"
 #include "harmorph_space.h"
 #include "harmorph_study.h"

@@ -76,22 +76,16 @@ hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, hm_error
     });
 }
 
-hm_status hm_basis_curves(const hm_basis* basis, hm_curves* out, hm_curve* curve, int32_t capacity,
-                          hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        Basis b;
-        HARMORPH_TRY(open_curves(basis, out, curve, capacity, b, fault));
-        write_struct(curves_of(b, b.control.data(), curve), out);
-        return Status::ok;
-    });
-}
-
-hm_status hm_moved_curves(const hm_basis* basis, const double* move, double* control,
+hm_status hm_basis_curves(const hm_basis* basis, const double* move, double* control,
                           hm_curves* out, hm_curve* curve, int32_t capacity, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
-        HARMORPH_TRY(require({{"control", control}}, fault));
+        if (move != nullptr) HARMORPH_TRY(require({{"control", control}}, fault));
         HARMORPH_TRY(open_curves(basis, out, curve, capacity, b, fault));
+        if (move == nullptr) {
+            write_struct(curves_of(b, b.control.data(), curve), out);
+            return Status::ok;
+        }
         HARMORPH_TRY(check_move(b, move, fault));
         for (Index i = 0; i < b.header->counts.control; ++i) {
             Vec2 const by = b.control_move(i, move);
@@ -184,6 +178,20 @@ hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t numbe
                                 entry_item(number), plain(numbers_of(b.kind())));
         }
         b.column(number * b.n_functions() + function - first, values);
+        return Status::ok;
+    });
+}
+
+hm_status hm_basis_matrix(const hm_basis* basis, double* matrix, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Basis b;
+        HARMORPH_TRY(require({{"matrix", matrix}}, fault));
+        HARMORPH_TRY(open_complete(basis, b, fault));
+        Index const functions = b.n_functions();
+        Offset const plane = Offset{b.n_points()} * functions;
+        for (Index number = 0; number < numbers_of(b.kind()); ++number)
+            for (Index i = 0; i < functions; ++i)
+                b.column(number * functions + i, matrix + number * plane + i, functions);
         return Status::ok;
     });
 }

@@ -2,11 +2,10 @@
 // step.
 #include "apart.hpp"
 #include "mesh_pair.hpp"
+#include "morph/admissible_step.hpp"
 #include "morph/cell_bounds.hpp"
-#include "morph/mesh_quality.hpp"
-#include "morph/point_gradient.hpp"
+#include "morph/odd_cells.hpp"
 #include "morph/quality.hpp"
-#include "morph/step_corners.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
 // The C interface: replaces the functions of control points by functions of design variables.
+#include "basis/derived_basis.hpp"
 #include "handles.hpp"
-#include "basis/combination.hpp"
 
 namespace harmorph {
 namespace {

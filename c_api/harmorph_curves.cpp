@@ -1,7 +1,7 @@
 // The C interface: evaluation of curves.
-#include "call.hpp"
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "bspline/projection.hpp"
+#include "call.hpp"
 #include "views.hpp"
 
 namespace harmorph {

@@ -3,7 +3,7 @@
 #include <type_traits>
 
 #include "given_list.hpp"
-#include "morph/mode_functions.hpp"
+#include "morph/displacement.hpp"
 
 namespace harmorph {
 namespace {
@@ -80,23 +80,36 @@ private:
     using View = std::conditional_t<std::is_same<Given, hm_points>::value, Points, MutablePoints>;
 };
 
-// The arguments that hm_tabulate_size and hm_tabulate have in common.
+// The arguments that hm_tabulate_size and hm_tabulate have in common, and the layout of the block.
 struct TableCall {
     Basis basis;
+    hm_modes modes;
 
     // Handle is hm_plan and Object is Plan; either both are const or neither.
     template <class Handle, class Object>
-    Status open(Handle* handle, Object*& plan, const hm_basis* given, Index n_modes, Index numbers,
+    Status open(Handle* handle, Object*& plan, const hm_basis* given, const hm_modes* table,
                 CallFault& fault) noexcept {
         HARMORPH_TRY(open_basis(given, basis, fault));
         if (basis.header->counts.functions() > 0) HARMORPH_TRY(open_complete(given, basis, fault));
         HARMORPH_TRY(open_plan(handle, plan, fault));
-        HARMORPH_TRY(check_fields(*plan, n_modes, fault));
+        HARMORPH_TRY(require({{"modes", table}}, fault));
+        if (!read_struct(table, modes)) {
+            return fault.refuse(
+                Status::bad_argument,
+                "modes.struct_size is not the size of an hm_modes; begin with HM_INIT(modes)");
+        }
+        if (modes.numbers == 0) modes.numbers = 2;
+        HARMORPH_TRY(check_fields(*plan, modes.n_modes, fault));
         HARMORPH_TRY(plan->check_fit(basis, fault));
-        if (numbers == 1 || numbers == 2) return Status::ok;
+        if (modes.numbers == 1 || modes.numbers == 2) return Status::ok;
         return fault.refuse(Status::bad_argument,
-                            "numbers must be 1 (real values) or 2 (complex values), not #",
-                            plain(numbers));
+                            "modes.numbers must be 1 (real values) or 2 (complex values), not #",
+                            plain(modes.numbers));
+    }
+    // The new basis begins the block.
+    void lay_out(Arena& arena, Plan const& plan, Basis& made, ModeWork& work) const noexcept {
+        made.lay_out(arena, tabulated_counts(basis, modes.n_modes, modes.numbers));
+        work.lay_out(arena, plan, 2 * plan.mesh().n_points, fields_of(basis, modes.n_modes));
     }
 };
 
@@ -193,40 +206,33 @@ hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* points, i
     });
 }
 
-hm_status hm_tabulate_size(const hm_plan* plan, const hm_basis* basis, int32_t n_modes,
-                           int32_t numbers, size_t* bytes, size_t* work_bytes, hm_error* err) {
+hm_status hm_tabulate_size(const hm_plan* plan, const hm_basis* basis, const hm_modes* modes,
+                           size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Plan* p = nullptr;
         TableCall call;
-        HARMORPH_TRY(require({{"work_bytes", work_bytes}}, fault));
-        HARMORPH_TRY(call.open(plan, p, basis, n_modes, numbers, fault));
+        HARMORPH_TRY(call.open(plan, p, basis, modes, fault));
         Basis made;
         ModeWork work;
-        size_t counted = 0;
-        HARMORPH_TRY(count_bytes(&counted, fault, [&](Arena& arena) {
-            work.lay_out(arena, *p, 2 * p->mesh().n_points, fields_of(call.basis, n_modes));
-        }));
-        HARMORPH_TRY(count_bytes(bytes, fault, [&](Arena& arena) {
-            made.lay_out(arena, tabulated_counts(call.basis, n_modes, numbers));
-        }));
-        *work_bytes = counted;
-        return Status::ok;
+        return count_bytes(bytes, fault,
+                           [&](Arena& arena) { call.lay_out(arena, *p, made, work); });
     });
 }
 
 hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* plan,
-                      const hm_basis* basis, int32_t n, const int32_t* points, int32_t n_modes,
-                      int32_t numbers, const double* modes, void* work, size_t work_bytes,
-                      hm_solve_report* report, hm_error* err) {
+                      const hm_basis* basis, const hm_modes* modes, hm_solve_report* report,
+                      hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         TableCall table;
         DisplaceCall call;
-        ModeWork rows;
+        ModeWork work;
         Basis made;
-        HARMORPH_TRY(require({{"tabulated", tabulated}, {"modes", modes}}, fault));
-        HARMORPH_TRY(table.open(plan, call.plan, basis, n_modes, numbers, fault));
+        HARMORPH_TRY(require({{"tabulated", tabulated}}, fault));
+        HARMORPH_TRY(table.open(plan, call.plan, basis, modes, fault));
+        HARMORPH_TRY(require({{"modes.values", table.modes.values}}, fault));
         HARMORPH_TRY(check_report_if(report, "report", fault));
-        HARMORPH_TRY(view_given_list(*call.plan, n, points, call.list, fault));
+        Index const n = table.modes.n;
+        HARMORPH_TRY(view_given_list(*call.plan, n, table.modes.points, call.list, fault));
         if (n > 2 * call.plan->mesh().n_points) {
             return fault.refuse(
                 Status::bad_argument,
@@ -239,19 +245,15 @@ hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* 
             return fault.refuse(Status::bad_basis,
                                 "the basis was solved on other coordinates than those of the "
                                 "plan's factor; solve the basis again");
-        HARMORPH_TRY(place(work, work_bytes, fault, [&](Arena& arena) {
-            rows.lay_out(arena, p, 2 * p.mesh().n_points, fields_of(table.basis, n_modes));
-        }));
-        HARMORPH_TRY(rows.displacement.find_places(p, call.list, fault));
-        Modes const given{n_modes, numbers, modes};
+        HARMORPH_TRY(
+            place(block, bytes, fault, [&](Arena& arena) { table.lay_out(arena, p, made, work); }));
+        HARMORPH_TRY(work.displacement.find_places(p, call.list, fault));
+        Modes const given{table.modes.n_modes, table.modes.numbers, table.modes.values};
         HARMORPH_TRY(given.check(n, fault));
-        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) {
-            made.lay_out(arena, tabulated_counts(table.basis, n_modes, numbers));
-        }));
         SolveReport solved;
-        HARMORPH_TRY(tabulate(p, table.basis, call.list, given, rows, made, solved, fault));
+        HARMORPH_TRY(tabulate(p, table.basis, call.list, given, work, made, solved, fault));
         *tabulated = reinterpret_cast<hm_basis*>(made.header);
-        call.displacement.n_fields = n_modes;
+        call.displacement.n_fields = table.modes.n_modes;
         call.write(solved, report);
         return fault.status;
     });

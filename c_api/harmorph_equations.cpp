@@ -1,5 +1,4 @@
 // The C interface: makes the equations of a part, and gives their matrix entries.
-#include "harmorph_parts.h"
 #include "part_handles.hpp"
 #include "request.hpp"
 
@@ -10,7 +9,7 @@ struct EquationsRequest : Request {
     const Part* part = nullptr;
     Index n_edges = 0;
 
-    Status read_all(const hm_part* opened, Index edges, const hm_problem* given,
+    Status read_all(const hm_private_part* opened, Index edges, const hm_problem* given,
                     const hm_options* options, CallFault& fault) noexcept {
         HARMORPH_TRY(open_part(opened, part, fault));
         n_edges = edges;
@@ -31,7 +30,7 @@ struct EquationsRequest : Request {
         if (problem.demands.slip_curves > 0) {
             wrong = "hm_condition.along is not available for a mesh in parts; leave it NULL";
         }
-        if (!problem.given.point.empty()) wrong = "problem.n_given must be 0 for a mesh in parts";
+        if (!problem.given.point.empty()) wrong = "problem.n_known must be 0 for a mesh in parts";
         if (wrong != nullptr) return fault.refuse(Status::unsupported, wrong);
         if (n_conditions > 0) return Status::ok;
         return fault.refuse(Status::bad_condition,
@@ -46,8 +45,8 @@ struct EquationsRequest : Request {
     }
 };
 
-hm_equations_info info_of(PartEquations const& equations) noexcept {
-    hm_equations_info filled = {};
+hm_private_equations_info info_of(PartEquations const& equations) noexcept {
+    hm_private_equations_info filled = {};
     BasisCounts const counts = equations.basis_source().counts();
     filled.unknowns = equations.matrix.n;
     filled.numbers = equations.numbers();
@@ -68,8 +67,9 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_equations_size(const hm_part* part, int32_t n_edges, const hm_problem* problem,
-                            const hm_options* options, size_t* bytes, hm_error* err) {
+hm_status hm_private_equations_size(const hm_private_part* part, int32_t n_edges,
+                                    const hm_problem* problem, const hm_options* options,
+                                    size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         EquationsRequest request;
         HARMORPH_TRY(request.read_all(part, n_edges, problem, options, fault));
@@ -78,9 +78,10 @@ hm_status hm_equations_size(const hm_part* part, int32_t n_edges, const hm_probl
     });
 }
 
-hm_status hm_equations_init(hm_equations** equations, void* block, size_t bytes,
-                            const hm_part* part, int32_t n_edges, const hm_edge* edges,
-                            const hm_problem* problem, const hm_options* options, hm_error* err) {
+hm_status hm_private_equations_init(hm_private_equations** equations, void* block, size_t bytes,
+                                    const hm_private_part* part, int32_t n_edges,
+                                    const hm_private_edge* edges, const hm_problem* problem,
+                                    const hm_options* options, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         EquationsRequest request;
         HARMORPH_TRY(require({{"equations", equations}}, fault));
@@ -99,8 +100,8 @@ hm_status hm_equations_init(hm_equations** equations, void* block, size_t bytes,
     });
 }
 
-hm_status hm_equations_info_get(const hm_equations* equations, hm_equations_info* info,
-                                hm_error* err) {
+hm_status hm_private_equations_info_get(const hm_private_equations* equations,
+                                        hm_private_equations_info* info, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const PartEquations* opened = nullptr;
         HARMORPH_TRY(open(equations, "equations", opened, fault));
@@ -110,9 +111,9 @@ hm_status hm_equations_info_get(const hm_equations* equations, hm_equations_info
     });
 }
 
-hm_status hm_equations_entries(const hm_equations* equations, int32_t first, int32_t n,
-                               int32_t* row, int32_t* column, double* values, int64_t capacity,
-                               int64_t* n_entries, hm_error* err) {
+hm_status hm_private_equations_entries(const hm_private_equations* equations, int32_t first,
+                                       int32_t n, int32_t* row, int32_t* column, double* values,
+                                       int64_t capacity, int64_t* n_entries, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const PartEquations* opened = nullptr;
         HARMORPH_TRY(open(equations, "equations", opened, fault));

@@ -1,7 +1,6 @@
 // The C interface: computes one field of given displacements in a part.
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "operators/right_hand_sides.hpp"
-#include "harmorph_parts.h"
 #include "part_handles.hpp"
 #include "views.hpp"
 
@@ -13,7 +12,7 @@ struct FieldCall {
     PartEquations* equations = nullptr;
     Span<Real> rows;
 
-    Status open_field(hm_equations* handle, double* work, CallFault& fault) noexcept {
+    Status open_field(hm_private_equations* handle, double* work, CallFault& fault) noexcept {
         HARMORPH_TRY(open(handle, "equations", equations, fault));
         HARMORPH_TRY(require({{"work", work}}, fault));
         rows = {work, 2 * static_cast<Size>(equations->part.own().n_points)};
@@ -43,8 +42,8 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_field_init(hm_equations* equations, const hm_points* displacement, double* work,
-                        double* right_hand_sides, hm_error* err) {
+hm_status hm_private_field_init(hm_private_equations* equations, const hm_points* displacement,
+                                double* work, double* right_hand_sides, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         FieldCall call;
         Points given;
@@ -73,8 +72,8 @@ hm_status hm_field_init(hm_equations* equations, const hm_points* displacement, 
     });
 }
 
-hm_status hm_field_residual(hm_equations* equations, double* work, const double* values,
-                            double* residuals, hm_error* err) {
+hm_status hm_private_field_residual(hm_private_equations* equations, double* work,
+                                    const double* values, double* residuals, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         FieldCall call;
         HARMORPH_TRY(call.open_field(equations, work, fault));
@@ -90,8 +89,9 @@ hm_status hm_field_residual(hm_equations* equations, double* work, const double*
     });
 }
 
-hm_status hm_field_finish(hm_equations* equations, double* work, const double* values,
-                          const hm_points_out* displacement, hm_error* err) {
+hm_status hm_private_field_finish(hm_private_equations* equations, double* work,
+                                  const double* values, const hm_points_out* displacement,
+                                  hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         FieldCall call;
         MutablePoints to;

@@ -10,12 +10,8 @@ struct FitBlock {
     Fit fit;
 
     void lay_out(Arena& arena, Index n, FitOptions const& options) noexcept {
-        made.lay_out(arena, 2);
+        made.lay_out(arena, 1, options.n_control, options.degree);
         fit.lay_out(arena, n, options);
-    }
-    const hm_curves* present() const noexcept {
-        for (Index i = 0; i < fit.n_curves; ++i) made.curve[i] = struct_of(fit.curve[i]);
-        return made.present(fit.control, fit.n_curves);
     }
 };
 
@@ -54,8 +50,10 @@ hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes, const hm_p
         HARMORPH_TRY(
             place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, n, asked); }));
         HARMORPH_TRY(made.fit.run(view, n, is_loop != 0, asked, fitted, fault));
-        *curves = made.present();
-        if (report != nullptr) write_struct(report_of(fitted, 1), report);
+        made.made.add(made.fit);
+        hm_fit_report filled = report_of(fitted, 1);
+        *curves = made.made.present(block, bytes, filled.bytes);
+        if (report != nullptr) write_struct(filled, report);
         return fault.status;
     });
 }

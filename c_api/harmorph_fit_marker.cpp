@@ -7,48 +7,6 @@
 namespace harmorph {
 namespace {
 
-// The result of hm_fit_marker: the curves of all pieces, in one set.
-struct PiecesBlock {
-    FittedSet made;
-    Span<Real> control;
-    Span<Index> indices;
-    Span<Real> knots;
-    Index n_curves = 0, n_control = 0;
-    Size n_indices = 0, n_knots = 0;
-
-    // A piece has more points than the degree, and a face has two points; these limits bound all
-    // arrays.
-    void lay_out(Arena& arena, Offset max_faces, FitOptions const& options) noexcept {
-        Offset const pieces = max_faces / options.degree;
-        Offset const points = 2 * max_faces, wanted = pieces * options.n_control;
-        Offset const controls = min(points, wanted);
-        made.lay_out(arena, 2 * pieces);
-        arena.take(control, 2 * controls);
-        arena.take(indices, controls + pieces * (options.degree + 2));
-        arena.take(knots, controls + pieces * (2 * options.degree + 5));
-    }
-    void add(Fit const& fit) noexcept {
-        for (Index i = 0; i < fit.n_curves; ++i) {
-            Curve curve = fit.curve[i];
-            Index* const own = indices.data() + n_indices;
-            Real* const own_knots = knots.data() + n_knots;
-            for (Index k = 0; k < curve.n_indices; ++k) own[k] = n_control + curve.control_point(k);
-            Index const knots_of_curve = curve.n_indices + curve.degree + 1;
-            for (Index k = 0; k < knots_of_curve; ++k) own_knots[k] = curve.knots[k];
-            n_indices += static_cast<Size>(curve.n_indices);
-            n_knots += static_cast<Size>(knots_of_curve);
-            curve.indices = own;
-            curve.knots = own_knots;
-            made.curve[n_curves++] = struct_of(curve);
-        }
-        for (Index k = 0; k < fit.control.count(); ++k) control[2 * n_control + k] = fit.control[k];
-        n_control += fit.control.count() / 2;
-    }
-    const hm_curves* present() const noexcept {
-        return made.present(control.first(2 * n_control), n_curves);
-    }
-};
-
 // The walls of a mesh that are to be fitted, from the caller's arguments.
 struct WallRequest {
     Request request;  // the mesh alone
@@ -71,6 +29,13 @@ struct WallRequest {
         HARMORPH_TRY(check_fit_weights(options, request.problem.mesh.n_points, fault));
         return check_fit(options.n_control, options, fault);
     }
+    // A piece has more points than the degree, and a face has two points; these limits bound all
+    // arrays of the curves.
+    void lay_out_curves(Arena& arena, FittedSet& made) const noexcept {
+        Offset const pieces = max_faces() / options.degree;
+        Offset const points = 2 * max_faces(), wanted = pieces * options.n_control;
+        made.lay_out(arena, pieces, min(points, wanted), options.degree);
+    }
     Offset max_faces() const noexcept {
         return static_cast<Offset>(Boundary::max_faces(request.problem.mesh));
     }
@@ -81,8 +46,10 @@ struct WallRequest {
     }
 };
 
-// Working memory of hm_fit_marker: the analysis of the mesh, the points of a piece, the fit.
-struct FitWork {
+// The block of hm_fit_marker: the curves of all pieces, in one set, and behind them the analysis of
+// the mesh, the points of a piece and the fit.
+struct WallBlock {
+    FittedSet made;
     Analysis analysis;
     Span<Index> point;  // of the piece
     Span<Real> x, y;
@@ -91,6 +58,7 @@ struct FitWork {
 
     void lay_out(Arena& arena, WallRequest const& wall) noexcept {
         Index const max_points = wall.max_points();
+        wall.lay_out_curves(arena, made);
         analysis.lay_out(arena, wall.request.problem, 0, 0);
         arena.take(point, max_points);
         arena.take(x, max_points);
@@ -104,8 +72,7 @@ struct FitWork {
 
 class WallFit {
 public:
-    WallFit(WallRequest const& wall, FitWork& work, PiecesBlock& made) noexcept
-        : wall_(wall), work_(work), made_(made) {}
+    WallFit(WallRequest const& wall, WallBlock& work) noexcept : wall_(wall), work_(work) {}
 
     Status run(hm_fit_report& report, CallFault& fault) noexcept {
         HARMORPH_TRY(work_.analysis.run(wall_.request.problem, fault));
@@ -157,19 +124,18 @@ private:
         name_point(fault.item);
         name_point(fault.other);
         if (failed(fault.status)) return;
-        if (made_.n_curves == 0 || fitted.max_error > worst_.max_error) {
+        if (work_.made.n_curves == 0 || fitted.max_error > worst_.max_error) {
             worst_ = fitted;
             worst_.max_error_point = number_of(fitted.max_error_point);
             worst_.first_point = number_of(fitted.first_point);
             worst_.backtrack_point = number_of(fitted.backtrack_point);
             worst_.departure_point = number_of(fitted.departure_point);
         }
-        made_.add(fit);
+        work_.made.add(fit);
     }
 
     WallRequest const& wall_;
-    FitWork& work_;
-    PiecesBlock& made_;
+    WallBlock& work_;
     Index n_points_ = 0;
     FitReport worst_;
 };
@@ -182,44 +148,29 @@ using namespace harmorph;
 extern "C" {
 
 hm_status hm_fit_marker_size(const hm_mesh* mesh, int32_t n_markers, const int32_t* markers,
-                             const hm_fit_options* options, size_t* bytes, size_t* work_bytes,
-                             hm_error* err) {
+                             const hm_fit_options* options, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         WallRequest wall;
-        HARMORPH_TRY(require({{"bytes", bytes}, {"work_bytes", work_bytes}}, fault));
+        HARMORPH_TRY(require({{"bytes", bytes}}, fault));
         HARMORPH_TRY(wall.read(mesh, n_markers, markers, options, fault));
-        PiecesBlock made;
-        FitWork work;
-        size_t of_block = 0, of_work = 0;
-        HARMORPH_TRY(count_bytes(&of_block, fault, [&](Arena& arena) {
-            made.lay_out(arena, wall.max_faces(), wall.options);
-        }));
-        HARMORPH_TRY(
-            count_bytes(&of_work, fault, [&](Arena& arena) { work.lay_out(arena, wall); }));
-        *bytes = of_block;
-        *work_bytes = of_work;
-        return Status::ok;
+        WallBlock made;
+        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, wall); });
     });
 }
 
 hm_status hm_fit_marker(const hm_curves** curves, void* block, size_t bytes, const hm_mesh* mesh,
                         int32_t n_markers, const int32_t* markers, const hm_fit_options* options,
-                        hm_fit_report* report, void* work, size_t work_bytes, hm_error* err) {
+                        hm_fit_report* report, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         WallRequest wall;
-        HARMORPH_TRY(require({{"curves", curves}, {"block", block}, {"work", work}}, fault));
+        HARMORPH_TRY(require({{"curves", curves}, {"block", block}}, fault));
         HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(wall.read(mesh, n_markers, markers, options, fault));
-        PiecesBlock made;
-        FitWork arrays;
+        WallBlock made;
         hm_fit_report fitted = {};
-        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) {
-            made.lay_out(arena, wall.max_faces(), wall.options);
-        }));
-        HARMORPH_TRY(
-            place(work, work_bytes, fault, [&](Arena& arena) { arrays.lay_out(arena, wall); }));
-        HARMORPH_TRY(WallFit(wall, arrays, made).run(fitted, fault));
-        *curves = made.present();
+        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, wall); }));
+        HARMORPH_TRY(WallFit(wall, made).run(fitted, fault));
+        *curves = made.made.present(block, bytes, fitted.bytes);
         if (report != nullptr) write_struct(fitted, report);
         return fault.status;
     });

@@ -1,5 +1,5 @@
 // The C interface: measures a section.
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "bspline/section_measures.hpp"
 #include "section_view.hpp"
 

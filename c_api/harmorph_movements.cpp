@@ -1,9 +1,8 @@
 // The C interface: moves a section by values, and finds the modes of a family of movements.
-#include "base/range.hpp"
-#include "bspline/camber_change.hpp"
-#include "bspline/family_modes.hpp"
+#include "base/vec2.hpp"
+#include "bspline/movements.hpp"
 #include "bspline/parsec.hpp"
-#include "bspline/section_area.hpp"
+#include "bspline/section_measures.hpp"
 #include "section_view.hpp"
 
 namespace harmorph {
@@ -20,10 +19,10 @@ Status view_movement(const hm_movement* array, Index number, Movement& out, Faul
             "struct_size of movement # is not the size of an hm_movement; begin with HM_INIT",
             entry_item(number));
     }
-    if (m.kind < HM_TURN || m.kind > HM_BLADE) {
+    if (m.kind < HM_ROTATE || m.kind > HM_BLADE) {
         return fault.refuse(
             Status::bad_argument,
-            "the kind of movement # is @, but it must be one of HM_TURN to HM_BLADE",
+            "the kind of movement # is @, but it must be one of HM_ROTATE to HM_BLADE",
             entry_item(number), plain(m.kind));
     }
     out = {};
@@ -310,19 +309,19 @@ hm_status hm_move_section(const hm_curves* curves, const hm_section* section, in
     });
 }
 
-hm_status hm_family_modes_size(const hm_curves* curves, size_t* work_bytes, hm_error* err) {
+hm_status hm_family_modes_size(const hm_curves* curves, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         CurvesView view;
         FamilyModes modes;
-        HARMORPH_TRY(require({{"work_bytes", work_bytes}}, fault));
+        HARMORPH_TRY(require({{"bytes", bytes}}, fault));
         HARMORPH_TRY(view_curves(curves, view, fault));
-        return count_bytes(work_bytes, fault,
+        return count_bytes(bytes, fault,
                            [&](Arena& arena) { modes.lay_out(arena, view.set.n_control); });
     });
 }
 
 hm_status hm_family_modes(const hm_curves* curves, int32_t n, double* movements, double* singular,
-                          void* work, size_t work_bytes, hm_error* err) {
+                          void* work, size_t bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         CurvesView view;
         FamilyModes modes;
@@ -332,7 +331,7 @@ hm_status hm_family_modes(const hm_curves* curves, int32_t n, double* movements,
             return fault.refuse(Status::bad_argument, "n must be between 1 and 1024, not #",
                                 plain(n));
         HARMORPH_TRY(view_curves(curves, view, fault));
-        HARMORPH_TRY(place(work, work_bytes, fault,
+        HARMORPH_TRY(place(work, bytes, fault,
                            [&](Arena& arena) { modes.lay_out(arena, view.set.n_control); }));
         modes.start();
         for (Index number = 0; number < view.count(); ++number) {

@@ -1,23 +1,23 @@
 // The C interface: makes a part of a mesh that no process has as a whole, and matches the edges
 // where parts end.
 #include "parts/shared_boundary.hpp"
-#include "harmorph_parts.h"
 #include "part_handles.hpp"
 #include "views.hpp"
 
 namespace harmorph {
 namespace {
 
-static_assert(sizeof(hm_edge) == sizeof(OpenEdge) && sizeof(hm_edge) == 56,
+static_assert(sizeof(hm_private_edge) == sizeof(OpenEdge) && sizeof(hm_private_edge) == 56,
               "one is read as the other");
 
-Status view_part_mesh(const hm_part_mesh* given, PartMesh& part, CallFault& fault) noexcept {
+Status view_part_mesh(const hm_private_part_mesh* given, PartMesh& part,
+                      CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"mesh", given}}, fault));
-    hm_part_mesh p;
+    hm_private_part_mesh p;
     if (!read_struct(given, p))
-        return fault.refuse(
-            Status::bad_argument,
-            "mesh.struct_size is not the size of an hm_part_mesh; begin with HM_INIT(mesh)");
+        return fault.refuse(Status::bad_argument,
+                            "mesh.struct_size is not the size of an hm_private_part_mesh; begin "
+                            "with HM_INIT(mesh)");
     HARMORPH_TRY(require({{"mesh.numbers", p.numbers}}, fault));
     HARMORPH_TRY(view_mesh(p.mesh, part.mesh, fault));
     part.number = p.numbers;
@@ -32,7 +32,7 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_part_size(const hm_part_mesh* mesh, size_t* bytes, hm_error* err) {
+hm_status hm_private_part_size(const hm_private_part_mesh* mesh, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         PartMesh view;
         HARMORPH_TRY(view_part_mesh(mesh, view, fault));
@@ -41,8 +41,8 @@ hm_status hm_part_size(const hm_part_mesh* mesh, size_t* bytes, hm_error* err) {
     });
 }
 
-hm_status hm_part_init(hm_part** part, void* block, size_t bytes, const hm_part_mesh* mesh,
-                       hm_error* err) {
+hm_status hm_private_part_init(hm_private_part** part, void* block, size_t bytes,
+                               const hm_private_part_mesh* mesh, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         PartMesh view;
         HARMORPH_TRY(require({{"part", part}}, fault));
@@ -55,7 +55,8 @@ hm_status hm_part_init(hm_part** part, void* block, size_t bytes, const hm_part_
     });
 }
 
-hm_status hm_part_cells(const hm_part* part, hm_mesh* own, const int32_t** cell, hm_error* err) {
+hm_status hm_private_part_cells(const hm_private_part* part, hm_mesh* own, const int32_t** cell,
+                                hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Part* opened = nullptr;
         HARMORPH_TRY(open_part(part, opened, fault));
@@ -77,7 +78,7 @@ hm_status hm_part_cells(const hm_part* part, hm_mesh* own, const int32_t** cell,
     });
 }
 
-hm_status hm_part_points(const hm_part* part, uint8_t* role, hm_error* err) {
+hm_status hm_private_part_points(const hm_private_part* part, uint8_t* role, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Part* opened = nullptr;
         HARMORPH_TRY(open_part(part, opened, fault));
@@ -87,8 +88,8 @@ hm_status hm_part_points(const hm_part* part, uint8_t* role, hm_error* err) {
     });
 }
 
-hm_status hm_part_edges(const hm_part* part, hm_edge* edges, int32_t capacity, int32_t* n,
-                        hm_error* err) {
+hm_status hm_private_part_edges(const hm_private_part* part, hm_private_edge* edges,
+                                int32_t capacity, int32_t* n, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Part* opened = nullptr;
         HARMORPH_TRY(open_part(part, opened, fault));
@@ -107,7 +108,7 @@ hm_status hm_part_edges(const hm_part* part, hm_edge* edges, int32_t capacity, i
     });
 }
 
-hm_status hm_match_edges(hm_edge* edges, int64_t* n, hm_error* err) {
+hm_status hm_private_match_edges(hm_private_edge* edges, int64_t* n, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         HARMORPH_TRY(require({{"n", n}}, fault));
         if (*n < 0)

@@ -1,7 +1,7 @@
 // The C interface for several processes: bases of some points, shares of the functions, parcels,
 // the sums of the adjoint.
+#include "basis/point_subset.hpp"
 #include "handles.hpp"
-#include "basis/packed_rows.hpp"
 #include "morph/adjoint.hpp"
 
 namespace harmorph {
@@ -31,9 +31,9 @@ Status count_share(Analysis const& analysis, Index first, Index n, BasisCounts& 
 
 Status check_scale(Index scale, Fault& fault) noexcept {
     if (BinaryScale{scale}.valid()) return Status::ok;
-    return fault.refuse(Status::bad_argument,
-                        "scale is #, but it must be a number that hm_adjoint_scale returned",
-                        plain(scale));
+    return fault.refuse(
+        Status::bad_argument,
+        "scale is #, but it must be a number that hm_private_adjoint_scale returned", plain(scale));
 }
 
 // The arguments that the calls with derivatives by mesh points have in common.
@@ -58,17 +58,17 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_extract_size(const hm_basis* basis, int32_t n, size_t* bytes, hm_error* err) {
+hm_status hm_private_extract_size(const hm_basis* basis, int32_t n, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis from;
         HARMORPH_TRY(PointList::check_length(n, fault));
-        HARMORPH_TRY(open_solved(basis, from, fault));
+        HARMORPH_TRY(open_basis(basis, from, fault));
         return count_bytes(bytes, fault, [&](Arena& arena) { Extract::count(arena, from, n); });
     });
 }
 
-hm_status hm_extract_init(hm_basis** rows, void* block, size_t bytes, const hm_basis* basis,
-                          int32_t n, const int32_t* points, hm_error* err) {
+hm_status hm_private_extract_init(hm_basis** rows, void* block, size_t bytes, const hm_basis* basis,
+                                  int32_t n, const int32_t* points, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis from;
         PointList list;
@@ -85,8 +85,8 @@ hm_status hm_extract_init(hm_basis** rows, void* block, size_t bytes, const hm_b
     });
 }
 
-hm_status hm_share_of(const hm_analysis* analysis, int32_t part, int32_t n_parts, int32_t* first,
-                      int32_t* n, hm_error* err) {
+hm_status hm_private_share_of(const hm_analysis* analysis, int32_t part, int32_t n_parts,
+                              int32_t* first, int32_t* n, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* opened = nullptr;
         HARMORPH_TRY(require({{"first", first}, {"n", n}}, fault));
@@ -104,8 +104,8 @@ hm_status hm_share_of(const hm_analysis* analysis, int32_t part, int32_t n_parts
     });
 }
 
-hm_status hm_share_size(const hm_analysis* analysis, int32_t first, int32_t n, size_t* bytes,
-                        hm_error* err) {
+hm_status hm_private_share_size(const hm_analysis* analysis, int32_t first, int32_t n,
+                                size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* opened = nullptr;
         BasisCounts counts;
@@ -116,8 +116,9 @@ hm_status hm_share_size(const hm_analysis* analysis, int32_t first, int32_t n, s
     });
 }
 
-hm_status hm_share_init(hm_basis** share, void* block, size_t bytes, const hm_analysis* analysis,
-                        int32_t first, int32_t n, hm_error* err) {
+hm_status hm_private_share_init(hm_basis** share, void* block, size_t bytes,
+                                const hm_analysis* analysis, int32_t first, int32_t n,
+                                hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* opened = nullptr;
         BasisCounts counts;
@@ -128,7 +129,8 @@ hm_status hm_share_init(hm_basis** share, void* block, size_t bytes, const hm_an
     });
 }
 
-hm_status hm_parcel_size(const hm_basis* share, int32_t n, int64_t* doubles, hm_error* err) {
+hm_status hm_private_parcel_size(const hm_basis* share, int32_t n, int64_t* doubles,
+                                 hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis from;
         HARMORPH_TRY(require({{"doubles", doubles}}, fault));
@@ -140,8 +142,8 @@ hm_status hm_parcel_size(const hm_basis* share, int32_t n, int64_t* doubles, hm_
     });
 }
 
-hm_status hm_parcel_pack(const hm_basis* share, int32_t n, const int32_t* points, double* parcel,
-                         hm_error* err) {
+hm_status hm_private_parcel_pack(const hm_basis* share, int32_t n, const int32_t* points,
+                                 double* parcel, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis from;
         PointList list;
@@ -154,7 +156,8 @@ hm_status hm_parcel_pack(const hm_basis* share, int32_t n, const int32_t* points
     });
 }
 
-hm_status hm_parcel_unpack(hm_basis* rows, const double* parcel, int64_t doubles, hm_error* err) {
+hm_status hm_private_parcel_unpack(hm_basis* rows, const double* parcel, int64_t doubles,
+                                   hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis to;
         HARMORPH_TRY(require({{"parcel", parcel}}, fault));
@@ -164,8 +167,8 @@ hm_status hm_parcel_unpack(hm_basis* rows, const double* parcel, int64_t doubles
     });
 }
 
-hm_status hm_adjoint_scale(const hm_basis* basis, const hm_points* dj, int32_t* scale,
-                           const hm_executor* executor, hm_error* err) {
+hm_status hm_private_adjoint_scale(const hm_basis* basis, const hm_points* dj, int32_t* scale,
+                                   const hm_executor* executor, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         GradientCall call;
         HARMORPH_TRY(require({{"scale", scale}}, fault));
@@ -175,8 +178,8 @@ hm_status hm_adjoint_scale(const hm_basis* basis, const hm_points* dj, int32_t* 
     });
 }
 
-hm_status hm_adjoint_sums(const hm_basis* basis, const hm_points* dj, int32_t scale, int64_t* sums,
-                          const hm_executor* executor, hm_error* err) {
+hm_status hm_private_adjoint_sums(const hm_basis* basis, const hm_points* dj, int32_t scale,
+                                  int64_t* sums, const hm_executor* executor, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         GradientCall call;
         HARMORPH_TRY(require({{"sums", sums}}, fault));
@@ -194,8 +197,8 @@ hm_status hm_adjoint_sums(const hm_basis* basis, const hm_points* dj, int32_t sc
     });
 }
 
-hm_status hm_adjoint_finish(const hm_basis* basis, int32_t scale, const int64_t* sums,
-                            double* gradient, hm_error* err) {
+hm_status hm_private_adjoint_finish(const hm_basis* basis, int32_t scale, const int64_t* sums,
+                                    double* gradient, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         HARMORPH_TRY(require({{"sums", sums}, {"gradient", gradient}}, fault));

@@ -2,7 +2,7 @@
 #include "handles.hpp"
 #include "morph/adjoint.hpp"
 #include "morph/morph.hpp"
-#include "space/plane_search.hpp"
+#include "space/plane.hpp"
 
 namespace harmorph {
 namespace {

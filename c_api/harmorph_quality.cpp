@@ -1,10 +1,9 @@
 // The C interface: judges validity, admissible step and quality of a mesh, and the distance of its
 // wall from the moved curves.
-#include "mesh_pair.hpp"
 #include "basis/basis_measures.hpp"
-#include "morph/assessment.hpp"
+#include "mesh_pair.hpp"
+#include "morph/admissible_step.hpp"
 #include "morph/crossing.hpp"
-#include "morph/touch.hpp"
 
 namespace harmorph {
 namespace {

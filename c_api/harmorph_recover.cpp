@@ -1,7 +1,7 @@
 // The C interface: finds the movement that a mesh has made since its basis was made.
-#include "handles.hpp"
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "basis/wall_movement.hpp"
+#include "handles.hpp"
 
 namespace harmorph {
 namespace {
@@ -35,8 +35,8 @@ hm_status hm_recover_movement_size(const hm_basis* basis, size_t* bytes, hm_erro
 }
 
 hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double tolerance,
-                              double* move, double* residual, double* turned_offset, int32_t* point,
-                              void* work, size_t bytes, hm_error* err) {
+                              double* move, double* residual, double* rotated_offset,
+                              int32_t* point, void* work, size_t bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         Points now;
@@ -68,7 +68,7 @@ hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double
             move[2 * i + 1] = found.unknown[i].y;
         }
         if (residual != nullptr) *residual = found.residual.error;
-        if (turned_offset != nullptr) *turned_offset = found.turned_offset;
+        if (rotated_offset != nullptr) *rotated_offset = found.turned_offset;
         if (point != nullptr) *point = numbered(found.residual.point, b.header->index_base);
         return Status::ok;
     });

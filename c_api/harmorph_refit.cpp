@@ -43,8 +43,8 @@ hm_refit_report report_of(RefitReport const& found, Closure closure) noexcept {
     filled.closed_width = found.closed_width;
     filled.max_error_point = found.max_error_point;
     filled.closed = static_cast<std::int32_t>(closure);
-    filled.turn_x = found.turn.x;
-    filled.turn_y = found.turn.y;
+    filled.rotation_x = found.turn.x;
+    filled.rotation_y = found.turn.y;
     filled.shift_x = found.shift.x;
     filled.shift_y = found.shift.y;
     return filled;
@@ -57,21 +57,21 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_refit_size(const hm_curves* curves, int32_t curve, int32_t n, size_t* work_bytes,
+hm_status hm_refit_size(const hm_curves* curves, int32_t curve, int32_t n, size_t* bytes,
                         hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         AirfoilCurves airfoil;
         Refit refit;
-        HARMORPH_TRY(require({{"work_bytes", work_bytes}}, fault));
+        HARMORPH_TRY(require({{"bytes", bytes}}, fault));
         HARMORPH_TRY(airfoil.open(curves, curve, n, fault));
-        return count_bytes(work_bytes, fault,
+        return count_bytes(bytes, fault,
                            [&](Arena& arena) { refit.lay_out(arena, airfoil.curve, n); });
     });
 }
 
 hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_points* points, int32_t n,
                    int32_t is_loop, int32_t on_chord, double* movement, hm_refit_report* report,
-                   void* work, size_t work_bytes, hm_error* err) {
+                   void* work, size_t bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         AirfoilCurves airfoil;
         Points view;
@@ -81,7 +81,7 @@ hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_points* poin
         HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(view_points(points, "points", view, fault));
         HARMORPH_TRY(airfoil.open(curves, curve, n, fault));
-        HARMORPH_TRY(place(work, work_bytes, fault,
+        HARMORPH_TRY(place(work, bytes, fault,
                            [&](Arena& arena) { refit.lay_out(arena, airfoil.curve, n); }));
         HARMORPH_TRY(refit.run(airfoil.curve, airfoil.base_if(), view, n,
                                {is_loop != 0, on_chord != 0}, found, fault));

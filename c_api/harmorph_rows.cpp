@@ -1,8 +1,7 @@
 // The C interface: gives right-hand sides and residuals of the functions at the points of a part,
 // and takes their values.
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "operators/right_hand_sides.hpp"
-#include "harmorph_parts.h"
 #include "part_handles.hpp"
 
 namespace harmorph {
@@ -13,14 +12,15 @@ struct RowsCall {
     const PartEquations* equations = nullptr;
     Basis basis;
 
-    Status open_both(const hm_equations* handle, const hm_basis* rows, CallFault& fault) noexcept {
+    Status open_both(const hm_private_equations* handle, const hm_basis* rows,
+                     CallFault& fault) noexcept {
         HARMORPH_TRY(open(handle, "equations", equations, fault));
         HARMORPH_TRY(open_basis(rows, basis, fault));
         if (!equations->matches(basis))
             return fault.refuse(Status::bad_basis, "the rows were made from other equations");
         if (basis.header->solved == 0) return Status::ok;
         return fault.refuse(Status::bad_basis,
-                            "the rows are finished; make new ones by hm_rows_init");
+                            "the rows are finished; make new ones by hm_private_rows_init");
     }
     Status check_column(Index column, Argument const& numbers, Fault& fault) const noexcept {
         HARMORPH_TRY(require({numbers}, fault));
@@ -37,7 +37,8 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_rows_size(const hm_equations* equations, size_t* bytes, hm_error* err) {
+hm_status hm_private_rows_size(const hm_private_equations* equations, size_t* bytes,
+                               hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const PartEquations* opened = nullptr;
         HARMORPH_TRY(open(equations, "equations", opened, fault));
@@ -48,8 +49,8 @@ hm_status hm_rows_size(const hm_equations* equations, size_t* bytes, hm_error* e
     });
 }
 
-hm_status hm_rows_init(hm_basis** rows, void* block, size_t bytes, const hm_equations* equations,
-                       hm_error* err) {
+hm_status hm_private_rows_init(hm_basis** rows, void* block, size_t bytes,
+                               const hm_private_equations* equations, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const PartEquations* opened = nullptr;
         HARMORPH_TRY(require({{"rows", rows}}, fault));
@@ -67,8 +68,8 @@ hm_status hm_rows_init(hm_basis** rows, void* block, size_t bytes, const hm_equa
     });
 }
 
-hm_status hm_rows_get(const hm_equations* equations, const hm_basis* rows, int32_t column,
-                      double* numbers, hm_error* err) {
+hm_status hm_private_rows_get(const hm_private_equations* equations, const hm_basis* rows,
+                              int32_t column, double* numbers, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         RowsCall call;
         HARMORPH_TRY(call.open_both(equations, rows, fault));
@@ -78,8 +79,8 @@ hm_status hm_rows_get(const hm_equations* equations, const hm_basis* rows, int32
     });
 }
 
-hm_status hm_rows_set(const hm_equations* equations, hm_basis* rows, int32_t column,
-                      const double* numbers, hm_error* err) {
+hm_status hm_private_rows_set(const hm_private_equations* equations, hm_basis* rows, int32_t column,
+                              const double* numbers, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         RowsCall call;
         HARMORPH_TRY(call.open_both(equations, rows, fault));
@@ -89,8 +90,8 @@ hm_status hm_rows_set(const hm_equations* equations, hm_basis* rows, int32_t col
     });
 }
 
-hm_status hm_rows_residual(hm_equations* equations, const hm_basis* rows, int32_t column,
-                           double* residual, hm_error* err) {
+hm_status hm_private_rows_residual(hm_private_equations* equations, const hm_basis* rows,
+                                   int32_t column, double* residual, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         RowsCall call;
         HARMORPH_TRY(call.open_both(equations, rows, fault));
@@ -100,7 +101,8 @@ hm_status hm_rows_residual(hm_equations* equations, const hm_basis* rows, int32_
     });
 }
 
-hm_status hm_rows_finish(hm_equations* equations, hm_basis* rows, double largest, hm_error* err) {
+hm_status hm_private_rows_finish(hm_private_equations* equations, hm_basis* rows, double largest,
+                                 hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         RowsCall call;
         HARMORPH_TRY(call.open_both(equations, rows, fault));

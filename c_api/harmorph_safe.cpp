@@ -1,7 +1,7 @@
 // The C interface: makes large movements that stay valid, for which the functions are solved again
 // on the way.
+#include "base/vec2.hpp"
 #include "given_list.hpp"
-#include "base/range.hpp"
 #include "morph/quality.hpp"
 #include "safe/safe_displacement.hpp"
 
@@ -123,7 +123,7 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     filled.min_quality_cell = numbered(quality.min_quality_cell, base);
     filled.min_quality = quality.min_quality;
     filled.mean_quality = quality.mean_quality();
-    filled.turned_offset = safe.outcome.turned_offset;
+    filled.rotated_offset = safe.outcome.turned_offset;
     filled.start_quality = safe.start_quality;
     filled.end_point = numbered(safe.end, base);
     filled.end_distance = safe.end_distance;

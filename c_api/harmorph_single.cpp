@@ -1,6 +1,6 @@
 // The C interface: stores functions in single precision.
+#include "basis/derived_basis.hpp"
 #include "handles.hpp"
-#include "basis/single_precision.hpp"
 
 namespace harmorph {
 namespace {

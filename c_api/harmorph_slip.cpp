@@ -1,7 +1,7 @@
 // The C interface: puts points that slip along curves back onto their curves.
 #include "apart.hpp"
+#include "base/vec2.hpp"
 #include "handles.hpp"
-#include "base/range.hpp"
 #include "morph/slip_projection.hpp"
 
 namespace harmorph {

@@ -1,6 +1,5 @@
 // The C interface: smooth gradients.
-#include "base/box.hpp"
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "bspline/smooth_gradient.hpp"
 #include "call.hpp"
 #include "views.hpp"
@@ -52,18 +51,18 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_smooth_gradient_size(const hm_curves* curves, size_t* work_bytes, hm_error* err) {
+hm_status hm_smooth_gradient_size(const hm_curves* curves, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         SmoothedCurves set;
         SmoothGradient smooth;
-        HARMORPH_TRY(require({{"work_bytes", work_bytes}}, fault));
+        HARMORPH_TRY(require({{"bytes", bytes}}, fault));
         HARMORPH_TRY(set.open(curves, fault));
-        return count_bytes(work_bytes, fault, [&](Arena& arena) { set.lay_out(arena, smooth); });
+        return count_bytes(bytes, fault, [&](Arena& arena) { set.lay_out(arena, smooth); });
     });
 }
 
 hm_status hm_smooth_gradient(const hm_curves* curves, double length, const double* gradient,
-                             double* smoothed, void* work, size_t work_bytes, hm_error* err) {
+                             double* smoothed, void* work, size_t bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         SmoothedCurves set;
         SmoothGradient smooth;
@@ -77,8 +76,7 @@ hm_status hm_smooth_gradient(const hm_curves* curves, double length, const doubl
                                 {}, {}, length);
         }
         HARMORPH_TRY(check_gradient(gradient, set.n_control, fault));
-        HARMORPH_TRY(
-            place(work, work_bytes, fault, [&](Arena& arena) { set.lay_out(arena, smooth); }));
+        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { set.lay_out(arena, smooth); }));
         smooth.start();
         for (Index number = 0; number < set.view.count(); ++number) {
             Curve curve;

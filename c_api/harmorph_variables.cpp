@@ -1,8 +1,7 @@
 // The C interface: computes the map from design variables to control points.
-#include "base/box.hpp"
-#include "base/range.hpp"
-#include "bspline/section_area.hpp"
-#include "bspline/variable_map.hpp"
+#include "base/vec2.hpp"
+#include "bspline/section_measures.hpp"
+#include "bspline/variables.hpp"
 #include "section_view.hpp"
 
 namespace harmorph {

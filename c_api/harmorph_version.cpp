@@ -23,6 +23,7 @@ const char* hm_status_name(hm_status status) {
         case HM_BACKTRACKS: return "HM_BACKTRACKS";
         case HM_TORN: return "HM_TORN";
         case HM_FAR_FROM_CURVE: return "HM_FAR_FROM_CURVE";
+        case HM_FAR_FROM_POINTS: return "HM_FAR_FROM_POINTS";
         case HM_POOR: return "HM_POOR";
         case HM_CANCELLED: return "HM_CANCELLED";
         case HM_BAD_ARGUMENT: return "HM_BAD_ARGUMENT";

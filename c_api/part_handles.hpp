@@ -1,5 +1,5 @@
-// Opens the handles of harmorph_parts.h. An hm_part and an hm_equations point to the objects at the
-// beginning of their blocks.
+// Opens the handles of private.h. An hm_private_part and an hm_private_equations point to the
+// objects at the beginning of their blocks.
 #pragma once
 
 #include "handles.hpp"
@@ -14,7 +14,8 @@ Status open(Handle* handle, const char* name, Object*& object, Fault& fault) noe
     return Status::ok;
 }
 
-inline Status open_part(const hm_part* handle, const Part*& part, CallFault& fault) noexcept {
+inline Status open_part(const hm_private_part* handle, const Part*& part,
+                        CallFault& fault) noexcept {
     HARMORPH_TRY(open(handle, "part", part, fault));
     fault.bases.mesh = part->own().index_base;
     return Status::ok;

@@ -1,4 +1,4 @@
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "request.hpp"
 
 namespace harmorph {
@@ -38,15 +38,15 @@ Status Request::read_rest(hm_problem const& p, const hm_options* options,
         n_curves = curves.count();
     }
     HARMORPH_TRY(read_conditions(p, fault));
-    if (p.n_given < 0) {
-        return fault.refuse(Status::bad_argument, "problem.n_given must be at least 0, not #",
-                            plain(p.n_given));
+    if (p.n_known < 0) {
+        return fault.refuse(Status::bad_argument, "problem.n_known must be at least 0, not #",
+                            plain(p.n_known));
     }
-    if (p.n_given > 0 && (!p.given_points || !p.given_curves || !p.given_u)) {
+    if (p.n_known > 0 && (!p.known_points || !p.known_curves || !p.known_u)) {
         return fault.refuse(
             Status::bad_argument,
-            "problem.given_points, given_curves or given_u is NULL, but problem.n_given is #",
-            plain(p.n_given));
+            "problem.known_points, known_curves or known_u is NULL, but problem.n_known is #",
+            plain(p.n_known));
     }
     if (!is_between(0, p.max_curve_distance, largest_coordinate)) {
         return fault.refuse(Status::bad_argument,
@@ -54,9 +54,9 @@ Status Request::read_rest(hm_problem const& p, const hm_options* options,
                             p.max_curve_distance);
     }
     if (p.max_curve_distance > 0) problem.max_curve_distance = p.max_curve_distance;
-    Size const n = static_cast<Size>(p.n_given);
+    Size const n = static_cast<Size>(p.n_known);
     problem.given = {
-        problem.mesh.index_base, {p.given_points, n}, {p.given_curves, n}, {p.given_u, n}};
+        problem.mesh.index_base, {p.known_points, n}, {p.known_curves, n}, {p.known_u, n}};
     return Status::ok;
 }
 

@@ -13,7 +13,7 @@ struct Request {
     const hm_condition* condition = nullptr;
     Index n_conditions = 0;
 
-    // Reads mesh, options, curves and conditions. The given parameters count from the index base of
+    // Reads mesh, options, curves and conditions. The known parameters count from the index base of
     // the mesh.
     Status read(const hm_problem* given, const hm_options* options, CallFault& fault) noexcept;
     // Reads everything except the mesh.

@@ -1,7 +1,7 @@
 // Reads a section of the caller's curves, checks it, and joins the curves to an outline.
 #pragma once
 
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "bspline/section.hpp"
 #include "views.hpp"
 

@@ -1,7 +1,7 @@
 // Refuses meshes with an inverted cell, for calls that look into the cells.
 #pragma once
 
-#include "base/parallel_reduce.hpp"
+#include "base/executor.hpp"
 #include "handles.hpp"
 #include "mesh/cell_shape.hpp"
 

@@ -1,5 +1,5 @@
 // Reads the options of fits from the caller's structs.
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "views.hpp"
 
 namespace harmorph {

@@ -1,6 +1,6 @@
 // Views of curves and conditions. They are apart from the other views so that a program that only
 // moves meshes does not link them.
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "views.hpp"
 
 namespace harmorph {

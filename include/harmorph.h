@@ -1,5 +1,6 @@
 /* clang-format off */
-/* harmorph morphs an airfoil and the CFD mesh around the airfoil together. MIT licence.
+/* harmorph morphs an airfoil and the CFD mesh around the airfoil together, in two dimensions. MIT
+ * licence.
  *
  * The airfoil is a B-spline curve. Each basis function N_i of the curve is boundary data for
  * Laplace's equation, or a related one, on the mesh. The solutions F_i are computed once, and then
@@ -7,27 +8,52 @@
  * (Nikolos, Lygidakis, Leloudas, Tavla, "Application of B-spline basis functions as harmonic
  * functions for the concurrent shape and mesh morphing of airfoils".)
  *
- * This header suffices for a solver on one process. The other headers contain, by topic:
- *   harmorph_design.h  evaluation, refinement and measures of curves, variables, slipping points
- *   harmorph_bases.h   bases made from another one: single precision, combined, finer, by table
- *   harmorph_study.h   diagnostics, and the schemes and engines of the paper
- *   harmorph_fields.h  swept areas, wall distances, coarse levels, fields of one mesh on another
- *   harmorph_space.h   meshes one cell thick, blocks in arrays of their own, meshes given as edges
- *   harmorph_parts.h   functions and meshes shared among processes (harmorph_mpi.h, _petsc.h)
- *   harmorph_quality.h smooth bounds of the quality of a mesh, with derivatives, for optimisers
- *   harmorph_openmp.h, harmorph_pthreads.h, harmorph_pages.h   ready-made threads, huge pages
+ * THE SHORTEST USE. `mesh` is an hm_mesh whose faces at the airfoil have the marker `wall`. The
+ * curve gets 20 control points; move [2*20] has the movement dx,dy of each of them.
+ *
+ *     hm_fit_marker_size(&mesh, 1, &wall, NULL, &bytes, &error);
+ *     hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, &wall, NULL, NULL, &error);
+ *     hm_condition on_curve = {sizeof on_curve, wall, HM_ON_CURVE};
+ *     on_curve.n_curves = curves->n_curves;
+ *     hm_problem problem = {sizeof problem, &mesh, curves, 1, &on_curve};
+ *     hm_setup setup = {sizeof setup};
+ *     hm_setup_size(&problem, NULL, &bytes, &error);
+ *     hm_setup_init(&setup, malloc(bytes), bytes, &problem, NULL, &error);
+ *     hm_setup_solve(&setup, malloc(setup.solve_bytes), setup.solve_bytes, NULL, &error);
+ *     hm_morph(setup.basis, move, &mesh.points, &to, NULL, &error);
+ *
+ * `to` is an hm_points_out, which may be the arrays of the mesh. Each call returns a status, which
+ * is negative if the call was refused; error.text then says why. c_api/examples/morph.c is a
+ * complete program of 60 lines.
+ *
+ * ORDER OF CALLS. Calls that end in _size say how many bytes the block of the next call takes.
+ *
+ *     hm_fit_marker, or hm_fit          a curve through the wall, unless there is one
+ *     hm_setup_init > hm_setup_solve    all of the next four lines, in two blocks
+ *         hm_analysis_init              checks, ordering, symbolic factorisation
+ *         hm_plan_init, hm_basis_init   memory for the factor, memory for the functions F_i
+ *         hm_plan_factor                matrix and factor
+ *         hm_plan_solve                 the functions
+ *     hm_morph, hm_adjoint, hm_assess   any number of times
+ *
+ * hm_morph and hm_adjoint need only the basis, hm_assess also the mesh. Keep the plan if you call
+ * hm_displace, hm_morph_safe, hm_displace_safe or hm_improve later, and the analysis if you call
+ * hm_slip later.
+ *
+ * HEADERS. This header suffices for a solver on one process. The other headers, by topic:
+ *
+ *     harmorph_design.h    evaluation, refinement, measures of curves; variables; slipping points
+ *     harmorph_bases.h     bases made from another one: single precision, combined, finer, by table
+ *     harmorph_quality.h   smooth bounds of the quality of a mesh, with derivatives, for optimisers
+ *     harmorph_fields.h    swept areas, wall distances, fields of one mesh on another
+ *     harmorph_space.h     meshes one cell thick, blocks in arrays of their own, meshes as edges
+ *     harmorph_study.h     diagnostics, and the schemes and engines of the paper
+ *     harmorph_mpi.h, harmorph_petsc.h   several processes: functions, or the mesh, distributed
+ *     harmorph_openmp.h, harmorph_pthreads.h, harmorph_pages.h   ready-made threads, huge pages
  *
  * CONVENTIONS hold for every function of these headers.
  *
  * Languages        C89 (with stdint.h), C99, C11, C++11 to C++20; no C++ run-time library.
- * Order of calls   hm_analysis_size > hm_analysis_init   checks, ordering, symbolic factorisation
- *                  hm_plan_size > hm_plan_init           memory for the matrix and the factor
- *                  hm_basis_size > hm_basis_init         memory for the functions F_i
- *                  hm_plan_factor > hm_plan_solve        matrix, factor, functions
- *                  hm_morph, hm_adjoint, hm_assess       any number of times
- *                  hm_morph and hm_adjoint need only the basis, hm_assess also the mesh. Keep the
- *                  plan if you call hm_displace, hm_morph_safe, hm_displace_safe or hm_improve
- *                  later, and the analysis if you call hm_slip later.
  * Memory           The library allocates no memory. A *_size function returns the exact number of
  *                  bytes; any alignment is accepted. An object lives inside the caller's block:
  *                  nothing has to be freed, and the block must not move while the object is in use
@@ -124,6 +150,9 @@ enum {
      * alike, see hm_basis_info.shared_point. error.other: the second one. hm_boundary_error: the
      * movement tears the two apart. error.value: the distance. */
     HM_TORN = 7,
+    /* hm_fit, hm_fit_marker: the curve is farther from a point (error.item) than
+     * hm_fit_details.tolerance. error.value: the largest distance. */
+    HM_FAR_FROM_POINTS = 8,
     HM_CANCELLED = -1,     /* the progress callback asked to stop; repeat the call to continue */
     HM_BAD_ARGUMENT = -2,  /* NULL, a size or number out of range, an unknown struct_size */
     HM_BAD_MESH = -3,      /* index, repeated point, non-manifold edge, inverted cell, coordinate */
@@ -360,8 +389,11 @@ typedef struct hm_fit_report {
      * that are far apart at a round nose explain some of this distance, and a curve that bulges
      * between points the rest; above .002 chords, look at the curve. */
     double max_departure;
+    /* Bytes at the beginning of the block that the curves need; the rest of the block is free. */
+    uint64_t bytes;
 } hm_fit_report;
 
+/* Bytes of the block of hm_fit: the curves, and behind them working memory. */
 HM_API hm_status hm_fit_size(int32_t n, const hm_fit_options* options, size_t* bytes,
                              hm_error* err);
 /* Fits curves to n points in order, by least squares; knots are placed by arc length and curvature.
@@ -376,14 +408,13 @@ HM_API hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes,
  * boundary, joins the two sides of cuts (the trailing edge of a C-mesh), and fits each connected
  * piece, in the order of first faces, by curves of its own with n_control control points. The
  * report is that of the piece with the largest max_error. The size query reads the markers; *bytes
- * is enough for any number of pieces. A marker that no face has is refused (HM_BAD_CONDITION). */
+ * is enough for any number of pieces, with the working memory; only the first hm_fit_report.bytes
+ * of the block are needed afterwards. A marker that no face has is refused (HM_BAD_CONDITION). */
 HM_API hm_status hm_fit_marker_size(const hm_mesh* mesh, int32_t n_markers, const int32_t* markers,
-                                    const hm_fit_options* options, size_t* bytes,
-                                    size_t* work_bytes, hm_error* err);
+                                    const hm_fit_options* options, size_t* bytes, hm_error* err);
 HM_API hm_status hm_fit_marker(const hm_curves** curves, void* block, size_t bytes,
                                const hm_mesh* mesh, int32_t n_markers, const int32_t* markers,
-                               const hm_fit_options* options, hm_fit_report* report, void* work,
-                               size_t work_bytes, hm_error* err);
+                               const hm_fit_options* options, hm_fit_report* report, hm_error* err);
 
 /* ---- Problem: what is to be solved ---- */
 
@@ -451,11 +482,11 @@ typedef struct hm_problem {
     const hm_curves* curves;
     int32_t n_conditions;           /* at least one condition is on a curve, rigid or given */
     const hm_condition* conditions; /* [n_conditions] */
-    /* Curve points with a given parameter; the parameters of the others are found by projection. */
-    int32_t n_given;
-    const int32_t* given_points; /* [n_given] */
-    const int32_t* given_curves; /* [n_given] */
-    const double* given_u;       /* [n_given] */
+    /* Curve points with a known parameter; the parameters of the others are found by projection. */
+    int32_t n_known;
+    const int32_t* known_points; /* [n_known] */
+    const int32_t* known_curves; /* [n_known] */
+    const double* known_u;       /* [n_known] */
     /* [-] 0 .. 1e100. HM_FAR_FROM_CURVE: the distance of a point from its curve is at least 0.001
      * of the diagonal of the box around the curve, or the point is more than a quarter of a face
      * beyond the end of the curve. Refused (HM_BAD_CONDITION): a distance of at least this part of
@@ -593,6 +624,32 @@ typedef struct hm_solve_report {
 HM_API hm_status hm_plan_solve(hm_plan* plan, hm_basis* basis, hm_solve_report* report,
                                hm_error* err);
 
+/* ---- Setup: analysis, plan and basis in two blocks, for programs that keep them together ---- */
+
+typedef struct hm_setup {
+    uint64_t struct_size;
+    hm_analysis* analysis;
+    hm_plan* plan;   /* with a factor at the mesh's own coordinates; NULL before hm_setup_solve */
+    hm_basis* basis; /* solved; NULL before hm_setup_solve */
+    uint64_t solve_bytes; /* exact bytes of the block of hm_setup_solve */
+} hm_setup;
+
+/* Bytes of the first block, from the counts alone: those of hm_analysis_size. */
+HM_API hm_status hm_setup_size(const hm_problem* problem, const hm_options* options, size_t* bytes,
+                               hm_error* err);
+/* Does what hm_analysis_init does, and counts the bytes of plan and basis. Warnings are those of
+ * hm_analysis_init. A problem without conditions is refused (HM_BAD_ARGUMENT). */
+HM_API hm_status hm_setup_init(hm_setup* setup, void* block, size_t bytes,
+                               const hm_problem* problem, const hm_options* options, hm_error* err);
+/* Makes plan and basis in the second block, factors and solves, as hm_plan_init, hm_basis_init,
+ * hm_plan_factor and hm_plan_solve do with the same bits. report may be NULL. After a refused call
+ * setup is as before. The handles serve all other calls: to solve again on a moved mesh, call
+ * hm_plan_factor and hm_plan_solve with them. The basis lies at the beginning of the block, in
+ * front of the plan: where morphs follow alone, keep hm_basis_info.bytes bytes from setup.basis on.
+ */
+HM_API hm_status hm_setup_solve(hm_setup* setup, void* block, size_t bytes, hm_solve_report* report,
+                                hm_error* err);
+
 /* A basis is one block without pointers: write the block to a file unchanged (hm_basis_info.bytes),
  * read or map the file at a multiple of 8 bytes, and attach. Refused with the reason: no basis,
  * another format version or byte order, truncated, damaged (checksum), of a mesh with other cells
@@ -653,10 +710,12 @@ HM_API hm_status hm_morph(const hm_basis* basis, const double* move, const hm_po
                           const hm_points_out* to, const hm_executor* executor, hm_error* err);
 /* The transpose of hm_morph. dj: derivatives of an objective J with respect to the mesh points (x:
  * dJ/dx_k, y: dJ/dy_k); gradient [2*functions]: derivatives with respect to the control points. The
- * result does not depend on the numbering of the mesh points, see hm_adjoint_scale of
- * harmorph_parts.h. If a number is not finite, the whole gradient is NaN. The morph F is linear, so
- * the product of the Hessian F^T H F of J and a vector v of movements is hm_adjoint of H times
- * hm_morph of v; H has the second derivatives of J with respect to the mesh points. */
+ * result does not depend on the numbering of the mesh points: products are rounded once and added
+ * as integers, in units of 2^-63 of a power of two up to 2 max|F| max|dj|. The error is at most
+ * 2^-51 sum|F dj| + N 2^-63 max|F| max|dj| for N points. If a number is not finite or a product
+ * could overflow, the whole gradient is NaN. The morph F is linear, so the product of the Hessian
+ * F^T H F of J and a vector v of movements is hm_adjoint of H times hm_morph of v; H has the second
+ * derivatives of J with respect to the mesh points. */
 HM_API hm_status hm_adjoint(const hm_basis* basis, const hm_points* dj, double* gradient,
                             const hm_executor* executor, hm_error* err);
 
@@ -847,7 +906,7 @@ typedef struct hm_safe_report {
     int32_t angle_point; /* where the angle changed most; -1: there are no first-layer edges */
     int32_t min_height_point, max_height_point;
     int32_t n_worst;        /* 0 .. 5, at most the number of cells */
-    double turned_offset;   /* [length] largest |(r - 1) e|, see hm_morph_safe */
+    double rotated_offset;  /* [length] largest |(r - 1) e|, see hm_morph_safe */
     double start_quality;   /* [0..1] smallest skew quality of the start */
     hm_worst_cell worst[5]; /* [n_worst] the cells of lowest quality of `to`, the worst first */
     int32_t end_point; /* the end of a wall that leaves the boundary beside it farthest; -1: none */
@@ -885,10 +944,10 @@ HM_API hm_status hm_morph_safe_size(const hm_plan* plan, const hm_basis* basis, 
  * derivative: NULL, or another basis of the same analysis (hm_basis_init). It receives the sum of
  * the functions of all steps, weighted by their parts of the movement, so that hm_morph with this
  * basis is the derivative of `to` with respect to `move`, and hm_adjoint the transpose. This is
- * exact for wall points on their curve; where a body turns or scales by r and has reached the part
- * t < 1, they move by t r^(t-1) sum_i N_i dP_i. Neglected are changes of (r - 1) e, the influence
- * of `move` and earlier steps on later functions, steps and rotations, how inner points follow
- * those that slip, and what untangling, improvement and heights moved. */
+ * exact for wall points on their curve; where a body rotates or scales by r and has reached the
+ * part t < 1, they move by t r^(t-1) sum_i N_i dP_i. Neglected are changes of (r - 1) e, the
+ * influence of `move` and earlier steps on later functions, steps and rotations, how inner points
+ * follow those that slip, and what untangling, improvement and heights moved. */
 HM_API hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move,
                                const hm_points_out* to, hm_basis* derivative, void* work,
                                size_t bytes, const hm_safe_options* options, hm_safe_report* report,

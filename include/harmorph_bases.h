@@ -1,6 +1,7 @@
 /* Bases that are made from another basis: its functions in single precision, combined into one
  * function for each design variable, interpolated to a finer mesh, or extended by functions whose
- * values at the wall are given by a table. The conventions of harmorph.h hold. */
+ * values at the wall are given by a table; and the functions as a dense array. The conventions of
+ * harmorph.h hold. */
 #ifndef HARMORPH_BASES_H
 #define HARMORPH_BASES_H
 
@@ -9,6 +10,18 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* ---- Functions as a dense array, for products elsewhere ---- */
+
+/* Copies all functions at all points to matrix [numbers_per_value * n_points * functions]: planes
+ * of numbers (hm_basis_info), in each plane the points one after the other, for each point the
+ * functions. With the planes as matrices F0, F1, ... [n_points, functions], and the movements of
+ * hm_morph as the columns px, py [functions], the displacements of hm_morph are, but for rounding,
+ *     1 plane:   dx = F0 px              dy = F0 py
+ *     2 planes:  dx = F0 px - F1 py      dy = F1 px + F0 py
+ *     4 planes:  dx = F0 px + F1 py      dy = F2 px + F3 py
+ * so that a thousand movements are one product of matrices in any library, on any device. */
+HM_API hm_status hm_basis_matrix(const hm_basis* basis, double* matrix, hm_error* err);
 
 /* ---- Functions in single precision ---- */
 
@@ -40,7 +53,7 @@ HM_API hm_status hm_single_init(hm_basis** single, void* block, size_t bytes, co
  * control point 0 first; controls = functions - 2 * bodies - modes of the given basis; numbers 1:
  * real values, 2: pairs x,y, complex numbers (those of hm_variables_map). Rigid bodies and modes
  * keep their functions after the n. Points are moved, gradients formed, and curves moved
- * (hm_moved_curves) by variables instead of control points; the basis has the memory of n
+ * (hm_basis_curves) by variables instead of control points; the basis has the memory of n
  * functions, and the first basis is no longer needed. Values are real if those of the first basis
  * and the matrix are. If the matrix of a variable or the functions are complex, the movement is
  * rotated by the angle of the variable; a variable that is one number v moves by (v, 0).
@@ -93,31 +106,41 @@ HM_API hm_status hm_transfer(hm_basis* basis, void* block, size_t bytes,
 
 /* ---- Functions by table: modes given at wall points ---- */
 
-/* Makes a second basis: the functions of `basis`, and after them n_modes functions with given
- * values at the points of the markers with HM_GIVEN: structural modes, modes of a proper orthogonal
+/* A table of modes: displacements of wall points for a unit of each amplitude. */
+typedef struct hm_modes {
+    uint64_t struct_size;
+    int32_t n_modes; /* 1 .. 2^20 */
+    /* 0 or 2: pairs x,y, complex numbers: the amplitude (1, 0) moves the points by (x, y), (0, 1)
+     * by the same rotated by 90 degrees. 1: real values, which move points along the amplitude. */
+    int32_t numbers;
+    int32_t n; /* wall points */
+    int32_t reserved;
+    const int32_t* points; /* [n] see hm_displace; NULL: in the order of hm_given_points */
+    const double*
+        values; /* [n_modes * n * numbers] mode by mode; hm_tabulate_size does not read it */
+} hm_modes;
+
+/* Makes a second basis: the functions of `basis`, and after them functions with given values at the
+ * points of the markers with HM_GIVEN: structural modes, modes of a proper orthogonal
  * decomposition, anything linear. They are solved with the plan, as by hm_displace; an amplitude
- * moves wall point k by its mode times the amplitude. modes [n_modes * n * numbers]: mode by mode,
- * at the n wall points listed in `points` (see hm_displace; NULL: in the order of hm_given_points);
- * numbers 1: real values, which move points along the amplitude (dx, dy); 2: pairs x,y, complex
- * numbers: the amplitude (1, 0) moves the points by (x, y), (0, 1) by the same rotated by 90
- * degrees. Values of the functions are real if those of `basis` and the modes are. move, see
- * hm_morph, has the amplitudes last.
+ * moves wall point k by its mode times the amplitude. Values of the functions are real if those of
+ * `basis` and the modes are. move, see hm_morph, has the amplitudes last.
  *
  * The new basis refers to nothing else and is used like any basis: hm_plan_solve solves it again,
  * on moved coordinates too, with the same values at the wall, if it has at most 1024 numbers at a
  * point for its modes. hm_transfer refuses it with HM_UNSUPPORTED, because a table says nothing
  * between its points. `basis` must be of the same analysis as the plan, complete, in double
- * precision, and solved if it has functions. work: working memory of work_bytes. report may be
- * NULL; functions are fields there. Refused with HM_BAD_CONDITION: no marker with HM_GIVEN, a mode
- * that is zero (error.item: the mode, from 0), a list that is not that of the given points; with
- * HM_BAD_ARGUMENT: values that are not finite. HM_NOT_CONVERGED is that of hm_plan_solve. */
-HM_API hm_status hm_tabulate_size(const hm_plan* plan, const hm_basis* basis, int32_t n_modes,
-                                  int32_t numbers, size_t* bytes, size_t* work_bytes,
-                                  hm_error* err);
+ * precision, and solved if it has functions. The new basis lies at the beginning of the block, and
+ * working memory behind it: only hm_basis_info.bytes bytes from the basis on are needed afterwards.
+ * report may be NULL; functions are fields there. Refused with HM_BAD_CONDITION: no marker with
+ * HM_GIVEN, a mode that is zero (error.item: the mode, from 0), a list that is not that of the
+ * given points; with HM_BAD_ARGUMENT: values that are not finite. HM_NOT_CONVERGED is that of
+ * hm_plan_solve. */
+HM_API hm_status hm_tabulate_size(const hm_plan* plan, const hm_basis* basis, const hm_modes* modes,
+                                  size_t* bytes, hm_error* err);
 HM_API hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* plan,
-                             const hm_basis* basis, int32_t n, const int32_t* points,
-                             int32_t n_modes, int32_t numbers, const double* modes, void* work,
-                             size_t work_bytes, hm_solve_report* report, hm_error* err);
+                             const hm_basis* basis, const hm_modes* modes, hm_solve_report* report,
+                             hm_error* err);
 
 #ifdef __cplusplus
 }

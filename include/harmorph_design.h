@@ -40,15 +40,13 @@ HM_API hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_mar
                                       const int32_t* markers, int32_t piece, int32_t* points,
                                       int32_t capacity, int32_t* n, int32_t* is_loop,
                                       hm_error* err);
-/* The curves that the basis was solved with (index_base 0). curve [capacity >= info.curves]
- * receives the curves, to which out->curve points; all other arrays are inside the basis. */
-HM_API hm_status hm_basis_curves(const hm_basis* basis, hm_curves* out, hm_curve* curve,
-                                 int32_t capacity, hm_error* err);
-/* The same curves after one movement: control [2*n_control] receives the control points of the
- * basis plus `move` (see hm_morph; rigid bodies have no curve), and out->control points there.
- * After several morphs in place, `move` is the sum of their movements, which hm_recover_movement
- * finds from the mesh. */
-HM_API hm_status hm_moved_curves(const hm_basis* basis, const double* move, double* control,
+/* The curves of a basis (index_base 0): those that the basis was solved with (move NULL; control is
+ * not used), or those after one movement. In the latter case control [2*n_control] receives the
+ * control points of the basis plus `move` (see hm_morph; rigid bodies have no curve), and
+ * out->control points there. After several morphs in place, `move` is the sum of their movements,
+ * which hm_recover_movement finds from the mesh. curve [capacity >= info.curves] receives the
+ * curves, to which out->curve points; all other arrays are inside the basis. */
+HM_API hm_status hm_basis_curves(const hm_basis* basis, const double* move, double* control,
                                  hm_curves* out, hm_curve* curve, int32_t capacity, hm_error* err);
 
 /* Further options of a fit: hm_fit_options.details. A field that is 0 has no effect. */
@@ -66,9 +64,9 @@ typedef struct hm_fit_details {
     double smoothing;
     /* [length] > 0: control points (and with them knots, where the errors are) are inserted, from
      * degree + 1 up to options.n_control, until report.max_error is at most this; each step adds
-     * one control point, or an eighth of their number if that is more. HM_SHORT: n_control control
-     * points do not suffice; the curve is that of the last step. The size queries count n_control.
-     * 0: the curve has n_control control points. */
+     * one control point, or an eighth of their number if that is more. HM_FAR_FROM_POINTS:
+     * n_control points do not suffice; the curve is that of the last step. The size queries count
+     * n_control. 0: the curve has n_control control points. */
     double tolerance;
     /* Directions of the curve (not the other way round) where it begins and where it ends, of any
      * length; 0,0: free. Degree >= 2, n_control >= 4; not for periodic curves. HM_BAD_CURVE: the
@@ -116,10 +114,10 @@ typedef struct hm_refit_report {
     double closed_width;
     int32_t max_error_point; /* position in the list, from 0 */
     int32_t closed;          /* how the outline of the points closes: HM_OPEN, ... */
-    /* The point (x, y) was placed at (turn_x x - turn_y y + shift_x, turn_y x + turn_x y +
-     * shift_y); without on_chord the place is that of the point, to rounding. */
-    double turn_x, turn_y;   /* [-] */
-    double shift_x, shift_y; /* [length] of the curve */
+    /* The point (x, y) was placed at (rotation_x x - rotation_y y + shift_x, rotation_y x +
+     * rotation_x y + shift_y); without on_chord the place is that of the point, to rounding. */
+    double rotation_x, rotation_y; /* [-] */
+    double shift_x, shift_y;       /* [length] of the curve */
 } hm_refit_report;
 
 /* Finds the movement of the control points with which the curve of an airfoil becomes another
@@ -140,11 +138,11 @@ typedef struct hm_refit_report {
  * are no such outline, points with a sharp trailing edge for a curve with a blunt base. A failed
  * call leaves movement as it was. (W. Wang, H. Pottmann, Y. Liu, ACM Trans. Graph. 25 (2006) 214.)
  */
-HM_API hm_status hm_refit_size(const hm_curves* curves, int32_t curve, int32_t n,
-                               size_t* work_bytes, hm_error* err);
+HM_API hm_status hm_refit_size(const hm_curves* curves, int32_t curve, int32_t n, size_t* bytes,
+                               hm_error* err);
 HM_API hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_points* points,
                           int32_t n, int32_t is_loop, int32_t on_chord, double* movement,
-                          hm_refit_report* report, void* work, size_t work_bytes, hm_error* err);
+                          hm_refit_report* report, void* work, size_t bytes, hm_error* err);
 
 /* ---- Smooth gradients ---- */
 
@@ -159,10 +157,9 @@ HM_API hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_point
  * there; ends that share no control point are independent. A control point that no curve uses keeps
  * its gradient. The shape of s does not depend on the unit of length of g. (A. Jameson, J. Sci.
  * Comput. 3 (1988) 233.) */
-HM_API hm_status hm_smooth_gradient_size(const hm_curves* curves, size_t* work_bytes,
-                                         hm_error* err);
+HM_API hm_status hm_smooth_gradient_size(const hm_curves* curves, size_t* bytes, hm_error* err);
 HM_API hm_status hm_smooth_gradient(const hm_curves* curves, double length, const double* gradient,
-                                    double* smoothed, void* work, size_t work_bytes, hm_error* err);
+                                    double* smoothed, void* work, size_t bytes, hm_error* err);
 
 /* ---- Measures of a section, with derivatives with respect to the control points ---- */
 
@@ -218,7 +215,7 @@ enum {
      * alone, a smooth lower bound. */
     HM_CLEARANCE = 16,
     /* [degrees, -180 .. 180] angle from the x axis to the chord line, counter-clockwise: minus the
-     * twist of an airfoil whose leading edge turns up */
+     * twist of an airfoil whose leading edge rotates up */
     HM_TWIST = 17,
     /* [length] smallest thickness over the stations from `station` to `last_station`. With a
      * sharpness: a smooth lower bound of the thickness at 65 equidistant stations of this range. */
@@ -325,14 +322,15 @@ HM_API hm_status hm_variables_map(const hm_curves* curves, const hm_section* sec
                                   const hm_variables* variables, void* work, size_t bytes,
                                   double* matrix, double* error, hm_error* err);
 
-/* ---- Movements of a section by values: turns, flaps, and variables that are not linear ---- */
+/* ---- Movements of a section by values: rotations, flaps, and variables that are not linear ----
+ */
 
 /* hm_movement.kind, with the values v of the movement. Every value is a change, and 0 moves
  * nothing. Angles are positive counter-clockwise. */
 enum {
-    HM_TURN = 0,  /* v0 [degrees]: rotation about (x, y) */
-    HM_SHIFT = 1, /* v0, v1 [length]: translation by (v0, v1) */
-    HM_SCALE = 2, /* v0 [-]: the distances from (x, y) are multiplied by 1 + v0 > 0 */
+    HM_ROTATE = 0, /* v0 [degrees]: rotation about (x, y) */
+    HM_SHIFT = 1,  /* v0, v1 [length]: translation by (v0, v1) */
+    HM_SCALE = 2,  /* v0 [-]: the distances from (x, y) are multiplied by 1 + v0 > 0 */
     /* v0 [degrees]: deflection behind the hinge H = (x, y). Each control point P becomes
      * H + R(v0 S(d / length)) (P - H): R is the rotation, d the distance of P behind H in the
      * direction of the chord, and S(t) = t^3 (10 - 15 t + 6 t^2) between 0 and 1, 0 before, 1
@@ -343,7 +341,7 @@ enum {
      * sum_k c_k s (1-s) B_k(s) to the camber line, B_k Bernstein polynomials of degree n_camber-1,
      * s the station; then n_thickness numbers t_k, which add sum_k t_k s^.5 (1-s) B_k(s) to half
      * the thickness, normal to the camber line. Points keep their station and their distance from
-     * the camber line, so that a change of camber turns the thickness. */
+     * the camber line, so that a change of camber rotates the thickness. */
     HM_CAMBER_THICKNESS = 4,
     /* Eleven changes of the parameters of H. Sobieczky's PARSEC (Notes Numer. Fluid Mech. 68 (1998)
      * 71), lengths in chords: leading-edge radius; station, height and second derivative of the
@@ -354,16 +352,16 @@ enum {
     /* v0, v1, v2 [degrees]: changes of the metal angle at the leading edge and at the trailing
      * edge, and of the stagger. Metal angles are those of the camber line, stagger that of the
      * chord, all counted from the x axis. A cubic with these angles is added to the camber line,
-     * the thickness turns with the camber line, and the section rotates about (x, y) by v2. */
+     * the thickness rotates with the camber line, and the section rotates about (x, y) by v2. */
     HM_BLADE = 6
 };
 
 /* Fields that belong to another kind must be 0. */
 typedef struct hm_movement {
     uint64_t struct_size;          /* the same in all movements of one call */
-    int32_t kind;                  /* HM_TURN, ... */
+    int32_t kind;                  /* HM_ROTATE, ... */
     int32_t n_camber, n_thickness; /* HM_CAMBER_THICKNESS: 0 .. 64, together at least 1 */
-    double x, y;                   /* turn, scale, blade: the centre; flap: the hinge */
+    double x, y;                   /* rotate, scale, blade: the centre; flap: the hinge */
     double length;                 /* flap: > 0; 0 means a tenth of the chord */
 } hm_movement;
 
@@ -378,16 +376,16 @@ HM_API hm_status hm_move_section_size(const hm_curves* curves, const hm_section*
  * derivatives of x and y of each control point with respect to value j at these values; their
  * products with a gradient of hm_adjoint are the derivatives with respect to the values.
  *
- * Turn, shift and scale map control points, and so move the curves exactly. A flap maps control
+ * Rotate, shift and scale map control points, and so move the curves exactly. A flap maps control
  * points, too: the curve moves as the map of its points except near the transition, where control
  * points that are dense compared with `length` make the difference small (hm_refine). The other
  * three move the outline in the least-squares sense of hm_variables_map. error [2], or NULL: root
  * mean square and largest difference [length] that remains on the outline, at these values; of a
- * flap between the moved curve and the map of its points; 0 for turn, shift and scale. start [n],
+ * flap between the moved curve and the map of its points; 0 for rotate, shift and scale. start [n],
  * or NULL: the values that the given curves have: the parameters for HM_PARSEC, the angles for
  * HM_BLADE, otherwise 0. The camber line is the polynomial s (1-s) p(s), p of degree 5, that is
  * nearest to the middles of the thickness normal to this line, at 33 stations. section as in
- * hm_measure; only turn, shift and scale do without a chord. Refused, outputs unchanged: values
+ * hm_measure; only rotate, shift and scale do without a chord. Refused, outputs unchanged: values
  * that are not finite, degrees beyond 360, a factor that is not > 0, a metal angle beyond 85
  * degrees from the chord, a PARSEC crest outside the chord or radius below 0 (HM_BAD_ARGUMENT,
  * error.item: the value, from 0); a section without a round leading edge, without a crest on both
@@ -409,9 +407,9 @@ HM_API hm_status hm_move_section(const hm_curves* curves, const hm_section* sect
  * 1024. Control points that no curve uses have weight 0 and receive 0. Refused with
  * HM_BAD_ARGUMENT: movements that are not finite, or all 0 (outputs unchanged). (One-sided Jacobi:
  * Hestenes, J. SIAM 6 (1958) 51.) */
-HM_API hm_status hm_family_modes_size(const hm_curves* curves, size_t* work_bytes, hm_error* err);
+HM_API hm_status hm_family_modes_size(const hm_curves* curves, size_t* bytes, hm_error* err);
 HM_API hm_status hm_family_modes(const hm_curves* curves, int32_t n, double* movements,
-                                 double* singular, void* work, size_t work_bytes, hm_error* err);
+                                 double* singular, void* work, size_t bytes, hm_error* err);
 
 /* ---- Points that slip along curves ---- */
 
@@ -461,7 +459,7 @@ HM_API hm_status hm_recover_movement_size(const hm_basis* basis, size_t* bytes, 
  * only if the basis has modes. Functions of real variables (hm_combine) may receive a second
  * component that is not 0.
  *
- * hm_morph_safe turns the offsets of points from their curve. If the functions alone do not lead
+ * hm_morph_safe rotates the offsets of points from their curve. If the functions alone do not lead
  * the points to `at`, and one rotation and scale for each curve makes the distances at least ten
  * times smaller, these rotations are found along with the movement; not with
  * hm_options.offset_correction 1, nor for a curve with too few points: there must be at least two
@@ -469,16 +467,16 @@ HM_API hm_status hm_recover_movement_size(const hm_basis* basis, size_t* bytes, 
  *
  * *residual [length]: the largest distance of a point of the wall in `at` from where hm_morph leads
  * it from its place at hm_basis_init by `move`; *point: that point, -1: there are no points;
- * *turned_offset [length]: the largest distance by which turned offsets contribute to the
- * residual, 0: none has turned; all three may be NULL. Refused with HM_BAD_MESH: the distance that
- * remains beside the turned offsets is more than `tolerance` [length], because the wall is then on
+ * *rotated_offset [length]: the largest distance by which rotated offsets contribute to the
+ * residual, 0: none has rotated; all three may be NULL. Refused with HM_BAD_MESH: the distance that
+ * remains beside the rotated offsets is more than `tolerance` [length], because the wall is then on
  * no curve of this basis (error.item: the point, error.value: the distance); a coordinate of the
  * wall is beyond the range. tolerance 0 means 1e-4 of the width or height of the wall in `at`, the
  * larger one; infinity: any.
  * The basis must be solved, and have all functions. After a refused call the outputs are unchanged.
  */
 HM_API hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double tolerance,
-                                     double* move, double* residual, double* turned_offset,
+                                     double* move, double* residual, double* rotated_offset,
                                      int32_t* point, void* work, size_t bytes, hm_error* err);
 
 #ifdef __cplusplus

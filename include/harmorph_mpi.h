@@ -1,20 +1,19 @@
 /* harmorph in codes that run on several processes with MPI. Compile harmorph_mpi.c with mpicc and
  * link it with your code and libharmorph.a; the library itself knows nothing of MPI.
  *
- * While functions are solved, every process has a copy of the whole mesh and solves a share of the
- * functions. After the exchange a process keeps the rows of the points of its own partition, with
- * all functions:
+ * While functions are solved, every process has a copy of the whole mesh and solves some of the
+ * functions. Afterwards a process keeps the rows of the points of its own partition, with all
+ * functions:
  *
  *     hm_analysis_init, hm_plan_init, hm_plan_factor      on every process, of the same problem
- *     hm_share_of(analysis, rank, size, &first, &n, &error)
- *     hm_share_init, hm_plan_solve(plan, share, ...)      functions first .. first + n - 1
- *     hm_extract_init(&rows, ..., share, n_points, points, &error)
- *     hm_mpi_exchange(rows, share, n_points, points, comm, &error)
+ *     hm_mpi_rows_size(analysis, n, &bytes, &error)       n points of this process
+ *     hm_mpi_solve(&rows, block, bytes, plan, analysis, n, points, &report, comm, &error)
+ *     hm_morph(rows, ...), hm_mpi_adjoint(rows, ...)      any number of times
  *
- * Then analysis, plan, share and the copy of the mesh may be freed. hm_morph(rows, ...) moves the
- * points of this process and needs no communication. Results are bitwise identical to a serial run,
- * for any number of processes and any partition, if all processes use the same kernel (set
- * hm_executor.kernel where processors differ).
+ * After hm_mpi_solve analysis, plan and the copy of the mesh may be freed. hm_morph(rows, ...)
+ * moves the points of this process and needs no communication. Results are bitwise identical to a
+ * serial run, for any number of processes and any partition, if all processes use the same kernel
+ * (set hm_executor.kernel where processors differ).
  *
  * The calls of this header are collective: all processes of the communicator must make them. Either
  * all processes succeed, or all get the same status and the same hm_error: that of the first
@@ -22,10 +21,12 @@
  * whatever arguments one process has wrong, also where it differs from the others in the number of
  * fields, the functions or the mesh. Items of the error are numbered as on that process. A process
  * on which an earlier call has failed, for instance hm_analysis_init because its mesh has a NaN,
- * must make the collective call all the same, or the others wait for ever: hm_mpi_exchange(NULL,
- * NULL, 0, NULL, comm, &error) makes all processes refuse the call, and so do hm_mpi_adjoint with
- * rows = NULL, and hm_mpi_displace with n_fields = 0. A process may have no points (n = 0). The
- * calls allocate memory for the messages, and free it before they return.
+ * must make the collective call all the same, or the others wait for ever: hm_mpi_solve with plan =
+ * NULL makes all processes refuse the call, and so do hm_mpi_adjoint with rows = NULL, and
+ * hm_mpi_displace with n_fields = 0. A process may have no points (n = 0). The calls allocate
+ * memory for the messages, and free it before they return. The library must have the version with
+ * whose headers harmorph_mpi.c was compiled (HM_VERSION): with another one, hm_mpi_rows_size,
+ * hm_mpi_solve and hm_mpi_adjoint are refused (HM_UNSUPPORTED).
  *
  * MPI itself decides what happens if a process ends or cannot be reached: by default
  * (MPI_ERRORS_ARE_FATAL) it ends all processes. harmorph adds nothing to this, and does not look at
@@ -40,16 +41,29 @@
 extern "C" {
 #endif
 
-/* Fills `rows`, which hm_extract_init has made from the share of this process with the list points
- * [n]. The shares of the processes, in the order of ranks, must together be all functions. A
- * process sends (points of all processes) * numbers_per_value * (functions of the share) doubles
- * and receives n * numbers_per_value * (all functions) doubles; either number must be below 2^31.
- * After a refused call some values of `rows` may have arrived: make new rows. */
-hm_status hm_mpi_exchange(hm_basis* rows, const hm_basis* share, int32_t n, const int32_t* points,
-                          MPI_Comm comm, hm_error* err);
+/* Bytes of a block for the rows of n points of the mesh, enough for any list of n points. This call
+ * is not collective. */
+hm_status hm_mpi_rows_size(const hm_analysis* analysis, int32_t n, size_t* bytes, hm_error* err);
+/* Solves for all functions, each process for some of them, and gives each process the values of all
+ * functions at its own points. The plan must have a factor, and the analysis must be that of the
+ * plan; both must be those of the same problem on all processes.
+ *
+ * *rows is a basis in the block with n points: point k is points[k], counted from the index_base of
+ * the mesh, in any order; ghosts and repeated points are allowed. hm_morph, hm_mpi_adjoint,
+ * hm_boundary_error and hm_basis_values use arrays of n points in that order, and points in reports
+ * are positions in the list. The rows have no cells, so calls with a mesh refuse them. Like any
+ * basis they are one block that refers to nothing else.
+ *
+ * report: of the functions that this process has solved, with partition_defect 0; may be NULL.
+ * HM_NOT_CONVERGED is that of hm_plan_solve on any process. A process sends (points of all
+ * processes) * numbers_per_value * (its functions) doubles, and receives n * numbers_per_value *
+ * (all functions); either number must be below 2^31. */
+hm_status hm_mpi_solve(hm_basis** rows, void* block, size_t bytes, hm_plan* plan,
+                       const hm_analysis* analysis, int32_t n, const int32_t* points,
+                       hm_solve_report* report, MPI_Comm comm, hm_error* err);
 
 /* hm_adjoint for the rows of all processes together: gradient [2*functions] is bitwise the same on
- * all processes. The rows are those of one exchange; rows with another number of functions than
+ * all processes. The rows are those of one hm_mpi_solve; rows with another number of functions than
  * those of rank 0 are refused (HM_BAD_BASIS). dj must be 0 at ghost points, so that every point
  * counts once. Communication: an all-reduce of four 32-bit integers, and one of 4 *
  * numbers_per_value * functions 64-bit integers.
@@ -85,8 +99,9 @@ hm_status hm_mpi_displace_adjoint(hm_plan* plan, int32_t n_wall, const int32_t* 
                                   int32_t root, MPI_Comm comm, hm_error* err);
 
 /* The same calls with Fortran communicators (MPI_Fint), for harmorph_mpi.f90. */
-hm_status hm_mpi_exchange_f(hm_basis* rows, const hm_basis* share, int32_t n, const int32_t* points,
-                            MPI_Fint comm, hm_error* err);
+hm_status hm_mpi_solve_f(hm_basis** rows, void* block, size_t bytes, hm_plan* plan,
+                         const hm_analysis* analysis, int32_t n, const int32_t* points,
+                         hm_solve_report* report, MPI_Fint comm, hm_error* err);
 hm_status hm_mpi_adjoint_f(const hm_basis* rows, const hm_points* dj, double* gradient,
                            const hm_executor* executor, MPI_Fint comm, hm_error* err);
 hm_status hm_mpi_displace_f(hm_plan* plan, int32_t n_wall, const int32_t* wall_points,

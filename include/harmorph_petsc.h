@@ -1,8 +1,9 @@
 /* harmorph on meshes that no process has as a whole: MPI and PETSc solve for the functions (PETSc
  * 3.18 or later, with real or complex scalars). Compile harmorph_petsc.c, which is one file where
  * harmorph is installed, and, for the adjoint, harmorph_mpi.c with mpicc and PETSc's flags (`pkg-
- * config --cflags --libs petsc`); the library itself knows nothing of either. The core's part is
- * harmorph_parts.h: matrix entries, right-hand sides and residuals of each process's own cells.
+ * config --cflags --libs petsc`); the library itself knows nothing of either, and must have the
+ * version with whose headers harmorph_petsc.c was compiled (HM_VERSION; else hm_petsc_create is
+ * refused with HM_UNSUPPORTED).
  *
  *     PetscInitialize                          by the caller
  *     hm_petsc_create(&system, &part, ...)     own cells, points with global numbers
@@ -37,7 +38,7 @@
 #ifndef HARMORPH_PETSC_H
 #define HARMORPH_PETSC_H
 
-#include <harmorph_parts.h>
+#include <harmorph.h>
 #include <mpi.h>
 
 #ifdef __cplusplus
@@ -45,6 +46,20 @@ extern "C" {
 #endif
 
 typedef struct hm_petsc hm_petsc;
+
+typedef struct hm_part_mesh {
+    uint64_t struct_size;
+    /* The part: points, cells, boundary faces. Every face of an own cell that is on the boundary of
+     * the whole mesh must have a marker, cuts excepted (see hm_mesh); faces of ghost cells must not
+     * be given. index_base counts the points and cells of the part. */
+    const hm_mesh* mesh;
+    /* [n_points] global numbers of the points, 0 .. 2^61, all different. A point of several parts
+     * has the same number and the same coordinates in each. Numbers need not be consecutive. */
+    const int64_t* numbers;
+    /* [n_cells] 1: a ghost cell, which is an own cell of another part; NULL: all cells are own.
+     * Points of ghost cells have functions, and move; ghost cells have no equations. */
+    const uint8_t* ghosts;
+} hm_part_mesh;
 
 typedef struct hm_petsc_report {
     uint64_t struct_size;
@@ -63,13 +78,21 @@ typedef struct hm_petsc_report {
     uint64_t bytes; /* allocated by harmorph on this process, beside the basis */
 } hm_petsc_report;
 
-/* Makes a system. part: see hm_part_init; its arrays must exist as long as the system. problem and
- * options are those of hm_equations_init, and the same on all processes; problem.mesh is ignored.
- * HM_FAR_FROM_CURVE and HM_TORN are those of hm_analysis_init. Refused on all processes, in
- * addition to what hm_part_init, hm_match_edges and hm_equations_init refuse: a point with two
- * positions, a point that two processes have inside their own cells (global numbers are wrong), a
- * ghost point that no process has in an own cell (HM_BAD_MESH); curves, conditions or options that
- * are not those of rank 0 (HM_BAD_CONDITION). */
+/* Makes a system. The arrays of the part must exist as long as the system. problem and options are
+ * the same on all processes; problem.mesh is ignored, and n_known must be 0. All conditions of
+ * HM_DIRECT with HM_COMPACT are available but HM_ROTATION_PAIR and hm_condition.along;
+ * options.engine and the scheme must have their defaults (else HM_UNSUPPORTED). Points that slip
+ * along curves move along the tangents at the start: a movement by d leaves them d^2 / (2 R) beside
+ * the curve, R the radius of curvature. hm_slip needs the whole mesh. Polygons (HM_CELLS_POLYGONS)
+ * are divided as in the whole mesh if each part gives their points in the same order.
+ *
+ * HM_FAR_FROM_CURVE and HM_TORN are those of hm_analysis_init. Refused on all processes: cells that
+ * hm_analysis_init refuses; a global number that is negative, too large or repeated; a point with
+ * two positions; an edge of more than two cells; cells that overlap; a marker on an edge that has
+ * cells on both sides; a point that two processes have inside their own cells (global numbers are
+ * wrong); a ghost point that no process has in an own cell (HM_BAD_MESH; the item of a point is the
+ * global number, or -1 above 2^31 - 1); curves, conditions or options that are not those of rank 0
+ * (HM_BAD_CONDITION). */
 hm_status hm_petsc_create(hm_petsc** system, const hm_part_mesh* part, const hm_problem* problem,
                           const hm_options* options, MPI_Comm comm, hm_error* err);
 /* Frees the system; collective, because the solvers of PETSc end together. *system becomes NULL. If

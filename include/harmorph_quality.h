@@ -4,7 +4,7 @@
  * An optimiser moves control points, and the cells of the mesh must remain good. hm_assess returns
  * the smallest quality, which has no derivative where two cells compete. hm_quality_bounds returns
  * a smooth bound of the smallest quality and the derivatives of this bound with respect to all mesh
- * points. These calls turn the derivatives into those with respect to other unknowns:
+ * points. These calls change the derivatives into those with respect to other unknowns:
  *   hm_adjoint            control points, rigid bodies, variables of a combined basis (hm_combine)
  *   hm_displace_adjoint   displacements of wall points
  *   hm_slip_adjoint       points before hm_slip, to which the two above then apply */
@@ -74,7 +74,7 @@ enum {
     HM_BOUND_AREA = 2,
     /* A lower bound of the smallest ratio of heights, after / before, of the edges of the first
      * layer. The height of an edge is the distance of its outer end from the wall, along the
-     * normal of the start, which turns with the two faces beside the wall point (mean rotation of
+     * normal of the start, which rotates with the two faces beside the wall point (mean rotation of
      * both, the shorter face counts more). */
     HM_BOUND_HEIGHT = 3,
     /* An upper bound of the largest ratio of the same heights. */

@@ -1,8 +1,10 @@
 #!/bin/sh
-# usage: amalgamation.sh BUILD   (MAKE, CXX, CC, CFLAGS from the environment)
-# `make amalgamation`: two files that need nothing else, compiled without a warning and without -I; a C program that
-# links with them runs; they export what the library exports.
-: "${MAKE:=make}" "${CXX:=c++}" "${CC:=cc}" "${CFLAGS:=-O2}"
+# usage: amalgamation.sh BUILD   (MAKE, CXX, CC, CFLAGS, LEVEL, WARNINGS from the environment)
+# `make amalgamation`: one source and its headers, which need nothing else, compiled without a warning, without -I and
+# with the level of optimisation LEVEL as the only flag beside that of the standard; a C program that links with it and
+# -lm alone runs; it exports what the library exports.
+: "${MAKE:=make}" "${CXX:=c++}" "${CC:=cc}" "${CFLAGS:=-O2}" "${LEVEL:=-O0}" \
+    "${WARNINGS=-Wall -Wextra -Wconversion}"
 build=$(cd "$1" && pwd)
 source=$(pwd)
 dir=$build/amalgamation-test
@@ -18,9 +20,8 @@ check "make amalgamation" $MAKE -s BUILD="$build" amalgamation
 expected=$( (echo harmorph.cpp; cat fortran/harmorph/headers) | sort)
 check "one source and the headers" [ "$(ls "$build/amalgamation")" = "$expected" ]
 cp "$build/amalgamation/"* "$dir/" && cd "$dir" || exit 1
-# Without optimisation: what the compiler takes is not its speed.
-check "compilation" $CXX -std=c++17 -O0 -Wall -Wextra -Wconversion -Werror -fno-exceptions -fno-rtti -ffp-contract=off \
-    -c harmorph.cpp
+# Warnings do not change the code. In `make test` without optimisation: what the compiler takes is not its speed.
+check "compilation" $CXX -std=c++17 $LEVEL $WARNINGS -Werror -c harmorph.cpp
 check "the names that it exports" same_names
 check "a C program" $CC -std=c99 -pedantic $CFLAGS -I. -o use "$source/tests/use.c" harmorph.o -lm
 check "the C program runs" ./use

@@ -5,7 +5,6 @@
 #include <harmorph_bases.h>
 #include <harmorph_design.h>
 #include <harmorph_fields.h>
-#include <harmorph_parts.h>
 #include <harmorph_quality.h>
 #include <harmorph_space.h>
 #include <harmorph_study.h>
@@ -75,6 +74,7 @@ int main(void) {
 
     BEGINS(hm_executor);
     BEGINS(hm_mesh);
+    BEGINS(hm_modes);
     BEGINS(hm_movement);
     BEGINS(hm_curve);
     BEGINS(hm_curves);
@@ -84,6 +84,7 @@ int main(void) {
     BEGINS(hm_condition);
     BEGINS(hm_problem);
     BEGINS(hm_options);
+    BEGINS(hm_setup);
     BEGINS(hm_solve_report);
     BEGINS(hm_basis_info);
     BEGINS(hm_step_report);
@@ -97,8 +98,6 @@ int main(void) {
     BEGINS(hm_quantity);
     BEGINS(hm_variables);
     BEGINS(hm_transfer_report);
-    BEGINS(hm_part_mesh);
-    BEGINS(hm_equations_info);
     BEGINS(hm_space_mesh);
     BEGINS(hm_plane_info);
     BEGINS(hm_edge_mesh);

@@ -25,7 +25,7 @@ for compiler in $COMPILERS; do
     done
 done
 
-for header in harmorph.h harmorph_pages.h harmorph_parts.h; do
+for header in harmorph.h harmorph_pages.h harmorph_design.h; do
     printf '#include <%s>\n' $header >"$dir/header.c"
     for standard in "c89 -pedantic-errors -Wno-long-long" "c99 -pedantic-errors" "c11 -pedantic-errors"; do
         for compiler in gcc-11 gcc-12 clang-13 clang-14 clang-19; do

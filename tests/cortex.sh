@@ -24,7 +24,7 @@ sh c_api/packaging/amalgamate.sh >"$dir/harmorph.cpp" && cp include/*.h "$dir/" 
 check "the library" $ARM_CXX $processor -std=c++17 -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno \
     -Wall -Wextra -Wconversion -Werror -c -o "$dir/harmorph.o" "$dir/harmorph.cpp"
 # A processor without atomic instructions, for which compilers would call a library: what shares out work among threads.
-for file in src/direct/multifrontal_solve.cpp src/ordering/nested_dissection.cpp; do
+for file in src/direct/multifrontal.cpp src/ordering/nested_dissection.cpp; do
     check "$file for a Cortex-M0" $ARM_CXX -mcpu=cortex-m0 -mthumb -ffreestanding -O2 -ffp-contract=off -std=c++17 \
         -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno -Wall -Wextra -Wconversion -Werror \
         -Iinclude -Isrc -c \

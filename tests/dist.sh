@@ -15,13 +15,9 @@ other_versions() {   # files of a release whose version is not that of the heade
     sed -n 's/^## \([0-9.]*\).*/CHANGELOG.md \1/p' $packaging/CHANGELOG.md | head -1
     sed -n 's/^version: /CITATION.cff /p' $packaging/CITATION.cff
     sed -n '1s/harmorph (\(.*\)-.*/debian \1/p' $packaging/debian/changelog
-    sed -n 's/^    version("\(.*\)").*/spack \1/p' $packaging/spack/package.py
-    sed -n 's/^    version = "\(.*\)"/conan \1/p' $packaging/conan/conanfile.py
-    sed -n 's/.*"version": "\(.*\)".*/vcpkg \1/p' $packaging/vcpkg/vcpkg.json
-    sed -n 's/^  version: /conda /p' $packaging/conda/meta.yaml
 }
 is_empty "the version of the release elsewhere" "$(other_versions | grep -vx ".* ${name#harmorph-}")"
-check "files that name the version" test "$(other_versions | wc -l)" = 7
+check "files that name the version" test "$(other_versions | wc -l)" = 3
 dates() {
     sed -n 's/^## [0-9.]* (\([0-9-]*\)).*/\1/p' c_api/packaging/CHANGELOG.md | head -1
     sed -n 's/^date-released: //p' c_api/packaging/CITATION.cff

@@ -24,7 +24,6 @@ cat >"$dir/expected" <<END
 ./include/harmorph_mpi.h
 ./include/harmorph_openmp.h
 ./include/harmorph_pages.h
-./include/harmorph_parts.h
 ./include/harmorph_petsc.h
 ./include/harmorph_pthreads.h
 ./include/harmorph_quality.h

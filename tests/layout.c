@@ -5,7 +5,6 @@
 #include <harmorph_bases.h>
 #include <harmorph_design.h>
 #include <harmorph_fields.h>
-#include <harmorph_parts.h>
 #include <harmorph_space.h>
 #include <harmorph_study.h>
 #include <harmorph_quality.h>

@@ -3,7 +3,6 @@
 #include "mpi_case.h"
 
 #include <harmorph_pthreads.h>
-#include <harmorph_parts.h>
 
 #include <string.h>
 
@@ -48,6 +47,16 @@ static part make_part(int32_t n_points) {
 
 static int same_bits(const double* a, const double* b, int32_t n) {
     return memcmp(a, b, sizeof *a * (size_t)n) == 0;
+}
+
+static hm_basis* extract(const hm_basis* from, int32_t n, const int32_t* points, void** block) {
+    hm_error error;
+    hm_basis* rows = NULL;
+    size_t bytes;
+    need(hm_private_extract_size(from, n, &bytes, &error), &error);
+    *block = room(bytes);
+    need(hm_private_extract_init(&rows, *block, bytes, from, n, points, &error), &error);
+    return rows;
 }
 
 static void check_blocks(const hm_basis* a, const hm_basis* b) {
@@ -134,21 +143,19 @@ static void check_operator(int32_t operator_kind, int32_t n_functions) {
     solver with;
     part mine;
     hm_error error;
-    int32_t first, n;
-    void *whole_block, *share_block, *rows_block, *expected_block;
-    hm_basis *whole, *share, *rows;
+    hm_solve_report report;
+    void *whole_block, *rows_block, *expected_block;
+    hm_basis *whole, *rows;
 
     make_case(&setup, 65, 25, n_functions, operator_kind);
     make_solver(&with, &setup);
     mine = make_part(setup.n_points);
     whole = solve_share(&with, 0, n_functions, &whole_block);
-    need(hm_share_of(with.analysis, rank, size, &first, &n, &error), &error);
-    share = solve_share(&with, first, n, &share_block);
+    report.struct_size = sizeof report;
+    need(solve_rows(&with, mine.n, mine.points, &rows, &rows_block, &report, &error), &error);
+    check(report.functions == n_functions * (rank + 1) / size - n_functions * rank / size,
+          "each process solves a share of the functions");
     free_solver(&with);
-    rows = extract(share, mine.n, mine.points, &rows_block);
-
-    need(hm_mpi_exchange(rows, share, mine.n, mine.points, MPI_COMM_WORLD, &error), &error);
-    free(share_block);
     check_blocks(rows, extract(whole, mine.n, mine.points, &expected_block));
     check_morph(whole, rows, &mine, &setup);
     check_adjoint(whole, rows, &mine, &setup);

@@ -38,6 +38,15 @@ for source in "$build/harmorph.f90" "$build/harmorph_mpi.f90" tests/o_mesh.f90 t
 done
 check "link of mpi.f90" $MPIFC $FFLAGS -o "$dir/mpi_f" "$dir/mpi_f.o" "$dir/o_mesh_f.o" "$dir/harmorph_mpi_f.o" \
     "$dir/harmorph_f.o" "$dir/harmorph_mpi.o" "$build/libharmorph.a"
+# A module that was compiled with the headers of another version refuses this library.
+of_another_version() {
+    mkdir -p "$dir/other" && cp include/*.h "$dir/other/" &&
+        sed 's/^#define HM_VERSION ".*/#define HM_VERSION "0.9.9"/' include/harmorph.h >"$dir/other/harmorph.h" &&
+        c -I"$dir/other" -Ic_api -Itests -o "$dir/version_c" tests/mpi_version.c c_api/mpi/harmorph_mpi.c \
+            "$build/libharmorph.a" -lm
+}
+check "a module of another version" of_another_version
+start 2 "$dir/version_c" 2>&1 || fail "a module of another version on 2 processes"
 for n in 1 2 3 4; do
     for program in mpi_c mpi_faults_c mpi_f; do start $n "$dir/$program" 2>&1 || fail "$program on $n processes"; done
 done

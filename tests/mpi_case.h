@@ -4,7 +4,7 @@
 #define MPI_CASE_H
 
 #include <harmorph_mpi.h>
-#include <harmorph_parts.h>
+#include <private.h>
 
 #include <math.h>
 #include <stdio.h>
@@ -129,25 +129,25 @@ static void free_solver(solver* made) {
 }
 
 /* Functions first .. first+n-1, solved, in a block of their own. */
-static hm_basis* solve_share(solver* with, int32_t first, int32_t n, void** block) {
+static inline hm_basis* solve_share(solver* with, int32_t first, int32_t n, void** block) {
     hm_error error;
     hm_basis* share = NULL;
     size_t bytes;
-    need(hm_share_size(with->analysis, first, n, &bytes, &error), &error);
+    need(hm_private_share_size(with->analysis, first, n, &bytes, &error), &error);
     *block = room(bytes);
-    need(hm_share_init(&share, *block, bytes, with->analysis, first, n, &error), &error);
+    need(hm_private_share_init(&share, *block, bytes, with->analysis, first, n, &error), &error);
     need(hm_plan_solve(with->plan, share, NULL, &error), &error);
     return share;
 }
 
-static hm_basis* extract(const hm_basis* from, int32_t n, const int32_t* points, void** block) {
-    hm_error error;
-    hm_basis* rows = NULL;
+/* The rows of these points, solved on all processes together, in a block of their own. */
+static hm_status solve_rows(solver* with, int32_t n, const int32_t* points, hm_basis** rows,
+                            void** block, hm_solve_report* report, hm_error* error) {
     size_t bytes;
-    need(hm_extract_size(from, n, &bytes, &error), &error);
+    need(hm_mpi_rows_size(with->analysis, n, &bytes, error), error);
     *block = room(bytes);
-    need(hm_extract_init(&rows, *block, bytes, from, n, points, &error), &error);
-    return rows;
+    return hm_mpi_solve(rows, *block, bytes, with->plan, with->analysis, n, points, report,
+                        MPI_COMM_WORLD, error);
 }
 
 #endif

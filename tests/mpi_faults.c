@@ -9,10 +9,9 @@ static int passed, failed, rank, size;
 enum { N_I = 33, N_J = 9, FUNCTIONS = 8, OTHER_FUNCTIONS = 6 };
 
 /* Right and wrong objects of this process. */
-static solver with;
-static hm_plan* unfactored;
-static const hm_basis *share, *share_of_other_mesh, *share_of_less;
-static hm_basis *rows, *rows_of_less, *unsolved;
+static solver with, of_curves, of_other_mesh, of_less;
+static hm_plan *unfactored, *unfactored_of_curves;
+static hm_basis *rows, *rows_of_less;
 static int32_t points[N_I * N_J], other_points[N_I * N_J], wall_points[N_I + 1];
 static double x[N_I * N_J], y[N_I * N_J], spoiled[2 * N_I * N_J];
 static const double not_numbers[N_I * N_J] = {NAN};
@@ -20,7 +19,11 @@ static double results[2 * N_I * N_J];
 
 typedef struct arguments {
     hm_basis* rows;
-    const hm_basis* share;
+    hm_basis** made;
+    void* block;
+    size_t bytes;
+    hm_plan* of_curves; /* for the functions of curves, with its analysis */
+    const hm_analysis* analysis;
     int32_t n, n_wall, n_fields, root;
     const int32_t *points, *wall_points;
     const hm_points *field, *from; /* displacements at the wall, or derivatives at the points */
@@ -31,8 +34,9 @@ typedef struct arguments {
     hm_points_out to_of_one;
 } arguments;
 
-static hm_status exchange(const arguments* a, hm_error* err) {
-    return hm_mpi_exchange(a->rows, a->share, a->n, a->points, MPI_COMM_WORLD, err);
+static hm_status solve(const arguments* a, hm_error* err) {
+    return hm_mpi_solve(a->made, a->block, a->bytes, a->of_curves, a->analysis, a->n, a->points,
+                        NULL, MPI_COMM_WORLD, err);
 }
 static hm_status adjoint(const arguments* a, hm_error* err) {
     return hm_mpi_adjoint(a->rows, a->field, a->gradient, NULL, MPI_COMM_WORLD, err);
@@ -57,21 +61,24 @@ static hm_status transpose(const arguments* a, hm_error* err) {
         change;                      \
     }
 WRONG(no_rows, a->rows = NULL)
-WRONG(no_share, a->share = NULL)
+WRONG(no_result_rows, a->made = NULL)
+WRONG(no_block, a->block = NULL)
+WRONG(small_block, a->bytes = 64)
+WRONG(no_plan, a->of_curves = NULL)
+WRONG(no_analysis, a->analysis = NULL)
+WRONG(analysis_of_another, a->analysis = of_less.analysis)
 WRONG(negative_n, a->n = -1)
 WRONG(no_points, a->points = NULL)
-WRONG(other_mesh, a->share = share_of_other_mesh)
-WRONG(functions_missing, a->share = share_of_less)
-WRONG(no_solution, a->share = unsolved)
+WRONG(other_mesh, a->of_curves = of_other_mesh.plan; a->analysis = of_other_mesh.analysis)
+WRONG(functions_missing, a->of_curves = of_less.plan; a->analysis = of_less.analysis)
+WRONG(no_factor_of_curves, a->of_curves = unfactored_of_curves)
 WRONG(fewer_points, --a->n)
-WRONG(other_order, a->points = other_points)
 WRONG(point_outside, other_points[0] = N_I * N_J; a->points = other_points)
 WRONG(no_gradient, a->gradient = NULL)
 WRONG(no_array, a->field_of_one.x = NULL; a->field = &a->field_of_one)
 WRONG(negative_stride, a->field_of_one.stride = -1; a->field = &a->field_of_one)
 WRONG(no_field, a->field = NULL)
 WRONG(other_rows, a->rows = rows_of_less)
-WRONG(a_share, a->rows = (hm_basis*)(size_t)share)
 WRONG(no_wall, a->wall_points = NULL)
 WRONG(negative_wall, a->n_wall = -1)
 WRONG(shorter_wall, a->n_wall = 0)
@@ -108,25 +115,26 @@ static const struct fault {
 #define OF_TWO(call, spoil, reason) \
     { #call ": " #spoil, call, spoil, HM_BAD_ARGUMENT, NAMED, 2, reason }
 #define RECEIVED(spoil, status, processes, reason) \
-    { "exchange: " #spoil, exchange, spoil, status, BY_OTHERS, processes, reason }
+    { "solve: " #spoil, solve, spoil, status, BY_OTHERS, processes, reason }
 #define AT_ROOT(call, spoil, status) \
     { #call ": " #spoil, call, spoil, status, BY_ROOT, 1, "" }
-    ARGUMENT(exchange, no_rows),
-    ARGUMENT(exchange, no_share),
-    ARGUMENT(exchange, negative_n),
-    ARGUMENT(exchange, no_points),
-    {"exchange: no_solution", exchange, no_solution, HM_BAD_BASIS, NAMED, 1, "solved"},
-    RECEIVED(other_mesh, HM_BAD_BASIS, 2, "the message from rank %d"),
+    ARGUMENT(solve, no_result_rows),
+    ARGUMENT(solve, no_block),
+    ARGUMENT(solve, no_plan),
+    ARGUMENT(solve, no_analysis),
+    ARGUMENT(solve, negative_n),
+    ARGUMENT(solve, no_points),
+    {"solve: small_block", solve, small_block, HM_BLOCK_TOO_SMALL, NAMED, 1, ""},
+    {"solve: no_factor_of_curves", solve, no_factor_of_curves, HM_BAD_ARGUMENT, NAMED, 1, "factor"},
+    {"solve: analysis_of_another", solve, analysis_of_another, HM_BAD_BASIS, NAMED, 1, ""},
+    RECEIVED(other_mesh, HM_BAD_BASIS, 2, "the message from rank "),
     RECEIVED(functions_missing, HM_BAD_BASIS, 2, ""),
-    RECEIVED(fewer_points, HM_BAD_BASIS, 2, ""),
-    RECEIVED(other_order, HM_BAD_BASIS, 2, ""),
-    RECEIVED(point_outside, HM_BAD_ARGUMENT, 1, "the list of rank %d: "),
+    {"solve: point_outside", solve, point_outside, HM_BAD_ARGUMENT, NAMED, 1, "point 297"},
     ARGUMENT(adjoint, no_rows),
     ARGUMENT(adjoint, no_gradient),
     ARGUMENT(adjoint, no_field),
     ARGUMENT(adjoint, no_array),
     ARGUMENT(adjoint, negative_stride),
-    {"adjoint: a_share", adjoint, a_share, HM_BAD_BASIS, NAMED, 2, ""},
     {"adjoint: other_rows", adjoint, other_rows, HM_BAD_BASIS, NAMED, 2, "than those of rank 0"},
 #define OF_FIELDS(call)                                                                           \
     ARGUMENT(call, negative_n), ARGUMENT(call, no_points), ARGUMENT(call, no_wall),               \
@@ -174,22 +182,12 @@ static int32_t own_points(int32_t n_points, int32_t* list) {
     return n;
 }
 
-/* The share of this process in a problem, without the last `missing` functions. */
-static const hm_basis* share_of(int32_t n_functions, double shift, int32_t missing, int is_whole) {
+/* The analysis and the plan of a problem like the right one. */
+static void make_like(solver* made, int32_t n_functions, double shift) {
     problem_case setup;
-    solver other;
-    hm_error error;
-    void* block;
-    const hm_basis* made;
-    int32_t first, n;
     make_case(&setup, N_I, N_J, n_functions, HM_LAPLACE);
     setup.x[2 * N_I + 3] += shift;
-    make_solver(&other, &setup);
-    need(hm_share_of(other.analysis, is_whole ? 0 : rank, is_whole ? 1 : size, &first, &n, &error),
-         &error);
-    made = solve_share(&other, first, n - missing, &block);
-    free_solver(&other);
-    return made;
+    make_solver(made, &setup);
 }
 
 static void make_plans(problem_case* setup) {
@@ -208,9 +206,9 @@ static void make_plans(problem_case* setup) {
 
 static void make_objects(void) {
     problem_case setup;
-    solver of_curves;
     hm_error error;
-    int32_t first, n = own_points(N_I * N_J, points), k;
+    const int32_t n = own_points(N_I * N_J, points);
+    int32_t k;
     size_t bytes;
     void* block;
     make_case(&setup, N_I, N_J, FUNCTIONS, HM_LAPLACE);
@@ -218,17 +216,13 @@ static void make_objects(void) {
         x[k] = setup.x[points[k]];
         y[k] = setup.y[points[k]];
     }
-    make_solver(&of_curves, &setup);
-    need(hm_share_of(of_curves.analysis, rank, size, &first, &n, &error), &error);
-    share = solve_share(&of_curves, first, n, &block);
-    need(hm_share_size(of_curves.analysis, first, n, &bytes, &error), &error);
-    need(hm_share_init(&unsolved, room(bytes), bytes, of_curves.analysis, first, n, &error),
+    make_like(&of_curves, FUNCTIONS, 0);
+    make_like(&of_other_mesh, FUNCTIONS, 1e-3);
+    make_like(&of_less, OTHER_FUNCTIONS, 0);
+    need(hm_plan_size(of_curves.analysis, &bytes, &error), &error);
+    need(hm_plan_init(&unfactored_of_curves, room(bytes), bytes, of_curves.analysis, &error),
          &error);
-    free_solver(&of_curves);
-    share_of_less = share_of(FUNCTIONS, 0, 1, 0);
-    share_of_other_mesh = share_of(FUNCTIONS, 1e-3, 0, 0);
-    rows_of_less =
-        extract(share_of(OTHER_FUNCTIONS, 0, 0, 1), own_points(N_I * N_J, points), points, &block);
+    need(solve_rows(&of_less, n, points, &rows_of_less, &block, NULL, &error), &error);
     make_plans(&setup);
 }
 
@@ -236,7 +230,8 @@ typedef struct attempt {
     arguments a;
     hm_points field[2], from;
     hm_points_out to[2];
-    void* block; /* of fresh rows for an exchange, or NULL */
+    hm_basis* made;
+    void* block; /* of new rows, or NULL */
 } attempt;
 
 static void make_right(attempt* made, hm_status (*call)(const arguments*, hm_error*)) {
@@ -256,8 +251,14 @@ static void make_right(attempt* made, hm_status (*call)(const arguments*, hm_err
         made->to[k] = (hm_points_out){results, results + N_I * N_J, 1};
     }
     made->from = (hm_points){x, y, 1};
-    a->share = share;
-    a->rows = call == exchange ? extract(share, a->n, points, &made->block) : rows;
+    a->of_curves = of_curves.plan;
+    a->analysis = of_curves.analysis;
+    a->rows = rows;
+    a->made = &made->made;
+    if (call == solve) {
+        need(hm_mpi_rows_size(a->analysis, a->n, &a->bytes, NULL), &(hm_error){0});
+        a->block = made->block = room(a->bytes);
+    }
     a->points = points;
     a->wall_points = wall_points;
     a->n_fields = 1;
@@ -273,7 +274,7 @@ static void make_right(attempt* made, hm_status (*call)(const arguments*, hm_err
 }
 
 static void check_right_calls(void) {
-    hm_status (*const calls[])(const arguments*, hm_error*) = {exchange, adjoint, displace, move,
+    hm_status (*const calls[])(const arguments*, hm_error*) = {solve, adjoint, displace, move,
                                                                transpose};
     attempt right;
     size_t k;
@@ -282,8 +283,8 @@ static void check_right_calls(void) {
         expect_end_of("a call without a fault", (int)k);
         check(calls[k](&right.a, NULL) == HM_OK, "a call without a fault", (int)k);
         alarm(0);
-        check(results[0] != 7 || calls[k] == exchange, "it has a result", (int)k);
-        if (calls[k] == exchange) rows = right.a.rows;
+        check(results[0] != 7 || calls[k] == solve, "it has a result", (int)k);
+        if (calls[k] == solve) rows = right.made;
     }
 }
 
@@ -309,7 +310,7 @@ static void check_fault(const struct fault* fault, int guilty, int tells) {
               fault->what, guilty);
     }
     for (k = 0; k < 2 * N_I * N_J; ++k) written += results[k] != 7;
-    check(written == 0, "a refused call writes nothing", guilty);
+    check(written == 0 && now.made == NULL, "a refused call writes nothing", guilty);
     free(now.block);
 }
 
@@ -318,11 +319,11 @@ static void check_empty_process(void) {
     attempt now;
     hm_error error;
     const int is_empty = size > 1 && rank == 0;
-    make_right(&now, exchange);
+    make_right(&now, solve);
     if (is_empty) now.a.n = 0;
-    now.a.rows = extract(share, now.a.n, points, &now.block);
     expect_end_of("no points", 0);
-    need(exchange(&now.a, &error), &error);
+    need(solve(&now.a, &error), &error);
+    now.a.rows = now.made;
     now.a.field = &(hm_points){is_empty ? NULL : spoiled, is_empty ? NULL : spoiled + 1, 2};
     need(adjoint(&now.a, &error), &error);
     check(fabs(results[0]) < 7, "an adjoint", 0);
@@ -350,8 +351,11 @@ int main(int argc, char** argv) {
         }
     }
     check_empty_process();
-    check(hm_mpi_exchange(rows, share, 0, points, MPI_COMM_NULL, NULL) == HM_BAD_ARGUMENT,
+    check(hm_mpi_adjoint(rows, NULL, NULL, NULL, MPI_COMM_NULL, NULL) == HM_BAD_ARGUMENT,
           "MPI_COMM_NULL", 0);
+    free_solver(&of_curves);
+    free_solver(&of_other_mesh);
+    free_solver(&of_less);
     own[0] = passed;
     own[1] = failed;
     MPI_Reduce(own, all, 2, MPI_INT, MPI_SUM, 0, MPI_COMM_WORLD);

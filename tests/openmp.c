@@ -60,7 +60,7 @@ static void compute(const hm_mesh* mesh, const hm_curves* curves, int32_t operat
 int main(void) {
     static double one[NUMBERS], four[NUMBERS];
     const int32_t kinds[] = {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL}, body[] = {BODY};
-    size_t bytes, work;
+    size_t bytes;
     int k;
     hm_error error;
     hm_fit_options fit;
@@ -69,10 +69,8 @@ int main(void) {
     HM_INIT(fit);
     fit.n_control = CONTROL;
     fit.closed = HM_PERIODIC;
-    require(hm_fit_marker_size(&mesh, 1, body, &fit, &bytes, &work, &error), "size of a fit",
-            &error);
-    require(hm_fit_marker(&curves, block_of(bytes), bytes, &mesh, 1, body, &fit, NULL,
-                          block_of(work), work, &error),
+    require(hm_fit_marker_size(&mesh, 1, body, &fit, &bytes, &error), "size of a fit", &error);
+    require(hm_fit_marker(&curves, block_of(bytes), bytes, &mesh, 1, body, &fit, NULL, &error),
             "fit", &error);
     for (k = 0; k < 3; ++k) {
         compute(&mesh, curves, kinds[k], 1, one);

@@ -29,7 +29,8 @@ by_fpm() (
 check "make fpm" $MAKE -s BUILD="$build" fpm
 check "the package for fpm: compiled, linked without the run-time library of C++, run" by_fpm
 
-if command -v dpkg-buildpackage >/dev/null && command -v lintian >/dev/null && command -v dh >/dev/null; then
+if command -v dpkg-buildpackage >/dev/null && command -v lintian >/dev/null &&
+    dpkg-checkbuilddeps c_api/packaging/debian/control >"$log" 2>&1; then
     check "the Debian packages are built" sh c_api/packaging/debian.sh "$build"
     changes=$(ls "$build"/debian/harmorph_"$version"-*.changes 2>/dev/null)
     check "lintian finds neither errors nor warnings" lintian --allow-root --fail-on error,warning "$changes"
@@ -40,6 +41,6 @@ if command -v dpkg-buildpackage >/dev/null && command -v lintian >/dev/null && c
     check "the packages, unpacked, in C, C++, Fortran, Python and as a program" \
         env HARMORPH_ROOT="$dir/root" AUTOPKGTEST_TMP="$dir/tmp" sh c_api/packaging/debian/tests/morph
 else
-    skip "the Debian packages" "dpkg-buildpackage, debhelper or lintian is not installed"
+    skip "the Debian packages" "dpkg-buildpackage, lintian or a package is not installed: $(cat "$log")"
 fi
 finish "$dir"

@@ -48,13 +48,13 @@ done
 check "link of partitioned.f90" $MPIFC $FFLAGS -o "$dir/partitioned" "$dir"/*_f.o "$dir/harmorph_petsc.o" \
     "$dir/harmorph_mpi.o" "$build/libharmorph.a" $petsc_libs -lm
 for n in 1 2; do
-    check "partitioned.f90 on $n processes" start $n "$dir/partitioned" tests/meshes/naca0012.su2
+    check "partitioned.f90 on $n processes" start $n "$dir/partitioned" "$build/meshes/naca0012.su2"
 done
 check "petsc_refusals.f90" $MPIFC -std=f2018 $FFLAGS -J"$dir" -I"$dir" -c tests/petsc_refusals.f90 -o "$dir/refusals.o"
 rm -f "$dir/partitioned_f.o"
 check "link of petsc_refusals.f90" $MPIFC $FFLAGS -o "$dir/refusals" "$dir/refusals.o" "$dir"/*_f.o \
     "$dir/harmorph_petsc.o" "$dir/harmorph_mpi.o" "$build/libharmorph.a" $petsc_libs -lm
-check "petsc_refusals.f90 on 2 processes" start 2 "$dir/refusals" tests/meshes/naca0012.su2
+check "petsc_refusals.f90 on 2 processes" start 2 "$dir/refusals" "$build/meshes/naca0012.su2"
 for n in 1 2 3 4; do run "$dir" $n; done
 for what in ${MESHES:+"$MESHES"/*.su2} $LARGE; do
     for n in 1 2 3 4; do run "$dir" $n "$what"; done

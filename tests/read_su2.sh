@@ -25,7 +25,7 @@ check "read_su2.f90 compiles" $FC $strict $FFLAGS -J"$dir" -c fortran/read_su2.f
 check "its test compiles" $FC $strict $FFLAGS -I"$dir" -J"$dir" tests/read_su2.f90 "$dir/read_su2.o" -o "$dir/fortran"
 check "read_su2.c compiles" $CC -std=c99 -pedantic -Wall -Wextra -Werror $CFLAGS -Ic_api/examples \
     c_api/examples/read_su2.c tests/read_su2.c -o "$dir/c"
-for mesh in tests/meshes/*.su2; do
+for mesh in "$build"/meshes/*.su2; do
     check "$mesh" finds $mesh "points $(count NPOIN $mesh) cells $(count NELEM $mesh) " \
         "faces $(sed -n 's/^MARKER_ELEMS= *//p' $mesh | awk '{ n += $1 } END { print n }')$"
     check "markers of $mesh" test "$(sed -n 's/^marker //p' "$dir/said")" = "$(sed -n 's/^MARKER_TAG= *//p' $mesh)"

@@ -78,11 +78,25 @@ if $PYTHON -c 'import numpy, cffi, wheel, setuptools, venv, ensurepip' 2>/dev/nu
     block c_api/python/README.md python 1 >"$dir/warp.py"
     warped() { "$dir/env/bin/python" "$dir/warp.py" | grep -E '^The wall is (0.0|[0-9.]+e-1[5-9]) away'; }
     check "the grid of ADflow is warped" warped
+    from_wheel() {
+        cp "$build/libharmorph.a" "$dir" && CXXFLAGS=-O0 sh c_api/packaging/wheel.sh "$dir" &&
+            cp "$dir"/wheel/*.whl "$dir" && path c_api/python/README.md 1 "^0 inverted cells; the mesh could follow"
+    }
+    check "the lines that install a wheel" from_wheel
+    if $PYTHON -c 'import torch' 2>/dev/null; then
+        check "a data set to the end" path c_api/python/examples/dataset/README.md 1 "^test: .* times less"
+    else
+        block c_api/python/examples/dataset/README.md sh 1 >/dev/null
+        skip "a data set to the end" "PyTorch is not installed for $PYTHON"
+    fi
 else
+    block c_api/python/README.md sh 1 >/dev/null
+    block c_api/python/examples/dataset/README.md sh 1 >/dev/null
     block README.md sh 2 >/dev/null
     block c_api/python/README.md python 1 >/dev/null
     skip "the program in Python" "numpy, cffi, wheel, setuptools or venv is not installed for $PYTHON"
 fi
+block c_api/web/README.md js 1 >/dev/null   # tests/web.sh runs the program, where node is installed
 check "the lines of C++" path c_api/cpp/README.md 1 "^0 inverted cells; the mesh could follow"
 check "the lines of FORTRAN 77" path fortran/harmorph77/README.md 1 "^ *[1-9][0-9]* passed, *0 failed"
 check "design variables from the command line" path src/bspline/README.md 1 "^inverted cells   0"
@@ -110,6 +124,9 @@ openfoam_case() { block c_api/openfoam/README.md sh 2 | sh -n; }   # c_api/openf
 check "the lines of the first case of OpenFOAM" openfoam_case
 code_saturne_case() { block fortran/examples/code_saturne/README.md sh 1 | sh -n; }   # run.sh there runs the lines
 check "the lines of the first case of code_saturne" code_saturne_case
+
+# tests/projects.sh builds the projects of this page.
+for project in "cmake 1" "cmake 2" "ini 1" "meson 1"; do block c_api/packaging/README.md $project >/dev/null; done
 
 # Lines that no example has, inside programs that declare what the lines name.
 lines_of_c() {

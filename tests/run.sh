@@ -78,22 +78,28 @@ steps() {
     step 1 "MPI" sh tests/mpi.sh "$BUILD"
     if pkg-config --exists petsc; then step 1 "PETSc" sh tests/petsc.sh "$BUILD"
     elif [ $doing = telling ]; then echo "== PETSc: not installed (Debian's petsc-dev), its tests are SKIPPED"; fi
-    if $PYTHON -c 'import numpy, cffi, pytest, setuptools' 2>/dev/null; then
+    if $PYTHON -c 'import numpy, cffi, pytest, setuptools, wheel, venv, ensurepip' 2>/dev/null; then
         step 2 "Python" sh tests/python.sh "$BUILD"
         step 2 "given displacements on meshes" env MESHES="$MESHES" sh tests/measure/given/run.sh "$BUILD"
     elif [ $doing = telling ]; then
-        echo "== Python: $PYTHON has no numpy, cffi, pytest or setuptools (Debian's python3-...), its tests are SKIPPED"
+        echo "== Python: $PYTHON lacks numpy, cffi, pytest, setuptools, wheel or venv: its tests are SKIPPED"
     fi
     if $PYTHON -c 'import sphinx, myst_parser' 2>/dev/null; then step 2 "browsable manual" sh tests/html.sh "$BUILD"
     elif [ $doing = telling ]; then
         echo "== browsable manual: python3-sphinx or python3-myst-parser is not installed, its tests are SKIPPED"
     fi
-    step 2 "program" sh tests/cli/run.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
-    step 2 "faults of files" sh tests/faults.sh "$BUILD/harmorph" tests/meshes "$BUILD/faults"
+    without=
+    for tool in clang++ wasm-ld node npm; do command -v $tool >/dev/null || without="$without $tool"; done
+    if [ -z "$without" ]; then step 1 "package for npm" sh tests/web.sh "$BUILD"
+    elif [ $doing = telling ]; then
+        echo "== package for npm: not installed:$without (Debian's clang, lld, nodejs, npm), its tests are SKIPPED"
+    fi
+    step 2 "program" sh tests/cli/run.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/cli"
+    step 2 "faults of files" sh tests/faults.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/faults"
     step 1 "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"
-    step 2 "moved shapes" sh tests/airfoils.sh "$BUILD/harmorph" tests/meshes "$BUILD/airfoils-test"
-    step 2 "pictures of the program" sh tests/pictures.sh "$BUILD/harmorph" tests/meshes "$BUILD/pictures-test"
-    step 1 "page of the program" sh tests/page.sh "$BUILD/harmorph" tests/meshes "$BUILD/page-test"
+    step 2 "moved shapes" sh tests/airfoils.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/airfoils-test"
+    step 2 "pictures of the program" sh tests/pictures.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/pictures-test"
+    step 1 "page of the program" sh tests/page.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/page-test"
     step 2 "page of figures" sh tests/figures_test.sh "$BUILD/figures-test" "$BUILD"
     step 2 "includes point downwards" sh tests/includes.sh
 }

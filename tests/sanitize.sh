@@ -35,20 +35,20 @@ fi
 
 if wanted threads; then
     dir=$BUILD/threads
-    $MAKE -s BUILD="$dir" JOBS="$JOBS" CXX="$CXX" CXXFLAGS="-O1 -g1 -fsanitize=thread" LDFLAGS=-fsanitize=thread all ||
-        exit 1
-    "$dir/harmorph" fit tests/meshes/naca0012.su2 --marker airfoil -o "$dir/a.curve" >"$dir/log" 2>&1
+    $MAKE -s BUILD="$dir" JOBS="$JOBS" CXX="$CXX" CXXFLAGS="-O1 -g1 -fsanitize=thread" LDFLAGS=-fsanitize=thread \
+        all meshes || exit 1
+    "$dir/harmorph" fit "$dir/meshes/naca0012.su2" --marker airfoil -o "$dir/a.curve" >"$dir/log" 2>&1
     echo "3 0.05 0.1" >"$dir/moves.txt"
     for options in "--operator laplace" "--operator weighted" "--operator conformal" \
         "--operator laplace --engine multigrid" "--operator laplace --engine fas" \
         "--operator laplace --scheme bounded" "--operator conformal"; do
-        "$dir/harmorph" solve tests/meshes/naca0012.su2 --curve airfoil="$dir/a.curve" $options --threads 4 \
+        "$dir/harmorph" solve "$dir/meshes/naca0012.su2" --curve airfoil="$dir/a.curve" $options --threads 4 \
             -o "$dir/a.basis" >"$dir/log" 2>&1 &&
-            "$dir/harmorph" morph tests/meshes/naca0012.su2 "$dir/a.basis" --move "$dir/moves.txt" --threads 4 \
+            "$dir/harmorph" morph "$dir/meshes/naca0012.su2" "$dir/a.basis" --move "$dir/moves.txt" --threads 4 \
                 -o "$dir/m.su2" >>"$dir/log" 2>&1
         passes "thread sanitizer: solve $options, morph" $? "$dir/log"
     done
-    "$dir/harmorph" demo "$dir/demo" --mesh tests/meshes/naca0012.su2 >"$dir/log" 2>&1 &&
+    "$dir/harmorph" demo "$dir/demo" --mesh "$dir/meshes/naca0012.su2" >"$dir/log" 2>&1 &&
         "$dir/harmorph" morph "$dir/demo/mesh.su2" "$dir/demo/airfoil.basis" --move "$dir/demo/far.txt" --safe \
             --threads 4 -o "$dir/m.su2" >>"$dir/log" 2>&1
     passes "thread sanitizer: morph --safe" $? "$dir/log"

@@ -207,7 +207,7 @@ static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
     require(hm_basis_conditions(basis, &condition, 1, &n, &error), "its conditions", &error);
     check(n == 1 && condition.marker == BODY && condition.kind == HM_ON_CURVE,
           "they are those of the problem", &error);
-    require(hm_basis_curves(basis, &curves, &curve, 1, &error), "its curve", &error);
+    require(hm_basis_curves(basis, NULL, NULL, &curves, &curve, 1, &error), "its curve", &error);
 
     options.operator_kind = HM_LAPLACE;
     require(hm_analysis_size(problem, &options, &bytes, &error), "size of Laplace's analysis",

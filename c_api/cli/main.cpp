@@ -1,9 +1,10 @@
 // The program harmorph. From here on upwards every error is an exception; here it becomes a
 // sentence and an exit code.
-#include "commands/commands.hpp"
 #include "basics/failure.hpp"
 #include "basics/print.hpp"
-#include "harmorph.h"
+#include "commands/commands.hpp"
+
+#include <harmorph.h>
 
 #include <cerrno>
 #include <cstdio>

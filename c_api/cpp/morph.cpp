@@ -66,7 +66,7 @@ int main() try {
     mesh.list_points = grid.lists.data();
     mesh.list_markers = grid.markers.data();
     hm_error error;
-    std::size_t bytes, work_bytes;
+    std::size_t bytes;
 
     // A periodic cubic B-spline with 12 control points through the points of the wall.
     hm_fit_options fit;
@@ -74,14 +74,13 @@ int main() try {
     fit.n_control = 12;
     fit.closed = HM_PERIODIC;
     const hm_curves* curves;
-    checked(hm_fit_marker_size(&mesh, 1, &wall, &fit, &bytes, &work_bytes, &error), error);
-    const Block curve_block(bytes), work(work_bytes);
-    checked(hm_fit_marker(&curves, curve_block.data(), bytes, &mesh, 1, &wall, &fit, nullptr,
-                          work.data(), work.size(), &error),
-            error);
+    checked(hm_fit_marker_size(&mesh, 1, &wall, &fit, &bytes, &error), error);
+    const Block curve_block(bytes);
+    checked(
+        hm_fit_marker(&curves, curve_block.data(), bytes, &mesh, 1, &wall, &fit, nullptr, &error),
+        error);
 
-    // One function for each control point. Analysis and plan end with the braces: a morph needs
-    // only the basis.
+    // One function for each control point.
     hm_condition on_curve;
     HM_INIT(on_curve);
     on_curve.marker = wall;
@@ -93,25 +92,14 @@ int main() try {
     problem.curves = curves;
     problem.n_conditions = 1;
     problem.conditions = &on_curve;
-    hm_basis* basis;
-    std::unique_ptr<Block> basis_block;
-    {
-        hm_analysis* analysis;
-        hm_plan* plan;
-        checked(hm_analysis_size(&problem, nullptr, &bytes, &error), error);
-        const Block analysis_block(bytes);
-        checked(
-            hm_analysis_init(&analysis, analysis_block.data(), bytes, &problem, nullptr, &error),
-            error);
-        checked(hm_plan_size(analysis, &bytes, &error), error);
-        const Block plan_block(bytes);
-        checked(hm_plan_init(&plan, plan_block.data(), bytes, analysis, &error), error);
-        checked(hm_basis_size(analysis, &bytes, &error), error);
-        basis_block = std::make_unique<Block>(bytes);
-        checked(hm_basis_init(&basis, basis_block->data(), bytes, analysis, &error), error);
-        checked(hm_plan_factor(plan, nullptr, &error), error);
-        checked(hm_plan_solve(plan, basis, nullptr, &error), error);
-    }
+    hm_setup setup;
+    HM_INIT(setup);
+    checked(hm_setup_size(&problem, nullptr, &bytes, &error), error);
+    const Block first(bytes);
+    checked(hm_setup_init(&setup, first.data(), bytes, &problem, nullptr, &error), error);
+    const Block second(static_cast<std::size_t>(setup.solve_bytes));
+    checked(hm_setup_solve(&setup, second.data(), second.size(), nullptr, &error), error);
+    const hm_basis* const basis = setup.basis;
 
     // The upper control points go up. The displacements are judged before the mesh moves.
     std::vector<double> move(2 * 12), dx(grid.x.size()), dy(grid.x.size());

@@ -35,18 +35,13 @@ int main(int argc, char** argv) {
     problem.mesh = &mesh;
     problem.n_conditions = 1;
     problem.conditions = &given;
-    hm_analysis* analysis;
-    hm_plan* plan;
-    hm_basis* judge; /* without functions; hm_assess needs the cells of this basis */
     size_t bytes;
-    check(hm_analysis_size(&problem, NULL, &bytes, &error));
-    check(hm_analysis_init(&analysis, malloc(bytes), bytes, &problem, NULL, &error));
-    check(hm_plan_size(analysis, &bytes, &error));
-    check(hm_plan_init(&plan, malloc(bytes), bytes, analysis, &error));
-    check(hm_basis_size(analysis, &bytes, &error));
-    check(hm_basis_init(&judge, malloc(bytes), bytes, analysis, &error));
-    check(hm_plan_factor(plan, NULL, &error));
-    check(hm_displace_size(plan, 1, &bytes, &error));
+    hm_setup setup; /* the basis has no functions; hm_assess needs the cells of this basis */
+    HM_INIT(setup);
+    check(hm_setup_size(&problem, NULL, &bytes, &error));
+    check(hm_setup_init(&setup, malloc(bytes), bytes, &problem, NULL, &error));
+    check(hm_setup_solve(&setup, malloc(setup.solve_bytes), setup.solve_bytes, NULL, &error));
+    check(hm_displace_size(setup.plan, 1, &bytes, &error));
 
     int n, k = 0, steps = 0; /* the points of the wall, then dx and dy of each, step by step */
     if (scanf("%d", &n) != 1 || n < 1 || n > mesh.n_points)
@@ -61,10 +56,10 @@ int main(int argc, char** argv) {
         if (k < 2 * n - 1) continue;
         hm_quality_report quality;
         HM_INIT(quality);
-        check(hm_displace(plan, n, points, 1, &(hm_points){wall, wall + 1, 2}, &mesh.points,
+        check(hm_displace(setup.plan, n, points, 1, &(hm_points){wall, wall + 1, 2}, &mesh.points,
                           &(hm_points_out){x, x + mesh.n_points, 1}, work, bytes, NULL, &error));
-        check(hm_assess(judge, &mesh, &(hm_points){x, x + mesh.n_points, 1}, NULL, &mesh.points,
-                        NULL, NULL, &quality, &error));
+        check(hm_assess(setup.basis, &mesh, &(hm_points){x, x + mesh.n_points, 1}, NULL,
+                        &mesh.points, NULL, NULL, &quality, &error));
         if (quality.min_quality < worst) worst = quality.min_quality;
         if (quality.inverted > 0) break; /* here a code would factor again on the last good mesh */
         ++steps;

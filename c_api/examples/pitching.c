@@ -85,13 +85,10 @@ int main(void) {
     fit.closed = HM_PERIODIC;
     const hm_curves* curves;
     hm_error error;
-    size_t bytes, work_bytes;
-    check(hm_fit_marker_size(&mesh, 1, markers, &fit, &bytes, &work_bytes, &error), &error);
-    void* work = malloc(work_bytes);
-    check(hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, markers, &fit, NULL, work,
-                        work_bytes, &error),
+    size_t bytes;
+    check(hm_fit_marker_size(&mesh, 1, markers, &fit, &bytes, &error), &error);
+    check(hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, markers, &fit, NULL, &error),
           &error);
-    free(work);
 
     hm_condition on_curve;
     HM_INIT(on_curve);
@@ -104,21 +101,13 @@ int main(void) {
     problem.curves = curves;
     problem.n_conditions = 1;
     problem.conditions = &on_curve;
-    hm_analysis* analysis;
-    hm_plan* plan;
-    hm_basis* basis;
-    check(hm_analysis_size(&problem, NULL, &bytes, &error), &error);
-    void* analysis_block = malloc(bytes);
-    check(hm_analysis_init(&analysis, analysis_block, bytes, &problem, NULL, &error), &error);
-    check(hm_plan_size(analysis, &bytes, &error), &error);
-    void* plan_block = malloc(bytes);
-    check(hm_plan_init(&plan, plan_block, bytes, analysis, &error), &error);
-    check(hm_basis_size(analysis, &bytes, &error), &error);
-    check(hm_basis_init(&basis, malloc(bytes), bytes, analysis, &error), &error);
-    check(hm_plan_factor(plan, NULL, &error), &error);
-    check(hm_plan_solve(plan, basis, NULL, &error), &error);
-    free(analysis_block);
-    free(plan_block);
+    hm_setup setup;
+    HM_INIT(setup);
+    check(hm_setup_size(&problem, NULL, &bytes, &error), &error);
+    check(hm_setup_init(&setup, malloc(bytes), bytes, &problem, NULL, &error), &error);
+    check(hm_setup_solve(&setup, malloc(setup.solve_bytes), setup.solve_bytes, NULL, &error),
+          &error);
+    const hm_basis* const basis = setup.basis;
 
     const hm_points now = {x, y, 1};
     const hm_points_out to_now = {x, y, 1}, to_velocity = {vx, vy, 1};

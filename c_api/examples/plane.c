@@ -43,7 +43,7 @@ static void make_mesh(void) {
 int main(void) {
     make_mesh();
     hm_error error;
-    size_t bytes, work_bytes;
+    size_t bytes;
     const int32_t wall = WALL;
 
     /* README: the mesh of the plane */
@@ -69,12 +69,9 @@ int main(void) {
     fit.n_control = 12;
     fit.closed = HM_PERIODIC;
     const hm_curves* curves;
-    check(hm_fit_marker_size(&mesh, 1, &wall, &fit, &bytes, &work_bytes, &error), &error);
-    void* work = malloc(work_bytes);
-    check(hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, &wall, &fit, NULL, work,
-                        work_bytes, &error),
+    check(hm_fit_marker_size(&mesh, 1, &wall, &fit, &bytes, &error), &error);
+    check(hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, &wall, &fit, NULL, &error),
           &error);
-    free(work);
     hm_condition on_curve;
     HM_INIT(on_curve);
     on_curve.marker = WALL;
@@ -86,17 +83,13 @@ int main(void) {
     problem.curves = curves;
     problem.n_conditions = 1;
     problem.conditions = &on_curve;
-    hm_analysis* analysis;
-    hm_plan* plan;
-    hm_basis* basis;
-    check(hm_analysis_size(&problem, NULL, &bytes, &error), &error);
-    check(hm_analysis_init(&analysis, malloc(bytes), bytes, &problem, NULL, &error), &error);
-    check(hm_plan_size(analysis, &bytes, &error), &error);
-    check(hm_plan_init(&plan, malloc(bytes), bytes, analysis, &error), &error);
-    check(hm_basis_size(analysis, &bytes, &error), &error);
-    check(hm_basis_init(&basis, malloc(bytes), bytes, analysis, &error), &error);
-    check(hm_plan_factor(plan, NULL, &error), &error);
-    check(hm_plan_solve(plan, basis, NULL, &error), &error);
+    hm_setup setup;
+    HM_INIT(setup);
+    check(hm_setup_size(&problem, NULL, &bytes, &error), &error);
+    check(hm_setup_init(&setup, malloc(bytes), bytes, &problem, NULL, &error), &error);
+    check(hm_setup_solve(&setup, malloc(setup.solve_bytes), setup.solve_bytes, NULL, &error),
+          &error);
+    const hm_basis* const basis = setup.basis;
 
     double move[2 * 12] = {0}, gradient[2 * 12];
     for (int i = 0; i < 12; ++i) move[2 * i + 1] = curves->control[2 * i + 1] > 0 ? 0.1 : 0;

@@ -73,14 +73,11 @@ int main(void) {
     fit.closed = HM_PERIODIC;
     const hm_curves* curves;
     hm_error error;
-    size_t bytes, work_bytes;
+    size_t bytes;
     const int32_t wall = WALL;
-    check(hm_fit_marker_size(&mesh, 1, &wall, &fit, &bytes, &work_bytes, &error), &error);
-    void* work = malloc(work_bytes);
-    check(hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, &wall, &fit, NULL, work,
-                        work_bytes, &error),
+    check(hm_fit_marker_size(&mesh, 1, &wall, &fit, &bytes, &error), &error);
+    check(hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, &wall, &fit, NULL, &error),
           &error);
-    free(work);
 
     hm_condition on_curve;
     HM_INIT(on_curve);
@@ -93,21 +90,13 @@ int main(void) {
     problem.curves = curves;
     problem.n_conditions = 1;
     problem.conditions = &on_curve;
-    hm_analysis* analysis;
-    hm_plan* plan;
-    hm_basis* basis;
-    check(hm_analysis_size(&problem, NULL, &bytes, &error), &error);
-    void* analysis_block = malloc(bytes);
-    check(hm_analysis_init(&analysis, analysis_block, bytes, &problem, NULL, &error), &error);
-    check(hm_plan_size(analysis, &bytes, &error), &error);
-    void* plan_block = malloc(bytes);
-    check(hm_plan_init(&plan, plan_block, bytes, analysis, &error), &error);
-    check(hm_basis_size(analysis, &bytes, &error), &error);
-    check(hm_basis_init(&basis, malloc(bytes), bytes, analysis, &error), &error);
-    check(hm_plan_factor(plan, NULL, &error), &error);
-    check(hm_plan_solve(plan, basis, NULL, &error), &error);
-    free(analysis_block);
-    free(plan_block);
+    hm_setup setup;
+    HM_INIT(setup);
+    check(hm_setup_size(&problem, NULL, &bytes, &error), &error);
+    check(hm_setup_init(&setup, malloc(bytes), bytes, &problem, NULL, &error), &error);
+    check(hm_setup_solve(&setup, malloc(setup.solve_bytes), setup.solve_bytes, NULL, &error),
+          &error);
+    const hm_basis* const basis = setup.basis;
 
     const hm_points by_points = {gx, gy, 1}, displacement = {dx, dy, 1};
     const hm_points_out to_displacement = {dx, dy, 1}, to_mesh = {x, y, 1};

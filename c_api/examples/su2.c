@@ -41,13 +41,10 @@ int main(int argc, char** argv) {
     mesh.face_markers = file.face_markers;
     const hm_curves* curves; /* of 20 control points; two curves if the trailing edge is blunt */
     hm_error error;
-    size_t bytes, work_bytes;
-    check(hm_fit_marker_size(&mesh, 1, &marker, NULL, &bytes, &work_bytes, &error), &error);
-    void* work = malloc(work_bytes);
-    check(hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, &marker, NULL, NULL, work,
-                        work_bytes, &error),
+    size_t bytes;
+    check(hm_fit_marker_size(&mesh, 1, &marker, NULL, &bytes, &error), &error);
+    check(hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, &marker, NULL, NULL, &error),
           &error);
-    free(work);
 
     hm_condition on_curves;
     HM_INIT(on_curves);
@@ -60,17 +57,13 @@ int main(int argc, char** argv) {
     problem.curves = curves;
     problem.n_conditions = 1;
     problem.conditions = &on_curves;
-    hm_analysis* analysis;
-    hm_plan* plan;
-    hm_basis* basis;
-    check(hm_analysis_size(&problem, NULL, &bytes, &error), &error);
-    check(hm_analysis_init(&analysis, malloc(bytes), bytes, &problem, NULL, &error), &error);
-    check(hm_plan_size(analysis, &bytes, &error), &error);
-    check(hm_plan_init(&plan, malloc(bytes), bytes, analysis, &error), &error);
-    check(hm_basis_size(analysis, &bytes, &error), &error);
-    check(hm_basis_init(&basis, malloc(bytes), bytes, analysis, &error), &error);
-    check(hm_plan_factor(plan, NULL, &error), &error);
-    check(hm_plan_solve(plan, basis, NULL, &error), &error);
+    hm_setup setup;
+    HM_INIT(setup);
+    check(hm_setup_size(&problem, NULL, &bytes, &error), &error);
+    check(hm_setup_init(&setup, malloc(bytes), bytes, &problem, NULL, &error), &error);
+    check(hm_setup_solve(&setup, malloc(setup.solve_bytes), setup.solve_bytes, NULL, &error),
+          &error);
+    const hm_basis* const basis = setup.basis;
 
     double* move = malloc(2 * (size_t)curves->n_control * sizeof *move);
     double const s = sin(0.017453292519943295), c = cos(0.017453292519943295);

@@ -76,13 +76,10 @@ int main(void) {
     hm_fit_report fit;
     HM_INIT(fit);
     hm_error error;
-    size_t bytes, work_bytes;
-    check(hm_fit_marker_size(&mesh, 1, &airfoil, NULL, &bytes, &work_bytes, &error), &error);
-    void* work = malloc(work_bytes);
-    check(hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, &airfoil, NULL, &fit, work,
-                        work_bytes, &error),
+    size_t bytes;
+    check(hm_fit_marker_size(&mesh, 1, &airfoil, NULL, &bytes, &error), &error);
+    check(hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, &airfoil, NULL, &fit, &error),
           &error);
-    free(work);
 
     hm_condition on_curves;
     HM_INIT(on_curves);
@@ -95,21 +92,13 @@ int main(void) {
     problem.curves = curves;
     problem.n_conditions = 1;
     problem.conditions = &on_curves;
-    hm_analysis* analysis;
-    hm_plan* plan;
-    hm_basis* basis;
-    check(hm_analysis_size(&problem, NULL, &bytes, &error), &error);
-    void* analysis_block = malloc(bytes);
-    check(hm_analysis_init(&analysis, analysis_block, bytes, &problem, NULL, &error), &error);
-    check(hm_plan_size(analysis, &bytes, &error), &error);
-    void* plan_block = malloc(bytes);
-    check(hm_plan_init(&plan, plan_block, bytes, analysis, &error), &error);
-    check(hm_basis_size(analysis, &bytes, &error), &error);
-    check(hm_basis_init(&basis, malloc(bytes), bytes, analysis, &error), &error);
-    check(hm_plan_factor(plan, NULL, &error), &error);
-    check(hm_plan_solve(plan, basis, NULL, &error), &error);
-    free(analysis_block);
-    free(plan_block);
+    hm_setup setup;
+    HM_INIT(setup);
+    check(hm_setup_size(&problem, NULL, &bytes, &error), &error);
+    check(hm_setup_init(&setup, malloc(bytes), bytes, &problem, NULL, &error), &error);
+    check(hm_setup_solve(&setup, malloc(setup.solve_bytes), setup.solve_bytes, NULL, &error),
+          &error);
+    const hm_basis* const basis = setup.basis;
 
     /* The section gets a camber of 5 % of the chord; leading and trailing edge stay. */
     double* move = malloc(2 * (size_t)curves->n_control * sizeof *move);

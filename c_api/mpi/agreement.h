@@ -22,6 +22,18 @@ static hm_status refuse_argument(hm_error* err, const char* sentence) {
     return refuse(err, HM_BAD_ARGUMENT, sentence);
 }
 
+/* The private calls have no promise from version to version: the module and the library must be of
+ * one version. */
+static hm_status refuse_other_version(hm_error* err) {
+    char sentence[sizeof err->text];
+    if (strcmp(hm_version(), HM_VERSION) == 0) return HM_OK;
+    snprintf(sentence, sizeof sentence,
+             "this module was compiled with harmorph " HM_VERSION
+             ", but the library has version %s; compile the module with the headers of the library",
+             hm_version());
+    return refuse(err, HM_UNSUPPORTED, sentence);
+}
+
 /* Puts "before RANK: " in front of the reason. */
 static void name_rank(hm_error* err, const char* before, int rank) {
     char text[2 * sizeof err->text];

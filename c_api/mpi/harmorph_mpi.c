@@ -1,7 +1,7 @@
 /* The calls of harmorph_mpi.h. This file includes the other files of this folder: compile this file
  * alone. */
 #include "harmorph_mpi.h"
-#include <harmorph_parts.h>
+#include "private.h"
 
 #include "mpi/agreement.h"
 #include "mpi/lengths.h"
@@ -9,23 +9,55 @@
 #include "mpi/rows.h"
 #include "mpi/whole_fields.h"
 
-/* ---- Exchange ---- */
+/* ---- Functions ---- */
 
-hm_status hm_mpi_exchange(hm_basis* rows, const hm_basis* share, int32_t n, const int32_t* points,
-                          MPI_Comm comm, hm_error* err) {
-    row_exchange exchange;
+hm_status hm_mpi_rows_size(const hm_analysis* analysis, int32_t n, size_t* bytes, hm_error* err) {
+    hm_error unread;
+    hm_basis* none = NULL;
+    void* block = NULL;
     hm_status status;
+    if (err == NULL) err = &unread;
+    status = refuse_other_version(err);
+    if (status >= 0) status = make_share(&none, &block, analysis, 0, 0, err);
+    if (status >= 0) status = hm_private_extract_size(none, n, bytes, err);
+    free(block);
+    return status;
+}
+
+hm_status hm_mpi_solve(hm_basis** rows, void* block, size_t bytes, hm_plan* plan,
+                       const hm_analysis* analysis, int32_t n, const int32_t* points,
+                       hm_solve_report* report, MPI_Comm comm, hm_error* err) {
+    row_exchange exchange;
+    hm_error warning;
+    hm_status status, solved;
     BEGIN_CALL(comm, err);
     status = begin(&exchange, comm, err);
-    if (status >= 0 && (rows == NULL || share == NULL || n < 0 || (n > 0 && points == NULL))) {
-        status = refuse_argument(
-            err,
-            "rows, share or points is NULL, as where an earlier call has failed, or n is negative");
+    if (status >= 0) status = refuse_other_version(err);
+    if (status >= 0 && (rows == NULL || block == NULL || plan == NULL || analysis == NULL ||
+                        n < 0 || (n > 0 && points == NULL))) {
+        status = refuse_argument(err,
+                                 "rows, block, plan, analysis or points is NULL, as where an "
+                                 "earlier call has failed, or n is negative");
     }
-    status = agree(status, comm, err);
-    if (status >= 0) status = exchange_rows(&exchange, rows, share, n, points, err);
+    if (status >= 0) status = solve_share(&exchange, plan, analysis, report, err);
+    solved = status;
+    warning = *err;
+    if (status >= 0) {
+        status =
+            hm_private_extract_init(&exchange.rows, block, bytes, exchange.share, n, points, err);
+    }
+    if (status >= 0) {
+        status = solved;
+        *err = warning;
+    }
+    status = solved = agree(status, comm, err);
+    warning = *err;
+    if (status >= 0) status = exchange_rows(&exchange, n, points, err);
     end(&exchange);
-    return status;
+    if (status < 0) return status;
+    *rows = exchange.rows;
+    *err = warning;
+    return solved;
 }
 
 /* ---- Adjoint ---- */
@@ -35,14 +67,15 @@ static hm_status begin_sums(const hm_basis* rows, const hm_points* dj, const dou
                             const hm_executor* executor, int64_t** sums, int32_t* n, int32_t* scale,
                             hm_error* err) {
     hm_basis_info info = {sizeof info};
-    hm_status status = hm_basis_info_get(rows, &info, err);
+    hm_status status = refuse_other_version(err);
+    if (status >= 0) status = hm_basis_info_get(rows, &info, err);
     if (status < 0) return status;
     if (gradient == NULL) return refuse_argument(err, "gradient is NULL");
     *n = 4 * info.numbers_per_value * info.functions;
     *sums = room_for((size_t)*n, sizeof **sums);
     if (*sums == NULL)
         return refuse_argument(err, "there is no memory for the sums of the adjoint");
-    return hm_adjoint_scale(rows, dj, scale, executor, err);
+    return hm_private_adjoint_scale(rows, dj, scale, executor, err);
 }
 
 hm_status hm_mpi_adjoint(const hm_basis* rows, const hm_points* dj, double* gradient,
@@ -68,9 +101,9 @@ hm_status hm_mpi_adjoint(const hm_basis* rows, const hm_points* dj, double* grad
         status = agree(status, comm, err);
     }
     if (status >= 0) {
-        status = hm_adjoint_sums(rows, dj, of_all[0], sums, executor, err);
+        status = hm_private_adjoint_sums(rows, dj, of_all[0], sums, executor, err);
         MPI_Allreduce(MPI_IN_PLACE, sums, n, MPI_INT64_T, MPI_SUM, comm);
-        if (status >= 0) status = hm_adjoint_finish(rows, of_all[0], sums, gradient, err);
+        if (status >= 0) status = hm_private_adjoint_finish(rows, of_all[0], sums, gradient, err);
     }
     free(sums);
     return status;
@@ -189,9 +222,11 @@ hm_status hm_mpi_displace_adjoint(hm_plan* plan, int32_t n_wall, const int32_t* 
 
 /* ---- Fortran ---- */
 
-hm_status hm_mpi_exchange_f(hm_basis* rows, const hm_basis* share, int32_t n, const int32_t* points,
-                            MPI_Fint comm, hm_error* err) {
-    return hm_mpi_exchange(rows, share, n, points, MPI_Comm_f2c(comm), err);
+hm_status hm_mpi_solve_f(hm_basis** rows, void* block, size_t bytes, hm_plan* plan,
+                         const hm_analysis* analysis, int32_t n, const int32_t* points,
+                         hm_solve_report* report, MPI_Fint comm, hm_error* err) {
+    return hm_mpi_solve(rows, block, bytes, plan, analysis, n, points, report, MPI_Comm_f2c(comm),
+                        err);
 }
 
 hm_status hm_mpi_adjoint_f(const hm_basis* rows, const hm_points* dj, double* gradient,

@@ -1,8 +1,9 @@
-/* Exchange of rows: each process sends its functions to the processes that have the points. */
+/* Each process solves a share of the functions, and sends the values of these functions to the
+ * processes that have the points. */
 #ifndef HARMORPH_MPI_ROWS_H
 #define HARMORPH_MPI_ROWS_H
 
-#include <harmorph_parts.h>
+#include "private.h"
 #include "lengths.h"
 
 typedef struct row_exchange {
@@ -11,6 +12,8 @@ typedef struct row_exchange {
     lengths lists, sent, received; /* points, doubles sent, doubles received */
     int32_t* points;               /* the lists of all processes, one after the other */
     double *outgoing, *incoming;
+    hm_basis *share, *rows;
+    void* share_block;
 } row_exchange;
 
 static hm_status begin(row_exchange* exchange, MPI_Comm comm, hm_error* err) {
@@ -34,6 +37,32 @@ static void end(row_exchange* exchange) {
     free(exchange->points);
     free(exchange->outgoing);
     free(exchange->incoming);
+    free(exchange->share_block);
+}
+
+/* Makes a basis for functions first .. first+n-1 in a new block, which the caller frees. */
+static hm_status make_share(hm_basis** share, void** block, const hm_analysis* analysis,
+                            int32_t first, int32_t n, hm_error* err) {
+    size_t bytes = 0;
+    hm_status status = hm_private_share_size(analysis, first, n, &bytes, err);
+    if (status < 0) return status;
+    *block = malloc(bytes);
+    if (*block == NULL) return refuse_argument(err, "there is no memory for functions");
+    return hm_private_share_init(share, *block, bytes, analysis, first, n, err);
+}
+
+/* Solves the functions of this process. */
+static hm_status solve_share(row_exchange* exchange, hm_plan* plan, const hm_analysis* analysis,
+                             hm_solve_report* report, hm_error* err) {
+    int rank;
+    int32_t first = 0, n = 0;
+    hm_status status;
+    MPI_Comm_rank(exchange->comm, &rank);
+    status = hm_private_share_of(analysis, rank, exchange->n_processes, &first, &n, err);
+    if (status >= 0) {
+        status = make_share(&exchange->share, &exchange->share_block, analysis, first, n, err);
+    }
+    return status < 0 ? status : hm_plan_solve(plan, exchange->share, report, err);
 }
 
 /* Gathers the lists of points of all processes on every process. */
@@ -56,11 +85,12 @@ static hm_status gather_lists(row_exchange* exchange, int32_t n, const int32_t* 
     return HM_OK;
 }
 
-static hm_status measure_parcels(row_exchange* exchange, const hm_basis* share, hm_error* err) {
+static hm_status measure_parcels(row_exchange* exchange, hm_error* err) {
     int k;
     for (k = 0; k < exchange->n_processes; ++k) {
         int64_t doubles = 0;
-        hm_status status = hm_parcel_size(share, exchange->lists.count[k], &doubles, err);
+        hm_status status =
+            hm_private_parcel_size(exchange->share, exchange->lists.count[k], &doubles, err);
         if (status < 0) return status;
         if (doubles > INT_MAX)
             return refuse(err, HM_UNSUPPORTED, "a message would have more than 2^31 numbers");
@@ -69,7 +99,7 @@ static hm_status measure_parcels(row_exchange* exchange, const hm_basis* share, 
     return HM_OK;
 }
 
-static hm_status pack(row_exchange* exchange, const hm_basis* share, hm_error* err) {
+static hm_status pack(row_exchange* exchange, hm_error* err) {
     int k;
     set_starts(&exchange->sent, exchange->n_processes);
     set_starts(&exchange->received, exchange->n_processes);
@@ -83,9 +113,9 @@ static hm_status pack(row_exchange* exchange, const hm_basis* share, hm_error* e
         return refuse_argument(err, "there is no memory for the exchange of rows");
     }
     for (k = 0; k < exchange->n_processes; ++k) {
-        hm_status status = hm_parcel_pack(share, exchange->lists.count[k],
-                                          exchange->points + exchange->lists.start[k],
-                                          exchange->outgoing + exchange->sent.start[k], err);
+        hm_status status = hm_private_parcel_pack(
+            exchange->share, exchange->lists.count[k], exchange->points + exchange->lists.start[k],
+            exchange->outgoing + exchange->sent.start[k], err);
         if (status < 0) {
             name_rank(err, "the list of rank", k);
             return status;
@@ -96,13 +126,14 @@ static hm_status pack(row_exchange* exchange, const hm_basis* share, hm_error* e
 
 /* Unpacks the messages in the order of ranks, which is the order of the functions. If the share of
  * this process has all functions, the rows are solved already, and nothing is unpacked. */
-static hm_status unpack(row_exchange* exchange, hm_basis* rows, hm_error* err) {
+static hm_status unpack(row_exchange* exchange, hm_error* err) {
     int k;
+    hm_basis* const rows = exchange->rows;
     hm_basis_info info = {sizeof info};
     hm_status status = hm_basis_info_get(rows, &info, err);
     for (k = 0; status >= 0 && k < exchange->n_processes && !info.solved; ++k) {
-        status = hm_parcel_unpack(rows, exchange->incoming + exchange->received.start[k],
-                                  exchange->received.count[k], err);
+        status = hm_private_parcel_unpack(rows, exchange->incoming + exchange->received.start[k],
+                                          exchange->received.count[k], err);
         if (status < 0) name_rank(err, "the message from rank", k);
     }
     if (status >= 0) status = hm_basis_info_get(rows, &info, err);
@@ -111,20 +142,20 @@ static hm_status unpack(row_exchange* exchange, hm_basis* rows, hm_error* err) {
                   "the shares of all processes together do not contain all functions");
 }
 
-static hm_status exchange_rows(row_exchange* exchange, hm_basis* rows, const hm_basis* share,
-                               int32_t n, const int32_t* points, hm_error* err) {
+static hm_status exchange_rows(row_exchange* exchange, int32_t n, const int32_t* points,
+                               hm_error* err) {
     hm_status status = gather_lists(exchange, n, points, err);
     if (status < 0) return status;
-    status = agree(measure_parcels(exchange, share, err), exchange->comm, err);
+    status = agree(measure_parcels(exchange, err), exchange->comm, err);
     if (status < 0) return status;
     MPI_Alltoall(exchange->sent.count, 1, MPI_INT, exchange->received.count, 1, MPI_INT,
                  exchange->comm);
-    status = agree(pack(exchange, share, err), exchange->comm, err);
+    status = agree(pack(exchange, err), exchange->comm, err);
     if (status < 0) return status;
     MPI_Alltoallv(exchange->outgoing, exchange->sent.count, exchange->sent.start, MPI_DOUBLE,
                   exchange->incoming, exchange->received.count, exchange->received.start,
                   MPI_DOUBLE, exchange->comm);
-    return agree(unpack(exchange, rows, err), exchange->comm, err);
+    return agree(unpack(exchange, err), exchange->comm, err);
 }
 
 #endif

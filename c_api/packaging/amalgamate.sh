@@ -45,8 +45,8 @@ BEGIN {
     gsub(/^[^"]*"|"[^"]*$/, "", version)
     print "// harmorph " version ", the library in one file: C++17, needs only harmorph.h beside this file. " \
         "See harmorph.h."
-    print "// Made by `make amalgamation`. MIT licence. Compile with -O2 -fno-math-errno; where a C"
-    print "// compiler links the program, also with -fno-exceptions -fno-rtti."
+    print "// Made by `make amalgamation`. MIT licence. Compile with -std=c++17 -O2, and better with"
+    print "// -fno-math-errno -fno-exceptions -fno-rtti: then a C program needs no -lm either."
     while ((getline header <"fortran/harmorph/headers") > 0) print "#include \"" header "\""
     print "#if defined(__clang__)"
     print "#pragma clang fp contract(off)  // compilers agree on bits"
@@ -54,6 +54,11 @@ BEGIN {
     print "#elif defined(__GNUC__)"
     print "#pragma GCC optimize (\"fp-contract=off\")"
     print "#pragma GCC diagnostic ignored \"-Wshadow\"  // names of files that know nothing of each other"
+    print "#endif"
+    # With exceptions, compilers end functions that are noexcept by calls of the run-time library of C++. The library
+    # throws nothing, so that a program without this library lacks nothing.
+    print "#if defined(__cpp_exceptions) && defined(__ELF__)"
+    print "__asm__(\".weak __gxx_personality_v0, __cxa_begin_catch, _ZSt9terminatev\");"
     print "#endif"
 }
 { put($0) }

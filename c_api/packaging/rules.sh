@@ -3,7 +3,7 @@
 # Writes the files that are joined from several sources, and BUILD/rules.mk, the rules of all objects and programs:
 # POSIX make has no rules that lead from one directory to another, and a new source needs no edit. BUILD/depends.mk
 # holds what the compiler has said of the headers that each object includes. All objects depend on BUILD/flags, which
-# changes when the compiler or its flags do.
+# changes when the compiler or its flags do; those of the modules for WebAssembly on BUILD/web/flags.
 #
 # Each file of the library is an object of its own, so that a program links what it calls. Files of the program with the
 # same level of optimisation, and files of the tests, are compiled in groups: headers that they share are read once a
@@ -43,6 +43,7 @@ if [ "$ZLIB" != 0 ]; then
     rm -f "$build/zlib.$$"*
 fi
 put flags echo "$FLAGS $(cat "$LEVELS") $with_zlib"
+put web/flags echo "$WASM_FLAGS $(cat "$LEVELS") $(sed -n '/^small_levels/,/^}/p' "$0")"
 
 # level SOURCE: its flags in the file LEVELS
 level() {
@@ -52,13 +53,13 @@ level() {
         }' "$LEVELS"
 }
 
-# object PART SOURCE [MEMBER]: its rule; adds the object, src-mesh-edges.o of src/mesh/edges.cpp, to $list. A group has
+# object PART SOURCE [MEMBER]: its rule; adds the object, src-mesh-mesh.o of src/mesh/mesh.cpp, to $list. A group has
 # the level of its first MEMBER. The headers that the source includes stand in depends.mk once the object has been made.
 object() {
     name=${2%.cpp} name=${name#$build/} name=${name#objects/$1/}
     name=$build/objects/$1/$(IFS=/; set -- $name; IFS=-; echo "$*").o
-    printf '%s: %s %s/flags\n\techo $(CXX) %s\n\t$(CXX) %s $(CXXFLAGS) %s -MMD -MP -c -o $@ %s\n' \
-        "$name" "$2" "$build" "$2" "$(level ${3:-$2})" "$flags" "$2"
+    printf '%s: %s %s\n\techo %s %s\n\t%s %s %s -MMD -MP -c -o $@ %s\n' \
+        "$name" "$2" "$stamp" "$compiler" "$2" "$compiler" "${at:-$(level ${3:-$2})}${own:+ $own}" "$flags" "$2"
     list="$list $name"
 }
 objects() { part=$1; shift; for source do object $part $source; done; }
@@ -94,8 +95,43 @@ program() {
         "$list" $build $zlib
 }
 
+# The library as WebAssembly, in the folder web: NAME, flags. A page loads the module, so the module is compiled for
+# size but for the kernels and the search for crossings, in which most of the time is spent. The module without simd128
+# is for old engines, and small.
+small_levels() {   # source:level, of each source; one process for all, as there are many
+    ls src/*/*.cpp c_api/*.cpp c_api/web/module.cpp | awk -v flags="$1" -v fast="$(
+        grep -l '^#define HARMORPH_KERNELS' src/*/*.cpp | tr '\n' ' ')src/morph/crossing.cpp src/morph/touch.cpp" '
+        BEGIN { n = split(fast, name, " "); for (k = 1; k <= n; ++k) is_fast[name[k]] = 1 }
+        NR == FNR { if ($0 !~ /^#/) { prefix[++levels] = $1; level[levels] = $2 } next }
+        {
+            for (k = 1; k < levels; ++k) if (index($1, prefix[k]) == 1) break
+            print $1 ":" (flags == "" || level[k] == "-Og" ? "-Oz" : $1 in is_fast ? "-O2" : "-Os")
+        }' "$LEVELS" -
+}
+module() {
+    flags="\$(WASM) $2" list=
+    for at in $(small_levels "$2"); do source=${at%:*} at=${at#*:}; object $1 $source; done
+    at=
+    printf '%s/web/%s.wasm:%s %s/web/exports %s/rules.mk\n\techo $(WASM_CXX) $@\n' $build $1 "$list" $build $build
+    printf '\t$(WASM_CXX) $(WASM_LINK) @%s/web/exports -o $@%s\n' $build "$list"
+}
+# What the scripts of the package call; other words, such as names of structs, are not there to be exported.
+exports() {
+    cat c_api/web/package/*.js | grep -o 'hm_[a-z_]*' | sort -u | sed 's/^/-Wl,--export-if-defined=/'
+}
+layout() {
+    awk -f c_api/packaging/table.awk $(sed 's|^|include/|' fortran/harmorph/headers) | awk -f c_api/web/layout.awk
+}
+put web/layout.inc layout
+put web/exports exports
+
 all_rules() {
     echo "WITH_ZLIB = $with_zlib"
+    compiler='$(WASM_CXX)' own= stamp=$build/web/flags
+    module harmorph ''
+    module harmorph_simd128 -msimd128
+
+    compiler='$(CXX)' at= own='$(CXXFLAGS)' stamp=$build/flags
     flags='$(CORE)' list=
     objects core src/*/*.cpp c_api/*.cpp
     printf '%s/libharmorph.a:%s\n\techo $(AR) $@\n\trm -f $@\n\t$(AR) rcs $@%s\n' $build "$list" "$list"
@@ -125,6 +161,14 @@ all_rules() {
     flags='$(UNIT) -Ic_api/cli' list=$parts
     objects fuzz tests/fuzz/*.cpp
     program fuzzer
+
+    # The meshes of the demo and of the tests: those of tests/meshes, and the one that a program makes.
+    flags='$(UNIT)' list=
+    objects mesh tests/meshes/make_naca0012.cpp
+    printf '%s/make_naca0012:%s\n\techo $(CXX) $@\n\t$(CXX) $(CXXFLAGS) -o $@%s $(LDFLAGS)\n' $build "$list" "$list"
+    printf '%s/meshes/naca0012.su2: %s/make_naca0012 %s\n\tcp tests/meshes/*.su2 tests/meshes/*.curve %s/meshes/\n' \
+        $build $build "$(echo tests/meshes/*.su2 tests/meshes/*.curve)" $build
+    printf '\t%s/make_naca0012 $@\n' $build
 }
 put rules.mk all_rules
 put depends.mk find $build/objects -name '*.d' -exec cat {} +

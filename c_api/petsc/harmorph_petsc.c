@@ -1,7 +1,7 @@
 /* The calls of harmorph_petsc.h. This file includes the other files of this folder: compile this
  * file alone. */
 #include "harmorph_petsc.h"
-#include <harmorph_parts.h>
+#include "private.h"
 
 #include "mpi/agreement.h"
 #include "petsc/agreement.h"
@@ -22,6 +22,7 @@ static hm_status begin_system(hm_petsc* made, hm_petsc** system, const hm_part_m
     if (made == NULL) return no_memory(err);
     if (system == NULL) return refuse_argument(err, "system is NULL");
     PetscInitialized(&running);
+    if (refuse_other_version(err) < 0) return err->code;
     if (!running) return refuse_argument(err, "PetscInitialize has not been called");
     made->comm = comm;
     MPI_Comm_rank(comm, &made->rank);
@@ -42,7 +43,7 @@ static hm_status number_system(hm_petsc* made, hm_error* err) {
 /* Makes the part and the equations. The status is a warning if points are far from their curve. */
 static hm_status fill_system(hm_petsc* made, const hm_problem* problem, const hm_options* options,
                              hm_error* err) {
-    hm_edge *edges = NULL, *all = NULL;
+    hm_private_edge *edges = NULL, *all = NULL;
     int32_t n = 0;
     hm_status status = agree(take_edges(made, &edges, &n, err), made->comm, err), next;
     if (status >= 0) status = own_points(made, edges, n, err);
@@ -112,7 +113,7 @@ static hm_status check_report(const hm_petsc_report* report, hm_error* err) {
 
 hm_status hm_petsc_rows_size(const hm_petsc* system, size_t* bytes, hm_error* err) {
     if (system == NULL) return refuse_argument(err, "system is NULL");
-    return hm_rows_size(system->equations, bytes, err);
+    return hm_private_rows_size(system->equations, bytes, err);
 }
 
 hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t bytes,
@@ -125,7 +126,7 @@ hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t 
     status = check_system(system, comm, err);
     if (status >= 0) status = check_report(report, err);
     if (status >= 0 && rows == NULL) status = refuse_argument(err, "rows is NULL");
-    if (status >= 0) status = hm_rows_init(&made, block, bytes, system->equations, err);
+    if (status >= 0) status = hm_private_rows_init(&made, block, bytes, system->equations, err);
     status = agree(status, comm, err);
     if (status < 0) return status;
     memset(&wanted, 0, sizeof wanted);
@@ -133,7 +134,8 @@ hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t 
     wanted.rows = made;
     wanted.n = system->info.columns;
     status = solve_all(&wanted, &found, err);
-    if (status >= 0) status = agree(hm_rows_finish(system->equations, made, 0, err), comm, err);
+    if (status >= 0)
+        status = agree(hm_private_rows_finish(system->equations, made, 0, err), comm, err);
     if (status < 0) return status;
     *rows = made;
     return finish_report(system, &found, report, err);
@@ -153,7 +155,7 @@ static hm_status begin_field(columns* wanted, const hm_points_out* displacement,
     given.x = displacement->x;
     given.y = displacement->y;
     given.stride = displacement->stride;
-    return hm_field_init(system->equations, &given, wanted->work, wanted->numbers, err);
+    return hm_private_field_init(system->equations, &given, wanted->work, wanted->numbers, err);
 }
 
 hm_status hm_petsc_displace(hm_petsc* system, const hm_points_out* displacement,
@@ -170,9 +172,9 @@ hm_status hm_petsc_displace(hm_petsc* system, const hm_points_out* displacement,
     status = agree(status, comm, err);
     if (status >= 0) status = solve_all(&wanted, &found, err);
     if (status >= 0) {
-        status = agree(
-            hm_field_finish(system->equations, wanted.work, wanted.numbers, displacement, err),
-            comm, err);
+        status = agree(hm_private_field_finish(system->equations, wanted.work, wanted.numbers,
+                                               displacement, err),
+                       comm, err);
     }
     free(wanted.work);
     free(wanted.numbers);
@@ -238,7 +240,7 @@ hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm
                         quality->struct_size < sizeof *quality)) {
         status = refuse_argument(err, "step or quality is NULL, or its struct_size is wrong");
     }
-    if (status >= 0) status = hm_part_cells(system->part, &own, &cell, err);
+    if (status >= 0) status = hm_private_part_cells(system->part, &own, &cell, err);
     if (status >= 0)
         status = hm_assess(rows, &own, from, displacement, NULL, NULL, &found_step, &found, err);
     status = agree(status, comm, err);

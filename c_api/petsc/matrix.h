@@ -2,7 +2,7 @@
 #ifndef HARMORPH_PETSC_MATRIX_H
 #define HARMORPH_PETSC_MATRIX_H
 
-#include <harmorph_parts.h>
+#include "private.h"
 #include "scalars.h"
 
 typedef struct numbering {
@@ -88,8 +88,8 @@ static hm_status make_window(const hm_petsc* system, window* at, hm_error* err) 
     for (first = 0; first < system->info.unknowns; first += n) {
         int64_t count = 0;
         n = system->info.unknowns - first < WINDOW ? system->info.unknowns - first : WINDOW;
-        hm_equations_entries(system->equations, first, n, NULL, NULL, NULL, 0, &count,
-                             NULL); /* only counts */
+        hm_private_equations_entries(system->equations, first, n, NULL, NULL, NULL, 0, &count,
+                                     NULL); /* only counts */
         if (count > at->capacity) at->capacity = count;
     }
     at->row = room_for((size_t)at->capacity, sizeof *at->row);
@@ -103,8 +103,8 @@ static int next_window(const hm_petsc* system, window* at, int32_t* first) {
     const int32_t n =
         system->info.unknowns - *first < WINDOW ? system->info.unknowns - *first : WINDOW;
     if (n <= 0) return 0;
-    hm_equations_entries(system->equations, *first, n, at->row, at->column, at->values,
-                         at->capacity, &at->n, NULL);
+    hm_private_equations_entries(system->equations, *first, n, at->row, at->column, at->values,
+                                 at->capacity, &at->n, NULL);
     *first += n;
     return 1;
 }

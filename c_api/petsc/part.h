@@ -2,7 +2,7 @@
 #ifndef HARMORPH_PETSC_PART_H
 #define HARMORPH_PETSC_PART_H
 
-#include <harmorph_parts.h>
+#include "private.h"
 #include "owners.h"
 
 #include <petscksp.h>
@@ -14,9 +14,9 @@ struct hm_petsc {
     hm_part_mesh part_mesh;
     hm_mesh mesh; /* views of the caller's arrays */
     void *part_block, *equations_block;
-    hm_part* part;
-    hm_equations* equations;
-    hm_equations_info info;
+    hm_private_part* part;
+    hm_private_equations* equations;
+    hm_private_equations_info info;
     uint8_t* owned; /* [points] */
     double tolerance;
     int32_t boundary_edges;
@@ -32,6 +32,7 @@ struct hm_petsc {
 };
 
 static hm_status take_part(hm_petsc* system, const hm_part_mesh* part, hm_error* err) {
+    hm_private_part_mesh view = {sizeof view};
     size_t bytes = 0;
     hm_status status;
     if (part == NULL || part->mesh == NULL || part->struct_size < sizeof *part ||
@@ -48,20 +49,24 @@ static hm_status take_part(hm_petsc* system, const hm_part_mesh* part, hm_error*
                       "this process has no cells: make a communicator of the processes that have "
                       "(MPI_Comm_split)");
     }
-    status = hm_part_size(&system->part_mesh, &bytes, err);
+    view.mesh = &system->mesh;
+    view.numbers = part->numbers;
+    view.ghosts = part->ghosts;
+    status = hm_private_part_size(&view, &bytes, err);
     if (status < 0) return status;
     system->part_block = malloc(bytes);
     if (system->part_block == NULL) return no_memory(err);
     system->bytes += bytes;
-    return hm_part_init(&system->part, system->part_block, bytes, &system->part_mesh, err);
+    return hm_private_part_init(&system->part, system->part_block, bytes, &view, err);
 }
 
 /* Makes edges [n] of this part, which the caller frees. */
-static hm_status take_edges(const hm_petsc* system, hm_edge** edges, int32_t* n, hm_error* err) {
-    hm_part_edges(system->part, NULL, 0, n, NULL);
+static hm_status take_edges(const hm_petsc* system, hm_private_edge** edges, int32_t* n,
+                            hm_error* err) {
+    hm_private_part_edges(system->part, NULL, 0, n, NULL);
     *edges = room_for((size_t)*n, sizeof **edges);
     if (*edges == NULL) return no_memory(err);
-    return hm_part_edges(system->part, *edges, *n, n, err);
+    return hm_private_part_edges(system->part, *edges, *n, n, err);
 }
 
 static int by_number(const void* a, const void* b) {
@@ -70,8 +75,8 @@ static int by_number(const void* a, const void* b) {
 }
 
 /* The points of own and ghost cells, with the role that each has here: records [returned], point
- * [returned]. role [points] is that of hm_part_points; border [n_border] contains the sorted global
- * numbers of the ends of edges with one own cell. */
+ * [returned]. role [points] is that of hm_private_part_points; border [n_border] contains the
+ * sorted global numbers of the ends of edges with one own cell. */
 static int64_t list_points(const hm_petsc* system, const uint8_t* role, const int64_t* border,
                            size_t n_border, named* records, int32_t* point) {
     const int64_t stride = system->mesh.points.stride == 0 ? 1 : system->mesh.points.stride;
@@ -95,7 +100,7 @@ static int64_t list_points(const hm_petsc* system, const uint8_t* role, const in
 }
 
 /* Sets system->owned to 1 at points that belong to this process. */
-static hm_status own_points(hm_petsc* system, const hm_edge* edges, int32_t n_edges,
+static hm_status own_points(hm_petsc* system, const hm_private_edge* edges, int32_t n_edges,
                             hm_error* err) {
     const size_t n = (size_t)system->mesh.n_points;
     named* records = room_for(n, sizeof *records);
@@ -112,8 +117,8 @@ static hm_status own_points(hm_petsc* system, const hm_edge* edges, int32_t n_ed
     }
     if (status >= 0) {
         system->bytes += n;
-        status =
-            hm_part_points(system->part, system->owned, err); /* contains roles until the end */
+        status = hm_private_part_points(system->part, system->owned,
+                                        err); /* contains roles until the end */
     }
     status = agree(status, system->comm, err);
     if (status >= 0) {
@@ -137,7 +142,7 @@ static hm_status own_points(hm_petsc* system, const hm_edge* edges, int32_t n_ed
 
 /* Sends edges [left] of this process to all processes. The caller frees *all [*n_all]. */
 static hm_status gather_edges(const hm_petsc* system, mail* post, const void* edges, int64_t left,
-                              hm_edge** all, int32_t* n_all, hm_error* err) {
+                              hm_private_edge** all, int32_t* n_all, hm_error* err) {
     int *counts = room_for(2 * (size_t)system->size, sizeof *counts), own = (int)left, p;
     int64_t total = 0;
     hm_status status = agree(counts == NULL ? no_memory(err) : HM_OK, system->comm, err);
@@ -161,8 +166,8 @@ static hm_status gather_edges(const hm_petsc* system, mail* post, const void* ed
 
 /* Compares edges [n] of all processes, each pair on one of them. *all [*n_all], which the caller
  * frees, receives those that are left, the same on all processes. */
-static hm_status gather_boundary(const hm_petsc* system, const hm_edge* edges, int32_t n,
-                                 hm_edge** all, int32_t* n_all, hm_error* err) {
+static hm_status gather_boundary(const hm_petsc* system, const hm_private_edge* edges, int32_t n,
+                                 hm_private_edge** all, int32_t* n_all, hm_error* err) {
     mail post;
     void* in = NULL;
     int* to = room_for((size_t)n, sizeof *to);
@@ -176,7 +181,7 @@ static hm_status gather_boundary(const hm_petsc* system, const hm_edge* edges, i
     if (status >= 0) status = deliver(&post, edges, sizeof *edges, &in, err);
     if (status >= 0) {
         left = post.n_in;
-        status = agree(hm_match_edges(in, &left, err), system->comm, err);
+        status = agree(hm_private_match_edges(in, &left, err), system->comm, err);
     }
     if (status >= 0) status = gather_edges(system, &post, in, left, all, n_all, err);
     end_mail(&post);

@@ -2,24 +2,25 @@
 #ifndef HARMORPH_PETSC_PROBLEM_H
 #define HARMORPH_PETSC_PROBLEM_H
 
-#include <harmorph_parts.h>
+#include "private.h"
 #include "part.h"
 
-static hm_status make_equations(hm_petsc* system, const hm_edge* edges, int32_t n,
+static hm_status make_equations(hm_petsc* system, const hm_private_edge* edges, int32_t n,
                                 const hm_problem* problem, const hm_options* options,
                                 hm_error* err) {
     size_t bytes = 0;
-    hm_status status = hm_equations_size(system->part, n, problem, options, &bytes, err), known;
+    hm_status status = hm_private_equations_size(system->part, n, problem, options, &bytes, err),
+              known;
     if (status < 0) return status;
     system->tolerance = options != NULL && options->tolerance > 0 ? options->tolerance : 1e-10;
     system->equations_block = malloc(bytes);
     if (system->equations_block == NULL) return no_memory(err);
     system->bytes += bytes;
-    status = hm_equations_init(&system->equations, system->equations_block, bytes, system->part, n,
-                               edges, problem, options, err);
+    status = hm_private_equations_init(&system->equations, system->equations_block, bytes,
+                                       system->part, n, edges, problem, options, err);
     if (status < 0) return status;
     system->info.struct_size = sizeof system->info;
-    known = hm_equations_info_get(system->equations, &system->info, err);
+    known = hm_private_equations_info_get(system->equations, &system->info, err);
     return known < 0 ? known : status;
 }
 

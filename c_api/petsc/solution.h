@@ -2,7 +2,7 @@
 #ifndef HARMORPH_PETSC_SOLUTION_H
 #define HARMORPH_PETSC_SOLUTION_H
 
-#include <harmorph_parts.h>
+#include "private.h"
 #include "matrix.h"
 
 /* BoomerAMG relaxes forwards towards coarser levels and backwards towards finer levels: a cycle is
@@ -52,7 +52,7 @@ typedef struct columns {
     hm_petsc* system;
     int32_t n;
     hm_basis* rows;                     /* for functions; NULL: a field */
-    double *work, *numbers, *residuals; /* for a field, see hm_field_init */
+    double *work, *numbers, *residuals; /* for a field, see hm_private_field_init */
     double* column;                     /* [unknowns * info.numbers] */
 } columns;
 
@@ -64,7 +64,8 @@ static size_t length_of_column(const hm_petsc* system) {
 static hm_status get_column(const columns* wanted, int32_t column, hm_error* err) {
     const size_t length = length_of_column(wanted->system);
     if (wanted->rows != NULL)
-        return hm_rows_get(wanted->system->equations, wanted->rows, column, wanted->column, err);
+        return hm_private_rows_get(wanted->system->equations, wanted->rows, column, wanted->column,
+                                   err);
     memcpy(wanted->column, wanted->numbers + (size_t)column * length,
            length * sizeof *wanted->column);
     return HM_OK;
@@ -76,15 +77,15 @@ static hm_status set_column(const columns* wanted, int32_t column, hm_error* err
     const size_t length = length_of_column(system);
     hm_status status;
     if (wanted->rows != NULL) {
-        status = hm_rows_set(system->equations, wanted->rows, column, wanted->column, err);
-        return status < 0
-                   ? status
-                   : hm_rows_residual(system->equations, wanted->rows, column, wanted->column, err);
+        status = hm_private_rows_set(system->equations, wanted->rows, column, wanted->column, err);
+        return status < 0 ? status
+                          : hm_private_rows_residual(system->equations, wanted->rows, column,
+                                                     wanted->column, err);
     }
     memcpy(wanted->numbers + (size_t)column * length, wanted->column,
            length * sizeof *wanted->column);
-    status =
-        hm_field_residual(system->equations, wanted->work, wanted->numbers, wanted->residuals, err);
+    status = hm_private_field_residual(system->equations, wanted->work, wanted->numbers,
+                                       wanted->residuals, err);
     memcpy(wanted->column, wanted->residuals + (size_t)column * length,
            length * sizeof *wanted->column);
     return status;

@@ -1,5 +1,6 @@
 """Builds the extension harmorph._native: the library and the readers of mesh files, behind cffi.
 
+The extension uses the stable interface of CPython alone, so that one file serves every CPython from OLDEST on.
 In a checkout the sources are those of the checkout; a source distribution has copies in the folder
 `bundled`. Environment variables:
 
@@ -21,6 +22,7 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 from setuptools.command.sdist import sdist
 
+OLDEST = (3, 9)  # as requires-python of pyproject.toml says
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "native"))
 from declarations import declarations, topics, version  # noqa: E402
@@ -33,11 +35,12 @@ HEADERS = TOP / "include" if IS_CHECKOUT else BUNDLED / "include"
 READERS = TOP / "c_api/cli" if IS_CHECKOUT else BUNDLED / "cli"
 
 # Nothing is written into the folder of the package in a checkout.
-OPTIONS = {}
+OPTIONS = {"bdist_wheel": {"py_limited_api": "cp{}{}".format(*OLDEST)}}
 if IS_CHECKOUT:
     BUILD = Path(os.environ.get("HARMORPH_BUILD", TOP / "build/python")).resolve()
     BUILD.mkdir(parents=True, exist_ok=True)
-    OPTIONS = {"build": {"build_base": str(BUILD)}, "egg_info": {"egg_base": str(BUILD)}}
+    OPTIONS["build"] = {"build_base": str(BUILD)}
+    OPTIONS["egg_info"] = {"egg_base": str(BUILD)}
 
 # As `make amalgamation` says, and no contraction, so that the bits are those of the library. The
 # readers use exceptions, the library does not.
@@ -91,9 +94,18 @@ class BuildNative(build_ext):
             objects.append(self._compiled(source, [*CORE_FLAGS, *includes]))
         target = Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
-        shared = ["-bundle", "-undefined", "dynamic_lookup"] if sys.platform == "darwin" else ["-shared"]
+        shared = self._shared(folder)
         flags = shlex.split(os.environ.get("LDFLAGS", ""))
         self._run([*self._cxx(), *shared, *flags, "-o", str(target), *objects, *zlib["link"], "-pthread"])
+
+    @staticmethod
+    def _shared(folder):
+        """The extension exports one name: a run-time library of C++ inside must not meet that of another extension."""
+        if sys.platform == "darwin":
+            return ["-bundle", "-undefined", "dynamic_lookup", "-Wl,-exported_symbol,_PyInit__native"]
+        script = folder / "exported.map"
+        script.write_text("{ global: PyInit__native; local: *; };\n", encoding="utf-8")
+        return ["-shared", f"-Wl,--version-script={script}"]
 
     @staticmethod
     def _declared_readers():
@@ -110,7 +122,8 @@ class BuildNative(build_ext):
     def _python_flags():
         import sysconfig
 
-        return [f"-I{sysconfig.get_path('include')}", f"-I{sysconfig.get_path('platinclude')}"]
+        stable = "-DPy_LIMITED_API=0x{:02X}{:02X}0000".format(*OLDEST)
+        return [stable, f"-I{sysconfig.get_path('include')}", f"-I{sysconfig.get_path('platinclude')}"]
 
     @staticmethod
     def _run(command):
@@ -158,7 +171,7 @@ setup(
     version=version(HEADERS),
     long_description=(HERE / "README.md").read_text(encoding="utf-8"),
     long_description_content_type="text/markdown",
-    ext_modules=[Extension("harmorph._native", [])],
+    ext_modules=[Extension("harmorph._native", [], py_limited_api=True)],
     options=OPTIONS,
     cmdclass={"build_ext": BuildNative, "sdist": SourceDistribution},
 )

@@ -63,13 +63,10 @@ static double dot(const double* a, const double* b) {
  * compared. */
 static void prepare(void) {
     static const int32_t airfoil = AIRFOIL;
-    size_t bytes, work_bytes;
-    void* work;
+    size_t bytes;
     int32_t n;
     const hm_curves* curves;
-    hm_analysis* analysis;
-    hm_plan* plan;
-    hm_basis* basis;
+    hm_setup setup = {sizeof setup};
     hm_fit_options fit = {sizeof fit, 0, CONTROL};
     hm_options options = {sizeof options, HM_LAPLACE};
     hm_condition on_curve = {sizeof on_curve, AIRFOIL, HM_ON_CURVE, 0, 1};
@@ -85,25 +82,18 @@ static void prepare(void) {
     mesh.n_faces = flow.faces;
     mesh.face_points = flow.face_points;
     mesh.face_markers = flow.face_markers;
-    check(hm_fit_marker_size(&mesh, 1, &airfoil, &fit, &bytes, &work_bytes, &error));
-    work = reserve(work_bytes);
-    check(hm_fit_marker(&curves, reserve(bytes), bytes, &mesh, 1, &airfoil, &fit, NULL, work,
-                        work_bytes, &error));
+    check(hm_fit_marker_size(&mesh, 1, &airfoil, &fit, &bytes, &error));
+    check(hm_fit_marker(&curves, reserve(bytes), bytes, &mesh, 1, &airfoil, &fit, NULL, &error));
     problem.curves = curves;
-    check(hm_analysis_size(&problem, &options, &bytes, &error));
-    check(hm_analysis_init(&analysis, reserve(bytes), bytes, &problem, &options, &error));
-    check(hm_plan_size(analysis, &bytes, &error));
-    check(hm_plan_init(&plan, reserve(bytes), bytes, analysis, &error));
-    check(hm_basis_size(analysis, &bytes, &error));
-    check(hm_basis_init(&basis, reserve(bytes), bytes, analysis, &error));
-    check(hm_plan_factor(plan, NULL, &error));
-    check(hm_plan_solve(plan, basis, NULL, &error));
+    check(hm_setup_size(&problem, &options, &bytes, &error));
+    check(hm_setup_init(&setup, reserve(bytes), bytes, &problem, &options, &error));
+    check(hm_setup_solve(&setup, reserve(setup.solve_bytes), setup.solve_bytes, NULL, &error));
     check(hm_variables_size(curves, NULL, &variables, &n, &bytes, &error));
     control_points = curves->n_control;
     map = reserve(2 * N * (size_t)control_points * sizeof(double));
     check(hm_variables_map(curves, NULL, &variables, reserve(bytes), bytes, map, NULL, &error));
-    check(hm_combine_size(basis, N, 2, &bytes, &error));
-    check(hm_combine(&few, reserve(bytes), bytes, basis, N, 2, map, &error));
+    check(hm_combine_size(setup.basis, N, 2, &bytes, &error));
+    check(hm_combine(&few, reserve(bytes), bytes, setup.basis, N, 2, map, &error));
     check(hm_quality_size(few, &mesh, &bytes, &error));
     check(hm_quality_init(&quality, reserve(bytes), bytes, few, &mesh, NULL, &error));
     check(hm_measure(curves, NULL, 2, measured, start, NULL, NULL, &error));
@@ -149,7 +139,7 @@ static int go_to(const double* v) {
     for (i = 0; i < N; ++i) g[i] = pairs[2 * i];
 
     pairs_of(v, pairs);
-    check(hm_moved_curves(few, pairs, moved_control, &moved, curve, 2, &error));
+    check(hm_basis_curves(few, pairs, moved_control, &moved, curve, 2, &error));
     check(hm_measure(&moved, NULL, 2, measured, found, NULL, slopes, &error));
     for (k = 0; k < 2; ++k) {
         c[k] = found[k] / start[k] - 0.98;

@@ -40,10 +40,10 @@ subroutine hmfit(w, mark, x, y, inc, ncp, ideg, iclos, dmax, ierr, msg)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
-    type(c_ptr) :: made, block, work
+    type(c_ptr) :: made, block
     type(hm_c_fit_options) :: options
     type(hm_fit_report) :: report
-    integer(c_size_t) :: bytes, work_bytes
+    integer(c_size_t) :: bytes
     options = hm_c_fit_options(degree=short(ideg), n_control=short(ncp), closed=short(iclos), index_base=1)
     options%struct_size = int(c_sizeof(options), c_int64_t)
     report%struct_size = int(c_sizeof(report), c_int64_t)
@@ -51,11 +51,10 @@ subroutine hmfit(w, mark, x, y, inc, ncp, ideg, iclos, dmax, ierr, msg)
     if (this%ok()) call forget_curves(this%kept)
     if (this%ok()) this%top = this%kept%words
     if (this%ok()) call this%told(hm_c_fit_marker_size(this%kept%mesh, 1_c_int32_t, [short(mark)], options, bytes, &
-        work_bytes, this%e))
+        this%e))
     call this%room(bytes, block)
-    call this%room(work_bytes, work)
     if (this%ok()) call this%told(hm_c_fit_marker(made, block, bytes, this%kept%mesh, 1_c_int32_t, &
-        [short(mark)], options, report, work, work_bytes, this%e))
+        [short(mark)], options, report, this%e))
     if (this%ok()) call keep_set(this, made)
     if (this%ok()) dmax = report%max_error
     call this%finish(ierr, msg)

@@ -51,23 +51,28 @@ subroutine hmtabl(w, m, num, n, ip, v, ierr, msg)
     implicit none
     integer, intent(in) :: m, num, n, ip(*)
     real(c_double), intent(inout), target :: w(*)
-    real(c_double), intent(in) :: v(*)
+    real(c_double), intent(in), target :: v(*)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
     type(hm_solve_report) :: report
-    type(c_ptr) :: made, place, points, work
-    integer(c_size_t) :: bytes, work_bytes
+    type(hm_c_modes) :: modes
+    type(c_ptr) :: made, place
+    integer(c_size_t) :: bytes
     call this%open_solved(w)
     if (this%ok()) call this%refuse_if(.not. c_associated(this%kept%plan), "W has no factor: call HMFACT first")
-    if (this%ok()) call this%told(hm_c_tabulate_size(this%kept%plan, this%kept%basis, short(m), &
-        short(num), bytes, work_bytes, this%e))
-    call this%room(work_bytes, work)
-    call this%list(ip, n, points)
+    if (this%ok()) call this%refuse_if(num < 1 .or. num > 2, "NUM must be 1 or 2")
+    call this%list(ip, n, modes%points)
+    modes%struct_size = int(c_sizeof(modes), c_int64_t)
+    modes%n_modes = short(m)
+    modes%numbers = short(num)
+    modes%n = short(n)
+    modes%values = c_loc(v)
+    if (this%ok()) call this%told(hm_c_tabulate_size(this%kept%plan, this%kept%basis, modes, bytes, this%e))
     call this%spare(bytes, place)
     report%struct_size = int(c_sizeof(report), c_int64_t)
-    if (this%ok()) call this%told(hm_c_tabulate(made, place, bytes, this%kept%plan, this%kept%basis, &
-        short(n), points, short(m), short(num), v, work, work_bytes, report, this%e))
+    if (this%ok()) call this%told(hm_c_tabulate(made, place, bytes, this%kept%plan, this%kept%basis, modes, report, &
+        this%e))
     call replace_functions(this, made)
     call this%finish(ierr, msg)
 end subroutine

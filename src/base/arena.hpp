@@ -14,6 +14,10 @@ namespace harmorph {
 
 class Arena {
 public:
+    // Bytes are counted with 64 bits, so that a machine with addresses of 32 bits can say how many
+    // bytes a problem would need that it cannot hold.
+    using Count64 = std::uint64_t;
+
     static constexpr Size alignment = 64;  // a cache line, and the widest vector register
 
     // An arena without a block only counts.
@@ -41,53 +45,59 @@ public:
     void take(Span<T>& out, Count n) noexcept {
         static_assert(__is_trivially_copyable(T), "nobody will run destructors");
         static_assert(alignof(T) <= alignment, "");
-        Size const count = static_cast<Size>(n);
+        Count64 const count = static_cast<Count64>(n);
         out = {};
-        if (used_ >= limit || count > (limit - used_) / sizeof(T)) {
-            used_ = limit;
+        if (used_ >= most || count > (most - used_) / sizeof(T)) {
+            used_ = most;
             return;
         }
-        Size const start = used_;
+        Count64 const start = used_;
         used_ += round_up(count * sizeof(T));
         if (base_ != nullptr && used_ <= capacity_)
-            out = {reinterpret_cast<T*>(base_ + start), count};
+            out = {reinterpret_cast<T*>(base_ + start), static_cast<Size>(count)};
     }
 
     // Arrays that are taken between mark() and release() share their memory with arrays that are
     // taken after release(). Marks are released in the reverse order.
-    Size mark() const noexcept { return used_; }
-    void release(Size mark) noexcept {
+    Count64 mark() const noexcept { return used_; }
+    void release(Count64 mark) noexcept {
         if (used_ > peak_) peak_ = used_;
         used_ = mark;
     }
 
-    Size used() const noexcept { return used_ > peak_ ? used_ : peak_; }
+    // Both are exact if the arena is not overflown.
+    Size used() const noexcept { return static_cast<Size>(needed()); }
     // Returns the number of bytes that suffice for a block wherever it begins.
     Size bytes() const noexcept { return used() + alignment - 1; }
-    bool overflown() const noexcept { return used() > (placing() ? capacity_ : limit - alignment); }
+    bool overflown() const noexcept {
+        return needed() > (placing() ? Count64{capacity_} : limit - alignment);
+    }
 
     Status verify(Size given, Fault& fault) const noexcept {
         if (!overflown()) return Status::ok;
         if (!placing()) {
             return fault.refuse(Status::bad_argument,
-                                "the problem is too large for this machine's addresses");
+                                "the problem needs a block of ~ bytes, which is too large for this "
+                                "machine's addresses",
+                                {}, {}, static_cast<Real>(needed()));
         }
-        Real const missing = static_cast<Real>(bytes() - given);
+        Real const missing = static_cast<Real>(needed() + alignment - 1 - given);
         return fault.refuse(Status::block_too_small,
                             "the block is too small: ~ more bytes are needed", {}, {}, missing);
     }
 
 private:
-    static constexpr Size limit = SIZE_MAX / 2;
+    static constexpr Count64 limit = SIZE_MAX / 2, most = UINT64_MAX / 2;
 
-    static constexpr Size round_up(Size bytes) noexcept {
+    static constexpr Count64 round_up(Count64 bytes) noexcept {
         return (bytes + alignment - 1) / alignment * alignment;
     }
+    Count64 needed() const noexcept { return used_ > peak_ ? used_ : peak_; }
 
     unsigned char* base_ = nullptr;
     Size capacity_ = 0;
-    Size used_ = 0;
-    Size peak_ = 0;
+    Count64 used_ = 0;
+    Count64 peak_ = 0;
 };
 
 }  // namespace harmorph

@@ -5,9 +5,9 @@
 
 namespace harmorph {
 
-// While a Flush exists, the thread that made it computes with 0 in place of denormal numbers. This
-// happens on x86-64 only, and not in double precision, where numbers are denormal below 1e-308 and
-// functions have hardly any.
+// While a Flush exists, the thread that made it computes with 0 in place of denormal numbers. The
+// processor does so on x86-64 only, and not in double precision, where numbers are denormal below
+// 1e-308 and functions have hardly any.
 template <class Number>
 class Flush {};
 

@@ -1,10 +1,10 @@
-// Computes 64-bit fingerprints of numbers, which detect a damaged or foreign block. They do not
-// protect against intended manipulation.
+// Computes 64-bit fingerprints of numbers, which detect a damaged or foreign block,
+// but do not protect against intended manipulation.
 #pragma once
 
 #include <cstring>
 
-#include "base/parallel_reduce.hpp"
+#include "base/executor.hpp"
 
 namespace harmorph {
 

@@ -19,8 +19,8 @@ T counts_to_starts(Span<T> starts) noexcept {
     return sum;
 }
 
-// Filling a row advances the start of the row to its end, where the next row starts. This function
-// shifts the starts back.
+// Filling a row advances the start of the row to its end, where the next row starts. The starts
+// are shifted back here.
 template <class T>
 void rewind_starts(Span<T> starts) noexcept {
     for (Size i = starts.size() - 1; i > 0; --i) starts[i] = starts[i - 1];

@@ -3,7 +3,7 @@
 // progress callback. The room does not know meshes or curves, and keeps no state between calls. A
 // file names the source of its method, if the method has one.
 //
-// This file defines index and number types, the status, and the fault that explains a refusal.
+// Below are index and number types, the status, and the fault that explains a refusal.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,7 @@ inline constexpr Index max_degree = 5;
 // At most this number of B-spline basis functions are not 0 at a parameter.
 inline constexpr Index max_order = max_degree + 1;
 
-// The values are those of the C header, which explains them.
+// The C header has the same values, and explains them.
 enum class Status : std::int32_t {
     ok = 0,
     not_converged = 1,
@@ -42,6 +42,7 @@ enum class Status : std::int32_t {
     far_from_curve = 5,
     poor = 6,
     torn = 7,
+    far_from_points = 8,
     cancelled = -1,
     bad_argument = -2,
     bad_mesh = -3,
@@ -56,7 +57,7 @@ enum class Status : std::int32_t {
 
 constexpr bool failed(Status status) noexcept { return static_cast<std::int32_t>(status) < 0; }
 
-// An ItemKind says what the number in a fault counts. The values are those of the C header, which
+// An ItemKind says what the number in a fault counts. The C header has the same values, and
 // explains them.
 enum class ItemKind : std::int32_t {
     nothing,
@@ -153,5 +154,26 @@ struct Fault {
         ::harmorph::Status const status_of_call = (call);              \
         if (::harmorph::failed(status_of_call)) return status_of_call; \
     } while (false)
+
+// Names the sets of vector instructions for which kernels are compiled.
+
+// The C header has the same numbers. Different kernels agree to rounding; one kernel always
+// gives the same bits.
+enum class Kernel : std::int32_t { automatic = 0, baseline = 1, avx2 = 2, avx512 = 3, neon = 4 };
+
+// Supports tables with one row for each value of an enumeration, and sets of such values.
+template <class... Values>
+constexpr unsigned set_of(Values... values) noexcept {
+    return ((1u << static_cast<unsigned>(values)) | ... | 0u);
+}
+template <class Value>
+constexpr bool contains(unsigned set, Value value) noexcept {
+    return (set >> static_cast<unsigned>(value) & 1u) != 0;
+}
+// Returns whether the table has a row with this number.
+template <class Row, Size n>
+constexpr bool has_row(Row const (&)[n], std::int32_t number) noexcept {
+    return number >= 0 && static_cast<Size>(number) < n;
+}
 
 }  // namespace harmorph

@@ -1,4 +1,5 @@
-// Defines points of the plane, signed areas, and a strided view of the caller's coordinates.
+// Defines points of the plane: signed areas, turns and angles, boxes, checks of the caller's
+// numbers, and a strided view of the caller's coordinates.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +19,7 @@ constexpr Real dot(Vec2 a, Vec2 b) noexcept { return a.x * b.x + a.y * b.y; }
 constexpr Real cross(Vec2 a, Vec2 b) noexcept { return a.x * b.y - a.y * b.x; }
 constexpr Real square(Vec2 a) noexcept { return dot(a, a); }
 
-// These three functions treat vectors as complex numbers x + i y.
+// The next three functions treat vectors as complex numbers x + i y.
 constexpr Vec2 conjugate(Vec2 a) noexcept { return {a.x, -a.y}; }
 constexpr Vec2 product(Vec2 a, Vec2 b) noexcept {
     return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
@@ -60,5 +61,91 @@ struct StridedPoints {
 };
 using Points = StridedPoints<const Real>;
 using MutablePoints = StridedPoints<Real>;
+
+// Checks that numbers of the caller are finite and in range. The bits are tested before the numbers
+// are compared: a comparison with NaN would raise a floating-point exception, which callers may
+// trap.
+
+// All three functions return false for NaN.
+inline bool is_at_most(Real x, Real size) noexcept { return is_finite(x) && abs(x) <= size; }
+inline bool is_between(Real low, Real x, Real high) noexcept {
+    return is_finite(x) && low <= x && x <= high;
+}
+inline bool is_coordinate(Vec2 p) noexcept {
+    return is_finite(p.x) && is_finite(p.y) && is_in_range(p);
+}
+
+// Computes directions, turns and angles of vectors with square roots and a series.
+inline constexpr Real pi = 3.141592653589793;
+
+// Returns the vector of length 1 in the direction of v; the zero vector has the direction 0.
+inline Vec2 direction(Vec2 v) noexcept {
+    Real const size = length(v);
+    return size > 0 ? Vec2{v.x / size, v.y / size} : Vec2{};
+}
+constexpr Vec2 left_of(Vec2 v) noexcept { return {-v.y, v.x}; }
+
+// A turn by an angle is the vector (cosine, sine), which is a complex number of length 1.
+// turn_between() returns the turn from a to b, multiplied by both lengths.
+constexpr Vec2 turned(Vec2 v, Vec2 turn) noexcept {
+    return {v.x * turn.x - v.y * turn.y, v.x * turn.y + v.y * turn.x};
+}
+constexpr Vec2 turned_back(Vec2 v, Vec2 turn) noexcept { return turned(v, {turn.x, -turn.y}); }
+constexpr Vec2 turn_between(Vec2 a, Vec2 b) noexcept { return {dot(a, b), cross(a, b)}; }
+
+constexpr Real in_degrees(Real radians) noexcept { return radians * (180 / pi); }
+
+// Returns the angle from the x axis to v, from -pi to pi, to a few units in the last place. The
+// zero vector has the angle 0.
+inline Real angle_of(Vec2 v) noexcept {
+    Real const size = max(abs(v.x), abs(v.y));
+    if (!(size > 0)) return 0;
+    Vec2 const unit = {v.x / size, v.y / size};
+    Real const r = length(unit);
+    // The vector is turned by a quarter where the tangent of half the angle would be large.
+    bool const turned = unit.x < 0;
+    Real const quarter = turned ? (unit.y < 0 ? -pi / 2 : pi / 2) : 0;
+    Real const x = turned ? abs(unit.y) : unit.x,
+               y = turned ? (unit.y < 0 ? unit.x : -unit.x) : unit.y;
+    Real t = y / (r + x), factor = 2;
+    // Each step halves the angle. Gregory's series then follows; the omitted terms are below
+    // 0.06^14 / 15.
+    for (; abs(t) > 0.06; factor *= 2) t /= 1 + sqrt(1 + t * t);
+    Real const s = t * t;
+    Real const series =
+        1 - s * (1.0 / 3 -
+                 s * (1.0 / 5 - s * (1.0 / 7 - s * (1.0 / 9 - s * (1.0 / 11 - s * (1.0 / 13))))));
+    return quarter + factor * t * series;
+}
+
+// A box is a rectangle parallel to the axes.
+
+// The smallest box that contains some points; without points, `low` is infinite and `high` minus
+// infinite.
+struct Box {
+    Vec2 low{infinity, infinity}, high{-infinity, -infinity};
+
+    void include(Vec2 p) noexcept {
+        low = {min(low.x, p.x), min(low.y, p.y)};
+        high = {max(high.x, p.x), max(high.y, p.y)};
+    }
+    void include(Box const& other) noexcept {
+        include(other.low);
+        include(other.high);
+    }
+    Vec2 size() const noexcept { return high - low; }
+    // Returns the larger side.
+    Real extent() const noexcept { return max(size().x, size().y); }
+    Vec2 centre() const noexcept { return 0.5 * low + 0.5 * high; }
+    bool meets(Box const& other) const noexcept {
+        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
+               other.low.y <= high.y;
+    }
+    Real squared_distance(Vec2 p) const noexcept {
+        Real const x = max(max(low.x - p.x, p.x - high.x), 0.0);
+        Real const y = max(max(low.y - p.y, p.y - high.y), 0.0);
+        return x * x + y * y;
+    }
+};
 
 }  // namespace harmorph

@@ -3,15 +3,50 @@
 #pragma once
 
 #include "base/arena.hpp"
-#include "bspline/bspline.hpp"
-#include "basis/kept_curves.hpp"
 #include "basis/options.hpp"
 #include "basis/point_blocks.hpp"
 #include "boundary/moving_boundary.hpp"
+#include "bspline/bspline.hpp"
 #include "mesh/boundary_faces.hpp"
 #include "mesh/pieces.hpp"
 
 namespace harmorph {
+
+// Keeps the curves along which boundary points slip in the block of a basis.
+
+// The curves follow each other in the order of the analysis. Curves that follow each other and have
+// common control points share the copies of these.
+struct KeptCurves {
+    struct Counts {
+        Index curves = 0, indices = 0, knots = 0, control = 0, weights = 0;
+        Index reserved = 0;  // The counts are written and compared as bytes.
+    };
+    struct Shape {
+        Index degree, n_indices, first_index, first_knot;
+        Index first_control, n_control, rational, reserved;
+    };
+    Span<Shape> shape;    // [curves]
+    Span<Index> indices;  // Control points count from first_control.
+    Span<Real> knots;
+    Span<Real> control;  // [2 * control]
+    Span<Real> weights;  // [control], or empty if no curve is rational
+
+    static Counts count(Span<const Curve> curves) noexcept;
+    void lay_out(Arena& arena, Counts const& counts) noexcept;
+    void copy_from(Span<const Curve> curves) const noexcept;
+    void copy_from(KeptCurves const& other) const noexcept;
+    Curve curve(Index number) const noexcept;
+    // Tells whether the curves n .. n + count - 1 exist and have common control points.
+    bool is_set(Index n, Index count) const noexcept;
+    // Tells whether the data agree with the counts and all curves are well-formed.
+    bool fit() const noexcept;
+
+private:
+    // Calls visit(number, first_control, is_new) for each curve; is_new tells whether its control
+    // points differ from the ones of the curve before. Returns the number of control points.
+    template <class Visit>
+    static Index for_each(Span<const Curve> curves, Visit const& visit) noexcept;
+};
 
 struct BasisCounts {
     Index points = 0, cells = 0, control = 0, bodies = 0, curves = 0, indices = 0, knots = 0,
@@ -26,10 +61,10 @@ struct BasisCounts {
     Index shared = 0;          // See SharedPoint.
     Index modes = 0;           // Functions with values from a table; they follow all others.
     KeptCurves::Counts along;  // The curves along which points slip.
-    // The functions whose values are stored here: all of them, or those of one process.
+    // The functions whose values are stored here: all functions, or the share of one process.
     Index first_stored = 0, stored = 0;
     ValueKind kind = ValueKind::real;
-    // The precision of the values; see single_precision.hpp.
+    // The precision of the values; see derived_basis.hpp.
     Precision storage = Precision::in_double;
 
     // Returns the number of functions of control points, or of design variables.
@@ -50,8 +85,8 @@ struct BasisCounts {
     }
 };
 
-// The functions that are not 0 at a point of the wall, and their values as complex numbers. These
-// are the functions of control points, even if functions are combined.
+// The functions that are not 0 at a point of the wall, and their values as complex numbers: always
+// the functions of control points, even if functions are combined.
 struct BoundaryFunctions {
     Index order = 0;
     Index function[max_order] = {};
@@ -61,7 +96,7 @@ struct BoundaryFunctions {
 // Fingerprints of cells and markers of a mesh. Coordinates do not enter them.
 struct MeshFingerprint {
     std::uint64_t cells = 0;  // The points of each cell, in order.
-    // This fingerprint tells which points are on which marker, in any order and layout of the
+    // Which points are on which marker, in any order and layout of the
     // faces.
     std::uint64_t markers = 0;
     std::uint64_t sample = 0;  // The points of a few cells; see sample_of().
@@ -79,7 +114,7 @@ struct BasisHeader {
 
     char magic[8];
     std::uint32_t format;
-    std::uint32_t byte_order;  // This is native_order on the machine that wrote the block.
+    std::uint32_t byte_order;  // Equal to native_order on the machine that wrote the block.
     std::uint64_t bytes;       // The size of the whole block.
     std::uint64_t checksum;    // The checksum of all that follows this field.
     MeshFingerprint topology;
@@ -95,7 +130,7 @@ struct BasisHeader {
     Method method;
     // No value is larger in magnitude. The sums of the adjoint are scaled by this number.
     Real largest;
-    Index filled;  // The first functions up to this number have values; see packed_rows.hpp.
+    Index filled;  // The first functions up to this number have values; see point_subset.hpp.
 };
 
 // Views into the block.
@@ -130,7 +165,7 @@ struct Basis {
     Span<Index> interface_side;   // [boundary] or empty: see BoundaryFaces
     Span<std::uint8_t> reversed;  // [cells], or [pieces + guards]
     Pieces pieces;                // The pieces of polygons.
-    // The values of the points, or in single storage those of the slots of the wall, in blocks of
+    // The values of the points, or in single storage of the slots of the wall, in blocks of
     // points (point_blocks.hpp). A point has row_length() numbers, see ValueKind.
     Span<Real> value;
     // The values of the points in single storage; they are 0 at the wall and at points joined to
@@ -139,12 +174,12 @@ struct Basis {
 
     void lay_out(Arena& arena, BasisCounts const& counts) noexcept;
     static Size bytes(BasisCounts const& counts) noexcept;
-    // Returns views of a block that begins at `block` and has a valid header. This is fast enough
-    // for every call.
+    // Returns views of a block that begins at `block` and has a valid header; fast enough for
+    // every call.
     static Basis view(void* block) noexcept;
     static const Basis view(const void* block) noexcept;
 
-    // Returns the cells of a mesh with the counts of the basis: those of the mesh, or the pieces
+    // Returns the cells of a mesh with the counts of the basis: the mesh's own cells, or the pieces
     // that the basis keeps.
     OrientedMesh cells(Mesh const& mesh) const noexcept;
     BoundaryFaces faces() const noexcept { return {boundary_point, loop_start, interface_side}; }
@@ -153,14 +188,14 @@ struct Basis {
     ValueKind kind() const noexcept { return header->counts.kind; }
     Index row_length() const noexcept { return numbers_of(kind()) * n_functions(); }
     bool in_single() const noexcept { return header->counts.storage == Precision::in_single; }
-    // Returns values in double precision: those of a point, or in single storage those of a slot of
+    // Returns the values of a point in double precision; in single storage, the values of a slot of
     // the wall.
     RowInBlock<Real> row(Index point) const noexcept { return {value.data(), row_length(), point}; }
     RowInBlock<float> single_row(Index point) const noexcept {
         return {single.data(), row_length(), point};
     }
     // Stores number `number` of the rows of all points in `out`.
-    void column(Index number, Real* out) const noexcept;
+    void column(Index number, Real* out, Offset stride = 1) const noexcept;
     // Refuses single storage, for calls that write values or compute others from them.
     Status require_double(Fault& fault) const noexcept;
     // Refuses combined functions and modes, for calls that evaluate boundary functions again.
@@ -206,7 +241,7 @@ struct Basis {
 
 std::uint64_t checksum_of(BasisHeader const& header, Executor const& executor = {}) noexcept;
 MeshFingerprint fingerprint_of(Mesh const& mesh) noexcept;
-// Returns the fingerprint of 64 cells spread over the mesh, in any layout. This is fast enough for
+// Returns the fingerprint of 64 cells spread over the mesh, in any layout; fast enough for
 // every call. A mesh with other numbers is recognised if one of these cells differs.
 std::uint64_t sample_of(Mesh const& mesh) noexcept;
 std::uint64_t coordinates_fingerprint(Points points, Index n_points) noexcept;

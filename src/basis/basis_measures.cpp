@@ -1,7 +1,7 @@
 #include "basis/basis_measures.hpp"
 
-#include "base/box.hpp"
-#include "base/parallel_reduce.hpp"
+#include "base/executor.hpp"
+#include "base/vec2.hpp"
 
 namespace harmorph {
 namespace {

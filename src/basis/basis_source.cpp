@@ -2,8 +2,8 @@
 
 #include <cstring>
 
+#include "base/executor.hpp"
 #include "base/fixed_sum.hpp"
-#include "base/parallel_reduce.hpp"
 
 namespace harmorph {
 

@@ -37,8 +37,8 @@ struct BasisSource {
     }
 };
 
-// Makes an unsolved basis in a block that has been laid out for these counts, which are those of
-// the source or a share of them.
+// Makes an unsolved basis in a block that has been laid out for these counts: the counts of the
+// source, or of a share of the functions.
 void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const& source,
                 Executor const& executor = {}) noexcept;
 

@@ -1,5 +1,5 @@
 // A basis of some of the points: one process of a flow solver needs it for its part of the mesh.
-// The basis has no cells.
+// The basis has no cells. Rows of values travel between processes in packed form.
 #pragma once
 
 #include "basis/basis.hpp"
@@ -15,7 +15,7 @@ struct PointList {
     Index count() const noexcept { return point.count(); }
     Index operator[](Index k) const noexcept { return point[k] - index_base; }
     // Returns the fingerprint of the points of the list in their order; the points of `from` may
-    // themselves be those of a list. The list of all points of `from` in their order has the
+    // themselves come from a list. The list of all points of `from` in their order has the
     // fingerprint of `from`.
     std::uint64_t fingerprint(Basis const& from) const noexcept;
     static Status check_length(Index n, Fault& fault) noexcept;
@@ -55,5 +55,31 @@ private:
     template <class Body>
     void for_each_joined(PointList const& list, Body const& body) const noexcept;
 };
+
+// Parcels of rows. A process that has solved some of the functions sends them to a process that has
+// some of the points.
+
+// A parcel is an array of doubles: the label, then the points' rows in the order of the list, each
+// plane by plane.
+struct ParcelLabel {
+    static constexpr std::uint64_t mark = 0x6c65637261706d68;  // The bytes are "hmparcel".
+
+    std::uint64_t magic;
+    MeshFingerprint topology;  // The fingerprints of the basis.
+    std::uint64_t coordinates, conditions, list;
+    // A fingerprint of the curves and of the energy that the functions minimise.
+    std::uint64_t functions;
+    Real largest;
+    Index points, first, n, numbers;
+};
+inline constexpr Offset label_words = sizeof(ParcelLabel) / sizeof(Real);
+
+inline Offset parcel_words(Basis const& share, Index n_points) noexcept {
+    return label_words + Offset{n_points} * share.row_length();
+}
+void pack_parcel(Basis const& share, PointList const& list, Real* parcel) noexcept;
+
+// Adds the next functions to an extract, which is solved once the last functions are added.
+Status unpack_parcel(Basis const& rows, const Real* parcel, Offset words, Fault& fault) noexcept;
 
 }  // namespace harmorph

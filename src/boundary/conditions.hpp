@@ -2,12 +2,12 @@
 // displacements), fixed, slipping, free, inside, or used by no cell.
 #pragma once
 
-#include "base/table.hpp"
+#include "base/types.hpp"
 #include "mesh/boundary.hpp"
 
 namespace harmorph {
 
-// The numbers are those of the C header and of the rows of condition_traits.
+// The C header has the same numbers; condition_traits has a row for each.
 enum class ConditionKind : std::int32_t {
     on_curve = 0,
     rigid = 1,

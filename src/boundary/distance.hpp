@@ -2,12 +2,11 @@
 // towards these faces.
 #pragma once
 
+#include "base/executor.hpp"
 #include "mesh/boundary.hpp"
 #include "mesh/delaunay.hpp"
-#include "base/executor.hpp"
+#include "mesh/periodic_motion.hpp"
 #include "simd/cpu.hpp"
-#include "mesh/periodic_rotation.hpp"
-#include "mesh/periodic_translations.hpp"
 
 namespace harmorph {
 
@@ -109,12 +108,12 @@ struct FaceDistance {
     Foot foot(Vec2 from, Index& group) const noexcept;
     // Finds the nearest face of each of the points begin .. end-1; of faces at equal distances, the
     // one with the smallest number. hint(k) is a face that is probably nearest to point k, or none.
-    // Calls found(k, face). There must be faces. This is fast if points with neighbouring numbers
-    // are neighbours.
+    // Calls found(k, face). There must be faces. The search is fast if points with neighbouring
+    // numbers are neighbours.
     template <class Hint, class Found>
     void find_nearest(Points points, Index begin, Index end, Hint hint, Found found) const noexcept;
-    // Returns false if no face can be nearer than `reach`. This is fast, because only the bounding
-    // box of all faces is tested, as it was when the tree was built.
+    // Returns false if no face can be nearer than `reach`. The test is fast, because only the
+    // bounding box of all faces is tested, as it was when the tree was built.
     bool may_reach(Vec2 from, Real reach) const noexcept {
         Vec2 const off = inverse_unit * from - middle;
         Real const limit = (1 + slack) * (inverse_unit * reach);

@@ -40,9 +40,9 @@ struct Wall {
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
 };
 
-// Returns the offset e of a point from its curve, if the offset can turn with the curve. It is 0 at
-// corners, which have no single direction, and where e N_i' / C' would be larger than the functions
-// N_i, as it is if C' is nearly 0.
+// Returns the offset e of a point from its curve, if the offset can turn with the curve; otherwise
+// 0: at corners, which have no single direction, and where e N_i' / C' would be larger than the
+// functions N_i, as it is if C' is nearly 0.
 Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept;
 
 // The working space of parametrise().
@@ -79,9 +79,9 @@ Status parametrise(Topology const& topology, Boundary const& boundary,
 void find_offsets(Points points, Span<const Condition> conditions, Span<const Curve> curves,
                   bool offset_correction, Wall& wall) noexcept;
 
-// Keeps those of the shared points that their two conditions move differently, and finds these
-// conditions. Warns of the first one (Status::torn), unless there is another warning already.
-// slot_of_point [n_points] is that of WallWork. find_offsets() must have been called.
+// Keeps the shared points that their two conditions move differently, and finds these conditions.
+// Warns of the first one (Status::torn), unless there is another warning already. slot_of_point
+// [n_points] is that of WallWork. find_offsets() must have been called.
 void find_shared(Boundary const& boundary, Span<const Condition> conditions,
                  Span<const Curve> curves, Span<const Index> slot_of_point, Wall& wall,
                  Fault& fault) noexcept;

@@ -1,7 +1,6 @@
 #include "boundary/periodic.hpp"
 
-#include "base/angle.hpp"
-#include "base/box.hpp"
+#include "base/vec2.hpp"
 
 namespace harmorph {
 namespace {

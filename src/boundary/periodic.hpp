@@ -4,8 +4,7 @@
 #pragma once
 
 #include "boundary/conditions.hpp"
-#include "mesh/periodic_rotation.hpp"
-#include "mesh/periodic_translations.hpp"
+#include "mesh/periodic_motion.hpp"
 
 namespace harmorph {
 

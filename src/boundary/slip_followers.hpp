@@ -13,7 +13,7 @@
 #pragma once
 
 #include "boundary/distance.hpp"
-#include "boundary/slip_curves.hpp"
+#include "boundary/slip.hpp"
 
 namespace harmorph {
 

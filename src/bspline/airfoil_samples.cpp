@@ -1,6 +1,94 @@
 #include "bspline/airfoil_samples.hpp"
 
 namespace harmorph {
+
+void AirfoilLine::lay_out(Arena& arena, Index max_points) noexcept {
+    arena.take(at, max_points);
+    arena.take(share, max_points);
+}
+
+bool AirfoilLine::measure() noexcept {
+    trailing = 0.5 * (at[0] + at[n - 1]);
+    Index farthest = 0;
+    share[0] = 0;
+    for (Index k = 1; k < n; ++k) {
+        share[k] = share[k - 1] + length(at[k] - at[k - 1]);
+        if (square(at[k] - trailing) > square(at[farthest] - trailing)) farthest = k;
+    }
+    leading = at[farthest];
+    Real const first_side = share[farthest], second_side = share[n - 1] - first_side;
+    if (!(first_side > 0 && second_side > 0)) return false;
+    for (Index k = 0; k < n; ++k) {
+        share[k] =
+            k <= farthest ? share[k] / first_side : 1 + (share[k] - first_side) / second_side;
+    }
+    return true;
+}
+
+bool AirfoilLine::runs_clockwise() const noexcept {
+    Real area = 0;
+    for (Index k = 1; k < n; ++k) area += cross(at[k - 1] - at[0], at[k] - at[0]);
+    return area < 0;
+}
+
+Index AirfoilLine::interval_of(Real wanted, Real& position) const noexcept {
+    Index low = 0, high = n - 1;
+    while (high - low > 1) {
+        Index const middle = low + (high - low) / 2;
+        (share[middle] <= wanted ? low : high) = middle;
+    }
+    Real const width = share[high] - share[low];
+    position = width > 0 ? clamp((wanted - share[low]) / width, 0.0, 1.0) : 0;
+    return low;
+}
+
+void PointSpline::lay_out(Arena& arena, Index max_points) noexcept {
+    arena.take(second_, 2 * static_cast<Offset>(max_points));
+    matrix_.lay_out(arena, max_points, 1, true);
+}
+
+// Unknown k is the second derivative at point k if the spline is closed, and at point k + 1 if it
+// is open.
+void PointSpline::pass_through(Span<const Vec2> points, bool is_closed) noexcept {
+    points_ = points;
+    Index const last = points.count() - 1;
+    Index const n = is_closed ? last : last - 1;
+    fill(second_, Real(0));
+    if (n < 1) return;
+    matrix_.shape(n, 1, true);
+    Span<Real> const right{second_.data() + (is_closed ? 0 : 2), static_cast<Size>(2 * n)};
+    for (Index k = 0; k < n; ++k) {
+        Index const point = is_closed ? k : k + 1;
+        Index const before = point == 0 ? last - 1 : point - 1;
+        Real const h = step(before), next_h = step(point);
+        matrix_.add(k, k, 2 * (h + next_h));
+        if (is_closed) {
+            matrix_.add(k, k + 1 == n ? 0 : k + 1, next_h);
+        } else {
+            if (k + 1 < n) matrix_.add(k, k + 1, next_h);
+            matrix_.add(k, k, (k == 0 ? h : 0) + (k + 1 == n ? next_h : 0));
+        }
+        Vec2 const bend = (6 / next_h) * (points[point + 1] - points[point]) -
+                          (6 / h) * (points[point] - points[before]);
+        right[2 * k] = bend.x;
+        right[2 * k + 1] = bend.y;
+    }
+    matrix_.factor();
+    matrix_.solve(right, 2);
+    for (Index c = 0; c < 2; ++c) {
+        if (!is_closed) second_[c] = second_[2 + c];
+        second_[2 * last + c] = is_closed ? second_[c] : second_[2 * last - 2 + c];
+    }
+}
+
+Vec2 PointSpline::at(Index interval, Real share) const noexcept {
+    Real const t = share, s = 1 - share, h = step(interval);
+    Real const factor = h * h / 6;
+    return s * points_[interval] + t * points_[interval + 1] +
+           factor * (s * s * s - s) * second(interval) +
+           factor * (t * t * t - t) * second(interval + 1);
+}
+
 namespace {
 
 constexpr Index max_per_interval = 64;

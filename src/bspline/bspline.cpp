@@ -1,6 +1,6 @@
 #include "bspline/bspline.hpp"
 
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 
 #include <limits>
 

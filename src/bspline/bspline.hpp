@@ -1,7 +1,7 @@
 // The room bspline evaluates B-spline curves, finds the parameters of points on them, fits curves
 // to points, and measures sections. README.md in this folder describes the files.
 //
-// This file evaluates one curve: B-spline basis functions, points and derivatives. The curve is
+// Here one curve is evaluated: B-spline basis functions, points and derivatives. The curve is
 // rational if it has weights. The source is Piegl & Tiller, The NURBS Book, 2nd ed.: algorithm A2.1
 // and equations 2.5 (basis), 2.7 (derivatives) and 4.8 (rational).
 #pragma once

@@ -8,7 +8,7 @@
 
 namespace harmorph {
 
-// Row i keeps the entries from first_column(i) to the diagonal. These form a band; if the matrix
+// Row i keeps the entries from first_column(i) to the diagonal. The rows form a band; if the matrix
 // closes (periodic splines), the last rows are full. For bandwidth 1, the last row is full:
 //
 //     x

@@ -1,6 +1,6 @@
 #include "bspline/least_squares.hpp"
 
-#include "base/angle.hpp"
+#include "base/vec2.hpp"
 #include "bspline/quadrature.hpp"
 
 namespace harmorph {

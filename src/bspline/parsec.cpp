@@ -1,10 +1,8 @@
 #include "bspline/parsec.hpp"
 
-#include "base/angle.hpp"
-#include "base/range.hpp"
-#include "bspline/degrees.hpp"
+#include "base/vec2.hpp"
+#include "bspline/movements.hpp"
 #include "bspline/projection.hpp"
-#include "bspline/small_system.hpp"
 
 namespace harmorph {
 namespace {

@@ -2,7 +2,7 @@
 // Fluid Mechanics 68 (1998) 71. tests/bspline/test_movements.cpp covers this file.
 #pragma once
 
-#include "bspline/variable_map.hpp"
+#include "bspline/variables.hpp"
 
 namespace harmorph {
 

@@ -29,7 +29,7 @@ public:
     // `curve` must have been checked; it is an open, tied or periodic outline from the trailing
     // edge round to the trailing edge. `base` is the curve of a blunt base, which has both ends in
     // common with `curve`, or null. After Status::ok, control [2 * curve.n_control] contains all
-    // control points, with those of `curve` and `base` at the new places.
+    // control points; the ones of `curve` and `base` are at the new places.
     Status run(Curve const& curve, Curve const* base, Points points, Index n_points,
                RefitOptions const& options, RefitReport& report, Fault& fault) noexcept;
 

@@ -1,6 +1,6 @@
 #include "bspline/section.hpp"
 
-#include "base/box.hpp"
+#include "base/vec2.hpp"
 #include "bspline/projection.hpp"
 
 namespace harmorph {

@@ -3,9 +3,8 @@
 //
 // Input: panels and update matrices (below), and right-hand sides. Output: the factored panel, the
 // update matrix for the parent front, and solutions. dense.cpp divides the work among threads.
-// dense_tile (sums in registers), dense_tiles (products), dense_sums (row sums), dense_kernel
-// (factorisation, substitution) and dense_moves (extend-add, gather, scatter) are compiled for each
-// instruction set.
+// dense_tiles (sums in registers, products) and dense_kernel (row sums, factorisation,
+// substitution, extend-add, gather, scatter) are compiled for each instruction set.
 //
 // Matrices are stored in slabs. A slab is eight columns side by side, row after row, so that
 // kernels read memory aligned and in order, and no numbers have to be packed. A slab that meets the
@@ -33,9 +32,8 @@
 #pragma once
 
 #include "base/executor.hpp"
-#include "simd/cpu.hpp"
-#include "base/row_view.hpp"
 #include "base/span.hpp"
+#include "simd/cpu.hpp"
 
 namespace harmorph::dense {
 
@@ -56,8 +54,7 @@ constexpr Offset update_entries(Index n) noexcept { return triangle_entries(n); 
 constexpr Offset panel_entries(Index pivots, Index border) noexcept {
     return triangle_entries(pivots) + slab_start(pivots, 0, slabs_of(border));
 }
-// Returns the number of entries in the row sums of a front: those of the pivots, then those of the
-// border.
+// Returns the number of entries in the row sums of a front: the pivots, then the border.
 constexpr Offset sum_entries(Index pivots, Index border) noexcept {
     return padded(pivots) + padded(border);
 }
@@ -104,7 +101,7 @@ struct Panel {
     Offset sums_plane() const noexcept { return sum_entries(pivots, border); }
     // Returns where the row sums of the border begin.
     Index border_sums() const noexcept { return padded(pivots); }
-    // The columns of the front are those of the pivots, then those of the border.
+    // The front has the columns of the pivots, then the columns of the border.
     Real* at(Index pivot, Index column) const noexcept {
         return column < pivots ? own().at(pivot, column)
                                : border_columns().at(pivot, column - pivots);
@@ -132,7 +129,7 @@ struct Workers {
     Real* min_pivot_ratio = nullptr;
 };
 
-// The rows of a strip are summed over the columns after those of the strip: sum [plane][row] adds
+// The rows of a strip are summed over the columns behind the strip: sum [plane][row] adds
 // the entries, `size` adds the magnitudes of the real parts.
 struct TailSums {
     Real sum[2][strip], size[strip];

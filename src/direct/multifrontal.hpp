@@ -1,14 +1,13 @@
 // The direct engine: multifrontal Cholesky on the assembly tree, and solves of all right-hand sides
 // as one block. Source of the method: I. S. Duff, J. K. Reid, ACM Trans. Math. Softw. 9 (1983) 302.
-// tests/direct/test_multifrontal.cpp covers multifrontal_factor.cpp and multifrontal_solve.cpp,
+// tests/direct/test_multifrontal.cpp covers this file,
 // too.
 #pragma once
 
+#include "base/executor.hpp"
+#include "basis/options.hpp"
 #include "dense/dense.hpp"
 #include "operators/matrix.hpp"
-#include "basis/options.hpp"
-#include "base/shared_work.hpp"
-#include "base/progress.hpp"
 #include "ordering/subtrees.hpp"
 
 namespace harmorph {
@@ -90,7 +89,7 @@ struct Multifrontal {
             all.min_pivot_ratio.data() + n,
             all.min_pivot_to_diagonal.data() + n};
     }
-    // Calls body(number of the subtree, worker) for all subtrees. Those with
+    // Calls body(number of the subtree, worker) for all subtrees. Subtrees with
     // the most work come first, and each goes to the worker that is free next.
     template <class Body>
     void for_each_subtree(Body const& body) const noexcept {

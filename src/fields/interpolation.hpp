@@ -1,12 +1,32 @@
 // Interpolates fields from the points of one mesh to any points, and the transpose.
 #pragma once
 
+#include "base/arena.hpp"
+#include "base/vec2.hpp"
 #include "boundary/distance.hpp"
-#include "fields/sorted_points.hpp"
 #include "mesh/locate.hpp"
 #include "plan/analysis.hpp"
 
 namespace harmorph {
+
+// Sorts points so that points that follow each other are neighbours in the plane.
+
+// The order is that of Morton's curve on a grid of 2^32 squares in each direction over the bounding
+// box of the points; points in one square keep their order.
+struct SortedOrder {
+    struct Entry {
+        std::uint64_t key;
+        Index point;
+    };
+    Span<Entry> entry, spare;  // [n]
+
+    void lay_out(Arena& arena, Index n) noexcept {
+        arena.take(entry, n);
+        arena.take(spare, n);
+    }
+    void sort(Points points) noexcept;
+    Index operator[](Index k) const noexcept { return entry[k].point; }
+};
 
 // The value at each point is a sum of weights times values at up to four points of the mesh: linear
 // inside a triangle, the mean of both splits in a quadrilateral. A point outside the mesh has the

@@ -1,6 +1,6 @@
 #include "fields/walls.hpp"
 
-#include "base/angle.hpp"
+#include "base/vec2.hpp"
 
 namespace harmorph {
 

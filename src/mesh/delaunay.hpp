@@ -19,8 +19,8 @@ struct DelaunayEdge {
 // the other diagonal of the two triangles. Boundary edges are never flipped, so the domain does not
 // change. A flip is always possible, because two such triangles form a strictly convex quad. The
 // algorithm ends, because each flip lowers the surface (x, y, x^2 + y^2) over the mesh: no
-// triangulation occurs twice, and there are finitely many. This needs exact decisions, see
-// predicates.hpp.
+// triangulation occurs twice, and there are finitely many. The proof needs exact decisions,
+// see predicates.hpp.
 //
 // Points that a cut joins are one point. Edges of a periodic pair are boundary edges: a flip across
 // them would be decided with translated coordinates, which have rounding errors. All cells of the

@@ -1,7 +1,7 @@
 #include "mesh/mesh.hpp"
 
-#include "base/parallel_reduce.hpp"
-#include "base/range.hpp"
+#include "base/executor.hpp"
+#include "base/vec2.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,7 +1,7 @@
 #include "morph/adjoint.hpp"
 
-#include "base/shared_work.hpp"
-#include "morph/product.hpp"
+#include "base/executor.hpp"
+#include "morph/morph.hpp"
 
 namespace harmorph {
 namespace {

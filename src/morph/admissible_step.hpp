@@ -1,9 +1,10 @@
 // The exact length of the way along a displacement before a cell inverts.
 #pragma once
 
-#include "mesh/guard_shape.hpp"
-#include "morph/cell_batch.hpp"
 #include "base/executor.hpp"
+#include "mesh/cell_shape.hpp"
+#include "morph/cell_batch.hpp"
+#include "morph/quality.hpp"
 
 namespace harmorph {
 
@@ -61,5 +62,56 @@ AdmissibleStep admissible_step(OrientedMesh const& cells, Points points, Points 
 
 // Returns the mesh point of a limiting corner.
 Index limiting_point(OrientedMesh const& cells, AdmissibleStep const& limit) noexcept;
+
+// The corners that limit the admissible step along a displacement, and the derivatives of their
+// steps.
+
+// The area of a corner is 0 at y = x + s d, with positions x, the displacement d and the step s. A
+// change of x and d changes the step by ds = -grad A(y) . (dx + s dd) / (grad A(y) . d).
+struct StepCorner {
+    Real step = infinity;
+    Index cell = none;  // the cell or guard
+    Index point[3] = {none, none, none};
+    Vec2 by_position[3];
+    // If false, the area only touches 0, so that the step has no derivative.
+    bool has_derivative = false;
+};
+
+// Calls visit(user, corner) for the corners whose step is at most `max_step`, in the order of the
+// cells. limit is the admissible step, which is positive; `max_step` is finite and not below the
+// limit. A corner with the step of the limit is always visited.
+void find_step_corners(OrientedMesh const& cells, Points points, Points displacement,
+                       AdmissibleStep const& limit, Real max_step, Executor const& executor,
+                       void (*visit)(void* user, StepCorner const& found), void* user) noexcept;
+template <class Visit>
+void find_step_corners(OrientedMesh const& cells, Points points, Points displacement,
+                       AdmissibleStep const& limit, Real max_step, Executor const& executor,
+                       Visit visit) noexcept {
+    auto const call = [](void* user, StepCorner const& found) {
+        (*static_cast<Visit*>(user))(found);
+    };
+    find_step_corners(cells, points, displacement, limit, max_step, executor, call, &visit);
+}
+
+// Assesses a displacement in one pass over the cells: the admissible step, and the quality of the
+// displaced mesh.
+struct Assessment {
+    AdmissibleStep limit;
+    Quality quality;  // The quality at points + displacement, relative to the mesh at points.
+
+    void merge(Assessment const& later) noexcept {
+        limit.merge(later.limit);
+        quality.merge(later.quality);
+    }
+};
+
+// If the step is not wanted, `limit` is not meaningful, and less time is needed.
+Assessment assess(OrientedMesh const& cells, Points points, Points displacement,
+                  Executor const& executor, bool wants_step = true) noexcept;
+
+// Returns the quality at points + displacement, relative to the mesh at the coordinates
+// `reference`.
+Quality displaced_quality(OrientedMesh const& cells, Points points, Points displacement,
+                          Points reference, Executor const& executor) noexcept;
 
 }  // namespace harmorph

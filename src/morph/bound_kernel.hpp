@@ -54,7 +54,7 @@ struct SmoothCorners : Corners<n> {
             highest = lanes_max(highest, square_of[k]);
         }
         Vector const zero = {}, one = zero + 1;
-        return (lowest > min_factor) & (highest < max_factor) ? one : zero;
+        return ((lowest > min_factor) & (highest < max_factor)) ? one : zero;
     }
     HARMORPH_INLINE void keep(Vector lanes_to_keep) noexcept {
         Vector const zero = {}, one = zero + 1;

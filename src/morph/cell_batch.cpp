@@ -1,7 +1,7 @@
 #include "morph/cell_batch.hpp"
 
-#include "base/exponential_series.hpp"
-#include "morph/skew.hpp"
+#include "base/elementary.hpp"
+#include "morph/quality.hpp"
 
 #define HARMORPH_KERNELS "morph/cell_kernel.hpp"
 #include "simd/for_each_set.hpp"

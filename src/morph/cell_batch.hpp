@@ -3,7 +3,7 @@
 // have no branches.
 #pragma once
 
-#include "base/parallel_reduce.hpp"
+#include "base/executor.hpp"
 #include "mesh/cell_shape.hpp"
 #include "mesh/topology.hpp"
 #include "simd/cpu.hpp"
@@ -53,7 +53,7 @@ struct CellBatches {
     }
 
 private:
-    bool is_triangle[max_count];  // This array describes copies.
+    bool is_triangle[max_count];  // One flag for each copied cell.
     Index triangle_point[3 * max_count], quad_point[4 * max_count];
 };
 
@@ -119,7 +119,7 @@ struct SmoothList {
     Real area[CellBatches::max_count], area_weight[CellBatches::max_count];
     SmoothSlopes by_quality, by_area;
     // The bits of cells that must be computed one by one: they are inverted, or products of their
-    // areas would overflow or underflow. Their numbers above are not set.
+    // areas would overflow or underflow. The numbers of odd cells above are not set.
     std::uint64_t odd = 0;
 };
 // Computes the smooth values of a list of cells at places.at, compared with places.reference. The

@@ -17,7 +17,7 @@ constexpr Index few = lanes < 4 ? lanes : 4;
 using Few [[gnu::vector_size(8 * few)]] = Real;
 constexpr unsigned all = (1u << lanes) - 1;  // one bit for each lane
 
-// These are harmorph::min() and max() in each lane: the result is a if one of the two is NaN.
+// harmorph::min() and max() in each lane: the result is a if one of the two is NaN.
 HARMORPH_INLINE Vector lanes_min(Vector a, Vector b) noexcept { return Registers::min(b, a); }
 HARMORPH_INLINE Vector lanes_max(Vector a, Vector b) noexcept { return Registers::max(b, a); }
 

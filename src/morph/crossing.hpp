@@ -15,8 +15,8 @@ struct Crossing {
 };
 
 // Tells whether the distance of two points is within the rounding of their coordinates, both before
-// a movement and after it. This holds for points on the two sides of a wall without thickness if a
-// file has rounded both sides differently.
+// a movement and after it. Equal places occur for points on the two sides of a wall without
+// thickness if a file has rounded both sides differently.
 bool stay_at_one_place(Vec2 a, Vec2 b, Vec2 a_moved, Vec2 b_moved) noexcept;
 
 // Points that slip or are free follow the cells. If faces of such points overlap at the end of one
@@ -46,5 +46,25 @@ Crossing find_new_crossing(BoundaryFaces const& faces, Points start, Points now)
 // pairs of a face along a line and a face of a wall that ends on this line.
 Crossing find_known_crossing(BoundaryFaces const& faces, Points start, Points points,
                              Span<const KnownEnd> ends) noexcept;
+
+// The step along a displacement at which the boundary first touches itself.
+struct Touch {
+    Real step = infinity;
+    Index point = none;            // The point that touches a face.
+    Index face[2] = {none, none};  // The points where this face begins and ends.
+};
+
+// Returns the smallest s with 0 < s < limit at which a point of the boundary lies on a face to
+// which it does not belong, with all points at points + s displacement. The first touch of two
+// faces is one of an end of the one with the other, so no other pairs are examined. The area
+// between a point and a face is a quadratic function of s, whose roots are exact except for
+// rounding. Faces that touch at s = 0 count when they touch again. If they cross each other at
+// once, so that the boundary crosses itself at s = 1, but not at s = 0, without a touch on the way,
+// the step is 0. The two sides of a sliding interface may touch, as may a point and a face at whose
+// end the point stays (stay_at_one_place).
+// Boundary faces are those of find_crossing(); boxes of places and of displacements of list ranges
+// tell when two ranges can meet, without any memory.
+Touch first_touch(BoundaryFaces const& faces, Points points, Points displacement,
+                  Real limit) noexcept;
 
 }  // namespace harmorph

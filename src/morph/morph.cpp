@@ -1,8 +1,20 @@
 #include "morph/morph.hpp"
 
-#include "morph/product.hpp"
+#define HARMORPH_KERNELS "morph/product_kernel.hpp"
+#include "simd/for_each_set.hpp"
 
 namespace harmorph {
+
+ProductKernels const& product_kernels(Kernel kernel) noexcept {
+    return simd::table_of<ProductKernels>(kernel);
+}
+
+ProductKernels const& product_kernels_for(Kernel known, Offset values,
+                                          Offset detection_threshold) noexcept {
+    return product_kernels(
+        resolved(known, values < detection_threshold ? Kernel::baseline : Kernel::automatic));
+}
+
 namespace {
 
 // The sums of the points of these blocks stay in the first-level cache and need little stack.

@@ -1,6 +1,6 @@
 #include "morph/odd_cells.hpp"
 
-#include "base/angle.hpp"
+#include "base/vec2.hpp"
 
 namespace harmorph {
 namespace {

@@ -77,7 +77,7 @@ private:
     Index pair_up(SymmetricRows const& rows, Merging merging, Span<Index> to) const noexcept;
 
     SymmetricRows pool_;     // The coarse levels follow each other in these arrays.
-    Span<Index> cell_pool_;  // This array has cell_of of all levels.
+    Span<Index> cell_pool_;  // cell_of of all levels.
     Offset cells_used_ = 0, entries_used_ = 0, maps_used_ = 0;
 
     struct Work {

@@ -7,9 +7,9 @@
 // and 11 of the paper are printed with the opposite sign, with which F would grow without bound.
 #pragma once
 
-#include "mesh/control_volumes.hpp"
+#include "mesh/median_dual.hpp"
 #include "multigrid/iteration.hpp"
-#include "operators/nodal_gradient.hpp"
+#include "operators/nodal_equations.hpp"
 
 namespace harmorph {
 
@@ -39,10 +39,10 @@ struct FullApproximation : BlockIteration {
 
     void lay_out(Arena& arena, Index n, Index functions, Iteration const& asked,
                  Executor const& threads) noexcept;
-    // Selects nodal gradients for the balances on the finest level. This must be called before
+    // Selects nodal gradients for the balances on the finest level; to be called before
     // lay_out().
     void use_scheme(Index rows, bool corrected) noexcept;
-    // These are the working spaces of set_up() and of solve(); both may occupy the same memory.
+    // The working spaces of set_up() and of solve(); both may occupy the same memory.
     void lay_out_work(Arena& arena, Index n, Offset entries) noexcept;
     void lay_out_vectors(Arena& arena, Index n) noexcept;
 

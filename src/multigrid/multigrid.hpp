@@ -38,9 +38,9 @@ struct Multigrid : BlockIteration {
 
     void lay_out(Arena& arena, Index n, Index functions, Iteration const& asked,
                  Executor const& threads) noexcept;
-    // entries: those of the matrix.
+    // entries: the number of entries of the matrix.
     void lay_out_levels(Arena& arena, Index n, Offset entries) noexcept;
-    // These are the working spaces of set_up() and of solve(); both may occupy the same memory.
+    // The working spaces of set_up() and of solve(); both may occupy the same memory.
     void lay_out_work(Arena& arena, Index n, Offset entries) noexcept;
     void lay_out_vectors(Arena& arena, Index n) noexcept;
 
@@ -59,7 +59,7 @@ struct Multigrid : BlockIteration {
     CycleLevel<Number> cycle_level(Index level) const noexcept;
 
 private:
-    // The vectors of the finest level. Those of coarse levels share the room of Cycle's vectors.
+    // The vectors of the finest level. Vectors of coarse levels share the room of Cycle's vectors.
     static constexpr Index finest_vectors = 4;
     // Returns the number of numbers in single precision that a worker needs for each function.
     static Offset worker_numbers(Index n) noexcept {

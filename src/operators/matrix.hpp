@@ -1,5 +1,5 @@
 // The Hermitian matrix of the unknowns in the order of elimination, and the columns of the known
-// values on the wall. tests/operators/test_matrix.cpp covers matrix_pattern.cpp, too.
+// values on the wall. tests/operators/test_matrix.cpp covers this file.
 #pragma once
 
 #include "base/executor.hpp"
@@ -53,11 +53,11 @@ struct Matrix : Unknowns {
     Index n = 0;
     Span<Real> diagonal;           // [n]
     Span<Real> row_sum;            // [n] The sum of all entries of a row, including the diagonal.
-    Span<Real> row_sum_imaginary;  // This array exists in complex matrices only.
+    Span<Real> row_sum_imaginary;  // In complex matrices only.
     Span<Offset> start;            // [n + 1]
     Span<Index> column;
     Span<Real> value;
-    Span<Real> imaginary;        // This array exists in complex matrices only.
+    Span<Real> imaginary;        // In complex matrices only.
     Span<Index> coupling_start;  // [components * wall points + 1]
     Span<Index> coupling_row;
     Span<Real> coupling_value;

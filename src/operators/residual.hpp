@@ -1,18 +1,18 @@
-// Residuals b - A F of the solved functions. They measure the accuracy of an engine's solution, and
-// are the right-hand sides of iterative refinement.
+// Residuals b - A F of the solved functions measure the accuracy of an engine's solution, and are
+// the right-hand sides of iterative refinement.
 #pragma once
 
+#include "base/span.hpp"
 #include "basis/basis.hpp"
-#include "operators/matrix.hpp"
 #include "basis/options.hpp"
-#include "simd/cpu.hpp"
-#include "base/row_view.hpp"
+#include "operators/matrix.hpp"
 #include "ordering/subtree_ranges.hpp"
+#include "simd/cpu.hpp"
 
 namespace harmorph {
 
 // The values at all points in the arrangement of the equations: the numbers of a dof (matrix.hpp)
-// stand side by side, one column for each right-hand side. They are the row of a point, or half a
+// stand side by side, one column for each right-hand side: the row of a point, or half a
 // row if a point has two dofs. For complex values all real parts come first, then all imaginary
 // parts. A basis has rows while its functions are being solved; then they become blocks
 // (RowsToBlocks).
@@ -77,7 +77,7 @@ struct DofValues {
     }
 };
 
-// Residuals of a few columns at a time, for all rows. They are sums of differences of values along
+// Residuals of a few columns at a time, for all rows: sums of differences of values along
 // couplings, not products with the diagonal: the strong couplings of thin cells would make the
 // diagonal so large that its rounding hides the weak couplings (symmetric_matrix.hpp). If x and y
 // are coupled, residuals are sums of differences of displacements; the second dof of a slipping
@@ -134,6 +134,32 @@ struct Residual {
     };
     Changes add_to(Matrix const& matrix, DofValues const& dofs, Index first, Index n,
                    Choice const& chosen) const noexcept;
+};
+
+// Turns numbers of dofs into displacements of points, and back. Only this file and the matrix
+// distinguish slipping points and turned sides from others.
+class DofDirections {
+public:
+    explicit DofDirections(Matrix const& matrix) noexcept : matrix_(matrix) {}
+
+    // The dof of a slipping point is a movement along the tangent, which becomes movements along x
+    // and y. To be called before points that are joined to slipping ones get the same
+    // numbers.
+    void turn_slipping(DofValues const& values, Index n_points) const noexcept;
+    void turn_slipping_back(DofValues const& values, Index n_points) const noexcept;
+    // The number of a dof on a side of a passage becomes the displacement of the point. To
+    // be called after joined points have got the numbers of the points to which they are joined.
+    void turn_sides(DofValues const& values, Index n_points) const noexcept;
+    void turn_sides_back(DofValues const& values, Index n_points) const noexcept;
+
+private:
+    template <class Turn>
+    void for_each_slipping(DofValues const& values, Index n_points,
+                           Turn const& turn) const noexcept;
+    template <class Turn>
+    void for_each_turned(DofValues const& values, Index n_points, Turn const& turn) const noexcept;
+
+    Matrix const& matrix_;
 };
 
 }  // namespace harmorph

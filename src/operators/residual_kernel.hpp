@@ -1,4 +1,4 @@
-// Balances of rows with the registers of one instruction set; residual_table.cpp compiles this file
+// Balances of rows with the registers of one instruction set; residual.cpp compiles this file
 // for each set. The arithmetic of a column is the same in all instruction sets, and so are the bits
 // of the result. tests/operators/test_residual.cpp covers this file.
 

@@ -35,8 +35,8 @@ struct SymmetricRows {
     }
 };
 
-// The imaginary parts of a Hermitian matrix, whose real parts are SymmetricRows; those of a real
-// matrix are empty.
+// The imaginary parts of a Hermitian matrix, whose real parts are SymmetricRows; empty for a
+// real matrix.
 struct ImaginaryRows {
     Span<const Real> row_sum;  // [n]
     Span<const Real> value;    // [entries]

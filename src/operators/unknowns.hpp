@@ -80,7 +80,7 @@ public:
                direction_[point].y != direction_[other].y;
     }
 
-    // Directions change with the coordinates if points slip along curves. This must be set before
+    // Directions change with the coordinates if points slip along curves; to be set before
     // find().
     void set_directions_change(bool change) noexcept { directions_change_ = change; }
     void set_tangent(Index point, Vec2 tangent) const noexcept {

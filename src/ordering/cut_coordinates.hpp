@@ -13,7 +13,7 @@ namespace harmorph {
 inline constexpr Index directions = 6, direction_lanes = 8;
 inline constexpr Index straight_directions = 4, layer_direction = 4, across_direction = 5,
                        level_direction = 6;
-// This lane is no direction: its number is 1 next to a separator above, and 0 elsewhere.
+// The lane of the border is no direction: 1 next to a separator above, and 0 elsewhere.
 inline constexpr Index border_lane = 7;
 // Coordinates of unknowns are read in an irregular order, so those of the unknown that follows at
 // this distance are prefetched.
@@ -50,7 +50,7 @@ struct CutCoordinates {
     Span<Index> layer_queue;
 
     void lay_out(Arena& arena, Index max_unknowns) noexcept;
-    // These arrays are laid out apart, as they may share memory with arrays that are not used
+    // The layers are laid out apart, as they may share memory with arrays that are not used
     // before keep_searches().
     void lay_out_layers(Arena& arena, Index max_unknowns) noexcept;
     // Computes the straight coordinates.

@@ -33,7 +33,7 @@ struct BorderWork {
     // they fit.
     Span<Index> passed;
     void lay_out(Arena& arena, Index max_unknowns) noexcept;
-    // This array is laid out apart from lay_out(), as it may share memory with the working arrays
+    // Laid out apart from lay_out(), as it may share memory with the working arrays
     // of the dissection.
     void lay_out_passed(Arena& arena, Index max_unknowns) noexcept;
 };

@@ -1,7 +1,7 @@
 #include "parts/part.hpp"
 
 #include "base/sort.hpp"
-#include "mesh/guard_shape.hpp"
+#include "mesh/cell_shape.hpp"
 
 namespace harmorph {
 namespace {

@@ -3,7 +3,7 @@
 // which follows from the edges of all parts (shared_boundary.hpp); the equations of the part, whose
 // sum over all parts is the matrix of the mesh (part_equations.hpp). No code here sends messages.
 //
-// This file: one part, with the checks that need no other part. tests/parts/test_parts.cpp and
+// Here: one part, with the checks that need no other part. tests/parts/test_parts.cpp and
 // tests/parts/test_refused_parts.cpp cover this file.
 #pragma once
 
@@ -14,7 +14,7 @@
 namespace harmorph {
 
 // An edge with one cell in a part; the cell is on the left of the edge. The layout is that of
-// hm_edge.
+// hm_private_edge.
 struct OpenEdge {
     Offset begin = 0, end = 0;  // The ends are global numbers.
     Vec2 at_begin, at_end;

@@ -1,7 +1,7 @@
 #include "parts/part_equations.hpp"
 
 #include "operators/assembly.hpp"
-#include "operators/dof_directions.hpp"
+#include "operators/residual.hpp"
 #include "operators/right_hand_sides.hpp"
 
 namespace harmorph {
@@ -44,7 +44,7 @@ void PartEquations::lay_out(Arena& arena, Part const& own_part, PartProblem cons
     arena.take(is_own, max_unknowns);
     arena.take(dof_of, max_unknowns);
     matrix.lay_out(arena, n_points, max_unknowns, max_wall, max_sizes);
-    Size const mark = arena.mark();
+    auto const mark = arena.mark();
     graph.lay_out(arena, own, components);
     arena.take(order, max_unknowns);
     arena.release(mark);

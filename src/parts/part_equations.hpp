@@ -12,11 +12,11 @@
 
 namespace harmorph {
 
-// Points, unknowns and slots of the wall are those of the part. A point of the boundary that is not
-// in the part is on no wall here. Points that are joined (cuts, periodic pairs) have one unknown,
-// with the same global number in all parts.
+// Points, unknowns and slots of the wall are numbered in the part. A point of the boundary that is
+// not in the part is on no wall here. Points that are joined (cuts, periodic pairs) have one
+// unknown, with the same global number in all parts.
 struct PartEquations {
-    Part part;  // This is a copy of the views; the arrays belong to the caller's part.
+    Part part;  // A copy of the views; the arrays belong to the caller's part.
     PartProblem problem;
     SharedBoundary shared;
     Topology topology;  // The topology of the part, with points joined.

@@ -39,7 +39,7 @@ struct SharedBoundary {
     Topology topology;
     Boundary boundary;
     Span<PointKind> kinds;
-    Span<Vec2> tangent;  // This array exists if there are slip lines.
+    Span<Vec2> tangent;  // Empty without slip lines.
     SlipCurves slip_curves;
     Periodicity periodicity;  // Only translations are possible.
     Wall wall;

@@ -1,6 +1,6 @@
 #include "plan/analysis.hpp"
 
-#include "mesh/guard_shape.hpp"
+#include "mesh/cell_shape.hpp"
 
 namespace harmorph {
 
@@ -37,7 +37,7 @@ void Analysis::lay_out(Arena& arena, Problem const& asked, Index n_curves,
     border_.lay_out(arena, max_unknowns);
     arena.take(border_start_, max_unknowns / 2 + 2);
     subtrees_.lay_out(arena, executor.is_serial() ? 1 : executor.n_threads);
-    Size const shared = arena.mark();
+    auto const shared = arena.mark();
     dissection_work_.lay_out(arena, max_unknowns);
     arena.release(shared);
     border_.lay_out_passed(arena, max_unknowns);

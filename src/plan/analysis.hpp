@@ -3,22 +3,21 @@
 // tests/c_api/test_bad_input.cpp cover this file.
 #pragma once
 
-#include "basis/basis_source.hpp"
-#include "mesh/boundary.hpp"
-#include "mesh/delaunay.hpp"
-#include "mesh/pieces.hpp"
 #include "base/executor.hpp"
-#include "ordering/symbolic.hpp"
-#include "multigrid/iteration.hpp"
-#include "ordering/advancing_front.hpp"
-#include "operators/matrix.hpp"
-#include "mesh/orientation.hpp"
+#include "basis/basis_source.hpp"
+#include "boundary/moving_boundary.hpp"
 #include "boundary/periodic.hpp"
-#include "base/progress.hpp"
 #include "boundary/slip.hpp"
 #include "boundary/slip_followers.hpp"
+#include "mesh/boundary.hpp"
+#include "mesh/delaunay.hpp"
+#include "mesh/orientation.hpp"
+#include "mesh/pieces.hpp"
+#include "multigrid/iteration.hpp"
+#include "operators/matrix.hpp"
+#include "ordering/graph.hpp"
 #include "ordering/subtrees.hpp"
-#include "boundary/moving_boundary.hpp"
+#include "ordering/symbolic.hpp"
 
 namespace harmorph {
 
@@ -68,7 +67,7 @@ public:
     Index count_wall_faces() const noexcept;
     // [n_points] This array exists if there are slip lines.
     Span<Vec2> tangent() const noexcept { return tangent_; }
-    // These are the curved slip lines.
+    // The curved slip lines.
     SlipCurves const& slip_curves() const noexcept { return slip_curves_; }
     SlipFollowers const& slip_followers() const noexcept { return slip_followers_; }
     Periodicity const& periodicity() const noexcept { return periodicity_; }

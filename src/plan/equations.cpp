@@ -1,7 +1,6 @@
 #include "plan/equations.hpp"
 
 #include "operators/assembly.hpp"
-#include "operators/bounded.hpp"
 
 namespace harmorph {
 

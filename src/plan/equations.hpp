@@ -1,5 +1,5 @@
-// The equations of a plan: those of the unknowns by the chosen operator and scheme, for given
-// coordinates. tests/plan/test_laplace.cpp and tests/operators/test_bounded.cpp cover this file.
+// The equations of the unknowns of a plan by the chosen operator and scheme, for given coordinates.
+// tests/plan/test_laplace.cpp and tests/operators/test_bounded.cpp cover this file.
 #pragma once
 
 #include "boundary/distance.hpp"
@@ -17,7 +17,7 @@ public:
     void lay_out_nodal_work(Arena& arena, Index n_points, Index width) noexcept {
         nodal_.lay_out_work(arena, n_points, width);
     }
-    // init() copies all data of the analysis except the matrix and the nodal equations. These take
+    // init() copies all data of the analysis except the matrix and the nodal equations, which take
     // longest and are made by build(), which may run in parallel with other users of the analysis.
     void init(Analysis const& analysis) noexcept;
     void build(Analysis const& analysis) noexcept;

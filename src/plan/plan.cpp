@@ -1,8 +1,57 @@
 #include "plan/plan.hpp"
 
-#include "operators/dof_directions.hpp"
+#include "operators/residual.hpp"
 
 namespace harmorph {
+namespace {
+
+// Returns the first slot of given points; the slots of given points come last.
+Index first_given(Analysis const& analysis) noexcept {
+    Index const number = analysis.curves().count() + analysis.problem().demands.bodies;
+    Index slot = 0;
+    while (slot < analysis.wall().count && analysis.wall().curve[slot] != number) ++slot;
+    return slot;
+}
+
+// Calls visit(point) for the points that are joined to another one.
+template <class Visit>
+void for_each_joined(Span<const Index> representative, Visit const& visit) noexcept {
+    for (Index point = 0; point < representative.count(); ++point) {
+        if (representative[point] != point) visit(point);
+    }
+}
+
+}  // namespace
+
+void GivenWall::lay_out(Arena& arena, Analysis const& analysis) noexcept {
+    if (!analysis.problem().demands.given) return;
+    Index n_joined = 0;
+    for_each_joined(analysis.topology().representative, [&](Index) { ++n_joined; });
+    arena.take(point, analysis.wall().count - first_given(analysis));
+    arena.take(joined, n_joined);
+    arena.take(boundary_point, analysis.boundary().count);
+    arena.take(loop_start, Offset{analysis.boundary().n_loops} + 1);
+    arena.take(interface_side,
+               analysis.problem().demands.interfaces ? analysis.boundary().count : 0);
+}
+
+Index GivenWall::columns(Analysis const& analysis) noexcept {
+    if (!analysis.problem().demands.given) return 0;
+    return analysis.matrix_sizes().kind == MatrixKind::real ? 2 * fields_at_once : fields_at_once;
+}
+
+void GivenWall::init(Analysis const& analysis) noexcept {
+    if (!analysis.problem().demands.given) return;
+    first_slot = first_given(analysis);
+    copy(point, Span<const Index>(analysis.wall().point.from(first_slot, point.count())));
+    Index n_joined = 0;
+    for_each_joined(analysis.topology().representative, [&](Index at) { joined[n_joined++] = at; });
+    copy(boundary_point,
+         Span<const Index>(analysis.boundary().point.first(boundary_point.count())));
+    copy(loop_start, Span<const Index>(analysis.boundary().loop_start.first(loop_start.count())));
+    find_interface_sides(analysis.boundary(), analysis.conditions(), interface_side);
+}
+
 namespace {
 
 // A task has at least this many points.
@@ -135,7 +184,7 @@ Status Plan::solve_rows(DofValues const& dofs, SolveReport& report, Fault& fault
 void Plan::clear_all_but_wall(DofValues const& dofs) const noexcept {
     Index const components = equations_.matrix().components();
     for (Index point = 0; point < mesh_.n_points; ++point) {
-        Index const slot = wall_slot(point);
+        Index const slot = unknowns().wall_slot(point);
         if (slot != none && wall_point_[slot] == point) continue;
         for (Index dof = components * point; dof < components * (point + 1); ++dof) {
             std::memset(dofs.values_of_dof(dof), 0,
@@ -157,7 +206,7 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells,
                             entry_item(level), plain(levels->count));
     }
     for (Index point = 0; point < mesh_.n_points; ++point) {
-        Index cell = is_unknown(point) ? unknowns().first_row(point) : none;
+        Index cell = unknowns().is_unknown(point) ? unknowns().first_row(point) : none;
         for (Index l = 0; l < level && cell != none; ++l) cell = levels->cell_of[l][cell];
         cell_of[point] = cell;
     }
@@ -216,13 +265,13 @@ void Plan::to_displacements_transposed(DofValues const& values) const noexcept {
 }
 
 Index Plan::same_point(Index point) const noexcept {
-    if (is_unknown(point)) return representative(point);
-    Index const slot = wall_slot(point);
+    if (unknowns().is_unknown(point)) return representative(point);
+    Index const slot = unknowns().wall_slot(point);
     return slot == none ? none : wall_point_[slot];
 }
 
 Index Plan::given_index(Index point) const noexcept {
-    Index const slot = wall_slot(point);
+    Index const slot = unknowns().wall_slot(point);
     return slot != none && slot >= given_.first_slot ? slot - given_.first_slot : none;
 }
 

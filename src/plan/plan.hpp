@@ -1,22 +1,46 @@
 // The plan turns boundary functions into harmonic functions.
 #pragma once
 
-#include "mesh/region_counts.hpp"
+#include "mesh/topology.hpp"
 #include "operators/right_hand_sides.hpp"
-#include "plan/given_wall.hpp"
+#include "plan/analysis.hpp"
 #include "plan/refinement.hpp"
 
 namespace harmorph {
 
-// This tells whether solved functions get a largest value and a checksum. Without them the
-// functions must not be used by the adjoint or written to files.
+// The data of the boundary that a plan keeps for displacements that are given from call to call.
+
+// The arrays are empty if no displacements are given.
+struct GivenWall {
+    // The number of fields that are solved as one block of right-hand sides.
+    static constexpr Index fields_at_once = 12;
+
+    Span<Index> point;     // [given points] The points in the order of their slots.
+    Index first_slot = 0;  // The given slots begin here.
+    // The points that are joined to another one: beyond a cut, or periodic images.
+    Span<Index> joined;
+    Span<Index> boundary_point, loop_start, interface_side;  // See BoundaryFaces.
+
+    BoundaryFaces faces() const noexcept { return {boundary_point, loop_start, interface_side}; }
+
+    void lay_out(Arena& arena, Analysis const& analysis) noexcept;
+    void init(Analysis const& analysis) noexcept;
+
+    // Returns the number of right-hand sides of a block of fields, or 0 without given
+    // displacements.
+    static Index columns(Analysis const& analysis) noexcept;
+};
+
+// Tells whether solved functions get a largest value and a checksum. Without both, the functions
+// must not be used by the adjoint or written to files.
 enum class Sealing { complete, skipped };
 
 // Equations, their factor, and the final form of solved values. factor() must be called before
 // solve() and solve_fields().
 class Plan {
 public:
-    // solve() has memory for this many numbers of modes at a point, beside those of the functions.
+    // solve() has memory for this many numbers of modes at a point, beside the numbers of the
+    // functions.
     static constexpr Index max_mode_numbers = 1024;
 
     void lay_out(Arena& arena, Analysis const& analysis) noexcept;
@@ -29,7 +53,7 @@ public:
     // Must be called when the equations have changed since factor(), or belong to other
     // coordinates.
     void forget_factor() noexcept { factored_ = false; }
-    // These are the coordinates of the factor.
+    // Returns the fingerprint of the coordinates of the factor.
     std::uint64_t coordinates() const noexcept { return coordinates_; }
     // Selects another operator until the next change; returns false and changes nothing if the plan
     // cannot solve for it. The factor has to be computed again.
@@ -72,23 +96,18 @@ public:
     OrientedMesh const& cells() const noexcept { return equations_.cells(); }
     RegionCounts const& region_counts() const noexcept { return region_counts_; }
     PointKind kind(Index point) const noexcept { return equations_.kind(point); }
-    bool is_unknown(Index point) const noexcept { return unknowns().is_unknown(point); }
+    // Which points are unknown, where they slip, and how they are turned.
+    Unknowns const& unknowns() const noexcept { return equations_.matrix(); }
     // Returns the point that stands in the equations for all points with the same unknown; a point
     // without an unknown represents itself.
     Index representative(Index point) const noexcept {
         Index const row = unknowns().first_row(point);
         return row < 0 ? point : equations_.point_of(row);
     }
-    Index wall_slot(Index point) const noexcept { return unknowns().wall_slot(point); }
-    bool couples_xy() const noexcept { return unknowns().couples_xy(); }
-    bool slips(Index point) const noexcept { return unknowns().slips(point); }
-    // The point must slip.
-    Vec2 tangent(Index point) const noexcept { return unknowns().direction(point); }
-    bool turns_sides() const noexcept { return unknowns().turns_sides(); }
-    Vec2 turn(Index point) const noexcept { return unknowns().turn(point); }
     // Returns the factor from the displacement of `same_point(point)` to that of the point.
     Vec2 turn_of(Index point, Index same) const noexcept {
-        return turns_sides() ? product(conjugate(turn(same)), turn(point)) : Vec2{1, 0};
+        if (!unknowns().turns_sides()) return {1, 0};
+        return product(conjugate(unknowns().turn(same)), unknowns().turn(point));
     }
     // Returns the point of the wall or of an unknown that has the values of this one, or none if
     // the values are 0.
@@ -99,12 +118,10 @@ public:
     // Returns the place of a point among the given ones (GivenWall::point), or none.
     Index given_index(Index point) const noexcept;
 
-    // The faces that move, and the curves along which points slip.
+    // The faces that move.
     FaceDistance const& walls() const noexcept { return equations_.walls(); }
     FaceDistance& walls() noexcept { return equations_.walls(); }
     FaceDistance& walls_at(Points points) noexcept { return equations_.walls_at(points); }
-    SlipCurves const& slip_curves() const noexcept { return equations_.slip_curves(); }
-    SlipFollowers const& slip_followers() const noexcept { return equations_.slip_followers(); }
 
     Executor const& executor() const noexcept { return executor_; }
     Equations const& equations() const noexcept { return equations_; }
@@ -112,7 +129,6 @@ public:
     Refinement const& refinement() const noexcept { return refinement_; }
 
 private:
-    Unknowns const& unknowns() const noexcept { return equations_.matrix(); }
     Status solve_rows(DofValues const& dofs, SolveReport& report, Fault& fault) noexcept;
     void clear_all_but_wall(DofValues const& dofs) const noexcept;
 
@@ -129,7 +145,7 @@ private:
     std::uint64_t conditions_ = 0;   // The fingerprint of the conditions.
     std::uint64_t coordinates_ = 0;  // The fingerprint of the factor's coordinates.
     RegionCounts region_counts_;
-    Span<Real> rows_in_work_;  // This array is used while solved rows become blocks.
+    Span<Real> rows_in_work_;  // Working memory while solved rows become blocks.
     Offset factor_entries_ = 0;
     bool factored_ = false;
 };

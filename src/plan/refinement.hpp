@@ -25,7 +25,7 @@ struct SolveReport {
 
 struct Refinement {
     Residual residual;
-    // This member serves nodal gradients with an engine that factors.
+    // For nodal gradients with an engine that factors.
     BiconjugateGradients biconjugate;
 
     // Must be called after the engine's lay_out(), as the arrays overlap with working space that

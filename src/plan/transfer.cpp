@@ -1,6 +1,6 @@
 #include "plan/transfer.hpp"
 
-#include "base/parallel_reduce.hpp"
+#include "base/executor.hpp"
 
 namespace harmorph {
 namespace {

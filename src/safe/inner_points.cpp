@@ -53,8 +53,7 @@ bool SafeMorph::untangle_ahead(Work& work) noexcept {
         untangling.slipping = slipping;
         UntangleOptions options = work.options.untangle;
         options.max_work = static_cast<Real>(work.solutions_left());
-        Status const status =
-            untangling.run(options, mesh.to_ahead(), work.report.untangle, why);
+        Status const status = untangling.run(options, mesh.to_ahead(), work.report.untangle, why);
         work.report.untangling += work.report.untangle.work;
         // A boundary may cross itself although no cell is inverted.
         return status == Status::ok && is_valid(work, mesh.ahead());

@@ -1,6 +1,6 @@
 #include "safe/mesh_improvement.hpp"
 
-#include "base/angle.hpp"
+#include "base/vec2.hpp"
 
 namespace harmorph {
 namespace {

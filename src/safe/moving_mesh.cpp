@@ -18,17 +18,17 @@ void MovingMesh::lay_out(Arena& arena, Plan const& plan, BasisCounts const& coun
     arena.take(ends, counts.points);
     arena.take(representative, counts.points);
     arena.take(held, counts.points);
-    arena.take(slip_place, plan.slip_curves().n_slots());
+    arena.take(slip_place, plan.equations().slip_curves().n_slots());
 }
 
 void MovingMesh::init(Plan const& plan, Basis const& basis, const Real* move) noexcept {
     path.init(basis, move);
     carried.init(basis, path, plan.mesh().points);
     for (Index k = 0; k < plan.mesh().n_points; ++k) {
-        bool const is_unknown = plan.is_unknown(k);
-        ends[k] = !is_unknown     ? KnownEnd::prescribed
-                  : plan.slips(k) ? KnownEnd::on_line
-                                  : KnownEnd::unknown;
+        bool const is_unknown = plan.unknowns().is_unknown(k);
+        ends[k] = !is_unknown                ? KnownEnd::prescribed
+                  : plan.unknowns().slips(k) ? KnownEnd::on_line
+                                             : KnownEnd::unknown;
         held[k] = is_unknown ? 0 : 1;
         representative[k] = plan.representative(k);
     }
@@ -80,12 +80,12 @@ AdmissibleStep MovingMesh::look_ahead(Plan& plan, Basis const& basis, Basis cons
 // Replaces displacements along tangents by displacements to the nearest places of the curves; the
 // other points follow.
 void MovingMesh::put_on_slip_curves(Plan const& plan) noexcept {
-    SlipCurves const& curves = plan.slip_curves();
+    SlipCurves const& curves = plan.equations().slip_curves();
     if (curves.count == 0) return;
     curves.for_each([&](Index slot, Index point) {
         slip_place[slot] = curves.nearest(slot, now()[point] + ahead()[point]);
     });
-    plan.slip_followers().for_each(curves, [&](Index k, Index slot, Real part) {
+    plan.equations().slip_followers().for_each(curves, [&](Index k, Index slot, Real part) {
         Index const point = curves.point[slot];
         Vec2 const back = slip_place[slot].at - (now()[point] + ahead()[point]);
         if (back.x != 0 || back.y != 0) to_ahead().set(k, ahead()[k] + part * back);
@@ -95,7 +95,7 @@ void MovingMesh::put_on_slip_curves(Plan const& plan) noexcept {
         if (by.x != 0 || by.y != 0) to_ahead().set(point, slip_place[slot].at - now()[point]);
     });
     for (Index k = 0; k < x.count(); ++k) {  // the displacements keep their bits
-        if (plan.slips(k)) to_ahead().set(k, ahead()[plan.representative(k)]);
+        if (plan.unknowns().slips(k)) to_ahead().set(k, ahead()[plan.representative(k)]);
     }
 }
 
@@ -118,7 +118,7 @@ template <class Visit>
 void MovingMesh::for_wall(Plan const& plan, Basis const& basis, Visit const& visit) const noexcept {
     TurnAt turn(path, aimed_time);
     for (Index k = 0; k < plan.mesh().n_points; ++k) {
-        Index const slot = plan.wall_slot(k);
+        Index const slot = plan.unknowns().wall_slot(k);
         if (slot == none) continue;
         visit(k, plan.mesh().points[k], wall_move(plan, basis, slot, turn));
     }

@@ -2,7 +2,7 @@
 // blocks, and conjugate gradients.
 #pragma once
 
-#include "base/parallel_reduce.hpp"
+#include "base/executor.hpp"
 #include "safe/cell_form.hpp"
 #include "safe/corner_triangle.hpp"
 #include "safe/region.hpp"

@@ -35,7 +35,7 @@ Sizes sizes_of(Multifrontal const& plain, Index per, Span<Subtree> all) noexcept
 void PointFactor::lay_out(Arena& arena, Plan const& plan) noexcept {
     if (!exists(plan)) return;
     Multifrontal const& plain = of_plan(plan);
-    per_position = plan.couples_xy() ? 1 : 2;
+    per_position = plan.unknowns().couples_xy() ? 1 : 2;
     Sizes const sizes = sizes_of(plain, per_position, {});
     engine.lay_out(arena, plain.tree.count, sizes.fronts, sizes.subtrees, right_hand_sides);
     engine.lay_out_stack(arena);
@@ -77,9 +77,9 @@ void PointFactor::init(Plan const& plan) noexcept {
 }
 
 Index PointFactor::position(Plan const& plan, Index point, Index component) const noexcept {
-    Matrix const& equations = plan.equations().matrix();
-    return per_position == 2 ? 2 * equations.first_row(point) + component
-                             : equations.row_of(2 * point + component);
+    Unknowns const& unknowns = plan.unknowns();
+    return per_position == 2 ? 2 * unknowns.first_row(point) + component
+                             : unknowns.row_of(2 * point + component);
 }
 
 // Calls visit(position, position, entry) for the entries of the Hessian above the diagonal and on

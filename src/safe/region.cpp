@@ -1,6 +1,6 @@
 #include "safe/region.hpp"
 
-#include "base/parallel_reduce.hpp"
+#include "base/executor.hpp"
 #include "base/sort.hpp"
 
 namespace harmorph {

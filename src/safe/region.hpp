@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/arena.hpp"
-#include "mesh/guard_shape.hpp"
-#include "mesh/region_counts.hpp"
+#include "mesh/cell_shape.hpp"
+#include "mesh/topology.hpp"
 
 namespace harmorph {
 
@@ -43,7 +43,7 @@ struct Tangle {
 };
 
 // A corner, which is the second point, with its two neighbours. If the side to the first point is
-// turned, it is turned back; see guard_shape.hpp.
+// turned, it is turned back; see cell_shape.hpp.
 struct CornerPoints {
     Index point[3] = {};
     Vec2 turn = {1, 0};
@@ -83,7 +83,7 @@ struct Region {
     Span<Offset> start;        // [n + 1]
     Span<Offset> outer_start;  // [n]
     // The unknowns that share a cell with each unknown, from `start` on: first the unknown, then
-    // those with larger numbers in the same range (range_start() in parallel_reduce.hpp defines
+    // those with larger numbers in the same range (range_start() in executor.hpp defines
     // ranges), and from outer_start on all those in other ranges.
     Span<Index> neighbour;
     Span<Offset> cell_start;     // [n_points + 1]

@@ -37,7 +37,7 @@ void SafeDisplacement::lay_out(Arena& arena, Plan const& plan, Basis const& basi
     arena.take(modes, Offset{n_modes} * n);
     arena.take(move, 2 * Offset{counts.functions()});
     arena.take(block, Basis::bytes(counts));
-    Size const shared = arena.mark();
+    auto const shared = arena.mark();
     work.lay_out(arena, plan, n, fields_of(basis, n_modes));
     arena.release(shared);
     safe.lay_out(arena, plan, counts);

@@ -10,7 +10,7 @@
 // have exactly the given displacements.
 #pragma once
 
-#include "morph/mode_functions.hpp"
+#include "morph/displacement.hpp"
 #include "safe/safe_morph.hpp"
 
 namespace harmorph {

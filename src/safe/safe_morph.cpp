@@ -1,11 +1,11 @@
 #include "safe/safe_morph.hpp"
 
-#include "safe/basis_match.hpp"
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "basis/basis_measures.hpp"
 #include "morph/weighted_sum.hpp"
-#include "safe/target.hpp"
+#include "safe/basis_match.hpp"
 #include "safe/safe_work.hpp"
+#include "safe/target.hpp"
 
 namespace harmorph {
 
@@ -21,7 +21,7 @@ void SafeMorph::lay_out(Arena& arena, Plan const& plan, BasisCounts const& count
     wall_heights.lay_out(arena, plan.mesh(), static_cast<Size>(plan.walls().count));
     arena.take(kinds, n);
     mobility.lay_out(arena, plan);
-    Size const shared = arena.mark();
+    auto const shared = arena.mark();
     untangling.lay_out(arena, plan.region_counts());
     arena.release(shared);
     improvement.lay_out(arena, plan);
@@ -202,7 +202,7 @@ void SafeMorph::take_step(Work& work, Basis const& by) noexcept {
 // Turns the derivative of the last trial step at points that slip along curves, which the step
 // puts back onto their curves.
 void SafeMorph::turn_slipping(Work const& work) const noexcept {
-    SlipCurves const& curves = work.plan.slip_curves();
+    SlipCurves const& curves = work.plan.equations().slip_curves();
     if (curves.count == 0) return;
     Index const half = work.derivative->row_length() / 2;  // numbers of x, then of y
     curves.for_each([&](Index slot, Index point) {
@@ -217,7 +217,7 @@ void SafeMorph::turn_slipping(Work const& work) const noexcept {
     });
     for (Index k = 0; k < work.mesh().n_points; ++k) {
         Index const same = work.plan.representative(k);
-        if (work.plan.slips(k) && same != k)
+        if (work.plan.unknowns().slips(k) && same != k)
             copy_row(work.derivative->row(k), work.derivative->row(same), 2 * half);
     }
 }

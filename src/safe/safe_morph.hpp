@@ -3,7 +3,6 @@
 #pragma once
 
 #include "boundary/first_layer.hpp"
-#include "boundary/wall_heights.hpp"
 #include "morph/quality.hpp"
 #include "safe/mesh_improvement.hpp"
 #include "safe/mobility.hpp"

@@ -1,6 +1,6 @@
 // The end of a safe morph: restored heights near walls, the worst cells, the derivative, and the
 // report to the caller.
-#include "base/range.hpp"
+#include "base/vec2.hpp"
 #include "morph/weighted_sum.hpp"
 #include "safe/safe_work.hpp"
 
@@ -120,7 +120,7 @@ void SafeMorph::find_end_that_leaves(Work& work) const noexcept {
     Plan const& plan = work.plan;
     Points const start = work.mesh().points, target = mesh.ahead();
     auto const distance = [&](Vec2 p, Index end, Index beside) {
-        SlipCurves const& curves = plan.slip_curves();
+        SlipCurves const& curves = plan.equations().slip_curves();
         for (Index slot = 0; slot < curves.n_slots(); ++slot) {
             if (curves.own[slot] == slot && curves.point[slot] == beside)
                 return length(p - curves.nearest(slot, p).at);

@@ -2,8 +2,8 @@
 // their tangents, and then they are put back onto their curves.
 #pragma once
 
-#include "base/range.hpp"
-#include "boundary/slip_curves.hpp"
+#include "base/vec2.hpp"
+#include "boundary/slip.hpp"
 
 namespace harmorph {
 

@@ -1,8 +1,8 @@
 #include "safe/target.hpp"
 
-#include "base/box.hpp"
 #include "base/predicates.hpp"
-#include "mesh/guard_shape.hpp"
+#include "base/vec2.hpp"
+#include "mesh/cell_shape.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
-// Registers for the instructions that the compiler may use without options: SSE2 on x86-64, plain
-// vectors elsewhere. This file documents Registers for all sets, and tests/simd/test_registers.cpp
-// covers them.
+// Registers for the instructions that the compiler may use without further options: SSE2 on x86-64,
+// simd128 in a module for WebAssembly that has it, plain vectors elsewhere. This file documents
+// Registers for all sets, and tests/simd/test_registers.cpp covers them.
 #define HARMORPH_SET baseline
 #include "simd/begin.hpp"
 #if !defined(HARMORPH_REGISTERS_BASELINE)
@@ -26,6 +26,8 @@ struct Registers<double> : Register<double, 2> {
 #if defined(__SSE2__)
         return Vector(_mm_cvtps_pd(
             _mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)))));
+#elif defined(__wasm_simd128__)
+        return Vector(wasm_f64x2_promote_low_f32x4(wasm_v128_load64_zero(from)));
 #else
         return Vector{static_cast<double>(from[0]), static_cast<double>(from[1])};
 #endif
@@ -41,6 +43,8 @@ struct Registers<double> : Register<double, 2> {
     static HARMORPH_INLINE Vector max(Vector a, Vector b) noexcept {
 #if defined(__SSE2__)
         return Vector(_mm_max_pd(a, b));
+#elif defined(__wasm_simd128__)
+        return Vector(wasm_f64x2_pmax(b, a));  // b < a ? a : b
 #else
         return Vector{a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
 #endif
@@ -48,6 +52,8 @@ struct Registers<double> : Register<double, 2> {
     static HARMORPH_INLINE Vector min(Vector a, Vector b) noexcept {
 #if defined(__SSE2__)
         return Vector(_mm_min_pd(a, b));
+#elif defined(__wasm_simd128__)
+        return Vector(wasm_f64x2_pmin(b, a));  // a < b ? a : b
 #else
         return Vector{a[0] < b[0] ? a[0] : b[0], a[1] < b[1] ? a[1] : b[1]};
 #endif
@@ -56,6 +62,8 @@ struct Registers<double> : Register<double, 2> {
     static HARMORPH_INLINE unsigned less(Vector a, Vector b) noexcept {
 #if defined(__SSE2__)
         return static_cast<unsigned>(_mm_movemask_pd(_mm_cmplt_pd(a, b)));
+#elif defined(__wasm_simd128__)
+        return wasm_i64x2_bitmask(wasm_f64x2_lt(a, b));
 #else
         return (a[0] < b[0] ? 1u : 0u) | (a[1] < b[1] ? 2u : 0u);
 #endif
@@ -63,6 +71,8 @@ struct Registers<double> : Register<double, 2> {
     static HARMORPH_INLINE Vector sqrt(Vector v) noexcept {
 #if defined(__SSE2__)
         return Vector(_mm_sqrt_pd(v));
+#elif defined(__wasm_simd128__)
+        return Vector(wasm_f64x2_sqrt(v));
 #else
         return Vector{harmorph::sqrt(v[0]), harmorph::sqrt(v[1])};
 #endif

@@ -9,7 +9,7 @@
 // This file asks the processor (by CPUID) which instruction sets it has.
 #pragma once
 
-#include "base/kernel.hpp"
+#include "base/types.hpp"
 
 namespace harmorph {
 

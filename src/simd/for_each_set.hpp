@@ -18,6 +18,8 @@
 #include <immintrin.h>
 #elif defined(__AARCH64EL__)
 #include <arm_neon.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 
 #include "base/scalar.hpp"

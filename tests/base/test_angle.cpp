@@ -1,7 +1,7 @@
 // Angles against the mathematics library.
 #include <doctest/doctest.h>
 
-#include "base/angle.hpp"
+#include "base/vec2.hpp"
 
 #include <cmath>
 #include <initializer_list>

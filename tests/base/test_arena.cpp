@@ -22,7 +22,7 @@ struct Layout {
     void lay_out(Arena& arena) {
         arena.take(a, sizes[0]);
         arena.take(b, sizes[1]);
-        Size const mark = arena.mark();
+        auto const mark = arena.mark();
         arena.take(c, sizes[2]);
         arena.release(mark);
         arena.take(overlaid, sizes[3]);  // where c was
@@ -116,7 +116,7 @@ TEST_CASE("sizes beyond all addresses are refused; they do not wrap round") {
 TEST_CASE("memory that is released counts by its peak") {
     Arena arena;
     Span<char> array;
-    Size const mark = arena.mark();
+    auto const mark = arena.mark();
     arena.take(array, 1000);
     arena.release(mark);
     arena.take(array, 10);

@@ -1,8 +1,8 @@
 // Functions of numbers, the range of the caller's numbers, and vectors of space.
 #include <doctest/doctest.h>
 
-#include "base/range.hpp"
-#include "base/table.hpp"
+#include "base/types.hpp"
+#include "base/vec2.hpp"
 #include "base/vec3.hpp"
 
 #include <initializer_list>

@@ -4,8 +4,7 @@
 
 #include <fixtures/executors.hpp>
 
-#include "base/parallel_reduce.hpp"
-#include "base/shared_work.hpp"
+#include "base/executor.hpp"
 
 #include <harmorph_pthreads.h>
 

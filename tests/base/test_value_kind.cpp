@@ -1,4 +1,5 @@
 // Values of all kinds, real, complex and 2 x 2, have the same interface: basis, morph and adjoint.
+#include <harmorph_bases.h>
 #include <harmorph_design.h>
 
 #include <fixtures/executors.hpp>
@@ -49,6 +50,46 @@ std::vector<double> numbers(const hm_basis* basis, std::int32_t function, std::i
 
 }  // namespace
 
+// The dense array has the numbers of each function, and its product with a movement is the
+// displacement of the morph.
+static void check_matrix(Solved const& solved, std::int32_t n_points) {
+    hm_basis_info const info = solved.info();
+    std::size_t const n = std::size_t(info.functions), points = std::size_t(n_points),
+                      planes = std::size_t(info.numbers_per_value);
+    std::vector<double> all(planes * points * n + 1, -3.0);
+    REQUIRE(hm_basis_matrix(solved.basis, all.data(), nullptr) == HM_OK);
+    CHECK(all.back() == -3.0);  // not written
+    for (std::size_t p = 0; p < planes; ++p)
+        for (std::size_t i = 0; i < n; ++i) {
+            auto const one =
+                numbers(solved.basis, std::int32_t(i), std::int32_t(p), std::int32_t(points));
+            for (std::size_t k = 0; k < points; ++k) CHECK(all[(p * points + k) * n + i] == one[k]);
+        }
+    std::vector<double> move(2 * n), dx(points), dy(points);
+    for (std::size_t k = 0; k < move.size(); ++k) move[k] = std::sin(3.0 * double(k) + 1);
+    hm_points_out const to{dx.data(), dy.data(), 1};
+    REQUIRE(hm_morph(solved.basis, move.data(), nullptr, &to, nullptr, nullptr) == HM_OK);
+    auto const product = [&](std::size_t p, std::size_t k, std::size_t column) {
+        double sum = 0;
+        for (std::size_t i = 0; i < n; ++i)
+            sum += all[(p * points + k) * n + i] * move[2 * i + column];
+        return sum;
+    };
+    double wrong = 0, largest = 0;
+    for (std::size_t k = 0; k < points; ++k) {
+        double x = product(0, k, 0), y = product(0, k, 1);
+        if (planes == 2) x -= product(1, k, 1), y += product(1, k, 0);
+        if (planes == 4) {
+            x += product(1, k, 1);
+            y = product(2, k, 0) + product(3, k, 1);
+        }
+        wrong = std::max({wrong, std::fabs(x - dx[k]), std::fabs(y - dy[k])});
+        largest = std::max({largest, std::fabs(dx[k]), std::fabs(dy[k])});
+    }
+    CHECK(largest > 0.1);
+    CHECK(wrong <= 1e-14 * largest);
+}
+
 TEST_CASE("the numbers of a value are the linear map that a morph applies") {
     for (Kind const& kind : kinds) {
         INFO(kind.name);
@@ -81,6 +122,7 @@ TEST_CASE("the numbers of a value are the linear map that a morph applies") {
                 CHECK(by_y[k] == Complex(xy, yy));
             }
         }
+        check_matrix(solved, setup.mesh.n_points());
         std::vector<double> to(std::size_t(info.points), 7);
         CHECK(hm_basis_values(solved.basis, 0, info.numbers_per_value, to.data(), nullptr) ==
               HM_BAD_ARGUMENT);
@@ -239,7 +281,7 @@ TEST_CASE("a basis gives back the conditions and options it was solved with") {
     // again.
     auto curves = sized<hm_curves>();
     hm_curve shape[2];
-    REQUIRE(hm_basis_curves(solved.basis, &curves, shape, 2, nullptr) == HM_OK);
+    REQUIRE(hm_basis_curves(solved.basis, nullptr, nullptr, &curves, shape, 2, nullptr) == HM_OK);
     std::vector<std::int32_t> points, on;
     std::vector<double> u;
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
@@ -254,10 +296,10 @@ TEST_CASE("a basis gives back the conditions and options it was solved with") {
     problem.curves = &curves;
     problem.n_conditions = n;
     problem.conditions = found;
-    problem.n_given = std::int32_t(points.size());
-    problem.given_points = points.data();
-    problem.given_curves = on.data();
-    problem.given_u = u.data();
+    problem.n_known = std::int32_t(points.size());
+    problem.known_points = points.data();
+    problem.known_curves = on.data();
+    problem.known_u = u.data();
     Solved const again(problem, &options);
     REQUIRE(again.info().bytes == info.bytes);
     CHECK(std::memcmp(again.basis, solved.basis, std::size_t(info.bytes)) == 0);

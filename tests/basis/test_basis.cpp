@@ -38,8 +38,9 @@ TEST_CASE("a basis gives back the curves, the points and the parameters of the s
     Solved const solved(setup);
     auto set = sized<hm_curves>();
     hm_curve shape[2];
-    CHECK(hm_basis_curves(solved.basis, &set, shape, 1, nullptr) == HM_BAD_ARGUMENT);
-    REQUIRE(hm_basis_curves(solved.basis, &set, shape, 2, nullptr) == HM_OK);
+    CHECK(hm_basis_curves(solved.basis, nullptr, nullptr, &set, shape, 1, nullptr) ==
+          HM_BAD_ARGUMENT);
+    REQUIRE(hm_basis_curves(solved.basis, nullptr, nullptr, &set, shape, 2, nullptr) == HM_OK);
     CHECK(hm_curves_check(&set, nullptr) == HM_OK);
     CHECK(set.n_curves == 2);
     CHECK(set.n_control == 20);
@@ -82,8 +83,8 @@ TEST_CASE("a moved curve has the control points plus their movement and is uncha
     hm_curves before{}, after{};
     before.struct_size = after.struct_size = sizeof before;
     hm_curve shape[2], moved[2];
-    REQUIRE(hm_basis_curves(solved.basis, &before, shape, 2, nullptr) == HM_OK);
-    REQUIRE(hm_moved_curves(solved.basis, move.data(), control.data(), &after, moved, 2, nullptr) ==
+    REQUIRE(hm_basis_curves(solved.basis, nullptr, nullptr, &before, shape, 2, nullptr) == HM_OK);
+    REQUIRE(hm_basis_curves(solved.basis, move.data(), control.data(), &after, moved, 2, nullptr) ==
             HM_OK);
     CHECK(hm_curves_check(&after, nullptr) == HM_OK);
     CHECK(after.control == control.data());
@@ -107,10 +108,10 @@ TEST_CASE("a moved curve has the control points plus their movement and is uncha
     // Refused, with outputs as they were.
     std::vector<double> const kept = control;
     move[3] = std::nan("");
-    CHECK(hm_moved_curves(solved.basis, move.data(), control.data(), &after, moved, 2, nullptr) ==
+    CHECK(hm_basis_curves(solved.basis, move.data(), control.data(), &after, moved, 2, nullptr) ==
           HM_BAD_ARGUMENT);
     move[3] = 0;
-    CHECK(hm_moved_curves(solved.basis, move.data(), control.data(), &after, moved, 0, nullptr) ==
+    CHECK(hm_basis_curves(solved.basis, move.data(), control.data(), &after, moved, 0, nullptr) ==
           HM_BAD_ARGUMENT);
     CHECK(same_bits(control, kept));
 }

@@ -18,7 +18,7 @@ Numbers moved_control_points(const hm_basis* basis, Numbers const& move) {
     Numbers out(std::size_t(2 * info_of(basis).control_points));
     hm_curve curve[2]{};
     auto curves = sized<hm_curves>();
-    REQUIRE(hm_moved_curves(basis, move.data(), out.data(), &curves, curve, 2, nullptr) == HM_OK);
+    REQUIRE(hm_basis_curves(basis, move.data(), out.data(), &curves, curve, 2, nullptr) == HM_OK);
     return out;
 }
 

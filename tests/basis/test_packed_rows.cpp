@@ -1,6 +1,6 @@
 // Shares of the functions, solved apart and put together from parcels, are the functions solved
 // together, bit by bit.
-#include <harmorph_parts.h>
+#include "private.h"
 
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/executors.hpp>
@@ -27,10 +27,11 @@ public:
         REQUIRE(attempt.analyse(problem.setup.problem(), &problem.options));
         REQUIRE(attempt.prepare());
         std::size_t bytes = 0;
-        REQUIRE(hm_share_size(attempt.analysis, range.first, range.n, &bytes, nullptr) == HM_OK);
+        REQUIRE(hm_private_share_size(attempt.analysis, range.first, range.n, &bytes, nullptr) ==
+                HM_OK);
         block_ = std::make_unique<Guarded>(bytes, 40);
-        REQUIRE(hm_share_init(&basis, block_->data(), bytes, attempt.analysis, range.first, range.n,
-                              nullptr) == HM_OK);
+        REQUIRE(hm_private_share_init(&basis, block_->data(), bytes, attempt.analysis, range.first,
+                                      range.n, nullptr) == HM_OK);
         REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
         REQUIRE(hm_plan_solve(attempt.plan, basis, &report, nullptr) == HM_OK);
         CHECK(block_->guards_intact());
@@ -38,9 +39,9 @@ public:
     std::vector<double> parcel(std::vector<std::int32_t> const& points) const {
         std::int64_t doubles = 0;
         std::int32_t const n = std::int32_t(points.size());
-        REQUIRE(hm_parcel_size(basis, n, &doubles, nullptr) == HM_OK);
+        REQUIRE(hm_private_parcel_size(basis, n, &doubles, nullptr) == HM_OK);
         std::vector<double> out(std::size_t(doubles) + 1, -3.0);
-        REQUIRE(hm_parcel_pack(basis, n, points.data(), out.data(), nullptr) == HM_OK);
+        REQUIRE(hm_private_parcel_pack(basis, n, points.data(), out.data(), nullptr) == HM_OK);
         CHECK(out.back() == -3.0);  // not written
         out.pop_back();
         return out;
@@ -51,7 +52,7 @@ private:
 };
 
 hm_status unpack(Rows const& rows, std::vector<double> const& parcel, hm_error* error = nullptr) {
-    return hm_parcel_unpack(rows.basis, parcel.data(), std::int64_t(parcel.size()), error);
+    return hm_private_parcel_unpack(rows.basis, parcel.data(), std::int64_t(parcel.size()), error);
 }
 
 }  // namespace
@@ -66,8 +67,8 @@ TEST_CASE("shares of any size make the rows of the whole basis, byte by byte") {
             std::vector<std::unique_ptr<Share>> shares;
             for (std::int32_t part = 0; part < processes; ++part) {
                 Range range;
-                REQUIRE(hm_share_of(solved.analysis, part, processes, &range.first, &range.n,
-                                    nullptr) == HM_OK);
+                REQUIRE(hm_private_share_of(solved.analysis, part, processes, &range.first,
+                                            &range.n, nullptr) == HM_OK);
                 CHECK((range.n == n / processes || range.n == (n - 1) / processes + 1));
                 shares.push_back(std::make_unique<Share>(problem, range));
             }
@@ -110,10 +111,10 @@ TEST_CASE("the memory of a share is proportional to the share") {
     Attempt attempt;
     REQUIRE(attempt.analyse(problem.setup.problem()));
     std::size_t none = 0, one = 0, five = 0, whole = 0, all = 0;
-    REQUIRE(hm_share_size(attempt.analysis, 3, 0, &none, nullptr) == HM_OK);
-    REQUIRE(hm_share_size(attempt.analysis, 3, 1, &one, nullptr) == HM_OK);
-    REQUIRE(hm_share_size(attempt.analysis, 3, 5, &five, nullptr) == HM_OK);
-    REQUIRE(hm_share_size(attempt.analysis, 0, 20, &whole, nullptr) == HM_OK);
+    REQUIRE(hm_private_share_size(attempt.analysis, 3, 0, &none, nullptr) == HM_OK);
+    REQUIRE(hm_private_share_size(attempt.analysis, 3, 1, &one, nullptr) == HM_OK);
+    REQUIRE(hm_private_share_size(attempt.analysis, 3, 5, &five, nullptr) == HM_OK);
+    REQUIRE(hm_private_share_size(attempt.analysis, 0, 20, &whole, nullptr) == HM_OK);
     REQUIRE(hm_basis_size(attempt.analysis, &all, nullptr) == HM_OK);
     CHECK(whole == all);
     CHECK(five - none >= 5 * 8 * problem.setup.mesh.x.size());
@@ -212,15 +213,15 @@ TEST_CASE("shares are refused where all functions are needed, and so are invalid
     std::int32_t const wrong[][2] = {{-1, 2}, {0, 21}, {19, 2},
                                      {21, 0}, {3, -1}, {2147483647, 2147483647}};
     for (auto const& refused : wrong)
-        CHECK(hm_share_size(share.attempt.analysis, refused[0], refused[1], &bytes, &error) ==
-              HM_BAD_ARGUMENT);
+        CHECK(hm_private_share_size(share.attempt.analysis, refused[0], refused[1], &bytes,
+                                    &error) == HM_BAD_ARGUMENT);
     std::int32_t first = 0, n = 0;
     for (auto const& refused : {Range{0, 0}, Range{-1, 2}, Range{2, 2}})
-        CHECK(hm_share_of(share.attempt.analysis, refused.first, refused.n, &first, &n, nullptr) ==
-              HM_BAD_ARGUMENT);
+        CHECK(hm_private_share_of(share.attempt.analysis, refused.first, refused.n, &first, &n,
+                                  nullptr) == HM_BAD_ARGUMENT);
     hm_basis* made = nullptr;
     std::vector<unsigned char> block(64);
-    CHECK(hm_share_init(&made, block.data(), 64, share.attempt.analysis, 0, 21, nullptr) ==
+    CHECK(hm_private_share_init(&made, block.data(), 64, share.attempt.analysis, 0, 21, nullptr) ==
           HM_BAD_ARGUMENT);
     CHECK(made == nullptr);
 }
@@ -256,7 +257,7 @@ TEST_CASE("parcels out of order, of other lists or problems, or truncated are re
     CHECK(std::string(error.text) ==
           "the rows already contain all functions, so no parcel can be added");
     std::int64_t doubles = 0;
-    CHECK(hm_parcel_size(first.basis, -1, &doubles, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_private_parcel_size(first.basis, -1, &doubles, nullptr) == HM_BAD_ARGUMENT);
 }
 
 TEST_CASE("a parcel is for one list of points and one set of functions") {
@@ -322,10 +323,10 @@ TEST_CASE("positions in an extract are another list than the numbers of the mesh
     Rows const nested(whole.basis, {2, 1, 0});
     Rows const same(nested.basis, {0, 1, 2}), turned(nested.basis, {2, 1, 0});
     std::int64_t doubles = 0;
-    REQUIRE(hm_parcel_size(nested.basis, 3, &doubles, nullptr) == HM_OK);
+    REQUIRE(hm_private_parcel_size(nested.basis, 3, &doubles, nullptr) == HM_OK);
     std::vector<double> parcel(static_cast<std::size_t>(doubles));
     std::int32_t const in_order[] = {0, 1, 2};
-    REQUIRE(hm_parcel_pack(nested.basis, 3, in_order, parcel.data(), nullptr) == HM_OK);
+    REQUIRE(hm_private_parcel_pack(nested.basis, 3, in_order, parcel.data(), nullptr) == HM_OK);
     CHECK(unpack(few, parcel) == HM_OK);  // all functions of the points 2, 1, 0
     for (std::int32_t function : {0, 7, 19}) {
         std::vector<double> const own = values_of(few.basis, function);

@@ -1,5 +1,5 @@
 // Rows of some points do what the whole basis does at these points.
-#include <harmorph_parts.h>
+#include "private.h"
 
 #include <fixtures/morphed.hpp>
 #include <fixtures/parts.hpp>
@@ -135,7 +135,7 @@ TEST_CASE("lists of points that are not in the mesh are refused with the place i
     CHECK(above.status == HM_BAD_ARGUMENT);
     CHECK(above.error.item - above.error.item_base == 0);
     std::size_t bytes = 0;
-    CHECK(hm_extract_size(solved.basis, -1, &bytes, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_private_extract_size(solved.basis, -1, &bytes, nullptr) == HM_BAD_ARGUMENT);
 }
 
 TEST_CASE("the size suffices for any list, whatever share of the list is wall points or repeats") {
@@ -160,13 +160,13 @@ TEST_CASE("blocks that are too small are refused, and the stated size suffices f
 
     std::int32_t const n = std::int32_t(wall.size());
     std::size_t need = 0;
-    REQUIRE(hm_extract_size(solved.basis, n, &need, nullptr) == HM_OK);
+    REQUIRE(hm_private_extract_size(solved.basis, n, &need, nullptr) == HM_OK);
     std::size_t const slack = 64 + 256;  // for alignment, and for lists that repeat points
     for (std::size_t give = 0; give + slack < need; give += 1024) {
         Guarded block(give);
         hm_basis* made = nullptr;
-        CHECK(hm_extract_init(&made, block.data(), give, solved.basis, n, wall.data(), nullptr) ==
-              HM_BLOCK_TOO_SMALL);
+        CHECK(hm_private_extract_init(&made, block.data(), give, solved.basis, n, wall.data(),
+                                      nullptr) == HM_BLOCK_TOO_SMALL);
         CHECK(made == nullptr);
         CHECK(block.guards_intact());
     }

@@ -4,7 +4,7 @@
 
 #include <fixtures/single.hpp>
 
-#include "basis/single_precision.hpp"
+#include "basis/derived_basis.hpp"
 
 using namespace fixtures;
 

@@ -13,7 +13,7 @@ namespace {
 // The result of the call for a mesh with points at x and y.
 struct Recovered {
     std::vector<double> move;
-    double residual = -1, turned_offset = -1;
+    double residual = -1, rotated_offset = -1;
     std::int32_t point = -7;
     hm_error error{};
     hm_status status = HM_OK;
@@ -24,7 +24,7 @@ struct Recovered {
         Guarded work = block_of(hm_recover_movement_size, basis);
         move.assign(2 * std::size_t(info.functions), 7.5);
         status = hm_recover_movement(basis, points_in(x, y), tolerance, move.data(), &residual,
-                                     &turned_offset, &point, work.data(), work.size(), &error);
+                                     &rotated_offset, &point, work.data(), work.size(), &error);
         CHECK(work.guards_intact());
     }
 };
@@ -167,11 +167,11 @@ TEST_CASE("the movement so far is found after safe morphs, which turn the offset
     REQUIRE(safe.solved().report.max_distance > 1e-4);
     std::vector<double> const move = similarity_move(setup.curves, std::polar(1.0, 1.0), 0.25);
     REQUIRE(safe.run(move) == HM_OK);
-    REQUIRE(safe.report.turned_offset > 1e-4);
+    REQUIRE(safe.report.rotated_offset > 1e-4);
     Recovered const found(safe.solved().basis, safe.x, safe.y);
     REQUIRE(found.status == HM_OK);
-    CHECK(found.turned_offset == doctest::Approx(safe.report.turned_offset).epsilon(1e-9));
-    CHECK(found.residual == doctest::Approx(found.turned_offset).epsilon(1e-9));
+    CHECK(found.rotated_offset == doctest::Approx(safe.report.rotated_offset).epsilon(1e-9));
+    CHECK(found.residual == doctest::Approx(found.rotated_offset).epsilon(1e-9));
     CHECK(largest_difference(found.move, move) < 1e-10);
     CHECK(distance_of_morph(safe.solved().basis, setup.mesh, found.move, safe.x, safe.y,
                             points_on(setup.mesh, body)) ==
@@ -183,9 +183,9 @@ TEST_CASE("of several movements that lead the wall to its place the smallest one
     setup.curves = ring(3, 60, 1, 1);
     setup.conditions.clear();
     setup.put_on_curves(body);
-    setup.given_points.clear();
-    setup.given_curves.clear();
-    setup.given_u.clear();
+    setup.known_points.clear();
+    setup.known_curves.clear();
+    setup.known_u.clear();
     for (int k = 0; k < 12; ++k) setup.give(k, ring_parameter(3, 60, 2 * pi * k / 12));
     Solved solved(setup.problem(), options_of(HM_CONFORMAL));
     REQUIRE(solved.status >= 0);
@@ -196,7 +196,7 @@ TEST_CASE("of several movements that lead the wall to its place the smallest one
     Recovered const found(solved.basis, x, y);
     REQUIRE(found.status == HM_OK);
     CHECK(found.residual < 1e-14);
-    CHECK(found.turned_offset == 0);
+    CHECK(found.rotated_offset == 0);
     CHECK(norm(found.move) < norm(move));
     // The smallest movement is orthogonal to all movements that leave the wall where it is, such as
     // the difference of the two.
@@ -247,11 +247,11 @@ TEST_CASE("a morph by the recovered movement leaves the wall as far away as the 
         Recovered const elsewhere(solved.basis, x, y, tolerance);
         if (elsewhere.status != HM_OK) continue;
         ++accepted_elsewhere;
-        if (elsewhere.turned_offset > 0) ++turned;
+        if (elsewhere.rotated_offset > 0) ++turned;
         double const distance =
             distance_of_morph(solved.basis, mesh, elsewhere.move, x, y, small.wall);
         CHECK(distance == doctest::Approx(elsewhere.residual).epsilon(1e-9).scale(1e-4));
-        if (!any) CHECK(distance < 1e-3 + elsewhere.turned_offset);
+        if (!any) CHECK(distance < 1e-3 + elsewhere.rotated_offset);
     }
     CHECK(found_after_morph == 150);
     CHECK(accepted_elsewhere > 75);

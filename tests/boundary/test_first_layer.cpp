@@ -2,7 +2,7 @@
 // angles and heights.
 #include <fixtures/walls.hpp>
 
-#include "base/angle.hpp"
+#include "base/vec2.hpp"
 
 using namespace fixtures;
 using harmorph::FirstLayerChange;

@@ -9,9 +9,9 @@ namespace {
 Case on_curve(Spline const& spline, int n_t) {
     Case out = ring_case(6, n_t, 0.5, 2, Cells::quads, spline.degree);
     out.curves = spline;
-    out.given_points.clear();
-    out.given_curves.clear();
-    out.given_u.clear();
+    out.known_points.clear();
+    out.known_curves.clear();
+    out.known_u.clear();
     return out;
 }
 
@@ -268,9 +268,9 @@ TEST_CASE("the curve of a closed wall is refused if control points at one place 
                            Row{1, 8, true}}) {
         CAPTURE(row.degree);
         Case setup = ring_case(4, 24, 1, 3);
-        setup.given_points.clear();
-        setup.given_curves.clear();
-        setup.given_u.clear();
+        setup.known_points.clear();
+        setup.known_curves.clear();
+        setup.known_u.clear();
         Spline curve = ring(row.degree, row.n, 1, 1);
         if (row.clamped) {
             curve.indices.resize(std::size_t(row.n));

@@ -2,7 +2,7 @@
 // and the nearest place is the nearest one.
 #include <doctest/doctest.h>
 
-#include "boundary/slip_curves.hpp"
+#include "boundary/slip.hpp"
 
 #include <cmath>
 #include <random>

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "bspline/corners.hpp"
+#include "bspline/curve_ends.hpp"
 
 #include <fixtures/spline.hpp>
 #include <fixtures/laid_out.hpp>

@@ -97,12 +97,12 @@ struct Case {
 std::vector<Case> cases() {
     std::vector<double> const parsec = {0.002, 0.01,  0.004, 0.05, -0.01, -0.003,
                                         0.04,  0.002, 0.001, 0.8,  1.5};
-    return {{"turn", {movement(HM_TURN, 0.25, 0.1)}, {17}, 1e-2},
+    return {{"turn", {movement(HM_ROTATE, 0.25, 0.1)}, {17}, 1e-2},
             {"shift", {movement(HM_SHIFT)}, {0.3, -0.2}, 1e-2},
             {"scale", {movement(HM_SCALE, 1, 2)}, {0.4}, 1e-2},
             {"flap", {movement(HM_FLAP, 0.7, 0.01, 0.15)}, {-12}, 1e-2},
             {"flap, scale, turn, shift",
-             {movement(HM_FLAP, 0.7, 0), movement(HM_SCALE, 0.5, 0), movement(HM_TURN, 0.25, 0),
+             {movement(HM_FLAP, 0.7, 0), movement(HM_SCALE, 0.5, 0), movement(HM_ROTATE, 0.25, 0),
               movement(HM_SHIFT)},
              {-9, 0.2, 5, 0.1, 0.2},
              1e-2},
@@ -113,7 +113,7 @@ std::vector<Case> cases() {
             {"PARSEC", {movement(HM_PARSEC)}, parsec, 2e-4},
             {"blade", {movement(HM_BLADE, 0.3, 0.1)}, {6, -8, 20}, 1e-2},
             {"blade and flap",
-             {movement(HM_BLADE, 0.3, 0.1), movement(HM_FLAP, 0.8, 0), movement(HM_TURN, 0, 0)},
+             {movement(HM_BLADE, 0.3, 0.1), movement(HM_FLAP, 0.8, 0), movement(HM_ROTATE, 0, 0)},
              {6, -8, 4, 5, -30},
              1e-2}};
 }
@@ -184,7 +184,7 @@ TEST_CASE("values that are 0 move nothing, to the bit") {
 TEST_CASE("turn, shift and scale move the curve exactly") {
     CurveSet set = airfoil();
     Moved const by =
-        moved(set, {movement(HM_TURN, 0.25, 0), movement(HM_SCALE, 1, 0), movement(HM_SHIFT)},
+        moved(set, {movement(HM_ROTATE, 0.25, 0), movement(HM_SCALE, 1, 0), movement(HM_SHIFT)},
               {90, 1, 3, 4});
     REQUIRE(by.status == HM_OK);
     CHECK(by.difference[1] == 0);
@@ -203,7 +203,7 @@ TEST_CASE("a turn of a periodic curve needs no chord, and moves its control poin
     set.add(fixtures::ring(3, 12, 1, 0.5, 5, 0));
     auto second = fixtures::sized<hm_section>();
     second.first_curve = second.n_curves = 1;
-    Moved const by = moved(set, {movement(HM_TURN, 5, 0)}, {180}, &second);
+    Moved const by = moved(set, {movement(HM_ROTATE, 5, 0)}, {180}, &second);
     REQUIRE(by.status == HM_OK);
     for (std::size_t k = 0; k < 24; ++k) {
         CHECK(by.move[k] == 0);
@@ -240,13 +240,14 @@ TEST_CASE("the error of a flap is the distance of the curve from the map of its 
             CHECK(by.difference[0] < by.difference[1]);
             // A turn after the flap, which is an isometry, changes no distance.
             Moved const both = moved(
-                set, {movement(HM_FLAP, x, y, length), movement(HM_TURN, 0, 0)}, {degrees, 40});
+                set, {movement(HM_FLAP, x, y, length), movement(HM_ROTATE, 0, 0)}, {degrees, 40});
             CHECK(both.difference[1] == doctest::Approx(by.difference[1]).epsilon(1e-9));
         }
     }
     CurveSet set = airfoil();
-    Moved const rigid = moved(
-        set, {movement(HM_TURN, 0.25, 0), movement(HM_SCALE), movement(HM_SHIFT)}, {10, 0.2, 1, 2});
+    Moved const rigid =
+        moved(set, {movement(HM_ROTATE, 0.25, 0), movement(HM_SCALE), movement(HM_SHIFT)},
+              {10, 0.2, 1, 2});
     CHECK(rigid.difference == std::vector<double>{0, 0});
 }
 
@@ -359,14 +360,15 @@ TEST_CASE("movements that cannot be made are refused, and the outputs stay") {
         hm_status status;
         const char* text;
     };
-    hm_movement unknown = movement(7), spoiled = movement(HM_SHIFT), long_turn = movement(HM_TURN);
+    hm_movement unknown = movement(7), spoiled = movement(HM_SHIFT),
+                long_turn = movement(HM_ROTATE);
     spoiled.struct_size = 1;
     long_turn.length = 1;
     std::vector<double> back(11), flat(11);
     back[1] = 1;
     flat[0] = -1;
     std::vector<Refused> const table = {
-        {set, {unknown}, {0}, HM_BAD_ARGUMENT, "must be one of HM_TURN to HM_BLADE"},
+        {set, {unknown}, {0}, HM_BAD_ARGUMENT, "must be one of HM_ROTATE to HM_BLADE"},
         {set, {spoiled}, {0, 0}, HM_BAD_ARGUMENT, "not the size of an hm_movement"},
         {set, {long_turn}, {0}, HM_BAD_ARGUMENT, "must be 0 unless the kind is HM_FLAP"},
         {set, {movement(HM_SHIFT, 1, 0)}, {0, 0}, HM_BAD_ARGUMENT, "and 0 if the kind"},
@@ -375,8 +377,8 @@ TEST_CASE("movements that cannot be made are refused, and the outputs stay") {
         {set, {camber_thickness(65, 0)}, {}, HM_BAD_ARGUMENT, "between 0 and 64"},
         {set, {movement(HM_SHIFT), movement(HM_PARSEC)}, {}, HM_BAD_ARGUMENT, "must come first"},
         {set, {movement(HM_SHIFT), movement(HM_SCALE)}, {0, 0, -1}, HM_BAD_ARGUMENT, "value 2"},
-        {set, {movement(HM_TURN)}, {361}, HM_BAD_ARGUMENT, "value 0 of the movements is 361"},
-        {set, {movement(HM_TURN)}, {std::nan("")}, HM_BAD_ARGUMENT, "out of range"},
+        {set, {movement(HM_ROTATE)}, {361}, HM_BAD_ARGUMENT, "value 0 of the movements is 361"},
+        {set, {movement(HM_ROTATE)}, {std::nan("")}, HM_BAD_ARGUMENT, "out of range"},
         {set, {movement(HM_BLADE)}, {0, 90, 0}, HM_BAD_ARGUMENT, "value 1 of the movements is 90"},
         {set, {movement(HM_PARSEC)}, back, HM_BAD_ARGUMENT, "value 1 of"},
         {set, {movement(HM_PARSEC)}, flat, HM_BAD_ARGUMENT, "value 0 of"},

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "bspline/point_spline.hpp"
+#include "bspline/airfoil_samples.hpp"
 
 #include <fixtures/spline.hpp>
 #include <fixtures/laid_out.hpp>

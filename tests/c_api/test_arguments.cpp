@@ -5,7 +5,7 @@
 #include <harmorph_design.h>
 #include <harmorph_fields.h>
 #include <harmorph_space.h>
-#include <harmorph_parts.h>
+#include "private.h"
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
 #include <doctest/doctest.h>
@@ -101,10 +101,10 @@ TEST_CASE("curves and fits") {
         "curves, ?section, -, movements, values, move, ?derivatives, ?start, ?error, work, bytes",
         hm_move_section, &curves, &section, 1, &turn, values, map.data(), map.data() + 32, values,
         values, moved.data(), bytes);
-    check_arguments("curves, work_bytes", hm_family_modes_size, &curves, &bytes);
+    check_arguments("curves, bytes", hm_family_modes_size, &curves, &bytes);
     Guarded modes(bytes);
     map.assign(map.size(), 1);
-    check_arguments("curves, -, movements, singular, work, work_bytes", hm_family_modes, &curves, 1,
+    check_arguments("curves, -, movements, singular, work, bytes", hm_family_modes, &curves, 1,
                     map.data(), values, modes.data(), bytes);
 }
 
@@ -138,11 +138,11 @@ TEST_CASE("from the problem to the basis") {
     check_arguments("plan, n_points, index_base", hm_plan_points, plan, &g.n, &g.other);
 
     std::int32_t first = 0;
-    check_arguments("analysis, -, -, first, n", hm_share_of, analysis, 0, 2, &first, &g.n);
-    check_arguments("analysis, -, -, bytes", hm_share_size, analysis, 0, 2, &g.bytes);
+    check_arguments("analysis, -, -, first, n", hm_private_share_of, analysis, 0, 2, &first, &g.n);
+    check_arguments("analysis, -, -, bytes", hm_private_share_size, analysis, 0, 2, &g.bytes);
     Guarded shared(g.bytes);
-    check_arguments("share, block, bytes, analysis, -, -", hm_share_init, &basis, shared.data(),
-                    g.bytes, analysis, 0, 2);
+    check_arguments("share, block, bytes, analysis, -, -", hm_private_share_init, &basis,
+                    shared.data(), g.bytes, analysis, 0, 2);
 }
 
 TEST_CASE("what a basis is asked for") {
@@ -157,11 +157,12 @@ TEST_CASE("what a basis is asked for") {
     check_arguments("basis, block, -, ?mesh", hm_basis_attach, &attached,
                     static_cast<void*>(g.basis), std::size_t(info.bytes), &g.mesh);
     check_arguments("basis, info", hm_basis_info_get, g.basis, &info);
-    check_arguments("basis, out, !curve, -", hm_basis_curves, g.basis, &curves, curve, 2);
-    check_arguments("basis, move, control, out, !curve, -", hm_moved_curves, g.basis, g.move.data(),
-                    g.numbers.data(), &curves, curve, 2);
+    check_arguments("basis, ?move, control, out, !curve, -", hm_basis_curves, g.basis,
+                    g.move.data(), g.numbers.data(), &curves, curve, 2);
     check_arguments("basis, ?out, -, n", hm_basis_conditions, g.basis, conditions, 4, &g.n);
     check_arguments("basis, -, -, values", hm_basis_values, g.basis, 0, 0, g.numbers.data());
+    std::vector<double> dense(2 * g.numbers.size() * 100);
+    check_arguments("basis, matrix", hm_basis_matrix, g.basis, dense.data());
     check_arguments("basis, bytes", hm_single_size, g.basis, &g.bytes);
     Guarded single(g.bytes);
     check_arguments("single, block, bytes, basis", hm_single_init, &made, single.data(), g.bytes,
@@ -197,7 +198,7 @@ TEST_CASE("movements, gradients, quality") {
     check_arguments("basis, bytes", hm_recover_movement_size, g.basis, &bytes);
     Guarded room(bytes);
     double turned = 0;
-    check_arguments("basis, at, -, move, ?residual, ?turned_offset, ?point, block, bytes",
+    check_arguments("basis, at, -, move, ?residual, ?rotated_offset, ?point, block, bytes",
                     hm_recover_movement, g.basis, &g.at, 0.0, g.numbers.data(), &error, &turned,
                     &g.n, room.data(), bytes);
     check_arguments("analysis, from, to", hm_slip, g.analysis, &g.at, &g.to);
@@ -209,30 +210,32 @@ TEST_CASE("movements, gradients, quality") {
                     hm_assess, g.basis, &g.mesh, &g.at, &g.still, &g.at, &g.executor, &step,
                     &quality);
 
-    check_arguments("basis, dj, scale, ?executor", hm_adjoint_scale, g.basis, &g.at, &g.n,
+    check_arguments("basis, dj, scale, ?executor", hm_private_adjoint_scale, g.basis, &g.at, &g.n,
                     &g.executor);
-    check_arguments("basis, dj, -, sums, ?executor", hm_adjoint_sums, g.basis, &g.at, g.n, sums,
-                    &g.executor);
-    check_arguments("basis, -, sums, gradient", hm_adjoint_finish, g.basis, g.n, sums,
+    check_arguments("basis, dj, -, sums, ?executor", hm_private_adjoint_sums, g.basis, &g.at, g.n,
+                    sums, &g.executor);
+    check_arguments("basis, -, sums, gradient", hm_private_adjoint_finish, g.basis, g.n, sums,
                     g.numbers.data());
     std::int32_t const points[] = {20, 30};
     hm_basis* rows = nullptr;
-    check_arguments("basis, -, bytes", hm_extract_size, g.basis, 2, &g.bytes);
+    check_arguments("basis, -, bytes", hm_private_extract_size, g.basis, 2, &g.bytes);
     Guarded extract(g.bytes);
-    check_arguments("rows, block, -, basis, -, points", hm_extract_init, &rows, extract.data(),
-                    g.bytes, g.basis, 2, points);
+    check_arguments("rows, block, -, basis, -, points", hm_private_extract_init, &rows,
+                    extract.data(), g.bytes, g.basis, 2, points);
 
     hm_basis* share = nullptr;  // of all functions
-    REQUIRE(hm_share_size(g.analysis, 0, 4, &g.bytes, nullptr) == HM_OK);
+    REQUIRE(hm_private_share_size(g.analysis, 0, 4, &g.bytes, nullptr) == HM_OK);
     Guarded shared(g.bytes);
-    REQUIRE(hm_share_init(&share, shared.data(), g.bytes, g.analysis, 0, 3, nullptr) == HM_OK);
-    REQUIRE(hm_plan_solve(g.plan, share, nullptr, nullptr) == HM_OK);
-    REQUIRE(hm_extract_init(&rows, extract.data(), extract.size(), share, 2, points, nullptr) ==
+    REQUIRE(hm_private_share_init(&share, shared.data(), g.bytes, g.analysis, 0, 3, nullptr) ==
             HM_OK);
-    check_arguments("basis, -, doubles", hm_parcel_size, share, 2, &doubles);
+    REQUIRE(hm_plan_solve(g.plan, share, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_private_extract_init(&rows, extract.data(), extract.size(), share, 2, points,
+                                    nullptr) == HM_OK);
+    check_arguments("basis, -, doubles", hm_private_parcel_size, share, 2, &doubles);
     std::vector<double> parcel(static_cast<std::size_t>(doubles));
-    check_arguments("basis, -, points, parcel", hm_parcel_pack, share, 2, points, parcel.data());
-    check_arguments("basis, parcel, -", hm_parcel_unpack, rows, parcel.data(), doubles);
+    check_arguments("basis, -, points, parcel", hm_private_parcel_pack, share, 2, points,
+                    parcel.data());
+    check_arguments("basis, parcel, -", hm_private_parcel_unpack, rows, parcel.data(), doubles);
 }
 
 TEST_CASE("large movements and better cells") {
@@ -264,7 +267,7 @@ TEST_CASE("given displacements") {
     hm_safe_options safe = sized<hm_safe_options>();
     hm_safe_report of_safe = sized<hm_safe_report>();
     std::int32_t list[100] = {}, n_given = 0;
-    std::size_t bytes = 0, work_bytes = 0;
+    std::size_t bytes = 0;
     check_arguments("plan, points, -, n", hm_given_points, d.plan, list, 100, &n_given);
     check_arguments("plan, -, bytes", hm_displace_size, d.plan, 1, &bytes);
     Guarded work(bytes);
@@ -272,14 +275,15 @@ TEST_CASE("given displacements") {
                     d.plan, n, d.points.data(), 1, &wall, &from, &to, work.data(), bytes, &report);
     check_arguments("plan, -, ?points, -, dj, gradient, block, bytes, ?report", hm_displace_adjoint,
                     d.plan, n, d.points.data(), 1, &from, &to, work.data(), bytes, &report);
-    check_arguments("plan, basis, -, -, bytes, work_bytes", hm_tabulate_size, d.plan, d.basis, 1, 1,
-                    &bytes, &work_bytes);
-    Guarded block(bytes), room(work_bytes);
+    auto table = sized<hm_modes>();
+    table.n_modes = 1;
+    table.n = n;
+    table.values = modes.data();
+    check_arguments("plan, basis, modes, bytes", hm_tabulate_size, d.plan, d.basis, &table, &bytes);
+    Guarded block(bytes);
     hm_basis* tabulated = nullptr;
-    check_arguments(
-        "tabulated, block, bytes, plan, basis, -, ?points, -, -, modes, block, bytes, ?report",
-        hm_tabulate, &tabulated, block.data(), bytes, d.plan, d.basis, n, d.points.data(), 1, 1,
-        modes.data(), room.data(), work_bytes, &report);
+    check_arguments("tabulated, block, bytes, plan, basis, modes, ?report", hm_tabulate, &tabulated,
+                    block.data(), bytes, d.plan, d.basis, &table, &report);
     check_arguments("plan, basis, bytes", hm_displace_safe_size, d.plan, d.basis, &bytes);
     Guarded safe_work(bytes);
     check_arguments("plan, ?basis, ?move, -, ?points, wall, to, block, bytes, ?options, ?report",
@@ -381,47 +385,48 @@ TEST_CASE("a part of a mesh, and its equations") {
         hm_problem problem = setup.problem();
         problem.mesh = nullptr;
         hm_mesh const mesh = whole.mesh.view();
-        hm_part_mesh of_part = sized<hm_part_mesh>();
+        hm_private_part_mesh of_part = sized<hm_private_part_mesh>();
         of_part.mesh = &mesh;
         of_part.numbers = whole.numbers.data();
-        hm_part* part = nullptr;
+        hm_private_part* part = nullptr;
         std::size_t bytes = 0;
-        check_arguments("mesh, bytes", hm_part_size, &of_part, &bytes);
+        check_arguments("mesh, bytes", hm_private_part_size, &of_part, &bytes);
         Guarded block(bytes);
-        check_arguments("part, block, bytes, mesh", hm_part_init, &part, block.data(), bytes,
-                        &of_part);
+        check_arguments("part, block, bytes, mesh", hm_private_part_init, &part, block.data(),
+                        bytes, &of_part);
         hm_mesh own = sized<hm_mesh>();
         const std::int32_t* cell = nullptr;
         std::vector<std::uint8_t> role(whole.numbers.size());
-        check_arguments("part, own, cell", hm_part_cells, part, &own, &cell);
-        check_arguments("part, role", hm_part_points, part, role.data());
-        std::vector<hm_edge> edges(200);
+        check_arguments("part, own, cell", hm_private_part_cells, part, &own, &cell);
+        check_arguments("part, role", hm_private_part_points, part, role.data());
+        std::vector<hm_private_edge> edges(200);
         std::int32_t n_edges = 0;
-        check_arguments("part, edges, -, n", hm_part_edges, part, edges.data(), 200, &n_edges);
+        check_arguments("part, edges, -, n", hm_private_part_edges, part, edges.data(), 200,
+                        &n_edges);
         std::int64_t n_open = n_edges;
-        check_arguments("edges, n", hm_match_edges, edges.data(), &n_open);
-        hm_equations* equations = nullptr;
-        hm_equations_info info = sized<hm_equations_info>();
-        check_arguments("part, -, problem, ?options, bytes", hm_equations_size, part, n_edges,
-                        &problem, &options, &bytes);
+        check_arguments("edges, n", hm_private_match_edges, edges.data(), &n_open);
+        hm_private_equations* equations = nullptr;
+        hm_private_equations_info info = sized<hm_private_equations_info>();
+        check_arguments("part, -, problem, ?options, bytes", hm_private_equations_size, part,
+                        n_edges, &problem, &options, &bytes);
         Guarded of_equations(bytes);
         check_arguments("equations, block, bytes, part, -, edges, problem, ?options",
-                        hm_equations_init, &equations, of_equations.data(), bytes, part, n_edges,
-                        edges.data(), &problem, &options);
-        check_arguments("equations, info", hm_equations_info_get, equations, &info);
+                        hm_private_equations_init, &equations, of_equations.data(), bytes, part,
+                        n_edges, edges.data(), &problem, &options);
+        check_arguments("equations, info", hm_private_equations_info_get, equations, &info);
         std::vector<std::int32_t> row(2000), column(2000);
         std::vector<double> values(2000), numbers(2000), work(2000), residual(2000);
         std::int64_t n = 0;
-        check_arguments("equations, -, -, row, column, values, -, n_entries", hm_equations_entries,
-                        equations, 0, info.unknowns, row.data(), column.data(), values.data(),
-                        std::int64_t{2000}, &n);
+        check_arguments("equations, -, -, row, column, values, -, n_entries",
+                        hm_private_equations_entries, equations, 0, info.unknowns, row.data(),
+                        column.data(), values.data(), std::int64_t{2000}, &n);
         if (given) {
             std::vector<double> x = whole.mesh.x, y = whole.mesh.y;
             hm_points const wall{x.data(), y.data(), 1};
             std::vector<double> to_x(x.size() + 1, -7), to_y = to_x;
             hm_points_out const to{to_x.data(), to_y.data(), 1};
-            check_arguments("equations, displacement, work, right_hand_sides", hm_field_init,
-                            equations, &wall, work.data(), numbers.data());
+            check_arguments("equations, displacement, work, right_hand_sides",
+                            hm_private_field_init, equations, &wall, work.data(), numbers.data());
             for (double const bad : {std::numeric_limits<double>::quiet_NaN(), 2e100}) {
                 std::vector<double> wrong = whole.mesh.x;
                 std::size_t const at = std::size_t(
@@ -430,30 +435,30 @@ TEST_CASE("a part of a mesh, and its equations") {
                 wrong[at] = bad;  // on the body; elsewhere nothing is read
                 hm_points const spoiled{wrong.data(), y.data(), 1};
                 hm_error error{};
-                CHECK(hm_field_init(equations, &spoiled, work.data(), numbers.data(), &error) ==
-                      HM_BAD_ARGUMENT);
+                CHECK(hm_private_field_init(equations, &spoiled, work.data(), numbers.data(),
+                                            &error) == HM_BAD_ARGUMENT);
                 CHECK(std::string(error.text) == "the displacement of point " + std::to_string(at) +
                                                      " is not finite or beyond 1e100");
             }
-            check_arguments("equations, work, values, residuals", hm_field_residual, equations,
-                            work.data(), values.data(), residual.data());
-            check_arguments("equations, work, values, displacement", hm_field_finish, equations,
-                            work.data(), values.data(), &to);
+            check_arguments("equations, work, values, residuals", hm_private_field_residual,
+                            equations, work.data(), values.data(), residual.data());
+            check_arguments("equations, work, values, displacement", hm_private_field_finish,
+                            equations, work.data(), values.data(), &to);
             CHECK(to_x.back() == -7);  // not one number more than there are points
             CHECK(to_y.back() == -7);
             continue;
         }
         hm_basis* rows = nullptr;
-        check_arguments("equations, bytes", hm_rows_size, equations, &bytes);
+        check_arguments("equations, bytes", hm_private_rows_size, equations, &bytes);
         Guarded of_rows(bytes);
-        check_arguments("rows, block, bytes, equations", hm_rows_init, &rows, of_rows.data(), bytes,
-                        equations);
-        check_arguments("equations, basis, -, numbers", hm_rows_get, equations, rows, 0,
+        check_arguments("rows, block, bytes, equations", hm_private_rows_init, &rows,
+                        of_rows.data(), bytes, equations);
+        check_arguments("equations, basis, -, numbers", hm_private_rows_get, equations, rows, 0,
                         numbers.data());
-        check_arguments("equations, basis, -, numbers", hm_rows_set, equations, rows, 0,
+        check_arguments("equations, basis, -, numbers", hm_private_rows_set, equations, rows, 0,
                         numbers.data());
-        check_arguments("equations, basis, -, residual", hm_rows_residual, equations, rows, 0,
-                        residual.data());
-        check_arguments("equations, basis, -", hm_rows_finish, equations, rows, 1.0);
+        check_arguments("equations, basis, -, residual", hm_private_rows_residual, equations, rows,
+                        0, residual.data());
+        check_arguments("equations, basis, -", hm_private_rows_finish, equations, rows, 1.0);
     }
 }

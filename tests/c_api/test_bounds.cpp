@@ -2,7 +2,7 @@
 // first one outside is refused by the field's name.
 #include <harmorph_design.h>
 #include <harmorph_space.h>
-#include <harmorph_parts.h>
+#include "private.h"
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
 #include <doctest/doctest.h>
@@ -53,9 +53,9 @@ TEST_CASE("conditions and given parameters") {
     check_changes<P>(
         setup.problem(),
         {{nullptr, [](P&) {}},
-         {"given_u is NULL, but problem.n_given is 1", [](P& p) { p.given_points = nullptr; }},
-         {"given_u is NULL, but problem.n_given is 1", [](P& p) { p.given_curves = nullptr; }},
-         {"given_u is NULL, but problem.n_given is 1", [](P& p) { p.given_u = nullptr; }}},
+         {"known_u is NULL, but problem.n_known is 1", [](P& p) { p.known_points = nullptr; }},
+         {"known_u is NULL, but problem.n_known is 1", [](P& p) { p.known_curves = nullptr; }},
+         {"known_u is NULL, but problem.n_known is 1", [](P& p) { p.known_u = nullptr; }}},
         HM_BAD_ARGUMENT, size_of);
 }
 
@@ -159,10 +159,12 @@ TEST_CASE("safe morphs and better cells") {
 
     // Some of the functions cannot move the mesh, nor be the derivative of its movement.
     hm_basis *share = nullptr, *rest = nullptr;
-    REQUIRE(hm_share_size(solved.analysis, 0, 2, &bytes, nullptr) == HM_OK);
+    REQUIRE(hm_private_share_size(solved.analysis, 0, 2, &bytes, nullptr) == HM_OK);
     Guarded block(bytes), other(bytes);
-    REQUIRE(hm_share_init(&share, block.data(), bytes, solved.analysis, 0, 2, nullptr) == HM_OK);
-    REQUIRE(hm_share_init(&rest, other.data(), bytes, solved.analysis, 2, 2, nullptr) == HM_OK);
+    REQUIRE(hm_private_share_init(&share, block.data(), bytes, solved.analysis, 0, 2, nullptr) ==
+            HM_OK);
+    REQUIRE(hm_private_share_init(&rest, other.data(), bytes, solved.analysis, 2, 2, nullptr) ==
+            HM_OK);
     REQUIRE(hm_plan_solve(solved.plan, share, nullptr, nullptr) == HM_OK);
     struct {
         hm_basis *basis, *derivative;
@@ -242,11 +244,12 @@ TEST_CASE("what else a call finds wrong in its numbers") {
                            nullptr, &error) == HM_OK);
 
     std::int32_t const point = 0;
-    says(hm_extract_size(solved.basis, -1, &bytes, &error), HM_BAD_ARGUMENT, "-1");
+    says(hm_private_extract_size(solved.basis, -1, &bytes, &error), HM_BAD_ARGUMENT, "-1");
     hm_basis* rows = nullptr;
-    says(hm_extract_init(&rows, values.data(), 8000, solved.basis, -1, &point, &error),
+    says(hm_private_extract_init(&rows, values.data(), 8000, solved.basis, -1, &point, &error),
          HM_BAD_ARGUMENT, "-1");
-    says(hm_parcel_pack(solved.basis, -1, &point, values.data(), &error), HM_BAD_ARGUMENT, "-1");
+    says(hm_private_parcel_pack(solved.basis, -1, &point, values.data(), &error), HM_BAD_ARGUMENT,
+         "-1");
 
     hm_mesh broken = setup.mesh_view();
     broken.cell_points = nullptr;

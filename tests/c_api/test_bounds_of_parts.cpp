@@ -1,6 +1,6 @@
 // Bounds in what a part of a mesh says of its cells, columns and unknowns: the last value inside is
 // accepted, the first one outside is refused by name.
-#include <harmorph_parts.h>
+#include "private.h"
 #include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
@@ -17,13 +17,13 @@ TEST_CASE("two cells of a part on one side of an edge") {
     mesh.add_cell({0, 1, 3});
     std::vector<std::int64_t> const numbers = {10, 11, 12, 13};
     hm_mesh const view = mesh.view();
-    hm_part_mesh part = sized<hm_part_mesh>();
+    hm_private_part_mesh part = sized<hm_private_part_mesh>();
     part.mesh = &view;
     part.numbers = numbers.data();
-    Guarded block = block_of(hm_part_size, &part);
-    hm_part* made = nullptr;
+    Guarded block = block_of(hm_private_part_size, &part);
+    hm_private_part* made = nullptr;
     hm_error error{};
-    CHECK(hm_part_init(&made, block.data(), block.size(), &part, &error) == HM_BAD_MESH);
+    CHECK(hm_private_part_init(&made, block.data(), block.size(), &part, &error) == HM_BAD_MESH);
     CHECK(std::string(error.text) ==
           "the cells on both sides of the edge between points 0 and 1 overlap");
 }
@@ -34,14 +34,14 @@ TEST_CASE("columns and unknowns of a part's equations") {
     Parted parted(cut(setup.mesh, stripes(setup.mesh, 1), false));
     REQUIRE(parted.match());
     REQUIRE(parted.equate(setup.problem(), options));
-    hm_equations* const equations = parted.parts[0].equations;
-    hm_equations_info const& info = parted.parts[0].info();
-    hm_part* const part = parted.parts[0].part;
+    hm_private_equations* const equations = parted.parts[0].equations;
+    hm_private_equations_info const& info = parted.parts[0].info();
+    hm_private_part* const part = parted.parts[0].part;
     std::int32_t const n_edges = std::int32_t(parted.edges.size());
     std::size_t bytes = 0;
-    Guarded block = block_of(hm_rows_size, equations);
+    Guarded block = block_of(hm_private_rows_size, equations);
     hm_basis* rows = nullptr;
-    REQUIRE(hm_rows_init(&rows, block.data(), block.size(), equations, nullptr) == HM_OK);
+    REQUIRE(hm_private_rows_init(&rows, block.data(), block.size(), equations, nullptr) == HM_OK);
     std::vector<double> numbers(1000, 0.0);
     std::int64_t n = 0;
     hm_error error{};
@@ -50,25 +50,25 @@ TEST_CASE("columns and unknowns of a part's equations") {
         CHECK(error.text == text);
     };
     for (std::int32_t const column : {-1, info.columns})
-        says(hm_rows_get(equations, rows, column, numbers.data(), &error),
+        says(hm_private_rows_get(equations, rows, column, numbers.data(), &error),
              "column " + std::to_string(column) + " does not exist; there are " +
                  std::to_string(info.columns) + " columns");
-    CHECK(hm_rows_get(equations, rows, info.columns - 1, numbers.data(), &error) == HM_OK);
+    CHECK(hm_private_rows_get(equations, rows, info.columns - 1, numbers.data(), &error) == HM_OK);
     for (double const largest : {-1.0, not_a_number, HUGE_VAL}) {
-        CHECK(hm_rows_finish(equations, rows, largest, &error) == HM_BAD_ARGUMENT);
+        CHECK(hm_private_rows_finish(equations, rows, largest, &error) == HM_BAD_ARGUMENT);
         CHECK(std::string(error.text).find("largest must be finite and at least 0") == 0);
     }
     struct {
         std::int32_t first, n;
     } const outside[] = {{-1, 1}, {0, -1}, {0, info.unknowns + 1}, {info.unknowns, 1}};
     for (auto const& range : outside) {
-        says(hm_equations_entries(equations, range.first, range.n, nullptr, nullptr, nullptr, 0, &n,
-                                  &error),
+        says(hm_private_equations_entries(equations, range.first, range.n, nullptr, nullptr,
+                                          nullptr, 0, &n, &error),
              "first is " + std::to_string(range.first) + " and n is " + std::to_string(range.n) +
                  ", but unknowns first to first + n - 1 must exist in this part");
     }
-    CHECK(hm_equations_entries(equations, info.unknowns, 0, nullptr, nullptr, nullptr, 0, &n,
-                               &error) == HM_OK);
+    CHECK(hm_private_equations_entries(equations, info.unknowns, 0, nullptr, nullptr, nullptr, 0,
+                                       &n, &error) == HM_OK);
     CHECK(n == 0);
 
     Case other = tiny_case();
@@ -79,35 +79,36 @@ TEST_CASE("columns and unknowns of a part's equations") {
     other.curves = {};
     hm_problem problem = other.problem();
     problem.mesh = nullptr;
-    says(hm_equations_size(part, n_edges, &problem, &options, &bytes, &error),
+    says(hm_private_equations_size(part, n_edges, &problem, &options, &bytes, &error),
          "there is nothing to solve, because the problem has no curves, rigid bodies or given "
          "displacements");
     problem = setup.problem();
     problem.mesh = nullptr;
     for (std::int32_t const count : {-1, (1 << 29) + 1})
-        says(hm_equations_size(part, count, &problem, &options, &bytes, &error),
+        says(hm_private_equations_size(part, count, &problem, &options, &bytes, &error),
              "n_edges must be between 0 and 2^29, not " + std::to_string(count));
-    REQUIRE(hm_rows_finish(equations, rows, 1, &error) == HM_OK);
-    says(hm_rows_get(equations, rows, 0, numbers.data(), &error),
-         "the rows are finished; make new ones by hm_rows_init");
+    REQUIRE(hm_private_rows_finish(equations, rows, 1, &error) == HM_OK);
+    says(hm_private_rows_get(equations, rows, 0, numbers.data(), &error),
+         "the rows are finished; make new ones by hm_private_rows_init");
     Solved const whole(setup, &options);
-    says(hm_rows_get(equations, whole.basis, 0, numbers.data(), &error),
+    says(hm_private_rows_get(equations, whole.basis, 0, numbers.data(), &error),
          "the rows were made from other equations");
     Case two = two_body_case(Cells::hybrid, 4, 3);
     Solved const elsewhere(two, &options);
-    says(hm_rows_get(equations, elsewhere.basis, 0, numbers.data(), &error),
+    says(hm_private_rows_get(equations, elsewhere.basis, 0, numbers.data(), &error),
          "the rows were made from other equations");
 
-    hm_part_mesh nobody = sized<hm_part_mesh>();
+    hm_private_part_mesh nobody = sized<hm_private_part_mesh>();
     hm_mesh const mesh = parted.parts[0].mesh.view();
     nobody.mesh = &mesh;
-    says(hm_part_size(&nobody, &bytes, &error), "mesh.numbers is NULL");
+    says(hm_private_part_size(&nobody, &bytes, &error), "mesh.numbers is NULL");
     nobody.numbers = parted.parts[0].numbers.data();
     nobody.mesh = nullptr;
-    says(hm_part_size(&nobody, &bytes, &error), "mesh is NULL");
+    says(hm_private_part_size(&nobody, &bytes, &error), "mesh is NULL");
     n = -1;
-    hm_edge edge{};
-    says(hm_match_edges(&edge, &n, &error), "*n must be the number of edges, but it is negative");
+    hm_private_edge edge{};
+    says(hm_private_match_edges(&edge, &n, &error),
+         "*n must be the number of edges, but it is negative");
     n = 0;
-    CHECK(hm_match_edges(nullptr, &n, &error) == HM_OK);
+    CHECK(hm_private_match_edges(nullptr, &n, &error) == HM_OK);
 }

@@ -2,7 +2,7 @@
 // same bits, whatever bytes the block and the outputs held, and no call that succeeds raises a
 // floating-point exception that a debugging build would trap.
 #include <harmorph_design.h>
-#include <harmorph_parts.h>
+#include "private.h"
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
 #include <doctest/doctest.h>
@@ -215,13 +215,15 @@ TEST_CASE("all calls with a basis do not depend on old bytes for any kind of val
             std::int32_t scale = 0;
             std::vector<std::int64_t> parts =
                 filled<std::int64_t>(4 * std::size_t(functions * numbers));
-            record.add(hm_adjoint_scale(solved.basis, points_in(&gradient[0], &gradient[1], 2),
-                                        &scale, nullptr, nullptr));
-            record.add(hm_adjoint_sums(solved.basis, points_in(&gradient[0], &gradient[1], 2),
-                                       scale, parts.data(), nullptr, nullptr));
+            record.add(hm_private_adjoint_scale(
+                solved.basis, points_in(&gradient[0], &gradient[1], 2), &scale, nullptr, nullptr));
+            record.add(hm_private_adjoint_sums(solved.basis,
+                                               points_in(&gradient[0], &gradient[1], 2), scale,
+                                               parts.data(), nullptr, nullptr));
             record.add(parts);
             sums = filled<double>(sums.size());
-            record.add(hm_adjoint_finish(solved.basis, scale, parts.data(), sums.data(), nullptr));
+            record.add(
+                hm_private_adjoint_finish(solved.basis, scale, parts.data(), sums.data(), nullptr));
             record.add(sums);
 
             Single const single(solved.basis);
@@ -234,11 +236,13 @@ TEST_CASE("all calls with a basis do not depend on old bytes for any kind of val
             for (std::int32_t k = 0; k < 2; ++k) {
                 std::int32_t first = -1, held = -1;
                 std::size_t bytes = 0;
-                REQUIRE(hm_share_of(solved.analysis, k, 2, &first, &held, nullptr) == HM_OK);
-                REQUIRE(hm_share_size(solved.analysis, first, held, &bytes, nullptr) == HM_OK);
+                REQUIRE(hm_private_share_of(solved.analysis, k, 2, &first, &held, nullptr) ==
+                        HM_OK);
+                REQUIRE(hm_private_share_size(solved.analysis, first, held, &bytes, nullptr) ==
+                        HM_OK);
                 blocks[k] = std::make_unique<Guarded>(bytes);
-                REQUIRE(hm_share_init(&shares[k], blocks[k]->data(), bytes, solved.analysis, first,
-                                      held, nullptr) == HM_OK);
+                REQUIRE(hm_private_share_init(&shares[k], blocks[k]->data(), bytes, solved.analysis,
+                                              first, held, nullptr) == HM_OK);
                 hm_solve_report report = filled_report<hm_solve_report>();
                 record.add(hm_plan_solve(solved.plan, shares[k], &report, nullptr));
                 record.add(report);
@@ -248,12 +252,12 @@ TEST_CASE("all calls with a basis do not depend on old bytes for any kind of val
             for (hm_basis const* share : shares) {
                 std::int64_t doubles = 0;
                 std::int32_t const n_points = std::int32_t(lists[1].size());
-                REQUIRE(hm_parcel_size(share, n_points, &doubles, nullptr) == HM_OK);
+                REQUIRE(hm_private_parcel_size(share, n_points, &doubles, nullptr) == HM_OK);
                 std::vector<double> parcel = filled<double>(std::size_t(doubles));
-                record.add(
-                    hm_parcel_pack(share, n_points, lists[1].data(), parcel.data(), nullptr));
+                record.add(hm_private_parcel_pack(share, n_points, lists[1].data(), parcel.data(),
+                                                  nullptr));
                 record.add(parcel);
-                record.add(hm_parcel_unpack(joined.basis, parcel.data(), doubles, nullptr));
+                record.add(hm_private_parcel_unpack(joined.basis, parcel.data(), doubles, nullptr));
             }
             record.add(bytes_of(joined.basis));
         });

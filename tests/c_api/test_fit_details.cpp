@@ -225,7 +225,7 @@ TEST_CASE("control points are inserted until the tolerance is reached") {
     hm_fit_details wishes = details();
     wishes.tolerance = 1e-9;
     Fitted const few = fitted(ellipse(), &wishes, 8);
-    CHECK(few.status == HM_SHORT);
+    CHECK(few.status == HM_FAR_FROM_POINTS);
     CHECK(few.control.size() == 16);
     CHECK(few.error.value == few.report.max_error);
 }

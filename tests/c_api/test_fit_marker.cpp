@@ -11,7 +11,7 @@ using namespace fixtures;
 namespace {
 
 struct WallFit {
-    std::vector<unsigned char> block, work;
+    std::vector<unsigned char> block;
     const hm_curves* curves = nullptr;
     hm_fit_report report{};
     hm_error error{};
@@ -23,15 +23,13 @@ struct WallFit {
         HM_INIT(options);
         HM_INIT(report);
         options.n_control = n_control;
-        std::size_t bytes = 0, work_bytes = 0;
+        std::size_t bytes = 0;
         auto const n = std::int32_t(markers.size());
-        status =
-            hm_fit_marker_size(&mesh, n, markers.data(), &options, &bytes, &work_bytes, &error);
+        status = hm_fit_marker_size(&mesh, n, markers.data(), &options, &bytes, &error);
         if (status < 0) return;
         block.resize(bytes - missing);
-        work.resize(work_bytes);
         status = hm_fit_marker(&curves, block.data(), block.size(), &mesh, n, markers.data(),
-                               &options, &report, work.data(), work.size(), &error);
+                               &options, &report, &error);
     }
 };
 
@@ -82,4 +80,29 @@ TEST_CASE("unknown markers, few points and short blocks are refused, and nothing
     WallFit const short_block(mesh, {wall}, 12, 64);
     CHECK(short_block.status == HM_BLOCK_TOO_SMALL);
     CHECK(short_block.curves == nullptr);
+}
+
+TEST_CASE("only the bytes of the report are needed afterwards, and they are few") {
+    Case setup = two_body_case(Cells::quads, 24, 6);
+    hm_mesh const mesh = setup.mesh.view();
+    std::vector<std::int32_t> walls;
+    for (hm_condition const& condition : setup.conditions) walls.push_back(condition.marker);
+    for (std::int32_t const n_control : {6, 12}) {
+        WallFit one(mesh, walls, n_control), other(mesh, walls, n_control);
+        REQUIRE(one.status == HM_OK);
+        std::size_t const kept = one.report.bytes;
+        CHECK(kept < one.block.size() / 4);
+        for (std::size_t k = kept; k < one.block.size(); ++k) one.block[k] = 0xAB;
+        CHECK(hm_curves_check(one.curves, nullptr) == HM_OK);
+        REQUIRE(one.curves->n_curves == other.curves->n_curves);
+        for (std::int32_t k = 0; k < 2 * one.curves->n_control; ++k)
+            CHECK(one.curves->control[k] == other.curves->control[k]);
+        for (std::int32_t c = 0; c < one.curves->n_curves; ++c) {
+            hm_curve const &a = one.curves->curve[c], &b = other.curves->curve[c];
+            REQUIRE(a.n_indices == b.n_indices);
+            for (std::int32_t k = 0; k < a.n_indices; ++k) CHECK(a.indices[k] == b.indices[k]);
+            for (std::int32_t k = 0; k <= a.n_indices + a.degree; ++k)
+                CHECK(a.knots[k] == b.knots[k]);
+        }
+    }
 }

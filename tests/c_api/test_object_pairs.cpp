@@ -4,7 +4,7 @@
 #include <harmorph_bases.h>
 #include <harmorph_design.h>
 #include <harmorph_space.h>
-#include <harmorph_parts.h>
+#include "private.h"
 #include <harmorph_study.h>
 #include <doctest/doctest.h>
 
@@ -95,13 +95,13 @@ TEST_CASE("each call takes the kinds of bases that it can use") {
          [](World&, hm_basis* b, hm_error* e) {
              hm_curves curves = sized<hm_curves>();
              hm_curve curve[2] = {sized<hm_curve>(), sized<hm_curve>()};
-             return hm_basis_curves(b, &curves, curve, 2, e);
+             return hm_basis_curves(b, nullptr, nullptr, &curves, curve, 2, e);
          }},
-        {"hm_moved_curves", "..............", false,
+        {"hm_basis_curves, moved", "..............", false,
          [](World& w, hm_basis* b, hm_error* e) {
              hm_curves curves = sized<hm_curves>();
              hm_curve curve[2] = {sized<hm_curve>(), sized<hm_curve>()};
-             return hm_moved_curves(b, w.arrays.move.data(), w.arrays.x.data(), &curves, curve, 2,
+             return hm_basis_curves(b, w.arrays.move.data(), w.arrays.x.data(), &curves, curve, 2,
                                     e);
          }},
         {"hm_basis_conditions", "..............", false,
@@ -127,13 +127,14 @@ TEST_CASE("each call takes the kinds of bases that it can use") {
          [](World& w, hm_basis* b, hm_error* e) {
              return hm_adjoint(b, &w.arrays.in, w.arrays.gradient.data(), nullptr, e);
          }},
-        {"hm_adjoint_scale, _sums, _finish", ".bbb.b.......b", false,
+        {"hm_private_adjoint_scale, _sums, _finish", ".bbb.b.......b", false,
          [](World& w, hm_basis* b, hm_error* e) {
              std::int32_t scale = 0;
              std::int64_t* const sums = w.arrays.sums.data();
-             hm_status const scaled = hm_adjoint_scale(b, &w.arrays.in, &scale, nullptr, e);
-             CHECK(hm_adjoint_sums(b, &w.arrays.in, scale, sums, nullptr, e) == scaled);
-             CHECK(hm_adjoint_finish(b, scale, sums, w.arrays.gradient.data(), e) == scaled);
+             hm_status const scaled = hm_private_adjoint_scale(b, &w.arrays.in, &scale, nullptr, e);
+             CHECK(hm_private_adjoint_sums(b, &w.arrays.in, scale, sums, nullptr, e) == scaled);
+             CHECK(hm_private_adjoint_finish(b, scale, sums, w.arrays.gradient.data(), e) ==
+                   scaled);
              return scaled;
          }},
         {"hm_boundary_error", "..............", false,
@@ -173,19 +174,19 @@ TEST_CASE("each call takes the kinds of bases that it can use") {
              return in_block(error, size_by(hm_combine_size, b, 1, 1),
                              init_by(hm_combine, &made, b, 1, 1, ones.data()));
          }},
-        {"hm_extract_init", ".b.b.b.......b", false,
+        {"hm_private_extract_init", ".b.b.b.......b", false,
          [](World&, hm_basis* b, hm_error* error) {
              hm_basis* made = nullptr;
              std::int32_t const list[] = {2, 0, 0};
-             return in_block(error, size_by(hm_extract_size, b, 3),
-                             init_by(hm_extract_init, &made, b, 3, list));
+             return in_block(error, size_by(hm_private_extract_size, b, 3),
+                             init_by(hm_private_extract_init, &made, b, 3, list));
          }},
-        {"hm_parcel_pack", ".b.b.b...u...b", false,
+        {"hm_private_parcel_pack", ".b.b.b...u...b", false,
          [](World& w, hm_basis* b, hm_error* e) {
              std::int64_t doubles = 0;
              std::int32_t const list[] = {2, 0, 0};
-             hm_status const status = hm_parcel_size(b, 3, &doubles, e);
-             return status < 0 ? status : hm_parcel_pack(b, 3, list, w.arrays.x.data(), e);
+             hm_status const status = hm_private_parcel_size(b, 3, &doubles, e);
+             return status < 0 ? status : hm_private_parcel_pack(b, 3, list, w.arrays.x.data(), e);
          }},
         {"hm_plan_solve", "....bbb..ubbbb", true,
          [=](World&, hm_basis* b, hm_error* e) { return hm_plan_solve(plan, b, nullptr, e); }},
@@ -206,15 +207,17 @@ TEST_CASE("each call takes the kinds of bases that it can use") {
                    })},
         {"hm_tabulate", ".bbbbbb..ubbbb", false,
          [=](World&, hm_basis* b, hm_error* e) {
-             std::size_t bytes = 0, work_bytes = 0;
-             hm_status const status = hm_tabulate_size(plan, b, 1, 1, &bytes, &work_bytes, e);
+             std::size_t bytes = 0;
+             auto modes = sized<hm_modes>();
+             modes.n_modes = modes.numbers = 1;
+             modes.n = std::int32_t(given_points(plan).size());
+             std::vector<double> const ones(std::size_t(modes.n), 1.0);
+             modes.values = ones.data();
+             hm_status const status = hm_tabulate_size(plan, b, &modes, &bytes, e);
              if (status < 0) return status;
-             Guarded block(bytes), work(work_bytes);
-             std::int32_t const all = std::int32_t(given_points(plan).size());
-             std::vector<double> const ones(std::size_t(all), 1.0);
+             Guarded block(bytes);
              hm_basis* made = nullptr;
-             return hm_tabulate(&made, block.data(), bytes, plan, b, all, nullptr, 1, 1,
-                                ones.data(), work.data(), work_bytes, nullptr, e);
+             return hm_tabulate(&made, block.data(), bytes, plan, b, &modes, nullptr, e);
          }},
         {"hm_plane_morph", ".bbbbb......bb", false,
          [](World& w, hm_basis* b, hm_error* e) {
@@ -229,21 +232,21 @@ TEST_CASE("each call takes the kinds of bases that it can use") {
              hm_space_points const dj{x, x + 1, x + 2, 3};
              return hm_plane_adjoint(w.plane.plane, b, &dj, w.arrays.gradient.data(), nullptr, e);
          }},
-        {"hm_rows_get", "bbbbbbbbbbbbb.", false,
+        {"hm_private_rows_get", "bbbbbbbbbbbbb.", false,
          [](World& w, hm_basis* b, hm_error* e) {
-             return hm_rows_get(w.one.equations(), b, 0, w.arrays.x.data(), e);
+             return hm_private_rows_get(w.one.equations(), b, 0, w.arrays.x.data(), e);
          }},
-        {"hm_rows_set", "bbbbbbbbbbbbb.", true,
+        {"hm_private_rows_set", "bbbbbbbbbbbbb.", true,
          [](World& w, hm_basis* b, hm_error* e) {
-             return hm_rows_set(w.one.equations(), b, 0, w.arrays.x.data(), e);
+             return hm_private_rows_set(w.one.equations(), b, 0, w.arrays.x.data(), e);
          }},
-        {"hm_rows_residual", "bbbbbbbbbbbbb.", false,
+        {"hm_private_rows_residual", "bbbbbbbbbbbbb.", false,
          [](World& w, hm_basis* b, hm_error* e) {
-             return hm_rows_residual(w.one.equations(), b, 0, w.arrays.x.data(), e);
+             return hm_private_rows_residual(w.one.equations(), b, 0, w.arrays.x.data(), e);
          }},
-        {"hm_rows_finish", "bbbbbbbbbbbbb.", true,
+        {"hm_private_rows_finish", "bbbbbbbbbbbbb.", true,
          [](World& w, hm_basis* b, hm_error* e) {
-             return hm_rows_finish(w.one.equations(), b, 1, e);
+             return hm_private_rows_finish(w.one.equations(), b, 1, e);
          }},
     };
     for (Call const& call : calls) {
@@ -346,7 +349,7 @@ TEST_CASE("two bases in one call: each pair of kinds, and one basis as both") {
          [](World& w, PairOfBases const& pair, hm_error* e) {
              return safe_morph(w, pair.first, pair.second, nullptr, e);
          }},
-        {"hm_parcel_unpack to the first, packed from the second",
+        {"hm_private_parcel_unpack to the first, packed from the second",
          {"bbbbbbbbbubbbb", "bbbbbbbbbubbbb", "bbbbbbbbbubbbb", "bbbbbbbbbubbbb", "bbbbbbbbbubbbb",
           ".bbbbb.bbubbbb", "bbbbbbbbbubbbb", "bbbbbbbbbubbbb", "bbbbbbbbbubbbb", "ubububuuuuuuub",
           "bbbbbbbbbubbbb", "bbbbbbbbbubbbb", "bbbbbbbbbubbbb", "bbbbbbbbbubbbb"},
@@ -359,11 +362,12 @@ TEST_CASE("two bases in one call: each pair of kinds, and one basis as both") {
                  point = std::min(point, info_of(pair.second).points - 1);
              std::int64_t doubles = 0;
              std::int32_t const n_list = std::int32_t(list.size());
-             hm_status status = hm_parcel_size(pair.second, n_list, &doubles, e);
+             hm_status status = hm_private_parcel_size(pair.second, n_list, &doubles, e);
              if (status < 0) return status;
              std::vector<double> parcel(static_cast<std::size_t>(doubles));
-             status = hm_parcel_pack(pair.second, n_list, list.data(), parcel.data(), e);
-             return status < 0 ? status : hm_parcel_unpack(pair.first, parcel.data(), doubles, e);
+             status = hm_private_parcel_pack(pair.second, n_list, list.data(), parcel.data(), e);
+             return status < 0 ? status
+                               : hm_private_parcel_unpack(pair.first, parcel.data(), doubles, e);
          }},
     };
     for (PairCall const& call : calls) {

@@ -2,7 +2,7 @@
 // numbers out of range, objects that do not belong together, steps in the wrong order.
 #include <harmorph_bases.h>
 #include <harmorph_design.h>
-#include <harmorph_parts.h>
+#include "private.h"
 #include <harmorph_study.h>
 #include <doctest/doctest.h>
 
@@ -39,7 +39,9 @@ TEST_CASE("a problem that is too large for the addresses of the machine") {
     arena.take(numbers, std::numeric_limits<std::size_t>::max() / 24);
     harmorph::Fault fault;
     CHECK(arena.verify(0, fault) == harmorph::Status::bad_argument);
-    CHECK(std::string(fault.sentence) == "the problem is too large for this machine's addresses");
+    CHECK(std::string(fault.sentence) ==
+          "the problem needs a block of ~ bytes, which is too large for this machine's addresses");
+    CHECK(fault.value >= double(std::numeric_limits<std::size_t>::max() / 2));
 }
 
 TEST_CASE("room for fewer than there are, and numbers that there are not") {
@@ -66,7 +68,7 @@ TEST_CASE("room for fewer than there are, and numbers that there are not") {
          "n_markers is 0 and capacity is 0; n_markers must be at least 1, and capacity at least 0",
          [&](hm_error* e) { return boundary(0, 1, e); }},
         {HM_BAD_ARGUMENT, "curve has room for 0 curves, but the basis has 1",
-         call_by(hm_basis_curves, o.basis, &curves, &curve, 0)},
+         call_by(hm_basis_curves, o.basis, nullptr, nullptr, &curves, &curve, 0)},
         {HM_BAD_ARGUMENT, "capacity must be at least 0, not -1",
          call_by(hm_basis_conditions, o.basis, &condition, -1, &n)},
         {HM_BAD_ARGUMENT, "out has room for 0 conditions, but the basis has 1",
@@ -122,40 +124,42 @@ TEST_CASE("combined functions, gradients in parts, parcels") {
     std::int64_t sums[64], doubles = 0;
     std::int32_t scale = 0;
     hm_points const dj = o.points;
-    REQUIRE(hm_adjoint_scale(o.basis, &dj, &scale, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_private_adjoint_scale(o.basis, &dj, &scale, nullptr, nullptr) == HM_OK);
     std::string const too_small = "scale is " + std::to_string(scale - 1) +
                                   ", but these points need at least " + std::to_string(scale) +
                                   "; take the largest scale of all parts";
     hm_basis *share = nullptr, *rows = nullptr;
-    Guarded share_block = block_of(hm_share_size, o.solved.analysis, 0, 2);
-    REQUIRE(hm_share_init(&share, share_block.data(), share_block.size(), o.solved.analysis, 0, 2,
-                          nullptr) == HM_OK);
+    Guarded share_block = block_of(hm_private_share_size, o.solved.analysis, 0, 2);
+    REQUIRE(hm_private_share_init(&share, share_block.data(), share_block.size(), o.solved.analysis,
+                                  0, 2, nullptr) == HM_OK);
     REQUIRE(hm_plan_solve(o.solved.plan, share, nullptr, nullptr) == HM_OK);
     std::int32_t const list[] = {20, 30};
-    Guarded block = block_of(hm_extract_size, share, 2);
-    REQUIRE(hm_extract_init(&rows, block.data(), block.size(), share, 2, list, nullptr) == HM_OK);
-    REQUIRE(hm_parcel_size(share, 2, &doubles, nullptr) == HM_OK);
+    Guarded block = block_of(hm_private_extract_size, share, 2);
+    REQUIRE(hm_private_extract_init(&rows, block.data(), block.size(), share, 2, list, nullptr) ==
+            HM_OK);
+    REQUIRE(hm_private_parcel_size(share, 2, &doubles, nullptr) == HM_OK);
     std::vector<double> parcel(static_cast<std::size_t>(doubles));
-    REQUIRE(hm_parcel_pack(share, 2, list, parcel.data(), nullptr) == HM_OK);
+    REQUIRE(hm_private_parcel_pack(share, 2, list, parcel.data(), nullptr) == HM_OK);
     hm_basis* const few = share;  // for all points, but no rows of all functions
     std::int64_t n_few = 0;
     std::vector<std::int32_t> everywhere(48);
     for (std::size_t k = 0; k < 48; ++k) everywhere[k] = std::int32_t(k);
-    REQUIRE(hm_parcel_size(share, 48, &n_few, nullptr) == HM_OK);
+    REQUIRE(hm_private_parcel_size(share, 48, &n_few, nullptr) == HM_OK);
     std::vector<double> of_few(static_cast<std::size_t>(n_few));
-    REQUIRE(hm_parcel_pack(share, 48, everywhere.data(), of_few.data(), nullptr) == HM_OK);
+    REQUIRE(hm_private_parcel_pack(share, 48, everywhere.data(), of_few.data(), nullptr) == HM_OK);
     check_texts({
-        {HM_BAD_ARGUMENT, "scale is 100000, but it must be a number that hm_adjoint_scale returned",
-         call_by(hm_adjoint_sums, o.basis, &dj, 100000, sums, nullptr)},
+        {HM_BAD_ARGUMENT,
+         "scale is 100000, but it must be a number that hm_private_adjoint_scale returned",
+         call_by(hm_private_adjoint_sums, o.basis, &dj, 100000, sums, nullptr)},
         {HM_BAD_ARGUMENT, too_small.c_str(),
-         call_by(hm_adjoint_sums, o.basis, &dj, scale - 1, sums, nullptr)},
+         call_by(hm_private_adjoint_sums, o.basis, &dj, scale - 1, sums, nullptr)},
         {HM_BAD_BASIS,
          "a parcel needs rows of all functions, but these rows have a share of the functions",
-         call_by(hm_parcel_unpack, few, of_few.data(), n_few)},
+         call_by(hm_private_parcel_unpack, few, of_few.data(), n_few)},
         {HM_BAD_BASIS, "the parcel is truncated: it is shorter than its label",
-         call_by(hm_parcel_unpack, rows, parcel.data(), 1)},
+         call_by(hm_private_parcel_unpack, rows, parcel.data(), 1)},
         {HM_BAD_BASIS, "the length of the parcel does not fit the rows that its label announces",
-         call_by(hm_parcel_unpack, rows, parcel.data(), doubles - 1)},
+         call_by(hm_private_parcel_unpack, rows, parcel.data(), doubles - 1)},
     });
 }
 
@@ -192,7 +196,7 @@ TEST_CASE("steps in the wrong order") {
 TEST_CASE("modes: numbers, lists, and what they do not go with") {
     Case setup = given_instead(tiny_case());
     Displaced displaced(setup);
-    std::size_t bytes = 0, work_bytes = 0;
+    std::size_t bytes = 0;
     hm_basis* made = nullptr;
     std::int32_t const n = std::int32_t(displaced.points.size());
     std::vector<double> modes(200, 1.0);
@@ -213,22 +217,28 @@ TEST_CASE("modes: numbers, lists, and what they do not go with") {
                       nullptr, &crossing) == HM_CROSSING);
     CHECK(std::string(crossing.text)
               .find("the moved boundary crosses itself: the faces that begin at points ") == 0);
-    REQUIRE(hm_tabulate_size(displaced.plan, displaced.basis, 1, 1, &bytes, &work_bytes, nullptr) ==
-            HM_OK);
-    Guarded block(bytes), work(work_bytes);
+    auto real = sized<hm_modes>();
+    real.n_modes = real.numbers = 1;
+    real.n = n;
+    real.values = modes.data();
+    hm_modes many = real, other = real;
+    many.n = 97;
+    many.points = list.data();
+    other.numbers = 3;
+    REQUIRE(hm_tabulate_size(displaced.plan, displaced.basis, &real, &bytes, nullptr) == HM_OK);
+    Guarded block(bytes);
     check_texts({
-        {HM_BAD_ARGUMENT, "numbers must be 1 (real values) or 2 (complex values), not 0",
-         call_by(hm_tabulate_size, displaced.plan, displaced.basis, 1, 0, &bytes, &work_bytes)},
+        {HM_BAD_ARGUMENT, "modes.numbers must be 1 (real values) or 2 (complex values), not 3",
+         call_by(hm_tabulate_size, displaced.plan, displaced.basis, &other, &bytes)},
         {HM_BAD_ARGUMENT, "point 17 has two different displacements in field 0",
          call_by(hm_displace, displaced.plan, n + 1, twice.data(), 1, &wall, nullptr, &to,
                  room.data(), room.size(), nullptr)},
         {HM_BAD_ARGUMENT, "n is 97, but the list may have at most twice as many points as the mesh",
-         call_by(hm_tabulate, &made, block.data(), bytes, displaced.plan, displaced.basis, 97,
-                 list.data(), 1, 1, modes.data(), work.data(), work_bytes, nullptr)},
+         call_by(hm_tabulate, &made, block.data(), bytes, displaced.plan, displaced.basis, &many,
+                 nullptr)},
     });
-    REQUIRE(hm_tabulate(&made, block.data(), block.size(), displaced.plan, displaced.basis, n,
-                        nullptr, 1, 1, modes.data(), work.data(), work_bytes, nullptr,
-                        nullptr) == HM_OK);
+    REQUIRE(hm_tabulate(&made, block.data(), block.size(), displaced.plan, displaced.basis, &real,
+                        nullptr, nullptr) == HM_OK);
     TransferAttempt transfer;
     REQUIRE(transfer.open(setup.problem()));
     CHECK_FALSE(transfer.fill_from(made, setup.mesh_view()));

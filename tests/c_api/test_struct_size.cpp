@@ -39,8 +39,8 @@ TEST_CASE("a struct of an older caller is shorter: what is missing has its defau
     mesh.struct_size = size_before<hm_mesh>(offsetof(hm_mesh, n_lists));  // no boundary lists yet
     if (mesh.struct_size <= offsetof(hm_mesh, n_lists)) mesh.n_lists = 1000;  // not looked at
     hm_problem problem = setup.problem(mesh);
-    problem.struct_size = offsetof(hm_problem, n_given);
-    problem.n_given = 1000;
+    problem.struct_size = offsetof(hm_problem, n_known);
+    problem.n_known = 1000;
     Options options = laplace();
     options.hm_options::struct_size = offsetof(hm_options, tolerance);
     options.tolerance = 5;

@@ -96,7 +96,7 @@ demo_there() {
     program_sources >"$here/sources"
     check "program: compilation" compile -pthread -I. -Iinclude -Ic_api/cli <"$here/sources"
     check "program: link" $cxx $flags -static -pthread -o "$here/harmorph$suffix" "$here"/objects/*.o "$archive"
-    check "demo" $emulator "$here/harmorph$suffix" demo "$here/demo" --mesh tests/meshes/naca0012.su2
+    check "demo" $emulator "$here/harmorph$suffix" demo "$here/demo" --mesh "$build/meshes/naca0012.su2"
     check "the demo's mesh" $emulator "$here/harmorph$suffix" check "$here/demo/morphed.su2"
 }
 with_musl() {

@@ -1,6 +1,6 @@
 # Tables that are read and written in pieces, by several threads. (A part of tests/formats.sh.)
 check "numbers.cpp is compiled" $CXX -std=c++17 -O1 -Ic_api/cli -o "$tmp/numbers" tests/formats/numbers.cpp \
-    c_api/cli/basics/numbers.cpp c_api/cli/basics/decimals.cpp
+    c_api/cli/basics/numbers.cpp
 check "numbers are written as printf and std::to_chars write them" "$tmp/numbers"
 # A locale with a decimal comma, made for this test alone. In the Python package the caller chooses the locale.
 if localedef -i de_DE -f UTF-8 "$tmp/de_DE.UTF-8" >/dev/null 2>&1; then

@@ -73,7 +73,7 @@ contains
         call check(stat == hm_bad_argument, "weights that are too few")
         n = size(curves%control, 2)
         allocate(move(2, n), by(2, n, 2), next(2, n), pair(2, n, 2))
-        movements = [hm_movement(hm_flap, [0.7_dp, 0._dp]), hm_movement(hm_turn, [0.25_dp, 0._dp])]
+        movements = [hm_movement(hm_flap, [0.7_dp, 0._dp]), hm_movement(hm_rotate, [0.25_dp, 0._dp])]
         call curves%move_section(movements, [-10._dp, 3._dp], move, by, start, error)
         call curves%move_section(movements, [-10._dp + 1e-5_dp, 3._dp], next)
         call check(maxval(abs(move)) > 0.015_dp .and. maxval(abs(start)) <= 0, "a section that values move")

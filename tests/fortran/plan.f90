@@ -185,7 +185,7 @@ contains
         call plan%factor()
         call plan%solve(own)
         call plan%analyse(mesh, curves, [hm_condition(body), hm_condition(far_field, hm_fixed)], &
-            given_points=info%curve_point, given_curves=info%point_curve, given_u=info%point_u)
+            known_points=info%curve_point, known_curves=info%point_curve, known_u=info%point_u)
         call plan%factor()
         call plan%solve(own, stat=stat, err=err)
         call check(stat == hm_ok, "a basis of another analysis is made anew: " // err%text)
@@ -195,13 +195,13 @@ contains
         call plan%factor()
         call plan%solve(in_work, stat=stat, err=err)
         call check(stat == hm_bad_basis, "but not in the caller's memory: " // err%text)
-        call plan%analyse(mesh, curves, [hm_condition(body)], given_points=[1], given_curves=[2], given_u=[0._dp], &
+        call plan%analyse(mesh, curves, [hm_condition(body)], known_points=[1], known_curves=[2], known_u=[0._dp], &
             stat=stat)
         call check(stat < 0, "a given curve that does not exist")
-        call plan%analyse(mesh, curves, [hm_condition(body)], given_points=[1, 2], &
-            given_curves=[1], given_u=[0._dp], stat=stat)
+        call plan%analyse(mesh, curves, [hm_condition(body)], known_points=[1, 2], &
+            known_curves=[1], known_u=[0._dp], stat=stat)
         call check(stat == hm_bad_argument, "given points of other lengths")
-        call plan%analyse(mesh, curves, [hm_condition(body)], given_points=[1], stat=stat)
+        call plan%analyse(mesh, curves, [hm_condition(body)], known_points=[1], stat=stat)
         call check(stat == hm_bad_argument, "given points without parameters")
     end subroutine
 end module

@@ -1,6 +1,5 @@
 ! Threads: the caller's own, and OpenMP.
 module threads_tests
-    use, intrinsic :: iso_c_binding, only: c_int64_t
     use body_mesh
     implicit none
     private
@@ -17,8 +16,6 @@ contains
         type(hm_basis) :: own
         type(hm_step_report) :: step
         type(hm_quality_report) :: quality
-        integer(c_int64_t) :: sums(4 * 2 * n_control)
-        integer :: scale
         real(dp) :: move(2, n_control), gradient(2, n_control), expected(2, n_control)
         real(dp), dimension(n_points) :: a, b, dx, dy
         integer :: stat
@@ -59,11 +56,6 @@ contains
         call check(stat == hm_bad_argument, "quality relative to other coordinates on 300 threads")
         call own%assess(mesh, dx, dy, step, quality, executor=four, stat=stat)
         call check(stat == hm_bad_argument, "assessment on 300 threads")
-        scale = 0
-        call own%adjoint_scale(dx, dy, scale, executor=four, stat=stat)
-        call check(stat == hm_bad_argument, "scale on 300 threads")
-        call own%adjoint_sums(dx, dy, scale, sums, executor=four, stat=stat)
-        call check(stat == hm_bad_argument, "sums on 300 threads")
     end subroutine
 
     ! The tasks one after the other, the last one first.

@@ -19,7 +19,6 @@ program use
     use memory_tests
     use morph_tests
     use operators_tests
-    use parts_tests
     use plan_tests
     use plane_tests
     use polygons_tests
@@ -87,7 +86,6 @@ program use
     call safe_together()
     call transfers()
     call fields()
-    call meshes_in_parts()
     call design()
     call refits()
     call smooth_gradients()

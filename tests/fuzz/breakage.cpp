@@ -133,15 +133,15 @@ void break_options(Problem& problem, Input& input) {
 }
 void break_given(Problem& problem, Input& input) {
     for (std::int32_t k = input.from(1, 3); k > 0; --k) {
-        problem.given_points.push_back(input.one_in(4) ? input.wild_index()
+        problem.known_points.push_back(input.one_in(4) ? input.wild_index()
                                                        : input.from(0, problem.mesh.n_points));
-        problem.given_curves.push_back(input.one_in(4) ? input.wild_index() : 0);
-        problem.given_u.push_back(input.one_in(4) ? input.wild() : input.between(0, 1));
+        problem.known_curves.push_back(input.one_in(4) ? input.wild_index() : 0);
+        problem.known_u.push_back(input.one_in(4) ? input.wild() : input.between(0, 1));
     }
-    problem.problem.n_given = static_cast<std::int32_t>(problem.given_u.size());
-    problem.problem.given_points = problem.given_points.data();
-    problem.problem.given_curves = problem.given_curves.data();
-    problem.problem.given_u = problem.given_u.data();
+    problem.problem.n_known = static_cast<std::int32_t>(problem.known_u.size());
+    problem.problem.known_points = problem.known_points.data();
+    problem.problem.known_curves = problem.known_curves.data();
+    problem.problem.known_u = problem.known_u.data();
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // The functions of a solution: finite, solutions of their equation, basis functions on curves; and
 // derived bases.
 #include <harmorph_bases.h>
-#include <harmorph_parts.h>
+#include "private.h"
 #include <harmorph_study.h>
 #include "solution_check.hpp"
 
@@ -74,9 +74,9 @@ void SolutionCheck::derived_bases() {
     std::int32_t const n = static_cast<std::int32_t>(points.size());
     hm_basis const* const whole = made >= 0 && input_.one_in(2) ? single : its_.basis;
     std::size_t bytes = 0;  // for any n points: these may need less
-    expect(hm_extract_size(whole, n, &bytes, &error_) == HM_OK, "no size of an extract");
-    expect(hm_extract_init(&rows, its_.blocks.take(bytes).data(), bytes, whole, n, points.data(),
-                           &error_) == HM_OK,
+    expect(hm_private_extract_size(whole, n, &bytes, &error_) == HM_OK, "no size of an extract");
+    expect(hm_private_extract_init(&rows, its_.blocks.take(bytes).data(), bytes, whole, n,
+                                   points.data(), &error_) == HM_OK,
            "no extract");
     Numbers matrix(at(2 * info_.functions));
     for (double& number : matrix) number = input_.between(-1, 1);

@@ -103,8 +103,8 @@ void SolutionCheck::safe_morph() {
         dy[k] = y[k] - problem_.domain.points[k].y;
     }
     pairs_move_alike(dx, dy, 1e-14 * problem_.size());
-    if (is_real()) expect(report.turned_offset == 0, "real functions turn no offset");
-    wall_is_at(at, reached, report.turned_offset);
+    if (is_real()) expect(report.rotated_offset == 0, "real functions turn no offset");
+    wall_is_at(at, reached, report.rotated_offset);
     if (derivative == nullptr) return;
     walls_follow(derivative, report.step_fraction);
     field_follows(derivative, options, report);
@@ -181,7 +181,7 @@ void SolutionCheck::field_follows(hm_basis* derivative, hm_safe_options const& g
                     [](hm_condition const& condition) { return condition.kind == HM_SLIP; });
     bool const is_exact = first.strategy == HM_STRATEGY_LINEAR && first.steps == 1 &&
                           first.heights == 0 && first.step_fraction == 1 &&
-                          first.turned_offset == 0 && !slides;
+                          first.rotated_offset == 0 && !slides;
     static bool const is_shown = std::getenv("HARMORPH_DERIVATIVE") != nullptr;
     if (its_.status != HM_OK || first.steps == 0 || (!is_exact && !is_shown)) return;
     Numbers const by = some_movement();
@@ -216,7 +216,7 @@ void SolutionCheck::field_follows(hm_basis* derivative, hm_safe_options const& g
     if (!is_exact)
         std::printf("derivative: %d steps, strategy %d, heights %g, offset %g: error %.3g\n",
                     first.steps, first.strategy, first.heights,
-                    first.turned_offset / problem_.size(), worst / largest);
+                    first.rotated_offset / problem_.size(), worst / largest);
     double const rounding = 1e-15 * problem_.size() / h;
     expect(!is_exact || worst <= 1e-8 * largest + rounding,
            "the derivative of one linear step differs from differences by " + shown(worst));
@@ -225,7 +225,7 @@ void SolutionCheck::field_follows(hm_basis* derivative, hm_safe_options const& g
 // Points of curves have moved as the B-spline of the movement that was reached, but for offsets
 // that turned along.
 void SolutionCheck::wall_is_at(std::vector<Point> const& at, Numbers const& reached,
-                               double turned_offset) {
+                               double rotated_offset) {
     double const size = problem_.size();
     double largest = size;
     for (double const number : reached) largest = std::max(largest, std::abs(number));
@@ -238,9 +238,9 @@ void SolutionCheck::wall_is_at(std::vector<Point> const& at, Numbers const& reac
         for (std::size_t i = 0; i < basis.size(); ++i)
             dx += Wide(basis[i]) * reached[2 * i], dy += Wide(basis[i]) * reached[2 * i + 1];
         Point const from = problem_.domain.points[k];
-        expect(std::abs(at[k].x - double(from.x + dx)) <= turned_offset + 1e-12 * largest,
+        expect(std::abs(at[k].x - double(from.x + dx)) <= rotated_offset + 1e-12 * largest,
                "a wall point is not where the B-spline is");
-        expect(std::abs(at[k].y - double(from.y + dy)) <= turned_offset + 1e-12 * largest,
+        expect(std::abs(at[k].y - double(from.y + dy)) <= rotated_offset + 1e-12 * largest,
                "a wall point is not where the B-spline is");
     }
 }

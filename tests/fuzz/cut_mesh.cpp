@@ -2,7 +2,7 @@
 // of the whole mesh.
 #include "work_in_parts.hpp"
 
-#include <harmorph_parts.h>
+#include "private.h"
 #include <harmorph_study.h>
 
 #include <cmath>
@@ -19,10 +19,10 @@ struct Part {
     std::vector<std::int64_t> numbers;
     Numbers x, y;
     hm_mesh mesh{};
-    hm_part* part = nullptr;
-    hm_equations* equations = nullptr;
+    hm_private_part* part = nullptr;
+    hm_private_equations* equations = nullptr;
     hm_basis* rows = nullptr;
-    hm_equations_info info{};
+    hm_private_equations_info info{};
 };
 
 class CutMesh {
@@ -88,7 +88,7 @@ private:
 
     // Parts, edges, equations; false if something is refused, as parts have fewer options.
     bool join() {
-        std::vector<hm_edge> edges;
+        std::vector<hm_private_edge> edges;
         for (Part& part : parts_) {
             if (part.start.size() < 2) return false;
             part.mesh.struct_size = sizeof part.mesh;
@@ -101,24 +101,24 @@ private:
             part.mesh.n_faces = static_cast<std::int32_t>(part.markers.size());
             part.mesh.face_points = part.faces.data();
             part.mesh.face_markers = part.markers.data();
-            hm_part_mesh part_mesh{};
+            hm_private_part_mesh part_mesh{};
             part_mesh.struct_size = sizeof part_mesh;
             part_mesh.mesh = &part.mesh;
             part_mesh.numbers = part.numbers.data();
             hm_status const status =
-                its_.blocks.make(error_, size_by(hm_part_size, &part_mesh),
-                                 init_by(hm_part_init, &part.part, &part_mesh));
+                its_.blocks.make(error_, size_by(hm_private_part_size, &part_mesh),
+                                 init_by(hm_private_part_init, &part.part, &part_mesh));
             expect(status == HM_OK,
                    "a part is refused of a mesh that is taken: " + std::string(error_.text));
             std::int32_t n = 0;
-            hm_part_edges(part.part, nullptr, 0, &n, &error_);
+            hm_private_part_edges(part.part, nullptr, 0, &n, &error_);
             edges.resize(edges.size() + at(n));
-            expect(hm_part_edges(part.part, edges.data() + edges.size() - at(n), n, &n, &error_) ==
-                       HM_OK,
+            expect(hm_private_part_edges(part.part, edges.data() + edges.size() - at(n), n, &n,
+                                         &error_) == HM_OK,
                    "no edges");
         }
         std::int64_t n = static_cast<std::int64_t>(edges.size());
-        expect(hm_match_edges(edges.data(), &n, &error_) == HM_OK,
+        expect(hm_private_match_edges(edges.data(), &n, &error_) == HM_OK,
                "parts do not match: " + std::string(error_.text));
         edges.resize(at(n));
         for (Part& part : parts_) {
@@ -126,17 +126,17 @@ private:
             const hm_problem* const problem = &its_.problem.problem;
             const hm_options* const options = &its_.problem.options;
             hm_status const status = its_.blocks.make(
-                error_, size_by(hm_equations_size, part.part, n_edges, problem, options),
-                init_by(hm_equations_init, &part.equations, part.part, n_edges, edges.data(),
-                        problem, options));
+                error_, size_by(hm_private_equations_size, part.part, n_edges, problem, options),
+                init_by(hm_private_equations_init, &part.equations, part.part, n_edges,
+                        edges.data(), problem, options));
             if (status == HM_UNSUPPORTED) return false;
             expect(status >= 0, "equations are refused: " + std::string(error_.text));
             part.info.struct_size = sizeof part.info;
-            expect(hm_equations_info_get(part.equations, &part.info, &error_) == HM_OK,
+            expect(hm_private_equations_info_get(part.equations, &part.info, &error_) == HM_OK,
                    "no equations");
             hm_status const rows =
-                its_.blocks.make(error_, size_by(hm_rows_size, part.equations),
-                                 init_by(hm_rows_init, &part.rows, part.equations));
+                its_.blocks.make(error_, size_by(hm_private_rows_size, part.equations),
+                                 init_by(hm_private_rows_init, &part.rows, part.equations));
             expect(rows == HM_OK, "no rows: " + std::string(error_.text));
         }
         return true;
@@ -167,14 +167,15 @@ private:
         std::vector<Numbers> a(size_, Numbers(size_, 0));
         for (Part const& part : parts_) {
             std::int64_t n = 0;
-            hm_equations_entries(part.equations, 0, part.info.unknowns, nullptr, nullptr, nullptr,
-                                 0, &n, &error_);
+            hm_private_equations_entries(part.equations, 0, part.info.unknowns, nullptr, nullptr,
+                                         nullptr, 0, &n, &error_);
             std::size_t const square = at(part.info.numbers * part.info.numbers);
             std::vector<std::int32_t> row(at(n) + 1), column = row;
             Numbers values(row.size() * square);
-            expect(hm_equations_entries(part.equations, 0, part.info.unknowns, row.data(),
-                                        column.data(), values.data(), n, &n, &error_) == HM_OK,
-                   "no entries");
+            expect(
+                hm_private_equations_entries(part.equations, 0, part.info.unknowns, row.data(),
+                                             column.data(), values.data(), n, &n, &error_) == HM_OK,
+                "no entries");
             for (std::size_t e = 0; e < at(n); ++e)
                 for (std::int32_t p = 0; p < part.info.numbers; ++p)
                     for (std::int32_t q = 0; q < part.info.numbers; ++q) {
@@ -197,10 +198,10 @@ private:
                 for (Part& part : parts_) {
                     Numbers own(at(part.info.unknowns * part.info.numbers) + 1);
                     hm_status const status =
-                        step == 0
-                            ? hm_rows_get(part.equations, part.rows, column, own.data(), &error_)
-                            : hm_rows_residual(part.equations, part.rows, column, own.data(),
-                                               &error_);
+                        step == 0 ? hm_private_rows_get(part.equations, part.rows, column,
+                                                        own.data(), &error_)
+                                  : hm_private_rows_residual(part.equations, part.rows, column,
+                                                             own.data(), &error_);
                     expect(status == HM_OK, "no right-hand side");
                     for_each_number(part,
                                     [&](std::size_t to, std::size_t from) { b[to] += own[from]; });
@@ -225,14 +226,15 @@ private:
                     Numbers own(at(part.info.unknowns * part.info.numbers) + 1);
                     for_each_number(part,
                                     [&](std::size_t from, std::size_t to) { own[to] = x[from]; });
-                    expect(hm_rows_set(part.equations, part.rows, column, own.data(), &error_) ==
-                               HM_OK,
+                    expect(hm_private_rows_set(part.equations, part.rows, column, own.data(),
+                                               &error_) == HM_OK,
                            "not set");
                 }
             }
         }
         for (Part& part : parts_)
-            expect(hm_rows_finish(part.equations, part.rows, 0, &error_) == HM_OK, "not finished");
+            expect(hm_private_rows_finish(part.equations, part.rows, 0, &error_) == HM_OK,
+                   "not finished");
     }
 
     void compare() {

@@ -4,7 +4,7 @@
 // sealed again by the library's own checksum, so that what lies behind it is tested, too.
 #include <harmorph_bases.h>
 #include <harmorph_design.h>
-#include <harmorph_parts.h>
+#include "private.h"
 #include <harmorph_study.h>
 #include "solution.hpp"
 #include "target.hpp"
@@ -91,7 +91,8 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
     std::vector<hm_curve> curves(at(info.curves) + 1);
     hm_curves set = sized<hm_curves>();
     for (hm_curve& curve : curves) curve.struct_size = sizeof curve;
-    if (hm_basis_curves(basis, &set, curves.data(), info.curves, &error) >= 0 && set.n_curves > 0) {
+    if (hm_basis_curves(basis, nullptr, nullptr, &set, curves.data(), info.curves, &error) >= 0 &&
+        set.n_curves > 0) {
         double xy[4], u, distance;
         for (std::int32_t c = 0; c < set.n_curves; ++c) {
             hm_curve_point(&set, c, input.between(-1, 10), 1, xy, &error);
@@ -121,10 +122,10 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
     }
     std::int32_t const few[] = {problem.mesh.index_base, info.points - 1 + problem.mesh.index_base,
                                 0, 1};
-    if (hm_extract_size(basis, 4, &bytes, &error) >= 0 && bytes < 1 << 24) {
+    if (hm_private_extract_size(basis, 4, &bytes, &error) >= 0 && bytes < 1 << 24) {
         Block const block(bytes, 0, 0x7F);
         hm_basis* rows = nullptr;
-        if (hm_extract_init(&rows, block.data(), bytes, basis, 4, few, &error) >= 0)
+        if (hm_private_extract_init(&rows, block.data(), bytes, basis, 4, few, &error) >= 0)
             hm_morph(rows, move.data(), nullptr, &out, nullptr, &error);
     }
 }

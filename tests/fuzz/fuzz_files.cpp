@@ -2,11 +2,11 @@
 // is read, or refused with its name and a reason. What a mesh was read from is written again with
 // other coordinates. Most files are one of the small ones below, damaged; some are the bytes of the
 // case as they are, which libFuzzer shapes.
-#include "mesh/basis_file.hpp"
+#include "work/basis_file.hpp"
 #include "curves/curve_file.hpp"
 #include "failure.hpp"
 #include "formats/format.hpp"
-#include "curves/moves_file.hpp"
+#include "work/moves_file.hpp"
 #include "target.hpp"
 
 #include <harmorph.h>

@@ -168,22 +168,23 @@ private:
     void tabulated(Field const& wall) {
         Field one = wall, moved(n_, 7), by_mode(n_, 7);
         std::fill(one.y.begin(), one.y.end(), 0.0);
-        std::size_t bytes = 0, work_bytes = 0;
-        hm_status status =
-            hm_tabulate_size(its_.plan, its_.basis, 1, 1, &bytes, &work_bytes, &error_);
+        auto modes = sized<hm_modes>();
+        modes.n_modes = modes.numbers = 1;
+        modes.n = count();
+        modes.points = points_.data();
+        modes.values = one.x.data();
+        std::size_t bytes = 0;
+        hm_status status = hm_tabulate_size(its_.plan, its_.basis, &modes, &bytes, &error_);
         expect_told(status, error_);
         if (status < 0) return;
         hm_basis* all = nullptr;
-        Block &memory = its_.blocks.take(bytes), &work = its_.blocks.take(work_bytes);
-        auto const tabulate = [&](std::size_t room, std::size_t work_room) {
-            return hm_tabulate(&all, memory.data(), room, its_.plan, its_.basis, count(),
-                               points_.data(), 1, 1, one.x.data(), work.data(), work_room, nullptr,
+        Block& memory = its_.blocks.take(bytes);
+        auto const tabulate = [&](std::size_t room) {
+            return hm_tabulate(&all, memory.data(), room, its_.plan, its_.basis, &modes, nullptr,
                                &error_);
         };
-        expect(tabulate(bytes - 1, work_bytes) < 0, "a block that is one byte too small is taken");
-        expect(tabulate(bytes, work_bytes - 1) < 0,
-               "work space that is one byte too small is taken");
-        status = tabulate(bytes, work_bytes);
+        expect(tabulate(bytes - 1) < 0, "a block that is one byte too small is taken");
+        status = tabulate(bytes);
         expect_told(status, error_);
         if (status < 0 || displace(one, moved) < 0) return;
         Numbers move(2 * at(info_of(all).functions));

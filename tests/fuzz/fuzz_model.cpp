@@ -4,7 +4,7 @@
 // of all cells, also of polygons, whose division is found independently. Whatever the library says
 // that it has done, the numbers of its bases, and what they move, have to be those of the tables.
 #include <harmorph_bases.h>
-#include <harmorph_parts.h>
+#include "private.h"
 #include <harmorph_study.h>
 #include "dense_solution.hpp"
 #include "describe.hpp"
@@ -101,8 +101,8 @@ private:
         std::int32_t const first = input_.from(0, functions() - 1),
                            n = input_.from(1, functions() - first);
         hm_basis* basis = nullptr;
-        make("a share", size_by(hm_share_size, its_.analysis, first, n),
-             init_by(hm_share_init, &basis, its_.analysis, first, n));
+        make("a share", size_by(hm_private_share_size, its_.analysis, first, n),
+             init_by(hm_private_share_init, &basis, its_.analysis, first, n));
         done(hm_plan_solve(its_.plan, basis, nullptr, &error_), "a share's solution");
         held_.push_back({basis, Table(whole_.begin() + first, whole_.begin() + first + n), first,
                          false, true, n == functions()});
@@ -145,8 +145,8 @@ private:
         for (std::int32_t& k : list) k = input_.from(0, n_from - 1) + base;
         std::int32_t const n = static_cast<std::int32_t>(list.size());
         hm_basis* basis = nullptr;
-        make("rows", size_by(hm_extract_size, from.basis, n),
-             init_by(hm_extract_init, &basis, from.basis, n, list.data()));
+        make("rows", size_by(hm_private_extract_size, from.basis, n),
+             init_by(hm_private_extract_init, &basis, from.basis, n, list.data()));
         Table values;
         for (Values const& function : from.values) {
             values.emplace_back();

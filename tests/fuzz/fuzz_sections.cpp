@@ -54,7 +54,7 @@ private:
 
     hm_movement movement(bool is_first) {
         hm_movement out = sized<hm_movement>();
-        out.kind = input_.from(HM_TURN, is_first ? HM_BLADE : HM_FLAP);
+        out.kind = input_.from(HM_ROTATE, is_first ? HM_BLADE : HM_FLAP);
         if (input_.one_in(30)) out.kind = input_.wild_index();
         bool const has_place =
             out.kind != HM_SHIFT && out.kind != HM_CAMBER_THICKNESS && out.kind != HM_PARSEC;
@@ -76,7 +76,7 @@ private:
         };
         for (hm_movement const& movement : movements) {
             switch (movement.kind) {
-                case HM_TURN: add(input_.between(-90, 90)); break;
+                case HM_ROTATE: add(input_.between(-90, 90)); break;
                 case HM_SHIFT:
                     add(size_ * input_.between(-1, 1));
                     add(size_ * input_.between(-1, 1));

@@ -6,7 +6,7 @@
 #include <harmorph_space.h>
 #include <harmorph_bases.h>
 #include <harmorph_design.h>
-#include <harmorph_parts.h>
+#include "private.h"
 #include <harmorph_study.h>
 #include "solution.hpp"
 #include "target.hpp"
@@ -84,18 +84,19 @@ private:
         if (solution.status < 0 || n < 2 || !input_.one_in(2)) return;
         std::int32_t const first = input_.from(0, n - 1),
                            held = input_.from(0, n - 1 - first + (first > 0));
-        add(solution, Kind::share, made, size_by(hm_share_size, solution.analysis, first, held),
+        add(solution, Kind::share, made,
+            size_by(hm_private_share_size, solution.analysis, first, held),
             [&](void* block, std::size_t bytes, hm_error* e) {
                 hm_status const status =
-                    hm_share_init(&made, block, bytes, solution.analysis, first, held, e);
+                    hm_private_share_init(&made, block, bytes, solution.analysis, first, held, e);
                 return status < 0 || input_.one_in(4)
                            ? status
                            : hm_plan_solve(solution.plan, made, nullptr, e);
             });
         std::int32_t const base = solution.problem.mesh.index_base,
                            list[] = {base + 2, base, base + 1, base + 2};
-        add(solution, Kind::rows, made, size_by(hm_extract_size, solution.basis, 4),
-            init_by(hm_extract_init, &made, solution.basis, 4, &list[0]));
+        add(solution, Kind::rows, made, size_by(hm_private_extract_size, solution.basis, 4),
+            init_by(hm_private_extract_init, &made, solution.basis, 4, &list[0]));
         std::vector<double> const ones(at(n), 1.0);
         add(solution, Kind::combined, made, size_by(hm_combine_size, solution.basis, 1, 1),
             init_by(hm_combine, &made, solution.basis, 1, 1, ones.data()));
@@ -187,16 +188,16 @@ private:
                 double doubles[4096];
                 std::int64_t n = 0;
                 std::int32_t const points[] = {mesh.index_base, mesh.index_base + 1};
-                hm_status const status = hm_parcel_size(basis, 2, &n, &error_);
+                hm_status const status = hm_private_parcel_size(basis, 2, &n, &error_);
                 if (status < 0 || n > 4096) return status;
-                return hm_parcel_pack(basis, 2, points, doubles, &error_);
+                return hm_private_parcel_pack(basis, 2, points, doubles, &error_);
             }
             case 9: {
                 Solution& solution = some();
                 if (solution.analysis == nullptr) return none;
                 std::int32_t const functions = solution.problem.functions(),
                                    first = input_.from(-1, functions);
-                hm_status const status = hm_share_size(
+                hm_status const status = hm_private_share_size(
                     solution.analysis, first, input_.from(-1, functions + 1), &bytes, &error_);
                 return status;
             }

@@ -56,9 +56,9 @@ Domain make_domain(Input& input);
 struct Problem {
     Domain domain;
     CurveArrays on_walls, along[2];  // along: of markers 2 and 3, if they slide along given curves
-    std::vector<double> coordinates, given_u;
+    std::vector<double> coordinates, known_u;
     std::vector<std::int32_t> cell_start, cells, quads, faces, face_markers, list_start, lists,
-        list_markers, given_points, given_curves;
+        list_markers, known_points, known_curves;
     std::vector<hm_condition> conditions;
     hm_mesh mesh;
     hm_problem problem;

@@ -11,7 +11,7 @@ checks="address,undefined,float-cast-overflow"
 # them are coordinates and pointers in loops, and recording them took six tenths of the time.
 followed=-fsanitize-coverage=inline-8bit-counters,pc-table
 # Tables of kernels, unrolled for each set of registers: clang takes many minutes to optimise them with their checks.
-tables="src/dense/dense_table.cpp src/operators/residual_table.cpp"
+tables="src/dense/dense.cpp src/operators/residual.cpp"
 targets="problem polygons basis sequence files shape given parts plane transfer commands model fields quality sections"
 if [ -n "${TARGETS-}" ]; then targets=$TARGETS; fi
 n=$(set -- $targets; echo $#)

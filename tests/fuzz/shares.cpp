@@ -2,7 +2,7 @@
 // whole basis.
 #include "work_in_parts.hpp"
 
-#include <harmorph_parts.h>
+#include "private.h"
 #include <harmorph_study.h>
 
 #include <cmath>
@@ -32,12 +32,13 @@ private:
     hm_basis* share(std::int32_t part, std::int32_t n_parts) {
         std::int32_t first = -1, n = -1;
         hm_basis* made = nullptr;
-        expect(hm_share_of(its_.analysis, part, n_parts, &first, &n, &error_) == HM_OK, "no share");
+        expect(hm_private_share_of(its_.analysis, part, n_parts, &first, &n, &error_) == HM_OK,
+               "no share");
         expect(first == next_ && n >= 0, "shares have gaps");
         next_ = first + n;
         hm_status const status =
-            its_.blocks.make(error_, size_by(hm_share_size, its_.analysis, first, n),
-                             init_by(hm_share_init, &made, its_.analysis, first, n));
+            its_.blocks.make(error_, size_by(hm_private_share_size, its_.analysis, first, n),
+                             init_by(hm_private_share_init, &made, its_.analysis, first, n));
         expect(status == HM_OK, "a share is refused: " + std::string(error_.text));
         hm_status const solved = hm_plan_solve(its_.plan, made, nullptr, &error_);
         expect_told(solved, error_);
@@ -55,32 +56,34 @@ private:
             hm_basis* const whole_share = share(part, n_parts);
             if (part == 0) {
                 std::size_t bytes = 0;
-                expect(hm_extract_size(whole_share, n, &bytes, &error_) == HM_OK,
+                expect(hm_private_extract_size(whole_share, n, &bytes, &error_) == HM_OK,
                        "no size of rows");
-                expect(hm_extract_init(&rows, its_.blocks.take(bytes).data(), bytes, whole_share, n,
-                                       points.data(), &error_) == HM_OK,
+                expect(hm_private_extract_init(&rows, its_.blocks.take(bytes).data(), bytes,
+                                               whole_share, n, points.data(), &error_) == HM_OK,
                        "no rows: " + std::string(error_.text));
                 if (n_parts == 1) break;  // all functions: the rows have their values
             }
             std::int64_t doubles = 0;
-            expect(hm_parcel_size(whole_share, n, &doubles, &error_) == HM_OK,
+            expect(hm_private_parcel_size(whole_share, n, &doubles, &error_) == HM_OK,
                    "no size of a parcel");
             Numbers parcel(at(doubles));
-            expect(hm_parcel_pack(whole_share, n, points.data(), parcel.data(), &error_) == HM_OK,
+            expect(hm_private_parcel_pack(whole_share, n, points.data(), parcel.data(), &error_) ==
+                       HM_OK,
                    "no parcel");
-            expect(hm_parcel_unpack(rows, parcel.data(), doubles - 1, &error_) < 0,
+            expect(hm_private_parcel_unpack(rows, parcel.data(), doubles - 1, &error_) < 0,
                    "a truncated parcel is taken");
             if (n > 1) {  // the same points, the last ones in another order
                 std::vector<std::int32_t> other = points;
                 std::swap(other[other.size() - 1], other[other.size() - 2]);
                 Numbers turned(parcel.size());
+                expect(hm_private_parcel_pack(whole_share, n, other.data(), turned.data(),
+                                              &error_) == HM_OK,
+                       "no parcel");
                 expect(
-                    hm_parcel_pack(whole_share, n, other.data(), turned.data(), &error_) == HM_OK,
-                    "no parcel");
-                expect(hm_parcel_unpack(rows, turned.data(), doubles, &error_) == HM_BAD_BASIS,
-                       "a parcel of another list is taken");
+                    hm_private_parcel_unpack(rows, turned.data(), doubles, &error_) == HM_BAD_BASIS,
+                    "a parcel of another list is taken");
             }
-            expect(hm_parcel_unpack(rows, parcel.data(), doubles, &error_) == HM_OK,
+            expect(hm_private_parcel_unpack(rows, parcel.data(), doubles, &error_) == HM_OK,
                    "a parcel is refused: " + std::string(error_.text));
         }
         expect(next_ == info_.functions, "shares do not have all functions");
@@ -118,20 +121,21 @@ private:
                 hm_points const gradient_points{part_x[p].data(), part_y[p].data(), 1};
                 std::int32_t own_scale = 0;
                 if (pass == 0) {
-                    expect(hm_adjoint_scale(its_.basis, &gradient_points, &own_scale, nullptr,
-                                            &error_) == HM_OK,
+                    expect(hm_private_adjoint_scale(its_.basis, &gradient_points, &own_scale,
+                                                    nullptr, &error_) == HM_OK,
                            "no scale");
                     scale = p == 0 ? own_scale : std::max(scale, own_scale);
                     continue;
                 }
-                expect(hm_adjoint_sums(its_.basis, &gradient_points, scale, of_part.data(), nullptr,
-                                       &error_) == HM_OK,
+                expect(hm_private_adjoint_sums(its_.basis, &gradient_points, scale, of_part.data(),
+                                               nullptr, &error_) == HM_OK,
                        "no sums: " + std::string(error_.text));
                 for (std::size_t k = 0; k < n_sums; ++k)
                     sums[k] = static_cast<std::int64_t>(static_cast<std::uint64_t>(sums[k]) +
                                                         static_cast<std::uint64_t>(of_part[k]));
             }
-        expect(hm_adjoint_finish(its_.basis, scale, sums.data(), summed.data(), &error_) == HM_OK,
+        expect(hm_private_adjoint_finish(its_.basis, scale, sums.data(), summed.data(), &error_) ==
+                   HM_OK,
                "no total");
         for (std::size_t k = 0; k < whole.size(); ++k)
             expect(whole[k] == summed[k] || (std::isnan(whole[k]) && std::isnan(summed[k])),

@@ -40,7 +40,7 @@ private:
                        hm_safe_report const& first);
     Numbers some_movement();
     void displace_by(hm_basis* basis, Numbers const& by, Numbers& dx, Numbers& dy);
-    void wall_is_at(std::vector<Point> const& at, Numbers const& reached, double turned_offset);
+    void wall_is_at(std::vector<Point> const& at, Numbers const& reached, double rotated_offset);
 
     double extent() const;
     std::vector<Point> moved(Numbers const& x, Numbers const& y) const;

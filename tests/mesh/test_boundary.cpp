@@ -193,7 +193,7 @@ TEST_CASE("the seam of an O-mesh block is joined, and functions are those of the
         open.mesh.add_face(i + 1, i, body);
         open.mesh.add_face(n_r * (n_t + 1) + i, n_r * (n_t + 1) + i + 1, far_field);
     }
-    open.give(n_t, open.given_u[0]);  // the first point's other name
+    open.give(n_t, open.known_u[0]);  // the first point's other name
     hm_mesh view = open.mesh.view();
     view.cell_layout = HM_CELLS_STRUCTURED;
     view.n_cells = 0;

@@ -1,7 +1,7 @@
 // The nearest of many items, against looking at all of them.
 #include <fixtures/core.hpp>
 #include <fixtures/laid_out.hpp>
-#include "mesh/box_tree.hpp"
+#include "mesh/locate.hpp"
 
 using namespace fixtures;
 using harmorph::Box;

@@ -1,7 +1,7 @@
 // Areas of the median dual and shortest edges, where they are known.
 #include <fixtures/agglomerated.hpp>
 
-#include "mesh/control_volumes.hpp"
+#include "mesh/median_dual.hpp"
 
 using namespace fixtures;
 using harmorph::Index;

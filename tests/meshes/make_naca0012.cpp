@@ -1,6 +1,5 @@
 // Writes naca0012.su2: a hybrid mesh round a NACA0012 with a sharp trailing edge, chord 1, far
-// field 20 chords away. To regenerate: g++ -std=c++17 -Ic_api -Itests
-// tests/meshes/make_naca0012.cpp -o make && ./make tests/meshes/naca0012.su2
+// field 20 chords away. `make meshes` runs this program.
 #include <fixtures/hybrid.hpp>
 #include <fixtures/su2.hpp>
 

@@ -1,5 +1,5 @@
 // The adjoint is exact to rounding, and has the same bits however the points are shared out.
-#include <harmorph_parts.h>
+#include "private.h"
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
@@ -63,9 +63,10 @@ TEST_CASE("rows far from the wall, where all values are small, are scaled like t
     Rows const rows(solved.basis, points);
     Numbers const ones(std::size_t(n), 1.0);
     std::int32_t whole = 0, part = 0;
-    REQUIRE(hm_adjoint_scale(solved.basis, points_in(ones, ones), &whole, nullptr, nullptr) ==
+    REQUIRE(hm_private_adjoint_scale(solved.basis, points_in(ones, ones), &whole, nullptr,
+                                     nullptr) == HM_OK);
+    REQUIRE(hm_private_adjoint_scale(rows.basis, points_in(ones, ones), &part, nullptr, nullptr) ==
             HM_OK);
-    REQUIRE(hm_adjoint_scale(rows.basis, points_in(ones, ones), &part, nullptr, nullptr) == HM_OK);
     CHECK(part == whole);
 }
 
@@ -121,9 +122,11 @@ TEST_CASE("scales that do not fit are refused") {
     Numbers gradient(40);
     std::int32_t scale = 0;
     hm_error error{};
-    REQUIRE(hm_adjoint_scale(solved.basis, points_in(g.x, g.y), &scale, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_private_adjoint_scale(solved.basis, points_in(g.x, g.y), &scale, nullptr, nullptr) ==
+            HM_OK);
     auto const sum_at = [&](std::int32_t at) {
-        return hm_adjoint_sums(solved.basis, points_in(g.x, g.y), at, sums.data(), nullptr, &error);
+        return hm_private_adjoint_sums(solved.basis, points_in(g.x, g.y), at, sums.data(), nullptr,
+                                       &error);
     };
     CHECK(sum_at(scale) == HM_OK);
     CHECK(sum_at(scale + 1) == HM_OK);
@@ -131,7 +134,7 @@ TEST_CASE("scales that do not fit are refused") {
     CHECK(error.item == scale - 1);
     for (std::int32_t const absurd : {5000, -5000}) {
         CHECK(sum_at(absurd) == HM_BAD_ARGUMENT);
-        CHECK(hm_adjoint_finish(solved.basis, absurd, sums.data(), gradient.data(), &error) ==
-              HM_BAD_ARGUMENT);
+        CHECK(hm_private_adjoint_finish(solved.basis, absurd, sums.data(), gradient.data(),
+                                        &error) == HM_BAD_ARGUMENT);
     }
 }

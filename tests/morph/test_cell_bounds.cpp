@@ -16,9 +16,9 @@ std::vector<NamedCase> cases() {
     std::vector<NamedCase> out;
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         out.push_back({"ring", ring_case(6, 24, 0.5, 2, kind)});
-        out.back().setup.given_points.clear();
-        out.back().setup.given_curves.clear();
-        out.back().setup.given_u.clear();
+        out.back().setup.known_points.clear();
+        out.back().setup.known_curves.clear();
+        out.back().setup.known_u.clear();
     }
     out.push_back({"airfoil", airfoil_case(16)});
     for (NamedCase const& polygons : polygon_cases()) {
@@ -341,9 +341,9 @@ TEST_CASE("the bits do not depend on threads, kernels, layouts, or on which boun
     // Polygons with up to four corners have the values of other layouts.
     Case setup = ring_case(20, 40, 0.5, 4, Cells::hybrid);
     Bounded const rows(setup);
-    setup.given_points.clear();
-    setup.given_curves.clear();
-    setup.given_u.clear();
+    setup.known_points.clear();
+    setup.known_curves.clear();
+    setup.known_u.clear();
     setup.mesh.cell_layout = HM_CELLS_POLYGONS;
     Bounded const polygons(setup);
     Field const at = moved(rows.start(), 0.1, 3, 1e-3);

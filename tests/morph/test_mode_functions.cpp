@@ -211,7 +211,7 @@ TEST_CASE("modes on top of combined functions and of other modes; too many are n
     std::vector<hm_curve> curve(2);
     for (hm_curve& one_curve : curve) one_curve.struct_size = sizeof one_curve;
     auto curves = sized<hm_curves>();
-    REQUIRE(hm_moved_curves(two.basis, few.data(), control.data(), &curves, curve.data(), 2,
+    REQUIRE(hm_basis_curves(two.basis, few.data(), control.data(), &curves, curve.data(), 2,
                             nullptr) == HM_OK);
     Numbers const by = matrix.expanded({few.begin(), few.begin() + 4});
     for (std::size_t i = 0; i < control.size(); ++i)

@@ -5,7 +5,7 @@
 #include <fixtures/core.hpp>
 #include <fixtures/kernels.hpp>
 
-#include "morph/product.hpp"
+#include "morph/morph.hpp"
 
 #include <cmath>
 #include <limits>

@@ -7,7 +7,6 @@
 #include <fixtures/morphed.hpp>
 
 #include "morph/crossing.hpp"
-#include "morph/touch.hpp"
 
 using namespace fixtures;
 using harmorph::Touch;

@@ -5,7 +5,7 @@
 #include <fixtures/agglomerated.hpp>
 #include <fixtures/laid_out.hpp>
 
-#include "multigrid/point_selection.hpp"
+#include "multigrid/coarse_points.hpp"
 
 using namespace fixtures;
 using harmorph::Index;

@@ -7,8 +7,8 @@
 #include <fixtures/matrices.hpp>
 #include <fixtures/laid_out.hpp>
 
-#include "operators/bounded.hpp"
 #include "boundary/distance.hpp"
+#include "operators/assembly.hpp"
 
 using namespace fixtures;
 using harmorph::DelaunayEdge;

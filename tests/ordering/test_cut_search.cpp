@@ -3,7 +3,7 @@
 #include <fixtures/graphs.hpp>
 #include <fixtures/laid_out.hpp>
 
-#include "ordering/cut_search.hpp"
+#include "ordering/bisection.hpp"
 
 using namespace fixtures;
 using harmorph::Cut;

@@ -57,9 +57,9 @@ TEST_CASE("periodic pairs whose sides lie in different parts") {
 
 TEST_CASE("cuts between and inside parts") {
     Case setup = ring_case(6, 24, 1, 3);
-    setup.given_points.clear();
-    setup.given_curves.clear();
-    setup.given_u.clear();
+    setup.known_points.clear();
+    setup.known_curves.clear();
+    setup.known_u.clear();
     // The points at angle 0 a second time, for the cells behind them: a seam.
     Mesh& mesh = setup.mesh;
     std::vector<std::int32_t> twin(mesh.x.size(), -1);

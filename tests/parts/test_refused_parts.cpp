@@ -1,6 +1,6 @@
 // Parts, conditions and calls that do not fit together are refused with the place.
 
-#include <harmorph_parts.h>
+#include "private.h"
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
 #include <fixtures/parted_agreement.hpp>
@@ -120,7 +120,7 @@ TEST_CASE("conditions that are refused for a whole mesh are refused for parts as
           "hm_condition.along is not available for a mesh in parts; leave it NULL");
     setup.conditions.pop_back();
     setup.give(0, 0.5);
-    CHECK(refusal([](Options&) {}) == "problem.n_given must be 0 for a mesh in parts");
+    CHECK(refusal([](Options&) {}) == "problem.n_known must be 0 for a mesh in parts");
 }
 
 TEST_CASE("arrays that are too short for the edges or the entries of a part are refused") {
@@ -129,17 +129,17 @@ TEST_CASE("arrays that are too short for the edges or the entries of a part are 
     REQUIRE(parted.match());
     PartOfMesh& one = parted.parts[0];
     std::int32_t n = 0, none = 0;
-    hm_part_edges(one.part, nullptr, 0, &n, nullptr);
+    hm_private_part_edges(one.part, nullptr, 0, &n, nullptr);
     REQUIRE(parted.equate(setup.problem(), options_of(HM_LAPLACE)));
     std::int64_t entries = 0;
     std::string const room = "edges has room for " + std::to_string(n - 1) +
                              " edges, but the part has " + std::to_string(n);
     check_texts({
         {HM_BAD_ARGUMENT, room.c_str(),
-         call_by(hm_part_edges, one.part, parted.edges.data(), n - 1, &none)},
+         call_by(hm_private_part_edges, one.part, parted.edges.data(), n - 1, &none)},
         {HM_BAD_ARGUMENT,
          "capacity is smaller than the number of entries, which *n_entries now contains",
-         call_by(hm_equations_entries, one.equations, 0, 1, nullptr, nullptr, nullptr, 0,
+         call_by(hm_private_equations_entries, one.equations, 0, 1, nullptr, nullptr, nullptr, 0,
                  &entries)},
     });
 }

@@ -1,7 +1,7 @@
 // Edges where parts of a mesh end: what is matched, what is left over, and what is refused.
 #include <doctest/doctest.h>
 
-#include <harmorph_parts.h>
+#include "private.h"
 
 #include <algorithm>
 #include <cstring>
@@ -12,17 +12,17 @@
 
 namespace {
 
-using Edges = std::vector<hm_edge>;
+using Edges = std::vector<hm_private_edge>;
 
 // Points of a square lattice of side 1000; their numbers tell where they are.
 constexpr std::int64_t per_row = 1000;
-hm_edge edge(std::int64_t begin, std::int64_t end) {
+hm_private_edge edge(std::int64_t begin, std::int64_t end) {
     auto const x = [](std::int64_t point) { return double(point % per_row); };
     auto const y = [](std::int64_t point) { return double(point / per_row); };
     return {begin, end, x(begin), y(begin), x(end), y(end), 0, 0};
 }
-hm_edge marked(std::int64_t begin, std::int64_t end, std::int32_t marker) {
-    hm_edge out = edge(begin, end);
+hm_private_edge marked(std::int64_t begin, std::int64_t end, std::int32_t marker) {
+    hm_private_edge out = edge(begin, end);
     out.marker = marker;
     out.marked = 1;
     return out;
@@ -36,12 +36,14 @@ struct Matched {
 Matched match(Edges edges) {
     Matched out{};
     std::int64_t n = std::int64_t(edges.size());
-    out.status = hm_match_edges(edges.data(), &n, &out.error);
+    out.status = hm_private_match_edges(edges.data(), &n, &out.error);
     edges.resize(std::size_t(n));
     out.left = edges;
     return out;
 }
-bool same(hm_edge const& a, hm_edge const& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same(hm_private_edge const& a, hm_private_edge const& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
 
 // Checks that edges of two triangles left and right of the edge 1-2, and others, are refused in any
 // order.
@@ -76,7 +78,7 @@ TEST_CASE("pairs of opposite edges vanish, and other edges stay in the order of 
 TEST_CASE("edges that do not fit together are refused with the number of a point") {
     const char* const apart =
         "the point with global number 2 has different coordinates in two parts";
-    hm_edge moved = edge(2, 1);
+    hm_private_edge moved = edge(2, 1);
     moved.begin_x += 1;
     check_refused({edge(1, 2), moved}, apart, 2);
     moved = edge(2, 1);

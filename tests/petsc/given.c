@@ -25,8 +25,9 @@ static void displace_whole(reference* serial, expectation* made) {
     hm_error error;
     hm_analysis* analysis;
     hm_basis *basis, *tabulated;
+    hm_modes table = {sizeof table};
     void *blocks[2], *work, *block;
-    size_t bytes, work_bytes, k, n_wall;
+    size_t bytes, k, n_wall;
     int32_t listed = 0, *list, number;
     hm_plan* const plan = make_plan(serial, blocks, &analysis);
     hm_given_points(plan, NULL, 0, &listed, &error);
@@ -50,12 +51,13 @@ static void displace_whole(reference* serial, expectation* made) {
     serial->basis_block = room(bytes);
     need(hm_basis_init(&basis, serial->basis_block, bytes, analysis, &error), &error);
     need(hm_plan_solve(plan, basis, NULL, &error), &error);
-    need(hm_tabulate_size(plan, basis, 1, 2, &bytes, &work_bytes, &error), &error);
+    table.n_modes = 1;
+    table.n = listed;
+    table.points = list;
+    table.values = modes;
+    need(hm_tabulate_size(plan, basis, &table, &bytes, &error), &error);
     block = room(bytes);
-    work = room(work_bytes);
-    need(hm_tabulate(&tabulated, block, bytes, plan, basis, listed, list, 1, 2, modes, work,
-                     work_bytes, NULL, &error),
-         &error);
+    need(hm_tabulate(&tabulated, block, bytes, plan, basis, &table, NULL, &error), &error);
     for (number = 0; number < 2;
          ++number) { /* the function of the mode is the last one; x and y by amplitude (1, 0) */
         hm_basis_info info = {sizeof info};
@@ -67,7 +69,6 @@ static void displace_whole(reference* serial, expectation* made) {
     free(blocks[0]);
     free(blocks[1]);
     free(block);
-    free(work);
     free(list);
     free(wall);
     free(modes);

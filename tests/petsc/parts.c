@@ -1,4 +1,3 @@
-#include <harmorph_parts.h>
 #include "parts.h"
 
 #include "../mpi_case.h"

@@ -3,7 +3,6 @@
 #define TESTS_PETSC_PARTS_H
 
 #include <harmorph_petsc.h>
-#include <harmorph_parts.h>
 
 /* Cells as quads, a triangle repeats its last point; faces with markers. */
 typedef struct whole_mesh {

@@ -1,5 +1,4 @@
 /* What is wrong on one process alone is refused by all of them; none waits for ever. */
-#include <harmorph_parts.h>
 #include "check.h"
 
 #include "../mpi_case.h"

@@ -64,10 +64,10 @@ TEST_CASE("a plan does not solve the basis of another problem on the same mesh")
     std::vector<double> u{info.point_u[0] + 1e-3};
     point[0] = info.curve_point[0];
     hm_problem problem = other.problem();
-    problem.n_given = 1;
-    problem.given_points = point.data();
-    problem.given_curves = curve.data();
-    problem.given_u = u.data();
+    problem.n_known = 1;
+    problem.known_points = point.data();
+    problem.known_curves = curve.data();
+    problem.known_u = u.data();
     Solved theirs(problem);
     CHECK(hm_plan_solve(mine.plan, theirs.basis, nullptr, &mine.error) == HM_BAD_BASIS);
     CHECK(std::string(mine.error.text) ==

@@ -25,7 +25,7 @@ Case beside_its_curve(double off) {
     std::mt19937 random(3);
     for (std::size_t k = 0; k < 40; ++k) {
         harmorph::Vec2 p[2];
-        curve_point(spline.curve(), out.given_u[k], 1, p);
+        curve_point(spline.curve(), out.known_u[k], 1, p);
         double const by = off * (2 * uniform(random) - 1) / length(p[1]);
         out.mesh.x[k] = p[0].x - by * p[1].y;
         out.mesh.y[k] = p[0].y + by * p[1].x;

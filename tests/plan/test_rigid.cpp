@@ -31,7 +31,7 @@ Case flap(bool both = false, Cells kind = Cells::hybrid) {
 hm_problem without_curves(Case& setup) {
     hm_problem out = setup.problem();
     out.curves = nullptr;
-    out.n_given = 0;
+    out.n_known = 0;
     return out;
 }
 
@@ -137,7 +137,7 @@ TEST_CASE("a rigid body moves the mesh as a curve does whose control points turn
         rigid.set_rigid(body, 0.1, 0.2);
         curved.curves = ring(3, 8, 0.5, 0.5);
         for (std::size_t k = 0; k < 32; ++k) {  // points of the mesh exactly on the curve
-            harmorph::Vec2 const p = curve_point(ring(3, 8, 0.5, 0.5).curve(), curved.given_u[k]);
+            harmorph::Vec2 const p = curve_point(ring(3, 8, 0.5, 0.5).curve(), curved.known_u[k]);
             rigid.mesh.x[k] = curved.mesh.x[k] = p.x;
             rigid.mesh.y[k] = curved.mesh.y[k] = p.y;
         }

@@ -31,7 +31,7 @@ Case wall_case(int n_r, int n_t, Cells kind, bool outer) {
     if (!outer) return out;
     out.curves = ring(3, 8, 2, 2);
     out.conditions[0].marker = far_field;
-    for (std::int32_t& point : out.given_points) point += n_r * n_t;
+    for (std::int32_t& point : out.known_points) point += n_r * n_t;
     return out;
 }
 

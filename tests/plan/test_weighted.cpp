@@ -135,11 +135,11 @@ TEST_CASE("rigid bodies count for the distance as curves do, fixed boundaries do
     Case rigid = curve, shifted = curve;
     rigid.conditions.clear();
     rigid.curves = CurveSet{};
-    rigid.given_points.clear();
+    rigid.known_points.clear();
     rigid.set_rigid(body, 0, 0);
     hm_problem problem = rigid.problem();
     problem.curves = nullptr;
-    problem.n_given = 0;
+    problem.n_known = 0;
     Options const options = options_of(HM_WEIGHTED, 1.5);
     Solved const a(curve, &options), b(problem, &options);
     // A translation of all: the same data on the wall, so the same displacements if the weights are

@@ -86,7 +86,7 @@ TEST_CASE("slat, main element and flap turn by 20, -20 and 10 degrees") {
         CHECK(safe.admissible(move) < 0.5);
         REQUIRE(safe.run(move) == HM_OK);
         CHECK(safe.is_valid());
-        CHECK(std::fabs(safe.boundary_error(move) - safe.report.turned_offset) < 1e-14);
+        CHECK(std::fabs(safe.boundary_error(move) - safe.report.rotated_offset) < 1e-14);
     }
 }
 
@@ -160,14 +160,14 @@ TEST_CASE("a body turns with its points and heights, also where a fit is coarse"
             CHECK(std::abs(Complex(safe.x[point], safe.y[point]) -
                            (centre + turn * (start - centre))) < 1e-13);
         }
-        CHECK(safe.report.turned_offset ==
+        CHECK(safe.report.rotated_offset ==
               doctest::Approx(std::abs(turn - 1.0) * safe.solved().report.max_distance)
                   .epsilon(1e-3));
     }
     // A movement without rotation is the B-spline's movement alone.
     std::vector<double> const shift = similarity_move(setup.curves, 1, 0, {0.1, 0.2});
     REQUIRE(safe.run(shift) == HM_OK);
-    CHECK(safe.report.turned_offset < 1e-15);
+    CHECK(safe.report.rotated_offset < 1e-15);
     CHECK(safe.boundary_error(shift) < 1e-15);
 }
 

@@ -4,7 +4,7 @@
 #include <fixtures/square.hpp>
 #include <fixtures/laid_out.hpp>
 
-#include "base/parallel_reduce.hpp"
+#include "base/executor.hpp"
 #include "safe/region.hpp"
 
 #include <set>

@@ -25,7 +25,7 @@ TEST_CASE("both bodies turn with points beside a curve, and each wall is where i
     CHECK(safe.is_at(wall));
     CHECK(reached == move);
     double const error = boundary_error(safe.basis, move, safe.mesh, Moved{safe.x, safe.y});
-    CHECK(std::fabs(error - safe.safe_report.turned_offset) < 1e-14);
+    CHECK(std::fabs(error - safe.safe_report.rotated_offset) < 1e-14);
 
     // Design variables instead of control points.
     Combination const by(info.control_points, 2, 1, 3);

@@ -197,7 +197,7 @@ TEST_CASE("a thousand random movements of growing size are valid or refused with
             ++reached;
             ++by_strategy[safe.report.strategy];
             CHECK(safe.report.step_fraction == 1);
-            CHECK(std::fabs(safe.boundary_error(move) - safe.report.turned_offset) < 1e-14);
+            CHECK(std::fabs(safe.boundary_error(move) - safe.report.rotated_offset) < 1e-14);
         }
         CHECK(reached > 10);
         CHECK(refused > 5);
@@ -223,7 +223,7 @@ TEST_CASE("the two sides of the wake stay one when an airfoil in a C-mesh moves 
         if (status == HM_CROSSING) continue;
         CHECK(safe.is_valid());
         if (status == HM_OK)
-            CHECK(std::fabs(safe.boundary_error(move) - safe.report.turned_offset) < 1e-14);
+            CHECK(std::fabs(safe.boundary_error(move) - safe.report.rotated_offset) < 1e-14);
         ++by_strategy[safe.report.strategy];
         Mesh const& mesh = safe.mesh;
         std::map<std::pair<double, double>, std::size_t>

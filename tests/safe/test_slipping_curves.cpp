@@ -36,7 +36,7 @@ TEST_CASE("the body turns, and the mesh turns with it, the outer points along th
         REQUIRE(safe.run(move) >= HM_OK);
         CHECK(safe.report.strategy == HM_STRATEGY_SUBSTEPS);
         CHECK(safe.is_valid());
-        CHECK(std::fabs(safe.boundary_error(move) - safe.report.turned_offset) < 1e-13);
+        CHECK(std::fabs(safe.boundary_error(move) - safe.report.rotated_offset) < 1e-13);
         CHECK(farthest_from_circle(safe) < 2e-8);
         CHECK(safe.report.min_quality > 0.75 * safe.report.start_quality);
         double turned = 0;  // the mean angle by which outer points have gone round

@@ -11,9 +11,9 @@ namespace {
 
 // The problem of the case on the mesh of the plane.
 hm_problem on_plane(Case& setup, Plane const& plane) {
-    setup.given_points.clear();
-    setup.given_curves.clear();
-    setup.given_u.clear();
+    setup.known_points.clear();
+    setup.known_curves.clear();
+    setup.known_u.clear();
     return setup.problem(plane.mesh);
 }
 

@@ -1,11 +1,28 @@
-// Points and boxes of the plane.
+// Points and boxes of the plane, two numbers for each point of a mesh, and the positions of both in
+// vectors.
 #pragma once
+
+#include <harmorph.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace cli {
+
+// Places or displacements of the points of a mesh.
+struct Field {
+    std::vector<double> x, y;
+    explicit Field(std::size_t points) : x(points), y(points) {}
+    hm_points read() const { return {x.data(), y.data(), 1}; }  // for the library
+    hm_points_out write() { return {x.data(), y.data(), 1}; }
+};
+
+// The C header counts points and cells in 32 bits; vectors count in std::size_t.
+constexpr std::size_t place(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 inline constexpr double pi = 3.14159265358979323846;
 

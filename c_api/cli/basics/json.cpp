@@ -1,7 +1,7 @@
 #include "basics/json.hpp"
 
 #include "basics/numbers.hpp"
-#include "basics/readable.hpp"
+#include "basics/print.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -2,9 +2,11 @@
 // possible, the line.
 #pragma once
 
-#include "commands/commands.hpp"
-#include "harmorph_pages.h"
-#include "mesh/mesh_file.hpp"
+#include "basics/failure.hpp"
+#include "basics/print.hpp"
+
+#include <harmorph.h>
+#include <harmorph_pages.h>
 
 #include <cstddef>
 #include <cstdlib>
@@ -41,9 +43,10 @@ Struct sized() {
     return result;
 }
 
-// Throws a Failure for an error of the library. `path` is the file that causes the error.
+ExitCode exit_code(hm_status status);  // of a program that ends with this error
+// Throws a Failure for an error of the library. `path` is the file that causes the error;
+// mesh/mesh_file.hpp has the same function for an error about a mesh.
 [[noreturn]] void refuse(const hm_error& error, const std::string& path);
-[[noreturn]] void refuse(const hm_error& error, const Mesh& mesh);
 
 // Calls a function of the library with its arguments, to which the hm_error is added. Returns the
 // status, which is 0 or a warning. A refusal is about `about`, a path or a mesh.

@@ -1,15 +1,204 @@
 #include "basics/numbers.hpp"
 
-#include "basics/decimals.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <clocale>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 namespace cli {
+
+#if defined(__SIZEOF_INT128__)
+
+namespace {
+
+__extension__ using Wide = unsigned __int128;
+
+constexpr int max_digits = 18, max_powers = 27;  // 10^18 < 2^63, 5^27 < 2^63
+constexpr std::uint64_t hidden_bit = std::uint64_t{1} << 52;
+
+struct Powers {
+    std::uint64_t of5[max_powers + 1] = {1}, of10[max_digits + 1] = {1};
+    char pairs[200] = {};  // the digits of 0 to 99
+    constexpr Powers() {
+        for (int k = 1; k <= max_powers; ++k) of5[k] = 5 * of5[k - 1];
+        for (int k = 1; k <= max_digits; ++k) of10[k] = 10 * of10[k - 1];
+        for (int k = 0; k < 100; ++k) {
+            pairs[2 * k] = static_cast<char>('0' + k / 10);
+            pairs[2 * k + 1] = static_cast<char>('0' + k % 10);
+        }
+    }
+};
+constexpr Powers powers;
+
+// A positive number, mantissa 2^exponent.
+struct Binary {
+    std::uint64_t mantissa;
+    int exponent;
+
+    // Computes the number times 10^k, which is product / 2^shift. Returns false if k or the result
+    // is out of range. The product with 5^k is exact in 128 bits.
+    bool scale(int k, Wide& product, int& shift) const {
+        if (k < 0 || k > max_powers) return false;
+        product = Wide{mantissa} * powers.of5[k];
+        shift = -(exponent + k);
+        return shift >= 1 && shift <= 126;
+    }
+
+    // Rounds the number times 10^k to the nearest whole number; of two equally near ones, to the
+    // even one.
+    bool scaled(int k, std::uint64_t& result) const {
+        Wide product = 0;
+        int shift = 0;
+        if (!scale(k, product, shift)) return false;
+        const Wide whole = product >> shift, half = Wide{1} << (shift - 1);
+        const Wide rest = product - (whole << shift);
+        const bool up = rest > half || (rest == half && (whole & 1) != 0);
+        if (whole >= powers.of10[max_digits]) return false;
+        result = static_cast<std::uint64_t>(whole) + (up ? 1 : 0);
+        return true;
+    }
+};
+
+// Splits a number without its sign into mantissa and exponent, and finds the power of its first
+// decimal digit, or one less than that: log10(2) is 1233 / 4096 rounded down. Returns false for
+// numbers that are subnormal or not finite.
+bool split(double value, Binary& number, int& power) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    const int exponent = static_cast<int>(bits >> 52 & 2047) - 1023;
+    if (exponent < -1022 || exponent > 1023) return false;
+    number = {(bits & (hidden_bit - 1)) | hidden_bit, exponent - 52};
+    power = exponent * 1233 >> 12;
+    return true;
+}
+
+void put_pair(char* to, std::uint32_t pair) { std::memcpy(to, powers.pairs + 2 * pair, 2); }
+
+// Prints a whole number as n digits, with leading zeros if the number has fewer.
+void put_whole(char* to, std::uint64_t whole, int n) {
+    for (; n >= 8; n -= 8) {
+        const std::uint64_t above = whole / 100000000;
+        const auto eight = static_cast<std::uint32_t>(whole - above * 100000000);
+        const std::uint32_t high = eight / 10000, low = eight % 10000;
+        put_pair(to + n - 8, high / 100);
+        put_pair(to + n - 6, high % 100);
+        put_pair(to + n - 4, low / 100);
+        put_pair(to + n - 2, low % 100);
+        whole = above;
+    }
+    auto rest = static_cast<std::uint32_t>(whole);
+    for (; n >= 2; n -= 2, rest /= 100) put_pair(to + n - 2, rest % 100);
+    if (n == 1) *to = static_cast<char>('0' + rest);
+}
+
+// Prints digits * 10^-behind, as n digits with a point among them or in front of them.
+char* put_fixed(char* to, std::uint64_t digits, int n, int behind) {
+    if (behind >= n) {
+        std::memset(to, '0', static_cast<std::size_t>(behind - n) + 2);
+        to[1] = '.';
+        put_whole(to + 2 + behind - n, digits, n);
+        return to + 2 + behind;
+    }
+    if (behind == 0) {
+        put_whole(to, digits, n);
+        return to + n;
+    }
+    put_whole(to + 1, digits, n);
+    for (int k = 0; k < n - behind; ++k) to[k] = to[k + 1];
+    to[n - behind] = '.';
+    return to + n + 1;
+}
+
+// Prints a whole number of n digits as d.ddde+XX, where XX is the power of the first digit.
+char* put_scientific(char* to, std::uint64_t digits, int n, int power) {
+    to = put_fixed(to, digits, n, n - 1);
+    *to++ = 'e';
+    *to++ = power < 0 ? '-' : '+';
+    put_pair(to, static_cast<std::uint32_t>(power < 0 ? -power : power));  // below 100
+    return to + 2;
+}
+
+}  // namespace
+
+// The number, and the two numbers half way to the next doubles, are multiplied by 10^k, so that 17
+// digits precede the point. Of all whole numbers between the two, the one with most trailing zeros
+// is taken, and of several such numbers the nearest.
+char* print_shortest(char* to, double value) {
+    Binary number = {};
+    int power = 0, shift = 0;
+    if (std::signbit(value)) *to++ = '-';
+    if (value == 0) {
+        *to++ = '0';
+        return to;
+    }
+    // The double below a power of two is nearer than the one above.
+    if (!split(value, number, power) || number.mantissa == hidden_bit) return nullptr;
+    Wide product = 0;
+    int k = 16 - power;
+    if (!number.scale(k, product, shift)) return nullptr;
+    if (product >> shift >= Wide{powers.of10[17]} && !number.scale(--k, product, shift))
+        return nullptr;
+    // As the product is below 2^116, and 2^53 2^shift at least, the point can be moved to bit 64.
+    product <<= 64 - shift;
+    const Wide half_unit = Wide{powers.of5[k]} << (63 - shift);
+    const Wide lower = product - half_unit, upper = product + half_unit;
+    auto digits = static_cast<std::uint64_t>(product >> 64);
+    auto low = static_cast<std::uint64_t>(lower >> 64);
+    auto high = static_cast<std::uint64_t>(upper >> 64);
+    const auto fraction = static_cast<std::uint64_t>(product);
+    const bool is_even = (number.mantissa & 1) == 0;  // then the neighbours are read as the number
+    if (is_even && static_cast<std::uint64_t>(lower) == 0) --low;
+    if (!is_even && static_cast<std::uint64_t>(upper) == 0) --high;
+    std::uint64_t half = std::uint64_t{1} << 63, last = fraction;
+    bool has_rest = false;
+    int n = 17;
+    for (; high / 10 > low / 10; --n) {
+        has_rest = has_rest || last != 0;
+        last = digits % 10;
+        half = 5;
+        digits /= 10, high /= 10, low /= 10;
+    }
+    if (last > half || (last == half && (has_rest || (digits & 1) != 0))) ++digits;
+    const int behind = k - (17 - n);  // digits behind the point
+    if (behind < 0) return nullptr;
+    // All 17 digits of a number just below a power of 10 were dropped: the 1 is what they round to.
+    if (n == 0) n = 1;
+    if (behind > n + (n == 1 ? 2 : 3)) return put_scientific(to, digits, n, n - 1 - behind);
+    return put_fixed(to, digits, n, behind);
+}
+
+char* print_decimal(char* to, char style, int precision, double value) {
+    Binary number = {};
+    int power = 0;
+    std::uint64_t digits = 0;
+    if (!split(value, number, power)) return nullptr;
+    if (std::signbit(value)) *to++ = '-';
+    if (style == 'f') {
+        if (precision > max_digits || !number.scaled(precision, digits)) return nullptr;
+        int n = precision + 1;
+        while (n < max_digits && digits >= powers.of10[n]) ++n;
+        return put_fixed(to, digits, n, precision);
+    }
+    int n = style == 'e' ? precision + 1 : precision;
+    if (n < 1 || n > max_digits) return nullptr;
+    if (!number.scaled(n - 1 - power, digits)) return nullptr;
+    if (digits >= powers.of10[n] && !number.scaled(n - 1 - ++power, digits)) return nullptr;
+    if (digits < powers.of10[n - 1] || digits >= powers.of10[n]) return nullptr;
+    const bool is_plain = style == 'g' && power >= -4 && power < n;
+    const int least = is_plain && power > 0 ? power + 1 : 1;  // digits
+    for (; style == 'g' && n > least && digits % 10 == 0; --n) digits /= 10;
+    return is_plain ? put_fixed(to, digits, n, n - 1 - power)
+                    : put_scientific(to, digits, n, power);
+}
+
+#else
+char* print_shortest(char*, double) { return nullptr; }
+char* print_decimal(char*, char, int, double) { return nullptr; }
+#endif
 
 namespace {
 

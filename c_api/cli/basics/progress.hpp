@@ -1,13 +1,29 @@
 // Listens to the library's progress: seconds of each phase, and a bar.
 #pragma once
 
-#include "harmorph_study.h"
-#include "basics/progress_bar.hpp"
 #include "basics/stopwatch.hpp"
+
+#include <harmorph_study.h>
 
 #include <array>
 
 namespace cli {
+
+// A progress bar on standard error, drawn if standard error is a terminal.
+
+class ProgressBar {
+public:
+    ProgressBar();
+    ~ProgressBar() { wipe(); }
+    ProgressBar(const ProgressBar&) = delete;
+
+    void draw(const char* what, double fraction);
+    void wipe();  // removes the bar
+
+private:
+    bool is_terminal_;
+    int drawn_percent_ = -1;
+};
 
 class Progress {
 public:

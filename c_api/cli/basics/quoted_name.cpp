@@ -1,6 +1,6 @@
 #include "basics/quoted_name.hpp"
 
-#include "basics/text_file.hpp"
+#include "basics/text.hpp"
 
 namespace cli {
 

@@ -3,7 +3,6 @@
 // and when this object is destroyed.
 #pragma once
 
-#include "basics/decimals.hpp"
 #include "basics/numbers.hpp"
 
 #include <charconv>

@@ -1,9 +1,9 @@
 #include "commands/asked_moves.hpp"
-#include "curves/moves_file.hpp"
+
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "commands/commands.hpp"
 #include "curves/variables_file.hpp"
+#include "work/moves_file.hpp"
 
 namespace cli {
 

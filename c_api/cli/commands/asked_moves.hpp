@@ -2,10 +2,10 @@
 // another airfoil.
 #pragma once
 
-#include "basics/arguments.hpp"
-#include "mesh/basis_file.hpp"
 #include "curves/section_movement.hpp"
-#include "curves/to_airfoil.hpp"
+#include "options/arguments.hpp"
+#include "work/basis_file.hpp"
+#include "work/to_airfoil.hpp"
 
 #include <optional>
 #include <vector>

@@ -1,16 +1,18 @@
 // harmorph adjoint: computes derivatives by control points, bodies and design variables from
 // derivatives by mesh points, which an adjoint flow solver writes.
-#include <harmorph_design.h>
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
-#include "basics/output_file.hpp"
 #include "basics/print.hpp"
-#include "basics/threads.hpp"
 #include "commands/commands.hpp"
-#include "curves/gradient_file.hpp"
 #include "curves/variables_file.hpp"
-#include "mesh/mesh_fields.hpp"
-#include "mesh/sensitivity.hpp"
+#include "files/output_file.hpp"
+#include "files/threads.hpp"
+#include "work/gradient_file.hpp"
+#include "work/mesh_fields.hpp"
+#include "work/read_mesh.hpp"
+#include "work/sensitivity.hpp"
+
+#include <harmorph_design.h>
 
 #include <algorithm>
 #include <cmath>

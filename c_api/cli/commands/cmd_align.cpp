@@ -1,17 +1,18 @@
 // harmorph align: moves a mesh until its body has the shape of the body of a reference mesh, and
 // brings the fields of the mesh to the points of the reference mesh.
-#include <harmorph_design.h>
-
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
 #include "commands/commands.hpp"
-#include "commands/morph.hpp"
-#include "commands/solver.hpp"
-#include "commands/task.hpp"
-#include "curves/to_airfoil.hpp"
 #include "mesh/mesh_analysis.hpp"
-#include "mesh/mesh_fields.hpp"
+#include "work/mesh_fields.hpp"
+#include "work/morph.hpp"
+#include "work/read_mesh.hpp"
+#include "work/solver.hpp"
+#include "work/task.hpp"
+#include "work/to_airfoil.hpp"
+
+#include <harmorph_design.h>
 
 #include <memory>
 

@@ -1,16 +1,18 @@
 // harmorph check: tests whether a mesh is well formed, and reports size and quality.
-#include <harmorph_study.h>
-#include "mesh/boundary_loops.hpp"
-#include "commands/commands.hpp"
-#include "curves/curve_file.hpp"
+#include "basics/geometry.hpp"
 #include "basics/json.hpp"
-#include "mesh/mesh_analysis.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "basics/output_file.hpp"
+#include "commands/commands.hpp"
+#include "curves/curve_file.hpp"
+#include "files/output_file.hpp"
+#include "mesh/loops.hpp"
+#include "mesh/mesh_analysis.hpp"
+#include "options/window_option.hpp"
 #include "pictures/pictures.hpp"
-#include "basics/place.hpp"
-#include "commands/window_option.hpp"
+#include "work/read_mesh.hpp"
+
+#include <harmorph_study.h>
 
 #include <algorithm>
 #include <cmath>

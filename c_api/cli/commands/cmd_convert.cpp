@@ -1,8 +1,9 @@
 // harmorph convert: writes a mesh as a new file of another format.
-#include "commands/commands.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "basics/output_file.hpp"
+#include "commands/commands.hpp"
+#include "files/output_file.hpp"
+#include "work/read_mesh.hpp"
 
 namespace cli {
 

@@ -1,14 +1,15 @@
 // harmorph curve: measures a section, and gives its curve more control points.
-#include <harmorph_design.h>
-#include "commands/commands.hpp"
-#include "curves/curve_file.hpp"
 #include "basics/json.hpp"
 #include "basics/library.hpp"
-#include "basics/number_list.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "basics/output_file.hpp"
-#include "commands/section_option.hpp"
+#include "commands/commands.hpp"
+#include "curves/curve_file.hpp"
+#include "files/output_file.hpp"
+#include "options/number_list.hpp"
+#include "options/section_option.hpp"
+
+#include <harmorph_design.h>
 
 #include <algorithm>
 

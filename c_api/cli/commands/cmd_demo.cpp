@@ -1,21 +1,23 @@
 // harmorph demo: runs all steps on the shipped mesh, by the commands that a user would type.
-#include <harmorph_design.h>
-#include "mesh/basis_file.hpp"
-#include "commands/commands.hpp"
-#include "commands/used_files.hpp"
-#include "curves/curve_file.hpp"
-#include "commands/morph.hpp"
-#include "curves/moves_file.hpp"
 #include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "basics/output_file.hpp"
-#include "basics/own_folder.hpp"
+#include "commands/commands.hpp"
+#include "commands/used_files.hpp"
+#include "curves/curve_file.hpp"
+#include "files/output_file.hpp"
+#include "files/own_folder.hpp"
+#include "files/paths.hpp"
 #include "mesh/refine.hpp"
+#include "work/basis_file.hpp"
+#include "work/morph.hpp"
+#include "work/moves_file.hpp"
+#include "work/read_mesh.hpp"
+
+#include <harmorph_design.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace cli {
 
@@ -30,7 +32,7 @@ void step(const std::string& purpose, const std::vector<std::string>& words) {
 }
 
 // The camber is in chords, the thickening a fraction of the thickness.
-constexpr double camber = .03, thickening = .4;
+constexpr double added_camber = .03, thickening = .4;
 
 // Returns moves that give an airfoil of chord 1 from x = 0 to 1 more camber (a parabolic arc) and
 // more thickness.
@@ -38,7 +40,7 @@ std::vector<double> pleasing_moves(const Curves& curves) {
     std::vector<double> moves(curves.control.size());
     for (std::size_t i = 0; i < moves.size(); i += 2) {
         const double x = std::clamp(curves.control[i], 0.0, 1.0), y = curves.control[i + 1];
-        moves[i + 1] = 4 * camber * x * (1 - x) + thickening * y;
+        moves[i + 1] = 4 * added_camber * x * (1 - x) + thickening * y;
     }
     return moves;
 }
@@ -55,7 +57,7 @@ void write_admissible_moves(const std::string& mesh_path, const std::string& cur
     const double scale = std::min(1.0, admissible / 2);
     for (double& move : moves) move *= scale;
     print("\n# more camber (%s chord) and thickness (%s %%), written to %s\n",
-          brief(camber * scale).c_str(), brief(100 * thickening * scale).c_str(),
+          brief(added_camber * scale).c_str(), brief(100 * thickening * scale).c_str(),
           moves_path.c_str());
     OutputFiles files;
     write_moves(files.add(moves_path), moves, basis, mesh);
@@ -133,22 +135,21 @@ void write_sign(const std::string& path) {
 }
 
 void run_demo(const Arguments& arguments) {
-    const std::filesystem::path folder = arguments.operand(0);
+    const std::string folder = arguments.operand(0);
     const std::string shipped =
-        arguments.has("--mesh") ? arguments.text("--mesh") : "tests/meshes/naca0012.su2";
-    std::error_code error;
-    if (!std::filesystem::exists(shipped, error)) {
+        arguments.has("--mesh") ? arguments.text("--mesh") : "build/meshes/naca0012.su2";
+    if (!exists(shipped)) {
         throw Failure(exit_file, shipped +
                                      " does not exist; run the demo in the folder of harmorph, or "
                                      "name the mesh with --mesh");
     }
-    const auto in_folder = [&folder](const char* name) { return (folder / name).string(); };
+    const auto in_folder = [&folder](const char* name) { return path_in(folder, name); };
     const std::string mesh = in_folder("mesh.su2"), curve = in_folder("airfoil.curve"),
                       basis = in_folder("airfoil.basis"), moves = in_folder("moves.txt"),
                       far_moves = in_folder("far.txt"), fine = in_folder("fine.su2");
     for (const char* const name : made_files)
         refuse_overwriting(arguments, {FileUse::output, "a file of DIR,", in_folder(name)});
-    const OwnFolder owned(folder.string(), demo_sign);
+    const OwnFolder owned(folder, demo_sign);
     write_sign(in_folder(demo_sign));
     copy_mesh(shipped, mesh);
 
@@ -191,7 +192,7 @@ const Command demo_command = {
     "that is not empty is refused,\n"
     "unless an earlier demo made it.\n",
     {{"--mesh", "FILE",
-      "mesh with a marker `airfoil` of chord 1 (default tests/meshes/naca0012.su2)",
+      "mesh with a marker `airfoil` of chord 1 (default build/meshes/naca0012.su2)",
       FileUse::input}},
     "  harmorph demo demo-output\n",
     run_demo};

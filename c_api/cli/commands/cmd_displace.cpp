@@ -1,17 +1,18 @@
 // harmorph displace: moves the points of a wall as a file says, and the mesh with them; no curves
 // are needed.
 #include "basics/numbers.hpp"
-#include "basics/output_file.hpp"
 #include "basics/print.hpp"
 #include "commands/asked_moves.hpp"
 #include "commands/commands.hpp"
 #include "commands/displacement.hpp"
-#include "commands/engine.hpp"
-#include "commands/shared_points.hpp"
-#include "commands/solver.hpp"
-#include "curves/moves_file.hpp"
+#include "files/output_file.hpp"
 #include "formats/format.hpp"
-#include "mesh/mesh_fields.hpp"
+#include "work/engine.hpp"
+#include "work/mesh_fields.hpp"
+#include "work/moves_file.hpp"
+#include "work/read_mesh.hpp"
+#include "work/shared_points.hpp"
+#include "work/solver.hpp"
 
 #include <algorithm>
 #include <cmath>

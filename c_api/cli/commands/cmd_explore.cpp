@@ -1,11 +1,12 @@
 // harmorph explore: writes a page for any browser, on which control points can be dragged.
-#include "commands/commands.hpp"
-#include "curves/moves_file.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "basics/output_file.hpp"
+#include "commands/commands.hpp"
+#include "files/output_file.hpp"
 #include "page/page_data.hpp"
 #include "page/page_text.hpp"
+#include "work/moves_file.hpp"
+#include "work/read_mesh.hpp"
 
 #include <algorithm>
 #include <ostream>

@@ -1,15 +1,18 @@
 // harmorph export: writes functions of a basis as a table, for ParaView, or as a picture.
-#include <harmorph_study.h>
-#include "mesh/basis_file.hpp"
-#include "commands/commands.hpp"
-#include "basics/csv.hpp"
 #include "basics/numbers.hpp"
-#include "commands/engine.hpp"
-#include "basics/output_file.hpp"
-#include "pictures/pictures.hpp"
-#include "commands/solver.hpp"
+#include "commands/commands.hpp"
+#include "files/output_file.hpp"
 #include "formats/vtu.hpp"
-#include "commands/window_option.hpp"
+#include "options/window_option.hpp"
+#include "pictures/contour_lines.hpp"
+#include "pictures/pictures.hpp"
+#include "work/basis_file.hpp"
+#include "work/engine.hpp"
+#include "work/mesh_fields.hpp"
+#include "work/read_mesh.hpp"
+#include "work/solver.hpp"
+
+#include <harmorph_study.h>
 
 #include <memory>
 #include <optional>
@@ -19,6 +22,21 @@
 namespace cli {
 
 namespace {
+
+// Writes contour lines with the columns panel (from 1), value, line (from 1 in each panel), x, y.
+void write_contours_csv(std::ostream& out, const std::vector<std::vector<ContourLine>>& panels,
+                        double step) {
+    out << "panel,value,line,x,y\n";
+    for (std::size_t panel = 0; panel < panels.size(); ++panel) {
+        for (std::size_t line = 0; line < panels[panel].size(); ++line) {
+            const ContourLine& contour = panels[panel][line];
+            for (const Point& point : contour.points) {
+                out << panel + 1 << ',' << brief(contour.multiple * step + 0.0) << ',' << line + 1
+                    << ',' << exact(point.x) << ',' << exact(point.y) << '\n';
+            }
+        }
+    }
+}
 
 // Returns the numbers of the values of a function, which are real, complex or 2 x 2 matrices.
 std::vector<Column> columns_of(const Basis& basis, const Mesh& mesh, std::int32_t function) {

@@ -1,17 +1,19 @@
 // harmorph fit: fits a B-spline to the points of a marker, and writes the curve to a file.
-#include <harmorph_design.h>
-#include "commands/commands.hpp"
-#include "curves/curve_file.hpp"
 #include "basics/json.hpp"
-#include "mesh/mesh_analysis.hpp"
-#include "basics/number_list.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "basics/output_file.hpp"
+#include "commands/commands.hpp"
+#include "curves/curve_file.hpp"
 #include "curves/section.hpp"
+#include "files/output_file.hpp"
+#include "files/paths.hpp"
+#include "mesh/mesh_analysis.hpp"
+#include "options/number_list.hpp"
+#include "work/read_mesh.hpp"
+
+#include <harmorph_design.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <system_error>
 
 namespace cli {
@@ -128,7 +130,7 @@ Fit fit(const std::string& path, const Outline& outline, const hm_fit_options& o
     const std::int32_t is_loop = outline.is_loop;
     const hm_status status = call(path, hm_fit, &curves, block.data(), bytes, &points,
                                   outline.points(), is_loop, &options, &fit.report);
-    if (status == HM_SHORT) {
+    if (status == HM_FAR_FROM_POINTS) {
         throw Failure(exit_unusable, path + ": " + plural(options.n_control, "control point") +
                                          " do not reach the tolerance; the largest error is " +
                                          brief(fit.report.max_error));
@@ -216,9 +218,8 @@ bool is_curve(const TextFile& file) {
 
 // Files of sections, grids and curves may have any ending. The options decide, or else the content.
 bool is_mesh(const Arguments& arguments, const std::string& path) {
-    std::error_code ignored;
     if (arguments.has("--format") || arguments.has("--zone")) return true;
-    if (std::filesystem::is_directory(path, ignored)) return true;
+    if (is_folder(path)) return true;
     const TextFile file(path);
     if (is_mesh_file(file)) return true;
     if (is_curve(file) || is_section_file(file)) return false;

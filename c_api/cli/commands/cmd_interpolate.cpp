@@ -1,10 +1,10 @@
 // harmorph interpolate: fields of one mesh at the points of another mesh.
-#include "commands/commands.hpp"
-
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "mesh/mesh_fields.hpp"
+#include "commands/commands.hpp"
+#include "work/mesh_fields.hpp"
+#include "work/read_mesh.hpp"
 
 namespace cli {
 

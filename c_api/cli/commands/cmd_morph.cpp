@@ -1,19 +1,22 @@
 // harmorph morph: moves control points and with them the mesh, and judges the result.
-#include "commands/engine.hpp"
+#include "basics/numbers.hpp"
 #include "commands/asked_moves.hpp"
 #include "commands/commands.hpp"
-#include "basics/csv.hpp"
-#include "curves/curve_file.hpp"
-#include "formats/format.hpp"
-#include "commands/morph.hpp"
 #include "commands/morph_report.hpp"
-#include "basics/numbers.hpp"
-#include "curves/moves_file.hpp"
-#include "basics/output_file.hpp"
-#include "page/page_data.hpp"
-#include "pictures/pictures.hpp"
+#include "curves/curve_file.hpp"
+#include "files/output_file.hpp"
+#include "formats/format.hpp"
 #include "formats/vtu.hpp"
-#include "commands/window_option.hpp"
+#include "options/window_option.hpp"
+#include "page/page_data.hpp"
+#include "pictures/draw_curves.hpp"
+#include "pictures/pictures.hpp"
+#include "work/engine.hpp"
+#include "work/morph.hpp"
+#include "work/moves_file.hpp"
+#include "work/read_mesh.hpp"
+
+#include <harmorph_design.h>
 
 #include <memory>
 #include <ostream>
@@ -21,6 +24,46 @@
 namespace cli {
 
 namespace {
+
+// Writes a morph with the columns what, curve, number, u, x, y, moved_x, moved_y. `curve`: samples
+// of the B-splines, between whose knots u runs; `control`: the control points; `mesh`: the mesh's
+// points on curves and rigid bodies, as the functions moved them.
+void write_moved_curves_csv(std::ostream& out, const Mesh& mesh, const Basis& basis,
+                            const Morph& morph) {
+    const hm_curves& before = basis.curves();
+    const std::vector<double> control = morph.moved_control(basis);
+    hm_curves after = before;
+    after.control = control.data();
+    const auto pair = [&out](double x, double y) { out << ',' << exact(x) << ',' << exact(y); };
+    out << "what,curve,number,u,x,y,moved_x,moved_y\n";
+    for (std::int32_t curve = 0; curve < before.n_curves; ++curve) {
+        for (const double u : sample_parameters(before.curve[curve])) {
+            out << "curve," << curve + 1 << ",," << exact(u);
+            for (const hm_curves* curves : {&before, static_cast<const hm_curves*>(&after)}) {
+                double xy[2];
+                call(std::string("curve"), hm_curve_point, curves, curve, u, 0, xy);
+                pair(xy[0], xy[1]);
+            }
+            out << '\n';
+        }
+    }
+    for (std::int32_t i = 0; i < before.n_control; ++i) {
+        out << "control,," << i + 1 << ',';
+        pair(before.control[2 * i], before.control[2 * i + 1]);
+        pair(after.control[2 * i], after.control[2 * i + 1]);
+        out << '\n';
+    }
+    const hm_basis_info& info = basis.info();
+    for (std::int32_t k = 0; k < info.curve_points; ++k) {
+        const auto point = static_cast<std::size_t>(info.curve_point[k]);
+        const bool on_curve = info.point_curve[k] < info.curves;
+        out << "mesh," << (on_curve ? std::to_string(info.point_curve[k] + 1) : "") << ',' << point
+            << ',' << (on_curve ? exact(info.point_u[k]) : "");
+        pair(mesh.x[point], mesh.y[point]);
+        pair(morph.moved.x[point], morph.moved.y[point]);
+        out << '\n';
+    }
+}
 
 // [chord] A wall that is farther from the section of --to-airfoil is reported.
 constexpr double far_from_section = 5e-3;
@@ -290,7 +333,7 @@ const Command morph_command = {
              "heights (the part of\n"
              "the change of the distances from the wall that was undone), reached_moves (the "
              "file),\n"
-             "turned_offset (the largest change of a wall point's offset from the curve, because "
+             "rotated_offset (the largest change of a wall point's offset from the curve, because "
              "the body turned),\n"
              "start_quality, end_point (the end of a wall that leaves the line of the neighbouring "
              "boundary;\n"

@@ -1,19 +1,21 @@
 // harmorph solve: solves the basis, the harmonic functions of all control points on a mesh.
-#include <harmorph_bases.h>
-#include "mesh/basis_file.hpp"
-#include "commands/commands.hpp"
-#include "commands/engine.hpp"
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "basics/output_file.hpp"
-#include "commands/safe_way.hpp"
-#include "commands/shared_points.hpp"
-#include "commands/solver.hpp"
-#include "commands/storage.hpp"
-#include "commands/task.hpp"
-#include "mesh/mesh_fields.hpp"
-#include "mesh/wall_field.hpp"
+#include "commands/commands.hpp"
+#include "files/output_file.hpp"
+#include "work/basis_file.hpp"
+#include "work/engine.hpp"
+#include "work/mesh_fields.hpp"
+#include "work/read_mesh.hpp"
+#include "work/safe_way.hpp"
+#include "work/shared_points.hpp"
+#include "work/solver.hpp"
+#include "work/storage.hpp"
+#include "work/task.hpp"
+#include "work/wall_field.hpp"
+
+#include <harmorph_bases.h>
 
 #include <algorithm>
 #include <cmath>
@@ -116,17 +118,18 @@ public:
     }
     const hm_basis* append_to(Solver& solver) {
         if (paths_.empty()) return solver.basis();
-        const auto n = static_cast<std::int32_t>(points_.size()),
-                   n_modes = static_cast<std::int32_t>(paths_.size());
-        std::size_t bytes = 0, work_bytes = 0;
-        call(paths_[0], hm_tabulate_size, solver.plan(), solver.basis(), n_modes, 2, &bytes,
-             &work_bytes);
+        auto modes = sized<hm_modes>();
+        modes.n_modes = static_cast<std::int32_t>(paths_.size());
+        modes.n = static_cast<std::int32_t>(points_.size());
+        modes.points = points_.data();
+        modes.values = values_.data();
+        std::size_t bytes = 0;
+        call(paths_[0], hm_tabulate_size, solver.plan(), solver.basis(), &modes, &bytes);
         block_.resize(bytes);
-        Block work(work_bytes);
         hm_basis* basis = nullptr;
-        void *const block = block_.data(), *const working = work.data();
-        call(paths_[0], hm_tabulate, &basis, block, bytes, solver.plan(), solver.basis(), n,
-             points_.data(), n_modes, 2, values_.data(), working, work_bytes, nullptr);
+        void* const block = block_.data();
+        call(paths_[0], hm_tabulate, &basis, block, bytes, solver.plan(), solver.basis(), &modes,
+             nullptr);
         return basis;
     }
 

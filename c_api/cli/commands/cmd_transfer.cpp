@@ -1,15 +1,17 @@
 // harmorph transfer: interpolates functions from one mesh to a finer mesh of the same domain.
-#include <harmorph_bases.h>
-#include "mesh/basis_file.hpp"
-#include "commands/commands.hpp"
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "basics/output_file.hpp"
 #include "basics/stopwatch.hpp"
-#include "commands/storage.hpp"
-#include "commands/task.hpp"
-#include "basics/threads.hpp"
+#include "commands/commands.hpp"
+#include "files/output_file.hpp"
+#include "files/threads.hpp"
+#include "work/basis_file.hpp"
+#include "work/read_mesh.hpp"
+#include "work/storage.hpp"
+#include "work/task.hpp"
+
+#include <harmorph_bases.h>
 
 #include <algorithm>
 
@@ -33,7 +35,7 @@ std::int32_t same_marker(const Arguments& arguments, const Mesh& mesh, std::int3
 // curves are not copied: they are computed for the points of the fine mesh.
 Task task_on(const Arguments& arguments, const Basis& basis, const Mesh& mesh, const Mesh& fine) {
     Task task = task_of(basis);
-    task.given_points.clear();
+    task.known_points.clear();
     for (hm_condition& condition : task.conditions) {
         condition.marker = same_marker(arguments, mesh, condition.marker, fine);
         if (condition.kind == HM_PERIODIC_PAIR || condition.kind == HM_ROTATION_PAIR ||

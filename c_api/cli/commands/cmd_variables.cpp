@@ -1,9 +1,9 @@
 // harmorph variables: writes design variables as a map to the control points, or as movements.
 #include "basics/print.hpp"
-#include "basics/output_file.hpp"
 #include "commands/commands.hpp"
 #include "commands/design_variables.hpp"
-#include "commands/section_option.hpp"
+#include "files/output_file.hpp"
+#include "options/section_option.hpp"
 
 namespace cli {
 

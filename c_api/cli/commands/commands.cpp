@@ -1,11 +1,10 @@
 #include "commands/commands.hpp"
-#include "commands/used_files.hpp"
 
-#include "formats/format.hpp"
-#include "harmorph.h"
-#include "basics/marker_names.hpp"
 #include "basics/print.hpp"
-#include "basics/progress_bar.hpp"
+#include "commands/used_files.hpp"
+#include "formats/format.hpp"
+
+#include <harmorph.h>
 
 #include <algorithm>
 
@@ -73,38 +72,6 @@ void run_command(const std::vector<std::string>& words) {
     const Arguments arguments(command, rest);
     refuse_overwriting(arguments);
     command.run(arguments);
-}
-
-Mesh read_mesh(const std::string& path, const ReadOptions& options) {
-    ProgressBar bar;
-    ReadOptions watched = options;
-    watched.progress = [&bar](double fraction) { bar.draw("reading", fraction); };
-    Mesh mesh = read_mesh_file(path, watched);
-    bar.wipe();
-    number_by_name(mesh);
-    for (const std::string& remark : mesh.remarks) warn(path + ": " + remark);
-    return mesh;
-}
-
-const Option format_option = {
-    "--format", "NAME",
-    "format of the mesh, if its content does not show it: `harmorph --help` lists the formats"};
-const Option zone_option = {"--zone", "Z",
-                            "the zone to use of a file with several zones; the other zones stay "
-                            "as they are"};
-
-Mesh read_mesh(const Arguments& arguments, std::size_t operand) {
-    ReadOptions options;
-    options.threads = threads_of(arguments);
-    if (arguments.has("--format")) options.format = arguments.text("--format");
-    if (arguments.has("--zone")) options.zone = arguments.text("--zone");
-    return read_mesh(arguments.operand(operand), options);
-}
-
-void warn(const std::string& message) { print_error("warning: " + message); }
-
-void warn_of(const std::string& path, const std::vector<std::string>& sentences) {
-    for (const std::string& sentence : sentences) warn(path + ": " + sentence);
 }
 
 }  // namespace cli

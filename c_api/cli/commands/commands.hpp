@@ -1,8 +1,7 @@
-// The commands of the program, and how all of them read a mesh and warn.
+// The commands of the program.
 #pragma once
 
-#include "basics/arguments.hpp"
-#include "formats/format.hpp"
+#include "options/arguments.hpp"
 
 #include <string>
 #include <vector>
@@ -16,15 +15,5 @@ extern const Command fit_command, solve_command, morph_command, export_command, 
 
 // words: all words after the name of the program. Throws a Failure that says what went wrong.
 void run_command(const std::vector<std::string>& words);
-
-// Reads a mesh, and warns of all parts of the file that were ignored. Commands that read meshes
-// have both options.
-extern const Option format_option, zone_option;
-Mesh read_mesh(const Arguments& arguments, std::size_t operand);
-Mesh read_mesh(const std::string& path, const ReadOptions& options = {});
-
-void warn(const std::string& message);  // to standard error
-// Warns of each of these sentences about a file.
-void warn_of(const std::string& path, const std::vector<std::string>& sentences);
 
 }  // namespace cli

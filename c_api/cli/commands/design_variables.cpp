@@ -1,12 +1,12 @@
 #include "commands/design_variables.hpp"
 
-#include "curves/curve_file.hpp"
 #include "basics/library.hpp"
-#include "basics/number_list.hpp"
 #include "basics/numbers.hpp"
-#include "commands/section_option.hpp"
+#include "curves/curve_file.hpp"
 #include "curves/section.hpp"
 #include "curves/section_movement.hpp"
+#include "options/number_list.hpp"
+#include "options/section_option.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -120,7 +120,7 @@ std::vector<hm_movement> movements_of(const Arguments& arguments) {
         arguments.refuse("--camber-thickness, --parsec and --blade exclude each other");
     add("--flap", HM_FLAP);
     add("--scale", HM_SCALE);
-    add("--turn", HM_TURN);
+    add("--turn", HM_ROTATE);
     if (arguments.has("--shift")) {
         movements.push_back(sized<hm_movement>());
         movements.back().kind = HM_SHIFT;

@@ -1,9 +1,9 @@
 // The design variables that the options of `harmorph variables` ask for.
 #pragma once
 
-#include "basics/arguments.hpp"
 #include "basics/json.hpp"
 #include "curves/variables_file.hpp"
+#include "options/arguments.hpp"
 
 #include <string>
 #include <vector>

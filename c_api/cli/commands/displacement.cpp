@@ -1,4 +1,3 @@
-#include "commands/commands.hpp"
 #include "commands/displacement.hpp"
 
 #include "basics/json.hpp"
@@ -40,7 +39,7 @@ void Displacement::measure_boundary(const Mesh& mesh, const Solver& solver,
     const hm_points from = mesh.coordinates(), to = moved.read();
     double on_curves = 0;
     call(mesh, hm_boundary_error, solver.basis(), moves.data(), &from, &to, &on_curves, nullptr);
-    if (safe) on_curves = std::fabs(on_curves - safe->turned_offset);
+    if (safe) on_curves = std::fabs(on_curves - safe->rotated_offset);
     boundary_error = std::max(boundary_error, on_curves);
 }
 

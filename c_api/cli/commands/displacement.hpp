@@ -1,13 +1,13 @@
 // The given movement and the result of `harmorph displace`, and the output of the result.
 #pragma once
 
-#include "basics/field.hpp"
-#include "basics/output_file.hpp"
-#include "commands/morph.hpp"
-#include "commands/safe_way.hpp"
-#include "commands/solver.hpp"
-#include "commands/task.hpp"
-#include "mesh/wall_field.hpp"
+#include "basics/geometry.hpp"
+#include "files/output_file.hpp"
+#include "work/morph.hpp"
+#include "work/safe_way.hpp"
+#include "work/solver.hpp"
+#include "work/task.hpp"
+#include "work/wall_field.hpp"
 
 #include <iosfwd>
 #include <optional>

@@ -1,4 +1,5 @@
 #include "commands/morph_report.hpp"
+
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "commands/asked_moves.hpp"
-#include "commands/morph.hpp"
-#include "commands/safe_way.hpp"
-#include "curves/to_airfoil.hpp"
+#include "work/morph.hpp"
+#include "work/safe_way.hpp"
+#include "work/to_airfoil.hpp"
 
 #include <string>
 

@@ -1,10 +1,10 @@
 #include "commands/used_files.hpp"
 
-#include "basics/output_file.hpp"
+#include "files/output_file.hpp"
+#include "files/paths.hpp"
 #include "formats/format.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace cli {
 
@@ -66,7 +66,7 @@ constexpr const char* known_endings[] = {".svg", ".png",  ".jpg", ".jpeg", ".gif
                                          ".dat", ".json", ".npz", ".tif",  ".bmp", ".ps"};
 
 void refuse_other_ending(const Arguments& arguments, const NamedFile& file) {
-    const std::string ending = std::filesystem::path(file.path).extension().string();
+    const std::string ending = ending_of(file.path);
     const bool is_known = std::find(std::begin(known_endings), std::end(known_endings), ending) !=
                           std::end(known_endings);
     for (const OneFormat& one : one_format) {

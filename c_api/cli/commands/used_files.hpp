@@ -1,7 +1,7 @@
 // The files of one command: no output may replace an input or another output.
 #pragma once
 
-#include "basics/arguments.hpp"
+#include "options/arguments.hpp"
 
 namespace cli {
 

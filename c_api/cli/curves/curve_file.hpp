@@ -12,8 +12,8 @@
 #pragma once
 
 #include "curves/curves.hpp"
-#include "basics/output_file.hpp"
-#include "basics/text_file.hpp"
+#include "files/output_file.hpp"
+#include "files/text_file.hpp"
 
 #include <iosfwd>
 #include <string>

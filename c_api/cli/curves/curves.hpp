@@ -1,7 +1,7 @@
 // B-spline curves over common control points, in memory.
 #pragma once
 
-#include "harmorph.h"
+#include <harmorph.h>
 
 #include <cstdint>
 #include <string>

@@ -1,8 +1,9 @@
-#include <harmorph_design.h>
 #include "curves/section.hpp"
 
 #include "basics/library.hpp"
 #include "basics/numbers.hpp"
+
+#include <harmorph_design.h>
 
 #include <algorithm>
 #include <ostream>

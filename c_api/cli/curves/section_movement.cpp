@@ -53,7 +53,7 @@ SectionMovement section_movement_of(LineReader& lines) {
         const bool turns = kind == "turn";
         if (n != 3 && n != 4)
             lines.expected(turns ? "turn MARKER degrees [X,Y]" : "scale MARKER factor [X,Y]");
-        line.movement.kind = turns ? HM_TURN : HM_SCALE;
+        line.movement.kind = turns ? HM_ROTATE : HM_SCALE;
         line.values = {number(lines, 2) - (turns ? 0 : 1)};
         if (!turns && !(line.values[0] > -1)) lines.expected("a factor above 0", words[2]);
         line.has_centre = n == 4;
@@ -114,7 +114,7 @@ bool find_quarter_chord(const hm_curves& curves, const hm_section& section, doub
 
 std::vector<std::string> value_names(const hm_movement& movement) {
     switch (movement.kind) {
-        case HM_TURN: return {"turn [degrees]"};
+        case HM_ROTATE: return {"turn [degrees]"};
         case HM_SHIFT: return {"shift dx", "shift dy"};
         case HM_SCALE: return {"scale minus 1"};
         case HM_FLAP: return {"flap [degrees]"};

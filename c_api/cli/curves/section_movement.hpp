@@ -6,8 +6,9 @@
 //     flap MARKER X,Y degrees [length]     see HM_FLAP in harmorph_design.h
 #pragma once
 
+#include "files/text_file.hpp"
+
 #include <harmorph_design.h>
-#include "basics/text_file.hpp"
 
 #include <string>
 #include <string_view>

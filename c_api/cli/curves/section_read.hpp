@@ -10,7 +10,7 @@
 // by blanks, commas or semicolons, be numbered, and contain a constant z.
 #pragma once
 
-#include "basics/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <cstdint>
 #include <string>

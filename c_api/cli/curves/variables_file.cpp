@@ -2,8 +2,8 @@
 
 #include "basics/library.hpp"
 #include "basics/numbers.hpp"
-#include "basics/text_file.hpp"
 #include "curves/section_movement.hpp"
+#include "files/text_file.hpp"
 
 #include <ostream>
 
@@ -42,7 +42,7 @@ struct MovementName {
     std::int32_t kind;
     std::size_t numbers;
 };
-constexpr MovementName movement_names[] = {{"turn", HM_TURN, 2},
+constexpr MovementName movement_names[] = {{"turn", HM_ROTATE, 2},
                                            {"shift", HM_SHIFT, 0},
                                            {"scale", HM_SCALE, 2},
                                            {"flap", HM_FLAP, 3},

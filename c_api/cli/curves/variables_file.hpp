@@ -19,6 +19,7 @@
 #include "curves/section_movement.hpp"
 
 #include <harmorph_design.h>
+
 #include <cstdint>
 #include <iosfwd>
 #include <string>

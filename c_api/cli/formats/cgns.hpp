@@ -1,7 +1,7 @@
 // Recognises CGNS files, in programs with and without CGNS.
 #pragma once
 
-#include "basics/text_file.hpp"
+#include "files/text_file.hpp"
 
 namespace cli {
 

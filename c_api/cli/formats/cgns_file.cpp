@@ -1,18 +1,15 @@
 #include "formats/cgns_file.hpp"
 
 #ifdef HARMORPH_CGNS
+#include "basics/numbers.hpp"
+#include "files/paths.hpp"
 #include "formats/bytes.hpp"
 #include "formats/deflate.hpp"
-#include "basics/numbers.hpp"
 
 #include <cgns_io.h>
-
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
-
-#include <unistd.h>
 
 namespace cli {
 
@@ -145,15 +142,11 @@ void store_cgns(std::ostream& out, const Mesh& mesh, const std::string& numbers)
         out << TextFile(path).text();
         return;
     }
-    std::string copy = (std::filesystem::temp_directory_path() / "harmorph-XXXXXX").string();
-    const int descriptor = ::mkstemp(copy.data());
-    if (descriptor < 0) throw Failure(exit_file, copy + ": cannot be written");
-    ::close(descriptor);
+    const std::string copy = temporary_copy(path);
     struct Removed {
         const std::string& name;
         ~Removed() { std::remove(name.c_str()); }
     } const removed{copy};
-    std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing);
     float version = 0;
     {
         const Cgns cgns(copy, CG_MODE_READ, path);
@@ -163,7 +156,7 @@ void store_cgns(std::ostream& out, const Mesh& mesh, const std::string& numbers)
         Cgns cgns(copy, CG_MODE_MODIFY, path);
         int cell_dimension = 0;
         const std::vector<CgnsZone> zones =
-            read_zones(cgns, std::filesystem::file_size(path), cell_dimension);
+            read_zones(cgns, mesh.file.text().size(), cell_dimension);
         const std::size_t n_points = zones.back().first + zones.back().points();
         const bool single = mesh.in_file.kind == NumberKind::real32;
         for (std::size_t z = 0; z < zones.size(); ++z) {

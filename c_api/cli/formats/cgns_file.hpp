@@ -6,9 +6,8 @@
 #include "basics/failure.hpp"
 #include "mesh/mesh_file.hpp"
 
-#include <cgnslib.h>
-
 #include <array>
+#include <cgnslib.h>
 #include <string>
 #include <vector>
 

@@ -2,7 +2,7 @@
 // zlib refuse them.
 #pragma once
 
-#include "basics/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <cstddef>
 #include <string>

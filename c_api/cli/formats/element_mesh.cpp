@@ -5,10 +5,10 @@
 // as the middle of the edge in the plane.
 #include "formats/element_mesh.hpp"
 
-#include "formats/tidy.hpp"
+#include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
 #include "mesh/one_cell_thick.hpp"
-#include "basics/place.hpp"
+#include "mesh/tidy.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "formats/foam_list.hpp"
 
-#include "formats/bytes.hpp"
 #include "basics/numbers.hpp"
+#include "formats/bytes.hpp"
 
 #include <algorithm>
 #include <cmath>

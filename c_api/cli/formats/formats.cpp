@@ -1,14 +1,13 @@
 // The table of formats, and the steps that reading has in common for all formats.
-#include "formats/format.hpp"
-
 #include "basics/failure.hpp"
+#include "files/output_file.hpp"
+#include "files/paths.hpp"
 #include "formats/deflate.hpp"
-#include "formats/tidy.hpp"
+#include "formats/format.hpp"
 #include "formats/vtk_parallel.hpp"
-#include "basics/output_file.hpp"
+#include "mesh/tidy.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 #include <set>
 #include <sstream>
@@ -84,39 +83,34 @@ bool is_mesh_file(const TextFile& file) {
 }
 
 std::string mesh_file(const std::string& path) {
-    std::error_code ignored;  // an error is reported when the file is opened
-    if (!std::filesystem::is_directory(path, ignored)) return path;
+    if (!is_folder(path)) return path;  // an error is reported when the file is opened
     for (const char* place : {"constant/polyMesh/points", "polyMesh/points", "points"}) {
         for (const char* ending : {"", ".gz"}) {
-            const std::string points = (std::filesystem::path(path) / place).string() + ending;
-            if (std::filesystem::exists(points, ignored)) return points;
+            const std::string points = path_in(path, place) + ending;
+            if (exists(points)) return points;
         }
     }
     return path;
 }
 
 std::vector<std::string> files_beside_mesh(const std::string& path) {
-    namespace fs = std::filesystem;
-    const fs::path mesh = mesh_file(path), folder = mesh.parent_path();
-    std::vector<fs::path> candidates = {fs::path(mesh).replace_extension(".nmf")};
-    for (fs::path stem = mesh; stem.has_extension();) {
-        stem.replace_extension();
-        candidates.push_back(stem.string() + ".mapbc");
+    const std::string mesh = mesh_file(path), folder = folder_of(mesh), last = last_name(mesh);
+    std::vector<std::string> candidates = {without_ending(mesh) + ".nmf"};
+    for (std::string stem = mesh; !ending_of(stem).empty();) {
+        stem = without_ending(stem);
+        candidates.push_back(stem + ".mapbc");
     }
-    if (mesh.filename() == "points" || mesh.filename() == "points.gz") {
+    if (last == "points" || last == "points.gz") {
         for (const char* name : {"faces", "owner", "neighbour", "boundary"}) {
-            candidates.push_back(folder / name);
-            candidates.push_back(folder / (std::string(name) + ".gz"));
+            candidates.push_back(path_in(folder, name));
+            candidates.push_back(path_in(folder, name) + ".gz");
         }
     }
-    if (mesh.extension() == ".pvtu") {
-        for (const std::string& piece : piece_files(mesh.string())) candidates.push_back(piece);
+    if (ending_of(mesh) == ".pvtu") {
+        for (const std::string& piece : piece_files(mesh)) candidates.push_back(piece);
     }
     std::vector<std::string> files;
-    std::error_code ignored;
-    for (const fs::path& candidate : candidates) {
-        if (fs::exists(candidate, ignored)) files.push_back(candidate.string());
-    }
+    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(files), exists);
     return files;
 }
 
@@ -125,28 +119,26 @@ namespace {
 // Tells whether the folder is a time of a case of OpenFOAM: its name is a number, and it is beside
 // the folder constant. OpenFOAM reads the points of a mesh that has moved from polyMesh in this
 // folder, and everything else from constant/polyMesh.
-bool is_time_of_case(const std::filesystem::path& path) {
-    const std::string name = path.filename().string();
-    std::error_code ignored;
+bool is_time_of_case(const std::string& path) {
+    const std::string name = last_name(path);
     return !name.empty() && name.find_first_not_of("0123456789.") == std::string::npos &&
            name.find_first_of("0123456789") != std::string::npos &&
-           std::filesystem::is_directory(path.parent_path() / "constant" / "polyMesh", ignored);
+           is_folder(path_in(folder_of(path), "constant/polyMesh"));
 }
 
 // Returns the file of the points at a time, and makes its folders if they do not exist.
-std::string points_at_time(const Mesh& mesh, const std::filesystem::path& time) {
-    std::error_code error;
-    std::filesystem::create_directories(time / "polyMesh", error);
-    if (error) throw Failure(exit_file, (time / "polyMesh").string() + ": " + error.message());
-    return (time / "polyMesh" / (mesh.in_file.is_packed ? "points.gz" : "points")).string();
+std::string points_at_time(const Mesh& mesh, const std::string& time) {
+    const std::string folder = path_in(time, "polyMesh");
+    make_folders(folder);
+    return path_in(folder, mesh.in_file.is_packed ? "points.gz" : "points");
 }
 
 }  // namespace
 
 std::string moved_file(const Mesh& mesh, const std::string& path) {
-    std::filesystem::path folder = path;
-    if (!folder.has_filename()) folder = folder.parent_path();  // the path ends in a slash
-    const std::string points = std::filesystem::path(mesh.file.path()).filename().string();
+    const bool ends_in_slash = last_name(path).empty();
+    const std::string folder = ends_in_slash ? folder_of(path) : path;
+    const std::string points = last_name(mesh.file.path());
     const bool is_time = (points == "points" || points == "points.gz") && is_time_of_case(folder);
     const std::string file = is_time ? points_at_time(mesh, folder) : mesh_file(path);
     if (mesh.in_file.is_joined && !is_device(file) && !ends_with(file, ".vtu")) {
@@ -169,8 +161,7 @@ std::string moved_file(const Mesh& mesh, const std::string& path) {
 Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
     const Format* forced = options.format.empty() ? nullptr : find_format(options.format);
     const std::string file = mesh_file(path);
-    std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored))
+    if (is_folder(file))
         throw Failure(exit_file,
                       path +
                           ": the folder has no mesh of OpenFOAM: neither "
@@ -197,17 +188,12 @@ Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
 
 namespace {
 
-// What stands behind the last dot of the name of the file, with the dot; empty without a dot.
-std::string last_ending(const std::string& path) {
-    return std::filesystem::path(path).extension().string();
-}
-
 // Returns the format that the ending of the path asks for, if this is not that of the mesh, or
 // NULL. Refuses the ending of a format in which no new file can be written.
 const Format* other_format(const Mesh& mesh, const std::string& path) {
-    const std::string ending = last_ending(path);
+    const std::string ending = ending_of(path);
     if (mesh.format == nullptr || is_device(path) || ending.empty() ||
-        ending == last_ending(mesh.file.path()))
+        ending == ending_of(mesh.file.path()))
         return nullptr;
     const Format* other = nullptr;
     bool is_known = false;

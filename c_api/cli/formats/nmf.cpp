@@ -1,7 +1,7 @@
 #include "formats/nmf.hpp"
 
 #include "basics/numbers.hpp"
-#include "basics/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <algorithm>
 

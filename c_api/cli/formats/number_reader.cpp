@@ -1,7 +1,7 @@
 #include "formats/number_reader.hpp"
 
-#include "formats/bytes.hpp"
 #include "basics/numbers.hpp"
+#include "formats/bytes.hpp"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // between them, or in binary. Every error names the line, or the byte, and what was expected there.
 #pragma once
 
-#include "basics/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <cstdint>
 

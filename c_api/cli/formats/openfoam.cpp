@@ -3,16 +3,16 @@
 // the file `points`, in text or binary; the files faces, owner and boundary lie in the same folder,
 // or in constant/polyMesh. The two planes are the patches of type empty, or two patches of type
 // wedge. All other patches are markers.
-#include <harmorph_space.h>
-#include "formats/format.hpp"
-
+#include "basics/numbers.hpp"
+#include "files/paths.hpp"
 #include "formats/deflate.hpp"
 #include "formats/foam_list.hpp"
-#include "basics/numbers.hpp"
+#include "formats/format.hpp"
 #include "mesh/space_mesh.hpp"
 
+#include <harmorph_space.h>
+
 #include <algorithm>
-#include <filesystem>
 #include <numeric>
 
 namespace cli {
@@ -60,8 +60,7 @@ std::vector<Patch> read_boundary(const TextFile& file) {
 
 class PolyMesh {
 public:
-    explicit PolyMesh(Mesh& mesh)
-        : mesh_(mesh), folder_(std::filesystem::path(mesh.file.path()).parent_path()) {}
+    explicit PolyMesh(Mesh& mesh) : mesh_(mesh), folder_(folder_of(mesh.file.path())) {}
 
     void read() {
         FoamReader points(mesh_.file);
@@ -111,14 +110,12 @@ public:
 private:
     TextFile beside(const char* name) const {
         // The folder of a time may have only the points of a mesh that has moved.
-        for (const std::filesystem::path& folder :
-             {folder_, folder_ / ".." / ".." / "constant" / "polyMesh"}) {
-            const std::filesystem::path path = folder / name;
-            if (std::filesystem::exists(path)) return TextFile(path.string());
-            const std::string compressed = path.string() + ".gz";
-            if (std::filesystem::exists(compressed)) return read_unpacked(compressed);
+        for (const std::string& folder : {folder_, path_in(folder_, "../../constant/polyMesh")}) {
+            const std::string path = path_in(folder, name), compressed = path + ".gz";
+            if (exists(path)) return TextFile(path);
+            if (exists(compressed)) return read_unpacked(compressed);
         }
-        throw_missing((folder_ / name).string() + " does not exist");
+        throw_missing(path_in(folder_, name) + " does not exist");
     }
     [[noreturn]] void throw_missing(const std::string& text) const {
         mesh_.file.fail(0, "the mesh consists of points, faces, owner and boundary, but " + text);
@@ -273,7 +270,7 @@ private:
     }
 
     Mesh& mesh_;
-    std::filesystem::path folder_;
+    std::string folder_;
     SpaceMesh space_;
     std::vector<std::int64_t> start_, points_, owner_;
     std::vector<Patch> patches_;

@@ -5,7 +5,7 @@
 // row.
 #pragma once
 
-#include "basics/tasks.hpp"
+#include "files/threads.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #include "formats/plot3d_layout.hpp"
 
+#include "basics/numbers.hpp"
 #include "formats/bytes.hpp"
 #include "formats/number_reader.hpp"
-#include "basics/numbers.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // exactly the length that the layout needs.
 #pragma once
 
-#include "basics/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <array>
 #include <cstdint>

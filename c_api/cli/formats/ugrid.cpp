@@ -3,14 +3,13 @@
 // cell thick, between planes of any direction or in a wedge: text, or binary of both byte orders
 // (.b8, .lb8, .b4, .lb4). Markers are called after their tags in a .mapbc file beside the
 // mesh, or else by the tags.
-#include "formats/format.hpp"
-
-#include "formats/bytes.hpp"
-#include "formats/number_reader.hpp"
 #include "basics/numbers.hpp"
+#include "files/paths.hpp"
+#include "formats/bytes.hpp"
+#include "formats/format.hpp"
+#include "formats/number_reader.hpp"
 #include "mesh/one_cell_thick.hpp"
 
-#include <filesystem>
 #include <map>
 
 namespace cli {
@@ -91,14 +90,14 @@ Layout layout_of(const TextFile& file) {
 }
 
 std::map<std::int64_t, std::string> read_names(const std::string& mesh) {
-    std::filesystem::path path = std::filesystem::path(mesh).replace_extension();  // .ugrid
+    std::string path = without_ending(mesh);  // .ugrid
     for (const char* kind : {".b8", ".lb8", ".b4", ".lb4"}) {
-        if (path.extension() == kind) path.replace_extension();
+        if (ending_of(path) == kind) path = without_ending(path);
     }
     path += ".mapbc";
     std::map<std::int64_t, std::string> names;
-    if (!std::filesystem::exists(path)) return names;
-    const TextFile file(path.string());
+    if (!exists(path)) return names;
+    const TextFile file(path);
     LineReader lines(file, '!');
     if (!lines.next()) lines.expected("the number of boundaries");
     while (lines.next()) {

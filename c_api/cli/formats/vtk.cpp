@@ -1,14 +1,13 @@
 // VTK's legacy files (https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html),
 // unstructured and structured grids of versions 1 to 5.1, in text and binary, of two dimensions or
 // one cell thick.
-#include "formats/format.hpp"
-
+#include "basics/numbers.hpp"
+#include "basics/text_out.hpp"
+#include "files/ordered_output.hpp"
 #include "formats/bytes.hpp"
+#include "formats/format.hpp"
 #include "formats/number_reader.hpp"
 #include "formats/vtk_cells.hpp"
-#include "basics/numbers.hpp"
-#include "basics/ordered_output.hpp"
-#include "basics/text_out.hpp"
 
 #include <algorithm>
 #include <ostream>

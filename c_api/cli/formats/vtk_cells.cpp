@@ -1,7 +1,7 @@
 #include "formats/vtk_cells.hpp"
 
+#include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
-#include "basics/place.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,10 +1,10 @@
 #include "formats/vtk_parallel.hpp"
 
 #include "basics/failure.hpp"
+#include "files/paths.hpp"
 #include "formats/vtk_xml_file.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 #include <system_error>
 
@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::string_view parallel_type = "PUnstructuredGrid";
 
-std::filesystem::path piece_path(const TextFile& parallel, const std::string& source) {
-    return std::filesystem::path(parallel.path()).parent_path() / source;
+std::string piece_path(const TextFile& parallel, const std::string& source) {
+    return path_in(folder_of(parallel.path()), source);
 }
 
 class JoinedPieces {
@@ -36,7 +36,7 @@ private:
     void add_appended(const TextFile& file, const XmlTag& tag);
 
     const TextFile& parallel_;
-    std::set<std::filesystem::path> names_;
+    std::set<std::string> names_;
     std::string text_, appended_, head_;
     std::string appended_kind_;         // the attribute "encoding"; empty: no appended data yet
     VtkEncoding encoding_;              // of the first piece
@@ -81,14 +81,13 @@ TextFile JoinedPieces::join() {
 void JoinedPieces::add_file(const XmlTag& tag) {
     const std::string source = xml_decoded(tag.attribute("Source"));
     if (source.empty()) parallel_.fail(tag.begin, "the piece has no attribute Source");
-    const std::filesystem::path path = piece_path(parallel_, source);
-    if (!names_.insert(path.lexically_normal()).second)
+    const std::string path = piece_path(parallel_, source);
+    if (!names_.insert(normal_path(path)).second)
         parallel_.fail(tag.begin, "the file " + in_quotes(source) + " is named a second time");
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored))
+    if (!is_regular_file(path))
         parallel_.fail(tag.begin,
                        "the file " + in_quotes(source) + " of this piece does not exist");
-    add_pieces(TextFile(path.string()));
+    add_pieces(TextFile(path));
 }
 
 void JoinedPieces::copy(const TextFile& file, std::size_t begin, std::size_t end, std::string& to) {
@@ -184,7 +183,7 @@ std::vector<std::string> piece_files(const std::string& parallel) {
         XmlReader tags(file);
         while (tags.next()) {
             const std::string source = xml_decoded(tags.tag().attribute("Source"));
-            if (!source.empty()) paths.push_back(piece_path(file, source).string());
+            if (!source.empty()) paths.push_back(piece_path(file, source));
         }
     } catch (const Failure&) {
         paths.clear();  // The reader of the mesh says what is wrong with the file.

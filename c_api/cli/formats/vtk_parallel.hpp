@@ -1,7 +1,7 @@
 // VTK's parallel XML files of unstructured grids (.pvtu), which name a file (.vtu) for each piece.
 #pragma once
 
-#include "basics/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <string>
 #include <vector>

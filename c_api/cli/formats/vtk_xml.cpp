@@ -3,14 +3,13 @@
 // several, in two dimensions or one cell thick. Arrays are in text, in base64, or in the section
 // AppendedData, also compressed by zlib. Pieces meet where their points have equal
 // coordinates, as cuts do.
-#include "formats/format.hpp"
-
+#include "basics/numbers.hpp"
 #include "formats/bytes.hpp"
+#include "formats/format.hpp"
 #include "formats/number_reader.hpp"
 #include "formats/vtk_cells.hpp"
 #include "formats/vtk_parallel.hpp"
 #include "formats/vtk_xml_file.hpp"
-#include "basics/numbers.hpp"
 #include "formats/vtu.hpp"
 
 #include <algorithm>

@@ -1,10 +1,9 @@
 #include "formats/vtu.hpp"
 
+#include "basics/text_out.hpp"
+#include "files/ordered_output.hpp"
 #include "formats/vtk_cells.hpp"
 #include "formats/xml.hpp"
-
-#include "basics/ordered_output.hpp"
-#include "basics/text_out.hpp"
 
 #include <ostream>
 

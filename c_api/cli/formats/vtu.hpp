@@ -1,7 +1,7 @@
 // Writes VTU files (VTK XML, unstructured grid, in text), which ParaView reads.
 #pragma once
 
-#include "basics/field.hpp"
+#include "basics/geometry.hpp"
 #include "mesh/mesh_file.hpp"
 
 #include <iosfwd>

@@ -3,7 +3,7 @@
 // them.
 #pragma once
 
-#include "basics/text_file.hpp"
+#include "files/text_file.hpp"
 
 #include <string>
 #include <string_view>

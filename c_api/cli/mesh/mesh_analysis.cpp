@@ -1,8 +1,9 @@
-#include <harmorph_design.h>
-#include <harmorph_study.h>
 #include "mesh/mesh_analysis.hpp"
 
 #include "basics/failure.hpp"
+
+#include <harmorph_design.h>
+#include <harmorph_study.h>
 
 #include <cmath>
 

@@ -1,9 +1,11 @@
 // Results of the library about a mesh alone, without curves.
 #pragma once
 
-#include <harmorph_study.h>
 #include "basics/geometry.hpp"
 #include "basics/library.hpp"
+#include "mesh/mesh_file.hpp"
+
+#include <harmorph_study.h>
 
 #include <vector>
 

@@ -1,10 +1,14 @@
 #include "mesh/mesh_file.hpp"
 
 #include "basics/failure.hpp"
+#include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
+#include "basics/quoted_name.hpp"
+#include "mesh/loops.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace cli {
 
@@ -87,6 +91,239 @@ void Mesh::add_face(std::int32_t a, std::int32_t b, std::int32_t marker, std::si
     face_points.insert(face_points.end(), {a, b});
     face_markers.push_back(marker);
     face_offset.push_back(offset);
+}
+
+// Finds markers by names, patterns with * and ?, and whole loops of the boundary.
+
+namespace {
+
+constexpr std::string_view loop_prefix = "loop:";
+constexpr std::size_t max_listed = 12;  // largest number of names in a message
+
+// In a pattern, * matches any characters, and ? matches one character.
+bool matches(std::string_view pattern, std::string_view name) {
+    std::size_t p = 0, n = 0, star = pattern.npos, from = 0;
+    while (n < name.size()) {
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            from = n;
+        } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
+            ++p;
+            ++n;
+        } else if (star != pattern.npos) {
+            p = star + 1;
+            n = ++from;
+        } else {
+            return false;
+        }
+    }
+    return pattern.find_first_not_of('*', p) == pattern.npos;
+}
+
+class Selection {
+public:
+    explicit Selection(const Mesh& mesh) : mesh_(mesh), faces_(mesh.markers.size()) {
+        for (const std::int32_t marker : mesh.face_markers) ++faces_[place(marker)];
+    }
+
+    bool is_known(std::string_view name) const {
+        return number_of(name) >= 0 || mesh_.groups.count(std::string(name));
+    }
+
+    std::vector<std::int32_t> find(std::string_view name, bool is_literal) const {
+        std::set<std::int32_t> found;
+        add_named(std::string(name), found);
+        std::int32_t loop = 0;
+        if (found.empty() && is_literal) refuse(name);
+        if (found.empty() && name.substr(0, loop_prefix.size()) == loop_prefix &&
+            parse(name.substr(loop_prefix.size()), loop)) {
+            add_loop(loop, found);
+        }
+        if (found.empty() && name.find_first_of("*?") != name.npos) add_matching(name, found);
+        if (found.empty()) refuse(name);
+        return {found.begin(), found.end()};
+    }
+
+private:
+    std::int32_t number_of(std::string_view name) const {
+        const auto found = std::find(mesh_.markers.begin(), mesh_.markers.end(), name);
+        return found == mesh_.markers.end()
+                   ? -1
+                   : static_cast<std::int32_t>(found - mesh_.markers.begin());
+    }
+
+    void add_named(const std::string& name, std::set<std::int32_t>& found) const {
+        const std::int32_t marker = number_of(name);
+        const auto group = mesh_.groups.find(name);
+        if (marker >= 0 && faces_[place(marker)] > 0) found.insert(marker);
+        for (std::size_t k = 0; group != mesh_.groups.end() && k < group->second.size(); ++k) {
+            const std::int32_t member = number_of(group->second[k]);
+            if (member >= 0 && faces_[place(member)] > 0) found.insert(member);
+        }
+        if (marker >= 0 && found.empty()) {
+            throw Failure(exit_usage, "marker " + in_quotes(name) + " of " + mesh_.file.path() +
+                                          " has no faces");
+        }
+    }
+
+    void add_loop(std::int32_t number, std::set<std::int32_t>& found) const {
+        const BoundaryLoops loops(mesh_.face_points, mesh_.points());
+        if (number < 1 || number > loops.count) {
+            throw Failure(exit_usage, mesh_.file.path() + " has no loop:" + std::to_string(number) +
+                                          ", because the boundary has " +
+                                          plural(loops.count, "loop"));
+        }
+        std::vector<char> is_elsewhere(faces_.size(), 0);
+        for (std::size_t face = 0; face < mesh_.face_markers.size(); ++face) {
+            const std::int32_t marker = mesh_.face_markers[face];
+            if (loops.of_edge[face] + 1 == number) {
+                found.insert(marker);
+            } else {
+                is_elsewhere[place(marker)] = 1;
+            }
+        }
+        for (const std::int32_t marker : found) {
+            if (is_elsewhere[place(marker)] == 0) continue;
+            const std::string tag = mesh_.markers[place(marker)];
+            throw Failure(exit_usage, "marker " + in_quotes(tag) + " of " + mesh_.file.path() +
+                                          " has faces on loop:" + std::to_string(number) +
+                                          " and on other loops: name its piece, as " +
+                                          in_quotes(tag + "@X:Y"));
+        }
+    }
+
+    void add_matching(std::string_view pattern, std::set<std::int32_t>& found) const {
+        for (std::size_t marker = 0; marker < faces_.size(); ++marker) {
+            if (faces_[marker] > 0 && matches(pattern, mesh_.markers[marker]))
+                found.insert(static_cast<std::int32_t>(marker));
+        }
+        for (const auto& group : mesh_.groups) {
+            if (matches(pattern, group.first)) add_named(group.first, found);
+        }
+    }
+
+    [[noreturn]] void refuse(std::string_view name) const {
+        std::string known;
+        for (std::size_t k = 0; k < mesh_.markers.size() && k < max_listed; ++k)
+            known += (known.empty() ? "" : ", ") + in_quotes(mesh_.markers[k]);
+        if (mesh_.markers.size() > max_listed) {
+            known +=
+                " and " + std::to_string(mesh_.markers.size() - max_listed) +
+                " more; in a name, * matches any characters, and loop:1, loop:2, ... are whole "
+                "loops of the boundary";
+        }
+        throw Failure(exit_usage, mesh_.file.path() + " has no marker " + in_quotes(name) +
+                                      (known.empty() ? "; the mesh has no markers"
+                                                     : "; the markers of the mesh are " + known));
+    }
+
+    const Mesh& mesh_;
+    std::vector<std::int32_t> faces_;  // number of faces of each marker
+};
+
+// An entry of a list of markers: a name, which quotes make literal, and the place behind the @.
+struct Entry {
+    std::string name;
+    bool is_literal = false;
+    MarkerPiece piece;
+};
+
+bool read_place(std::string_view text, MarkerPiece& piece) {
+    const std::size_t colon = text.find(':');
+    piece.is_piece = colon != text.npos && parse(text.substr(0, colon), piece.x) &&
+                     parse(text.substr(colon + 1), piece.y);
+    return piece.is_piece;
+}
+
+// Text in quotes is a name in quotes rather than a name that has quotes of its own.
+Entry entry_of(const Selection& selection, std::string_view text) {
+    Entry entry;
+    const std::size_t behind = behind_quoted(text, 0);
+    const std::string_view rest = text.substr(behind);
+    const bool is_quoted =
+        behind > 0 && (rest.empty() || (rest[0] == '@' && read_place(rest.substr(1), entry.piece)));
+    if (is_quoted) {
+        entry.name = unquoted(text.substr(0, behind));
+        entry.is_literal = true;
+        if (selection.is_known(entry.name) || !selection.is_known(text)) return entry;
+    }
+    entry = {std::string(text), selection.is_known(text), {}};
+    const std::size_t at = text.rfind('@');
+    if (!entry.is_literal && at != text.npos && read_place(text.substr(at + 1), entry.piece))
+        entry.name = trimmed(text.substr(0, at));
+    return entry;
+}
+
+// Calls visit(entry) for each entry of a list. A single name may contain commas.
+template <class Visit>
+void for_each_entry(const Selection& selection, const std::string& list, const Visit& visit) {
+    const Entry whole = entry_of(selection, list);
+    if (whole.is_literal) return visit(whole);
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t name = std::min(list.find_first_not_of(blanks, begin), list.size());
+        const std::size_t end = std::min(list.find(',', behind_quoted(list, name)), list.size());
+        visit(entry_of(selection, trimmed(std::string_view(list).substr(begin, end - begin))));
+        begin = end + 1;
+    }
+}
+
+}  // namespace
+
+std::vector<std::int32_t> Mesh::find_markers(const std::string& list) const {
+    std::vector<std::int32_t> found;
+    for (const MarkerPiece& piece : find_pieces(list)) {
+        if (piece.is_piece)
+            throw Failure(exit_usage,
+                          "whole markers are expected, not a piece as in " + in_quotes(list));
+        found.push_back(piece.marker);
+    }
+    return found;
+}
+
+std::vector<MarkerPiece> Mesh::find_pieces(const std::string& list) const {
+    const Selection selection(*this);
+    std::vector<MarkerPiece> found;
+    for_each_entry(selection, list, [&](const Entry& entry) {
+        MarkerPiece piece = entry.piece;
+        for (const std::int32_t marker : selection.find(entry.name, entry.is_literal)) {
+            piece.marker = marker;
+            const bool is_double =
+                std::any_of(found.begin(), found.end(), [&](const MarkerPiece& other) {
+                    return other.marker == marker && !other.is_piece && !piece.is_piece;
+                });
+            if (!is_double) found.push_back(piece);
+        }
+    });
+    return found;
+}
+
+std::pair<std::string, std::string> Mesh::split_binding(const std::string& binding) const {
+    const std::size_t first = equals_behind_names(binding, 0);
+    for (std::size_t equals = first; equals != binding.npos;
+         equals = equals_behind_names(binding, equals + 1)) {
+        if (has_markers(binding.substr(0, equals)))
+            return {binding.substr(0, equals), binding.substr(equals + 1)};
+    }
+    if (first == binding.npos || has_markers(binding)) return {binding, ""};
+    return {binding.substr(0, first), binding.substr(first + 1)};
+}
+
+bool Mesh::has_markers(const std::string& list) const {
+    try {
+        find_pieces(list);
+        return true;
+    } catch (const Failure&) {
+        return false;
+    }
+}
+
+std::string Mesh::name_of(const hm_condition& condition) const {
+    const std::string& name = markers[static_cast<std::size_t>(condition.marker)];
+    if (condition.piece == 0) return quoted_name(name);
+    const std::string near = '@' + exact(condition.near_x) + ':' + exact(condition.near_y);
+    // Another marker may have the name of this piece.
+    const bool is_taken = std::find(markers.begin(), markers.end(), name + near) != markers.end();
+    return quoted_name(name, is_taken) + near;
 }
 
 }  // namespace cli

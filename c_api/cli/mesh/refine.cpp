@@ -1,7 +1,7 @@
 #include "mesh/refine.hpp"
 
-#include "pictures/edge_chains.hpp"
 #include "basics/numbers.hpp"
+#include "mesh/loops.hpp"
 
 #include <algorithm>
 #include <ostream>

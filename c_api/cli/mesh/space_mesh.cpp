@@ -1,8 +1,9 @@
 #include "mesh/space_mesh.hpp"
 
-#include "harmorph.h"
-#include <harmorph_space.h>
 #include "basics/numbers.hpp"
+
+#include <harmorph.h>
+#include <harmorph_space.h>
 
 #include <algorithm>
 #include <cmath>

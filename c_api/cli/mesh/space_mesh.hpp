@@ -3,8 +3,9 @@
 // of any direction and in wedges.
 #pragma once
 
-#include <harmorph_space.h>
 #include "mesh/mesh_file.hpp"
+
+#include <harmorph_space.h>
 
 #include <array>
 

@@ -1,13 +1,13 @@
 #include "page/page_data.hpp"
 
 #include "basics/json.hpp"
-#include "basics/operators.hpp"
+#include "files/paths.hpp"
 #include "formats/base64.hpp"
+#include "options/operators.hpp"
 #include "page/page_text.hpp"
 
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
 #include <ostream>
 #include <type_traits>
 
@@ -51,11 +51,8 @@ public:
 
     // Adds everything except functions and displacements.
     JsonObject& run() {
-        const auto name = [](const std::string& path) {
-            return std::filesystem::path(path).filename().string();
-        };
-        object_.add("version", std::string(hm_version())).add("mesh", name(mesh_.file.path()));
-        object_.add("basis", name(subject_.basis));
+        object_.add("version", std::string(hm_version())).add("mesh", last_name(mesh_.file.path()));
+        object_.add("basis", last_name(subject_.basis));
         object_.add("all_points", mesh_.points()).add("all_cells", mesh_.cells());
         object_.add("points", static_cast<std::int64_t>(selection_.points.size()))
             .add("in_cells", selection_.in_cells);

@@ -2,9 +2,9 @@
 // with the option --report.
 #pragma once
 
-#include "basics/field.hpp"
-#include "mesh/basis_file.hpp"
+#include "basics/geometry.hpp"
 #include "page/page_selection.hpp"
+#include "work/basis_file.hpp"
 
 #include <iosfwd>
 #include <string>

@@ -1,6 +1,6 @@
 #include "page/page_selection.hpp"
 
-#include "basics/place.hpp"
+#include "basics/geometry.hpp"
 
 #include <algorithm>
 #include <cmath>

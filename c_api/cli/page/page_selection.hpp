@@ -3,7 +3,7 @@
 // which is only drawn.
 #pragma once
 
-#include "pictures/edge_chains.hpp"
+#include "mesh/loops.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,6 @@
-#include "pictures/pictures.hpp"
-
-#include "pictures/draw_curves.hpp"
 #include "basics/numbers.hpp"
+#include "pictures/draw_curves.hpp"
+#include "pictures/pictures.hpp"
 
 namespace cli {
 

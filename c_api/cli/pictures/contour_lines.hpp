@@ -1,8 +1,8 @@
 // Lines on which a function has a given value.
 #pragma once
 
-#include "mesh/mesh_file.hpp"
 #include "basics/geometry.hpp"
+#include "mesh/mesh_file.hpp"
 
 #include <vector>
 

@@ -1,7 +1,8 @@
-#include <harmorph_design.h>
 #include "pictures/draw_curves.hpp"
 
 #include "basics/library.hpp"
+
+#include <harmorph_design.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,9 @@
 // Draws B-spline curves: outline, control polygon, and numbered control points.
 #pragma once
 
-#include "harmorph.h"
 #include "pictures/plot.hpp"
+
+#include <harmorph.h>
 
 namespace cli {
 

@@ -1,9 +1,8 @@
-#include "pictures/pictures.hpp"
-
+#include "basics/geometry.hpp"
+#include "basics/numbers.hpp"
 #include "pictures/cell_parts.hpp"
 #include "pictures/draw_curves.hpp"
-#include "basics/numbers.hpp"
-#include "basics/place.hpp"
+#include "pictures/pictures.hpp"
 #include "pictures/raster.hpp"
 
 #include <algorithm>

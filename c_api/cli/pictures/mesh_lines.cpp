@@ -1,8 +1,8 @@
 #include "pictures/mesh_lines.hpp"
 
-#include "pictures/edge_chains.hpp"
+#include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
-#include "basics/place.hpp"
+#include "mesh/loops.hpp"
 
 #include <algorithm>
 #include <cmath>

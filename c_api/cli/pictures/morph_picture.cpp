@@ -1,8 +1,7 @@
-#include "pictures/pictures.hpp"
-
+#include "basics/numbers.hpp"
 #include "pictures/draw_curves.hpp"
 #include "pictures/mesh_lines.hpp"
-#include "basics/numbers.hpp"
+#include "pictures/pictures.hpp"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "basics/geometry.hpp"
-#include "commands/morph.hpp"
+#include "work/morph.hpp"
 
 #include <optional>
 #include <string>

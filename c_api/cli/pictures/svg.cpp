@@ -1,6 +1,6 @@
 #include "pictures/svg.hpp"
 
-#include "basics/readable.hpp"
+#include "basics/print.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,7 @@
-#include "pictures/pictures.hpp"
-
+#include "basics/numbers.hpp"
 #include "pictures/cell_parts.hpp"
 #include "pictures/mesh_lines.hpp"
-#include "basics/numbers.hpp"
+#include "pictures/pictures.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "sampling/design_files.hpp"
 
-#include "basics/output_file.hpp"
+#include "files/output_file.hpp"
 #include "formats/format.hpp"
 #include "formats/vtu.hpp"
 
@@ -8,7 +8,7 @@ namespace cli {
 
 namespace {
 
-std::string ending_of(const std::string& path) {
+std::string all_endings_of(const std::string& path) {
     const std::size_t name = path.find_last_of('/') + 1, dot = path.find('.', name);
     return dot == std::string::npos ? "" : path.substr(dot);
 }
@@ -17,7 +17,7 @@ std::string ending_of(const std::string& path) {
 
 DesignFiles::DesignFiles(const Arguments& arguments, const Mesh& mesh)
     : mesh_(mesh),
-      ending_(ending_of(arguments.operand(0))),
+      ending_(all_endings_of(arguments.operand(0))),
       has_meshes_(arguments.has("--meshes")),
       has_vtk_(arguments.has("--vtk")) {
     const bool is_folder = mesh_file(arguments.operand(0)) != arguments.operand(0);

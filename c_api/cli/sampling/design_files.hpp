@@ -1,8 +1,8 @@
 // The mesh files of single designs: one in the format of the given mesh, one for ParaView.
 #pragma once
 
-#include "basics/arguments.hpp"
 #include "mesh/mesh_file.hpp"
+#include "options/arguments.hpp"
 #include "sampling/design_morph.hpp"
 #include "sampling/sample_folder.hpp"
 

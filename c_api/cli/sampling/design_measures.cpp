@@ -1,10 +1,10 @@
 #include "sampling/design_measures.hpp"
 
 #include "basics/library.hpp"
-#include "basics/number_list.hpp"
 #include "basics/numbers.hpp"
-#include "basics/text_file.hpp"
-#include "commands/section_option.hpp"
+#include "files/text_file.hpp"
+#include "options/number_list.hpp"
+#include "options/section_option.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,9 @@
 // The measures of the section of each design, and the limits that reject designs.
 #pragma once
 
+#include "options/arguments.hpp"
+
 #include <harmorph_design.h>
-#include "basics/arguments.hpp"
 
 #include <cstdint>
 #include <limits>

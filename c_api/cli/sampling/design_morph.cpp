@@ -1,8 +1,8 @@
 #include "sampling/design_morph.hpp"
 
 #include "basics/numbers.hpp"
-#include "commands/safe_way.hpp"
 #include "formats/format.hpp"
+#include "work/safe_way.hpp"
 
 #include <algorithm>
 

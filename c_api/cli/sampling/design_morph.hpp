@@ -1,10 +1,10 @@
 // The mesh of one design: one linear step where that is good enough, or else a safe morph.
 #pragma once
 
-#include "basics/field.hpp"
-#include "commands/solver.hpp"
-#include "mesh/basis_file.hpp"
+#include "basics/geometry.hpp"
 #include "sampling/design_space.hpp"
+#include "work/basis_file.hpp"
+#include "work/solver.hpp"
 
 #include <exception>
 #include <memory>

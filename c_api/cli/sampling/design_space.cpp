@@ -1,17 +1,74 @@
 #include "sampling/design_space.hpp"
 
-#include "basics/number_list.hpp"
+#include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
-#include "basics/text_file.hpp"
-#include "curves/to_airfoil.hpp"
-#include "sampling/section_formulas.hpp"
+#include "curves/section.hpp"
+#include "files/paths.hpp"
+#include "files/text_file.hpp"
+#include "options/number_list.hpp"
+#include "work/to_airfoil.hpp"
 
 #include <cmath>
-#include <filesystem>
+#include <vector>
 
 namespace cli {
 
 namespace {
+
+// Sections of chord 1 by formulas, as points in order: counter-clockwise from the upper end of the
+// trailing edge.
+
+constexpr int section_panels = 80;  // on each side of the section
+
+// Calls take(x, side) for the points in order, with side 1 above and -1 below. A sharp trailing
+// edge is one point.
+template <class Take>
+void walk(bool is_sharp, const Take& take) {
+    const auto place = [](int k) {
+        return k == section_panels ? 1 : .5 * (1 - std::cos(pi * k / section_panels));
+    };
+    for (int k = section_panels; k >= 0; --k) take(place(k), 1);
+    for (int k = 1; k <= section_panels - (is_sharp ? 1 : 0); ++k) take(place(k), -1);
+}
+
+double bernstein(const std::vector<double>& weights, double x) {  // de Casteljau
+    std::vector<double> row = weights;
+    for (std::size_t n = row.size(); n > 1; --n)
+        for (std::size_t k = 0; k + 1 < n; ++k) row[k] = (1 - x) * row[k] + x * row[k + 1];
+    return row.front();
+}
+
+// NACA four-digit section with a sharp trailing edge, in chords. The camber may be negative.
+Section naca_section(double camber, double camber_at, double thickness) {
+    Section section;
+    walk(true, [&](double x, int side) {
+        const double p = camber_at, q = x < p ? p : 1 - p, start = x < p ? 0 : 1 - 2 * p;
+        const double line = camber / (q * q) * (start + x * (2 * p - x));
+        const double slope = 2 * camber / (q * q) * (p - x);
+        const double height =
+            x == 1
+                ? 0
+                : 5 * thickness *
+                      (.2969 * std::sqrt(x) - x * (.126 + x * (.3516 - x * (.2843 - x * .1036))));
+        const double across = side * height / std::sqrt(1 + slope * slope);
+        section.x.push_back(x - across * slope);
+        section.y.push_back(line + across);
+    });
+    return section;
+}
+
+// Class-shape transformation with a round leading edge (B. Kulfan, J. Aircraft 45 (2008) 142):
+// sqrt(x) (1 - x) times Bernstein polynomials with these weights, and half of `base` times x.
+Section cst_section(const std::vector<double>& upper, const std::vector<double>& lower,
+                    double base) {
+    Section section;
+    walk(base == 0, [&](double x, int side) {
+        const std::vector<double>& weights = side > 0 ? upper : lower;
+        section.x.push_back(x);
+        section.y.push_back(std::sqrt(x) * (1 - x) * bernstein(weights, x) + .5 * side * base * x);
+    });
+    return section;
+}
 
 constexpr std::int32_t max_designs = 1000000000, max_weights = 20;
 constexpr const char* sources[] = {"--variables", "--naca", "--cst", "--sections"};
@@ -148,8 +205,8 @@ std::vector<DesignParameter> DesignSpace::parameters_of(const Arguments& argumen
 void DesignSpace::read_list(const std::string& path) {
     const TextFile file(path);
     LineReader lines(file, '#');
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    while (lines.next()) files_.push_back((folder / std::string(lines.line())).string());
+    const std::string folder = folder_of(path);
+    while (lines.next()) files_.push_back(path_in(folder, std::string(lines.line())));
 }
 
 Section DesignSpace::section_of(const std::vector<double>& values) const {

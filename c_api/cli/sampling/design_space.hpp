@@ -2,11 +2,11 @@
 // and the source of their values.
 #pragma once
 
-#include "basics/arguments.hpp"
 #include "curves/section.hpp"
 #include "curves/variables_file.hpp"
-#include "mesh/basis_file.hpp"
+#include "options/arguments.hpp"
 #include "sampling/design_values.hpp"
+#include "work/basis_file.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,11 +1,100 @@
 #include "sampling/design_values.hpp"
 
 #include "basics/numbers.hpp"
-#include "basics/text_file.hpp"
+#include "files/text_file.hpp"
+#include "sampling/mixed_bits.hpp"
 
 #include <algorithm>
 
 namespace cli {
+
+namespace {
+
+// A polynomial over the field of two elements; bit k is the coefficient of x^k.
+using Polynomial = std::uint32_t;
+
+int degree_of(Polynomial p) {
+    int degree = -1;
+    for (; p != 0; p >>= 1) ++degree;
+    return degree;
+}
+
+// Returns whether the powers of x modulo p are all polynomials of a lower degree except 0.
+bool is_primitive(Polynomial p) {
+    const int degree = degree_of(p);
+    const std::uint32_t order = (std::uint32_t{1} << degree) - 1;
+    Polynomial power = 1;
+    for (std::uint32_t k = 1; k <= order; ++k) {
+        power <<= 1;
+        if ((power >> degree) & 1) power ^= p;
+        if (power == 1) return k == order;
+    }
+    return false;
+}
+
+}  // namespace
+
+Sobol::Sobol(std::size_t dimensions, std::uint64_t seed) {
+    Polynomial next = 3;  // x + 1
+    for (std::size_t dimension = 0; dimension < dimensions; ++dimension) {
+        std::array<std::uint32_t, bits> v = {};
+        shift_.push_back(static_cast<std::uint32_t>(mixed_bits(seed, dimension) >> 32));
+        if (dimension == 0) {
+            for (std::size_t k = 0; k < bits; ++k) v[k] = std::uint32_t{1} << (bits - 1 - k);
+            directions_.push_back(v);
+            continue;
+        }
+        while (!is_primitive(next)) next += 2;
+        const auto degree = static_cast<std::size_t>(degree_of(next));
+        for (std::size_t k = 0; k < bits; ++k) {
+            if (k < degree) {  // any odd number below 2^(k+1)
+                const auto below = (std::uint32_t{1} << (k + 1)) - 1;
+                const auto odd = static_cast<std::uint32_t>(mixed_bits(dimension, k)) & below;
+                v[k] = (odd | 1) << (bits - 1 - k);
+                continue;
+            }
+            v[k] = v[k - degree] ^ (v[k - degree] >> degree);
+            for (std::size_t j = 1; j < degree; ++j)
+                if ((next >> (degree - j)) & 1) v[k] ^= v[k - j];
+        }
+        directions_.push_back(v);
+        next += 2;
+    }
+}
+
+double Sobol::at(std::uint64_t index, std::size_t dimension) const {
+    std::uint32_t value = shift_[dimension];
+    for (std::size_t k = 0; k < bits; ++k)
+        if ((index >> k) & 1) value ^= directions_[dimension][k];
+    return (value + .5) / 4294967296.0;
+}
+
+LatinHypercube::LatinHypercube(std::uint64_t n, std::uint64_t seed) : n_(n), seed_(seed) {
+    while ((std::uint64_t{1} << (2 * half_bits_)) < n) ++half_bits_;
+}
+
+// A Feistel network permutes the numbers of 2 half_bits bits. It is applied until the number is
+// below n, which makes a permutation of these numbers.
+std::uint64_t LatinHypercube::permuted(std::uint64_t index, std::uint64_t key) const {
+    constexpr std::uint64_t rounds = 6;
+    const std::uint64_t mask = (std::uint64_t{1} << half_bits_) - 1;
+    do {
+        std::uint64_t left = index >> half_bits_, right = index & mask;
+        for (std::uint64_t round = 0; round < rounds; ++round) {
+            const std::uint64_t next = left ^ (mixed_bits(key + round, right) & mask);
+            left = right;
+            right = next;
+        }
+        index = (left << half_bits_) | right;
+    } while (index >= n_);
+    return index;
+}
+
+double LatinHypercube::at(std::uint64_t index, std::size_t dimension) const {
+    const std::uint64_t key = mixed_bits(seed_, dimension);
+    const auto interval = static_cast<double>(permuted(index, key));
+    return (interval + unit_number(mixed_bits(key, ~index))) / static_cast<double>(n_);
+}
 
 namespace {
 

@@ -1,15 +1,54 @@
 // The parameters of designs and their values: from a sequence within ranges, or from a table.
 #pragma once
 
-#include "sampling/latin.hpp"
-#include "sampling/sobol.hpp"
-
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace cli {
+
+// Sobol's sequence: points that fill the unit cube evenly. The first 2^k points have one coordinate
+// in each of the 2^k equal intervals, in every dimension. (I. M. Sobol, USSR Comput. Math. Math.
+// Phys. 7 (1967) 86; P. Bratley, B. L. Fox, ACM Trans. Math. Softw. 14 (1988) 88.)
+
+class Sobol {
+public:
+    static constexpr std::size_t max_dimensions = 1000;
+
+    // The seed shifts all points by exclusive or, which keeps the property above. The direction
+    // numbers do not depend on the seed.
+    Sobol(std::size_t dimensions, std::uint64_t seed);
+
+    // Returns a number in (0, 1). index: 0 .. 2^32 - 1.
+    double at(std::uint64_t index, std::size_t dimension) const;
+
+private:
+    static constexpr std::size_t bits = 32;
+
+    std::vector<std::array<std::uint32_t, bits>> directions_;
+    std::vector<std::uint32_t> shift_;
+};
+
+// Latin hypercube: of n points, one is in each of n equal intervals in every dimension. Any point
+// is computed alone, so the memory does not depend on n. (M. McKay, R. Beckman, W. Conover,
+// Technometrics 21 (1979) 239.)
+
+class LatinHypercube {
+public:
+    LatinHypercube(std::uint64_t n, std::uint64_t seed);
+
+    // Returns a number in [0, 1). index: 0 .. n - 1.
+    double at(std::uint64_t index, std::size_t dimension) const;
+
+private:
+    std::uint64_t permuted(std::uint64_t index, std::uint64_t key) const;
+
+    std::uint64_t n_, seed_;
+    int half_bits_ = 1;  // 2^(2 half_bits) >= n
+};
 
 struct DesignParameter {
     std::string name;

@@ -1,19 +1,17 @@
 #include "sampling/sample_folder.hpp"
 
 #include "basics/failure.hpp"
-#include "basics/output_file.hpp"
-#include "basics/text_file.hpp"
+#include "files/output_file.hpp"
+#include "files/paths.hpp"
+#include "files/text_file.hpp"
 #include "formats/format.hpp"
 #include "sampling/crc32.hpp"
 
 #include <cstdio>
-#include <filesystem>
 
 namespace cli {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 std::string numbered(std::int64_t number, int digits) {
     char text[32];
@@ -55,12 +53,6 @@ std::string SampleFolder::vtk_of(std::int64_t design) const {
     return file("vtk/" + numbered(design + 1, 7) + ".vtu");
 }
 
-void SampleFolder::make(const std::string& folder) const {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw Failure(exit_file, folder + ": cannot be made: " + error.message());
-}
-
 namespace {
 
 // Tells whether the name is that of a file of a set before OutputFile renames the file: for
@@ -88,11 +80,8 @@ bool is_of_folder(const std::string& name) {
 // files stay, whatever their names are.
 template <class Judge>
 void remove_parts(const std::string& folder, const Judge& is_of_set) {
-    std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-        std::error_code ignored;
-        const bool is_part = is_part_of(entry.path().filename().string(), is_of_set);
-        if (is_part && entry.is_regular_file(ignored)) fs::remove(entry.path(), ignored);
+    for (const std::string& name : files_in(folder)) {
+        if (is_part_of(name, is_of_set)) std::remove(path_in(folder, name).c_str());
     }
 }
 
@@ -101,8 +90,7 @@ void remove_parts(const std::string& folder, const Judge& is_of_set) {
 void SampleFolder::open(const std::string& settings, bool has_meshes, bool has_vtk) {
     owned_.emplace(path_, "set.txt");
     const std::string set = file("set.txt");
-    std::error_code error;
-    if (!fs::exists(set, error)) {
+    if (!exists(set)) {
         OutputFiles files;
         files.add(set) << settings;
         files.commit();
@@ -111,9 +99,9 @@ void SampleFolder::open(const std::string& settings, bool has_meshes, bool has_v
                                       " has designs of other options or files (see its set.txt): "
                                       "name another folder");
     }
-    make(file("shards"));
-    if (has_meshes) make(file("meshes"));
-    if (has_vtk) make(file("vtk"));
+    make_folders(file("shards"));
+    if (has_meshes) make_folders(file("meshes"));
+    if (has_vtk) make_folders(file("vtk"));
     const auto is_shard = [](const std::string& name) { return is_numbered(name, 5); };
     const auto is_design = [](const std::string& name) {
         return is_numbered(name, 7) || name == "series.pvd";
@@ -125,9 +113,8 @@ void SampleFolder::open(const std::string& settings, bool has_meshes, bool has_v
 }
 
 std::int64_t SampleFolder::complete_shards() const {
-    std::error_code error;
     std::int64_t n = 0;
-    while (fs::exists(arrays_of(n + 1), error) && fs::exists(table_of(n + 1), error)) ++n;
+    while (exists(arrays_of(n + 1)) && exists(table_of(n + 1))) ++n;
     return n;
 }
 

@@ -10,8 +10,8 @@
 // A shard is complete when its .npz exists, which is the last of its files.
 #pragma once
 
-#include "basics/arguments.hpp"
-#include "basics/own_folder.hpp"
+#include "files/own_folder.hpp"
+#include "options/arguments.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -45,7 +45,6 @@ public:
 
 private:
     std::string shard_file(std::int64_t shard, const char* ending) const;
-    void make(const std::string& folder) const;
 
     std::string path_;
     std::optional<OwnFolder> owned_;

@@ -1,7 +1,7 @@
 #include "sampling/sample_splits.hpp"
 
 #include "basics/numbers.hpp"
-#include "basics/text_file.hpp"
+#include "files/text_file.hpp"
 #include "sampling/mixed_bits.hpp"
 
 #include <algorithm>

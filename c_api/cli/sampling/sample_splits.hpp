@@ -2,7 +2,7 @@
 // at random into training and tests.
 #pragma once
 
-#include "basics/arguments.hpp"
+#include "options/arguments.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,9 +1,9 @@
 #include "sampling/sample_table.hpp"
 
-#include "basics/csv_cells.hpp"
 #include "basics/numbers.hpp"
-#include "basics/text_file.hpp"
 #include "basics/text_out.hpp"
+#include "files/csv_cells.hpp"
+#include "files/text_file.hpp"
 
 #include <cmath>
 #include <ostream>

@@ -23,6 +23,7 @@ GROUPS = [
         "Fortran": "fortran/README.md",
         "FORTRAN 77": "fortran/harmorph77/README.md",
         "Python": "c_api/python/README.md",
+        "JavaScript": "c_api/web/README.md",
         "OpenFOAM": "c_api/openfoam/README.md",
         "Command line": "c_api/cli/README.md",
     }),

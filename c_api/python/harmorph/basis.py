@@ -96,7 +96,7 @@ class Basis:
             return None
         views, out = ffi.new("hm_curve[]", self.info.curves), new("hm_curves")
         views[0].struct_size = ffi.sizeof("hm_curve")
-        call(lib.hm_basis_curves, self.pointer, out, views, self.info.curves)
+        call(lib.hm_basis_curves, self.pointer, ffi.NULL, ffi.NULL, out, views, self.info.curves)
         return Curves._copied(out)
 
     def conditions(self, mesh: Mesh) -> List[Tuple[int, Condition]]:

@@ -128,7 +128,7 @@ class Curves(Shapes):
         -----
         HarmorphWarning
             ``BACKTRACKS``: the curve runs against the order of the points; use fewer control points.
-            ``SHORT``: the points are farther from the curve than `tolerance`.
+            ``FAR_FROM_POINTS``: the points are farther from the curve than `tolerance`.
         """
         one = isinstance(markers, (str, int, np.integer))
         names: tuple = (markers,) if one else tuple(markers)  # type: ignore

@@ -88,7 +88,7 @@ class HarmorphWarning(_Finding, UserWarning):
 
     The attributes are those of :class:`Error`. The codes are attributes of the class:
     ``HarmorphWarning.NOT_CONVERGED``, ``MOVED``, ``SHORT``, ``BACKTRACKS``, ``FAR_FROM_CURVE``,
-    ``POOR`` and ``TORN``.
+    ``FAR_FROM_POINTS``, ``POOR`` and ``TORN``.
     """
 
     NOT_CONVERGED = lib.HM_NOT_CONVERGED
@@ -96,6 +96,7 @@ class HarmorphWarning(_Finding, UserWarning):
     SHORT = lib.HM_SHORT
     BACKTRACKS = lib.HM_BACKTRACKS
     FAR_FROM_CURVE = lib.HM_FAR_FROM_CURVE
+    FAR_FROM_POINTS = lib.HM_FAR_FROM_POINTS
     POOR = lib.HM_POOR
     TORN = lib.HM_TORN
 

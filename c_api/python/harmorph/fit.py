@@ -30,12 +30,11 @@ def fit_markers(
     options, _alive = _options(n_control, degree, closed, **details)
     result = new("hm_fit_report")
     wanted = np.array(mesh.numbers_of(markers), np.int32)
-    size, work_size, found = ffi.new("size_t*"), ffi.new("size_t*"), ffi.new("hm_curves**")
-    call(lib.hm_fit_marker_size, mesh._c, len(wanted), int32_view(wanted), options, size, work_size,
-         names=mesh.names)
-    block, work = np.empty(size[0], np.uint8), np.empty(work_size[0], np.uint8)
+    size, found = ffi.new("size_t*"), ffi.new("hm_curves**")
+    call(lib.hm_fit_marker_size, mesh._c, len(wanted), int32_view(wanted), options, size, names=mesh.names)
+    block = np.empty(size[0], np.uint8)
     call(lib.hm_fit_marker, found, ffi.from_buffer(block), len(block), mesh._c, len(wanted),
-         int32_view(wanted), options, result, ffi.from_buffer(work), len(work), names=mesh.names)
+         int32_view(wanted), options, result, names=mesh.names)
     return found[0], report(result), block
 
 

@@ -147,6 +147,29 @@ class Functions:
             check(status, error)
         return out
 
+    def matrix(self, out: Optional[np.ndarray] = None) -> np.ndarray:
+        """Return the functions as a dense array, for products on any device.
+
+        Parameters
+        ----------
+        out : C-contiguous float64 array of shape (planes, n_points, functions), optional
+
+        Returns
+        -------
+        ndarray of shape (planes, n_points, functions), or `out`
+            The displacements ``(dx, dy)`` of :meth:`displacement` are, for columns ``px, py`` of `move`,
+            ``F[0] @ px, F[0] @ py`` with 1 plane (real functions),
+            ``F[0] @ px - F[1] @ py, F[1] @ px + F[0] @ py`` with 2 (complex functions: the default operator), and
+            ``F[0] @ px + F[1] @ py, F[2] @ px + F[3] @ py`` with 4 (points that slip along lines).
+            So a batch of movements is one product in numpy, PyTorch or CuPy.
+        """
+        basis = self._basis or self._open()
+        shape = (basis.info.numbers_per_value, basis.n_points, basis.shape[0])
+        if out is None:
+            out = np.empty(shape)
+        call(lib.hm_basis_matrix, basis.pointer, doubles(out, shape, "out", out=True))
+        return out
+
     def assess(self, displacement: Any = None, points: Any = None, reference: Any = None) -> Assessment:
         """Judge a movement before anything moves, or a mesh as it is.
 

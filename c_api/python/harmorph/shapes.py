@@ -14,8 +14,9 @@ from .reports import Report, fill, new, pair, report
 from .variables import Variables
 
 _MOVEMENTS = {
-    name: getattr(lib, "HM_" + name.upper())
-    for name in ("turn", "shift", "scale", "flap", "camber_thickness", "parsec", "blade")
+    "turn": lib.HM_ROTATE,  # the verb of files of moves
+    **{name: getattr(lib, "HM_" + name.upper())
+       for name in ("shift", "scale", "flap", "camber_thickness", "parsec", "blade")},
 }
 Self = TypeVar("Self", bound="Shapes")
 

@@ -1,7 +1,7 @@
 // The readers of the program behind a C interface. Exceptions end here.
 #include "mesh_files.h"
 
-#include "basics/marker_names.hpp"
+#include "mesh/marker_names.hpp"
 #include "curves/section_read.hpp"
 #include "formats/format.hpp"
 

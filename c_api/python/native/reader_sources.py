@@ -11,7 +11,7 @@ from pathlib import Path
 def reader_sources(folder):
     """Return all files below `folder` (c_api/cli) that the readers need, as sorted paths."""
     folder = Path(folder)
-    waiting = [*folder.glob("formats/*.[ch]pp"), folder / "basics/marker_names.hpp",
+    waiting = [*folder.glob("formats/*.[ch]pp"), folder / "mesh/marker_names.hpp",
                folder / "curves/section_read.hpp"]
     found = set()
     while waiting:

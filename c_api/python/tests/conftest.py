@@ -56,7 +56,7 @@ def move(curves):
 @pytest.fixture(scope="session")
 def meshes():
     """The folder of the mesh files of harmorph's own tests."""
-    beside = Path(__file__).resolve().parents[3] / "tests/meshes"
+    beside = Path(__file__).resolve().parents[3] / "build/meshes"
     folder = Path(os.environ.get("HARMORPH_MESHES", beside))
     if not (folder / "naca0012.su2").is_file():
         pytest.skip("the mesh files of harmorph's tests are not here")

@@ -55,6 +55,36 @@ def test_finite_elements(tmp_path):
     assert number("area: # less", text) == pytest.approx(number("section of # more", text), rel=5e-3)
 
 
+def test_batch(tmp_path):
+    text = run("batch.py", tmp_path)
+    assert text.startswith("1000 designs") and number("is # of the largest", text) < 1e-14
+
+
+def test_additive(tmp_path):
+    text = run("additive.py", tmp_path)
+    assert "back: the bits of the first mesh" in text
+    assert number("up to #", text) > 0.01 and 0 < number("instead: # away", text) < 1e-11
+
+
+def test_data_set(meshes, program, tmp_path):
+    """The commands of the page, with fewer sections."""
+    mesh = meshes / "naca0012.su2"
+    commands = (
+        ("fit", mesh, "--marker", "airfoil", "-o", "curve"),
+        ("solve", mesh, "--curve", "airfoil=curve", "-o", "basis"),
+        ("sample", mesh, "basis", "--naca", "--count", 60, "--wall-distance", "--inside",
+         "thickness=.08,.2", "-o", "set"),
+    )
+    for command in commands:
+        subprocess.run([program, *map(str, command)], cwd=tmp_path, check=True, capture_output=True)
+    text = run("dataset/distance.py", tmp_path, mesh, "set", needs=["torch"])
+    counts = re.match(r"(\d+) designs to train, (\d+) to test, (\d+) out", text).groups()
+    trained, tested, out = map(int, counts)
+    assert trained + tested + out == 60 and min(trained, tested, out) > 0
+    assert number(r"\ntest: .* chords, # times less", text) > 5
+    assert number(r"out of range: .* chords, # times less", text) > 5
+
+
 def test_learning(tmp_path):
     text = run("learning.py", tmp_path, needs=["torch"])
     assert "gradcheck passed" in text and number("differ by #", text) < 1e-7

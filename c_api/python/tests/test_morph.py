@@ -284,3 +284,20 @@ def test_a_basis_counted_from_1(curves, move, tmp_path):
     displacement = 50 * morph.displacement(move)
     assert loaded.assess(displacement) == morph.assess(displacement)
     assert vars(loaded.safe(move).report) == vars(morph.safe(move).report)
+
+
+@pytest.mark.parametrize("operator, planes", [("conformal", 2), ("laplace", 1)])
+def test_functions_as_a_dense_array(curves, move, operator, planes):
+    morph = harmorph.Morph(ring_mesh(), curves, operator=operator)
+    f = morph.matrix()
+    assert f.shape == (planes, morph.n_points, 12)
+    if planes == 1:
+        found = f[0] @ move
+    else:
+        found = np.stack([f[0] @ move[:, 0] - f[1] @ move[:, 1], f[1] @ move[:, 0] + f[0] @ move[:, 1]], axis=1)
+    expected = morph.displacement(move)
+    assert np.abs(found - expected).max() <= 1e-14 * np.abs(expected).max()
+    again = np.empty(f.shape)
+    assert morph.matrix(out=again) is again and np.array_equal(again, f)
+    with pytest.raises(harmorph.Error):
+        morph.matrix(out=np.empty((1, 2, 3)))

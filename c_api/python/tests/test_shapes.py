@@ -85,7 +85,7 @@ def test_details_of_a_fit(random):
     assert enough.fit_report.max_error <= 1e-3 and len(enough.control) < 40
     with pytest.warns(harmorph.HarmorphWarning) as caught:
         harmorph.Curves.fit_points(points, True, 8, tolerance=1e-9)
-    assert caught[0].message.code == harmorph.HarmorphWarning.SHORT
+    assert caught[0].message.code == harmorph.HarmorphWarning.FAR_FROM_POINTS
     weights = np.ones(len(points))
     weights[40] = 1e4
     heavy = harmorph.Curves.fit_points(points, True, 12, weights=weights)

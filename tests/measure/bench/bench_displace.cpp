@@ -80,7 +80,7 @@ class Movement {
 public:
     Movement(Case const& mesh_case, Plan& plan)
         : plan_(plan.get()),
-          points_(plan.given_points()),
+          points_(plan.known_points()),
           n_(mesh_case.mesh.x.size()),
           fields_(2 * n_ * several) {
         for (Index const point : points_) {

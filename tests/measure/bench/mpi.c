@@ -2,7 +2,6 @@
  * numbers, see mpi.sh: seconds of the processor that works longest, not of the clock, so that other
  * programs disturb less; and the largest number of bytes that a process has for harmorph at a time.
  */
-#include <harmorph_parts.h>
 #include "mpi_case.h"
 
 #include <string.h>
@@ -44,23 +43,22 @@ int main(int argc, char** argv) {
     start = begin();
     make_solver(&with, &setup);
     factor = since(start);
-    need(hm_share_of(with.analysis, rank, size, &first, &n_share, &error), &error);
+    need(hm_private_share_of(with.analysis, rank, size, &first, &n_share, &error), &error);
     start = begin();
     share = solve_share(&with, first, n_share, &share_block);
     solve = since(start);
     need(hm_basis_info_get(share, &info, &error), &error);
     bytes = (double)(with.bytes + info.bytes);
-    free_solver(&with);
+    free(share_block);
 
     begin_point = (int32_t)((int64_t)setup.n_points * rank / size);
     n = (int32_t)((int64_t)setup.n_points * (rank + 1) / size) - begin_point;
     points = room(sizeof *points * (size_t)n);
     for (k = 0; k < n; ++k) points[k] = begin_point + k;
     start = begin();
-    rows = extract(share, n, points, &rows_block);
-    need(hm_mpi_exchange(rows, share, n, points, MPI_COMM_WORLD, &error), &error);
-    exchange = since(start);
-    free(share_block);
+    need(solve_rows(&with, n, points, &rows, &rows_block, NULL, &error), &error);
+    exchange = since(start) - solve;
+    free_solver(&with);
 
     xy = room(2 * sizeof *xy * (size_t)n);
     numbers = room(2 * sizeof *numbers * (size_t)setup.n_functions);

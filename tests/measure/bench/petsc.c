@@ -5,7 +5,6 @@
  * largest process: harmorph with its basis, the rest (PETSc and its solvers), and the most that the
  * process had at a time; estimated error. */
 #include <harmorph_petsc.h>
-#include <harmorph_parts.h>
 
 #include <math.h>
 #include <petscsys.h>

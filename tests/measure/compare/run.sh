@@ -6,8 +6,8 @@
 folder=$BUILD/compare
 mkdir -p "$folder"
 awk -f tests/measure/compare/o_mesh.awk >"$folder/joukowski.su2" &&
-    sh tests/measure/python.sh "$BUILD" tests/measure/compare/compare.py "$folder" tests/meshes/naca0012.su2:airfoil \
-        "$folder/joukowski.su2:airfoil" $MESHES || exit
+    sh tests/measure/python.sh "$BUILD" tests/measure/compare/compare.py "$folder" \
+        "$BUILD/meshes/naca0012.su2:airfoil" "$folder/joukowski.su2:airfoil" $MESHES || exit
 sh tests/measure/python.sh "$BUILD" tests/measure/compare/peers.py "$BUILD" || exit
 
 # OpenFOAM's own solvers for moving meshes, and harmorph's where `make test-openfoam` has built it.

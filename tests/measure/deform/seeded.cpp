@@ -7,14 +7,15 @@
 //   always; N of each
 // In the environment: DETAILS (any value) prints every movement; OPERATOR is a value of
 // hm_options.operator_kind.
-#include "mesh/basis_file.hpp"
+#include "work/basis_file.hpp"
 #include "commands/commands.hpp"
+#include "work/read_mesh.hpp"
 #include "curves/curve_file.hpp"
 #include "basics/failure.hpp"
-#include "commands/morph.hpp"
+#include "work/morph.hpp"
 #include "basics/numbers.hpp"
-#include "basics/output_file.hpp"
-#include "commands/solver.hpp"
+#include "files/output_file.hpp"
+#include "work/solver.hpp"
 #include "seeds.hpp"
 #include "wall_bound.hpp"
 

@@ -59,7 +59,7 @@ def section(seed):
 
 def meshes(folder, words):
     """Pairs of a file and a marker."""
-    for word in ["tests/meshes/naca0012.su2:airfoil", "tests/meshes/two_bodies.su2:left", *words]:
+    for word in [str(folder.parent / "meshes/naca0012.su2:airfoil"), "tests/meshes/two_bodies.su2:left", *words]:
         if not Path(word).is_dir():
             yield word.rsplit(":", 1)
             continue

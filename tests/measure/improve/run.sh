@@ -3,4 +3,4 @@
 # on generated meshes (SIZES points of KINDS) and on the shipped mesh; MESHES: on these, too, words FILE:MARKER.
 : "${SIZES:=5000 20000 60000}" "${KINDS:=iso viscous triangles hybrid}"
 exec sh tests/measure/python.sh "${1:?usage: run.sh BUILD}" tests/measure/improve/improve.py "$SIZES" "$KINDS" \
-    tests/meshes/naca0012.su2:airfoil $MESHES
+    "$1/meshes/naca0012.su2:airfoil" $MESHES

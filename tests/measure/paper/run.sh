@@ -3,7 +3,7 @@
 # index.html (see tests/figures.sh); numbers and tables are printed; MESHES=directory adds a table for the SU2 files
 # there. Shapes are drawn after the paper's description, which gives no coordinates.
 : "${BUILD:=build}"
-harmorph=$BUILD/harmorph out=$BUILD/paper meshes=tests/meshes here=$(dirname "$0")
+harmorph=$BUILD/harmorph out=$BUILD/paper meshes=$BUILD/meshes here=$(dirname "$0")
 mkdir -p "$out"
 failed=0
 

@@ -7,7 +7,7 @@
 harmorph=$1 to=$2 count=${3:-1000}
 rm -rf "$to"
 mkdir -p "$to" || exit 1
-mesh=tests/meshes/naca0012.su2
+mesh=$(dirname "$harmorph")/meshes/naca0012.su2
 "$harmorph" fit $mesh --marker airfoil -o "$to/curve" >"$to/log" &&
     "$harmorph" solve $mesh --curve "airfoil=$to/curve" -o "$to/basis" >>"$to/log" || exit 1
 least() { # least COMMAND...: seconds of processor time and of wall time; each is the least of five runs

@@ -1,0 +1,160 @@
+#include "files/text_file.hpp"
+
+#include "basics/failure.hpp"
+#include "basics/quoted_name.hpp"
+#include "files/mapped_file.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace cli {
+
+namespace {
+
+// The kind of each byte for a reader of lines.
+enum : unsigned char { part_of_word, blank, end_of_line };
+
+constexpr auto kinds_of_bytes() {
+    std::array<unsigned char, 256> kind_of_byte = {};
+    for (const char c : {' ', '\t', '\v', '\f'})
+        kind_of_byte[static_cast<unsigned char>(c)] = blank;
+    for (const char c : {'\r', '\n'}) kind_of_byte[static_cast<unsigned char>(c)] = end_of_line;
+    return kind_of_byte;
+}
+constexpr std::array<unsigned char, 256> kind_of_byte = kinds_of_bytes();
+unsigned char kind(char c) { return kind_of_byte[static_cast<unsigned char>(c)]; }
+
+// Returns the length of the word at the beginning of the text, which may have names in quotes.
+std::size_t end_of_word(std::string_view text) {
+    std::size_t at = 0;
+    for (bool is_start = true; at < text.size() && kind(text[at]) == part_of_word;) {
+        const std::size_t behind = is_start ? behind_quoted(text, at) : at;
+        is_start = behind == at && text[at] == ',';
+        at = behind == at ? at + 1 : behind;
+    }
+    return at;
+}
+
+}  // namespace
+
+TextFile::TextFile(const std::string& path) : path_(path) {
+    const auto file = std::make_shared<const MappedFile>(path);
+    text_ = {file->data(), file->size()};
+    memory_ = file;
+}
+
+TextFile::TextFile(const std::string& path, std::string text) : path_(path) {
+    const auto own = std::make_shared<const std::string>(std::move(text));
+    text_ = *own;
+    memory_ = own;
+}
+
+std::string TextFile::place(std::size_t offset) const {
+    if (name_of_place_) return path_ + ": " + name_of_place_(offset);
+    std::size_t line = 1;
+    for (std::size_t i = 0; i < offset && i < text_.size(); ++i) {
+        const bool lone_return =
+            text_[i] == '\r' && (i + 1 == text_.size() || text_[i + 1] != '\n');
+        if (text_[i] == '\n' || lone_return) ++line;
+        if (text_[i] == '\0') return path_ + ": byte " + std::to_string(offset);
+    }
+    return path_ + ":" + std::to_string(line);
+}
+
+void TextFile::fail(std::size_t offset, std::string_view message) const {
+    // A basis in the place of another file has no lines that a message could name.
+    if (text_.substr(0, 8) == "harmorph" && text_.substr(0, 16).find('\0') != text_.npos)
+        throw Failure(exit_file, path_ +
+                                     ": the file is a basis, which `harmorph solve` writes; "
+                                     "another file is expected in this place");
+    throw Failure(exit_file, (place(offset) + ": ").append(message));
+}
+
+void TextFile::listen(std::function<void(double)> listener) {
+    listener_ = std::move(listener);
+    next_mark_ = listener_ ? 0 : std::numeric_limits<std::size_t>::max();
+}
+
+void TextFile::report(std::size_t offset) const {
+    next_mark_ = offset + text_.size() / 100 + 1;
+    listener_(std::min(1.0, static_cast<double>(offset) / static_cast<double>(text_.size() + 1)));
+}
+
+LineReader::LineReader(const TextFile& file, char comment, bool has_quotes)
+    : file_(file), comment_(comment), has_quotes_(has_quotes) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (file.text().substr(0, 3) == byte_order_mark) next_ = byte_order_mark.size();
+}
+
+// One pass over the bytes of a line finds the end of the line, the comment, and the first and the
+// last byte that are not blank.
+bool LineReader::next() {
+    const char* const text = file_.text().data();
+    const std::size_t size = file_.text().size();
+    file_.passed(next_);
+    while (next_ < size) {
+        std::size_t at = next_;
+        while (at < size && kind(text[at]) == blank) ++at;
+        const std::size_t begin = at;
+        if (has_quotes_) {
+            end_at_comment(begin);
+            if (!line_.empty()) return true;
+            continue;
+        }
+        std::size_t end = at;  // behind the last byte that is not blank
+        for (; at < size && kind(text[at]) != end_of_line && text[at] != comment_; ++at) {
+            if (kind(text[at]) == part_of_word) end = at + 1;
+        }
+        while (at < size && kind(text[at]) != end_of_line) ++at;
+        next_ = at + (at < size ? 1 : 0) +
+                (at + 1 < size && text[at] == '\r' && text[at + 1] == '\n' ? 1 : 0);
+        line_ = std::string_view(text + begin, end - begin);
+        if (!line_.empty()) return true;
+    }
+    line_ = std::string_view(text + size, 0);
+    return false;
+}
+
+// The same for lines with names in quotes.
+void LineReader::end_at_comment(std::size_t begin) {
+    const std::string_view text = file_.text();
+    std::size_t at = begin;
+    for (bool is_start = true; at < text.size();) {
+        const std::size_t behind = is_start ? behind_quoted(text, at) : at;
+        is_start = behind == at && (text[at] == ',' || kind(text[at]) == blank);
+        if (behind == at && (kind(text[at]) == end_of_line || text[at] == comment_)) break;
+        at = behind == at ? at + 1 : behind;
+    }
+    line_ = text.substr(begin, at - begin);
+    line_ = line_.substr(0, trimmed(line_).size());
+    while (at < text.size() && kind(text[at]) != end_of_line) ++at;
+    const bool is_pair = text.substr(std::min(at, text.size()), 2) == "\r\n";
+    next_ = std::min(at + (is_pair ? 2 : 1), text.size());
+}
+
+const std::vector<std::string_view>& LineReader::words() {
+    words_.clear();
+    for (const char *at = line_.data(), *const end = at + line_.size(); at != end;) {
+        const char* const begin = at;
+        if (has_quotes_) at += end_of_word({at, static_cast<std::size_t>(end - at)});
+        while (at != end && kind(*at) == part_of_word) ++at;
+        words_.emplace_back(begin, static_cast<std::size_t>(at - begin));
+        while (at != end && kind(*at) != part_of_word) ++at;
+    }
+    return words_;
+}
+
+std::size_t LineReader::offset(std::string_view part) const {
+    return static_cast<std::size_t>(part.data() - file_.text().data());
+}
+
+void LineReader::fail(std::string_view message) const { file_.fail(offset(), message); }
+
+void LineReader::expected(std::string_view what) const { expected(what, line_); }
+
+void LineReader::expected(std::string_view what, std::string_view found) const {
+    fail("the file needs " + std::string(what) + " here, but " +
+         (found.empty() ? "the end of the file" : in_quotes(found)) + " follows");
+}
+
+}  // namespace cli

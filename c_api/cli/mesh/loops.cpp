@@ -1,0 +1,114 @@
+#include "mesh/loops.hpp"
+
+#include "basics/geometry.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace cli {
+
+namespace {
+
+// The edges at each point, with a record of the edges that no chain has used yet.
+class UnusedEdges {
+public:
+    UnusedEdges(const std::vector<Edge>& edges, std::int32_t n_points)
+        : edges_(edges), used_(edges.size()), begin_(static_cast<std::size_t>(n_points) + 1) {
+        for (const Edge& edge : edges) {
+            ++begin_[index(edge.a) + 1];
+            ++begin_[index(edge.b) + 1];
+        }
+        for (std::size_t point = 1; point < begin_.size(); ++point)
+            begin_[point] += begin_[point - 1];
+        next_ = begin_;
+        at_point_.resize(2 * edges.size());
+        for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+            at_point_[next_[index(edges[edge].a)]++] = edge;
+            at_point_[next_[index(edges[edge].b)]++] = edge;
+        }
+        next_ = begin_;
+    }
+
+    // Uses an edge at the point and returns its other point, or -1 if there is no edge left.
+    std::int32_t follow(std::int32_t point) {
+        std::size_t& next = next_[index(point)];
+        for (; next < begin_[index(point) + 1]; ++next) {
+            const std::size_t edge = at_point_[next];
+            if (used_[edge]) continue;
+            used_[edge] = true;
+            return edges_[edge].a == point ? edges_[edge].b : edges_[edge].a;
+        }
+        return -1;
+    }
+
+private:
+    static std::size_t index(std::int32_t point) { return static_cast<std::size_t>(point); }
+
+    const std::vector<Edge>& edges_;
+    std::vector<bool> used_;
+    // Compressed rows: the edges of point p are at_point_[begin_[p]] ...; next_[p] is the index of
+    // the first one that may be unused.
+    std::vector<std::size_t> begin_, next_, at_point_;
+};
+
+}  // namespace
+
+void remove_repeats(std::vector<Edge>& edges) {
+    const auto is_same = [](Edge one, Edge other) { return one.a == other.a && one.b == other.b; };
+    std::sort(edges.begin(), edges.end(), precedes);
+    edges.erase(std::unique(edges.begin(), edges.end(), is_same), edges.end());
+}
+
+std::vector<Edge> mesh_edges(const Mesh& mesh, const std::function<bool(Edge)>& visible) {
+    std::vector<Edge> edges;
+    for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
+        const std::int32_t* points = mesh.cell_points.data() + mesh.cell_start[cell];
+        const std::int32_t n = mesh.cell_start[cell + 1] - mesh.cell_start[cell];
+        for (std::int32_t i = 0; i < n; ++i) {
+            const auto ends = std::minmax(points[i], points[(i + 1) % n]);
+            const Edge edge = {ends.first, ends.second};
+            if (visible(edge)) edges.push_back(edge);
+        }
+    }
+    remove_repeats(edges);
+    return edges;
+}
+
+std::vector<std::vector<std::int32_t>> edge_chains(const std::vector<Edge>& edges,
+                                                   std::int32_t n_points) {
+    UnusedEdges unused(edges, n_points);
+    std::vector<std::vector<std::int32_t>> chains;
+    for (const Edge& edge : edges) {
+        std::vector<std::int32_t> chain = {edge.a};
+        for (std::int32_t point = edge.a; (point = unused.follow(point)) >= 0;)
+            chain.push_back(point);
+        if (chain.size() > 1) chains.push_back(std::move(chain));
+    }
+    return chains;
+}
+
+BoundaryLoops::BoundaryLoops(const std::vector<std::int32_t>& ends, std::int32_t n_points) {
+    // The points of one loop have one root, which is the smallest of them.
+    std::vector<std::int32_t> parent(place(n_points));
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&parent](std::int32_t point) {
+        while (parent[place(point)] != point) {
+            std::int32_t& up = parent[place(point)];
+            point = up = parent[place(up)];
+        }
+        return point;
+    };
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+        const std::int32_t a = root(ends[i]), b = root(ends[i + 1]);
+        parent[place(std::max(a, b))] = std::min(a, b);
+    }
+    std::vector<std::int32_t> number(place(n_points), -1);
+    for (const std::int32_t point : ends) number[place(root(point))] = 0;
+    for (std::int32_t& loop : number) {
+        if (loop == 0) loop = count++;
+    }
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+        of_edge.push_back(number[place(root(ends[i]))]);
+}
+
+}  // namespace cli

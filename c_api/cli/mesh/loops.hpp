@@ -1,0 +1,43 @@
+// Finds edges that are connected by their ends. Edges of a closed boundary form loops; edges of a
+// part of a boundary may form open chains. Both are called loops here.
+#pragma once
+
+#include "basics/geometry.hpp"
+#include "mesh/mesh_file.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace cli {
+
+// The edges of a mesh, and chains of edges: a chain takes half the space of separate edges.
+
+struct Edge {
+    std::int32_t a, b;  // a < b
+};
+
+inline bool precedes(Edge one, Edge other) {
+    return one.a != other.a ? one.a < other.a : one.b < other.b;
+}
+
+// Sorts edges and removes repeated ones.
+void remove_repeats(std::vector<Edge>& edges);
+
+// Returns each edge once, in order, without those for which visible() returns false.
+std::vector<Edge> mesh_edges(const Mesh& mesh, const std::function<bool(Edge)>& visible);
+
+// Returns chains of points that contain each edge once.
+std::vector<std::vector<std::int32_t>> edge_chains(const std::vector<Edge>& edges,
+                                                   std::int32_t n_points);
+
+struct BoundaryLoops {
+    std::int32_t count = 0;
+    // The loop of each edge, from 0. Loops are in the order of their smallest points.
+    std::vector<std::int32_t> of_edge;
+
+    // ends: two points of each edge, between 0 and n_points - 1.
+    BoundaryLoops(const std::vector<std::int32_t>& ends, std::int32_t n_points);
+};
+
+}  // namespace cli

@@ -1,0 +1,213 @@
+#include "options/arguments.hpp"
+
+#include "basics/numbers.hpp"
+#include "basics/quoted_name.hpp"
+#include "basics/text.hpp"
+#include "files/output_file.hpp"
+
+#include <algorithm>
+
+namespace cli {
+
+namespace {
+
+// The help has two columns; further lines begin in the second column.
+std::string help_line(const Option& option) {
+    constexpr std::size_t column = 26;
+    std::string text =
+        std::string("  ") + option.name + (option.value ? std::string(" ") + option.value : "");
+    text.resize(std::max(column, text.size() + 2), ' ');
+    for (const char* c = option.help; *c; ++c)
+        text += *c == '\n' ? "\n" + std::string(column, ' ') : std::string(1, *c);
+    return text + '\n';
+}
+
+}  // namespace
+
+std::vector<Option> operator+(std::vector<Option> some, const std::vector<Option>& others) {
+    some.insert(some.end(), others.begin(), others.end());
+    return some;
+}
+
+Arguments::Arguments(const Command& command, const std::vector<std::string>& words)
+    : command_(command) {
+    bool options_ended = false;
+    for (std::size_t at = 0; at < words.size(); ++at) {
+        const std::string& word = words[at];
+        if (!options_ended && word == "--") {
+            options_ended = true;
+        } else if (!options_ended && word.size() > 1 && word[0] == '-') {
+            at = take_option(words, at);
+        } else {
+            operands_.push_back(word);
+        }
+    }
+    const std::size_t wanted = command_.operands.size();
+    if (operands_.size() < wanted)
+        refuse(std::string(command_.operands[operands_.size()].name) + " is missing");
+    if (operands_.size() > wanted)
+        refuse(in_quotes(operands_[wanted]) + " is one argument too many");
+}
+
+// Returns the index of the last word of the option: its value, if the value is a word of its own.
+std::size_t Arguments::take_option(const std::vector<std::string>& words, std::size_t at) {
+    const std::string& word = words[at];
+    const std::size_t equals = word.compare(0, 2, "--") == 0 ? word.find('=') : std::string::npos;
+    const std::string name = word.substr(0, equals);
+    const Option* const known = find(name);
+    if (known == nullptr) refuse("the option " + in_quotes(name) + " is unknown");
+    std::string value;
+    if (equals != std::string::npos) {
+        if (!known->value) refuse(name + " takes no value");
+        value = word.substr(equals + 1);
+    } else if (known->value) {
+        if (++at == words.size()) refuse(name + " needs a value: " + known->value);
+        value = words[at];
+    }
+    given_.push_back({name, value});
+    return at;
+}
+
+const Option* Arguments::find(std::string_view option) const {
+    const auto known = std::find_if(command_.options.begin(), command_.options.end(),
+                                    [option](const Option& one) { return option == one.name; });
+    return known == command_.options.end() ? nullptr : &*known;
+}
+
+std::string Arguments::output(const Option& option) const {
+    if (has(option.name)) return text(option.name);
+    const bool is_implied = option.ending != nullptr && has("-o") &&
+                            (option.with == nullptr || has(option.with)) && !is_device(text("-o"));
+    return is_implied ? text("-o") + option.ending : "";
+}
+
+std::string Arguments::output(std::string_view option) const { return output(*find(option)); }
+
+std::vector<NamedFile> Arguments::files() const {
+    std::vector<NamedFile> files;
+    const auto add = [&files](FileUse use, const char* name, const std::string& path) {
+        if (use != FileUse::none && !path.empty()) files.push_back({use, name, path});
+    };
+    for (std::size_t k = 0; k < operands_.size(); ++k)
+        add(command_.operands[k].use, command_.operands[k].name, operands_[k]);
+    for (const Option& option : command_.options) {
+        for (const std::string& value : all(option.name)) {
+            const bool is_bound = option.use == FileUse::input_after_equals;
+            const std::size_t equals = equals_behind_names(value, 0);
+            if (!is_bound) add(option.use, option.name, value);
+            if (is_bound && equals != value.npos)
+                add(FileUse::input, option.name, value.substr(equals + 1));
+        }
+        if (!has(option.name)) add(option.use, option.name, output(option));
+    }
+    return files;
+}
+
+bool Arguments::has(std::string_view option) const {
+    return std::any_of(given_.begin(), given_.end(),
+                       [option](const Given& given) { return given.option == option; });
+}
+
+std::vector<std::string> Arguments::all(std::string_view option) const {
+    std::vector<std::string> values;
+    for (const Given& given : given_) {
+        if (given.option == option) values.push_back(given.value);
+    }
+    return values;
+}
+
+std::string Arguments::text(std::string_view option) const {
+    const std::vector<std::string> values = all(option);
+    if (values.empty()) refuse(std::string(option) + " is missing");
+    if (values.size() > 1) refuse(std::string(option) + " is given twice");
+    return values[0];
+}
+
+std::int32_t Arguments::whole(std::string_view option, std::int32_t fallback, std::int32_t low,
+                              std::int32_t high) const {
+    if (!has(option)) return fallback;
+    std::int32_t value = 0;
+    if (!parse(text(option), value) || value < low || value > high) {
+        refuse(std::string(option) + " expects a whole number between " + std::to_string(low) +
+               " and " + std::to_string(high) + ", not " + in_quotes(text(option)));
+    }
+    return value;
+}
+
+std::vector<std::int32_t> Arguments::whole_list(std::string_view option, std::int32_t low,
+                                                std::int32_t high) const {
+    const std::string list = text(option);
+    std::vector<std::int32_t> values;
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        std::int32_t value = 0;
+        if (!parse(std::string_view(list).substr(begin, end - begin), value) || value < low ||
+            value > high) {
+            refuse(std::string(option) + " expects whole numbers between " + std::to_string(low) +
+                   " and " + std::to_string(high) + " with commas between them, not " +
+                   in_quotes(list));
+        }
+        values.push_back(value);
+        begin = end + 1;
+    }
+    return values;
+}
+
+double Arguments::positive(std::string_view option, double fallback) const {
+    if (!has(option)) return fallback;
+    double value = 0;
+    if (!parse(text(option), value) || value <= 0) {
+        refuse(std::string(option) + " expects a number above 0, not " + in_quotes(text(option)));
+    }
+    return value;
+}
+
+double Arguments::real(std::string_view option, double fallback, double low, double high) const {
+    if (!has(option)) return fallback;
+    double value = 0;
+    if (!parse(text(option), value) || value < low || value > high) {
+        refuse(std::string(option) + " expects a number between " + brief(low) + " and " +
+               brief(high) + ", not " + in_quotes(text(option)));
+    }
+    return value;
+}
+
+std::int32_t Arguments::choice(std::string_view option, const std::vector<Choice>& choices) const {
+    return has(option) ? choice(option, text(option), choices) : choices[0].number;
+}
+
+std::int32_t Arguments::choice(std::string_view option, const std::string& given,
+                               const std::vector<Choice>& choices) const {
+    std::string names;
+    for (const Choice& choice : choices) {
+        if (given == choice.name) return choice.number;
+        names += names.empty() ? "" : ", ";
+        names += choice.name;
+    }
+    refuse(std::string(option) + " must be one of " + names + ", not " + in_quotes(given));
+}
+
+void Arguments::refuse(std::string_view message) const {
+    const std::string name = command_.name;
+    throw Failure(exit_usage,
+                  (name + ": ").append(message) + "\nTry: harmorph " + name + " --help");
+}
+
+const Option threads_option = {
+    "--threads", "N",
+    "threads to compute, read and write with (default 1); no bit of the results depends on it"};
+
+std::int32_t threads_of(const Arguments& arguments) {
+    return arguments.whole("--threads", 1, 1, 256);
+}
+
+std::string help_text(const Command& command) {
+    std::string text = "Usage: harmorph " + std::string(command.name);
+    for (const Operand& operand : command.operands) text += std::string(" ") + operand.name;
+    text += std::string(" [options]\n\n") + command.summary + ".\n\n" + command.details +
+            "\nOptions:\n";
+    for (const Option& option : command.options) text += help_line(option);
+    return text + help_line({"--help", nullptr, "this text"}) + "\nExamples:\n" + command.examples;
+}
+
+}  // namespace cli

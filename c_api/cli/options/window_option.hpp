@@ -1,0 +1,15 @@
+// The option of drawing commands for the part of the plane that is shown.
+#pragma once
+
+#include "basics/geometry.hpp"
+#include "options/arguments.hpp"
+
+#include <optional>
+
+namespace cli {
+
+extern const Option window_option;
+
+std::optional<Box> window_of(const Arguments& arguments);  // empty without the option
+
+}  // namespace cli

@@ -1,0 +1,48 @@
+// Files of movements: lines "index dx dy", the control point counted from 1, lines that move a
+// section (section_movement.hpp), "rigid MARKER dx dy degrees [scale]", and "mode K amplitude
+// [amplitude-y]" for functions whose values are a table. MARKER is a list as in options, with
+// quotes and places (Mesh::find_pieces). Lines are applied in their order: a line moves a section
+// from the place that the lines above have given it. Control points, bodies and modes without a
+// line do not move. What write_moves() writes, read_moves() reads back.
+#pragma once
+
+#include "curves/section_movement.hpp"
+#include "options/arguments.hpp"
+#include "work/basis_file.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// What a file of moves may name: control points, the bodies of these conditions, and modes.
+struct Movable {
+    std::int32_t n_control = 0, n_bodies = 0, n_modes = 0;
+    std::vector<hm_condition> conditions;
+    std::function<const hm_curves&()> curves;  // throws a Failure if their places are unknown
+    std::vector<std::int32_t> mover = {};      // these two: see ConditionsOfMesh
+    std::int32_t n_curves = 0;
+
+    std::int32_t functions() const { return n_control + 2 * n_bodies + n_modes; }
+};
+
+// The option `--by LINE`, and the texts of `--move` and of all options `--by`, in this order.
+extern const Option by_option;
+std::vector<TextFile> texts_of_moves(const Arguments& arguments);
+TextFile text_of_moves(const std::string& path);  // refuses an empty file
+
+Movable movable_of(const Basis& basis);
+// Returns pairs [2 * functions]. `errors` receives what movements of sections leave.
+std::vector<double> read_moves(const std::vector<TextFile>& texts, const Movable& movable,
+                               const Mesh& mesh, std::vector<MovementError>* errors = nullptr);
+bool has_section_movements(const TextFile& text);
+// Writes the line of the body of this condition; function: its two pairs.
+void write_body(std::ostream& out, const Mesh& mesh, const hm_condition& condition,
+                const double* function);
+void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis,
+                 const Mesh& mesh);
+
+}  // namespace cli

@@ -1,0 +1,147 @@
+#include "work/solver.hpp"
+
+#include <harmorph_design.h>
+#include <harmorph_study.h>
+
+#include <algorithm>
+
+namespace cli {
+
+namespace {
+
+// Names the option in the place of the field of the library.
+[[noreturn]] void refuse_analysis(hm_error error, const Mesh& mesh) {
+    const std::string field = "hm_problem.max_curve_distance", option = "--far-from-curve";
+    std::string text = error.text;
+    const std::size_t at = text.find(field);
+    if (at != text.npos) text.replace(at, field.size(), option);
+    text.copy(error.text, sizeof error.text - 1);
+    error.text[std::min(text.size(), sizeof error.text - 1)] = '\0';
+    refuse(error, mesh);
+}
+
+}  // namespace
+
+Solver::Solver(const Mesh& mesh, const Task& task, const Threads& threads)
+    : mesh_(mesh),
+      mesh_view_(mesh.view()),
+      curves_view_(task.curves),
+      problem_(sized<hm_problem>()),
+      options_(task.options),
+      choice_(task.choice),
+      report_(sized<hm_solve_report>()) {
+    problem_.mesh = &mesh_view_;
+    problem_.curves = task.curves.curves.empty() ? nullptr : curves_view_.get();
+    problem_.n_conditions = static_cast<std::int32_t>(task.conditions.size());
+    problem_.conditions = task.conditions.data();
+    problem_.max_curve_distance = task.max_curve_distance;
+    problem_.n_known = static_cast<std::int32_t>(task.known_points.size());
+    problem_.known_points = task.known_points.data();
+    problem_.known_curves = task.known_curves.data();
+    problem_.known_u = task.known_u.data();
+    options_.executor = threads.executor();
+    progress_.listen(options_);
+}
+
+hm_status Solver::run() {
+    const Stopwatch watch;
+    prepare();
+    call(mesh_, hm_plan_factor, plan_, nullptr);
+    const double before_solving = watch.seconds();
+    hm_error error = {};
+    const hm_status status = hm_plan_solve(plan_, basis_, &report_, &error);
+    if (status < 0) refuse(error, mesh_);
+    found_ = error.value;
+    progress_.wipe();
+    times_.factor = progress_.seconds(HM_PHASE_ORDERING) + progress_.seconds(HM_PHASE_SYMBOLIC) +
+                    progress_.seconds(HM_PHASE_FACTOR);
+    times_.setup = before_solving - times_.factor;
+    times_.solve = progress_.seconds(HM_PHASE_SOLVE);
+    return status;
+}
+
+void Solver::prepare() {
+    if (choice_.kinds.empty()) {
+        analyse();
+    } else {
+        const auto try_kind = [this](const EngineKind& kind, double limit) {
+            return memory_with(kind, limit);
+        };
+        engine_reason_ = choose_engine(choice_, try_kind);
+        choice_.kinds.clear();  // another run has the same engine
+    }
+    lay_out();
+}
+
+// Makes the analysis for this kind of engine, unless the analysis alone needs more than the limit.
+std::optional<MemoryNeed> Solver::memory_with(const EngineKind& kind, double limit) {
+    options_.engine = kind.engine;
+    std::size_t analysis = 0, plan = 0, basis = 0;
+    hm_error error = {};
+    const bool is_first = kind.name == choice_.kinds[0].name;  // its refusal ends the command
+    if (!is_first && hm_analysis_size(&problem_, &options_, &analysis, &error) == HM_UNSUPPORTED)
+        return {};
+    call(mesh_, hm_analysis_size, &problem_, &options_, &analysis);
+    MemoryNeed need = {static_cast<double>(hm_pages_room(analysis)), false};
+    if (need.bytes > limit) return need;
+    analyse();
+    call(mesh_, hm_plan_size, analysis_, &plan);
+    call(mesh_, hm_basis_size, analysis_, &basis);
+    need.bytes +=
+        static_cast<double>(hm_pages_room(plan)) + static_cast<double>(hm_pages_room(basis));
+    need.is_of_all = true;
+    return need;
+}
+
+void Solver::put_on_curves(Field& moved, Field& displacement) {
+    if (analysis_ == nullptr) analyse();
+    const Field before = moved;
+    const hm_points from = before.read();
+    const hm_points_out to = moved.write();
+    call(mesh_, hm_slip, analysis_, &from, &to);
+    for (std::size_t point = 0; point < moved.x.size(); ++point) {
+        if (moved.x[point] != before.x[point])
+            displacement.x[point] = moved.x[point] - mesh_.x[point];
+        if (moved.y[point] != before.y[point])
+            displacement.y[point] = moved.y[point] - mesh_.y[point];
+    }
+}
+
+void Solver::analyse() {
+    std::size_t bytes = 0;
+    call(mesh_, hm_analysis_size, &problem_, &options_, &bytes);
+    analysis_block_.resize(bytes);
+    hm_error error = {};
+    const hm_status status =
+        hm_analysis_init(&analysis_, analysis_block_.data(), bytes, &problem_, &options_, &error);
+    if (status < 0) refuse_analysis(error, mesh_);
+    const bool is_new = problem_.max_curve_distance != 0;  // not that of a basis
+    if (status == HM_FAR_FROM_CURVE && is_new) warn(error.text);
+}
+
+void Solver::lay_out() {
+    std::size_t bytes = 0;
+    call(mesh_, hm_plan_size, analysis_, &bytes);
+    plan_block_.resize(bytes);
+    call(mesh_, hm_plan_init, &plan_, plan_block_.data(), bytes, analysis_);
+    call(mesh_, hm_basis_size, analysis_, &bytes);
+    basis_block_.resize(bytes);
+    call(mesh_, hm_basis_init, &basis_, basis_block_.data(), bytes, analysis_);
+}
+
+void Solver::improve(Field& moved, Field& displacement, const hm_improve_options& options) {
+    std::size_t bytes = 0;
+    call(mesh_, hm_improve_size, plan_, &bytes);
+    Block work(bytes);
+    // hm_improve holds slipping points on the curves. Rounded coordinates may be beside the curves.
+    put_on_curves(moved, displacement);
+    const hm_points from = moved.read();
+    const hm_points_out to = moved.write();
+    call(mesh_, hm_improve, plan_, &from, &to, work.data(), bytes, &options, nullptr);
+    for (std::size_t point = 0; point < mesh_.x.size(); ++point) {
+        displacement.x[point] = moved.x[point] - mesh_.x[point];
+        displacement.y[point] = moved.y[point] - mesh_.y[point];
+    }
+}
+
+}  // namespace cli

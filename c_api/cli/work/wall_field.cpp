@@ -1,0 +1,83 @@
+#include "work/wall_field.hpp"
+
+#include "basics/failure.hpp"
+#include "basics/geometry.hpp"
+#include "basics/numbers.hpp"
+#include "formats/deflate.hpp"
+#include "formats/point_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cli {
+
+namespace {
+
+// A point that two markers share may have two lines.
+WallField read_lines(const TextFile& file, const Mesh& mesh) {
+    LineReader lines(file, '#');
+    WallField field;
+    while (lines.next()) {
+        const auto& words = lines.words();
+        std::int32_t point = 0;
+        double d[2] = {0, 0};
+        if (words.size() != 3) lines.expected("point dx dy");
+        if (!parse(words[0], point) || point < 0 || point >= mesh.points()) {
+            lines.expected("a point between 0 and " + std::to_string(mesh.points() - 1), words[0]);
+        }
+        for (std::size_t i = 0; i < 2; ++i) {
+            if (!parse(words[i + 1], d[i])) lines.expected("a finite number", words[i + 1]);
+        }
+        field.points.push_back(point);
+        field.x.push_back(d[0]);
+        field.y.push_back(d[1]);
+    }
+    return field;
+}
+
+std::vector<bool> given_points(const Mesh& mesh, const std::vector<hm_condition>& conditions) {
+    std::vector<bool> is_given(mesh.x.size());
+    for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
+        const auto is_of = [&](const hm_condition& one) {
+            return one.kind == HM_GIVEN && one.marker == mesh.face_markers[face];
+        };
+        if (std::none_of(conditions.begin(), conditions.end(), is_of)) continue;
+        for (const std::size_t end : {2 * face, 2 * face + 1})
+            is_given[place(mesh.face_points[end])] = true;
+    }
+    return is_given;
+}
+
+WallField take_rows(const PointTable& table, const Mesh& mesh,
+                    const std::vector<hm_condition>& conditions, bool in_order) {
+    const std::string x = table.has("dx") ? "dx" : "displacement_x",
+                      y = table.has("dx") ? "dy" : "displacement_y";
+    const std::size_t columns[2] = {table.column(x), table.column(y)};
+    const std::vector<std::int32_t> points = points_of(table, mesh, in_order);
+    std::vector<bool> is_given(mesh.x.size(), true);
+    if (points.size() == mesh.x.size()) is_given = given_points(mesh, conditions);
+    WallField field;
+    for (std::size_t row = 0; row < points.size(); ++row) {
+        if (!is_given[place(points[row])]) continue;
+        for (const std::size_t column : columns) {
+            if (std::isfinite(table.at(row, column))) continue;
+            throw Failure(exit_file, table.place(row) + ": the file needs a finite number for " +
+                                         in_quotes(table.names[column]));
+        }
+        field.points.push_back(points[row]);
+        field.x.push_back(table.at(row, columns[0]));
+        field.y.push_back(table.at(row, columns[1]));
+    }
+    return field;
+}
+
+}  // namespace
+
+WallField read_wall_field(const std::string& path, const Mesh& mesh,
+                          const std::vector<hm_condition>& conditions, bool in_order) {
+    const auto file = std::make_shared<const TextFile>(read_unpacked(path));
+    if (is_plain_table(*file)) return read_lines(*file, mesh);
+    return take_rows(read_point_table(file), mesh, conditions, in_order);
+}
+
+}  // namespace cli

@@ -1,0 +1,101 @@
+// The C interface: an analysis, a plan and a basis in two blocks, as most programs need them.
+#include "handles.hpp"
+
+namespace harmorph {
+namespace {
+
+// The basis lies in front of the plan: a caller who keeps the functions alone keeps the beginning
+// of the block.
+struct SolveBlock {
+    Basis basis;
+    InBlock<Plan> plan;
+
+    void lay_out(Arena& arena, Analysis const& analysis) noexcept {
+        basis.lay_out(arena, analysis.basis_counts());
+        plan.lay_out(arena, analysis);
+    }
+};
+
+Status read_setup(const hm_setup* given, hm_setup& setup, CallFault& fault) noexcept {
+    HARMORPH_TRY(require({{"setup", given}}, fault));
+    if (read_struct(given, setup)) return Status::ok;
+    return fault.refuse(
+        Status::bad_argument,
+        "setup.struct_size is not the size of an hm_setup; begin with HM_INIT(setup)");
+}
+
+Status count_solution(hm_setup& setup, CallFault& fault) noexcept {
+    const Analysis* analysis = nullptr;
+    HARMORPH_TRY(open_complete(setup.analysis, analysis, fault));
+    SolveBlock made;
+    Size bytes = 0;
+    HARMORPH_TRY(count_bytes(&bytes, fault, [&](Arena& arena) { made.lay_out(arena, *analysis); }));
+    setup.solve_bytes = bytes;
+    return Status::ok;
+}
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_setup_size(const hm_problem* problem, const hm_options* options, size_t* bytes,
+                        hm_error* err) {
+    return hm_analysis_size(problem, options, bytes, err);
+}
+
+hm_status hm_setup_init(hm_setup* setup, void* block, size_t bytes, const hm_problem* problem,
+                        const hm_options* options, hm_error* err) {
+    hm_setup made = {};
+    hm_status const refused = guarded(err, [&](CallFault& fault) {
+        hm_setup old;
+        return read_setup(setup, old, fault);
+    });
+    if (refused < 0) return refused;
+    hm_status const status = hm_analysis_init(&made.analysis, block, bytes, problem, options, err);
+    if (status < 0) return status;
+    hm_error reason;
+    hm_status const counted =
+        guarded(&reason, [&](CallFault& fault) { return count_solution(made, fault); });
+    if (counted < 0) {
+        if (err != nullptr) *err = reason;
+        return counted;
+    }
+    write_struct(made, setup);
+    return status;
+}
+
+hm_status hm_setup_solve(hm_setup* setup, void* block, size_t bytes, hm_solve_report* report,
+                         hm_error* err) {
+    hm_setup made = {};
+    hm_status const status = guarded(err, [&](CallFault& fault) {
+        const Analysis* analysis = nullptr;
+        HARMORPH_TRY(read_setup(setup, made, fault));
+        if (made.analysis == nullptr) {
+            return fault.refuse(Status::bad_argument,
+                                "setup.analysis is NULL; call hm_setup_init first");
+        }
+        HARMORPH_TRY(check_report_if(report, "report", fault));
+        HARMORPH_TRY(open_complete(made.analysis, analysis, fault));
+        SolveBlock placed;
+        HARMORPH_TRY(
+            place(block, bytes, fault, [&](Arena& arena) { placed.lay_out(arena, *analysis); }));
+        init_basis(placed.basis, analysis->basis_counts(), analysis->basis_source(),
+                   analysis->problem().executor);
+        placed.plan.object.init(*analysis);
+        placed.plan.give(&made.plan);
+        made.basis = reinterpret_cast<hm_basis*>(placed.basis.header);
+        return Status::ok;
+    });
+    if (status < 0) return status;
+    hm_status const factored = hm_plan_factor(made.plan, nullptr, err);
+    if (factored < 0) return factored;
+    hm_status const solved = hm_plan_solve(made.plan, made.basis, report, err);
+    if (solved < 0) return solved;
+    write_struct(made, setup);
+    return solved;
+}
+
+}  // extern "C"

@@ -1,0 +1,465 @@
+// Morph: the functions of a mesh, and all that is done with them.
+import { choice, number, refuse, show, whole } from "./errors.js";
+import { describe, listed } from "./conditions.js";
+import { disposable, Owner } from "./library.js";
+
+const OPERATORS = { conformal: "HM_CONFORMAL", laplace: "HM_LAPLACE", weighted: "HM_WEIGHTED" };
+const ENGINES = { direct: "HM_DIRECT", multigrid: "HM_MULTIGRID", fas: "HM_FAS" };
+const SCHEMES = { compact: "HM_COMPACT", bounded: "HM_BOUNDED", nodalGradient: "HM_NODAL_GRADIENT" };
+const STRATEGIES = ["linear", "other", "substeps", "untangled", "improved"];
+
+/** The functions that carry movements of control points to a mesh; see index.d.ts. */
+export class Morph extends Owner {
+    constructor(mesh, curves = null, conditions = {}, options = {}) {
+        super();
+        if (typeof mesh?.describe !== "function") refuse(`mesh must be a Mesh, not ${show(mesh)}.`);
+        if (curves !== null && typeof curves?.describe !== "function") {
+            refuse(`curves must be Curves or null, not ${show(curves)}.`);
+        }
+        this.begin(mesh.open(), curves, listed(mesh, curves, conditions), options);
+        try {
+            this.factor_and_solve();
+        } catch (error) {
+            this.free();
+            throw error;
+        }
+    }
+
+    // Takes what the functions are solved from. The mesh is copied, so that it may move or be freed.
+    begin(mesh, curves, pairs, options) {
+        this.curves = curves;
+        this.pairs = pairs;
+        this.options = options;
+        this.solver_options = solver_options(this.library.constants, options);
+        this.progress = options.progress;
+        this.solveReport = null;
+        this.basis = this.solver = this.problem = null;
+        if (mesh !== null) this.copy_mesh(mesh);
+    }
+
+    copy_mesh(mesh) {
+        const scope = this.own(), bytes = 16 * mesh.nPoints;
+        try {
+            const start = scope.take(bytes);
+            this.library.memory.u8.copyWithin(start, mesh.point_address, mesh.point_address + bytes);
+            this.problem = { scope, mesh, start, address: mesh.describe(scope, start), projected: null };
+        } catch (error) {
+            this.disown(scope);
+            throw error;
+        }
+    }
+
+    // ---- Analysis, plan, basis ----
+
+    factor_and_solve() {
+        const solver = this.ready(), { layout } = this.library;
+        const scope = this.own();
+        try {
+            const bytes = scope.size("hm_basis_size", solver.analysis);
+            const address = scope.object("hm_basis_init", bytes, solver.analysis);
+            const report = scope.struct("hm_solve_report");
+            if (this.info_of(scope, address).functions > 0) {
+                this.run((_progress) => this.library.call("hm_plan_solve", solver.plan, address, report));
+            }
+            this.solveReport = layout.read("hm_solve_report", report);
+            this.take_basis(scope, address);
+        } catch (error) {
+            this.disown(scope);
+            throw error;
+        }
+    }
+
+    info_of(scope, basis) {
+        const info = scope.struct("hm_basis_info");
+        this.library.call("hm_basis_info_get", basis, info);
+        const found = this.library.layout.read("hm_basis_info", info);
+        scope.drop(info);
+        return found;
+    }
+
+    take_basis(scope, address) {
+        if (this.basis !== null) this.disown(this.basis.scope);
+        this.basis = { scope, address };
+        this.info = this.info_of(scope, address);
+        this.functions = this.info.functions;
+        this.nPoints = this.info.points;
+    }
+
+    // Runs the body with the callback of this object.
+    run(body) {
+        return this.library.with_progress(this.progress, body);
+    }
+
+    /** The solver, made anew where it was released or the object was loaded; with a factor. */
+    ready() {
+        this.solver ??= this.make_solver();
+        if (!this.solver.has_factor) {
+            this.run((_progress) => this.library.call("hm_plan_factor", this.solver.plan, 0));
+            this.solver.has_factor = true;
+        }
+        return this.solver;
+    }
+
+    make_solver() {
+        if (this.problem === null) refuse("This call needs the mesh; give it to Morph.load().", "HM_BAD_BASIS");
+        const { mesh, address, start, projected } = this.problem;
+        const scope = this.own();
+        const now = projected === null ? null : this.library.memory.numbers(start, 2 * mesh.nPoints).slice();
+        try {
+            // Curve points keep the parameters of the first solution.
+            if (now !== null) this.library.memory.numbers(start, now.length).set(projected);
+            const curves = this.curves === null ? 0 : this.curves.describe(scope);
+            const problem = scope.struct("hm_problem", {
+                mesh: address,
+                curves,
+                n_conditions: this.pairs.length,
+                conditions: describe(scope, mesh, this.curves, this.pairs),
+                max_curve_distance: number(this.options.maxCurveDistance ?? 0, "maxCurveDistance"),
+            });
+            return this.run((progress) => {
+                const { study, ...members } = this.solver_options;
+                const options = scope.struct("hm_options", { ...members, progress,
+                    study: scope.struct("hm_study_options", study) });
+                const bytes = scope.size("hm_analysis_size", problem, options);
+                const analysis = scope.object("hm_analysis_init", bytes, problem, options);
+                const plan = scope.object("hm_plan_init", scope.size("hm_plan_size", analysis), analysis);
+                return { scope, analysis, plan, has_factor: false };
+            });
+        } catch (error) {
+            this.disown(scope);
+            throw error;
+        } finally {
+            if (now !== null) this.library.memory.numbers(start, now.length).set(now);
+        }
+    }
+
+    open() {
+        if (this.basis === null) refuse("This object was freed.", "HM_BAD_BASIS");
+        return this.basis.address;
+    }
+
+    /** The coordinates on which the functions were solved: a copy. */
+    get start() {
+        if (this.problem === null) return null;
+        return this.library.memory.numbers(this.problem.start, 2 * this.nPoints).slice();
+    }
+
+    // hm_points of given coordinates; of the start where there are none.
+    coordinates(scope, given, what = "points") {
+        if (given !== undefined && given !== null) return scope.points(given, this.nPoints, what);
+        if (this.problem === null) refuse(`A basis without a mesh has no coordinates; give ${what}.`);
+        const { start } = this.problem;
+        return scope.struct("hm_points", { x: start, y: start + 8, stride: 2 });
+    }
+
+    // ---- Movements by the functions ----
+
+    /** Returns the displacement of each mesh point, sum_i F_i (dx, dy)_i. */
+    displacement(move, { out } = {}) {
+        const basis = this.open();
+        return this.library.with((scope) => {
+            const step = scope.numbers(move, 2 * this.functions, "move");
+            const to = scope.points_out(out, this.nPoints);
+            this.library.call("hm_morph", basis, step, 0, to.points, 0);
+            return to.done();
+        });
+    }
+
+    /** Returns moved coordinates, points + sum_i F_i (dx, dy)_i. */
+    morph(move, { points, out } = {}) {
+        const basis = this.open();
+        return this.library.with((scope) => {
+            const step = scope.numbers(move, 2 * this.functions, "move");
+            const from = this.coordinates(scope, points), to = scope.points_out(out, this.nPoints);
+            this.library.call("hm_morph", basis, step, from, to.points, 0);
+            return to.done();
+        });
+    }
+
+    /** Returns derivatives by the movement from those by the mesh points: the exact transpose. */
+    adjoint(dj, { out } = {}) {
+        const basis = this.open();
+        return this.library.with((scope) => {
+            const view = scope.points(dj ?? [], this.nPoints, "dj");
+            const to = scope.numbers_out(out, 2 * this.functions);
+            this.library.call("hm_adjoint", basis, view, to.address, 0);
+            return to.done();
+        });
+    }
+
+    /** Judges a movement before anything moves, or a mesh as it is: { step, quality }. */
+    assess(displacement = null, { points, reference } = {}) {
+        const basis = this.open();
+        if (this.problem === null) refuse("This call needs the mesh; give it to Morph.load().", "HM_BAD_BASIS");
+        return this.library.with((scope) => {
+            const { layout } = this.library, n = this.nPoints;
+            const step = displacement === null ? 0 : scope.struct("hm_step_report");
+            const quality = scope.struct("hm_quality_report");
+            const from = scope.points(points, n, "points"), by = scope.points(displacement, n, "displacement");
+            this.library.call("hm_assess", basis, this.problem.address, from, by,
+                scope.points(reference, n, "reference"), 0, step, quality);
+            return {
+                step: step === 0 ? null : layout.read("hm_step_report", step),
+                quality: layout.read("hm_quality_report", quality),
+            };
+        });
+    }
+
+    /** Returns the largest distance of wall points from where their conditions take them. */
+    boundaryError(move, moved, { points } = {}) {
+        const basis = this.open();
+        return this.library.with((scope) => {
+            const error = scope.take(8);
+            this.library.call("hm_boundary_error", basis, scope.numbers(move, 2 * this.functions, "move"),
+                this.coordinates(scope, points), scope.points(moved ?? [], this.nPoints, "moved"), error, 0);
+            return this.library.memory.numbers(error, 1)[0];
+        });
+    }
+
+    /** Returns the movement that a mesh has made since the functions were solved. */
+    recover(points, { tolerance = 0 } = {}) {
+        const basis = this.open();
+        return this.library.with((scope) => {
+            const bytes = scope.size("hm_recover_movement_size", basis), work = scope.take(bytes);
+            const view = scope.points(points ?? [], this.nPoints, "points");
+            const to = scope.numbers_out(null, 2 * this.functions);
+            this.library.call("hm_recover_movement", basis, view, number(tolerance, "tolerance"), to.address, 0, 0, 0,
+                work, bytes);
+            return to.done();
+        });
+    }
+
+    // ---- Movements that solve on the way ----
+
+    /** Moves the mesh from the start by a movement of any size, so that no cell inverts. */
+    safe(move, options = {}) {
+        const basis = this.open(), solver = this.ready();
+        return this.library.with((scope) => {
+            const step = scope.numbers(move, 2 * this.functions, "move");
+            const bytes = scope.size("hm_morph_safe_size", solver.plan, basis), work = scope.take(bytes);
+            return this.moved_safely(scope, options, (to, given, report) =>
+                this.library.call("hm_morph_safe", solver.plan, basis, step, to, 0, work, bytes, given, report));
+        });
+    }
+
+    /** Does the same for displacements that are given at wall points; move: curves and bodies. */
+    displaceSafe(wall, { move, wallPoints, ...options } = {}) {
+        const basis = this.open(), solver = this.ready();
+        return this.library.with((scope) => {
+            const { n, list } = this.wall_points(scope, wallPoints);
+            const field = scope.points(wall ?? [], n, "wall");
+            const step = move === undefined ? 0 : scope.numbers(move, 2 * this.functions, "move");
+            const bytes = scope.size("hm_displace_safe_size", solver.plan, basis), work = scope.take(bytes);
+            return this.moved_safely(scope, options, (to, given, report) =>
+                this.library.call("hm_displace_safe", solver.plan, basis, step, n, list, field, to, work, bytes, given,
+                    report));
+        });
+    }
+
+    // Calls body(to, options, report); returns { points, report, reached }.
+    moved_safely(scope, options, body) {
+        const { library } = this, to = scope.points_out(options.out, this.nPoints);
+        const reached = scope.numbers_out(null, 2 * this.functions);
+        const given = this.safe_options(scope, options, reached.address), report = scope.struct("hm_safe_report");
+        try {
+            this.run((_progress) => body(to.points, given, report));
+        } finally {
+            if (library.layout.get("hm_safe_report", report, "resolves") !== 0) this.solver.has_factor = false;
+        }
+        return { points: to.done(), report: library.layout.read("hm_safe_report", report), reached: reached.done() };
+    }
+
+    safe_options(scope, options, reached) {
+        const { maxResolves = 0, skip = [], others = [], improve = false, heights = 0, minQuality = 0,
+            maxHeightChange = 0 } = options;
+        if (!Array.isArray(skip) || !Array.isArray(others)) refuse("skip and others must be arrays.");
+        let skipped = 0;
+        for (const name of skip) {
+            if (!STRATEGIES.includes(name)) {
+                refuse(`A strategy must be one of ${STRATEGIES.join(", ")}, not ${show(name)}.`);
+            }
+            skipped |= 1 << STRATEGIES.indexOf(name);
+        }
+        const bases = others.map((other) => (other instanceof Morph ? other.open() : refuse("others must be Morphs.")));
+        return scope.struct("hm_safe_options", {
+            max_resolves: whole(maxResolves, "maxResolves"),
+            skipped_strategies: skipped,
+            n_others: bases.length,
+            improve: improve ? 1 : 0,
+            others: scope.integers(bases, undefined, "others"),
+            heights: number(heights, "heights"),
+            reached,
+            min_quality: number(minQuality, "minQuality"),
+            max_height_change: number(maxHeightChange, "maxHeightChange"),
+        });
+    }
+
+    /** Makes the cells of a moved mesh more like those before: { points, report }. */
+    improve(points, { out, reference, maxIterations = 0 } = {}) {
+        this.open();
+        const solver = this.ready();
+        return this.library.with((scope) => {
+            const from = scope.points(points ?? [], this.nPoints, "points"), to = scope.points_out(out, this.nPoints);
+            const options = scope.struct("hm_improve_options", {
+                max_iterations: whole(maxIterations, "maxIterations"),
+                reference: scope.points(reference, this.nPoints, "reference"),
+            });
+            const report = scope.struct("hm_improve_report");
+            const bytes = scope.size("hm_improve_size", solver.plan), work = scope.take(bytes);
+            this.run((_progress) =>
+                this.library.call("hm_improve", solver.plan, from, to.points, work, bytes, options, report));
+            return { points: to.done(), report: this.library.layout.read("hm_improve_report", report) };
+        });
+    }
+
+    /** Puts points with slip back onto their curved boundary after a morph. */
+    slip(points, { out } = {}) {
+        this.open();
+        const solver = this.ready();
+        return this.library.with((scope) => {
+            const from = scope.points(points ?? [], this.nPoints, "points"), to = scope.points_out(out, this.nPoints);
+            this.library.call("hm_slip", solver.analysis, from, to.points);
+            return to.done();
+        });
+    }
+
+    // ---- Displacements that are given at wall points ----
+
+    /** The wall points with given displacements, in order. */
+    get givenPoints() {
+        this.open();
+        const solver = this.ready();
+        return this.library.with((scope) => {
+            const { memory } = this.library, points = scope.take(4 * this.nPoints), n = scope.take(4);
+            this.library.call("hm_given_points", solver.plan, points, this.nPoints, n);
+            return memory.integers(points, memory.data.getInt32(n, true)).slice();
+        });
+    }
+
+    // The list of wall points and its address, 0 for the order of givenPoints.
+    wall_points(scope, given) {
+        if (given === undefined) return { n: this.givenPoints.length, list: 0 };
+        return { n: given?.length, list: scope.integers(given, undefined, "wallPoints") };
+    }
+
+    /** Carries displacements of wall points to the mesh; an array of fields gives an array. */
+    displace(wall, { points, out, wallPoints } = {}) {
+        this.open();
+        const solver = this.ready(), is_stack = Array.isArray(wall) && typeof wall[0] === "object";
+        const fields = is_stack ? wall : [wall];
+        if (is_stack && out !== undefined) refuse("out is for a single field.");
+        return this.library.with((scope) => {
+            const { n, list } = this.wall_points(scope, wallPoints);
+            const from = points === undefined ? 0 : this.coordinates(scope, points);
+            const views = fields.map((field) => scope.numbers(field ?? [], 2 * n, "wall"));
+            const targets = fields.map(() => scope.numbers_out(out, 2 * this.nPoints));
+            const bytes = scope.size("hm_displace_size", solver.plan, fields.length), work = scope.take(bytes);
+            this.library.call("hm_displace", solver.plan, n, list, fields.length, stack(scope, "hm_points", views),
+                from, stack(scope, "hm_points_out", targets.map((to) => to.address)), work, bytes, 0);
+            const results = targets.map((to) => to.done());
+            return is_stack ? results : results[0];
+        });
+    }
+
+    /** The transpose of displace(): forces on mesh points become forces on the wall. */
+    displaceAdjoint(dj, { wallPoints } = {}) {
+        this.open();
+        const solver = this.ready(), is_stack = Array.isArray(dj) && typeof dj[0] === "object";
+        const fields = is_stack ? dj : [dj];
+        return this.library.with((scope) => {
+            const { n, list } = this.wall_points(scope, wallPoints);
+            const views = fields.map((field) => scope.numbers(field ?? [], 2 * this.nPoints, "dj"));
+            const targets = fields.map(() => scope.numbers_out(null, 2 * n));
+            const bytes = scope.size("hm_displace_size", solver.plan, fields.length), work = scope.take(bytes);
+            this.library.call("hm_displace_adjoint", solver.plan, n, list, fields.length,
+                stack(scope, "hm_points", views), stack(scope, "hm_points_out", targets.map((to) => to.address)), work,
+                bytes, 0);
+            const results = targets.map((to) => to.done());
+            return is_stack ? results : results[0];
+        });
+    }
+
+    // ---- Again, files, the end ----
+
+    /** Solves again, on other coordinates of the mesh points, which become the start. */
+    solve(points) {
+        this.open();
+        const solver = this.ready();
+        const { mesh, start } = this.problem, before = this.start;
+        if (points !== undefined) {
+            this.library.with((scope) => {
+                const from = scope.numbers(points, 2 * mesh.nPoints, "points");
+                this.library.memory.u8.copyWithin(start, from, from + 16 * mesh.nPoints);
+            });
+            solver.has_factor = false;
+        }
+        try {
+            this.factor_and_solve();
+            this.problem.projected ??= before;
+        } catch (error) {
+            this.library.memory.numbers(start, before.length).set(before);
+            solver.has_factor = false;
+            throw error;
+        }
+    }
+
+    /** Returns the bytes of a basis file, which C, Fortran, Python and the program read. */
+    save() {
+        const address = this.open();
+        return this.library.memory.u8.slice(address, address + this.info.bytes);
+    }
+
+    /** Attaches a basis file. Without the mesh there are displacement, morph with points, adjoint. */
+    static load(bytes, mesh = null) {
+        if (!(bytes instanceof Uint8Array)) refuse(`bytes must be a Uint8Array, not ${show(bytes)}.`);
+        if (mesh !== null && typeof mesh.describe !== "function") refuse(`mesh must be a Mesh, not ${show(mesh)}.`);
+        const morph = Object.create(this.prototype);
+        morph.begin(mesh?.open() ?? null, null, [], {});
+        const scope = morph.own(), { library } = this;
+        try {
+            const block = scope.take(bytes.length);
+            library.memory.u8.set(bytes, block);
+            const slot = scope.take(4);
+            library.call("hm_basis_attach", slot, block, bytes.length, mesh === null ? 0 : mesh.address);
+            morph.take_basis(scope, library.memory.data.getUint32(slot, true));
+        } catch (error) {
+            morph.disown(scope);
+            morph.free();
+            throw error;
+        }
+        morph.ready = () =>
+            refuse("A basis that was loaded has no analysis; make a Morph of its mesh.", "HM_BAD_BASIS");
+        return morph;
+    }
+
+    /** Gives analysis and plan back. Calls that need them make them again, which takes time. */
+    release() {
+        if (this.solver !== null) this.solver = this.disown(this.solver.scope);
+    }
+
+    /** Gives all memory back; later calls are refused. */
+    free() {
+        this.release();
+        if (this.basis !== null) this.basis = this.disown(this.basis.scope);
+        if (this.problem !== null) this.problem = this.disown(this.problem.scope);
+    }
+}
+disposable(Morph);
+
+function solver_options(constants, options) {
+    const { operator = "conformal", engine = "direct", scheme = "compact", exponent, offsetCorrection = false,
+        tolerance = 0 } = options;
+    return {
+        operator_kind: constants[choice(OPERATORS, operator, "operator")],
+        engine: constants[choice(ENGINES, engine, "engine")],
+        exponent: exponent === undefined ? 0 : number(exponent, "exponent") || -1,
+        offset_correction: offsetCorrection ? 1 : 0,
+        tolerance: number(tolerance, "tolerance"),
+        study: { scheme: constants[choice(SCHEMES, scheme, "scheme")] },
+    };
+}
+
+function stack(scope, struct, addresses) {
+    // hm_points and hm_points_out have no struct_size.
+    return scope.structs(struct, addresses.map((x) => ({ x, y: x + 8, stride: 2 })));
+}
