@@ -39,11 +39,12 @@ struct Largest {
     Real value = -infinity;
     void merge(Largest const& later) noexcept { value = max(value, later.value); }
 };
-struct TwoSums {
-    Real first = 0, second = 0;
-    void merge(TwoSums const& later) noexcept {
+struct ThreeSums {
+    Real first = 0, second = 0, third = 0;
+    void merge(ThreeSums const& later) noexcept {
         first += later.first;
         second += later.second;
+        third += later.third;
     }
 };
 
@@ -146,12 +147,16 @@ Improvement::Sums Improvement::sums_of(Span<const Vec2> points) noexcept {
                        largest.value = max(largest.value, y[k]);
                    }).value;
     if (!(sums.largest < infinity)) return sums;
-    TwoSums const both = reduce_cells<TwoSums>(y.count(), executor, [&](Index k, TwoSums& sum) {
-        sum.first += exponential(sharpness * (y[k] - sums.largest));
-        sum.second += exponential(-y[k]);
-    });
-    sums.exponentials = both.first;
-    sums.qualities = both.second;
+    ThreeSums const all =
+        reduce_cells<ThreeSums>(y.count(), executor, [&](Index k, ThreeSums& sum) {
+            Real const below = sums.largest - y[k], weight = exponential(-sharpness * below);
+            sum.first += weight;
+            sum.second += exponential(-y[k]);
+            sum.third += weight * below;
+        });
+    sums.exponentials = all.first;
+    sums.qualities = all.second;
+    sums.gap = all.third / all.first;
     return sums;
 }
 
@@ -283,7 +288,7 @@ bool Improvement::step() noexcept {
     Sums const found = sums_of(now);
     last_length = length;
     last_gain = length > 0 ? before - energy_of(found) - energy_of_anchors(now) : 1;
-    gap = logarithm(found.exponentials) / sharpness;
+    gap = found.gap;
     if (length < short_step)
         damping *= length > 0 ? clamp(short_step / length, min_growth, max_growth) : max_growth;
     else if (length >= 1) damping /= fall_of_damping * length;

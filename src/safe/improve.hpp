@@ -112,14 +112,15 @@ private:
     };
     // What the terms of the energy have in common.
     struct Sums {
+        // The mean of how far y is below the largest, with the weights of the smooth maximum.
+        Real gap = 0;
         Real largest = 0;       // y
         Real exponentials = 0;  // the sum of exp(sharpness (y - largest))
         Real qualities = 0;     // the sum of exp(-y)
     };
 
     Real factor_of_sharpness = 1;
-    // Of the last step: its length, the gain of energy, and the gap that remains between the smooth
-    // maximum of y and the largest.
+    // Of the last step: its length, the gain of energy, and the gap that remains (see Sums).
     Real last_length = 0, last_gain = 0, gap = 0;
     Real sharpness = 0, blur = 0, damping = 0;
 

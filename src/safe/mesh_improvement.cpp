@@ -87,6 +87,8 @@ void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points refe
     if (n_anchors > 0 && (is_in_vain || smallest(found) < (1 - rounding) * given)) {
         // The gain of the first layer is not worth that loss.
         ImproveReport const in_vain = report;
+        for (Index k = 0; k < result.count(); ++k) improvement.now[k] = from[k];
+        drop_poor_tops();
         hold_first_layer();
         anchors.count = 0;
         ImproveOptions rest = options;

@@ -23,10 +23,11 @@ struct MeshImprovement {
     // be `from`. A mesh that is its own reference is not changed. The tops of the first layer are
     // the ends of those edges that leave walls most nearly along the normal. Where the mesh has a
     // layer (see has_layer()), they are put where the wall carries them, with their former height
-    // and angle, and are held there. If that would make cells poor, the first steps, at most half
-    // of them, pull the tops to these places with all points free; then each top goes as far as no
-    // cell is inverted. If the smallest quality ends below that of `from`, everything is repeated
-    // with the tops where they are in `from`. The plan's distances are left at the reference.
+    // and angle, and are held there. If that would make cells poor, the first steps, at most a
+    // third of them, pull the tops to these places with all points free; then each top goes as far
+    // as no cell is inverted. If the smallest quality is then far below that of `from`, or ends
+    // below it, the rest of the steps begins again with the tops where they are in `from`,
+    // as far as their cells are not poor there. The plan's distances are left at the reference.
     void run(Plan& plan, ImproveOptions const& options, Points reference, Points from,
              MutablePoints to, ImproveReport& report) noexcept;
 

@@ -244,7 +244,7 @@ TEST_CASE("the quality of turned, moved, scaled and renumbered meshes is the sam
                 rotate_starts(*mesh, seed);
                 reverse_some(*mesh, seed);
             }
-            for (std::int32_t& point : other.setup.given_points) point = new_of[std::size_t(point)];
+            for (std::int32_t& point : other.setup.known_points) point = new_of[std::size_t(point)];
             is_alike(other);
         }
     }

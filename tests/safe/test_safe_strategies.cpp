@@ -128,8 +128,8 @@ TEST_CASE("a substep takes half of the admissible step, with the functions at it
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Case setup = block_in_square(kind);
         Safe safe(setup);
-        safe.safe_options.skipped_strategies =
-            without({HM_STRATEGY_LINEAR, HM_STRATEGY_OTHER, HM_STRATEGY_UNTANGLED});
+        safe.safe_options.skipped_strategies = without(
+            {HM_STRATEGY_LINEAR, HM_STRATEGY_OTHER, HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
         std::vector<double> const shift = similarity_move(setup.curves, 1, {0.5, 0.5}, {0.3, 0.2});
         for (std::vector<double> const& move : {shift, turn_of(setup, 150)}) {
             REQUIRE(safe.admissible(move) < 1);
