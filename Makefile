@@ -74,10 +74,13 @@ BUILD = build
 # puts what its command line says: no character in them can end a quotation.
 INSTALLATION = "$${DESTDIR-}$${PREFIX-/usr/local}"
 CXX = c++
-# CXXFLAGS follow the level of optimisation of each file, which the file LEVELS states; so CXXFLAGS="-O1 -g" replaces
-# all levels.
+# Levels of optimisation of the library, of its files with kernels for instruction sets, and of the program, which hardly
+# computes. CXXFLAGS follow them, so CXXFLAGS="-O1 -g" replaces all levels.
 CXXFLAGS =
-LEVELS = src/levels
+LEVEL = -O2
+KERNEL_LEVEL = $(LEVEL)
+PROGRAM_LEVEL = -O1
+LEVELS =
 CC = cc
 CFLAGS = -O2
 FC = gfortran
@@ -110,6 +113,11 @@ WASM_CXX = clang++
 WASM = --target=wasm32 -mbulk-memory -nostdlibinc -isystem c_api/web/freestanding $(FREESTANDING) -I$(BUILD)/web
 WASM_LINK = --target=wasm32 -nostdlib -Wl,--no-entry,--gc-sections,--strip-all,-O2,--stack-first,-z,stack-size=262144 \
 	-Wl,--max-memory=4294967296,--export=__heap_base,--export-table,--growable-table
+# The program for node, where emscripten is installed (Debian's emscripten and node-acorn). Without zlib and threads.
+EMXX = em++
+NODE = -std=c++17 -fexceptions -I. -Iinclude -Ic_api/cli
+NODE_LINK = -O1 -fexceptions -sENVIRONMENT=node -sNODERAWFS=1 -sWASM_ASYNC_COMPILATION=0 -sALLOW_MEMORY_GROWTH=1 \
+	-sMAXIMUM_MEMORY=4GB -sEXIT_RUNTIME=1 --pre-js c_api/web/program_before.js
 CLI = -std=c++17 -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) $(WITH_ZLIB) -I. -Iinclude -Ic_api/cli
 # CGNS=1: the program reads and writes CGNS files; it needs libcgns (Debian's libcgns-dev), the library does not.
 CGNS =
@@ -141,9 +149,10 @@ fuzz coverage mutate sanitize dist amalgamation clean: checked
 # What is joined or generated from sources, and the rules of all objects and programs.
 rules: checked
 	@mkdir -p $(BUILD)/web $(BUILD)/meshes && cd $(BUILD) && mkdir -p objects/core objects/cli objects/unit objects/fuzz objects/mesh \
-	    objects/harmorph objects/harmorph_simd128
-	@LEVELS='$(LEVELS)' UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
-	    FLAGS='$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' WASM_FLAGS='$(WASM_CXX) $(WASM) $(WASM_LINK)' \
+	    objects/harmorph objects/harmorph_simd128 objects/node
+	@UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
+	    FLAGS='$(CXX) $(LEVEL) $(KERNEL_LEVEL) $(PROGRAM_LEVEL) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' \
+	    WASM_FLAGS='$(WASM_CXX) $(WASM) $(WASM_LINK)' NODE_FLAGS='$(EMXX) $(NODE) $(NODE_LINK)' \
 	    sh c_api/packaging/rules.sh $(BUILD)
 
 # The random movements of `make deform`; `make test` compiles them, too.
@@ -201,12 +210,14 @@ WEB = $(BUILD)/web/harmorph.wasm $(BUILD)/web/harmorph_simd128.wasm
 web-tools: checked
 	@WASM_CXX='$(WASM_CXX)' sh c_api/web/pack.sh tools
 web-modules: web-tools rules
-	+@$(MAKE_BY_RULES) $(WEB)
+	+@program=; if command -v $(EMXX) >/dev/null; then program=$(BUILD)/web/program.js; \
+	else echo "$(EMXX) not found: the package has no program; install Debian's emscripten and node-acorn"; fi; \
+	$(MAKE_BY_RULES) $(WEB) $$program
 web: web-modules
-	@VERSION=$(VERSION) sh c_api/web/pack.sh pack $(BUILD)
+	@VERSION=$(VERSION) EMXX='$(EMXX)' sh c_api/web/pack.sh pack $(BUILD)
 
 test-web: all web
-	@CC='$(CC)' sh tests/web.sh $(BUILD)
+	@CC='$(CC)' EMXX='$(EMXX)' sh tests/web.sh $(BUILD)
 
 mpi: all
 	$(MPICC) $(CFLAGS) -Wall -Wextra -Wno-missing-field-initializers -fPIC -Iinclude -Ic_api -c -o $(BUILD)/objects/harmorph_mpi.o c_api/mpi/harmorph_mpi.c

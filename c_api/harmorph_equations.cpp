@@ -30,6 +30,7 @@ struct EquationsRequest : Request {
         if (problem.demands.slip_curves > 0) {
             wrong = "hm_condition.along is not available for a mesh in parts; leave it NULL";
         }
+        if (problem.fluxes.count() > 0) wrong = "problem.n_fluxes must be 0 for a mesh in parts";
         if (!problem.given.point.empty()) wrong = "problem.n_known must be 0 for a mesh in parts";
         if (wrong != nullptr) return fault.refuse(Status::unsupported, wrong);
         if (n_conditions > 0) return Status::ok;

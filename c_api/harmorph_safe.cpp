@@ -35,8 +35,9 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
     }
     if (o.n_others < 0 || o.n_others > others.count()) {
         return fault.refuse(Status::bad_argument,
-                            others.empty() ? "options.n_others must be 0 in hm_displace_safe, not #"
-                                           : "options.n_others must be between 0 and @, not #",
+                            others.empty()
+                                ? "options.n_others must be 0 with given displacements, not #"
+                                : "options.n_others must be between 0 and @, not #",
                             plain(o.n_others), plain(others.count()));
     }
     if (o.n_others > 0 && o.others == nullptr) {
@@ -165,13 +166,14 @@ Status check_derivative_is_apart(Basis const& derivative, Span<const Basis> othe
     return Status::ok;
 }
 
-// The arguments and results that hm_morph_safe and hm_displace_safe have in common.
+// The arguments and results that both kinds of targets have in common.
 struct SafeCall {
     MutablePoints to;
     SafeOptions options;
     SafeReport reached;
     double* reached_movement = nullptr;
     hm_safe_report* report = nullptr;
+    bool has_factor = false;
 
     Status open(const hm_points_out* given, const hm_safe_options* asked, hm_safe_report* wanted,
                 Span<Basis> others, CallFault& fault) noexcept {
@@ -184,8 +186,11 @@ struct SafeCall {
     Status finish(Plan const& plan, SafeMorph const& safe, Size n_functions,
                   Status status) const noexcept {
         if (failed(status) && status != Status::crossing) return status;
-        if (report != nullptr)
-            write_struct(report_of(reached, plan, plan.mesh().points, safe.result()), report);
+        if (report != nullptr) {
+            hm_safe_report filled = report_of(reached, plan, plan.mesh().points, safe.result());
+            filled.has_factor = has_factor ? 1 : 0;
+            write_struct(filled, report);
+        }
         if (failed(status)) return status;
         safe.write(to);
         if (reached_movement != nullptr) {
@@ -207,9 +212,102 @@ Status open_plan_of_given(Handle* handle, Object*& plan, const hm_basis* given, 
     HARMORPH_TRY(plan->check_fit(basis, fault));
     if (basis.header->counts.modes == 0) return Status::ok;
     return fault.refuse(Status::unsupported,
-                        "the basis has functions given by table, which move the same points; call "
-                        "hm_morph_safe instead");
+                        "the basis has functions given by table, which move the same points; "
+                        "leave target.wall NULL");
 }
+
+Status read_target(const hm_safe_target* given, hm_safe_target& target, CallFault& fault) noexcept {
+    HARMORPH_TRY(require({{"target", given}}, fault));
+    if (!read_struct(given, target)) {
+        return fault.refuse(
+            Status::bad_argument,
+            "target.struct_size is not the size of an hm_safe_target; begin with HM_INIT(target)");
+    }
+    if (target.wall != nullptr || (target.n == 0 && target.points == nullptr)) return Status::ok;
+    return fault.refuse(Status::bad_argument,
+                        "target.wall is NULL, but target.n is # or target.points is not NULL",
+                        plain(target.n));
+}
+
+// The working memory of a movement without given displacements.
+struct MoveWork {
+    Span<Basis> others;  // too large for the stack
+    SafeMorph safe;
+
+    void lay_out(Arena& arena, Plan const& plan, BasisCounts const& counts) noexcept {
+        arena.take(others, max_others);
+        safe.lay_out(arena, plan, counts);
+    }
+};
+
+// One call of hm_move_safe.
+struct MoveSafe {
+    hm_plan* plan;
+    const hm_basis* basis;
+    hm_safe_target target;
+    hm_basis* derivative;
+    const hm_points_out* to;
+    void* work;
+    size_t bytes;
+    const hm_safe_options* options;
+    hm_safe_report* report;
+
+    Status move(CallFault& fault) const noexcept {
+        Plan* p = nullptr;
+        Basis b, sum;
+        SafeCall call;
+        MoveWork made;
+        HARMORPH_TRY(open_solved(basis, b, fault));
+        if (derivative == basis)
+            return fault.refuse(Status::bad_argument,
+                                "options.derivative and basis must be two different bases");
+        if (derivative != nullptr) sum = view_basis(derivative, fault);
+        HARMORPH_TRY(open_plan(plan, p, fault));
+        HARMORPH_TRY(p->check_fit(b, fault));
+        HARMORPH_TRY(place(work, bytes, fault,
+                           [&](Arena& arena) { made.lay_out(arena, *p, b.header->counts); }));
+        HARMORPH_TRY(call.open(to, options, report, made.others, fault));
+        HARMORPH_TRY(check_move(b, target.move, fault));
+        call.options.solves_others =
+            derivative == nullptr && call.options.others.empty() && call.options.fair_quality > 0;
+        // The derivative does not contain what an improvement moves.
+        if (derivative != nullptr) call.options.fair_quality = call.options.fine_quality = 0;
+        HARMORPH_TRY(check_derivative_is_apart(sum, call.options.others, fault));
+        HARMORPH_TRY(check_start(*p, b, fault));
+        bool const had_factor = p->is_factored();
+        Status const status =
+            made.safe.run(*p, b, target.move, call.options, derivative != nullptr ? &sum : nullptr,
+                          call.reached, fault);
+        call.has_factor = had_factor && call.reached.resolves == 0;
+        return call.finish(*p, made.safe, static_cast<Size>(b.header->counts.functions()), status);
+    }
+    Status displace(CallFault& fault) const noexcept {
+        Plan* p = nullptr;
+        Basis b;
+        PointList list;
+        Points displacement;
+        SafeCall call;
+        HARMORPH_TRY(open_plan_of_given(plan, p, basis, b, fault));
+        if (derivative != nullptr) {
+            return fault.refuse(
+                Status::unsupported,
+                "options.derivative must be NULL with given displacements (target.wall)");
+        }
+        if (target.move != nullptr) HARMORPH_TRY(check_move(b, target.move, fault));
+        HARMORPH_TRY(view_given_list(*p, target.n, target.points, list, fault));
+        HARMORPH_TRY(check_start(*p, b, fault));
+        HARMORPH_TRY(view_points(target.wall, "target.wall", displacement, fault, target.n));
+        HARMORPH_TRY(call.open(to, options, report, {}, fault));
+        call.options.solves_others = true;
+        SafeDisplacement made;
+        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, b); }));
+        bool const had_factor = p->is_factored();
+        Status const status =
+            made.run(*p, b, target.move, list, displacement, call.options, call.reached, fault);
+        call.has_factor = had_factor && call.reached.resolves == 0;
+        return call.finish(*p, made.safe, static_cast<Size>(b.header->counts.functions()), status);
+    }
+};
 
 }  // namespace
 }  // namespace harmorph
@@ -218,91 +316,36 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_morph_safe_size(const hm_plan* plan, const hm_basis* basis, size_t* bytes,
-                             hm_error* err) {
+hm_status hm_move_safe_size(const hm_plan* plan, const hm_basis* basis,
+                            const hm_safe_target* target, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Plan* p = nullptr;
         Basis b;
+        hm_safe_target asked = {};
+        if (target != nullptr) HARMORPH_TRY(read_target(target, asked, fault));
+        if (asked.wall != nullptr) {
+            HARMORPH_TRY(open_plan_of_given(plan, p, basis, b, fault));
+            SafeDisplacement made;
+            return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, b); });
+        }
         if (basis != nullptr) b = view_basis(basis, fault);
         HARMORPH_TRY(open_plan(plan, p, fault));
         if (basis != nullptr) HARMORPH_TRY(p->check_fit(b, fault));
         BasisCounts const& counts = basis != nullptr ? b.header->counts : p->basis_counts();
-        SafeMorph safe;
-        Span<Basis> others;
-        return count_bytes(bytes, fault, [&](Arena& arena) {
-            arena.take(others, max_others);
-            safe.lay_out(arena, *p, counts);
-        });
+        MoveWork made;
+        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, counts); });
     });
 }
 
-hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move,
-                        const hm_points_out* to, hm_basis* derivative, void* work, size_t bytes,
-                        const hm_safe_options* options, hm_safe_report* report, hm_error* err) {
+hm_status hm_move_safe(hm_plan* plan, const hm_basis* basis, const hm_safe_target* target,
+                       const hm_points_out* to, void* work, size_t bytes,
+                       const hm_safe_options* options, hm_safe_report* report, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        Plan* p = nullptr;
-        Basis b, sum;
-        SafeCall call;
-        SafeMorph safe;
-        Span<Basis> others;  // too large for the stack
-        HARMORPH_TRY(open_solved(basis, b, fault));
-        if (derivative == basis)
-            return fault.refuse(Status::bad_argument,
-                                "derivative and basis must be two different bases");
-        if (derivative != nullptr) sum = view_basis(derivative, fault);
-        HARMORPH_TRY(open_plan(plan, p, fault));
-        HARMORPH_TRY(p->check_fit(b, fault));
-        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) {
-            arena.take(others, max_others);
-            safe.lay_out(arena, *p, b.header->counts);
-        }));
-        HARMORPH_TRY(call.open(to, options, report, others, fault));
-        HARMORPH_TRY(check_move(b, move, fault));
-        call.options.solves_others =
-            derivative == nullptr && call.options.others.empty() && call.options.fair_quality > 0;
-        // The derivative does not contain what an improvement moves.
-        if (derivative != nullptr) call.options.fair_quality = call.options.fine_quality = 0;
-        HARMORPH_TRY(check_derivative_is_apart(sum, call.options.others, fault));
-        HARMORPH_TRY(check_start(*p, b, fault));
-        Status const status = safe.run(*p, b, move, call.options,
-                                       derivative != nullptr ? &sum : nullptr, call.reached, fault);
-        return call.finish(*p, safe, static_cast<Size>(b.header->counts.functions()), status);
-    });
-}
-
-hm_status hm_displace_safe_size(const hm_plan* plan, const hm_basis* basis, size_t* bytes,
-                                hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        const Plan* p = nullptr;
-        Basis b;
-        HARMORPH_TRY(open_plan_of_given(plan, p, basis, b, fault));
-        SafeDisplacement made;
-        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, b); });
-    });
-}
-
-hm_status hm_displace_safe(hm_plan* plan, const hm_basis* basis, const double* move, int32_t n,
-                           const int32_t* points, const hm_points* wall, const hm_points_out* to,
-                           void* work, size_t bytes, const hm_safe_options* options,
-                           hm_safe_report* report, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        Plan* p = nullptr;
-        Basis b;
-        PointList list;
-        Points displacement;
-        SafeCall call;
-        HARMORPH_TRY(open_plan_of_given(plan, p, basis, b, fault));
-        if (move != nullptr) HARMORPH_TRY(check_move(b, move, fault));
-        HARMORPH_TRY(view_given_list(*p, n, points, list, fault));
-        HARMORPH_TRY(check_start(*p, b, fault));
-        HARMORPH_TRY(view_points(wall, "wall", displacement, fault, n));
-        HARMORPH_TRY(call.open(to, options, report, {}, fault));
-        call.options.solves_others = true;
-        SafeDisplacement made;
-        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, b); }));
-        Status const status =
-            made.run(*p, b, move, list, displacement, call.options, call.reached, fault);
-        return call.finish(*p, made.safe, static_cast<Size>(b.header->counts.functions()), status);
+        hm_safe_options asked = {};
+        MoveSafe call{plan, basis, {}, nullptr, to, work, bytes, options, report};
+        HARMORPH_TRY(read_target(target, call.target, fault));
+        if (options != nullptr && read_struct(options, asked)) call.derivative = asked.derivative;
+        return call.target.wall != nullptr ? call.displace(fault) : call.move(fault);
     });
 }
 

@@ -37,6 +37,7 @@ Status Request::read_rest(hm_problem const& p, const hm_options* options,
         HARMORPH_TRY(view_curves(p.curves, curves, fault));
         n_curves = curves.count();
     }
+    HARMORPH_TRY(read_fluxes(p, fault));
     HARMORPH_TRY(read_conditions(p, fault));
     if (p.n_known < 0) {
         return fault.refuse(Status::bad_argument, "problem.n_known must be at least 0, not #",
@@ -57,6 +58,32 @@ Status Request::read_rest(hm_problem const& p, const hm_options* options,
     Size const n = static_cast<Size>(p.n_known);
     problem.given = {
         problem.mesh.index_base, {p.known_points, n}, {p.known_curves, n}, {p.known_u, n}};
+    return Status::ok;
+}
+
+Status Request::read_fluxes(hm_problem const& p, Fault& fault) noexcept {
+    if (p.n_fluxes < 0 || p.n_fluxes > Mesh::max_points / 2) {
+        return fault.refuse(Status::bad_argument,
+                            "problem.n_fluxes must be between 0 and 2^29, not #",
+                            plain(p.n_fluxes));
+    }
+    if (p.n_fluxes == 0) return Status::ok;
+    if (p.flux_points == nullptr || p.fluxes == nullptr) {
+        return fault.refuse(Status::bad_argument,
+                            "problem.flux_points or fluxes is NULL, but problem.n_fluxes is #",
+                            plain(p.n_fluxes));
+    }
+    if (n_curves == 0) {
+        return fault.refuse(Status::bad_condition,
+                            "problem.n_fluxes is #, but there are no control points, which fluxes "
+                            "belong to",
+                            plain(p.n_fluxes));
+    }
+    Size const n = static_cast<Size>(p.n_fluxes);
+    problem.fluxes = {problem.mesh.index_base,
+                      {p.flux_points, 2 * n},
+                      {p.fluxes, n * static_cast<Size>(n_control())},
+                      n_control()};
     return Status::ok;
 }
 
@@ -96,6 +123,8 @@ Status Request::check_rotation(Fault& fault) const noexcept {
         wrong = "HM_ROTATION_PAIR needs the compact scheme (HM_COMPACT)";
     if (problem.method.engine != Engine::direct)
         wrong = "HM_ROTATION_PAIR needs the direct engine (HM_DIRECT)";
+    if (problem.fluxes.count() > 0)
+        wrong = "HM_ROTATION_PAIR cannot be combined with fluxes (hm_problem.fluxes)";
     if (problem.demands.slip)
         wrong =
             "HM_ROTATION_PAIR cannot be combined with slip (HM_SLIP), but with fixed and free "

@@ -26,6 +26,7 @@ struct Request {
 private:
     Status read_rest(hm_problem const& p, const hm_options* options, CallFault& fault) noexcept;
     Status read_conditions(hm_problem const& p, Fault& fault) noexcept;
+    Status read_fluxes(hm_problem const& p, Fault& fault) noexcept;
     const hm_curves* along_of(Index number) const noexcept;
     Status check_rotation(Fault& fault) const noexcept;
 };

@@ -37,7 +37,7 @@
  *     hm_morph, hm_adjoint, hm_assess   any number of times
  *
  * hm_morph and hm_adjoint need only the basis, hm_assess also the mesh. Keep the plan if you call
- * hm_displace, hm_morph_safe, hm_displace_safe or hm_improve later, and the analysis if you call
+ * hm_displace, hm_move_safe or hm_improve later, and the analysis if you call
  * hm_slip later.
  *
  * HEADERS. This header suffices for a solver on one process. The other headers, by topic:
@@ -428,7 +428,9 @@ enum {
      * points of the marker, or along given B-splines (hm_condition.along). Points at corners are
      * fixed; hm_slip of harmorph_design.h says what a corner is. */
     HM_SLIP = 3,
-    HM_FREE = 4, /* zero normal derivative: points may also leave the boundary line */
+    /* Zero normal derivative, or a given one (hm_problem.fluxes): points may also leave the
+     * boundary line. */
+    HM_FREE = 4,
     /* This marker and its partner are translates of each other: their points move by bitwise
      * identical displacements. A wall that moves must not end on them; give the part of the wall
      * beside them a marker of its own, fixed or with slip. */
@@ -494,6 +496,19 @@ typedef struct hm_problem {
      * control polygon or of all points on curves. The wall keeps its distance in every movement:
      * with the curve of another airfoil it does not become what the curve becomes. */
     double max_curve_distance;
+    /* Neumann values. On face k of a free marker, between the points flux_points[2*k] and
+     * flux_points[2*k+1], the function of control point i has the outward normal derivative
+     * fluxes[k*n_control + i] [1/length], multiplied by the weight of the operator (1 for
+     * HM_LAPLACE). So a movement dP gives the displacements the normal derivative
+     * sum_i fluxes[k*n_control + i] dP_i there. Other free faces, and the functions of rigid
+     * bodies, have 0. The part of a flux normal to a slip line at its end is taken up by the line.
+     * Factored at other coordinates, the derivatives stay, and the lengths of the faces change.
+     * Refused: a face that is not free, or is named twice (HM_BAD_CONDITION); HM_ROTATION_PAIR, and
+     * solving functions again that are combined or have modes beside them (HM_UNSUPPORTED). The
+     * arrays must exist as long as the analysis; the plan has copies. */
+    int32_t n_fluxes;
+    const int32_t* flux_points; /* [2*n_fluxes] in any order, counted from mesh.index_base */
+    const double* fluxes;       /* [n_fluxes*n_control] finite, up to 1e100 */
 } hm_problem;
 
 /* Available combinations with the compact scheme (all others: HM_UNSUPPORTED; other schemes:
@@ -820,7 +835,7 @@ HM_API hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* po
 
 /* ---- Large movements that stay valid ---- */
 
-/* Strategies of hm_morph_safe and hm_displace_safe. They are tried in this order until the mesh is
+/* Strategies of hm_move_safe. They are tried in this order until the mesh is
  * at the target and as good as the options ask for. The result is the best mesh of all: the one
  * nearest to the target, and of several at the target the one of better quality. */
 enum {
@@ -875,9 +890,31 @@ typedef struct hm_safe_options {
     /* [-] > 1: the largest factor by which heights of the first layer may grow or shrink; where
      * they exceed it, they are restored as far as that helps. 0: any */
     double max_height_change;
+    /* NULL, or another basis of the same analysis (hm_basis_init), which receives the sum of the
+     * functions of all steps, weighted by their parts of the movement, so that hm_morph with this
+     * basis is the derivative of `to` with respect to `move`, and hm_adjoint the transpose. This is
+     * exact for wall points on their curve; where a body rotates or scales by r and has reached the
+     * part t < 1, they move by t r^(t-1) sum_i N_i dP_i. Neglected are changes of (r - 1) e, the
+     * influence of `move` and earlier steps on later functions, steps and rotations, how inner
+     * points follow those that slip, and what untangling, improvement and heights moved. Refused
+     * (HM_UNSUPPORTED) with given displacements. */
+    hm_basis* derivative;
     int32_t improve_work; /* as hm_improve_options.max_solutions, for each improvement */
     int32_t reserved;     /* 0 */
 } hm_safe_options;
+
+/* What is to move. */
+typedef struct hm_safe_target {
+    uint64_t struct_size;
+    /* [2*functions] the movement of control points, rigid bodies and amplitudes, see hm_morph;
+     * NULL: none */
+    const double* move;
+    /* Displacements of the points of markers with HM_GIVEN, see hm_displace. wall NULL, n 0: these
+     * points stay. */
+    int32_t n, reserved;
+    const int32_t* points; /* [n] NULL: in the order of hm_given_points */
+    const hm_points* wall; /* of the n points [length] */
+} hm_safe_target;
 
 typedef struct hm_worst_cell {
     int32_t cell, reserved;
@@ -906,7 +943,7 @@ typedef struct hm_safe_report {
     int32_t angle_point; /* where the angle changed most; -1: there are no first-layer edges */
     int32_t min_height_point, max_height_point;
     int32_t n_worst;        /* 0 .. 5, at most the number of cells */
-    double rotated_offset;  /* [length] largest |(r - 1) e|, see hm_morph_safe */
+    double rotated_offset;  /* [length] largest |(r - 1) e|, see hm_move_safe */
     double start_quality;   /* [0..1] smallest skew quality of the start */
     hm_worst_cell worst[5]; /* [n_worst] the cells of lowest quality of `to`, the worst first */
     int32_t end_point; /* the end of a wall that leaves the boundary beside it farthest; -1: none */
@@ -917,57 +954,41 @@ typedef struct hm_safe_report {
     /* 1: the last improvement ended at its limit of solutions, so a larger options.improve_work may
      * give better cells; 0: more work would bring little */
     int32_t may_improve;
-    int32_t reserved; /* 0 */
+    /* 1: the plan has the factor that it had before the call; 0: functions were solved again, so
+     * that hm_plan_factor must come before the next hm_plan_solve or hm_displace */
+    int32_t has_factor;
 } hm_safe_report;
 
-/* Working memory of hm_morph_safe with a basis like this one; NULL: as hm_basis_init makes it. */
-HM_API hm_status hm_morph_safe_size(const hm_plan* plan, const hm_basis* basis, size_t* bytes,
-                                    hm_error* err);
-/* Moves the mesh that the plan was made from by `move` (see hm_morph), starting at the mesh's own
- * coordinates, which must be those that the basis was solved on (else HM_BAD_MESH: after hm_morph
- * in place, solve again, or restore the coordinates). Combined functions and functions by table
- * move on straight lines; `others` must then have the same functions. `to` [n_points] may be the
- * arrays of the mesh. HM_OK: the whole movement; HM_NOT_CONVERGED: the same, but a solution on the
- * way missed the tolerance; HM_POOR: the whole movement, but options.min_quality or
- * max_height_change is missed; HM_SHORT: the best valid mesh, report.step_fraction of the movement.
- * Targets that no mesh can have are refused immediately, with the place (HM_CROSSING); boundaries
- * with slip, periodic and free ones are judged only as far as their ends are known. If the call is
- * refused or cancelled, `to` is unchanged. `to` never contains an inverted cell, and the boundary
- * of `to` does not cross itself unless the boundary of the mesh does. options NULL: defaults.
- * report may be NULL. Where functions were solved again (report.resolves), the plan has no factor
- * afterwards: call hm_plan_factor before the next hm_plan_solve.
+/* Working memory of hm_move_safe with a basis like this one; basis NULL: as hm_basis_init makes it;
+ * target NULL: without given displacements. */
+HM_API hm_status hm_move_safe_size(const hm_plan* plan, const hm_basis* basis,
+                                   const hm_safe_target* target, size_t* bytes, hm_error* err);
+/* Moves the mesh that the plan was made from to the target, starting at the mesh's own coordinates,
+ * which must be those that the basis was solved on (else HM_BAD_MESH: after hm_morph in place,
+ * solve again, or restore the coordinates). Combined functions and functions by table move on
+ * straight lines; `others` must then have the same functions. `to` [n_points] may be the arrays of
+ * the mesh. HM_OK: the whole movement; HM_NOT_CONVERGED: the same, but a solution on the way missed
+ * the tolerance; HM_POOR: the whole movement, but options.min_quality or max_height_change is
+ * missed; HM_SHORT: the best valid mesh, report.step_fraction of the movement. Targets that no mesh
+ * can have are refused immediately, with the place (HM_CROSSING); boundaries with slip, periodic
+ * and free ones are judged only as far as their ends are known. If the call is refused or
+ * cancelled, `to` is unchanged. `to` never contains an inverted cell, and the boundary of `to` does
+ * not cross itself unless the boundary of the mesh does. options NULL: defaults. report may be
+ * NULL.
  *
  * Wall points lie beside their curve by offsets e: x = C(u) + e. hm_morph moves them by
- * sum_i N_i dP_i. Where a body rotates or scales by r, hm_morph_safe with complex functions adds
+ * sum_i N_i dP_i. Where a body rotates or scales by r, hm_move_safe with complex functions adds
  * (r - 1) e, so that the offsets rotate and scale too; the mesh near the wall follows.
  *
- * derivative: NULL, or another basis of the same analysis (hm_basis_init). It receives the sum of
- * the functions of all steps, weighted by their parts of the movement, so that hm_morph with this
- * basis is the derivative of `to` with respect to `move`, and hm_adjoint the transpose. This is
- * exact for wall points on their curve; where a body rotates or scales by r and has reached the
- * part t < 1, they move by t r^(t-1) sum_i N_i dP_i. Neglected are changes of (r - 1) e, the
- * influence of `move` and earlier steps on later functions, steps and rotations, how inner points
- * follow those that slip, and what untangling, improvement and heights moved. */
-HM_API hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move,
-                               const hm_points_out* to, hm_basis* derivative, void* work,
-                               size_t bytes, const hm_safe_options* options, hm_safe_report* report,
-                               hm_error* err);
-
-/* Does the same for displacements that are given at the points of markers with HM_GIVEN (see
- * hm_displace). n_others must be 0; functions of other operators are solved when they are needed
- * (report.other is then their operator_kind). basis: of the
- * same analysis as the plan; solved if it has functions, without functions by table. move
- * [2*functions]: the movement of curves and rigid bodies in the same call; NULL: none. A loop of
- * the boundary all of whose points are given rotates as a body; points of other loops move on
- * straight lines. Where the whole movement is possible, wall points are displaced by the given
- * bits. Where functions were solved again, call hm_plan_factor before the next hm_displace. */
-HM_API hm_status hm_displace_safe_size(const hm_plan* plan, const hm_basis* basis, size_t* bytes,
-                                       hm_error* err);
-HM_API hm_status hm_displace_safe(hm_plan* plan, const hm_basis* basis, const double* move,
-                                  int32_t n, const int32_t* points, const hm_points* wall,
-                                  const hm_points_out* to, void* work, size_t bytes,
-                                  const hm_safe_options* options, hm_safe_report* report,
-                                  hm_error* err);
+ * Given displacements (target.wall): n_others must be 0; functions of other operators are solved
+ * when they are needed (report.other is then their operator_kind). The basis is solved if it has
+ * functions, and has no functions by table. A loop of the boundary all of whose points are given
+ * rotates as a body; points of other loops move on straight lines. Where the whole movement is
+ * possible, wall points are displaced by the given bits. */
+HM_API hm_status hm_move_safe(hm_plan* plan, const hm_basis* basis, const hm_safe_target* target,
+                              const hm_points_out* to, void* work, size_t bytes,
+                              const hm_safe_options* options, hm_safe_report* report,
+                              hm_error* err);
 
 /* ---- Better cells in a mesh that is valid ---- */
 

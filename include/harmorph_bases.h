@@ -40,7 +40,7 @@ HM_API hm_status hm_basis_matrix(const hm_basis* basis, double* matrix, hm_error
  * for any threads, kernel and partition.
  *
  * The new basis is written, attached, extracted from and used like any basis. Calls that need F in
- * double precision return HM_UNSUPPORTED: hm_plan_solve, hm_transfer, hm_morph_safe, hm_combine,
+ * double precision return HM_UNSUPPORTED: hm_plan_solve, hm_transfer, hm_move_safe, hm_combine,
  * hm_tabulate, parcels, hm_single_size. */
 HM_API hm_status hm_single_size(const hm_basis* basis, size_t* bytes, hm_error* err);
 HM_API hm_status hm_single_init(hm_basis** single, void* block, size_t bytes, const hm_basis* basis,

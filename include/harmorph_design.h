@@ -122,7 +122,7 @@ typedef struct hm_refit_report {
 
 /* Finds the movement of the control points with which the curve of an airfoil becomes another
  * airfoil, through n points in order along its outline: a least-squares fit on the knots of the
- * curve. movement [2*n_control]: x,y pairs, for hm_morph and hm_displace_safe; 0 for control points
+ * curve. movement [2*n_control]: x,y pairs, for hm_morph and hm_move_safe; 0 for control points
  * of other curves.
  *   curve     counted from 0; runs from the trailing edge around the airfoil to the trailing edge.
  *             If the following curve has both ends in common with it, that curve is its blunt base
@@ -453,13 +453,13 @@ HM_API hm_status hm_recover_movement_size(const hm_basis* basis, size_t* bytes, 
  * hm_morph moves the points on curves and rigid bodies from where they were at hm_basis_init to
  * where they are in `at` [n_points]. It is the solution of a least-squares problem for all
  * functions together, with the parameters that the points had: exact to rounding where the mesh was
- * moved by hm_morph or hm_morph_safe, in any number of steps. If several movements lead the points
+ * moved by hm_morph or hm_move_safe, in any number of steps. If several movements lead the points
  * to the same places, the smallest one is found, in the sum of squares of all numbers; control
  * points on which no point of the wall depends receive 0. Points of markers with HM_GIVEN count
  * only if the basis has modes. Functions of real variables (hm_combine) may receive a second
  * component that is not 0.
  *
- * hm_morph_safe rotates the offsets of points from their curve. If the functions alone do not lead
+ * hm_move_safe rotates the offsets of points from their curve. If the functions alone do not lead
  * the points to `at`, and one rotation and scale for each curve makes the distances at least ten
  * times smaller, these rotations are found along with the movement; not with
  * hm_options.offset_correction 1, nor for a curve with too few points: there must be at least two

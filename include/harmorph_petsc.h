@@ -79,9 +79,10 @@ typedef struct hm_petsc_report {
 } hm_petsc_report;
 
 /* Makes a system. The arrays of the part must exist as long as the system. problem and options are
- * the same on all processes; problem.mesh is ignored, and n_known must be 0. All conditions of
- * HM_DIRECT with HM_COMPACT are available but HM_ROTATION_PAIR and hm_condition.along;
- * options.engine and the scheme must have their defaults (else HM_UNSUPPORTED). Points that slip
+ * the same on all processes; problem.mesh is ignored, and n_known and n_fluxes must be 0. All
+ * conditions of HM_DIRECT with HM_COMPACT are available but HM_ROTATION_PAIR and
+ * hm_condition.along; options.engine and the scheme must have their defaults (else
+ * HM_UNSUPPORTED). Points that slip
  * along curves move along the tangents at the start: a movement by d leaves them d^2 / (2 R) beside
  * the curve, R the radius of curvature. hm_slip needs the whole mesh. Polygons (HM_CELLS_POLYGONS)
  * are divided as in the whole mesh if each part gives their points in the same order.

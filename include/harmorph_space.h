@@ -135,7 +135,7 @@ HM_API hm_status hm_plane_morph(hm_plane* plane, const hm_basis* basis, const do
 HM_API hm_status hm_plane_adjoint(hm_plane* plane, const hm_basis* basis, const hm_space_points* dj,
                                   double* gradient, const hm_executor* executor, hm_error* err);
 /* The steps between the plane and the mesh, for displacements from elsewhere (hm_displace, or
- * hm_morph_safe minus the points of the mesh). hm_plane_spread: to = from + displacement [n_points]
+ * hm_move_safe minus the points of the mesh). hm_plane_spread: to = from + displacement [n_points]
  * of the plane point that each point follows. hm_plane_gather, the transpose: plane_dj [n_points]
  * receives dj, summed over the layers. */
 HM_API hm_status hm_plane_spread(const hm_plane* plane, const hm_points* displacement,

@@ -91,6 +91,7 @@ int main(void) {
     BEGINS(hm_quality_report);
     BEGINS(hm_safe_options);
     BEGINS(hm_safe_report);
+    BEGINS(hm_safe_target);
     BEGINS(hm_improve_options);
     BEGINS(hm_improve_report);
     BEGINS(hm_refit_report);

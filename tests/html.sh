@@ -22,7 +22,7 @@ missing_pages() {
     git ls-files '*README.md' | while read -r page; do [ -f "$build/html/${page%.md}.html" ] || echo "$page"; done
 }
 not_found() {   # words that the search must know: a call, a constant (its stem, as the search has stems), a header
-    for word in hm_morph_safe hm_conform harmorph_design.h; do
+    for word in hm_move_safe hm_conform harmorph_design.h; do
         grep -q "$word" "$build/html/searchindex.js" || echo "$word"
     done
 }

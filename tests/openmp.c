@@ -48,11 +48,15 @@ static void compute(const hm_mesh* mesh, const hm_curves* curves, int32_t operat
     {
         hm_points_out to = {dx, dy, 1}, far = {far_x, far_y, 1};
         hm_points by = {dx, dy, 1};
+        hm_safe_target target;
+        HM_INIT(target);
+        target.move = move;
         require(hm_morph(basis, move, NULL, &to, &executor, &error), "morph", &error);
         require(hm_adjoint(basis, &by, result + 4 * POINTS, &executor, &error), "adjoint", &error);
-        require(hm_morph_safe_size(plan, basis, &bytes, &error), "size of a safe morph", &error);
-        check(hm_morph_safe(plan, basis, move, &far, NULL, block_of(bytes), bytes, NULL, NULL,
-                            &error) >= HM_OK,
+        require(hm_move_safe_size(plan, basis, &target, &bytes, &error), "size of a safe morph",
+                &error);
+        check(hm_move_safe(plan, basis, &target, &far, block_of(bytes), bytes, NULL, NULL,
+                           &error) >= HM_OK,
               "safe morph", &error);
     }
 }

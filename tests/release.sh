@@ -47,9 +47,9 @@ source() {   # the one source by each compiler, with no flag but the level of op
 
 # In fresh systems: what a user gets is copied into them, and the sources of the tests beside.
 install_quietly='apt-get -qq update && apt-get -qq install -y --no-install-recommends >/dev/null'
-wheel_inside() {   # system: numpy, cffi and pytest are the system's; no compiler, no network
+wheel_inside() {   # system: numpy, cffi and pytest are those of Debian, whose scipy needs a compiler; no network
     rm -rf "$folder/$1/root/meshes" && cp -r "$build"/wheel/*.whl "$build/meshes" "$folder/$1/root/" || return 1
-    inside "$1" "$install_quietly python3-numpy python3-cffi python3-scipy python3-venv python3-pytest &&
+    inside "$1" "$install_quietly python3-numpy python3-cffi python3-venv python3-pytest &&
         ! command -v gcc && ! command -v c++" || return 1
     (alone=--net; inside "$1" 'cd /root/harmorph && python3 --version &&
         HARMORPH_MESHES=/root/meshes sh tests/wheel.sh "$(ls /root/*.whl)" /root/out')

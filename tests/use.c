@@ -178,6 +178,7 @@ static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
     HM_INIT(quality);
     hm_safe_options safe_options;
     hm_safe_report report;
+    hm_safe_target target;
     HM_INIT(report);
     hm_improve_report improved;
     HM_INIT(improved);
@@ -238,10 +239,13 @@ static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
     check(step.admissible < 1 && quality.inverted > 0, "at once, cells are inverted", &error);
     HM_INIT(safe_options); /* the mesh is improved by a call of its own */
     safe_options.skipped_strategies = 1 << HM_STRATEGY_IMPROVED;
-    require(hm_morph_safe_size(plan, laplace, &bytes, &error), "size of a safe morph", &error);
+    HM_INIT(target);
+    target.move = move;
+    require(hm_move_safe_size(plan, laplace, &target, &bytes, &error), "size of a safe morph",
+            &error);
     work = block_of(bytes);
-    require(hm_morph_safe(plan, laplace, move, &(hm_points_out){x_new, y_new, 1}, NULL, work, bytes,
-                          &safe_options, &report, &error),
+    require(hm_move_safe(plan, laplace, &target, &(hm_points_out){x_new, y_new, 1}, work, bytes,
+                         &safe_options, &report, &error),
             "it", &error);
     check(report.step_fraction >= 1 && report.strategy >= HM_STRATEGY_SUBSTEPS &&
               report.inverted == 0,

@@ -1,15 +1,15 @@
 #!/bin/sh
-# usage: web.sh BUILD   (called by `make test-web` and `make test`; MAKE, CC from the environment)
+# usage: web.sh BUILD   (called by `make test-web` and `make test`; MAKE, CC, EMXX from the environment)
 # The package for npm (c_api/web): `make web`, the bits of the native library, every call, memory, damaged input, and
 # the tarball installed in an empty folder without a network.
-: "${MAKE:=make}" "${CC:=cc}"
+: "${MAKE:=make}" "${CC:=cc}" "${EMXX:=em++}"
 build=$(cd "$1" && pwd)
 dir=$build/web-test
 topic=web log=$dir/log
 . "$(dirname "$0")/count.sh"
 rm -rf "$dir" && mkdir -p "$dir/installed" || exit 1
 
-check "make web" $MAKE -s BUILD="$1" web
+check "make web" $MAKE -s BUILD="$1" EMXX="$EMXX" web
 version=$(sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' include/harmorph.h)
 tarball=$build/web/harmorph-$version.tgz
 installed() (
@@ -68,6 +68,34 @@ page_program() (
         grep -q '^kernel simd128: ' said
 )
 check "the program of the package's page" page_program
+# The program in node writes the bytes of the native program with one thread and the baseline kernel.
+commands() (   # folder, program...
+    mkdir -p "$dir/$1" && cd "$dir/$1" || exit 1
+    shift
+    naca=$build/meshes/naca0012.su2
+    printf '3 0 .02\n8 .001 -.01\n' >moves.txt
+    "$@" fit "$naca" --marker airfoil -o airfoil.curve >fit.txt &&
+        "$@" solve "$naca" --curve airfoil=airfoil.curve --kernel baseline --threads 1 -o airfoil.basis >solve.txt &&
+        "$@" morph "$naca" airfoil.basis --move moves.txt -o moved.su2 >morph.txt &&
+        "$@" check moved.su2 --json >check.json &&
+        "$@" convert moved.su2 moved.vtu >convert.txt || exit 1
+    if "$@" check no.su2 >/dev/null 2>refusal.txt; then exit 1; fi
+    # Times, and the sizes of objects, in which addresses are shorter, are others.
+    for text in solve.txt morph.txt; do
+        grep -v -E '^(seconds|megabytes|engine) ' $text >new.txt && mv new.txt $text
+    done
+)
+if command -v $EMXX >/dev/null; then
+    check "the native program" commands native "$build/harmorph"
+    check "the program in node" commands node "$dir/installed/node_modules/.bin/harmorph"
+    check "writes the same bytes" diff -r "$dir/native" "$dir/node"
+    program_is_small() { [ "$(gzip -9 -c "$build/web/program.wasm" | wc -c)" -le 1200000 ]; }
+    check "the program has at most 1.2 MB with gzip" program_is_small
+else
+    without_program() { ! "$dir/installed/node_modules/.bin/harmorph"; }
+    check "without emscripten the program says that it is not there" without_program
+    skip "the program in node" "$EMXX is not installed (Debian's emscripten, node-acorn)"
+fi
 if command -v tsc >/dev/null; then
     types() (
         cp tests/web/types.ts "$dir/installed/" && cd "$dir/installed" &&

@@ -3,6 +3,7 @@
 #include "basics/failure.hpp"
 #include "basics/print.hpp"
 #include "commands/commands.hpp"
+#include "files/output_file.hpp"
 
 #include <harmorph.h>
 
@@ -26,6 +27,9 @@ void run(const std::vector<std::string>& words) {
         throw Failure(exit_unusable, "the program and its library are of different versions");
     run_command(words);
     if (std::fflush(stdout) != 0) {
+        // A command that has written its files has done its work.
+        const bool is_closed = errno == EPIPE || errno == EBADF;
+        if (is_closed && has_written_files()) return;
         throw Failure(exit_file,
                       std::string("standard output cannot be written: ") + std::strerror(errno));
     }

@@ -104,7 +104,7 @@ int main() try {
     // The upper control points go up. The displacements are judged before the mesh moves.
     std::vector<double> move(2 * 12), dx(grid.x.size()), dy(grid.x.size());
     for (std::size_t i = 0; i < 12; ++i)
-        if (curves->control[2 * i + 1] > 0) move[2 * i + 1] = .1;
+        if (curves->control[2 * i + 1] > 0.05) move[2 * i + 1] = .1;
     const hm_points displacement{dx.data(), dy.data(), 1};
     const hm_points_out to_displacement{dx.data(), dy.data(), 1};
     const hm_points_out to_mesh{grid.x.data(), grid.y.data(), 1};

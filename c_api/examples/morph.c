@@ -45,7 +45,7 @@ int main(void) {
 
     /* The upper control points go up. The displacements are judged before the mesh moves. */
     double move[2 * 12] = {0};
-    for (int i = 0; i < 12; ++i) move[2 * i + 1] = curves->control[2 * i + 1] > 0 ? 0.1 : 0;
+    for (int i = 0; i < 12; ++i) move[2 * i + 1] = curves->control[2 * i + 1] > 0.05 ? 0.1 : 0;
     hm_points displacement = {dx, dy, 1};
     hm_points_out to_displacement = {dx, dy, 1}, to_mesh = {x, y, 1};
     hm_step_report step = {.struct_size = sizeof step};

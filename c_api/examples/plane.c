@@ -92,7 +92,7 @@ int main(void) {
     const hm_basis* const basis = setup.basis;
 
     double move[2 * 12] = {0}, gradient[2 * 12];
-    for (int i = 0; i < 12; ++i) move[2 * i + 1] = curves->control[2 * i + 1] > 0 ? 0.1 : 0;
+    for (int i = 0; i < 12; ++i) move[2 * i + 1] = curves->control[2 * i + 1] > 0.05 ? 0.1 : 0;
     /* README: all points move, and all derivatives count */
     hm_space_points from = {x, y, z, 1}, dj = {dj_dx, dj_dy, dj_dz, 1};
     hm_space_points_out to = {x, y, z, 1};

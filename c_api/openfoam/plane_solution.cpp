@@ -91,18 +91,22 @@ bool PlaneSolution::displace(const PlaneField& wall, const PlaneField& from, Pla
 
 hm_status PlaneSolution::displace_safely(const PlaneField& wall, PlaneField& to,
                                          hm_safe_report& report, hm_error& error) {
-    std::size_t bytes = 0;
-    refusal_.check(hm_displace_safe_size(plan_, basis_, &bytes, &error), "displace the mesh",
-                   error);
-    work_.resize(bytes);
     const PlaneField own = wall_of(wall);
     const hm_points given = own.read();
+    hm_safe_target target;
+    HM_INIT(target);
+    target.n = static_cast<std::int32_t>(given_.size());
+    target.points = given_.data();
+    target.wall = &given;
+    std::size_t bytes = 0;
+    refusal_.check(hm_move_safe_size(plan_, basis_, &target, &bytes, &error), "displace the mesh",
+                   error);
+    work_.resize(bytes);
     to = at_;
     const hm_points_out result = to.write();
     HM_INIT(report);
-    return hm_displace_safe(plan_, basis_, nullptr, static_cast<std::int32_t>(given_.size()),
-                            given_.data(), &given, &result, work_.data(), bytes, nullptr, &report,
-                            &error);
+    return hm_move_safe(plan_, basis_, &target, &result, work_.data(), bytes, nullptr, &report,
+                        &error);
 }
 
 void PlaneSolution::improve(PlaneField& moved) {

@@ -1,18 +1,24 @@
 #!/bin/sh
-# usage: rules.sh BUILD   (called by `make rules`, with LEVELS, UNITS and FLAGS in the environment)
+# usage: rules.sh BUILD   (called by `make rules`, with UNITS and FLAGS in the environment)
 # Writes the files that are joined from several sources, and BUILD/rules.mk, the rules of all objects and programs:
 # POSIX make has no rules that lead from one directory to another, and a new source needs no edit. BUILD/depends.mk
 # holds what the compiler has said of the headers that each object includes. All objects depend on BUILD/flags, which
 # changes when the compiler or its flags do; those of the modules for WebAssembly on BUILD/web/flags.
 #
-# Each file of the library is an object of its own, so that a program links what it calls. Files of the program with the
-# same level of optimisation, and files of the tests, are compiled in groups: headers that they share are read once a
-# group.
+# Each file of the library is an object of its own, so that a program links what it calls. Files of one folder of the
+# program, and files of the tests, are compiled in groups: headers that they share are read once a group.
 # BUILD/objects/program.list and tests.list, for scripts that link objects to something else, have those of the program
 # without main, with -lz where the program uses zlib, and those of the tests.
 set -e
 build=$1
-in_program=130 in_tests=6   # files a group
+in_program=15 in_tests=6   # files a group
+
+# Where nothing has changed since the last time, nothing is to be done.
+given="$FLAGS $WASM_FLAGS $LDFLAGS $ZLIB $UNITS"
+if [ -e "$build/rules.stamp" ] && [ "$(cat "$build/rules.stamp")" = "$given" ] &&
+    [ -z "$( { find Makefile include src c_api fortran tests -newer "$build/rules.stamp"
+        find "$build/objects" -type f -newer "$build/rules.stamp"; } | head -n 1)" ]; then exit; fi
+echo "$given" >"$build/rules.stamp.$$"
 
 # put FILE COMMAND...: what it writes takes its place in BUILD at once, if it is another text: several makes may run
 # beside each other.
@@ -42,24 +48,17 @@ if [ "$ZLIB" != 0 ]; then
     fi
     rm -f "$build/zlib.$$"*
 fi
-put flags echo "$FLAGS $(cat "$LEVELS") $with_zlib"
-put web/flags echo "$WASM_FLAGS $(cat "$LEVELS") $(sed -n '/^small_levels/,/^}/p' "$0")"
+put flags echo "$FLAGS $with_zlib"
+put web/node_flags echo "$NODE_FLAGS"
+put web/flags echo "$WASM_FLAGS $(sed -n '/^module/,/^}/p' "$0")"
 
-# level SOURCE: its flags in the file LEVELS
-level() {
-    awk -v source="$1" '
-        $1 == source || (substr($1, length($1)) == "/" && index(source, $1) == 1) {
-            sub(/^[^ ]* /, ""); print; exit
-        }' "$LEVELS"
-}
-
-# object PART SOURCE [MEMBER]: its rule; adds the object, src-mesh-mesh.o of src/mesh/mesh.cpp, to $list. A group has
-# the level of its first MEMBER. The headers that the source includes stand in depends.mk once the object has been made.
+# object PART SOURCE: its rule; adds the object, src-mesh-mesh.o of src/mesh/mesh.cpp, to $list. $own: its level, and
+# the flags of the user. The headers that the source includes stand in depends.mk once the object has been made.
 object() {
     name=${2%.cpp} name=${name#$build/} name=${name#objects/$1/}
     name=$build/objects/$1/$(IFS=/; set -- $name; IFS=-; echo "$*").o
     printf '%s: %s %s\n\techo %s %s\n\t%s %s %s -MMD -MP -c -o $@ %s\n' \
-        "$name" "$2" "$stamp" "$compiler" "$2" "$compiler" "${at:-$(level ${3:-$2})}${own:+ $own}" "$flags" "$2"
+        "$name" "$2" "$stamp" "$compiler" "$2" "$compiler" "$own" "$flags" "$2"
     list="$list $name"
 }
 objects() { part=$1; shift; for source do object $part $source; done; }
@@ -68,18 +67,14 @@ objects() { part=$1; shift; for source do object $part $source; done; }
 groups() {
     part=$1 size=$2 how=$3; shift 3
     while [ $# -gt 0 ]; do
-        members= number=0 member=$1 first=$(basename $1 .cpp) folder=$(basename $(dirname $1))
+        members= number=0 first=$(basename $1 .cpp) folder=$(basename $(dirname $1))
         while [ $# -gt 0 ] && [ $number -lt $size ]; do members="$members $1" number=$((number + 1)); shift; done
         group=${first}_and_$((number - 1))
         # Files of different folders may have the same name.
         case "$list " in *"/$group.o "*) group=${folder}_$group ;; esac
         put objects/$part/$group.cpp $how $members
-        object $part $build/objects/$part/$group.cpp $member
+        object $part $build/objects/$part/$group.cpp
     done
-}
-# Each source of the program, behind its level and a bar.
-program_levels() {
-    for source in $(ls c_api/cli/*/*.cpp | grep -v /cgns); do echo "$(level $source)|$source"; done
 }
 in_turn() { for file do echo "#include \"$file\""; done; }
 # Tests use the same names for different things: each file is included in a namespace of its own, behind the headers of
@@ -96,24 +91,30 @@ program() {
 }
 
 # The library as WebAssembly, in the folder web: NAME, flags. A page loads the module, so the module is compiled for
-# size but for the kernels and the search for crossings, in which most of the time is spent. The module without simd128
-# is for old engines, and small.
-small_levels() {   # source:level, of each source; one process for all, as there are many
-    ls src/*/*.cpp c_api/*.cpp c_api/web/module.cpp | awk -v flags="$1" -v fast="$(
-        grep -l '^#define HARMORPH_KERNELS' src/*/*.cpp | tr '\n' ' ')src/morph/crossing.cpp src/morph/touch.cpp" '
-        BEGIN { n = split(fast, name, " "); for (k = 1; k <= n; ++k) is_fast[name[k]] = 1 }
-        NR == FNR { if ($0 !~ /^#/) { prefix[++levels] = $1; level[levels] = $2 } next }
-        {
-            for (k = 1; k < levels; ++k) if (index($1, prefix[k]) == 1) break
-            print $1 ":" (flags == "" || level[k] == "-Og" ? "-Oz" : $1 in is_fast ? "-O2" : "-Os")
-        }' "$LEVELS" -
-}
+# size but for the kernels and the search for crossings, in which most of the time is spent; rooms that are used once,
+# or not by most callers, are compiled for the smallest size. The module without simd128 is for old engines, and small.
+kernels=$(grep -l '^#define HARMORPH_KERNELS' src/*/*.cpp)
+others=$(grep -L '^#define HARMORPH_KERNELS' src/*/*.cpp c_api/*.cpp)
 module() {
-    flags="\$(WASM) $2" list=
-    for at in $(small_levels "$2"); do source=${at%:*} at=${at#*:}; object $1 $source; done
-    at=
+    flags="\$(WASM) $2" list= own=-Oz
+    rare='^c_api/|^src/(boundary|bspline|fields|multigrid|safe|space)/'
+    fast=$(echo "$kernels" | grep -vE "$rare"; ls src/morph/crossing.cpp src/morph/touch.cpp)
+    objects $1 $(printf '%s\n' $kernels $others | grep -E "$rare") c_api/web/module.cpp
+    if [ -n "$2" ]; then own=-O2; fi
+    objects $1 $fast
+    if [ -n "$2" ]; then own=-Os; fi
+    objects $1 $(printf '%s\n' $kernels $others | grep -vE "$rare" | grep -vxF "$fast")
     printf '%s/web/%s.wasm:%s %s/web/exports %s/rules.mk\n\techo $(WASM_CXX) $@\n' $build $1 "$list" $build $build
     printf '\t$(WASM_CXX) $(WASM_LINK) @%s/web/exports -o $@%s\n' $build "$list"
+}
+# The program for node, by emscripten, with the library of the module with simd128.
+node_program() {
+    library=$(echo "$list" | tr ' ' '\n' | grep -v web-module)
+    compiler='$(EMXX)' own=-O2 flags='$(NODE)' list= stamp=$build/web/node_flags
+    objects node $build/page_text.cpp c_api/cli/formats/cgns*.cpp c_api/cli/main.cpp
+    groups node $in_program in_turn $(ls c_api/cli/*/*.cpp | grep -v /cgns)
+    printf '%s/web/program.js:%s %s c_api/web/program_before.js\n\techo $(EMXX) $@\n' $build "$list" "$(echo $library)"
+    printf '\tNODE_PATH="$${NODE_PATH:-/usr/share/nodejs}" $(EMXX) $(NODE_LINK) -o $@%s %s\n' "$list" "$(echo $library)"
 }
 # What the scripts of the package call; other words, such as names of structs, are not there to be exported.
 exports() {
@@ -123,33 +124,34 @@ layout() {
     awk -f c_api/packaging/table.awk $(sed 's|^|include/|' fortran/harmorph/headers) | awk -f c_api/web/layout.awk
 }
 put web/layout.inc layout
+put web/headers.inc sed 's/.*/#include "&"/' fortran/harmorph/headers
 put web/exports exports
 
 all_rules() {
     echo "WITH_ZLIB = $with_zlib"
-    compiler='$(WASM_CXX)' own= stamp=$build/web/flags
+    compiler='$(WASM_CXX)' stamp=$build/web/flags
     module harmorph ''
     module harmorph_simd128 -msimd128
+    node_program
 
-    compiler='$(CXX)' at= own='$(CXXFLAGS)' stamp=$build/flags
-    flags='$(CORE)' list=
-    objects core src/*/*.cpp c_api/*.cpp
+    compiler='$(CXX)' stamp=$build/flags flags='$(CORE)' list=
+    own='$(KERNEL_LEVEL) $(CXXFLAGS)'
+    objects core $kernels
+    own='$(LEVEL) $(CXXFLAGS)'
+    objects core $others
     printf '%s/libharmorph.a:%s\n\techo $(AR) $@\n\trm -f $@\n\t$(AR) rcs $@%s\n' $build "$list" "$list"
 
-    flags='$(UNIT)' list=
+    flags='$(UNIT)' own='$(CXXFLAGS)' list=
     objects unit tests/main.cpp $(grep -l '^#define' $UNITS)
     groups unit $in_tests apart $(grep -L '^#define' $UNITS)
     program tests
     put objects/tests.list echo $list
 
-    flags='$(CLI)' list=
+    flags='$(CLI)' own='$(PROGRAM_LEVEL) $(CXXFLAGS)' list=
     objects cli $build/page_text.cpp c_api/cli/formats/cgns*.cpp
-    program_levels >$build/levels.$$
-    cut -d '|' -f 1 $build/levels.$$ | sort -u >$build/each.$$
-    while read -r flag; do
-        groups cli $in_program in_turn $(awk -F '|' -v level="$flag" '$1 == level { print $2 }' $build/levels.$$)
-    done <$build/each.$$
-    rm -f $build/levels.$$ $build/each.$$
+    for room in c_api/cli/*/; do
+        groups cli $in_program in_turn $(ls $room*.cpp | grep -v /cgns)
+    done
     parts=$list
     put objects/program.list echo $parts $zlib
     objects cli c_api/cli/main.cpp
@@ -158,7 +160,7 @@ all_rules() {
     objects cli tests/measure/deform/seeded.cpp
     program deform-seeded
 
-    flags='$(UNIT) -Ic_api/cli' list=$parts
+    flags='$(UNIT) -Ic_api/cli' own='$(CXXFLAGS)' list=$parts
     objects fuzz tests/fuzz/*.cpp
     program fuzzer
 
@@ -172,3 +174,4 @@ all_rules() {
 }
 put rules.mk all_rules
 put depends.mk find $build/objects -name '*.d' -exec cat {} +
+mv -f "$build/rules.stamp.$$" "$build/rules.stamp"

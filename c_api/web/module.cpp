@@ -1,15 +1,10 @@
 // What the WebAssembly module contains besides the library: the four functions of memory that the
 // library calls, and a table of the constants and structs of the headers, by which JavaScript finds
-// the members of structs. BUILD/web/layout.inc is made from the headers by layout.awk.
+// the members of structs. BUILD/web/headers.inc includes the headers, and BUILD/web/layout.inc is
+// made from them by layout.awk.
 #include <stddef.h>
 
-#include "harmorph_bases.h"
-#include "harmorph_design.h"
-#include "harmorph_fields.h"
-#include "harmorph_parts.h"
-#include "harmorph_quality.h"
-#include "harmorph_space.h"
-#include "harmorph_study.h"
+#include "headers.inc"
 
 // The option -mbulk-memory makes each of the first three one instruction. Addresses that may be
 // null are copied from and to with a size of 0 only.

@@ -17,7 +17,11 @@ pack)
     [ -z "$missing" ] || exit 1
     web=$2/web to=$2/web/package
     rm -rf "$to" && mkdir -p "$to"
-    cp c_api/web/package/*.js c_api/web/package/*.d.ts c_api/web/README.md LICENSE "$web"/*.wasm "$to/"
+    cp c_api/web/package/*.*js c_api/web/package/*.d.ts c_api/web/README.md LICENSE "$web"/harmorph*.wasm "$to/"
+    # The program is there where emscripten was.
+    if [ -e "$web/program.js" ] && command -v "${EMXX:-em++}" >/dev/null; then
+        cp "$web/program.js" "$to/program.cjs" && cp "$web/program.wasm" "$to/"
+    fi
     awk -f c_api/packaging/table.awk $(sed 's|^|include/|' fortran/harmorph/headers) | awk -f c_api/web/reports.awk \
         >"$to/reports.d.ts"
     sed "s/@VERSION@/$VERSION/" c_api/web/package/package.json >"$to/package.json"

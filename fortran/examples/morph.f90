@@ -35,7 +35,7 @@ program morph
 
     ! The upper control points go up. The displacements are judged before the mesh moves.
     move = 0
-    where (curves%control(2, :) > 0) move(2, :) = 0.1_dp
+    where (curves%control(2, :) > 0.05_dp) move(2, :) = 0.1_dp
     call basis%displacement(move, dx, dy)
     call basis%assess(mesh, dx, dy, step, quality)
     print "(i0, a, f0.1, a)", quality%inverted, " inverted cells; the mesh could follow ", step%admissible, &

@@ -51,7 +51,7 @@ program one_cell_thick
     call plan%solve(basis)
     call plan%free()
     move = 0
-    where (curves%control(2, :) > 0) move(2, :) = 0.1_dp
+    where (curves%control(2, :) > 0.05_dp) move(2, :) = 0.1_dp
 
     call basis%displacement(move, dx, dy)
     call basis%assess(mesh, dx, dy, quality=quality)

@@ -57,21 +57,26 @@ subroutine hmgsaf(w, n, ip, wx, wy, dp, x, y, xn, yn, inc, frac, istrat, ierr, m
     type(hm_c_basis_info) :: info
     type(hm_c_safe_options) :: options
     type(hm_safe_report) :: report
-    type(c_ptr) :: points, plan, move, work
+    type(hm_c_safe_target) :: goal
+    type(hm_c_points), target :: of_wall
+    type(c_ptr) :: plan, work
     integer(c_size_t) :: bytes
     info%struct_size = int(c_sizeof(info), c_int64_t)
     options%struct_size = int(c_sizeof(options), c_int64_t)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call open_solved_at(this, w, x, y, inc)
     call plan_of_start(this, "HMGSAF", plan)
-    call this%list(ip, n, points)
+    goal%struct_size = int(c_sizeof(goal), c_int64_t)
+    call this%list(ip, n, goal%points)
     if (this%ok()) call this%told(hm_c_basis_info_get(this%kept%basis, info, this%e))
-    if (this%ok()) call this%told(hm_c_displace_safe_size(plan, this%kept%basis, bytes, this%e))
+    if (info%functions > 0) goal%move = c_loc(dp)
+    goal%n = short(n)
+    of_wall = points_of(wx, wy, 1)
+    goal%wall = c_loc(of_wall)
+    if (this%ok()) call this%told(hm_c_move_safe_size(plan, this%kept%basis, goal, bytes, this%e))
     call this%room(bytes, work)
-    move = c_null_ptr
-    if (info%functions > 0) move = c_loc(dp)
-    if (this%ok()) call this%told(hm_c_displace_safe(plan, this%kept%basis, move, short(n), points, &
-        points_of(wx, wy, 1), points_of(xn, yn, inc), work, bytes, options, report, this%e))
+    if (this%ok()) call this%told(hm_c_move_safe(plan, this%kept%basis, goal, points_of(xn, yn, inc), work, bytes, &
+        options, report, this%e))
     if (this%ok()) then
         frac = report%step_fraction
         istrat = int(report%strategy)

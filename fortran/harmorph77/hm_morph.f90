@@ -73,8 +73,7 @@ subroutine hmsafe(w, dp, x, y, xn, yn, inc, dr, frac, istrat, ierr, msg)
     implicit none
     integer, intent(in) :: inc
     real(c_double), intent(inout), target :: w(*), xn(*), yn(*)
-    real(c_double), intent(in), target :: x(*), y(*)
-    real(c_double), intent(in) :: dp(2, *)
+    real(c_double), intent(in), target :: x(*), y(*), dp(2, *)
     real(c_double), intent(inout), target :: dr(2, *)
     real(c_double), intent(inout) :: frac
     integer, intent(inout) :: istrat
@@ -82,18 +81,21 @@ subroutine hmsafe(w, dp, x, y, xn, yn, inc, dr, frac, istrat, ierr, msg)
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
     type(hm_c_safe_options) :: options
+    type(hm_c_safe_target) :: goal
     type(hm_safe_report) :: report
     type(c_ptr) :: plan, work
     integer(c_size_t) :: bytes
     options%struct_size = int(c_sizeof(options), c_int64_t)
     options%reached = c_loc(dr)
+    goal%struct_size = int(c_sizeof(goal), c_int64_t)
+    goal%move = c_loc(dp)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call open_solved_at(this, w, x, y, inc)
     call plan_of_start(this, "HMSAFE", plan)
-    if (this%ok()) call this%told(hm_c_morph_safe_size(plan, this%kept%basis, bytes, this%e))
+    if (this%ok()) call this%told(hm_c_move_safe_size(plan, this%kept%basis, goal, bytes, this%e))
     call this%room(bytes, work)
-    if (this%ok()) call this%told(hm_c_morph_safe(plan, this%kept%basis, dp, points_of(xn, yn, inc), c_null_ptr, work, &
-        bytes, options, report, this%e))
+    if (this%ok()) call this%told(hm_c_move_safe(plan, this%kept%basis, goal, points_of(xn, yn, inc), work, bytes, &
+        options, report, this%e))
     if (this%ok()) then
         frac = report%step_fraction
         istrat = int(report%strategy)

@@ -26,7 +26,7 @@ Real crossing(Curve const& curve, Index span, Real low, Real high, Ahead const& 
     if (curve.weights != nullptr) return sign_change(low, high, ahead);
     Vec2 by[max_degree + 1];
     curve_point_in(curve, span, low, curve.degree, by);
-    Real coefficient[max_degree + 1], factor = 1;
+    Real coefficient[max_degree + 1] = {}, factor = 1;
     for (Index d = 0; d <= curve.degree; ++d) {
         if (d > 0) factor *= (high - low) / static_cast<Real>(d);
         coefficient[d] = factor * dot(d == 0 ? by[0] - through : by[d], along);

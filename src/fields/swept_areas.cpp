@@ -1,6 +1,27 @@
 #include "fields/swept_areas.hpp"
 
 #include "base/double_double.hpp"
+#include "simd/kernel_table.hpp"
+
+namespace harmorph {
+
+// Cells of one shape, one in each lane; each array has a row for each corner or side.
+struct SweptBatch {
+    static constexpr Index size = 8;
+    bool wants_sides, wants_duals, wants_halves;
+    Real from_x[4][size], from_y[4][size], to_x[4][size], to_y[4][size];
+    Real sides[4][size], duals[4][size], halves[8][size];
+};
+
+struct SweptKernels {
+    // Computes what is wanted of cells with n corners, 3 or 4.
+    void (*sweep)(SweptBatch& cells, Index n) noexcept;
+};
+
+}  // namespace harmorph
+
+#define HARMORPH_KERNELS "fields/swept_kernel.hpp"
+#include "simd/for_each_set.hpp"
 
 namespace harmorph {
 namespace {
@@ -51,37 +72,9 @@ struct MovingSide {
     }
 };
 
-// Computes the areas of a triangle or quadrilateral. A face of the dual runs from the middle of its
-// side to the mean of the corners. Four times its vector in a quadrilateral, or six times in a
-// triangle, is the next side minus the side before. `entry_of(k)` is the entry of side k.
-template <Index n, class EntryOf>
-void sweep(SweptAreas const& areas, LinearMotion const& points, const Index* corner,
-           EntryOf entry_of) noexcept {
-    ExactVector velocity[n];
-    MovingSide side[n];
-    for (Index k = 0; k < n; ++k) velocity[k] = points.velocity(corner[k]);
-    for (Index k = 0; k < n; ++k) {
-        Index const next = (k + 1) % n;
-        side[k] = {points.line(corner[k], corner[next]), velocity[k], velocity[next],
-                   velocity[k] + velocity[next]};
-        side[k].write(areas, entry_of(k));
-    }
-    if (areas.duals.empty()) return;
-    ExactVector const total = side[0].sum + (n == 4 ? side[2].sum : velocity[2]);
-    for (Index k = 0; k < n; ++k) {
-        ExactVector const line = side[(k + 1) % n].line - side[(k + n - 1) % n].line,
-                          twice = doubled(side[k].sum);
-        // 4 or 6 times the sum of the velocities of both ends of the line
-        Real& area = areas.duals[entry_of(k)];
-        if (n == 4) {
-            area = exact_cross(twice + total, line).rounded() / 64;
-        } else {
-            area = exact_cross(twice + side[k].sum + doubled(total), line).rounded() / 144;
-        }
-    }
-}
-
-// Does the same for a polygon of any number n of corners; `point_of(k)` is corner k.
+// Computes the areas of a polygon of any number n of corners; `point_of(k)` is corner k. A face of
+// the dual runs from the middle of its side to the mean of the corners; in a quadrilateral, four
+// times its vector, or in a triangle six times, is the next side minus the side before.
 template <class PointOf>
 void sweep_polygon(SweptAreas const& areas, LinearMotion const& points, Offset first, Index n,
                    PointOf const& point_of) noexcept {
@@ -135,6 +128,77 @@ EntryPlace place_of_cell(Mesh const& mesh, Index i) noexcept {
     }
 }
 
+// Collects triangles and quadrilaterals until the lanes of a batch are full.
+class Batches {
+public:
+    Batches(SweptAreas const& areas, LinearMotion const& points,
+            SweptKernels const& kernels) noexcept
+        : areas_(areas), points_(points), kernels_(kernels) {
+        for (SweptBatch& batch : batch_) {
+            batch.wants_sides = !areas.sides.empty();
+            batch.wants_duals = !areas.duals.empty();
+            batch.wants_halves = !areas.halves.empty();
+        }
+    }
+    // `entry_of(k)` is the entry of side k.
+    template <Index n, class EntryOf>
+    void add(const Index* corner, EntryOf const& entry_of) noexcept {
+        SweptBatch& batch = batch_[n - 3];
+        Index& count = count_[n - 3];
+        for (Index k = 0; k < n; ++k) {
+            Vec2 const from = points_.from[corner[k]], to = points_.to[corner[k]];
+            batch.from_x[k][count] = from.x;
+            batch.from_y[k][count] = from.y;
+            batch.to_x[k][count] = to.x;
+            batch.to_y[k][count] = to.y;
+            entry_[n - 3][k][count] = entry_of(k);
+        }
+        if (++count == SweptBatch::size) sweep(n);
+    }
+    void end() noexcept {
+        for (Index n = 3; n <= 4; ++n) {
+            if (count_[n - 3] > 0) sweep(n);
+        }
+    }
+
+private:
+    void sweep(Index n) noexcept {
+        SweptBatch& batch = batch_[n - 3];
+        Index const count = count_[n - 3];
+        // Lanes without a cell repeat the first one.
+        for (Index k = 0; k < n; ++k) {
+            for (Index lane = count; lane < SweptBatch::size; ++lane) {
+                batch.from_x[k][lane] = batch.from_x[k][0];
+                batch.from_y[k][lane] = batch.from_y[k][0];
+                batch.to_x[k][lane] = batch.to_x[k][0];
+                batch.to_y[k][lane] = batch.to_y[k][0];
+            }
+        }
+        kernels_.sweep(batch, n);
+        for (Index lane = 0; lane < count; ++lane) {
+            for (Index k = 0; k < n; ++k) write(batch, k, lane, entry_[n - 3][k][lane]);
+        }
+        count_[n - 3] = 0;
+    }
+    void write(SweptBatch const& batch, Index k, Index lane, Offset entry) const noexcept {
+        if (batch.wants_sides) areas_.sides[entry] = batch.sides[k][lane];
+        if (batch.wants_duals) areas_.duals[entry] = batch.duals[k][lane];
+        if (!batch.wants_halves) return;
+        areas_.halves[2 * entry] = batch.halves[2 * k][lane];
+        areas_.halves[2 * entry + 1] = batch.halves[2 * k + 1][lane];
+    }
+
+    SweptAreas const& areas_;
+    LinearMotion const& points_;
+    SweptKernels const& kernels_;
+    SweptBatch batch_[2];  // triangles and quadrilaterals
+    Offset entry_[2][4][SweptBatch::size];
+    Index count_[2] = {};
+};
+
+// Below this number of cells CPUID costs more time than a better kernel saves.
+constexpr Index min_detected_cells = 4096;
+
 }  // namespace
 
 Offset SweptAreas::count_entries(Mesh const& mesh) noexcept {
@@ -146,6 +210,8 @@ void SweptAreas::compute(Mesh const& mesh, Points from, Points to,
                          Executor const& executor) const noexcept {
     SweptAreas const areas = *this;
     LinearMotion const points{from, to};
+    SweptKernels const& kernels = simd::table_of<SweptKernels>(resolved(
+        executor.kernel, mesh.n_cells < min_detected_cells ? Kernel::baseline : Kernel::automatic));
     executor.for_ranges(mesh.n_cells, min_cells_of_task, [&](Index begin, Index end) {
         if (mesh.layout == CellLayout::polygons) {
             for (Index i = begin; i < end; ++i) {
@@ -156,17 +222,19 @@ void SweptAreas::compute(Mesh const& mesh, Points from, Points to,
             }
             return;
         }
+        Batches batches(areas, points, kernels);
         mesh.for_each_cell(begin, end, [&](Index i, Cell const& cell) {
             EntryPlace const place = place_of_cell(mesh, i);
             if (cell.n == 4) {
-                sweep<4>(areas, points, cell.point, [&](Index k) { return place.first + k; });
+                batches.add<4>(cell.point, [&](Index k) { return place.first + k; });
                 return;
             }
             Index const repeated = place.width - 3;
             if (repeated > 0) clear_entry(areas, place.first + 2);
-            sweep<3>(areas, points, cell.point,
-                     [&](Index k) { return place.first + k + (k == 2 ? repeated : 0); });
+            batches.add<3>(cell.point,
+                           [&](Index k) { return place.first + k + (k == 2 ? repeated : 0); });
         });
+        batches.end();
     });
 }
 

@@ -23,6 +23,7 @@ void FunctionBlock::take_right_hand_sides(Matrix const& matrix, DofValues const&
         return numbers + plane * values.plane + first + from;
     };
     for (Index i = 0; i < matrix.n && dofs.source != nullptr; ++i) {
+        if (dofs.source_at(i) == nullptr) continue;
         for (Index plane = 0; plane < planes; ++plane) {
             const Real* const source = plane_of(dofs.source_at(i), plane);
             for (Index k = 0; k < count; ++k)

@@ -58,6 +58,13 @@ namespace {
 
 constexpr Real zeros[Residual::max_width] = {};
 
+// Sets a row to the source of the position, or to 0.
+void take_source(DofValues const& dofs, Index position, Index first, Index columns,
+                 Real* row) noexcept {
+    const Real* const source = dofs.source_at(position);
+    for (Index k = 0; k < columns; ++k) row[k] = source == nullptr ? 0 : source[first + k];
+}
+
 // The values of a basis in the rows of the scheme, beginning with column `first`.
 struct BasisRows {
     NodalEquations const& equations;
@@ -95,8 +102,7 @@ void NodalEquations::init(Topology const& topology, Matrix const& matrix, bool c
 void NodalEquations::set_right_hand_sides(DofValues const& dofs, Index columns) const noexcept {
     for (Index first = 0; first < columns; first += width) {
         Index const count = min(width, columns - first);
-        for (Index i = 0; i < n; ++i)
-            fill(Span<Real>(dofs.at(i) + first, static_cast<Size>(count)), 0.0);
+        for (Index i = 0; i < n; ++i) take_source(dofs, i, first, count, dofs.at(i) + first);
         BasisRows const rows{*this, dofs, first};
         add_balances(
             scheme, count, [&](Index row) { return row < n ? zeros : rows.known(row); }, gradient,
@@ -115,12 +121,16 @@ Residual::Norms NodalEquations::compute(Residual const& residual, DofValues cons
             for (Index k = 0; k < columns; ++k) sums[k] += balance_of(i)[k] * balance_of(i)[k];
         }
     };
+    auto const take_sources = [&] {
+        fill(residual.value, 0.0);
+        for (Index i = 0; i < n; ++i) take_source(dofs, i, first, columns, balance_of(i));
+    };
     Residual::Norms norms;
-    fill(residual.value, 0.0);
+    take_sources();
     auto const known_value = [&](Index row) { return row < n ? zeros : rows.known(row); };
     add_balances(scheme, columns, known_value, gradient, balance_of);
     squares(norms.right_hand_side);
-    fill(residual.value, 0.0);
+    take_sources();
     auto const any_value = [&](Index row) { return rows.any(row); };
     add_balances(scheme, columns, any_value, gradient, balance_of);
     squares(norms.rest);

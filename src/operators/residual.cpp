@@ -62,6 +62,7 @@ private:
 
     // Adds up the squares of right-hand sides; leaves their sources in the rows.
     void take_right_hand_sides(Real* squares) const noexcept {
+        take_sources();
         for (Index wall = 0; wall + 1 < matrix_.coupling_start.count(); ++wall) {
             const Real* const known = dofs_.wall(wall) + first_;
             for (Index c = matrix_.coupling_start[wall]; c < matrix_.coupling_start[wall + 1];
@@ -69,14 +70,15 @@ private:
                 subtract(matrix_.coupling_value[c], known, row_of(matrix_.coupling_row[c]));
             }
         }
-        for (Index const i : matrix_.coupling_row) {
-            add_squares(row_of(i), squares);
+        for (Index i = 0; i < matrix_.n; ++i) add_squares(row_of(i), squares);
+        for (Index const i : matrix_.coupling_row)
             fill(Span<Real>(row_of(i), static_cast<Size>(n_)), 0.0);
-        }
-        if (dofs_.source == nullptr) return;
-        for (Index i = 0; i < matrix_.n; ++i) {
-            for (Index k = 0; k < n_; ++k) row_of(i)[k] = dofs_.source_at(i)[first_ + k];
-            add_squares(row_of(i), squares);
+        take_sources();
+    }
+    void take_sources() const noexcept {
+        for (Index i = 0; i < matrix_.n && dofs_.source != nullptr; ++i) {
+            const Real* const source = dofs_.source_at(i);
+            for (Index k = 0; k < n_ && source != nullptr; ++k) row_of(i)[k] = source[first_ + k];
         }
     }
 

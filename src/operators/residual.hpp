@@ -24,9 +24,12 @@ struct DofValues {
     Index n_functions;                  // A plane of a row has one number for each function.
     Index first_function;               // The number of the first function, for reports.
     Index numbers;                      // The numbers of a dof.
-    // Rows like `value` with the part of the right-hand sides that does not come from the wall; the
-    // values on the wall are 0 then. Null means 0.
+    // Rows like those of `value` with the part of the right-hand sides that does not come from the
+    // wall. Null means 0.
     const Real* source = nullptr;
+    // [n] The number of each position's row in `source`, or none, for which the source is 0. If the
+    // array is empty, `source` has the rows of all dofs.
+    Span<const Index> source_row;
     // The values of unknowns are not right-hand sides but a first approximation; the right-hand
     // sides are those that the values on the wall make.
     bool is_start = false;
@@ -55,8 +58,10 @@ struct DofValues {
     Offset start_of(Index dof) const noexcept { return Offset{dof} * numbers; }
     Real* values_of_dof(Index dof) const noexcept { return value.data() + start_of(dof); }
     Real* at(Index position) const noexcept { return values_of_dof(dof_of_position[position]); }
+    // Returns null if there is no source at the position.
     const Real* source_at(Index position) const noexcept {
-        return source + start_of(dof_of_position[position]);
+        Index const number = source_row.empty() ? dof_of_position[position] : source_row[position];
+        return source == nullptr || number == none ? nullptr : source + start_of(number);
     }
     // Copies the numbers of one point to another; does nothing if `from` is none.
     void copy_row(Index from, Index to) const noexcept {

@@ -47,7 +47,8 @@ public:
         for (Index i = rows.begin; i < rows.end; ++i) {
             fetch(i + rows_ahead);
             own_ = at(i);
-            source_ = dofs_.source == nullptr ? nullptr : dofs_.source_at(i) + first_;
+            source_ = dofs_.source_at(i);
+            if (source_ != nullptr) source_ += first_;
             take_earlier(i, norms);
             for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) {
                 add({at(matrix_.column[e]), matrix_.value[e], imaginary(matrix_.imaginary, e)},
@@ -105,7 +106,8 @@ private:
     }
     // Adds the rows in the list of this row, and the couplings to the wall.
     void take_earlier(Index i, Residual::Norms& norms) noexcept {
-        bool beside_wall = false;
+        bool any_right = source_ != nullptr;
+        if (any_right) take_source();
         for (Index listed = latest_[i]; listed != none;) {
             Index const next_listed = next_[listed];
             if (listed < matrix_.n) {
@@ -113,13 +115,19 @@ private:
                 add({at(listed), matrix_.value[e], -imaginary(matrix_.imaginary, e)}, norms);
                 enter(listed, e + 1);
             } else {
-                if (!beside_wall) clear(right_);
-                beside_wall = true;
+                if (!any_right) clear(right_);
+                any_right = true;
                 take_known(listed - matrix_.n, norms);
             }
             listed = next_listed;
         }
-        if (beside_wall) add_squares(right_, norms.right_hand_side);
+        if (any_right) add_squares(right_, norms.right_hand_side);
+    }
+
+    void take_source() noexcept {
+        for (Index p = 0; p < planes; ++p) {
+            for (Index k = 0; k < n_; ++k) right_[p][k] = source_[p * plane_ + k];
+        }
     }
 
     void take_known(Index coupling, Residual::Norms& norms) noexcept {
@@ -208,7 +216,6 @@ private:
             } else if (source_ != nullptr) {
 #pragma GCC unroll 2
                 for (Index p = 0; p < planes; ++p) load(source_ + p * plane_ + k, n_ - k, rest[p]);
-                add_squares_of(rest, norms.right_hand_side + k);
             }
             for (Index c = 0; c < count_; ++c) {
                 Neighbour const& neighbour = neighbour_[c];

@@ -104,6 +104,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
         HARMORPH_TRY(check_curve(slip_along_[number], number, fault));
     }
     HARMORPH_TRY(check_conditions(conditions_, curves_.count(), boundary_, fault));
+    HARMORPH_TRY(check_fluxes(problem_.fluxes, topology_, boundary_, conditions_, fault));
     if (inverted_ != none) {
         CellCorners const corners(shape_of(topology_, inverted_, mesh.points));
         return fault.refuse(
@@ -138,7 +139,8 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
                             "no mesh point is free to move, so there is nothing to solve");
     HARMORPH_TRY(check_regions(fault));
     matrix_ = Matrix::count(graph_, matrix_kind(problem_.method, problem_.demands), periodicity_);
-    conditions_fingerprint_ = slip_curves_.fingerprint_with(fingerprint_of(kinds_, wall_));
+    conditions_fingerprint_ = fingerprint_with(
+        slip_curves_.fingerprint_with(fingerprint_of(kinds_, wall_)), problem_.fluxes);
     return Status::ok;
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/executor.hpp"
 #include "basis/basis_source.hpp"
+#include "boundary/fluxes.hpp"
 #include "boundary/moving_boundary.hpp"
 #include "boundary/periodic.hpp"
 #include "boundary/slip.hpp"
@@ -25,6 +26,7 @@ namespace harmorph {
 struct Problem {
     Mesh mesh;
     GivenParameters given;
+    Fluxes fluxes;
     Real max_curve_distance = infinity;
     Method method;
     Iteration iteration;

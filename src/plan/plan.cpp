@@ -67,6 +67,7 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     given_.lay_out(arena, analysis);
     Index const numbers_per_dof =
         numbers_of(counts.kind) * counts.functions() / equations_.matrix().components();
+    fluxes_.lay_out(arena, analysis, numbers_per_dof);
     Index const columns =
         max(equations_.matrix().is_complex() ? counts.functions() : numbers_per_dof,
             GivenWall::columns(analysis));
@@ -89,6 +90,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     factored_ = false;
     copy(wall_point_, Span<const Index>(analysis.wall().point.first(wall_point_.count())));
     given_.init(analysis);
+    fluxes_.init(analysis);
     equations_.init(analysis);
     mesh_ = equations_.cells().mesh;
     refinement_.residual.kernel = executor_.kernel = equations_.method().kernel;
@@ -107,6 +109,7 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
     HARMORPH_TRY(check_range(points, mesh_.n_points, fault, executor_));
     HARMORPH_TRY(progress_.report(Phase::assembly, 0, fault));
     HARMORPH_TRY(equations_.assemble(points, executor_, fault));
+    fluxes_.measure(points);
     HARMORPH_TRY(progress_.report(Phase::assembly, 1, fault));
     HARMORPH_TRY(progress_.report(Phase::factor, 0, fault));
     Status const status = engine_.set_up(equations_, points, progress_, fault);
@@ -134,13 +137,18 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault,
             plain(basis.row_length()),
             plain(static_cast<Index>(rows_in_work_.size() / block_points)));
     }
+    bool const is_derived = basis.header->counts.derived();
+    if (is_derived && fluxes_.any()) {
+        return fault.refuse(Status::unsupported,
+                            "functions with fluxes (hm_problem.fluxes) that are combined, or have "
+                            "modes beside them, cannot be solved again; solve, then combine");
+    }
     DofValues dofs = equations_.dofs(basis);
     dofs.is_start = equations_.method().traits().continues && basis.header->solved == 1;
     basis.unseal();
     HARMORPH_TRY(progress_.report(Phase::solve, 0, fault));
     RowsToBlocks const rows{basis.value.data(), basis.n_points(), basis.row_length(),
                             rows_in_work_};
-    bool const is_derived = basis.header->counts.derived();
     if (is_derived || dofs.is_start) rows.undo(executor_);
     if (dofs.is_start) {
         DofDirections(equations_.matrix()).turn_slipping_back(dofs, mesh_.n_points);
@@ -151,6 +159,7 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault,
     } else {
         set_right_hand_sides(equations_.matrix(), basis, dofs, executor_);
     }
+    fluxes_.add_to(equations_.matrix(), dofs);
     Status const status = solve_rows(dofs, report, fault);
     // The rows become blocks even if the solution failed, as the values of derived functions on the
     // wall must be kept.

@@ -4,6 +4,7 @@
 #include "mesh/topology.hpp"
 #include "operators/right_hand_sides.hpp"
 #include "plan/analysis.hpp"
+#include "plan/flux_rows.hpp"
 #include "plan/refinement.hpp"
 
 namespace harmorph {
@@ -138,6 +139,7 @@ private:
     Refinement refinement_;
     Span<Index> wall_point_;  // [points of the wall] The mesh point of each slot.
     GivenWall given_;
+    FluxRows fluxes_;
     Executor executor_;
     Progress progress_;
     BasisCounts basis_counts_;

@@ -122,7 +122,7 @@ struct SafeMorph {
     // B-spline and their carried offsets put them. An impossible target is refused at once
     // (Status::crossing, see check_target). Status::short_of_target means that the movement is not
     // complete. Status::poor means that the movement is complete but the quality asked for is not
-    // reached. The derivative is a basis like `basis`, or null; see hm_morph_safe. If functions
+    // reached. The derivative is a basis like `basis`, or null; see hm_move_safe. If functions
     // were solved again, the plan is left without a factor.
     Status run(Plan& plan, Basis const& basis, const Real* move, SafeOptions const& options,
                const Basis* derivative, SafeReport& report, Fault& fault) noexcept;

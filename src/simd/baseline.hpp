@@ -12,6 +12,31 @@ namespace harmorph::simd::baseline {
 // Registers defines a register of numbers and the operations of the instruction set; the operations
 // that all sets have in common are in Register (register.hpp). The operators + - * / are the
 // compiler's vector operators, which are never contracted to fused operations.
+#if defined(__wasm_simd128__)
+// The picks of all sets, expressed for the bytes of each register; 255 picks a zero.
+template <Index lanes>
+struct BytePicks {
+    v128_t first, second;
+
+    BytePicks() noexcept = default;
+    explicit BytePicks(const Index (&picked)[lanes]) noexcept {
+        constexpr Index bytes = 16 / lanes;
+        std::uint8_t of_first[16], of_second[16];
+        for (Index k = 0; k < 16; ++k) {
+            Index const lane = picked[k / bytes], other = lane - lanes;
+            bool const in_first = lane != none && lane < lanes, in_second = lane >= lanes;
+            of_first[k] = static_cast<std::uint8_t>(in_first ? lane * bytes + k % bytes : 255);
+            of_second[k] = static_cast<std::uint8_t>(in_second ? other * bytes + k % bytes : 255);
+        }
+        first = wasm_v128_load(of_first);
+        second = wasm_v128_load(of_second);
+    }
+    HARMORPH_INLINE v128_t pick(v128_t a, v128_t b) const noexcept {
+        return wasm_v128_or(wasm_i8x16_swizzle(a, first), wasm_i8x16_swizzle(b, second));
+    }
+};
+#endif
+
 template <class Of>
 struct Registers;
 
@@ -92,11 +117,20 @@ struct Registers<double> : Register<double, 2> {
 
     // pick() takes numbers from two registers: lane k of the result is lane picked[k] of the first
     // register, lane picked[k] - lanes of the second register, or 0 if picked[k] is none.
+#if defined(__wasm_simd128__)
+    using Picks = BytePicks<lanes>;
+    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept {
+        return Picks(picked);
+    }
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
+        return Vector(picks.pick(v128_t(a), v128_t(b)));
+    }
+#else
     struct Picks {
         Index from[lanes];
     };
     static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept {
-        return {{picked[0], picked[1]}};
+        return {{ picked[0], picked[1] }};
     }
     static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
         Vector v = {};
@@ -106,6 +140,7 @@ struct Registers<double> : Register<double, 2> {
         }
         return v;
     }
+#endif
 };
 
 template <>
@@ -117,11 +152,20 @@ struct Registers<float> : Register<float, 4> {
         return c - a * b;
     }
 
+#if defined(__wasm_simd128__)
+    using Picks = BytePicks<lanes>;
+    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept {
+        return Picks(picked);
+    }
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
+        return Vector(picks.pick(v128_t(a), v128_t(b)));
+    }
+#else
     struct Picks {
         Index from[lanes];
     };
     static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept {
-        return {{picked[0], picked[1], picked[2], picked[3]}};
+        return {{ picked[0], picked[1], picked[2], picked[3] }};
     }
     static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
         Vector v = {};
@@ -131,6 +175,7 @@ struct Registers<float> : Register<float, 4> {
         }
         return v;
     }
+#endif
 };
 
 }  // namespace harmorph::simd::baseline

@@ -6,6 +6,7 @@
 #include <harmorph_fields.h>
 #include <harmorph_space.h>
 #include "private.h"
+#include <fixtures/safe_moves.hpp>
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
 #include <doctest/doctest.h>
@@ -244,11 +245,13 @@ TEST_CASE("large movements and better cells") {
     hm_safe_report report = sized<hm_safe_report>();
     hm_improve_options better = sized<hm_improve_options>();
     hm_improve_report improved = sized<hm_improve_report>();
-    check_arguments("plan, ?basis, bytes", hm_morph_safe_size, g.plan, g.basis, &g.bytes);
+    auto target = sized<hm_safe_target>();
+    target.move = g.move.data();
+    check_arguments("plan, ?basis, ?target, bytes", hm_move_safe_size, g.plan, g.basis, &target,
+                    &g.bytes);
     Guarded work(g.bytes);
-    check_arguments("plan, basis, move, to, -, block, bytes, ?options, ?report", hm_morph_safe,
-                    g.plan, g.basis, g.move.data(), &g.to, nullptr, work.data(), g.bytes, &safe,
-                    &report);
+    check_arguments("plan, basis, target, to, block, bytes, ?options, ?report", hm_move_safe,
+                    g.plan, g.basis, &target, &g.to, work.data(), g.bytes, &safe, &report);
     check_arguments("plan, bytes", hm_improve_size, g.plan, &g.bytes);
     Guarded room(g.bytes);
     check_arguments("plan, ?from, to, block, bytes, ?options, ?report", hm_improve, g.plan, &g.at,
@@ -284,11 +287,14 @@ TEST_CASE("given displacements") {
     hm_basis* tabulated = nullptr;
     check_arguments("tabulated, block, bytes, plan, basis, modes, ?report", hm_tabulate, &tabulated,
                     block.data(), bytes, d.plan, d.basis, &table, &report);
-    check_arguments("plan, basis, bytes", hm_displace_safe_size, d.plan, d.basis, &bytes);
+    auto target = sized<hm_safe_target>();
+    target.n = n;
+    target.wall = &wall;
+    check_arguments("plan, basis, ?target, bytes", hm_move_safe_size, d.plan, d.basis, &target,
+                    &bytes);
     Guarded safe_work(bytes);
-    check_arguments("plan, ?basis, ?move, -, ?points, wall, to, block, bytes, ?options, ?report",
-                    hm_displace_safe, d.plan, d.basis, nullptr, n, d.points.data(), &wall, &to,
-                    safe_work.data(), bytes, &safe, &of_safe);
+    check_arguments("plan, ?basis, target, to, block, bytes, ?options, ?report", hm_move_safe,
+                    d.plan, d.basis, &target, &to, safe_work.data(), bytes, &safe, &of_safe);
 }
 
 TEST_CASE("a mesh one cell thick") {

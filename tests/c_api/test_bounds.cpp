@@ -3,6 +3,7 @@
 #include <harmorph_design.h>
 #include <harmorph_space.h>
 #include "private.h"
+#include <fixtures/safe_moves.hpp>
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
 #include <doctest/doctest.h>
@@ -104,10 +105,10 @@ TEST_CASE("safe morphs and better cells") {
     std::vector<double> x = setup.mesh.x, y = setup.mesh.y, move(8, 0.0);
     hm_points_out const to{x.data(), y.data(), 1};
     std::size_t bytes = 0;
-    Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
+    Guarded work = block_of(safe_move_size, solved.plan, solved.basis);
     auto const morph = [&](hm_safe_options const& options, hm_error* e) {
-        return hm_morph_safe(solved.plan, solved.basis, move.data(), &to, nullptr, work.data(),
-                             work.size(), &options, nullptr, e);
+        return safe_move(solved.plan, solved.basis, move.data(), &to, nullptr, work.data(),
+                         work.size(), &options, nullptr, e);
     };
     using S = hm_safe_options;
     check_changes<S>(
@@ -153,9 +154,9 @@ TEST_CASE("safe morphs and better cells") {
                       {"options.reserved must be 0, not 1", [](I& i) { i.reserved = 1; }}},
                      HM_BAD_ARGUMENT, improve);
     hm_error error{};
-    CHECK(hm_morph_safe(solved.plan, solved.basis, move.data(), &to, solved.basis, work.data(),
-                        work.size(), nullptr, nullptr, &error) == HM_BAD_ARGUMENT);
-    CHECK(std::string(error.text) == "derivative and basis must be two different bases");
+    CHECK(safe_move(solved.plan, solved.basis, move.data(), &to, solved.basis, work.data(),
+                    work.size(), nullptr, nullptr, &error) == HM_BAD_ARGUMENT);
+    CHECK(std::string(error.text) == "options.derivative and basis must be two different bases");
 
     // Some of the functions cannot move the mesh, nor be the derivative of its movement.
     hm_basis *share = nullptr, *rest = nullptr;
@@ -170,8 +171,8 @@ TEST_CASE("safe morphs and better cells") {
         hm_basis *basis, *derivative;
     } const pairs[] = {{share, nullptr}, {solved.basis, rest}};
     for (auto const& pair : pairs) {
-        CHECK(hm_morph_safe(solved.plan, pair.basis, move.data(), &to, pair.derivative, work.data(),
-                            work.size(), nullptr, nullptr, &error) == HM_BAD_BASIS);
+        CHECK(safe_move(solved.plan, pair.basis, move.data(), &to, pair.derivative, work.data(),
+                        work.size(), nullptr, nullptr, &error) == HM_BAD_BASIS);
         CHECK(
             std::string(error.text) ==
             "a basis with a share of the functions cannot move the mesh: all functions are needed");

@@ -21,7 +21,7 @@ TEST_CASE("versions and names") {
     CHECK(names.size() == 17);
     CHECK(names.count("unknown status") == 0);
     CHECK(std::string(hm_status_name(HM_BLOCK_TOO_SMALL)) == "HM_BLOCK_TOO_SMALL");
-    CHECK(std::string(hm_status_name(HM_TORN + 1)) == "unknown status");
+    CHECK(std::string(hm_status_name(HM_FAR_FROM_POINTS + 1)) == "unknown status");
     CHECK(std::string(hm_status_name(HM_CROSSING - 1)) == "unknown status");
 }
 

@@ -3,6 +3,7 @@
 // floating-point exception that a debugging build would trap.
 #include <harmorph_design.h>
 #include "private.h"
+#include <fixtures/safe_moves.hpp>
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
 #include <doctest/doctest.h>
@@ -364,7 +365,7 @@ TEST_CASE("safe morphs do not depend on old bytes for any operator, scheme or st
                     Attempt derivative;
                     REQUIRE(derivative.analyse(setup.problem(), &way.options));
                     REQUIRE(derivative.prepare());
-                    Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
+                    Guarded work = block_of(safe_move_size, solved.plan, solved.basis);
                     std::vector<double> const move = similarity_move(
                         setup.curves, std::polar(1.0, degrees * pi / 180), {0.5, 0.5}, 0.03);
                     std::vector<double> x = filled<double>(setup.mesh.x.size()), y = x,
@@ -376,7 +377,7 @@ TEST_CASE("safe morphs do not depend on old bytes for any operator, scheme or st
                     options.reached = reached.data();
                     hm_safe_report report = filled_report<hm_safe_report>();
                     hm_error error{};
-                    hm_status const status = hm_morph_safe(
+                    hm_status const status = safe_move(
                         solved.plan, solved.basis, move.data(), points_out(x, y), derivative.basis,
                         work.data(), work.size(), &options, &report, &error);
                     REQUIRE(status >= 0);

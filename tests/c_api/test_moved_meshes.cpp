@@ -1,5 +1,6 @@
 // Calls that begin at the mesh's own coordinates, after the caller has moved the mesh in place.
 #include "fixtures/options.hpp"
+#include <fixtures/safe_moves.hpp>
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -28,7 +29,7 @@ struct Objects {
         for (std::size_t k = 0; k < move.size(); k += 2)
             move[k + 1] = 0.1 * setup.curves.control[k];
         std::size_t safe = 0, improve = 0;
-        REQUIRE(hm_morph_safe_size(solved->plan, solved->basis, &safe, nullptr) == HM_OK);
+        REQUIRE(safe_move_size(solved->plan, solved->basis, &safe, nullptr) == HM_OK);
         REQUIRE(hm_improve_size(solved->plan, &improve, nullptr) == HM_OK);
         work.resize((safe > improve ? safe : improve) / 8 + 1);
     }
@@ -36,8 +37,8 @@ struct Objects {
         return hm_morph(solved->basis, move.data(), &own, &in_place, nullptr, nullptr);
     }
     hm_status safe(hm_points_out const& to, hm_error* error) {
-        return hm_morph_safe(solved->plan, solved->basis, move.data(), &to, nullptr, work.data(),
-                             work.size() * 8, nullptr, nullptr, error);
+        return safe_move(solved->plan, solved->basis, move.data(), &to, nullptr, work.data(),
+                         work.size() * 8, nullptr, nullptr, error);
     }
     hm_status improve(hm_points_out const& to, hm_improve_options const* asked,
                       hm_improve_report* report, hm_error* error) {

@@ -5,6 +5,7 @@
 #include <harmorph_design.h>
 #include <harmorph_space.h>
 #include "private.h"
+#include <fixtures/safe_moves.hpp>
 #include <harmorph_study.h>
 #include <doctest/doctest.h>
 
@@ -190,20 +191,20 @@ TEST_CASE("each call takes the kinds of bases that it can use") {
          }},
         {"hm_plan_solve", "....bbb..ubbbb", true,
          [=](World&, hm_basis* b, hm_error* e) { return hm_plan_solve(plan, b, nullptr, e); }},
-        {"hm_morph_safe", ".bbbbbb..ubbbb", false,
-         with_plan(hm_morph_safe_size,
+        {"hm_move_safe", ".bbbbbb..ubbbb", false,
+         with_plan(safe_move_size,
                    [=](World& w, hm_basis* b, void* work, std::size_t bytes, hm_error* e) {
-                       return hm_morph_safe(plan, b, w.arrays.move.data(), &w.arrays.out, nullptr,
-                                            work, bytes, nullptr, nullptr, e);
+                       return safe_move(plan, b, w.arrays.move.data(), &w.arrays.out, nullptr, work,
+                                        bytes, nullptr, nullptr, e);
                    })},
-        {"hm_displace_safe", ".bbbbbb.uubbbb", false,
-         with_plan(hm_displace_safe_size,
+        {"hm_move_safe", ".bbbbbb.uubbbb", false,
+         with_plan(safe_displace_size,
                    [=](World& w, hm_basis* b, void* work, std::size_t bytes, hm_error* e) {
                        std::vector<double> const zeros(4000, 0.0);
                        hm_points const wall{zeros.data(), zeros.data() + 1, 2};
                        std::int32_t const all = std::int32_t(given_points(plan).size());
-                       return hm_displace_safe(plan, b, nullptr, all, nullptr, &wall, &w.arrays.out,
-                                               work, bytes, nullptr, nullptr, e);
+                       return safe_displace(plan, b, nullptr, all, nullptr, &wall, &w.arrays.out,
+                                            work, bytes, nullptr, nullptr, e);
                    })},
         {"hm_tabulate", ".bbbbbb..ubbbb", false,
          [=](World&, hm_basis* b, hm_error* e) {
@@ -282,7 +283,7 @@ struct PairCall {
     std::function<hm_status(World&, PairOfBases const&, hm_error*)> run;
 };
 
-// hm_morph_safe with the basis, one other basis, and the derivative; the last two may be NULL.
+// hm_move_safe with the basis, one other basis, and the derivative; the last two may be NULL.
 hm_status safe_morph(World& w, hm_basis* basis, hm_basis* other, hm_basis* derivative,
                      hm_error* error) {
     hm_plan* const plan = w.one.solved.plan;
@@ -292,10 +293,10 @@ hm_status safe_morph(World& w, hm_basis* basis, hm_basis* other, hm_basis* deriv
     options.others = others;
     return in_block(
         error,
-        [&](std::size_t* bytes, hm_error* e) { return hm_morph_safe_size(plan, basis, bytes, e); },
+        [&](std::size_t* bytes, hm_error* e) { return safe_move_size(plan, basis, bytes, e); },
         [&](void* work, std::size_t bytes, hm_error* e) {
-            return hm_morph_safe(plan, basis, w.arrays.move.data(), &w.arrays.out, derivative, work,
-                                 bytes, &options, nullptr, e);
+            return safe_move(plan, basis, w.arrays.move.data(), &w.arrays.out, derivative, work,
+                             bytes, &options, nullptr, e);
         });
 }
 
@@ -322,7 +323,7 @@ TEST_CASE("two bases in one call: each pair of kinds, and one basis as both") {
                                         &w.one.mesh, nullptr, e);
                  });
          }},
-        {"hm_morph_safe, the derivative and the basis",
+        {"hm_move_safe, the derivative and the basis",
          {".bbbbbbbbubbbb", ".bbbbbbbbubbbb", "bbbbbbbbbubbbb", "bbbbbbbbbubbbb", "bbbbbbbbbubbbb",
           "bbbbbbbbbubbbb", "bbbbbbbbbubbbb", "bbbbbbb.bubbbb", "bbbbbbbb.ubbbb", "ubbbbbbuuubbbb",
           "bbbbbbbbbubbbb", "bbbbbbbbbubbbb", "bbbbbbbbbubbbb", "bbbbbbbbbubbbb"},
@@ -331,7 +332,7 @@ TEST_CASE("two bases in one call: each pair of kinds, and one basis as both") {
          [](World& w, PairOfBases const& pair, hm_error* e) {
              return safe_morph(w, pair.second, nullptr, pair.first, e);
          }},
-        {"hm_morph_safe, the derivative and another basis",
+        {"hm_move_safe, the derivative and another basis",
          {".bbbbbbbbu.bbb", ".bbbbbbbbu.bbb", "bbbbbbbbbbbbbb", "bbbbbbbbbbbbbb", "bbbbbbbbbbbbbb",
           "bbbbbbbbbbbbbb", "bbbbbbbbbbbbbb", "bbbbbbbbbbbbbb", "bbbbbbbbbbbbbb", "uuuuuuuuuuuuuu",
           "bbbbbbbbbbbbbb", "bbbbbbbbbbbbbb", "bbbbbbbbbbbbbb", "bbbbbbbbbbbbbb"},
@@ -340,7 +341,7 @@ TEST_CASE("two bases in one call: each pair of kinds, and one basis as both") {
          [](World& w, PairOfBases const& pair, hm_error* e) {
              return safe_morph(w, w.two.solved.basis, pair.second, pair.first, e);
          }},
-        {"hm_morph_safe, the basis and another basis",
+        {"hm_move_safe, the basis and another basis",
          {".bbbbbbbbu.bbb", "bbbbbbbbbbbbbb", "bbbbbbbbbbbbbb", "bbbbbbbbbbbbbb", "bbbbbbbbbbbbbb",
           "bbbbbbbbbbbbbb", "bbbbbbbbbbbbbb", "bbbbbbb.bubbbb", "bbbbbbbb.ubbbb", "uuuuuuuuuuuuuu",
           "bbbbbbbbbbbbbb", "bbbbbbbbbbbbbb", "bbbbbbbbbbbbbb", "bbbbbbbbbbbbbb"},

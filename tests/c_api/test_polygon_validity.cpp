@@ -1,6 +1,7 @@
 // Validity and quality of polygons as the header defines them, and the movements that keep cells
 // valid.
 #include "fixtures/options.hpp"
+#include <fixtures/safe_moves.hpp>
 #include <doctest/doctest.h>
 
 #include <fixtures/polygon_cases.hpp>
@@ -158,7 +159,7 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
         hm_mesh const view = in_polygons(setup.mesh_view());
         Options options = options_of(HM_CONFORMAL);
         Solved const solved(setup.problem(view), &options);
-        Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
+        Guarded work = block_of(safe_move_size, solved.plan, solved.basis);
         std::int32_t const n = solved.info().functions;
         std::vector<std::vector<double>> moves = {some_move(n, 0.12, 5), std::vector<double>()};
         moves[1] = turned_by(1.2, setup.curves,
@@ -174,8 +175,8 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
                 hm_error error{};
                 REQUIRE(hm_plan_factor(solved.plan, nullptr, nullptr) == HM_OK);
                 hm_status const status =
-                    hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(x, y), nullptr,
-                                  work.data(), work.size(), &safe, &report, &error);
+                    safe_move(solved.plan, solved.basis, move.data(), points_out(x, y), nullptr,
+                              work.data(), work.size(), &safe, &report, &error);
                 INFO(error.text);
                 REQUIRE(status >= HM_OK);
                 CHECK(work.guards_intact());
@@ -231,13 +232,13 @@ TEST_CASE("polygons: the last strategy untangles cells that one step inverts") {
     }
     REQUIRE(quality.self_crossing == 0);
     REQUIRE(!is_sound(setup.mesh, to.x, to.y));
-    Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
+    Guarded work = block_of(safe_move_size, solved.plan, solved.basis);
     auto safe = sized<hm_safe_options>();
     safe.max_resolves = -1;
     safe.skipped_strategies = without({HM_STRATEGY_SUBSTEPS});
     auto report = sized<hm_safe_report>();
-    REQUIRE(hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(to.x, to.y), nullptr,
-                          work.data(), work.size(), &safe, &report, nullptr) >= HM_OK);
+    REQUIRE(safe_move(solved.plan, solved.basis, move.data(), points_out(to.x, to.y), nullptr,
+                      work.data(), work.size(), &safe, &report, nullptr) >= HM_OK);
     CHECK(report.untangled > 0);
     CHECK(is_sound(setup.mesh, to.x, to.y));
 }

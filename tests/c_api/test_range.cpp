@@ -2,6 +2,7 @@
 // from the origin, a call that succeeds keeps what the header promises, by measures taken here.
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
+#include <fixtures/safe_moves.hpp>
 #include <doctest/doctest.h>
 
 #include <fixtures/operators.hpp>
@@ -97,14 +98,14 @@ void check_promises(Case& setup, Options const& options, std::vector<double> con
     if (step.admissible > 1.001) CHECK(inverted_cells(moved) == 0);
     if (inverted_cells(moved) > 0) CHECK(step.admissible < 1.001);
 
-    Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
+    Guarded work = block_of(safe_move_size, solved.plan, solved.basis);
     std::vector<double> reached(move.size());
     auto safe = sized<hm_safe_options>();
     safe.max_resolves = 3;
     safe.reached = reached.data();
     hm_status const status =
-        hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(moved.x, moved.y), nullptr,
-                      work.data(), work.size(), &safe, nullptr, nullptr);
+        safe_move(solved.plan, solved.basis, move.data(), points_out(moved.x, moved.y), nullptr,
+                  work.data(), work.size(), &safe, nullptr, nullptr);
     ended = status == HM_OK;
     if (status < 0) {
         CHECK(status == HM_CROSSING);
@@ -189,10 +190,10 @@ TEST_CASE("a unit of length that is a power of two changes no bit of functions a
                 double const step =
                     step_of(solved.basis, scaled.mesh_view(), displaced(solved.basis, scaled_move))
                         .admissible;
-                Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
-                REQUIRE(hm_morph_safe(solved.plan, solved.basis, scaled_move.data(),
-                                      points_out(x, y), nullptr, work.data(), work.size(), nullptr,
-                                      nullptr, nullptr) >= HM_OK);
+                Guarded work = block_of(safe_move_size, solved.plan, solved.basis);
+                REQUIRE(safe_move(solved.plan, solved.basis, scaled_move.data(), points_out(x, y),
+                                  nullptr, work.data(), work.size(), nullptr, nullptr,
+                                  nullptr) >= HM_OK);
                 for (double& coordinate : x) coordinate /= unit;
                 std::vector<double> const values = solved.all_values();
                 if (unit == 1) {

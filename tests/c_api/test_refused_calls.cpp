@@ -3,6 +3,7 @@
 #include <harmorph_bases.h>
 #include <harmorph_design.h>
 #include "private.h"
+#include <fixtures/safe_moves.hpp>
 #include <harmorph_study.h>
 #include <doctest/doctest.h>
 
@@ -250,7 +251,7 @@ TEST_CASE("modes: numbers, lists, and what they do not go with") {
 
 TEST_CASE("options of the safe morph and of better cells") {
     Objects o;
-    Guarded work = block_of(hm_morph_safe_size, o.solved.plan, o.basis);
+    Guarded work = block_of(safe_move_size, o.solved.plan, o.basis);
     Guarded room = block_of(hm_improve_size, o.solved.plan);
     hm_basis* derivative = nullptr;  // of two functions
     double matrix[] = {1, 0, 0, 1, 0, 0, 0, 0};
@@ -279,7 +280,7 @@ TEST_CASE("options of the safe morph and of better cells") {
         {HM_UNSUPPORTED,
          "options contains fields that are set but unknown to this version of the library; use the "
          "header of this version",
-         call_by(hm_morph_safe, o.solved.plan, o.basis, o.move.data(), &o.out, nullptr, work.data(),
+         call_by(safe_move, o.solved.plan, o.basis, o.move.data(), &o.out, nullptr, work.data(),
                  work.size(), &younger.safe, nullptr)},
         {HM_UNSUPPORTED,
          "options contains fields that are set but unknown to this version of the library; use the "
@@ -287,8 +288,8 @@ TEST_CASE("options of the safe morph and of better cells") {
          call_by(hm_improve, o.solved.plan, &o.points, &o.out, room.data(), room.size(),
                  &younger_better.better, nullptr)},
         {HM_BAD_BASIS, "the basis for the derivative has other functions than the basis",
-         call_by(hm_morph_safe, o.solved.plan, o.basis, o.move.data(), &o.out, derivative,
-                 work.data(), work.size(), nullptr, nullptr)},
+         call_by(safe_move, o.solved.plan, o.basis, o.move.data(), &o.out, derivative, work.data(),
+                 work.size(), nullptr, nullptr)},
         {HM_BAD_MESH, "cell 1 of the reference mesh is inverted",
          call_by(hm_improve, o.solved.plan, &o.points, &o.out, room.data(), room.size(), &better,
                  nullptr)},
@@ -303,11 +304,11 @@ TEST_CASE("a safe displacement that turns a body inside out") {
         dx.push_back(2 * (3 - setup.mesh.point(point).x));
     hm_points const wall{dx.data(), dy.data(), 1};
     hm_points_out const to{x.data(), y.data(), 1};
-    Guarded work = block_of(hm_displace_safe_size, displaced.plan, displaced.basis);
+    Guarded work = block_of(safe_displace_size, displaced.plan, displaced.basis);
     hm_error error{};
-    CHECK(hm_displace_safe(displaced.plan, displaced.basis, nullptr, std::int32_t(dx.size()),
-                           displaced.points.data(), &wall, &to, work.data(), work.size(), nullptr,
-                           nullptr, &error) == HM_CROSSING);
+    CHECK(safe_displace(displaced.plan, displaced.basis, nullptr, std::int32_t(dx.size()),
+                        displaced.points.data(), &wall, &to, work.data(), work.size(), nullptr,
+                        nullptr, &error) == HM_CROSSING);
     CHECK(std::string(error.text) ==
           "the boundary through point 17 at (3, 2) is turned inside out");
     CHECK(x == setup.mesh.x);

@@ -131,7 +131,7 @@ TEST_CASE("morphs, adjoints and safe morphs take at most the stated stack") {
         safe.safe_options.heights = 1;
         for (std::int32_t const skipped : {0, 1 << HM_STRATEGY_SUBSTEPS}) {
             safe.safe_options.skipped_strategies = skipped;
-            check_stack("hm_morph_safe", 56 * kib, [&] { safe.run(turn); });
+            check_stack("hm_move_safe", 56 * kib, [&] { safe.run(turn); });
             CHECK(safe.status >= 0);
         }
     }
@@ -148,7 +148,7 @@ TEST_CASE("fits, bounds and safe displacements take at most the stated stack") {
         Case setup = given_block();
         SafeDisplaced made(setup, options);
         Field const wall = made.similarity(std::polar(1.0, 2.4), Complex(0.5, 0.5));
-        check_stack("hm_displace_safe", 56 * kib, [&] { made.run(wall); });
+        check_stack("hm_move_safe", 56 * kib, [&] { made.run(wall); });
         CHECK(made.safe_report.strategy > 0);
         Bounded const bounded(setup);
         std::vector<hm_bound> wanted;

@@ -1,7 +1,7 @@
 # Wrong usage is exit code 2, a result that cannot be used 1, and what cannot be written 3.
 
 runs "--help" 0 --help
-check "--help names the commands" says 'harmorph COMMAND --help'
+check "--help names the commands" says 'harmorph help COMMAND'
 for command in morph interpolate; do check "--help: the name $command stands alone" says "  $command  "; done
 runs "--version" 0 --version
 for command in fit solve morph displace export check transfer explore demo; do
@@ -43,9 +43,48 @@ check "not converged, --force writes" test -s "$tmp/loose.basis"
 # Output that cannot be written.
 refuses "no such folder" 3 'no/such/folder' morph "$ring" "$basis" --move "$no_moves" -o "$tmp/no/such/folder/mesh.su2"
 if [ -c /dev/full ]; then
-    refuses "a full disk" 3 '/dev/full' morph "$ring" "$basis" --move "$no_moves" -o /dev/full
+    full='/dev/full: cannot be written: No space left on device'
+    refuses "a full disk: the reason" 3 "$full" morph "$ring" "$basis" --move "$no_moves" -o /dev/full
     refuses "all files or none" 3 '/dev/full' morph "$ring" "$basis" --move "$no_moves" -o "$tmp/x" --vtu /dev/full
     leaves_nothing "all files or none: none" "$tmp/x"
+    # A file of megabytes fails long before the end of the command, which then asks for other files.
+    make_ring 400 60 >"$tmp/many.su2"
+    makes solve "$tmp/many.su2" --curve body="$curve" -o "$tmp/many.basis"
+    refuses "a full disk, found out early: the reason" 3 "$full" \
+        morph "$tmp/many.su2" "$tmp/many.basis" --move "$no_moves" -o /dev/full --vtu "$tmp/x"
     "$harmorph" check "$ring" >/dev/full 2>/dev/null
     check "standard output on a full disk" test $? -eq 3
 fi
+
+# Nobody reads what a command says: the files are written all the same.
+rm -f "$tmp/closed.su2"
+"$harmorph" morph "$ring" "$basis" --move "$no_moves" -o "$tmp/closed.su2" >&- 2>"$tmp/err"
+check "a closed standard output: exit code" test $? -eq 0
+check "a closed standard output: the mesh" cmp "$ring" "$tmp/closed.su2"
+"$harmorph" check "$ring" >&- 2>"$tmp/err"
+check "a closed standard output of a command without files" test $? -eq 3
+
+# What a new user types.
+for words in "help" "-h" "--help"; do
+    runs "$words" 0 $words
+    check "$words: demo is the first command" sh -c "sed -n '/^Commands:/{n;p;}' '$tmp/out' | grep '^  demo '"
+done
+for words in "help morph" "morph -h" "morph --help"; do
+    runs "$words" 0 $words
+    check "$words" grep '^Usage: harmorph morph MESH BASIS' "$tmp/out"
+done
+refuses "help of no command" 2 "'moph' is unknown; did you mean 'morph'?" help moph
+refuses "a command with wrong letters" 2 "'slove' is unknown; did you mean 'solve'?" slove
+refuses "a command like no other" 2 "'frobnicate' is unknown" frobnicate
+check "a command like no other: no proposal" sh -c "! grep 'did you mean' '$tmp/err'"
+refuses "an option with wrong letters" 2 "'--markre' is unknown; did you mean '--marker'?" fit "$ring" \
+    --markre body -o "$tmp/x"
+refuses "a marker with wrong letters" 2 "did you mean 'body'?" fit "$ring" --marker Boddy -o "$tmp/x"
+refuses "no condition" 2 '--curve MARKER=FILE' solve "$ring" -o "$tmp/x"
+refuses "an unknown movement" 3 'turn, shift, scale, flap, rigid or mode' morph "$ring" "$basis" \
+    --by 'trun body 3' -o "$tmp/x"
+refuses "a line of moves is no file" 3 '--by:1: the option needs' morph "$ring" "$basis" --by '1 2' -o "$tmp/x"
+runs "morph without -o" 0 morph "$ring" "$basis" --move "$no_moves"
+check "morph without -o: nothing is written" grep '^morphed mesh  *not written: -o FILE' "$tmp/out"
+runs "morph with -o" 0 morph "$ring" "$basis" --move "$no_moves" -o "$tmp/said.su2"
+check "morph with -o: the file" grep "^morphed mesh  *$tmp/said.su2" "$tmp/out"

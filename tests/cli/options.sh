@@ -40,6 +40,8 @@ fit_ring() { "$harmorph" fit "$ring" --marker body -o "$tmp/traced" --json "$@";
 fit_tied() { fit_ring --closed tied "$@"; }
 solve_ring() { "$harmorph" solve "$ring" --curve body="$curve" -o "$tmp/traced" --json "$@"; }
 solve_laplace() { solve_ring --operator laplace "$@"; }
+solve_free() { solve_laplace --free far "$@"; }
+echo '577 576 2 .5' >"$tmp/fluxes.txt"
 solve_multigrid() { solve_laplace --engine multigrid "$@"; }
 solve_fas() { solve_laplace --engine fas "$@"; }
 solve_body() { "$harmorph" solve "$box" --rigid block -o "$tmp/traced" --json "$@"; }
@@ -88,6 +90,9 @@ for field in x y; do sets hm_condition.$field solve_body --rigid out=3,4; done
 for field in first_curve n_curves; do sets hm_condition.$field solve_body --curve out="$tmp/right.curve"; done
 sets hm_condition.partner solve_body --periodic low:high
 for field in piece near_x near_y; do sets hm_condition.$field solve_body --slip low@6:0; done
+for field in n_fluxes flux_points fluxes; do
+    sets hm_problem.$field solve_free --flux "$tmp/fluxes.txt"
+done
 sets hm_condition.along solve_body --slip low="$tmp/low.curve"
 
 sets hm_options.operator_kind solve_ring --operator laplace
@@ -119,6 +124,7 @@ sets hm_safe_options.heights morph_far --heights-part .5
 sets hm_safe_options.reached morph_far --reached "$tmp/traced.reached"
 sets hm_safe_options.min_quality morph_far --min-quality .99
 sets hm_safe_options.max_height_change morph_far --max-height-change 1.01
+fixed hm_safe_options.derivative "the program does not compute derivatives of safe movements"
 
 sets hm_improve_options.max_solutions morph_better --improve-work 1
 sets hm_safe_options.improve_work morph_far --improve-work 1
@@ -126,7 +132,8 @@ fixed hm_improve_options.reference "the cells of MESH are the targets; other coo
 
 include=$here/../../include
 awk -f "$here/../../c_api/packaging/table.awk" $(sed "s|^|$include/|" "$here/../../fortran/harmorph/headers") |
-    awk '$1 == "member" && $2 ~ /_options$|_details$|^hm_executor$|^hm_condition$/ && $3 !~ /^(struct_size|reserved)$/ {
+    awk '$1 == "member" && ($2 ~ /_options$|_details$|^hm_executor$|^hm_condition$/ || $3 ~ /flux/) \
+        && $3 !~ /^(struct_size|reserved)$/ {
         print $2 "." $3 }' | sort >"$tmp/declared"
 check "fields are declared" [ -s "$tmp/declared" ]
 check "every field of the options has a line here" sh -c 'sort -u "$0" | diff "$1" -' "$fields" "$tmp/declared"

@@ -113,12 +113,14 @@ static void print_safe_morph(const hm_mesh* mesh, const char* name, const char* 
     uint64_t sum;
     void* work;
     size_t bytes;
+    hm_safe_target target;
+    HM_INIT(target);
     HM_INIT(quality);
     make_move(1, memory.move);
-    check(hm_morph_safe_size(plan, basis, &bytes, &error), "hm_morph_safe_size");
+    target.move = memory.move;
+    check(hm_move_safe_size(plan, basis, &target, &bytes, &error), "hm_move_safe_size");
     work = block_of(bytes);
-    check(hm_morph_safe(plan, basis, memory.move, &to, NULL, work, bytes, NULL, NULL, &error),
-          "hm_morph_safe");
+    check(hm_move_safe(plan, basis, &target, &to, work, bytes, NULL, NULL, &error), "hm_move_safe");
     free(work);
     check(hm_assess(basis, mesh, &to_read, NULL, &mesh->points, NULL, NULL, &quality, &error),
           "hm_assess");

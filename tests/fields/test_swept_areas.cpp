@@ -6,6 +6,7 @@
 
 #include <fixtures/bodies.hpp>
 #include <fixtures/executors.hpp>
+#include <fixtures/kernels.hpp>
 
 #include <map>
 #include <random>
@@ -65,6 +66,36 @@ TEST_CASE("a side has exactly opposite areas in its two cells; threads do not ch
     }
     CHECK(pairs > 1000);
     CHECK(different == 0);
+}
+
+TEST_CASE("all kernels give the same bits, also where a batch is not full, and in small meshes") {
+    for (int const round : {7, 11, 80}) {
+        fixtures::Mesh const mesh = fixtures::two_bodies(
+            round, 6, {}, fixtures::Ellipse{0.25, 0.06, 0.4}, fixtures::Cells::hybrid);
+        Positions to{mesh.x, mesh.y};
+        std::mt19937 random(2);
+        std::uniform_real_distribution<double> uniform(-0.01, 0.01);
+        for (double& x : to.x) x += uniform(random);
+        for (double& y : to.y) y += uniform(random);
+        hm_mesh const view = mesh.view();
+        hm_points const target = to.view();
+        std::int64_t n = 0;
+        REQUIRE(hm_swept_count(&view, &n, nullptr) == HM_OK);
+        Swept plain(n);
+        REQUIRE(hm_swept_areas(&view, nullptr, &target, plain.sides.data(), plain.duals.data(),
+                               plain.halves.data(), nullptr, nullptr) == HM_OK);
+        for (harmorph::Kernel const kernel : fixtures::usable_kernels()) {
+            fixtures::Backwards threads;
+            hm_executor executor = threads.executor(2);
+            executor.kernel = static_cast<std::int32_t>(kernel);
+            Swept found(n);
+            REQUIRE(hm_swept_areas(&view, nullptr, &target, found.sides.data(), found.duals.data(),
+                                   found.halves.data(), &executor, nullptr) == HM_OK);
+            CHECK(found.sides == plain.sides);
+            CHECK(found.duals == plain.duals);
+            CHECK(found.halves == plain.halves);
+        }
+    }
 }
 
 TEST_CASE("the sign: a side that moves outwards from a counter-clockwise cell is positive") {

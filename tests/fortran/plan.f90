@@ -4,7 +4,7 @@ module plan_tests
     use body_mesh
     implicit none
     private
-    public :: analysis_alone, solution, rational_curves, other_coordinates, pieces, given_parameters
+    public :: analysis_alone, solution, rational_curves, other_coordinates, pieces, given_parameters, fluxes
     integer :: phases_seen = 0, cancel_in = -1
 
 contains
@@ -203,5 +203,57 @@ contains
         call check(stat == hm_bad_argument, "given points of other lengths")
         call plan%analyse(mesh, curves, [hm_condition(body)], known_points=[1], stat=stat)
         call check(stat == hm_bad_argument, "given points without parameters")
+    end subroutine
+
+    ! 1 + x + 2 y on a square, by its values on the lower side and its normal derivatives on the others.
+    subroutine fluxes()
+        integer, parameter :: n = 5
+        type(hm_mesh) :: square
+        type(hm_plan) :: plan
+        type(hm_curves) :: line
+        type(hm_basis) :: own
+        type(hm_options) :: options
+        type(hm_error) :: err
+        real(dp), target :: x(n, n), y(n, n)
+        real(dp) :: dx(n, n), dy(n, n), flux(2, 3 * (n - 1)), weight(2)
+        integer :: faces(2, 3 * (n - 1)), i, j, k, stat
+        do j = 1, n
+            do i = 1, n
+                x(i, j) = (i - 1) / (n - 1._dp)
+                y(i, j) = (j - 1) / (n - 1._dp)
+            end do
+        end do
+        call square%points(x, y)
+        call square%line(1, 1, n, 1, 1)
+        call square%line(2, 1, n, n, n)
+        call square%line(2, 1, 1, 1, n)
+        call square%line(2, n, n, 1, n)
+        call line%fit(x(:, 1), y(:, 1), .false., n_control=2, degree=1)
+        weight = [1, 2] / 5._dp                     ! the amounts 1 and 2 times these numbers have the sum 1
+        do k = 1, n - 1
+            faces(:, 3 * k - 2) = n * (n - 1) + [k, k + 1]
+            faces(:, 3 * k - 1) = n * [k, k - 1] + 1
+            faces(:, 3 * k) = n * [k, k + 1]
+            flux(:, 3 * k - 2) = 2 * weight         ! d/dy on the upper side, -d/dx and d/dx on the others
+            flux(:, 3 * k - 1) = -weight
+            flux(:, 3 * k) = weight
+        end do
+        options%operator_kind = hm_laplace
+        call plan%analyse(square, line, [hm_condition(1), hm_condition(2, hm_free)], flux_points=faces, fluxes=flux, &
+            options=options)
+        call plan%factor()
+        call plan%solve(own)
+        call own%displacement(reshape([1._dp, 0._dp, 2._dp, 0._dp], [2, 2]), dx, dy)
+        call check(maxval(abs(dx - (1 + x + 2 * y))) < 1e-13_dp, "fluxes of a linear field")
+        call plan%analyse(square, line, [hm_condition(1), hm_condition(2, hm_free)], flux_points=faces, &
+            options=options, stat=stat)
+        call check(stat == hm_bad_argument, "flux_points without fluxes")
+        call plan%analyse(square, line, [hm_condition(1), hm_condition(2, hm_free)], flux_points=faces, &
+            fluxes=flux(:1, :), options=options, stat=stat)
+        call check(stat == hm_bad_argument, "fluxes of one control point only")
+        faces(:, 1) = [1, 2]
+        call plan%analyse(square, line, [hm_condition(1), hm_condition(2, hm_free)], flux_points=faces, fluxes=flux, &
+            options=options, stat=stat, err=err)
+        call check(stat == hm_bad_condition, "a flux through the wall: " // err%text)
     end subroutine
 end module

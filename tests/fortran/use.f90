@@ -51,6 +51,7 @@ program use
     call other_coordinates()
     call pieces()
     call given_parameters()
+    call fluxes()
     call morphs()
     call layouts()
     call structured_block()

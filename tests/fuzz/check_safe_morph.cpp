@@ -2,6 +2,7 @@
 #include <harmorph_design.h>
 
 #include "solution_check.hpp"
+#include <fixtures/safe_moves.hpp>
 
 #include <cmath>
 #include <complex>
@@ -62,7 +63,7 @@ bool SolutionCheck::marker_slides(std::int32_t marker) const {
 
 void SolutionCheck::safe_morph() {
     std::size_t bytes = 0;
-    hm_status status = hm_morph_safe_size(its_.plan, its_.basis, &bytes, &error_);
+    hm_status status = fixtures::safe_move_size(its_.plan, its_.basis, &bytes, &error_);
     expect_told(status, error_);
     if (status < 0) return;
     Numbers x(n_, 7), y(n_, 7), reached(move_.size(), 7);
@@ -75,14 +76,14 @@ void SolutionCheck::safe_morph() {
     hm_safe_report report = sized<hm_safe_report>();
     Block& work = its_.blocks.take(bytes);
     hm_basis* const derivative = input_.one_in(3) ? another_basis() : nullptr;
-    status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, derivative, work.data(),
-                           bytes - 1, &options, &report, &error_);
+    status = fixtures::safe_move(its_.plan, its_.basis, move_.data(), &out, derivative, work.data(),
+                                 bytes - 1, &options, &report, &error_);
     expect(status < 0, "work space that is one byte too small is taken");
     Exceptions::clear();
-    status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, derivative, work.data(),
-                           bytes, &options, &report, &error_);
+    status = fixtures::safe_move(its_.plan, its_.basis, move_.data(), &out, derivative, work.data(),
+                                 bytes, &options, &report, &error_);
     expect_told(status, error_);
-    if (status >= 0) Exceptions::expect_none("hm_morph_safe");
+    if (status >= 0) Exceptions::expect_none("hm_move_safe");
     if (status < 0) return expect_untouched(x), expect_untouched(y), expect_untouched(reached);
     std::vector<Point> const at = moved(x, y);
     for (Point const& p : at)
@@ -191,16 +192,16 @@ void SolutionCheck::field_follows(hm_basis* derivative, hm_safe_options const& g
     hm_safe_options options = given;
     options.reached = nullptr;
     std::size_t bytes = 0;
-    expect(hm_morph_safe_size(its_.plan, its_.basis, &bytes, &error_) == HM_OK, "no size");
+    expect(fixtures::safe_move_size(its_.plan, its_.basis, &bytes, &error_) == HM_OK, "no size");
     for (int way = 0; way < 2; ++way) {
         Numbers move = move_;
         for (std::size_t k = 0; k < move.size(); ++k) move[k] += (way == 0 ? -h : h) * by[k];
         for (Numbers& axis : place[way]) axis.assign(n_, 7);
         hm_points_out const to{place[way][0].data(), place[way][1].data(), 1};
         hm_safe_report report = sized<hm_safe_report>();
-        hm_status const status =
-            hm_morph_safe(its_.plan, its_.basis, move.data(), &to, is_exact ? nullptr : derivative,
-                          its_.blocks.take(bytes).data(), bytes, &options, &report, &error_);
+        hm_status const status = fixtures::safe_move(
+            its_.plan, its_.basis, move.data(), &to, is_exact ? nullptr : derivative,
+            its_.blocks.take(bytes).data(), bytes, &options, &report, &error_);
         bool const is_alike = report.strategy == first.strategy && report.steps == first.steps &&
                               report.resolves == first.resolves &&
                               report.step_fraction == first.step_fraction;

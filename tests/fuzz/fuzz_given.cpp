@@ -3,6 +3,7 @@
 // succeeds has the given bits at the wall, is linear, and is the transpose of the transpose.
 #include <harmorph_bases.h>
 #include "describe.hpp"
+#include <fixtures/safe_moves.hpp>
 #include "exceptions.hpp"
 #include "reference.hpp"
 #include "solution.hpp"
@@ -208,12 +209,13 @@ private:
         hm_points_out const out = moved.out();
         hm_safe_options options = sized<hm_safe_options>();
         options.max_resolves = input_.from(-1, 2);
-        hm_status const status = its_.blocks.make(
-            error_, size_by(hm_displace_safe_size, its_.plan, its_.basis),
-            [&](void* memory, std::size_t bytes, hm_error* e) {
-                return hm_displace_safe(its_.plan, its_.basis, nullptr, count(), points_.data(),
-                                        &given, &out, memory, bytes, &options, nullptr, e);
-            });
+        hm_status const status =
+            its_.blocks.make(error_, size_by(fixtures::safe_displace_size, its_.plan, its_.basis),
+                             [&](void* memory, std::size_t bytes, hm_error* e) {
+                                 return fixtures::safe_displace(
+                                     its_.plan, its_.basis, nullptr, count(), points_.data(),
+                                     &given, &out, memory, bytes, &options, nullptr, e);
+                             });
         if (status < 0) {
             expect(moved == Field(n_, 7), "a refused displacement has written");
             return;

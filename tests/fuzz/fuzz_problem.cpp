@@ -2,6 +2,7 @@
 // with what it has to be.
 #include <harmorph_study.h>
 #include "describe.hpp"
+#include <fixtures/safe_moves.hpp>
 #include "solution_check.hpp"
 #include "target.hpp"
 
@@ -64,7 +65,7 @@ std::vector<double> results_of(Solution& solution) {
             all.insert(all.end(), values.begin(), values.end());
         }
     std::size_t bytes = 0;
-    if (hm_morph_safe_size(solution.plan, solution.basis, &bytes, nullptr) < 0) return all;
+    if (fixtures::safe_move_size(solution.plan, solution.basis, &bytes, nullptr) < 0) return all;
     std::vector<double> move(2 * at(info.functions));
     for (std::size_t k = 0; k < move.size(); ++k)
         move[k] = 0.05 * solution.problem.size() * (k % 3 == 0 ? 1 : -0.5);
@@ -72,9 +73,9 @@ std::vector<double> results_of(Solution& solution) {
          k += 4)
         move[k] = -0.5, move[k + 1] = 0.7;
     hm_points_out const out{x.data(), y.data(), 1};
-    all.push_back(hm_morph_safe(solution.plan, solution.basis, move.data(), &out, nullptr,
-                                solution.blocks.take(bytes).data(), bytes, nullptr, nullptr,
-                                nullptr));
+    all.push_back(fixtures::safe_move(solution.plan, solution.basis, move.data(), &out, nullptr,
+                                      solution.blocks.take(bytes).data(), bytes, nullptr, nullptr,
+                                      nullptr));
     all.insert(all.end(), x.begin(), x.end());
     all.insert(all.end(), y.begin(), y.end());
     return all;

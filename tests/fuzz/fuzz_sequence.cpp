@@ -7,6 +7,7 @@
 #include <harmorph_bases.h>
 #include <harmorph_design.h>
 #include "private.h"
+#include <fixtures/safe_moves.hpp>
 #include <harmorph_study.h>
 #include "solution.hpp"
 #include "target.hpp"
@@ -152,7 +153,7 @@ private:
                                  &error_);
             }
             case 6: {
-                hm_status const status = hm_morph_safe_size(plan, basis, &bytes, &error_);
+                hm_status const status = fixtures::safe_move_size(plan, basis, &bytes, &error_);
                 if (status < 0) return status;
                 Block const work(bytes, 0, 0x7F);
                 hm_safe_options options = sized<hm_safe_options>();
@@ -160,8 +161,8 @@ private:
                 if (input_.one_in(3)) options.others = &other, options.n_others = 1;
                 hm_basis* const derivative = input_.one_in(3) ? some_object().basis : nullptr;
                 hm_status const moved =
-                    hm_morph_safe(plan, basis, move_.data(), &out, derivative, work.data(), bytes,
-                                  &options, nullptr, &error_);
+                    fixtures::safe_move(plan, basis, move_.data(), &out, derivative, work.data(),
+                                        bytes, &options, nullptr, &error_);
                 if (derivative == nullptr) return moved;
                 bool const is_read =
                     derivative == basis || (options.n_others > 0 && derivative == other);

@@ -10,8 +10,6 @@ checks="address,undefined,float-cast-overflow"
 # The branches that are taken guide libFuzzer. The operands of comparisons could guide it as well, but nearly all of
 # them are coordinates and pointers in loops, and recording them took six tenths of the time.
 followed=-fsanitize-coverage=inline-8bit-counters,pc-table
-# Tables of kernels, unrolled for each set of registers: clang takes many minutes to optimise them with their checks.
-tables="src/dense/dense.cpp src/operators/residual.cpp"
 targets="problem polygons basis sequence files shape given parts plane transfer commands model fields quality sections"
 if [ -n "${TARGETS-}" ]; then targets=$TARGETS; fi
 n=$(set -- $targets; echo $#)
@@ -21,12 +19,10 @@ executions=0 edges=0 findings=0
 # Blocks that were freed are kept for a while, to see who still uses them: little memory, which stays in the cache.
 export ASAN_OPTIONS="quarantine_size_mb=8:malloc_context_size=8${ASAN_OPTIONS:+:$ASAN_OPTIONS}"
 
+# Kernels are unrolled for each set of registers: clang takes many minutes to optimise them with their checks.
 build() {   # compiler, flags to compile, flags to link, flags of files whose branches are followed
-    {
-        for table in $tables; do echo "$table -O1"; done
-        for folder in src/ c_api/; do echo "$folder -O2 ${4-}"; done
-    } >"$dir/levels"
-    $MAKE -s JOBS="$JOBS" BUILD="$dir" LEVELS="$dir/levels" CXX="$1" CXXFLAGS="$flags $2" LDFLAGS="$3" fuzzer || exit 1
+    $MAKE -s JOBS="$JOBS" BUILD="$dir" LEVEL="-O2 ${4-}" KERNEL_LEVEL=-O1 PROGRAM_LEVEL="-O2 ${4-}" CXX="$1" \
+        CXXFLAGS="$flags $2" LDFLAGS="$3" fuzzer || exit 1
 }
 run_libfuzzer() {   # target
     mkdir -p "$dir/$1" "$dir/findings"

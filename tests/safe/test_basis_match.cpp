@@ -1,6 +1,7 @@
 // A safe morph accepts other bases whose functions are the same at the wall, modes of a table
 // included.
 #include <fixtures/derived.hpp>
+#include <fixtures/safe_moves.hpp>
 #include <fixtures/displaced.hpp>
 #include <fixtures/parts.hpp>
 
@@ -10,15 +11,15 @@ namespace {
 
 hm_status safe_morph(hm_plan* plan, const hm_basis* basis, const hm_basis* other,
                      std::size_t n_points, hm_error& error) {
-    Guarded work = block_of(hm_morph_safe_size, plan, basis);
+    Guarded work = block_of(safe_move_size, plan, basis);
     auto options = sized<hm_safe_options>();
     options.n_others = 1;
     options.others = &other;
     hm_basis_info const info = info_of(basis);
     std::vector<double> x(n_points), y(n_points);
     std::vector<double> const move(std::size_t(2 * info.functions), 1e-3);
-    return hm_morph_safe(plan, basis, move.data(), points_out(x, y), nullptr, work.data(),
-                         work.size(), &options, nullptr, &error);
+    return safe_move(plan, basis, move.data(), points_out(x, y), nullptr, work.data(), work.size(),
+                     &options, nullptr, &error);
 }
 
 }  // namespace
@@ -67,7 +68,7 @@ TEST_CASE("the derivative is cleared at the beginning and cannot be a basis that
     Attempt own(setup.problem(), &options), other(setup.problem(), &options),
         apart(setup.problem(), &options);
     REQUIRE(own.status == HM_OK);
-    Guarded work = block_of(hm_morph_safe_size, own.plan, own.basis);
+    Guarded work = block_of(safe_move_size, own.plan, own.basis);
     std::vector<double> x(setup.mesh.x.size(), 7), y = x;
     std::vector<double> const move(std::size_t(2 * info_of(own.basis).functions), 1e-3);
     auto const morph = [&](std::vector<const hm_basis*> const& others, hm_basis* derivative,
@@ -75,8 +76,8 @@ TEST_CASE("the derivative is cleared at the beginning and cannot be a basis that
         auto safe = sized<hm_safe_options>();
         safe.n_others = std::int32_t(others.size());
         safe.others = others.data();
-        return hm_morph_safe(own.plan, own.basis, move.data(), points_out(x, y), derivative,
-                             work.data(), work.size(), &safe, nullptr, &error);
+        return safe_move(own.plan, own.basis, move.data(), points_out(x, y), derivative,
+                         work.data(), work.size(), &safe, nullptr, &error);
     };
     for (std::size_t place = 0; place < 2; ++place) {
         std::vector<const hm_basis*> others(2, apart.basis);

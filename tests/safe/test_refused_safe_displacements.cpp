@@ -1,6 +1,7 @@
 // Given displacements that a safe morph refuses: each by name, with the place, and without a change
 // of the output.
 #include <fixtures/found.hpp>
+#include <fixtures/safe_moves.hpp>
 #include <fixtures/safe_displaced.hpp>
 #include <fixtures/traps.hpp>
 
@@ -41,20 +42,20 @@ TEST_CASE("refused displacements and arguments are named, and nothing is written
     Attempt const curves(with_curve.problem());
     std::size_t bytes = 0;
     hm_error error{};
-    CHECK(hm_displace_safe_size(curves.plan, curves.basis, &bytes, &error) == HM_BAD_CONDITION);
+    CHECK(safe_displace_size(curves.plan, curves.basis, &bytes, &error) == HM_BAD_CONDITION);
     with_curve.conditions.pop_back();
     with_curve.set_given(second_body);
     Attempt unsolved = prepared(with_curve.problem());
-    CHECK(hm_displace_safe_size(unsolved.plan, unsolved.basis, &bytes, &error) == HM_BAD_BASIS);
-    CHECK(hm_displace_safe_size(unsolved.plan, safe.basis, &bytes, &error) == HM_BAD_BASIS);
-    Guarded work = block_of(hm_displace_safe_size, safe.plan, safe.basis);
+    CHECK(safe_displace_size(unsolved.plan, unsolved.basis, &bytes, &error) == HM_BAD_BASIS);
+    CHECK(safe_displace_size(unsolved.plan, safe.basis, &bytes, &error) == HM_BAD_BASIS);
+    Guarded work = block_of(safe_displace_size, safe.plan, safe.basis);
     std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
     hm_points const wall = pairs_in(good);
     auto const n = std::int32_t(good.size());
     std::vector<std::int32_t> twice = safe.points;
     twice[1] = twice[0];
-    CHECK(hm_displace_safe(safe.plan, safe.basis, nullptr, n, twice.data(), &wall, points_out(x, y),
-                           work.data(), work.size(), nullptr, nullptr, &error) == HM_BAD_CONDITION);
+    CHECK(safe_displace(safe.plan, safe.basis, nullptr, n, twice.data(), &wall, points_out(x, y),
+                        work.data(), work.size(), nullptr, nullptr, &error) == HM_BAD_CONDITION);
     CHECK(same_bits(x, setup.mesh.x));
     CHECK(same_bits(y, setup.mesh.y));
 }

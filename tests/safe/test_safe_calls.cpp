@@ -1,5 +1,6 @@
 // Calls of the safe morph: cancelled, with exact working space, on threads, refused.
 #include <fixtures/block_in_square.hpp>
+#include <fixtures/safe_moves.hpp>
 #include <fixtures/executors.hpp>
 
 using namespace fixtures;
@@ -46,8 +47,8 @@ TEST_CASE("working space of exactly the stated size suffices, and every smaller 
         Guarded less(give);
         hm_error error{};
         hm_status const status =
-            hm_morph_safe(safe.solved().plan, safe.solved().basis, move.data(), points_out(x, y),
-                          nullptr, less.data(), give, nullptr, nullptr, &error);
+            safe_move(safe.solved().plan, safe.solved().basis, move.data(), points_out(x, y),
+                      nullptr, less.data(), give, nullptr, nullptr, &error);
         if (status == HM_OK) CHECK(bytes - give < 64);  // the slack for alignment
         else {
             REQUIRE(status == HM_BLOCK_TOO_SMALL);
@@ -59,8 +60,8 @@ TEST_CASE("working space of exactly the stated size suffices, and every smaller 
     }
     for (std::size_t const shift : {std::size_t{1}, std::size_t{33}}) {
         Guarded other(bytes, shift);
-        CHECK(hm_morph_safe(safe.solved().plan, safe.solved().basis, move.data(), points_out(x, y),
-                            nullptr, other.data(), bytes, nullptr, nullptr, nullptr) >= HM_OK);
+        CHECK(safe_move(safe.solved().plan, safe.solved().basis, move.data(), points_out(x, y),
+                        nullptr, other.data(), bytes, nullptr, nullptr, nullptr) >= HM_OK);
         CHECK(other.guards_intact());
     }
 }
@@ -92,10 +93,9 @@ TEST_CASE("threads, input in place and other arrays do not change the bits") {
     hm_mesh view = own.mesh.view();
     hm_problem const problem = own.problem(view);
     Solved const solved(problem, options_of(HM_CONFORMAL));
-    Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
-    REQUIRE(hm_morph_safe(solved.plan, solved.basis, move.data(),
-                          points_out(own.mesh.x, own.mesh.y), nullptr, work.data(), work.size(),
-                          nullptr, nullptr, nullptr) == HM_OK);
+    Guarded work = block_of(safe_move_size, solved.plan, solved.basis);
+    REQUIRE(safe_move(solved.plan, solved.basis, move.data(), points_out(own.mesh.x, own.mesh.y),
+                      nullptr, work.data(), work.size(), nullptr, nullptr, nullptr) == HM_OK);
     CHECK(same_bits(own.mesh.x, reference.x));
     CHECK(same_bits(own.mesh.y, reference.y));
 }
@@ -106,11 +106,11 @@ TEST_CASE("arguments that do not belong together are refused, and nothing is wri
     std::vector<double> const move = turn_of(setup, 10);
     hm_plan* const plan = safe.solved().plan;
     auto const refused = [&](const hm_basis* basis, std::vector<double> const& by) {
-        Guarded work = block_of(hm_morph_safe_size, plan, nullptr);
+        Guarded work = block_of(safe_move_size, plan, nullptr);
         std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
         hm_status const status =
-            hm_morph_safe(plan, basis, by.data(), points_out(x, y), nullptr, work.data(),
-                          work.size(), &safe.safe_options, nullptr, nullptr);
+            safe_move(plan, basis, by.data(), points_out(x, y), nullptr, work.data(), work.size(),
+                      &safe.safe_options, nullptr, nullptr);
         CHECK(same_bits(x, setup.mesh.x));
         CHECK(same_bits(y, setup.mesh.y));
         return status;

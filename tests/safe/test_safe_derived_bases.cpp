@@ -1,5 +1,6 @@
 // Safe morphs by derived bases: combined functions and modes.
 #include <fixtures/derived.hpp>
+#include <fixtures/safe_moves.hpp>
 #include <fixtures/displaced.hpp>
 #include <fixtures/safe.hpp>
 
@@ -20,9 +21,9 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     Combined const combined(reference.solved().basis, matrix);
     REQUIRE(combined.status == HM_OK);
     hm_plan* const plan = reference.solved().plan;
-    Guarded work = block_of(hm_morph_safe_size, plan, combined.basis);
+    Guarded work = block_of(safe_move_size, plan, combined.basis);
     std::size_t const bytes = work.size();
-    CHECK(bytes < block_of(hm_morph_safe_size, plan, nullptr).size());
+    CHECK(bytes < block_of(safe_move_size, plan, nullptr).size());
     std::vector<double> move = {0.02, 0, 0, 0.1};
     hm_safe_options safe_options = reference.safe_options;
     safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});
@@ -31,8 +32,8 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     safe_options.reached = reached.data();
     hm_error error{};
     Combined const sum(reference.solved().basis, matrix);
-    REQUIRE_MESSAGE(hm_morph_safe(plan, combined.basis, move.data(), points_out(x, y), sum.basis,
-                                  work.data(), bytes, &safe_options, &report, &error) == HM_OK,
+    REQUIRE_MESSAGE(safe_move(plan, combined.basis, move.data(), points_out(x, y), sum.basis,
+                              work.data(), bytes, &safe_options, &report, &error) == HM_OK,
                     error.text);
     CHECK(report.strategy == HM_STRATEGY_SUBSTEPS);
     CHECK(report.resolves > 0);
@@ -50,9 +51,9 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
         CHECK(slope.y[at] == doctest::Approx(expected.y[at]).epsilon(1e-12));
     }
     // The call refuses the derivative of the whole functions.
-    CHECK(hm_morph_safe(plan, combined.basis, move.data(), points_out(x, y),
-                        const_cast<hm_basis*>(reference.solved().basis), work.data(), bytes,
-                        &safe_options, nullptr, &error) == HM_BAD_BASIS);
+    CHECK(safe_move(plan, combined.basis, move.data(), points_out(x, y),
+                    const_cast<hm_basis*>(reference.solved().basis), work.data(), bytes,
+                    &safe_options, nullptr, &error) == HM_BAD_BASIS);
 
     Case table = setup;
     table.conditions.pop_back();
@@ -67,7 +68,7 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     }
     Tabulated const tabulated(solved.plan, solved.basis, {mode}, 2);
     REQUIRE(tabulated.status == HM_OK);
-    Guarded more = block_of(hm_morph_safe_size, solved.plan, tabulated.basis);
+    Guarded more = block_of(safe_move_size, solved.plan, tabulated.basis);
     std::vector<double> amplitudes(2 * std::size_t(info_of(tabulated.basis).functions));
     amplitudes[amplitudes.size() - 2] = 0.2;
     amplitudes[amplitudes.size() - 1] = 0.1;
@@ -75,8 +76,8 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     x = setup.mesh.x;
     y = setup.mesh.y;
     REQUIRE_MESSAGE(
-        hm_morph_safe(solved.plan, tabulated.basis, amplitudes.data(), points_out(x, y), nullptr,
-                      more.data(), more.size(), &safe_options, &report, &error) == HM_OK,
+        safe_move(solved.plan, tabulated.basis, amplitudes.data(), points_out(x, y), nullptr,
+                  more.data(), more.size(), &safe_options, &report, &error) == HM_OK,
         error.text);
     CHECK(report.strategy == HM_STRATEGY_SUBSTEPS);
     moved.x = x;

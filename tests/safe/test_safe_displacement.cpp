@@ -1,6 +1,7 @@
 // Given displacements by the strategies of a safe morph: the whole displacement with the given
 // bits, or how far and why.
 #include <fixtures/executors.hpp>
+#include <fixtures/safe_moves.hpp>
 #include <fixtures/naca0012.hpp>
 #include <fixtures/safe_displaced.hpp>
 
@@ -104,12 +105,12 @@ TEST_CASE("threads and the order of the list do not change a bit") {
     Field reversed(wall.rbegin(), wall.rend());
     list.push_back(list[0]);
     reversed.push_back(reversed[0]);
-    Guarded work = block_of(hm_displace_safe_size, one.plan, one.basis);
+    Guarded work = block_of(safe_displace_size, one.plan, one.basis);
     hm_points const given = pairs_in(reversed);
     std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
-    REQUIRE(hm_displace_safe(one.plan, one.basis, nullptr, std::int32_t(list.size()), list.data(),
-                             &given, points_out(x, y), work.data(), work.size(), &one.safe_options,
-                             nullptr, nullptr) == HM_OK);
+    REQUIRE(safe_displace(one.plan, one.basis, nullptr, std::int32_t(list.size()), list.data(),
+                          &given, points_out(x, y), work.data(), work.size(), &one.safe_options,
+                          nullptr, nullptr) == HM_OK);
     CHECK(same_bits(one.x, x));
     CHECK(same_bits(one.y, y));
 }

@@ -1,6 +1,7 @@
 // Safe morphs: no cell is inverted and no boundary crosses whatever happens, and the report is
 // true.
 #include <fixtures/block_in_square.hpp>
+#include <fixtures/safe_moves.hpp>
 #include <fixtures/bounded.hpp>
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/fitted.hpp>
@@ -287,19 +288,19 @@ TEST_CASE("functions on the way that miss the tolerance give a warning and a val
     options.tolerance = 1e-18;
     Attempt const attempt(setup.problem(), &options);
     REQUIRE(attempt.status == HM_NOT_CONVERGED);
-    Guarded work = block_of(hm_morph_safe_size, attempt.plan, attempt.basis);
+    Guarded work = block_of(safe_move_size, attempt.plan, attempt.basis);
     auto report = sized<hm_safe_report>();
     std::vector<double> x(setup.mesh.x.size()), y(x.size());
     hm_error error{};
-    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(setup, 120).data(), points_out(x, y),
-                        nullptr, work.data(), work.size(), nullptr, &report,
-                        &error) == HM_NOT_CONVERGED);
+    CHECK(safe_move(attempt.plan, attempt.basis, turn_of(setup, 120).data(), points_out(x, y),
+                    nullptr, work.data(), work.size(), nullptr, &report,
+                    &error) == HM_NOT_CONVERGED);
     CHECK(report.step_fraction == 1);
     CHECK(report.resolves > 0);
     CHECK(report.inverted == 0);
     CHECK(x[0] == setup.mesh.x[0]);
     CHECK(error.value > 1e-18);
     // One step needs no functions other than the present ones.
-    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(setup, 10).data(), points_out(x, y),
-                        nullptr, work.data(), work.size(), nullptr, &report, &error) == HM_OK);
+    CHECK(safe_move(attempt.plan, attempt.basis, turn_of(setup, 10).data(), points_out(x, y),
+                    nullptr, work.data(), work.size(), nullptr, &report, &error) == HM_OK);
 }

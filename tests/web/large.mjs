@@ -1,5 +1,5 @@
-// usage: node large.mjs PACKAGE MODULE   What 32 bits cannot address is refused with the bytes that are needed; a worker
-// with a module that was compiled once. Throws if something is wrong.
+// usage: node large.mjs PACKAGE MODULE   What 32 bits cannot address is refused with the bytes that are needed; a
+// worker with a module that was compiled once. Throws if something is wrong.
 import assert from "node:assert";
 import fs from "node:fs";
 import { isMainThread, parentPort, Worker, workerData } from "node:worker_threads";

@@ -150,6 +150,12 @@ check("assessment", judged.quality.inverted === 0 && judged.step.admissible > 1 
 const too_far = morph.displacement(a.map((one) => 1.001 * judged.step.admissible * one));
 check("the admissible step is that of the first inverted cell",
     morph.assess(too_far).quality.inverted > 0 || judged.step.boundary <= judged.step.admissible);
+const matrix = morph.matrix(), planes = matrix.length / POINTS / CONTROL;
+check("complex functions have two planes", planes === 2 && morph.info.numbersPerValue === 2);
+const row = (plane, k, axis) => dot(matrix.subarray((plane * POINTS + k) * CONTROL, (plane * POINTS + k + 1) * CONTROL),
+    a.filter((_, i) => i % 2 === axis));
+near("the dense array gives the displacements",
+    d.map((_, i) => (i % 2 === 0 ? row(0, i >> 1, 0) - row(1, i >> 1, 1) : row(1, i >> 1, 0) + row(0, i >> 1, 1))), d);
 const as_is = morph.assess();
 check("a mesh as it is", as_is.step === null && as_is.quality.inverted === 0);
 check("wall points are where the curve takes them", morph.boundaryError(a, morph.morph(a)) < 1e-12);
@@ -194,7 +200,8 @@ check("loaded: assessment", loaded.assess(d).quality.inverted === 0);
 const alone = hm.Morph.load(file);
 near("loaded without a mesh", alone.morph(a, { points: XY }), morph.morph(a), 0);
 refused("loaded without a mesh: no coordinates", "HM_BAD_ARGUMENT", () => alone.morph(a));
-refused("loaded: no plan", "HM_BAD_BASIS", () => loaded.safe(a));
+refused("loaded without a mesh: no plan", "HM_BAD_BASIS", () => alone.safe(a));
+near("loaded: analysis and plan are made again", loaded.safe(a).points, morph.safe(a).points, 0);
 loaded.free();
 alone.free();
 
@@ -231,6 +238,13 @@ check("two fields of forces", given.displaceAdjoint([w, w])[1].every((one, k) =>
 const gently = given.displaceSafe(field);
 check("displaced safely", gently.report.stepFraction === 1 && gently.report.inverted === 0);
 given.free();
+
+const kept = hm.Curves.fit(structured, 2, { nControl: CONTROL, closed: "periodic" });
+const along = new hm.Morph(structured, curves, new Map([[1, "curve"], [2, { kind: "slip", along: kept }]]));
+const along_again = hm.Morph.load(along.save(), structured);
+near("slip along curves, saved and loaded", along_again.slip(along.morph(a)), along.slip(along.morph(a)), 0);
+along.free();
+along_again.free();
 
 const body = new hm.Morph(structured, null, new Map([[1, { kind: "rigid", body: 0, centre: [0, 0] }], [2, "slip"]]),
     { operator: "laplace" });

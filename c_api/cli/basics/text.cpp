@@ -3,6 +3,7 @@
 #include "basics/print.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace cli {
 
@@ -22,6 +23,50 @@ std::string in_quotes(std::string_view text) {
     while (bytes < std::min(longest, text.size()))
         bytes += std::max<std::size_t>(readable_character(text.substr(bytes)), 1);
     return "'" + readable(text.substr(0, bytes)) + (text.size() > bytes ? "...'" : "'");
+}
+
+namespace {
+
+// The number of letters to insert, to delete, to replace, or to exchange with the next one, that
+// make one text of the other; upper and lower case are equal.
+std::size_t letters_apart(std::string_view a, std::string_view b) {
+    const auto is_same = [](char one, char other) {
+        return std::tolower(static_cast<unsigned char>(one)) ==
+               std::tolower(static_cast<unsigned char>(other));
+    };
+    std::vector<std::vector<std::size_t>> rows(a.size() + 1,
+                                               std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) {
+        for (std::size_t k = 0; k <= b.size(); ++k) {
+            std::size_t& here = rows[i][k];
+            here = i + k;
+            if (i == 0 || k == 0) continue;
+            const bool same = is_same(a[i - 1], b[k - 1]);
+            here = std::min(
+                {rows[i - 1][k] + 1, rows[i][k - 1] + 1, rows[i - 1][k - 1] + (same ? 0 : 1)});
+            if (i > 1 && k > 1 && is_same(a[i - 1], b[k - 2]) && is_same(a[i - 2], b[k - 1]))
+                here = std::min(here, rows[i - 2][k - 2] + 1);
+        }
+    }
+    return rows[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& names) {
+    constexpr std::size_t longest = 64;
+    if (word.size() > longest) return "";
+    std::size_t fewest = word.size() / 3 + 1;  // a third of the letters may be wrong
+    const std::string* nearest = nullptr;
+    for (const std::string& name : names) {
+        if (name.size() > longest) continue;
+        const std::size_t apart = letters_apart(word, name);
+        if (apart > fewest || (nearest != nullptr && apart == fewest)) continue;
+        if (apart >= name.size()) continue;  // nothing is equal
+        fewest = apart;
+        nearest = &name;
+    }
+    return nearest == nullptr ? "" : "; did you mean " + in_quotes(*nearest) + "?";
 }
 
 }  // namespace cli

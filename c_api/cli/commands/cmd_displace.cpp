@@ -139,22 +139,25 @@ void at_once(const Mesh& mesh, Solver& solver, const WallMovement& movement, std
 
 void safely(const Mesh& mesh, Solver& solver, const WallMovement& movement, hm_safe_options options,
             Displacement& found) {
+    const hm_points given = movement.wall.read();
+    auto target = sized<hm_safe_target>();
+    if (!movement.moves.empty()) target.move = movement.moves.data();
+    target.n = movement.wall.count();
+    target.points = movement.wall.points.data();
+    target.wall = &given;
     std::size_t bytes = 0;
-    call(mesh, hm_displace_safe_size, solver.plan(), solver.basis(), &bytes);
+    call(mesh, hm_move_safe_size, solver.plan(), solver.basis(), &target, &bytes);
     Block work(bytes);
     found.moved.x = mesh.x;
     found.moved.y = mesh.y;
     found.safe = sized<hm_safe_report>();
-    const hm_points given = movement.wall.read();
     const hm_points_out to = found.moved.write();
     found.moves = movement.moves;
     if (!found.moves.empty()) options.reached = found.moves.data();
     hm_error error = {};
     const Stopwatch watch;
-    const hm_status status = hm_displace_safe(
-        solver.plan(), solver.basis(), movement.moves.empty() ? nullptr : movement.moves.data(),
-        movement.wall.count(), movement.wall.points.data(), &given, &to, work.data(), bytes,
-        &options, &*found.safe, &error);
+    const hm_status status = hm_move_safe(solver.plan(), solver.basis(), &target, &to, work.data(),
+                                          bytes, &options, &*found.safe, &error);
     found.displace_seconds = watch.seconds();
     if (status < 0) refuse(error, mesh);
     (status == HM_SHORT ? found.refusal : found.warning) = status != HM_OK ? error.text : "";

@@ -127,9 +127,14 @@ Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basi
         arguments.refuse(
             "--operator of this command must be auto, because the basis has an operator of its "
             "own");
+    FluxList fluxes;
+    if (arguments.has("--flux")) {
+        fluxes = read_fluxes(arguments.text("--flux"), mesh,
+                             static_cast<std::int32_t>(basis.info().control_points));
+    }
     std::vector<OperatorTrial> trials;
     const auto run = [&](std::int32_t kind, OperatorTrial& trial) {
-        Morph morph(basis, mesh, moves, options, kind, threads);
+        Morph morph(basis, mesh, moves, options, kind, threads, fluxes);
         trial.step_fraction = morph.safe.step_fraction;
         trial.min_quality = morph.quality.min_quality;
         trial.is_short = own != HM_CONFORMAL && !morph.refusal.empty() && !morph.impossible;
@@ -179,7 +184,7 @@ void run_morph(const Arguments& arguments) {
     const Threads threads(threads_of(arguments), kernel_of(arguments));
     const bool safe = arguments.has("--safe");
     check_safe_options(arguments);
-    for (const char* const option : {"--reached", "--operator"}) {
+    for (const char* const option : {"--reached", "--operator", "--flux"}) {
         if (!safe && arguments.has(option)) arguments.refuse(std::string(option) + " needs --safe");
     }
     Morph morph = safe ? safe_morph(arguments, mesh, basis, moves, threads)
@@ -208,6 +213,12 @@ void run_morph(const Arguments& arguments) {
         if (asked.airfoil) print_airfoil(arguments.text("--to-airfoil"), *asked.airfoil);
         print_errors(asked.errors);
         print_for_people(morph, safe, written);
+        const bool is_written = reached || arguments.has("--force");
+        if (arguments.has("-o") && is_written) {
+            print("morphed mesh     %s\n", arguments.text("-o").c_str());
+        } else if (!arguments.has("-o")) {
+            print("morphed mesh     not written: -o FILE writes the mesh\n");
+        }
     }
     if (strict && morph.valid()) throw Failure(exit_unusable, morph.warning);
     if (!reached)
@@ -298,6 +309,8 @@ const Command morph_command = {
             {"--other", "BASIS",
              "for --safe: a basis of the same problem, solved with another operator or exponent\n"
              "(may be repeated)",
+             FileUse::input},
+            {"--flux", "FLUXES", "for --safe: the file of --flux with which the basis was solved",
              FileUse::input},
             {"--operator", "auto",
              "for --safe: laplace and conformal functions are both tried, and the mesh with the "

@@ -173,7 +173,7 @@ void run_solve(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
     if (!arguments.has("--curve") && !arguments.has("--rigid") && !arguments.has("--mode")) {
-        arguments.refuse("--curve, --rigid or --mode is missing");
+        arguments.refuse("--curve MARKER=FILE, --rigid MARKER or --mode FIELD is missing");
     }
     if (compares_operators(arguments))
         arguments.refuse("--operator auto is only for displace and for morph --safe");

@@ -13,10 +13,10 @@ namespace cli {
 namespace {
 
 const Command* const commands[] = {
-    &fit_command,     &solve_command,       &morph_command, &displace_command,
-    &adjoint_command, &export_command,      &check_command, &transfer_command,
-    &explore_command, &convert_command,     &curve_command, &variables_command,
-    &sample_command,  &interpolate_command, &align_command, &demo_command};
+    &demo_command,      &fit_command,     &solve_command,       &morph_command,
+    &displace_command,  &adjoint_command, &export_command,      &check_command,
+    &transfer_command,  &explore_command, &convert_command,     &curve_command,
+    &variables_command, &sample_command,  &interpolate_command, &align_command};
 
 constexpr const char* introduction =
     "harmorph morphs an airfoil and its mesh together: the airfoil is a B-spline, "
@@ -27,7 +27,7 @@ constexpr const char* introduction =
 
 constexpr const char* conclusion =
     "\n"
-    "  harmorph COMMAND --help   says more about a command\n"
+    "  harmorph help COMMAND     says more about a command, as COMMAND --help and -h do\n"
     "  harmorph --version        prints the version\n\n"
     "Meshes are files of two dimensions, or one cell thick; a morphed mesh is the same file with "
     "other coordinates.\n"
@@ -55,19 +55,26 @@ const Command& find_command(const std::string& name) {
     for (const Command* command : commands) {
         if (name == command->name) return *command;
     }
-    throw Failure(exit_usage,
-                  "the command " + in_quotes(name) + " is unknown\nTry: harmorph --help");
+    std::vector<std::string> names = {"help"};
+    for (const Command* command : commands) names.emplace_back(command->name);
+    throw Failure(exit_usage, "the command " + in_quotes(name) + " is unknown" +
+                                  did_you_mean(name, names) + "\nTry: harmorph --help");
 }
 
 }  // namespace
 
 void run_command(const std::vector<std::string>& words) {
     if (words.empty()) throw Failure(exit_usage, "a command is missing\n\n" + program_help());
-    if (words[0] == "--help") return print("%s", program_help().c_str());
+    const auto asks_for_help = [](const std::string& word) {
+        return word == "--help" || word == "-h";
+    };
+    if (asks_for_help(words[0]) || (words[0] == "help" && words.size() == 1))
+        return print("%s", program_help().c_str());
+    if (words[0] == "help") return print("%s", help_text(find_command(words[1])).c_str());
     if (words[0] == "--version") return print("harmorph %s\n", hm_version());
     const Command& command = find_command(words[0]);
     const std::vector<std::string> rest(words.begin() + 1, words.end());
-    if (std::find(rest.begin(), rest.end(), "--help") != rest.end())
+    if (std::any_of(rest.begin(), rest.end(), asks_for_help))
         return print("%s", help_text(command).c_str());
     const Arguments arguments(command, rest);
     refuse_overwriting(arguments);

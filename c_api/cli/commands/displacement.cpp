@@ -108,10 +108,12 @@ std::string why_invalid(const Displacement& found, const Mesh& mesh) {
     std::string text = plural(found.quality.inverted, "inverted cell");
     if (found.step.cell >= 0) {
         const std::size_t line = mesh.cell_offset[static_cast<std::size_t>(found.step.cell)];
-        text += ": " + brief(found.step.admissible) +
-                " of this displacement is admissible, limited by cell " +
-                std::to_string(found.step.cell) + " (" + mesh.file.place(line) + ")" +
-                (found.step.admissible > 0 ? "; --safe goes farther" : "");
+        text +=
+            ": " + brief(found.step.admissible) +
+            " of this displacement is admissible, limited by cell " +
+            std::to_string(found.step.cell) + " (" + mesh.file.place(line) + ")" +
+            (found.step.admissible > 0 && found.quality.self_crossing == 0 ? "; --safe goes farther"
+                                                                           : "");
     }
     return found.quality.inverted > 0
                ? text

@@ -92,7 +92,9 @@ std::string why_not_valid(const Morph& morph, const Mesh& mesh) {
             text += ": " + brief(morph.step.admissible) +
                     " of this movement is admissible, limited by cell " +
                     std::to_string(morph.step.cell) + " (" + mesh.file.place(line) + ")" +
-                    (morph.step.admissible > 0 ? "; --safe goes farther" : "");
+                    (morph.step.admissible > 0 && morph.quality.self_crossing == 0
+                         ? "; --safe goes farther"
+                         : "");
         }
     }
     if (morph.quality.self_crossing != 0) {

@@ -16,7 +16,7 @@ struct Companions {
     std::string curve, reached;
 };
 
-// safe: the mesh was moved by hm_morph_safe, whose report is morph.safe.
+// safe: the mesh was moved by hm_move_safe, whose report is morph.safe.
 void print_json(const Morph& morph, bool safe, const Companions& written, const AskedMoves& asked);
 void print_for_people(const Morph& morph, bool safe, const Companions& written);
 void print_airfoil(const std::string& path, const ToAirfoil& airfoil);

@@ -4,6 +4,7 @@
 #include "files/temporary_files.hpp"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
@@ -18,6 +19,8 @@ namespace cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+bool files_are_written = false;
 
 // The file at the end of a chain of symbolic links, whether it exists or not: a link stays a link
 // when the file is replaced.
@@ -113,7 +116,7 @@ OutputFile::~OutputFile() {
 
 void OutputFile::finish() {
     if (!stream_.is_open()) return;
-    if (!stream_.flush()) fail();
+    if (!stream_.flush()) fail_to_write();
     stream_.close();
     if (!stream_) fail();
     if (temporary_.empty() || !permissions_) return;
@@ -156,6 +159,16 @@ void OutputFile::fail() const {
     throw Failure(exit_file, path_ + ": cannot be written: " + std::strerror(errno));
 }
 
+// After the first failure a stream does not try again, and other calls have changed errno since:
+// the reason is that of another attempt.
+void OutputFile::fail_to_write() {
+    stream_.clear();
+    errno = 0;
+    stream_.put('\n').flush();
+    if (errno == 0) throw Failure(exit_file, path_ + ": cannot be written: the disk was full");
+    fail();
+}
+
 // Signals wait between the first and the last renaming.
 void OutputFiles::commit() {
     for (OutputFile& file : files_) file.finish();
@@ -167,6 +180,14 @@ void OutputFiles::commit() {
         throw;
     }
     for (OutputFile& file : files_) file.keep();
+    if (files_.empty()) return;
+    files_are_written = true;
+#ifdef SIGPIPE
+    // From here on nobody need read what the command says.
+    std::signal(SIGPIPE, SIG_IGN);
+#endif
 }
+
+bool has_written_files() { return files_are_written; }
 
 }  // namespace cli

@@ -37,6 +37,7 @@ public:
 
 private:
     [[noreturn]] void fail() const;
+    [[noreturn]] void fail_to_write();
     void create_privately() const;
 
     std::string path_, temporary_, older_;  // empty: there is no such file to remove
@@ -54,5 +55,8 @@ public:
 private:
     std::deque<OutputFile> files_;
 };
+
+// Tells whether this process has put a file in its place.
+bool has_written_files();
 
 }  // namespace cli

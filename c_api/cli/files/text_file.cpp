@@ -49,6 +49,12 @@ TextFile::TextFile(const std::string& path, std::string text) : path_(path) {
     memory_ = own;
 }
 
+TextFile TextFile::of_option(const std::string& option, std::string text) {
+    TextFile file(option, std::move(text));
+    file.is_option_ = true;
+    return file;
+}
+
 std::string TextFile::place(std::size_t offset) const {
     if (name_of_place_) return path_ + ": " + name_of_place_(offset);
     std::size_t line = 1;
@@ -153,8 +159,9 @@ void LineReader::fail(std::string_view message) const { file_.fail(offset(), mes
 void LineReader::expected(std::string_view what) const { expected(what, line_); }
 
 void LineReader::expected(std::string_view what, std::string_view found) const {
-    fail("the file needs " + std::string(what) + " here, but " +
-         (found.empty() ? "the end of the file" : in_quotes(found)) + " follows");
+    const std::string noun = file_.noun();
+    fail("the " + noun + " needs " + std::string(what) + " here, but " +
+         (found.empty() ? "the end of the " + noun : in_quotes(found)) + " follows");
 }
 
 }  // namespace cli

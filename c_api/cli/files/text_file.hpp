@@ -20,8 +20,11 @@ public:
     explicit TextFile(const std::string& path);  // maps or reads the whole file
     // The given text takes the place of the contents of the file.
     TextFile(const std::string& path, std::string text);
+    // The text is the value of an option, which messages then name in place of a file.
+    static TextFile of_option(const std::string& option, std::string text);
 
     const std::string& path() const { return path_; }
+    const char* noun() const { return is_option_ ? "option" : "file"; }
     std::string_view text() const { return text_; }  // copies of a TextFile share the text
     std::string place(std::size_t offset) const;  // "FILE:LINE"; after binary parts "FILE: byte N"
     // Sets other names of offsets, for a text in memory that is not the text of the file.
@@ -41,6 +44,7 @@ private:
     void report(std::size_t offset) const;
 
     std::string path_;
+    bool is_option_ = false;
     std::shared_ptr<const void> memory_;  // of the text
     std::string_view text_;
     std::function<std::string(std::size_t)> name_of_place_;

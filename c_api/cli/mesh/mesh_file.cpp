@@ -214,7 +214,8 @@ private:
         }
         throw Failure(exit_usage, mesh_.file.path() + " has no marker " + in_quotes(name) +
                                       (known.empty() ? "; the mesh has no markers"
-                                                     : "; the markers of the mesh are " + known));
+                                                     : "; the markers of the mesh are " + known) +
+                                      did_you_mean(name, mesh_.markers));
     }
 
     const Mesh& mesh_;

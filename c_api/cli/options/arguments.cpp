@@ -55,7 +55,11 @@ std::size_t Arguments::take_option(const std::vector<std::string>& words, std::s
     const std::size_t equals = word.compare(0, 2, "--") == 0 ? word.find('=') : std::string::npos;
     const std::string name = word.substr(0, equals);
     const Option* const known = find(name);
-    if (known == nullptr) refuse("the option " + in_quotes(name) + " is unknown");
+    if (known == nullptr) {
+        std::vector<std::string> names;
+        for (const Option& option : command_.options) names.emplace_back(option.name);
+        refuse("the option " + in_quotes(name) + " is unknown" + did_you_mean(name, names));
+    }
     std::string value;
     if (equals != std::string::npos) {
         if (!known->value) refuse(name + " takes no value");

@@ -6,7 +6,7 @@
 //   inverted, self_crossing, admissible_step, min_quality, mean_quality, worst_cell, limiting_cell, boundary_error,
 //   boundary_error_note       the program's findings on the whole mesh
 //   safe, strategy, steps, resolves, step_fraction, untangled, refusal
-//                             the way that hm_morph_safe went
+//                             the way that hm_move_safe went
 
 const element = (id) => document.getElementById(id);
 

@@ -78,7 +78,8 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& mo
 }
 
 Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target,
-             hm_safe_options options, std::int32_t operator_kind, const Threads& threads)
+             hm_safe_options options, std::int32_t operator_kind, const Threads& threads,
+             const FluxList& fluxes)
     : moves(target.size()),
       displacement(mesh.x.size()),
       moved(mesh.x.size()),
@@ -87,6 +88,7 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
       safe(sized<hm_safe_report>()) {
     const Stopwatch watch;
     Task task = task_of(basis);
+    task.fluxes = fluxes;
     const bool is_own = operator_kind == task.options.operator_kind;
     if (!is_own) {
         task.options.operator_kind = operator_kind;
@@ -97,16 +99,18 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
     if (is_own) solver.prepare();
     else solver.run();
     const hm_basis* const functions = is_own ? basis.get() : solver.basis();
+    auto to_move = sized<hm_safe_target>();
+    to_move.move = target.data();
     std::size_t bytes = 0;
-    call(mesh, hm_morph_safe_size, solver.plan(), functions, &bytes);
+    call(mesh, hm_move_safe_size, solver.plan(), functions, &to_move, &bytes);
     Block work(bytes);
     moved.x = mesh.x;
     moved.y = mesh.y;
     options.reached = moves.data();  // all values stay 0 if the target is refused
     const hm_points_out to = moved.write();
     hm_error error = {};
-    const hm_status status = hm_morph_safe(solver.plan(), functions, target.data(), &to, nullptr,
-                                           work.data(), bytes, &options, &safe, &error);
+    const hm_status status = hm_move_safe(solver.plan(), functions, &to_move, &to, work.data(),
+                                          bytes, &options, &safe, &error);
     if (status < 0 && status != HM_CROSSING) refuse(error, mesh);
     impossible = status == HM_CROSSING;
     const bool is_torn = status == HM_CROSSING && error.other_kind == HM_ITEM_CONDITION;

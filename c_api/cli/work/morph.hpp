@@ -5,6 +5,7 @@
 #include "curves/curves.hpp"
 #include "files/threads.hpp"
 #include "work/basis_file.hpp"
+#include "work/flux_file.hpp"
 #include "work/safe_way.hpp"
 
 #include <string>
@@ -32,7 +33,7 @@ struct Morph {
     // The largest distance of wall points from the B-spline that `moves` moved.
     double boundary_error = 0;
     std::string torn;         // why the movement tears two conditions apart
-    double seconds = 0;       // of hm_morph: the median of all repeats; or of hm_morph_safe
+    double seconds = 0;       // of hm_morph: the median of all repeats; or of hm_move_safe
     hm_safe_report safe;      // set by the safe morph, as are all members below
     std::string refusal;      // why the mesh does not reach the target
     bool impossible = false;  // no mesh can have the boundary of the target
@@ -42,8 +43,10 @@ struct Morph {
     Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves_of_functions,
           std::int32_t repeats, const Threads& threads);
     // The safe morph. If the operator is not that of the basis, the functions are solved first.
+    // fluxes: those with which the basis was solved.
     Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target,
-          hm_safe_options options, std::int32_t operator_kind, const Threads& threads);
+          hm_safe_options options, std::int32_t operator_kind, const Threads& threads,
+          const FluxList& fluxes = {});
     // Moves inner points to where cells are better. Walls, and therefore `moves`, stay.
     void improve(const Basis& basis, const Mesh& mesh, const Threads& threads,
                  const hm_improve_options& options);

@@ -178,6 +178,8 @@ private:
         const auto& words = lines_.words();
         const std::int32_t n_control = movable_.n_control;
         std::int32_t index = 0;
+        double first = 0;
+        if (!parse(words[0], first)) refuse_verb(words[0]);
         if (words.size() != 3) lines_.expected("index dx dy");
         if (!parse(words[0], index) || index < 1 || index > n_control) {
             lines_.expected("a control point between 1 and " + std::to_string(n_control), words[0]);
@@ -187,6 +189,12 @@ private:
             lines_.fail("control point " + std::to_string(index) + " is moved a second time");
         moved_[point] = true;
         for (std::size_t i = 0; i < 2; ++i) moves_[2 * point + i] += number(words[i + 1]);
+    }
+
+    [[noreturn]] void refuse_verb(std::string_view word) const {
+        const std::string verb(word);
+        lines_.expected("a control point (`index dx dy`), turn, shift, scale, flap, rigid or mode",
+                        verb);
     }
 
     void read_section() {
@@ -323,7 +331,7 @@ std::vector<TextFile> texts_of_moves(const Arguments& arguments) {
     if (arguments.has("--move")) texts.push_back(text_of_moves(arguments.text("--move")));
     std::string lines;
     for (const std::string& line : arguments.all("--by")) lines += line + '\n';
-    if (!lines.empty()) texts.emplace_back("--by", lines);
+    if (!lines.empty()) texts.push_back(TextFile::of_option("--by", lines));
     return texts;
 }
 

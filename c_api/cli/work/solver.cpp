@@ -39,6 +39,7 @@ Solver::Solver(const Mesh& mesh, const Task& task, const Threads& threads)
     problem_.known_points = task.known_points.data();
     problem_.known_curves = task.known_curves.data();
     problem_.known_u = task.known_u.data();
+    task.fluxes.give_to(problem_);
     options_.executor = threads.executor();
     progress_.listen(options_);
 }

@@ -417,6 +417,12 @@ std::vector<Option> condition_options() {
     for (const PlainCondition& plain : plain_conditions) {
         if (plain.is_common) of_conditions.push_back(plain.option);
     }
+    of_conditions.push_back(
+        {"--flux", "FLUXES",
+         "Neumann values on faces of --free: lines \"point point control-point value\", points "
+         "from 0;\n"
+         "morph --safe needs the file again",
+         FileUse::input});
     return of_conditions;
 }
 
@@ -438,6 +444,10 @@ void add_conditions(const Arguments& arguments, const Mesh& mesh, Task& task) {
     for (const std::string& binding : arguments.all("--slip"))
         let_slip(arguments, mesh, task, binding);
     add_interfaces(arguments, mesh, task);
+    if (!arguments.has("--flux")) return;
+    const auto n_control = static_cast<std::int32_t>(task.curves.control.size() / 2);
+    if (n_control == 0) arguments.refuse("--flux is for functions of control points; give --curve");
+    task.fluxes = read_fluxes(arguments.text("--flux"), mesh, n_control);
 }
 
 }  // namespace cli

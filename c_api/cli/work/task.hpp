@@ -6,6 +6,7 @@
 #include "options/arguments.hpp"
 #include "work/basis_file.hpp"
 #include "work/engine.hpp"
+#include "work/flux_file.hpp"
 
 #include <memory>
 #include <vector>
@@ -19,6 +20,7 @@ struct Task {
     std::vector<std::string> passages;                     // descriptions of pairs of turned sides
     std::vector<std::int32_t> known_points, known_curves;  // points with known parameters
     std::vector<double> known_u;
+    FluxList fluxes;
     double max_curve_distance = 0;  // of hm_problem
     SolveOptions options;
     EngineChoice choice;  // if not empty, replaces the engine of `options`

@@ -14,7 +14,7 @@ morph = harmorph.Morph(mesh, curves)
 
 # The upper control points go up. The displacements are judged before the mesh moves.
 move = np.zeros((12, 2))
-move[curves.control[:, 1] > 0, 1] = 0.1
+move[curves.control[:, 1] > 0.05, 1] = 0.1
 step, quality = morph.assess(morph.displacement(move))
 print(f"{quality.inverted} inverted cells; the mesh could follow {step.admissible:.1f} times as far")
 if quality.inverted:

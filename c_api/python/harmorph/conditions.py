@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Tuple, Union
 
+import numpy as np
+
 from ._native import ffi, lib
 from .curves import Curves
 from .errors import Error, call
@@ -37,7 +39,8 @@ class Condition:
         - "fixed": they stay; also every marker without a condition;
         - "slip": they slide along straight lines, along the smooth curve through the points of the
           marker, or along given curves;
-        - "free": zero normal derivative; not with the conformal operator;
+        - "free": zero normal derivative, or those of `fluxes` of :class:`harmorph.Morph`; not with
+          the conformal operator;
         - "periodic": this marker and its partner are translates of each other;
         - "rotation": the partner is this marker, rotated about `centre`;
         - "given": their displacements are arguments of :meth:`harmorph.Morph.displace`;
@@ -92,6 +95,20 @@ def listed(mesh: Mesh, curves: Optional[Curves], given: Given) -> List[Tuple[int
         raise Error("No marker is on a curve, rigid or given; give `conditions`, or curves that were "
                     "fitted to markers of the mesh.", Error.BAD_CONDITION)
     return result
+
+
+def flux_arrays(curves: Optional[Curves], fluxes: Any) -> Any:
+    """Return the pair of arrays `fluxes` of :class:`harmorph.Morph` in the form that C needs, or None."""
+    if fluxes is None:
+        return None
+    if curves is None or len(fluxes) != 2:
+        raise Error("fluxes must be a pair of arrays (faces, values), and needs curves.", Error.BAD_CONDITION)
+    faces = np.array(fluxes[0], np.int32, order="C")
+    values = np.array(fluxes[1], np.float64, order="C")
+    if faces.shape != (len(values), 2) or values.shape != (len(values), len(curves.control)):
+        raise Error(f"fluxes must have the shapes (n, 2) and (n, {len(curves.control)}), not {faces.shape} and "
+                    f"{values.shape}.", Error.BAD_CONDITION)
+    return faces, values
 
 
 def structs(mesh: Mesh, curves: Optional[Curves], pairs: List[Tuple[int, Condition]]) -> Any:

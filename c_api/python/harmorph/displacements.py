@@ -11,7 +11,7 @@ from .arrays import apart, doubles, int32_view, int32s, numbers, points_in, poin
 from .basis import Basis
 from .errors import Error, call
 from .large import Safe, safe_options
-from .reports import new, report
+from .reports import fill, new, report
 
 
 class Displacements:
@@ -147,10 +147,11 @@ class Displacements:
             reached, result = np.zeros(basis.shape), new("hm_safe_report")
             if basis.shape[0]:
                 options.reached = doubles(reached, basis.shape, "reached", out=True)
-            work = solver.work(lib.hm_displace_safe_size, basis.pointer)
+            target = fill(new("hm_safe_target"), move=step, n=n, points=where, wall=view)
+            work = solver.work(lib.hm_move_safe_size, basis.pointer, target)
             try:
-                call(lib.hm_displace_safe, solver.plan, basis.pointer, step, n, where, view, to,
-                     ffi.from_buffer(work), len(work), options, result)
+                call(lib.hm_move_safe, solver.plan, basis.pointer, target, to, ffi.from_buffer(work), len(work),
+                     options, result)
             finally:
                 solver.has_factor = solver.has_factor and result.resolves == 0
         return Safe(out, report(result), reached, None)

@@ -29,7 +29,7 @@ class Safe(NamedTuple):
         The movement that `points` has.
     derivative : Morph or None
         `displacement` and `adjoint` of this object are the derivative of `points` by `move` and its
-        transpose; see ``hm_morph_safe``.
+        transpose; see ``hm_move_safe``.
     """
 
     points: Any
@@ -114,10 +114,12 @@ class Large:
             reached, result = np.zeros(basis.shape), new("hm_safe_report")
             options.reached = doubles(reached, basis.shape, "reached", out=True)
             other, block = Basis.empty(solver.analysis) if derivative else (ffi.NULL, None)
-            work = solver.work(lib.hm_morph_safe_size, basis.pointer)
+            options.derivative = other
+            target = fill(new("hm_safe_target"), move=step)
+            work = solver.work(lib.hm_move_safe_size, basis.pointer, target)
             try:
-                call(lib.hm_morph_safe, solver.plan, basis.pointer, step, to, other,
-                     ffi.from_buffer(work), len(work), options, result)
+                call(lib.hm_move_safe, solver.plan, basis.pointer, target, to, ffi.from_buffer(work), len(work),
+                     options, result)
             finally:
                 solver.has_factor = solver.has_factor and result.resolves == 0
             found = self._derivative(Basis(other, block)) if derivative else None

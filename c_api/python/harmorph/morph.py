@@ -10,7 +10,7 @@ import numpy as np
 from ._native import lib
 from .arrays import numbers, points_in
 from .basis import Basis
-from .conditions import Given, listed
+from .conditions import Given, flux_arrays, listed
 from .curves import Curves
 from .displacements import Displacements
 from .errors import Error, call
@@ -52,6 +52,11 @@ class Morph(Functions, Large, Displacements, Stored):
     max_curve_distance : float
         Points that are farther from their curve than this part of the diagonal of the box around
         the curve are refused; 0 refuses none.
+    fluxes : pair of arrays, optional
+        Neumann values: points of free faces, shape (n, 2), and the outward normal derivatives of
+        the functions of all control points there, shape (n, control points) [1/length], times the
+        weight of the operator. Other free faces have 0. A file of
+        :meth:`save` does not have them: safe morphs after :meth:`load` cannot solve again.
     threads : int
         Threads of each call, 1 to 256. Calls of one object wait for each other if it is not 1.
 
@@ -101,17 +106,19 @@ class Morph(Functions, Large, Displacements, Stored):
         offset_correction: bool = False,
         tolerance: float = 0.0,
         max_curve_distance: float = 0.0,
+        fluxes: Any = None,
         threads: int = 1,
     ) -> None:
         if not isinstance(mesh, Mesh):
             raise Error(f"mesh must be a harmorph.Mesh, not {type(mesh).__name__}.")
         self._options = options_of(operator, engine, exponent, offset_correction, tolerance)
         self._options["max_curve_distance"] = max_curve_distance
-        self._own(mesh, curves, listed(mesh, curves, conditions), threads)
+        self._own(mesh, curves, listed(mesh, curves, conditions), threads, flux_arrays(curves, fluxes))
         self._solve()
 
-    def _own(self, mesh: Optional[Mesh], curves: Optional[Curves], pairs: Any, threads: int) -> None:
-        self.mesh, self.curves, self._pairs = mesh, curves, pairs
+    def _own(self, mesh: Optional[Mesh], curves: Optional[Curves], pairs: Any, threads: int,
+             fluxes: Any = None) -> None:
+        self.mesh, self.curves, self._pairs, self._fluxes = mesh, curves, pairs, fluxes
         self._executor = ONE_THREAD if threads == 1 else Executor(threads)
         self._lock = threading.RLock()
         self._basis: Optional[Basis] = None
@@ -131,7 +138,8 @@ class Morph(Functions, Large, Displacements, Stored):
             if self._problem is None:
                 raise Error("This call needs the mesh; give it to Morph.load().", Error.BAD_BASIS)
             mesh = self._problem.with_points(self._analysed.copy())
-            self._solver = Solver(mesh, self.curves, self._pairs, self._options, self._executor)
+            self._solver = Solver(mesh, self.curves, self._pairs, self._options, self._executor,
+                                  self._fluxes)
             mesh.points[:] = self._problem.points
         self._solver.factor()
         return self._solver

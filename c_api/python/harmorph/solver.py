@@ -52,6 +52,8 @@ class Solver:
     options : dict
         What :func:`options_of` returned, and ``max_curve_distance``.
     executor : Executor
+    fluxes : pair of arrays, optional
+        See :class:`harmorph.Morph`.
     """
 
     def __init__(
@@ -61,9 +63,10 @@ class Solver:
         pairs: List[Tuple[int, Condition]],
         options: dict,
         executor: Executor,
+        fluxes: Any = None,
     ) -> None:
         self.mesh = mesh
-        self._alive = (curves, pairs, executor)
+        self._alive = (curves, pairs, executor, fluxes)
         own = dict(options)
         problem = fill(new("hm_problem"), max_curve_distance=own.pop("max_curve_distance", 0.0))
         struct = fill(new("hm_options"), **own)
@@ -72,6 +75,10 @@ class Solver:
         problem.mesh = mesh._c
         problem.curves = curves._c if curves is not None else ffi.NULL
         problem.n_conditions, problem.conditions = len(pairs), conditions
+        if fluxes is not None:
+            faces, values = fluxes
+            fill(problem, n_fluxes=len(faces), flux_points=ffi.from_buffer("int32_t[]", faces),
+                 fluxes=ffi.from_buffer("double[]", values))
         size = ffi.new("size_t*")
         call(lib.hm_analysis_size, problem, struct, size, names=mesh.names)
         self._analysis_block = np.empty(size[0], np.uint8)

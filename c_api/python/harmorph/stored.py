@@ -76,13 +76,13 @@ class Stored:
         return {
             "mesh": self.mesh, "start": self._problem, "analysed": self._analysed,
             "curves": self.curves, "pairs": self._pairs, "options": self._options,
-            "threads": self._executor.threads,
+            "threads": self._executor.threads, "fluxes": self._fluxes,
             "basis": self._open().to_bytes(), "report": self.solve_report,
         }
 
     def __setstate__(self, state: Dict[str, Any]) -> None:
         self._options = state["options"]
-        self._own(state["mesh"], state["curves"], state["pairs"], state["threads"])
+        self._own(state["mesh"], state["curves"], state["pairs"], state["threads"], state["fluxes"])
         self._problem, self._analysed = state["start"], state["analysed"]
         self._set_basis(Basis.attach(state["basis"], self._problem))
         self.solve_report = state["report"]
@@ -90,13 +90,14 @@ class Stored:
     def __copy__(self: Self) -> Self:
         basis, other = self._open(), self.__class__.__new__(self.__class__)
         other._options = dict(self._options)
-        other._own(self.mesh, self.curves, self._pairs, self._executor.threads)
+        other._own(self.mesh, self.curves, self._pairs, self._executor.threads, self._fluxes)
         other._problem, other._analysed = self._problem, self._analysed
         other._set_basis(basis)
         other.solve_report = copy.copy(self.solve_report)
         return other
 
-    def _own(self, mesh: Optional[Mesh], curves: Optional[Curves], pairs: Any, threads: int) -> None:
+    def _own(self, mesh: Optional[Mesh], curves: Optional[Curves], pairs: Any, threads: int,
+             fluxes: Any = None) -> None:
         raise NotImplementedError
 
     def _set_basis(self, basis: Basis) -> None:

@@ -286,6 +286,31 @@ def test_a_basis_counted_from_1(curves, move, tmp_path):
     assert vars(loaded.safe(move).report) == vars(morph.safe(move).report)
 
 
+def test_fluxes_of_a_linear_field():
+    n = 6
+    x, y = np.meshgrid(np.arange(n) / (n - 1), np.arange(n) / (n - 1))
+    mesh = harmorph.Mesh.structured(np.stack([x, y], axis=-1), j_min="low", j_max="top", i_min="left", i_max="right")
+    curves = harmorph.Curves.fit_points(np.stack([x[0], y[0]], axis=1), False, n_control=2, degree=1,
+                                        closed="open")
+    k = np.arange(n - 1)
+    faces = np.concatenate([np.stack([n * (n - 1) + k, n * (n - 1) + k + 1], 1), np.stack([n * k, n * k + n], 1),
+                            np.stack([n * k + n - 1, n * k + 2 * n - 1], 1)])
+    # 1 + x + 2 y has the amounts 1 and 2; its normal derivatives, times numbers whose sum with the amounts is 1.
+    values = np.repeat([2.0, -1.0, 1.0], n - 1)[:, None] * np.array([1, 2]) / 5
+    conditions = {"low": "curve", "top": "free", "left": "free", "right": "free"}
+    morph = harmorph.Morph(mesh, curves, conditions, operator="laplace", fluxes=(faces, values))
+    expected = (1 + x + 2 * y).ravel()
+    for one in (morph, copy.copy(morph), pickle.loads(pickle.dumps(morph))):
+        one.solve()
+        assert abs(one.displacement([[1, 0], [2, 0]])[:, 0] - expected).max() < 1e-12
+    with pytest.raises(harmorph.Error, match="operator"):
+        harmorph.Morph(mesh, curves, conditions, fluxes=(faces, values))
+    with pytest.raises(harmorph.Error, match="shapes"):
+        harmorph.Morph(mesh, curves, conditions, operator="laplace", fluxes=(faces, values[:, :1]))
+    with pytest.raises(harmorph.Error, match="not free"):
+        harmorph.Morph(mesh, curves, dict(conditions, top="fixed"), operator="laplace", fluxes=(faces, values))
+
+
 @pytest.mark.parametrize("operator, planes", [("conformal", 2), ("laplace", 1)])
 def test_functions_as_a_dense_array(curves, move, operator, planes):
     morph = harmorph.Morph(ring_mesh(), curves, operator=operator)

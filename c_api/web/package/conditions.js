@@ -30,6 +30,37 @@ export function listed(mesh, curves, given) {
     return result;
 }
 
+/** Returns the pairs with which a basis was solved. */
+export function of_basis(library, mesh, basis, Curves) {
+    const kinds = Object.fromEntries(Object.entries(KINDS).map(([word, name]) => [library.constants[name], word]));
+    const names = new Map([...mesh.markers].map(([name, number]) => [number, name]));
+    const { layout, memory } = library, size = layout.size("hm_condition");
+    return library.with((scope) => {
+        const n = scope.take(4);
+        for (let room = 16; ; room = memory.data.getInt32(n, true)) {
+            const list = scope.structs("hm_condition", Array.from({ length: room }, () => ({})));
+            try {
+                library.call("hm_basis_conditions", basis, list, room, n);
+            } catch (error) {
+                if (memory.data.getInt32(n, true) > room) continue;
+                throw error;
+            }
+            return Array.from({ length: memory.data.getInt32(n, true) }, (_, k) => {
+                const found = layout.read("hm_condition", list + k * size), condition = { kind: kinds[found.kind] };
+                if (condition.kind === "curve") condition.curves = [found.firstCurve, found.nCurves];
+                if (condition.kind === "slip" && found.nCurves > 0) {
+                    condition.along = Curves.of_basis("hm_basis_along", found.nCurves, basis, k);
+                }
+                if (["periodic", "rotation", "interface"].includes(condition.kind)) {
+                    condition.partner = names.get(found.partner);
+                }
+                if (found.piece !== 0) condition.near = [found.nearX, found.nearY];
+                return [found.marker, { ...condition, body: found.body, centre: [found.x, found.y] }];
+            });
+        }
+    });
+}
+
 /** Writes an array of hm_condition into a scope and returns the address. */
 export function describe(scope, mesh, curves, pairs) {
     const alongs = new Map(); // conditions along the same curves share them, so that points slip on

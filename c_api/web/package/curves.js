@@ -103,6 +103,15 @@ export class Curves extends Owner {
         return new this(control, curves, weights === 0 ? null : memory.numbers(weights, n).slice());
     }
 
+    // The curves that a call of the library gives: (..., out, array of curves, its capacity).
+    static of_basis(call, n, ...values) {
+        return this.library.with((scope) => {
+            const out = scope.struct("hm_curves"), list = scope.structs("hm_curve", new Array(n).fill({}));
+            this.library.call(call, ...values, out, list, n);
+            return this.copied(out);
+        });
+    }
+
     /** Returns the curves with control points moved by `move`. */
     moved(move) {
         const step = floats(move, "move");

@@ -254,6 +254,12 @@ export class Morph implements Owner {
     morph(move: NumbersIn, options?: { points?: NumbersIn; out?: NumbersOut }): NumbersOut;
     /** Derivatives by `move` from those by the mesh points: the exact transpose. */
     adjoint(dj: NumbersIn, options?: { out?: NumbersOut }): NumbersOut;
+    /**
+     * The functions as a dense array [planes][points][functions], for products elsewhere. With the planes F0, F1, ...
+     * and movements px, py: 1 plane: F0 px, F0 py; 2 planes (complex): F0 px - F1 py, F1 px + F0 py; 4: F0 px + F1 py,
+     * F2 px + F3 py.
+     */
+    matrix(options?: { out?: NumbersOut }): NumbersOut;
     /** Judges a movement before anything moves, or a mesh as it is (null). */
     assess(
         displacement?: NumbersIn | null, options?: { points?: NumbersIn; reference?: NumbersIn },
@@ -287,7 +293,7 @@ export class Morph implements Owner {
     solve(points?: NumbersIn): void;
     /** The bytes of a basis file, which C, Fortran, Python and the program read. */
     save(): Uint8Array;
-    /** Attaches a basis file; without the mesh there are displacement, morph with points, and adjoint. */
+    /** Attaches a basis file; without the mesh there are displacement, morph with points, adjoint and matrix. */
     static load(bytes: Uint8Array, mesh?: Mesh | null): Morph;
     /** Gives analysis and plan back; calls that need them make them again. */
     release(): void;

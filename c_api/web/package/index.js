@@ -38,6 +38,7 @@ export function bind(instance, kernel, onWarning = warn) {
     Object.defineProperty(bound, "bytesInUse", { get: () => library.memory.bytes_in_use, enumerable: true });
     Object.defineProperty(bound, "memory", { get: () => library.memory.memory, enumerable: true });
     bound.HarmorphError = HarmorphError;
+    library.bound = bound;
     return bound;
 }
 

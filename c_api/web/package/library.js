@@ -36,8 +36,9 @@ export class Library {
 
     /** Calls a function of the library; the error is its last argument. Throws, or warns. */
     call(name, ...values) {
-        const status = this.exports[name](...values, this.error);
-        // The call may have grown nothing, but a callback may have.
+        const call = this.exports[name];
+        if (call.length !== values.length + 1) throw new TypeError(`${name} takes ${call.length} arguments`);
+        const status = call(...values, this.error);
         if (status === 0) return status;
         const finding = this.finding(status);
         if (status < 0) throw this.stopped ?? finding;
@@ -222,12 +223,11 @@ export class Scope {
 
     /** Returns the number of bytes that a size query states. */
     size(name, ...values) {
-        const { library } = this;
         const slot = this.take(4);
-        library.call(name, ...values, slot);
-        const found = library.memory.data.getUint32(slot, true);
+        this.library.call(name, ...values, slot);
+        const bytes = this.library.memory.data.getUint32(slot, true);
         this.drop(slot);
-        return found;
+        return bytes;
     }
 
     /** Makes an object of the library in a block of its own and returns its address. */

@@ -1,6 +1,6 @@
 // Morph: the functions of a mesh, and all that is done with them.
 import { choice, number, refuse, show, whole } from "./errors.js";
-import { describe, listed } from "./conditions.js";
+import { describe, listed, of_basis } from "./conditions.js";
 import { disposable, Owner } from "./library.js";
 
 const OPERATORS = { conformal: "HM_CONFORMAL", laplace: "HM_LAPLACE", weighted: "HM_WEIGHTED" };
@@ -187,6 +187,16 @@ export class Morph extends Owner {
         });
     }
 
+    /** Returns the functions as a dense array: planes, in each the points, for each point the functions. */
+    matrix({ out } = {}) {
+        const basis = this.open();
+        return this.library.with((scope) => {
+            const to = scope.numbers_out(out, this.info.numbersPerValue * this.nPoints * this.functions);
+            this.library.call("hm_basis_matrix", basis, to.address);
+            return to.done();
+        });
+    }
+
     /** Judges a movement before anything moves, or a mesh as it is: { step, quality }. */
     assess(displacement = null, { points, reference } = {}) {
         const basis = this.open();
@@ -236,9 +246,8 @@ export class Morph extends Owner {
         const basis = this.open(), solver = this.ready();
         return this.library.with((scope) => {
             const step = scope.numbers(move, 2 * this.functions, "move");
-            const bytes = scope.size("hm_morph_safe_size", solver.plan, basis), work = scope.take(bytes);
-            return this.moved_safely(scope, options, (to, given, report) =>
-                this.library.call("hm_morph_safe", solver.plan, basis, step, to, 0, work, bytes, given, report));
+            const target = scope.struct("hm_safe_target", { move: step });
+            return this.moved_safely(scope, solver, basis, target, options);
         });
     }
 
@@ -249,20 +258,20 @@ export class Morph extends Owner {
             const { n, list } = this.wall_points(scope, wallPoints);
             const field = scope.points(wall ?? [], n, "wall");
             const step = move === undefined ? 0 : scope.numbers(move, 2 * this.functions, "move");
-            const bytes = scope.size("hm_displace_safe_size", solver.plan, basis), work = scope.take(bytes);
-            return this.moved_safely(scope, options, (to, given, report) =>
-                this.library.call("hm_displace_safe", solver.plan, basis, step, n, list, field, to, work, bytes, given,
-                    report));
+            const target = scope.struct("hm_safe_target", { move: step, n, points: list, wall: field });
+            return this.moved_safely(scope, solver, basis, target, options);
         });
     }
 
-    // Calls body(to, options, report); returns { points, report, reached }.
-    moved_safely(scope, options, body) {
+    // Moves to the target; returns { points, report, reached }.
+    moved_safely(scope, solver, basis, target, options) {
         const { library } = this, to = scope.points_out(options.out, this.nPoints);
         const reached = scope.numbers_out(null, 2 * this.functions);
         const given = this.safe_options(scope, options, reached.address), report = scope.struct("hm_safe_report");
         try {
-            this.run((_progress) => body(to.points, given, report));
+            const bytes = scope.size("hm_move_safe_size", solver.plan, basis, target), work = scope.take(bytes);
+            this.run((_progress) => library.call("hm_move_safe", solver.plan, basis, target, to.points, work, bytes,
+                given, report));
         } finally {
             if (library.layout.get("hm_safe_report", report, "resolves") !== 0) this.solver.has_factor = false;
         }
@@ -422,14 +431,27 @@ export class Morph extends Owner {
             const slot = scope.take(4);
             library.call("hm_basis_attach", slot, block, bytes.length, mesh === null ? 0 : mesh.address);
             morph.take_basis(scope, library.memory.data.getUint32(slot, true));
+            morph.restore();
         } catch (error) {
             morph.disown(scope);
             morph.free();
             throw error;
         }
-        morph.ready = () =>
-            refuse("A basis that was loaded has no analysis; make a Morph of its mesh.", "HM_BAD_BASIS");
         return morph;
+    }
+
+    // Curves, conditions and options with which the basis was solved, for calls that need analysis and plan.
+    restore() {
+        const { info, library, problem } = this, { Curves } = library.bound;
+        this.solver_options = {
+            operator_kind: info.operatorKind,
+            engine: info.engine,
+            exponent: info.exponent || -1,
+            offset_correction: info.offsetCorrection,
+            study: { scheme: info.scheme },
+        };
+        if (info.curves > 0) this.curves = Curves.of_basis("hm_basis_curves", info.curves, this.basis.address, 0, 0);
+        if (problem !== null) this.pairs = of_basis(library, problem.mesh, this.basis.address, Curves);
     }
 
     /** Gives analysis and plan back. Calls that need them make them again, which takes time. */

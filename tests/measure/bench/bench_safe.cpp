@@ -1,6 +1,7 @@
 // A safe morph on the way of which the functions are solved again four times, against one whole
 // solution: analysis, plan, factor and 20 conformal functions.
 #include "fixtures/options.hpp"
+#include <fixtures/safe_moves.hpp>
 #include "clock.hpp"
 #include "ours.hpp"
 #include "settings.hpp"
@@ -54,12 +55,12 @@ public:
     }
     void morph() {
         std::size_t bytes = 0;
-        done(hm_morph_safe_size(plan_, basis_, &bytes, &error_), "hm_morph_safe_size");
+        done(safe_move_size(plan_, basis_, &bytes, &error_), "hm_move_safe_size");
         void* const block = work_.give(bytes);
         hm_points_out const to{x_.data(), y_.data(), 1};
-        done(hm_morph_safe(plan_, basis_, move_.data(), &to, nullptr, block, bytes, &safe_,
-                           &report_, &error_),
-             "hm_morph_safe");
+        done(safe_move(plan_, basis_, move_.data(), &to, nullptr, block, bytes, &safe_, &report_,
+                       &error_),
+             "hm_move_safe");
     }
     bool has_wanted_resolves() const {
         return report_.step_fraction == 1 && report_.resolves == wanted_resolves;
