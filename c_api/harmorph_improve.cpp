@@ -21,7 +21,7 @@ Status check_own_reference(Plan const& plan, Fault& fault) noexcept {
 // Without a given reference, `reference` becomes the mesh's own coordinates.
 Status view_improve_options(const hm_improve_options* given, Plan const& plan,
                             ImproveOptions& options, Points& reference, Fault& fault) noexcept {
-    constexpr Index max_iterations = 10000;
+    constexpr Index max_solutions = 10000;
     hm_improve_options o = {};
     reference = plan.mesh().points;
     if (given == nullptr) return check_own_reference(plan, fault);
@@ -34,16 +34,16 @@ Status view_improve_options(const hm_improve_options* given, Plan const& plan,
                             "options contains fields that are set but unknown to this version of "
                             "the library; use the header of this version");
     }
-    if (o.max_iterations < 0 || o.max_iterations > max_iterations) {
+    if (o.max_solutions < 0 || o.max_solutions > max_solutions) {
         return fault.refuse(Status::bad_argument,
-                            "options.max_iterations must be between 0 and 10000, not #",
-                            plain(o.max_iterations));
+                            "options.max_solutions must be between 0 and 10000, not #",
+                            plain(o.max_solutions));
     }
     if (o.reserved != 0) {
         return fault.refuse(Status::bad_argument, "options.reserved must be 0, not #",
                             plain(o.reserved));
     }
-    if (o.max_iterations != 0) options.max_iterations = o.max_iterations;
+    if (o.max_solutions != 0) options.max_solutions = o.max_solutions;
     if (o.reference == nullptr) return check_own_reference(plan, fault);
     return view_points(o.reference, "reference", reference, fault);
 }
@@ -51,8 +51,9 @@ Status view_improve_options(const hm_improve_options* given, Plan const& plan,
 hm_improve_report report_of(ImproveReport const& improved, Quality const& before,
                             Quality const& after, Index base) noexcept {
     hm_improve_report filled = {};
-    filled.iterations = improved.iterations;
+    filled.solutions = improved.solutions;
     filled.movable = improved.unknowns;
+    filled.may_improve = improved.converged ? 0 : 1;
     filled.min_quality_before = before.min_quality;
     filled.mean_quality_before = before.mean_quality();
     filled.min_quality_cell_before = numbered(before.min_quality_cell, base);

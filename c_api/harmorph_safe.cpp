@@ -8,7 +8,7 @@
 namespace harmorph {
 namespace {
 
-constexpr Index max_others = 64;
+constexpr Index max_others = 64, max_improve_work = 10000;
 
 Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeOptions& options,
                          double*& reached, Fault& fault) noexcept {
@@ -44,7 +44,20 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
         return fault.refuse(Status::bad_argument, "options.others is NULL, but n_others is #",
                             plain(o.n_others));
     }
-    if (o.max_resolves != 0) options.max_resolves = max(o.max_resolves, Index{0});
+    if (o.improve_work < 0 || o.improve_work > max_improve_work) {
+        return fault.refuse(Status::bad_argument,
+                            "options.improve_work must be between 0 and 10000, not #",
+                            plain(o.improve_work));
+    }
+    if (o.improve_work != 0) options.improve.max_solutions = o.improve_work;
+    if (o.reserved != 0) {
+        return fault.refuse(Status::bad_argument, "options.reserved must be 0, not #",
+                            plain(o.reserved));
+    }
+    if (o.max_resolves != 0) {
+        options.max_resolves = max(o.max_resolves, Index{0});
+        options.searches = false;
+    }
     if (!is_between(0, o.heights, 1)) {
         return fault.refuse(Status::bad_argument, "options.heights must be between 0 and 1, not ~",
                             {}, {}, o.heights);
@@ -55,6 +68,7 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
                             {}, {}, o.min_quality);
     }
     if (o.min_quality != 0) options.min_quality = max(o.min_quality, 0.0);
+    if (o.min_quality < 0) options.fair_quality = options.fine_quality = 0;
     if (o.max_height_change != o.max_height_change ||
         (o.max_height_change != 0 && o.max_height_change <= 1)) {
         return fault.refuse(Status::bad_argument,
@@ -114,6 +128,8 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     filled.start_quality = safe.start_quality;
     filled.end_point = numbered(safe.end, base);
     filled.end_distance = safe.end_distance;
+    filled.solutions = safe.solutions();
+    filled.may_improve = safe.may_improve ? 1 : 0;
     filled.n_worst = safe.n_worst;
     for (Index k = 0; k < safe.n_worst; ++k) {
         WorstCell const& worst = safe.worst[k];
@@ -252,6 +268,10 @@ struct MoveSafe {
                            [&](Arena& arena) { made.lay_out(arena, *p, b.header->counts); }));
         HARMORPH_TRY(call.open(to, options, report, made.others, fault));
         HARMORPH_TRY(check_move(b, target.move, fault));
+        call.options.solves_others =
+            derivative == nullptr && call.options.others.empty() && call.options.fair_quality > 0;
+        // The derivative does not contain what an improvement moves.
+        if (derivative != nullptr) call.options.fair_quality = call.options.fine_quality = 0;
         HARMORPH_TRY(check_derivative_is_apart(sum, call.options.others, fault));
         HARMORPH_TRY(check_start(*p, b, fault));
         bool const had_factor = p->is_factored();
@@ -279,7 +299,6 @@ struct MoveSafe {
         HARMORPH_TRY(view_points(target.wall, "target.wall", displacement, fault, target.n));
         HARMORPH_TRY(call.open(to, options, report, {}, fault));
         call.options.solves_others = true;
-        call.options.fair_quality = 0.3;
         SafeDisplacement made;
         HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, b); }));
         bool const had_factor = p->is_factored();

@@ -856,7 +856,9 @@ enum {
 
 typedef struct hm_safe_options {
     uint64_t struct_size;
-    /* how many times the functions may be solved again; 0 means 10; negative: never */
+    /* How many times the functions may be solved again. 0 means 10; then, if the target is not
+     * reached, parts of the movement are tried by bisection, with up to 60 more solutions.
+     * Negative: never. */
     int32_t max_resolves;
     int32_t skipped_strategies; /* sum of 1 << HM_STRATEGY_... of the strategies to skip */
     int32_t n_others;           /* 0 .. 64 */
@@ -877,7 +879,13 @@ typedef struct hm_safe_options {
      * whole movement, it differs from step_fraction * move, because bodies rotate on the way. */
     double* reached;
     /* [0..1] smallest size-skew quality of the mesh at the target, relative to the start, in parts
-     * of the smallest quality of the start; 0 means 0.05; negative: any valid mesh */
+     * of the smallest quality of the start; 0 means 0.05; negative: any valid mesh, and the first
+     * one at the target is taken. Otherwise other operators are tried where that part is below
+     * 0.8, and an improvement (hm_improve) where it, or the mean quality in parts of that of the
+     * start, is below 0.95; the improvement is kept if the smallest quality does not fall and the
+     * product of smallest and mean quality rises by 5 % or more. Between substeps cells are
+     * improved where that part is below 0.5. With a derivative all these are left out; improvement
+     * is tried only where min_quality is missed. */
     double min_quality;
     /* [-] > 1: the largest factor by which heights of the first layer may grow or shrink; where
      * they exceed it, they are restored as far as that helps. 0: any */
@@ -891,6 +899,8 @@ typedef struct hm_safe_options {
      * points follow those that slip, and what untangling, improvement and heights moved. Refused
      * (HM_UNSUPPORTED) with given displacements. */
     hm_basis* derivative;
+    int32_t improve_work; /* as hm_improve_options.max_solutions, for each improvement */
+    int32_t reserved;     /* 0 */
 } hm_safe_options;
 
 /* What is to move. */
@@ -937,10 +947,16 @@ typedef struct hm_safe_report {
     double start_quality;   /* [0..1] smallest skew quality of the start */
     hm_worst_cell worst[5]; /* [n_worst] the cells of lowest quality of `to`, the worst first */
     int32_t end_point; /* the end of a wall that leaves the boundary beside it farthest; -1: none */
+    /* What was spent: solutions of the functions and of improvements, and the time of untangling in
+     * solutions; about 200 at most. */
+    int32_t solutions;
+    double end_distance; /* [length] of that end from this boundary at the target */
+    /* 1: the last improvement ended at its limit of solutions, so a larger options.improve_work may
+     * give better cells; 0: more work would bring little */
+    int32_t may_improve;
     /* 1: the plan has the factor that it had before the call; 0: functions were solved again, so
      * that hm_plan_factor must come before the next hm_plan_solve or hm_displace */
     int32_t has_factor;
-    double end_distance; /* [length] of that end from this boundary at the target */
 } hm_safe_report;
 
 /* Working memory of hm_move_safe with a basis like this one; basis NULL: as hm_basis_init makes it;
@@ -965,12 +981,10 @@ HM_API hm_status hm_move_safe_size(const hm_plan* plan, const hm_basis* basis,
  * (r - 1) e, so that the offsets rotate and scale too; the mesh near the wall follows.
  *
  * Given displacements (target.wall): n_others must be 0; functions of other operators are solved
- * when they are needed (report.other is then their operator_kind). Below 0.3 of the smallest
- * quality of the start, other operators and an improvement are tried, even if options.min_quality
- * asks for less. The basis is solved if it has functions, and has no functions by table. A loop of
- * the boundary all of whose points are given rotates as a body; points of other loops move on
- * straight lines. Where the whole movement is possible, wall points are displaced by the given
- * bits. */
+ * when they are needed (report.other is then their operator_kind). The basis is solved if it has
+ * functions, and has no functions by table. A loop of the boundary all of whose points are given
+ * rotates as a body; points of other loops move on straight lines. Where the whole movement is
+ * possible, wall points are displaced by the given bits. */
 HM_API hm_status hm_move_safe(hm_plan* plan, const hm_basis* basis, const hm_safe_target* target,
                               const hm_points_out* to, void* work, size_t bytes,
                               const hm_safe_options* options, hm_safe_report* report,
@@ -980,9 +994,9 @@ HM_API hm_status hm_move_safe(hm_plan* plan, const hm_basis* basis, const hm_saf
 
 typedef struct hm_improve_options {
     uint64_t struct_size;
-    /* Steps of Newton's method, 0 .. 10000; 0 means 60. The limit of the work is proportional: with
-     * 60, about six times the work of analysis and solution of 20 conformal functions. */
-    int32_t max_iterations;
+    /* The largest number of solutions, 0 .. 10000; 0 means 20. A solution is a factorisation of a
+     * matrix with two unknowns at each point, with its substitution. */
+    int32_t max_solutions;
     int32_t reserved; /* 0 */
     /* [n_points] a valid mesh before the movement; NULL: the mesh's arrays, if not moved since. */
     const hm_points* reference;
@@ -990,23 +1004,29 @@ typedef struct hm_improve_options {
 
 typedef struct hm_improve_report {
     uint64_t struct_size;
-    int32_t iterations;                             /* steps of Newton's method */
-    int32_t movable;                                /* points that could move */
+    int32_t solutions;   /* see max_solutions; each is one step */
+    int32_t movable;     /* points that could move */
+    int32_t may_improve; /* 1: more solutions may give better cells; 0: they would bring little */
+    int32_t reserved;    /* 0 */
     double min_quality_before, mean_quality_before; /* [0..1] of `from`, see hm_assess */
     double min_quality, mean_quality;               /* [0..1] of `to` */
     int32_t min_quality_cell_before, min_quality_cell;
 } hm_improve_report;
 
-/* Moves the inner points of a mesh after a movement so that the cells resemble those of the
- * reference: target-matrix optimisation (Knupp, Eng. Comput. 28 (2012) 419) by Newton's method. The
- * plan needs no factor. `from`: coordinates of a valid mesh; `to` may be the arrays of `from`. Thin
- * cells at walls are stretched with the wall. Then the worst cells are raised to the smallest
- * quality of the reference, and to half of their own quality there. No cell is inverted, and the
- * smallest quality never falls. Points on walls and on fixed and free boundaries keep their bits.
- * Outer ends of first-layer edges at walls get the heights and angles of the reference, unless this
- * lowers the smallest quality. Points with slip stay on their lines and curves (call hm_slip
- * before). Points of a cut or pair move together. options and report may be NULL. Refused
- * (HM_BAD_MESH), `to` unchanged: an inverted cell or a coordinate out of range. */
+/* Moves the inner points of a mesh after a movement so that ln(smallest quality) + ln(mean quality)
+ * becomes as large as possible, with the quality of hm_assess relative to the reference: Newton's
+ * method with a smooth minimum that becomes sharper. With the engine HM_DIRECT each step factors a
+ * matrix in the plan's order of elimination (the working memory is about twice that of a factor for
+ * complex functions); other engines use conjugate gradients. The plan needs no factor. `from`:
+ * coordinates of a valid mesh; `to` may be the arrays of `from`. No cell is inverted, and the
+ * smallest quality does not fall, but for rounding. A mesh that is its own reference is not
+ * changed. Points on walls and on fixed and free boundaries keep their bits. Where the wall faces
+ * beside a wall point are longer than 4 heights of the first-layer edge there, the outer end of
+ * this edge gets the height and angle of the reference, unless the cells there would then have less
+ * than half of their quality, or this lowers the smallest quality of the mesh. Cells of other walls
+ * are free. Points with slip stay on their lines and curves (call hm_slip before). Points of a cut
+ * or pair move together. options and report may be NULL. Refused (HM_BAD_MESH), `to` unchanged: an
+ * inverted cell or a coordinate out of range. */
 HM_API hm_status hm_improve_size(const hm_plan* plan, size_t* bytes, hm_error* err);
 HM_API hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* to,
                             void* work, size_t bytes, const hm_improve_options* options,

@@ -176,6 +176,7 @@ static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
     HM_INIT(step);
     hm_quality_report quality;
     HM_INIT(quality);
+    hm_safe_options safe_options;
     hm_safe_report report;
     hm_safe_target target;
     HM_INIT(report);
@@ -236,13 +237,15 @@ static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
                       &quality, &error),
             "its assessment", &error);
     check(step.admissible < 1 && quality.inverted > 0, "at once, cells are inverted", &error);
+    HM_INIT(safe_options); /* the mesh is improved by a call of its own */
+    safe_options.skipped_strategies = 1 << HM_STRATEGY_IMPROVED;
     HM_INIT(target);
     target.move = move;
     require(hm_move_safe_size(plan, laplace, &target, &bytes, &error), "size of a safe morph",
             &error);
     work = block_of(bytes);
     require(hm_move_safe(plan, laplace, &target, &(hm_points_out){x_new, y_new, 1}, work, bytes,
-                         NULL, &report, &error),
+                         &safe_options, &report, &error),
             "it", &error);
     check(report.step_fraction >= 1 && report.strategy >= HM_STRATEGY_SUBSTEPS &&
               report.inverted == 0,

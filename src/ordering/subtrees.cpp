@@ -56,37 +56,9 @@ void Subtrees::choose(AssemblyTree const& tree, Span<const Offset> border_start)
     sort_by_work();
 
     Costs const costs(tree, border_start);
-    auto const update_of = [&](Index node) { return dense::update_entries(costs.border(node)); };
-    kept_entries = kept_rows = stack_entries = top_stack_entries = stack_rows = 0;
-    for (Subtree& subtree : all.first(count)) {
-        subtree.kept = kept_entries;
-        subtree.kept_rows = kept_rows;
-        kept_entries += update_of(subtree.root);
-        kept_rows += costs.front(subtree.root);
-    }
-    for (Index node = 0; node < tree.count; ++node) {
-        bool const is_leaf = tree.nodes[node].child == none, is_root = find(node) != none;
-        if (!is_leaf && !is_root) continue;
-        // The sums along the path to the root: `inside` a subtree, `above` it, and `rows` in both.
-        Offset inside = 0, above = 0, rows = 0;
-        bool in_subtree = !is_root && count > 0;
-        for (Index up = node; up != none; up = tree.nodes[up].parent) {
-            rows += costs.front(up);
-            if (in_subtree && find(up) != none) {
-                in_subtree = false;  // The update matrix of the subtree's root is kept elsewhere.
-            } else if (up != node || !is_root) {
-                (in_subtree ? inside : above) += update_of(up);
-            }
-        }
-        // A leaf with no root of a subtree on the path to the root lies itself above all subtrees.
-        if (in_subtree) {
-            above = inside;
-            inside = 0;
-        }
-        stack_entries = max(stack_entries, inside);
-        top_stack_entries = max(top_stack_entries, above);
-        stack_rows = max(stack_rows, rows);
-    }
+    measure(
+        tree, all, [&](Index node) { return costs.border(node); },
+        [&](Index node) { return costs.front(node); });
 }
 
 // Replaces the subtree with the most work by the subtrees of the children, until there are enough

@@ -39,10 +39,60 @@ struct Subtrees {
     }
     void lay_out(Arena& arena, Index n_workers) noexcept;
     void choose(AssemblyTree const& tree, Span<const Offset> border_start) noexcept;
+    // Computes the sizes for subtrees that have been chosen: `chosen` are their roots. `all` gets
+    // the places of what is kept, unless it is empty. The functions return the size of the border
+    // and of the front of a node.
+    template <class Border, class Front>
+    void measure(AssemblyTree const& tree, Span<const Subtree> chosen, Border const& border,
+                 Front const& front) noexcept;
 
 private:
     void split(AssemblyTree const& tree, Span<const Offset> border_start) noexcept;
     void sort_by_work() noexcept;
 };
+
+template <class Border, class Front>
+void Subtrees::measure(AssemblyTree const& tree, Span<const Subtree> chosen, Border const& border,
+                       Front const& front) noexcept {
+    auto const update_of = [&](Index node) { return dense::update_entries(border(node)); };
+    auto const is_root = [&](Index node) {
+        for (Subtree const& subtree : chosen.first(count)) {
+            if (subtree.root == node) return true;
+        }
+        return false;
+    };
+    kept_entries = kept_rows = stack_entries = top_stack_entries = stack_rows = 0;
+    for (Index k = 0; k < count; ++k) {
+        if (!all.empty()) {
+            all[k].kept = kept_entries;
+            all[k].kept_rows = kept_rows;
+        }
+        kept_entries += update_of(chosen[k].root);
+        kept_rows += front(chosen[k].root);
+    }
+    for (Index node = 0; node < tree.count; ++node) {
+        bool const is_leaf = tree.nodes[node].child == none, ends_subtree = is_root(node);
+        if (!is_leaf && !ends_subtree) continue;
+        // The sums along the path to the root: `inside` a subtree, `above` it, and `rows` in both.
+        Offset inside = 0, above = 0, rows = 0;
+        bool in_subtree = !ends_subtree && count > 0;
+        for (Index up = node; up != none; up = tree.nodes[up].parent) {
+            rows += front(up);
+            if (in_subtree && is_root(up)) {
+                in_subtree = false;  // The update matrix of the subtree's root is kept elsewhere.
+            } else if (up != node || !ends_subtree) {
+                (in_subtree ? inside : above) += update_of(up);
+            }
+        }
+        // A leaf with no root of a subtree on the path to the root lies itself above all subtrees.
+        if (in_subtree) {
+            above = inside;
+            inside = 0;
+        }
+        stack_entries = max(stack_entries, inside);
+        top_stack_entries = max(top_stack_entries, above);
+        stack_rows = max(stack_rows, rows);
+    }
+}
 
 }  // namespace harmorph

@@ -10,8 +10,11 @@ namespace harmorph {
 // The derivatives of the energy of a cell with n points; the Hessian is symmetric.
 template <Index n>
 struct CellForm {
+    static constexpr Index count = n;
     Vec2 by[n];
     Block hessian[n][n];
+    // The gradient of the energy is slope * by; see also NewtonSystem::border.
+    Real slope = 1, curvature = 0;
 
     // Adds the derivatives of the corner at point `own`, the sides of which go from point `before`
     // to point `own` and from there to point `after`.

@@ -1,7 +1,6 @@
 #include "safe/improve.hpp"
 
 #include "morph/admissible_step.hpp"
-#include "morph/quality.hpp"
 
 namespace harmorph {
 namespace {
@@ -10,230 +9,297 @@ namespace {
 constexpr Real share_of_admissible = 0.9;
 // Armijo's rule: the energy must fall by at least this part of what the slope promises.
 constexpr Real min_slope = 1e-4;
-constexpr Index max_halvings = 30;
-// If a step promises a smaller relative decrease of the energy, the decrease is rounding.
-constexpr Real at_rest = 1e-12;
-// Where the power is large, Newton's step improves one of the worst cells only by a small factor;
-// then a longer step is better.
-constexpr Index max_doublings = 8;
-// Steps that move points of the whole mesh may use this part of the work.
-constexpr Real share_of_whole = 0.65;
-// The worst cells are improved only if the quality of one of them, divided by Targets::Cell::least
-// or by the smallest quality of the given mesh, was less than this number. A small movement
-// therefore changes the mesh little.
-constexpr Real clearly_below = 0.999;
-// Measured times for each block of the Hessian, in units of one product of the block and a vector:
-// computing the block for the first and for the second term of the energy, and computing the
-// energy. The last two are times of a region and of a step that do not depend on the size of the
-// region; they count for each block of the whole mesh.
-constexpr Real work_of_first = 20, work_of_second = 7, work_of_energy = 6.5, work_of_region = 10,
-               work_of_step = 5;
+constexpr Index max_halvings = 40, max_doublings = 3;
+// The natural sharpness makes cells of the smallest quality exp(log_of_weight) times as heavy as
+// cells of the mean quality, so that a few of the former are as heavy as all others together in a
+// mesh of some thousand cells. It does not depend on the number of cells, so that a passage is
+// improved as the annulus of all passages is. It is multiplied by a factor
+// that grows when a step lowers J, or gains little beside the gap between the smooth and the exact
+// maximum; it grows fast after whole steps.
+constexpr Real log_of_weight = 7.5;
+constexpr Real min_sharpness = 4, max_natural_sharpness = 40, max_sharpness = 400;
+constexpr Real small_part_of_gap = 0.1, fast_growth = 2.5, slow_growth = 1.4;
+constexpr Real blur_per_sharpness = 2, min_blur = 0.01, max_blur = 0.3;
+// The least curvature and the damping in parts of the slope of the mean cell.
+constexpr Real least_curvature = 0.1, first_damping = 10;
+// After a step that is shorter than short_step, the damping grows so much that the next one should
+// not be.
+constexpr Real short_step = 0.3, min_growth = 4, max_growth = 64, fall_of_damping = 3;
+// No y of a step is larger than the largest before the step plus this number.
+constexpr Real max_rise = 0.3;
+// The rest of the curvature of the smooth maximum along its gradient, in parts of the curvature.
+constexpr Real min_rest = 1e-3;
+// The steps end when J gains less than this in three steps, or when the gain of the last step and
+// the gap, which is the most that a sharper maximum can bring, are less together.
+constexpr Real small_gain = 0.015;
+// A step that lowers the energy by less is slow, while anchors pull.
+constexpr Real slow_gain = 0.02;
 
-struct Valid {
-    bool all = true;
-    void merge(Valid const& later) noexcept { all = all && later.all; }
+struct Largest {
+    Real value = -infinity;
+    void merge(Largest const& later) noexcept { value = max(value, later.value); }
+};
+struct ThreeSums {
+    Real first = 0, second = 0, third = 0;
+    void merge(ThreeSums const& later) noexcept {
+        first += later.first;
+        second += later.second;
+        third += later.third;
+    }
 };
 
 }  // namespace
 
-void Improvement::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
+void Improvement::lay_out(Arena& arena, Plan const& of_plan) noexcept {
+    RegionCounts const& counts = of_plan.region_counts();
     region.lay_out(arena, counts);
     system.lay_out(arena, counts);
-    targets.lay_out(arena, counts.cells);
+    factor.lay_out(arena, of_plan);
     arena.take(now, counts.points);
     arena.take(change, counts.points);
     arena.take(ahead, counts.points);
     arena.take(best, counts.points);
-    arena.take(quality, counts.cells);
+    arena.take(area, of_plan.mesh().n_given_cells());
+    arena.take(y, of_plan.mesh().n_given_cells());
 }
 
-void Improvement::run(ImproveOptions const& options, Points from, MutablePoints to,
-                      ImproveReport& report) noexcept {
-    report = {};
-    lowest = options.lowest;
-    begin(from);
-    report.unknowns = region.n;
-    copy(best, Span<const Vec2>(now));
-    Score highest = score();
-    if (region.n > 0) {
-        Real const max_work = options.max_work * static_cast<Real>(options.max_iterations) *
-                              static_cast<Real>(region.n);
-        Real const given = highest.smallest;
-        Score found = highest;
-        climb(options, 0, min(options.max_in_whole, options.max_iterations),
-              share_of_whole * max_work, found, highest, report);
-        if (min(given, min(found.smallest, found.lowest)) < clearly_below)
-            raise_worst(options, max_work, found, highest, report);
-    }
-    for (Index layers = min_layers; options.enough > 0 && layers <= max_layers; layers *= 2) {
-        begin(as_points(best));
-        Score found = score();
-        if (!begin_near(options.enough, 0, layers)) break;
-        for (Index const power : powers_near_poor)
-            climb(options, power, max_near_poor, infinity, found, highest, report);
-    }
-    for (Index k = 0; k < now.count(); ++k) to.set(k, best[k]);
-}
-
-// Begins at `now`. The best mesh on the way replaces `best`, the score of which is `highest`.
-// `found` is the score of the last mesh.
-void Improvement::climb(ImproveOptions const& options, Index power, Index max_steps, Real max_work,
-                        Score& found, Score& highest, ImproveReport& report) noexcept {
-    Real before = energy(power);
-    for (Index k = 0; k < max_steps && before < infinity && work < max_work; ++k) {
-        Real const after = step(options, power, before, report);
-        found = score();
-        if (found.is_better_than(highest)) {
-            highest = found;
-            copy(best, Span<const Vec2>(now));
-        }
-        bool const gains = before - after > options.min_gain * before;
-        before = after;
-        if (!gains) break;
-    }
-}
-
-// Moves points near the cells that are not much better than the worst one. The last power is
-// repeated as long as the quality of the worst cell increases.
-void Improvement::raise_worst(ImproveOptions const& options, Real max_work, Score found,
-                              Score& highest, ImproveReport& report) noexcept {
-    constexpr Real width = 1.5, min_part = 0.6, max_part = 0.999, min_rise = 1.005;
-    constexpr Index n_powers = sizeof powers_of_worst / sizeof *powers_of_worst;
-    for (Index k = 0; work < max_work && report.iterations < options.max_iterations; ++k) {
-        Real const smallest = found.smallest;
-        if (!begin_near(0, min(max_part, max(min_part, width * smallest)), layers_of_worst)) return;
-        work += work_of_region * n_blocks;
-        climb(options, powers_of_worst[min(k, n_powers - 1)],
-              min(max_for_power, options.max_iterations - report.iterations), max_work, found,
-              highest, report);
-        if (k + 1 >= n_powers && found.smallest < min_rise * smallest) return;
-    }
-}
-
-// The block of two unknowns in different ranges is stored in both rows.
-void Improvement::count_blocks() noexcept {
-    Offset twice = 0;
-    for (Index u = 0; u < region.n; ++u)
-        twice += region.outer_start[u] - region.start[u] + region.start[u + 1] - region.start[u];
-    n_region_blocks = 0.5 * static_cast<Real>(twice);
-}
-
-// Begins at `now`, near cells whose quality is below `enough` or below this part of their aim.
-// Returns false if there is none.
-bool Improvement::begin_near(Real enough, Real part_of_aim, Index layers) noexcept {
-    slipping.turn_lines(as_points(now));
-    fill(change, Vec2{});
-    region.choose([&](Index i) {
-        return quality[i] >= 0 &&
-               quality[i] < max(enough, part_of_aim * targets.aim * targets.cell[i].wanted);
-    });
-    if (region.n_cells == 0) return false;
-    region.grow(tangle, layers);
-    count_blocks();
-    outside = reduce_cells<Score>(region.cell.count(), executor, [&](Index i, Score& result) {
-        Cell const cell = tangle.cell(i);
-        bool is_in_region = quality[i] < 0;
-        for (Index k = 0; k < cell.n; ++k)
-            is_in_region = is_in_region || region.unknown[cell.point[k]] != none;
-        if (!is_in_region) result.merge(score_of(i));
-    });
-    return region.n > 0;
-}
-
-void Improvement::begin(Points points) noexcept {
+void Improvement::begin(Plan const& of_plan, Points points) noexcept {
+    plan = &of_plan;
+    if (PointFactor::exists(of_plan)) factor.init(of_plan);
     for (Index k = 0; k < now.count(); ++k) now[k] = points[k];
-    slipping.turn_lines(as_points(now));
-    fill(change, Vec2{});
-    fill(quality, Real{-1});
     region.link(tangle);
-    region.grow(tangle, Region::whole);
-    count_blocks();
-    n_blocks = n_region_blocks;
-    work = 0;
-    outside = {};
+    measure_reference();
+    restart();
 }
 
-Real Improvement::step(ImproveOptions const& options, Index power, Real before,
-                       ImproveReport& report) noexcept {
-    assemble(power);
-    Index const products = system.solve(region, options.max_products, executor);
-    report.products += products;
-    ++report.iterations;
-    work += static_cast<Real>(products) * n_region_blocks + work_of_step * n_blocks;
-    for_points([&](Index k, Vec2 step) { change[k] = step; });
-    return descend(power, before);
-}
-
-Improvement::Score Improvement::score_of(Index cell) const noexcept {
-    Targets::Cell const& target = targets.cell[cell];
-    Real const found = quality[cell];
-    bool const is_reported = lowest > 0 && !target.is_part;
-    return {is_reported ? min(found / lowest, 1.0) : 1, min(found / target.wanted, targets.aim),
-            found};
-}
-
-// Finds the qualities of the cells in the region.
-Improvement::Score Improvement::score() const noexcept {
-    Score all = outside;
-    all.merge(reduce_cells<Score>(region.n_cells, executor, [&](Index k, Score& result) {
-        Index const cell = region.cell[k];
-        quality[cell] = targets.quality(cell, tangle.shape(cell, as_points(now)));
-        result.merge(score_of(cell));
-    }));
-    return all;
-}
-
-void Improvement::assemble(Index power) noexcept {
-    work += (work_of_first + (power > 0 ? work_of_second : 0)) * n_region_blocks;
-    system.assemble_lists(tangle, region, executor, [&] {
-        return CornerEnergies(targets, executor.kernel, as_points(now), power);
+void Improvement::measure_reference() noexcept {
+    choose_unit();
+    executor.for_ranges(area.count(), 4096, [&](Index begin, Index end) {
+        for (Index k = begin; k < end; ++k) area[k] = measure_in_units(k, tangle.reference).area;
     });
 }
 
-Real Improvement::energy_of(Span<const Vec2> points, Index power) const noexcept {
-    return reduce_ranges<Sum>(
-               region.n_cells, executor,
-               [&](Index begin, Index end, Sum& sum) {
-                   CornerEnergies list(targets, executor.kernel, as_points(points), power);
-                   for (Index k = begin; k < end;) {
-                       list.clear();
-                       for (Index const part = min(end, k + CornerEnergies::max_cells); k < part;
-                            ++k) {
-                           Index const cell = region.cell[k];
-                           CellTriangles const corners(tangle, cell);
-                           for (Index corner = 0; corner < corners.n; ++corner) {
-                               CornerPoints const& point = corners.point[corner];
-                               if (region.can_move(point)) list.add(cell, point);
-                           }
-                       }
-                       sum.value += list.energy();
-                   }
-               })
-        .value;
-}
-
-bool Improvement::is_valid(Span<const Vec2> points) const noexcept {
-    if (region.n_cells >
-        tangle.mesh.n_checked() / 2) {  // the kernels are faster if they measure most cells anyway
-        return count_inverted({tangle.mesh, tangle.reversed}, as_points(points), executor) == 0;
+void Improvement::choose_unit() noexcept {
+    Vec2 lowest{infinity, infinity}, highest{-infinity, -infinity};
+    for (Index k = 0; k < tangle.mesh.n_points; ++k) {
+        Vec2 const p = tangle.reference[k];
+        lowest = {min(lowest.x, p.x), min(lowest.y, p.y)};
+        highest = {max(highest.x, p.x), max(highest.y, p.y)};
     }
-    return reduce_cells<Valid>(
-               region.n_cells, executor,
-               [&](Index k, Valid& valid) {
-                   CellShape const shape = tangle.shape(region.cell[k], as_points(points));
-                   valid.all = valid.all && !is_inverted(shape) && !is_inverted_exactly(shape);
-               })
-        .all;
+    unit = power_of_two_at(max(highest.x - lowest.x, highest.y - lowest.y));
+    per_unit = 1 / unit;
 }
 
-Real Improvement::energy_ahead(Index power) noexcept {
-    work += work_of_energy * n_region_blocks;
-    return energy_of(ahead, power);
+CellShape Improvement::shape_in_units(Index i, Points points) const noexcept {
+    CellShape shape = tangle.shape(i, points);
+    for (Vec2& at : shape.at) at = per_unit * at;
+    return shape;
 }
 
-Real Improvement::descend(Index power, Real before) noexcept {
+CellMeasure Improvement::measure_in_units(Index number, Points points) const noexcept {
+    return {tangle.mesh, number, [&](Index i) { return shape_in_units(i, points); }};
+}
+
+bool Improvement::is_slow() const noexcept { return last_length >= 0.5 && last_gain < slow_gain; }
+
+void Improvement::restart() noexcept {
+    slipping.turn_lines(as_points(now));
+    fill(change, Vec2{});
+    region.grow(tangle, Region::whole);
+    blur = max_blur;
+    damping = first_damping;
+    sharpness = min_sharpness;
+    factor_of_sharpness = 1;
+    set_sharpness(sums_of(now));
+}
+
+void Improvement::set_sharpness(Sums const& sums) noexcept {
+    Real const mean = -logarithm(sums.qualities / static_cast<Real>(y.count())),
+               spread = max(sums.largest - mean, 1e-3);
+    Real const natural = clamp(log_of_weight / spread, min_sharpness, max_natural_sharpness);
+    sharpness = min(factor_of_sharpness * natural, max_sharpness);
+    blur = clamp(blur_per_sharpness / sharpness, min_blur, max_blur);
+}
+
+void Improvement::sharpen(bool raises) noexcept {
+    if (last_gain < small_part_of_gap * gap || !raises)
+        factor_of_sharpness *= last_length >= 1 ? fast_growth : slow_growth;
+    set_sharpness(sums_of(now));
+}
+
+bool Improvement::is_at_rest(Real const (&gains)[3]) const noexcept {
+    bool const is_near = last_length >= 0.5 && last_gain + gap < small_gain;
+    return is_near || gains[0] + gains[1] + gains[2] < small_gain;
+}
+
+Improvement::Score Improvement::score(Points points) const noexcept {
+    Quality const quality = reduce_cells<Quality>(
+        area.count(), executor,
+        [&](Index k, Quality& sum) { sum.add(k, measure_in_units(k, points), area[k]); });
+    return {quality.min_quality, quality.mean_quality()};
+}
+
+Improvement::Sums Improvement::sums_of(Span<const Vec2> points) noexcept {
+    Sums sums;
+    sums.largest = reduce_cells<Largest>(y.count(), executor, [&](Index k, Largest& largest) {
+                       y[k] =
+                           minus_log_quality(measure_in_units(k, as_points(points)), area[k], blur);
+                       largest.value = max(largest.value, y[k]);
+                   }).value;
+    if (!(sums.largest < infinity)) return sums;
+    ThreeSums const all =
+        reduce_cells<ThreeSums>(y.count(), executor, [&](Index k, ThreeSums& sum) {
+            Real const below = sums.largest - y[k], weight = exponential(-sharpness * below);
+            sum.first += weight;
+            sum.second += exponential(-y[k]);
+            sum.third += weight * below;
+        });
+    sums.exponentials = all.first;
+    sums.qualities = all.second;
+    sums.gap = all.third / all.first;
+    return sums;
+}
+
+Real Improvement::energy_of(Sums const& sums) const noexcept {
+    if (!(sums.largest < infinity)) return infinity;
+    return sums.largest + logarithm(sums.exponentials) / sharpness -
+           logarithm(sums.qualities / static_cast<Real>(y.count()));
+}
+
+Real Improvement::energy_of(Span<const Vec2> points, Real max_largest) noexcept {
+    Sums const sums = sums_of(points);
+    return sums.largest <= max_largest ? energy_of(sums) + energy_of_anchors(points) : infinity;
+}
+
+Real Improvement::energy_of_anchors(Span<const Vec2> points) const noexcept {
+    Real sum = 0;
+    for (Index k = 0; k < anchors.count; ++k)
+        sum += anchors.scale[k] * square(points[anchors.point[k]] - anchors.place[k]);
+    return 0.5 * anchors.weight * sum;
+}
+
+// Adds the derivatives of the energy of the anchors to those of the cells.
+void Improvement::pull_anchors() const noexcept {
+    for (Index k = 0; k < anchors.count; ++k) {
+        Index const point = anchors.point[k];
+        Index const u = region.unknown[point];
+        if (u == none) continue;
+        Real const factor_of_one = anchors.weight * (anchors.scale[k] * unit) * unit;
+        Vec2 pull = factor_of_one * (per_unit * (now[point] - anchors.place[k]));
+        Block curvature;
+        if (tangle.slips(point)) {
+            Vec2 const line = tangle.line[point];
+            curvature.add(factor_of_one, line, line);
+            pull = dot(line, pull) * line;
+        } else {
+            curvature = {factor_of_one, 0, 0, factor_of_one};
+        }
+        system.add(region, u, pull, curvature);
+    }
+}
+
+LogarithmWeights Improvement::weights_of(Sums const& sums, Index number) const noexcept {
+    Real const of_mean = 2 / static_cast<Real>(y.count());
+    Real const share = exponential(sharpness * (y[number] - sums.largest)) / sums.exponentials,
+               part = exponential(-y[number]) / sums.qualities;
+    return {share + part, sharpness * share - part, least_curvature * (share + part),
+            damping * of_mean, blur};
+}
+
+PolygonMeasures Improvement::measure_polygon(Index number) const noexcept {
+    PolygonMeasures polygon{0, area[number], 0};
+    for (Index const piece : tangle.mesh.pieces_of(number))
+        polygon.area += CellCorners(shape_in_units(piece, as_points(now))).cell_area(3);
+    for (Index const guard : tangle.mesh.guards_of(number)) {
+        if (tangle.mesh.guard_kind[guard - tangle.mesh.n_cells] != CornerKind::convex) continue;
+        CellCorners const corner(shape_in_units(guard, as_points(now)));
+        polygon.inverse_sines +=
+            length(corner.side[0]) * length(corner.side[1]) / corner.twice_area[0];
+    }
+    return polygon;
+}
+
+// `y` belongs to the present points.
+template <Index n>
+void Improvement::differentiate(Sums const& sums, Index cell, CellForm<n>& form) const noexcept {
+    Index const number = tangle.mesh.number(cell);
+    LogarithmWeights const weights = weights_of(sums, number);
+    CellShape const shape = shape_in_units(cell, as_points(now));
+    form.slope = weights.slope;
+    form.curvature =
+        sharpness * exponential(sharpness * (y[number] - sums.largest)) / sums.exponentials;
+    if constexpr (n == 3) {
+        if (tangle.mesh.is_piece_or_guard(cell)) {
+            PolygonMeasures const polygon = measure_polygon(number);
+            bool const is_piece = cell < tangle.mesh.n_cells;
+            bool const counts = is_piece || tangle.mesh.guard_kind[cell - tangle.mesh.n_cells] ==
+                                                CornerKind::convex;
+            if (is_piece) differentiate_piece(shape, polygon, weights, form);
+            else if (counts) differentiate_corner(shape, polygon, weights, form);
+            return;
+        }
+    }
+    differentiate_cell(shape, area[number], weights, form);
+}
+
+// Finds the step from the derivatives; returns false if rounding has made the Hessian singular.
+bool Improvement::solve() noexcept {
+    Span<Vec2> const step = system.step.first(region.n), border = system.border.first(region.n);
+    for (Index u = 0; u < region.n; ++u) step[u] = -1 * system.gradient[u];
+    auto const along_border = [&](Span<const Vec2> v, Span<const Vec2> by) {
+        return reduce_cells<Sum>(region.n, executor,
+                                 [&](Index u, Sum& sum) { sum.value += dot(v[u], by[u]); })
+            .value;
+    };
+    Span<Vec2> const solved = change.first(region.n);  // `change` is set after that
+    for (Index u = 0; u < region.n; ++u) solved[u] = border[u];
+    if (PointFactor::exists(*plan)) {
+        if (failed(factor.factorise(*plan, tangle, region, system))) return false;
+        factor.solve(*plan, tangle, region, step, solved);
+    } else {
+        constexpr Index max_products = 300;
+        constexpr Real residual = 1e-3;
+        system.solve(region, step, step, max_products, residual, executor);
+        system.solve(region, solved, solved, max_products, residual, executor);
+    }
+    Real const rest = max(sharpness - along_border(border, solved), min_rest * sharpness),
+               factor_of_border = along_border(border, step) / rest;
+    for (Index u = 0; u < region.n; ++u) step[u] = step[u] + factor_of_border * solved[u];
+    if (!(system.slope(region, executor) < 0)) {
+        for (Index u = 0; u < region.n; ++u) step[u] = step[u] - factor_of_border * solved[u];
+    }
+    executor.for_ranges(now.count(), 4096, [&](Index begin, Index end) {
+        for (Index k = begin; k < end; ++k) {
+            Index const u = region.unknown[k];
+            change[k] = u != none ? unit * tangle.turned_alike(k, step[u]) : Vec2{};
+        }
+    });
+    return true;
+}
+
+bool Improvement::step() noexcept {
+    Sums const sums = sums_of(now);
+    Real const before = energy_of(sums) + energy_of_anchors(now);
+    if (!(before < infinity)) return false;
+    system.assemble_cells(tangle, region, executor,
+                          [&](Index i, auto& form) { differentiate(sums, i, form); });
+    pull_anchors();
+    Real const length = solve() ? descend(before, sums.largest + max_rise) : 0;
+    Sums const found = sums_of(now);
+    last_length = length;
+    last_gain = length > 0 ? before - energy_of(found) - energy_of_anchors(now) : 1;
+    gap = found.gap;
+    if (length < short_step)
+        damping *= length > 0 ? clamp(short_step / length, min_growth, max_growth) : max_growth;
+    else if (length >= 1) damping /= fall_of_damping * length;
+
+    return length > 0;
+}
+
+// Returns the length of the step, 0 if no step lowers the energy.
+Real Improvement::descend(Real before, Real max_largest) noexcept {
     Real const slope = system.slope(region, executor);
-    if (!(-slope > at_rest * before)) return before;
+    if (!(slope < 0)) return 0;
     OrientedMesh const cells{tangle.mesh, tangle.reversed};
     Real const max_length =
         share_of_admissible *
@@ -241,15 +307,15 @@ Real Improvement::descend(Index power, Real before) noexcept {
     Real length = min(1.0, max_length), after = infinity;
     auto const falls_enough = [&] {
         look_ahead(length);
-        after = energy_ahead(power);
+        after = energy_of(ahead, max_largest);
         return after < before && after <= before + min_slope * length * slope && is_valid(ahead);
     };
     for (Index halvings = 0; !falls_enough(); length *= 0.5) {
-        if (++halvings > max_halvings) return before;
+        if (++halvings > max_halvings) return 0;
     }
     for (Index doublings = 0; doublings < max_doublings && 2 * length <= max_length; ++doublings) {
         look_ahead(2 * length);
-        Real const farther = energy_ahead(power);
+        Real const farther = energy_of(ahead, max_largest);
         if (!(farther < after) || !is_valid(ahead)) break;
         after = farther;
         length *= 2;
@@ -257,7 +323,11 @@ Real Improvement::descend(Index power, Real before) noexcept {
     look_ahead(length);
     copy(now, Span<const Vec2>(ahead));
     slipping.turn_lines(as_points(now));
-    return after;
+    return length;
+}
+
+bool Improvement::is_valid(Span<const Vec2> points) const noexcept {
+    return count_inverted({tangle.mesh, tangle.reversed}, as_points(points), executor) == 0;
 }
 
 // Sets the points ahead to now + length * change, with slipping points on their curves.
@@ -266,17 +336,6 @@ void Improvement::look_ahead(Real length) const noexcept {
         for (Index k = begin; k < end; ++k) {
             bool const moves = region.unknown[k] != none;
             ahead[k] = moves ? slipping.placed(k, now[k] + length * change[k]) : now[k];
-        }
-    });
-}
-
-// Calls visit(point, step), where the step is that of the unknown that moves the point.
-template <class Visit>
-void Improvement::for_points(Visit const& visit) const noexcept {
-    executor.for_ranges(now.count(), 4096, [&](Index begin, Index end) {
-        for (Index k = begin; k < end; ++k) {
-            if (region.unknown[k] != none)
-                visit(k, tangle.turned_alike(k, system.step[region.unknown[k]]));
         }
     });
 }

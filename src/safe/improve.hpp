@@ -1,133 +1,182 @@
-// Improves a valid mesh: inner points move to where cells are most like their targets. P. Knupp,
-// Introducing the target-matrix paradigm for mesh optimization via node-movement, Eng. Comput. 28
-// (2012) 419.
+// Improves a valid mesh: inner points move to where the smallest and the mean quality of the cells
+// are as large as possible.
 #pragma once
 
-#include "safe/newton_system.hpp"
-#include "safe/corner_energies.hpp"
+#include "safe/cell_logarithm.hpp"
+#include "safe/point_factor.hpp"
 #include "safe/slipping_points.hpp"
-#include "safe/targets.hpp"
 
 namespace harmorph {
 
 struct ImproveOptions {
-    // The largest number of Newton steps.
-    Index max_iterations = 60;
-    // The largest number of steps that move points of the whole mesh.
-    Index max_in_whole = 8;
-    // The largest number of products with the Hessian in each step.
-    Index max_products = 50;
-    // The work of all steps, in products of a block of the Hessian and a vector, is at most this
-    // number for each point that can move and each of max_iterations. A product with the whole
-    // Hessian is 4 of them for each point of triangles, 5 for each point of quadrilaterals.
-    Real max_work = 48;
-    // If a step decreases the energy by a smaller part, the next power begins.
-    Real min_gain = 5e-4;
-    // If cells have a quality Q (see below) less than this at the end, further steps, beyond
-    // max_iterations and max_work, move the points near these cells.
-    Real enough = 0;
-    // The smallest Q should not fall below this value.
-    Real lowest = 0;
+    // The largest number of solutions: of factorisations, each with its substitution.
+    Index max_solutions = 20;
 };
 
 struct ImproveReport {
-    Index iterations = 0;  // the number of Newton steps
-    Offset products = 0;   // the number of products with the Hessian
-    Index unknowns = 0;    // the number of points that could move
+    Index solutions = 0;     // each made one step of Newton's method
+    Index unknowns = 0;      // the number of points that could move
+    bool converged = false;  // further solutions would bring little
 };
 
-// The energy is a sum over cells, with the mean over the corners of a quadrilateral:
-//   1 / q^2 + (least / Q)^(2 power)
-// Here q is the size-skew quality relative to the target, Q is the size-skew quality that the
-// library reports, and `least` is the value that Q should not fall below (see Targets). The first
-// term alone (power 0) makes cells similar to their targets; a mesh that is its own target is at
-// rest. The first steps lower this term in the whole mesh. If a cell was then or before clearly
-// below `least`, the second term is added with increasing powers, and only points near the worst
-// cells move, a few steps for each power: the term is negligible for cells well above `least`, and
-// among cells below `least` the worst one counts most.
-//
-// The minimiser is Newton's method. No step is longer than a part of the exact admissible step, so
-// that no cell is inverted on the way, and every step lowers the energy. Walls do not move; points
-// that slip stay on their lines and curves.
-struct Improvement {
-    static constexpr Index powers_of_worst[] = {2, 4, 8, 16, 32}, max_for_power = 2,
-                           layers_of_worst = 3;
-    static constexpr Index powers_near_poor[] = {2, 4, 8, 16, 32}, max_near_poor = 60,
-                           min_layers = 6, max_layers = 24;
+// What prepare() of Improvement::run() has done: nothing; it may have changed the mesh or the
+// anchors, so that the search for the best mesh begins again; or the run is to end.
+enum class Prepared { nothing, mesh, end };
 
-    Tangle tangle;    // set by the caller, with the reference of the targets
-    Targets targets;  // found by the caller
+// Points that are pulled to places, with the energy weight / 2 sum of scale |point - place|^2.
+struct Anchors {
+    Span<Index> point;
+    Span<Vec2> place;
+    Span<Real> scale;
+    Index count = 0;
+    Real weight = 0;
+
+    void lay_out(Arena& arena, Offset max_count) noexcept {
+        arena.take(point, max_count);
+        arena.take(place, max_count);
+        arena.take(scale, max_count);
+    }
+    void add(Index anchor, Vec2 at, Real of_one) noexcept {
+        point[count] = anchor;
+        place[count] = at;
+        scale[count++] = of_one;
+    }
+};
+
+// Maximises J = ln(smallest quality) + ln(mean quality), where quality is what measure_quality()
+// reports, relative to the reference. With y = -ln(quality) of a cell, the steps minimise
+//   ln(sum exp(sharpness y)) / sharpness - ln(mean exp(-y)),
+// in which a smooth maximum of y takes the place of the largest y. The smooth maximum becomes
+// sharper from step to step, and is a mean in the beginning.
+//
+// Each step is one of Newton's method with the Hessians of LogarithmWeights. The smooth maximum
+// also contributes minus the square of its gradient, a negative term of rank one, which two
+// substitutions take into account (Sherman and Morrison). `damping` penalises relative deformations
+// of all cells alike. It grows if a step was cut short, and falls after a whole step (Levenberg and
+// Marquardt). No step is longer than a part of the exact admissible step, so that no cell is
+// inverted on the way, and every step lowers the energy. Walls do not move; points that slip stay
+// on their lines and curves.
+struct Improvement {
+    Tangle tangle;  // set by the caller, with the reference
     // Set by the caller: the points that slip along curves; their lines are those of the tangle.
     SlippingPoints slipping;
     Executor executor;  // set by the caller
+    const Plan* plan = nullptr;
     Region region;
     NewtonSystem system;
+    PointFactor factor;
     Span<Vec2> now, change, ahead, best;  // [n_points]
-    // [cells and guards] Q at `now`; negative if no point of the cell can move.
-    Span<Real> quality;
+    Span<Real> area;                      // [given cells] at the reference, in square units
+    Span<Real> y;                         // [given cells]
+    Anchors anchors;                      // laid out by the caller
+    // Cells are measured, and the system is solved, in units of a power of two of the extent of the
+    // mesh, so that no bit depends on the unit of length.
+    Real unit = 1, per_unit = 1;
 
-    void lay_out(Arena& arena, RegionCounts const& counts) noexcept;
+    void lay_out(Arena& arena, Plan const& of_plan) noexcept;
 
-    // The mesh `from` is valid. The mesh `to` becomes the best of all meshes on the way, see Score.
-    // It is never worse than `from`. Held points keep their bits.
-    void run(ImproveOptions const& options, Points from, MutablePoints to,
-             ImproveReport& report) noexcept;
+    // The mesh `from` is valid. The mesh `to` becomes the best of all meshes on the way: the one
+    // with the largest J, among those whose smallest quality is not below `lowest`, or with the
+    // largest smallest quality if there is none. Held points keep their bits. The function
+    // prepare() is called before each step; see Prepared. The mesh must remain valid.
+    template <class Prepare>
+    void run(Plan const& of_plan, ImproveOptions const& options, Real lowest, Points from,
+             MutablePoints to, ImproveReport& report, Prepare const& prepare) noexcept;
 
-    // These are the parts of run(). begin() sets `now` to `points`. step() makes a Newton step that
-    // lowers the energy of the given power from `before` to the returned value, which is `before`
-    // if no step lowers the energy.
-    void begin(Points points) noexcept;
-    Real energy(Index power) const noexcept { return energy_of(now, power); }
-    Real step(ImproveOptions const& options, Index power, Real before,
-              ImproveReport& report) noexcept;
+    // These are the parts of run(). begin() sets `now` to `points`. restart() takes changes of held
+    // points into account. step() makes a step of Newton's
+    // method and returns whether the mesh has changed.
+    void begin(Plan const& of_plan, Points points) noexcept;
+    void restart() noexcept;
+    bool step() noexcept;
+    bool is_slow() const noexcept;  // the last step hardly lowered the energy
+    Real energy() noexcept { return energy_of(now, infinity); }
+    // Measures the cells of the reference; begin() does that, too.
+    void measure_reference() noexcept;
+    Real smallest_of(Points points) const noexcept { return score(points).smallest; }
+    Real smallest() const noexcept { return smallest_of(as_points(now)); }
+    // Makes the smooth maximum sharper. `raises`: the last step has raised J.
+    void sharpen(bool raises) noexcept;
 
 private:
-    // If the smallest Q of one of two meshes is below options.lowest, the mesh with the larger
-    // smallest Q is better. Otherwise the mesh is better whose product of the mean quality and the
-    // smallest Q / least is larger; values of Q / least above 1 have a small weight in this
-    // product, and are at most Targets::aim.
     struct Score {
-        Real lowest = 1;  // the smallest Q / options.lowest, at most 1
-        Real smallest = infinity;
-        Real sum = 0;  // the sum of qualities
+        Real smallest = 0, mean = 0;
 
-        void merge(Score const& later) noexcept {
-            lowest = min(lowest, later.lowest);
-            smallest = min(smallest, later.smallest);
-            sum += later.sum;
-        }
         Real value() const noexcept {
-            constexpr Real weight_above = 0.02;
-            return sum * (smallest < 1 ? smallest : 1 + weight_above * (smallest - 1));
+            return smallest > 0 ? logarithm(smallest) + logarithm(mean) : -infinity;
         }
-        bool is_better_than(Score const& other) const noexcept {
-            return lowest > other.lowest || (lowest == other.lowest && value() > other.value());
+        bool is_better_than(Score const& other, Real lowest) const noexcept {
+            Real const own = min(smallest, lowest), others = min(other.smallest, lowest);
+            return own > others || (own == others && value() > other.value());
         }
     };
+    // What the terms of the energy have in common.
+    struct Sums {
+        // The mean of how far y is below the largest, with the weights of the smooth maximum.
+        Real gap = 0;
+        Real largest = 0;       // y
+        Real exponentials = 0;  // the sum of exp(sharpness (y - largest))
+        Real qualities = 0;     // the sum of exp(-y)
+    };
 
-    Score outside;    // the score of the cells that are not in the region
-    Real lowest = 0;  // options.lowest
-    Real work = 0;    // in products with a block of the Hessian
-    // The numbers of blocks on and above the diagonal of the Hessian, for the whole mesh and for
-    // the region. They do not depend on the numbering of the points.
-    Real n_blocks = 0, n_region_blocks = 0;
+    Real factor_of_sharpness = 1;
+    // Of the last step: its length, the gain of energy, and the gap that remains (see Sums).
+    Real last_length = 0, last_gain = 0, gap = 0;
+    Real sharpness = 0, blur = 0, damping = 0;
 
-    Score score_of(Index cell) const noexcept;
-    Score score() const noexcept;
-    void climb(ImproveOptions const& options, Index power, Index max_steps, Real max_work,
-               Score& found, Score& highest, ImproveReport& report) noexcept;
-    void raise_worst(ImproveOptions const& options, Real max_work, Score found, Score& highest,
-                     ImproveReport& report) noexcept;
-    void count_blocks() noexcept;
-    bool begin_near(Real enough, Real part_of_aim, Index layers) noexcept;
-    void assemble(Index power) noexcept;
-    Real energy_of(Span<const Vec2> points, Index power) const noexcept;
-    Real energy_ahead(Index power) noexcept;
+    bool is_at_rest(Real const (&gains)[3]) const noexcept;
+    Score score(Points points) const noexcept;
+    void choose_unit() noexcept;
+    CellShape shape_in_units(Index i, Points points) const noexcept;
+    CellMeasure measure_in_units(Index number, Points points) const noexcept;
+    void set_sharpness(Sums const& sums) noexcept;
+    Sums sums_of(Span<const Vec2> points) noexcept;
+    // Returns infinity if a y is larger than `max_largest`.
+    Real energy_of(Span<const Vec2> points, Real max_largest) noexcept;
+    Real energy_of_anchors(Span<const Vec2> points) const noexcept;
+    void pull_anchors() const noexcept;
+    Real energy_of(Sums const& sums) const noexcept;
+    LogarithmWeights weights_of(Sums const& sums, Index number) const noexcept;
+    template <Index n>
+    void differentiate(Sums const& sums, Index cell, CellForm<n>& form) const noexcept;
+    PolygonMeasures measure_polygon(Index number) const noexcept;
+    bool solve() noexcept;
+    Real descend(Real before, Real max_largest) noexcept;
     bool is_valid(Span<const Vec2> points) const noexcept;
     void look_ahead(Real length) const noexcept;
-    Real descend(Index power, Real before) noexcept;
-    template <class Visit>
-    void for_points(Visit const& visit) const noexcept;
 };
+
+template <class Prepare>
+void Improvement::run(Plan const& of_plan, ImproveOptions const& options, Real lowest, Points from,
+                      MutablePoints to, ImproveReport& report, Prepare const& prepare) noexcept {
+    report = {};
+    begin(of_plan, from);
+    report.unknowns = region.n;
+    Score found = score(as_points(now)), highest = found;
+    copy(best, Span<const Vec2>(now));
+    Real gains[3] = {infinity, infinity, infinity};
+    while (region.n > 0 && report.solutions < options.max_solutions && !report.converged) {
+        Prepared const prepared = prepare();
+        if (prepared == Prepared::end) break;
+        bool const is_prepared = prepared == Prepared::mesh;
+        if (is_prepared) {
+            highest = found = score(as_points(now));
+            copy(best, Span<const Vec2>(now));
+        }
+        Real const before = highest.value();
+        ++report.solutions;
+        step();
+        Real const last = found.value();
+        found = score(as_points(now));
+        if (anchors.count == 0) sharpen(found.value() > last);
+        if (found.is_better_than(highest, lowest)) {
+            highest = found;
+            copy(best, Span<const Vec2>(now));
+        }
+        gains[report.solutions % 3] = is_prepared ? infinity : highest.value() - before;
+        report.converged = is_at_rest(gains);
+    }
+    for (Index k = 0; k < now.count(); ++k) to.set(k, best[k]);
+}
 
 }  // namespace harmorph

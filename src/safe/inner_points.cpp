@@ -51,8 +51,10 @@ bool SafeMorph::untangle_ahead(Work& work) noexcept {
         Fault why;
         untangling.tangle = tangle;
         untangling.slipping = slipping;
-        Status const status =
-            untangling.run(work.options.untangle, mesh.to_ahead(), work.report.untangle, why);
+        UntangleOptions options = work.options.untangle;
+        options.max_work = static_cast<Real>(work.solutions_left());
+        Status const status = untangling.run(options, mesh.to_ahead(), work.report.untangle, why);
+        work.report.untangling += work.report.untangle.work;
         // A boundary may cross itself although no cell is inverted.
         return status == Status::ok && is_valid(work, mesh.ahead());
     };
@@ -68,22 +70,21 @@ bool SafeMorph::untangle_ahead(Work& work) noexcept {
 // from the mesh before the step.
 bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     if (!work.options.tries(Strategy::untangled)) return false;
-    look_ahead(work, by, 1);
+    look_ahead(work, by, work.aim);
     if (!untangle_ahead(work)) return false;
     Fault why;
     Outcome there = work.attempt;
     there.strategy = Strategy::untangled;
-    there.fraction = 1;
+    there.fraction = work.aim;
     ++there.steps;
-    there.turned_offset = mesh.carried.largest(work.basis, mesh.path, 1);
+    there.turned_offset = mesh.carried.largest(work.basis, mesh.path, work.aim);
     measure(work, mesh.ahead(), there);
     if (!work.is_good(there) && work.options.tries(Strategy::improved)) {
-        ImproveReport improved;
         there.strategy = Strategy::improved;
         if (failed(MeshImprovement::check(work.plan, work.mesh().points, mesh.ahead(), why)))
             return false;
-        improvement.run(work.plan, work.improve_options(), work.mesh().points, mesh.ahead(),
-                        mesh.to_ahead(), improved);
+        work.report.may_improve =
+            run_improvement(work, work.options.improve.max_solutions, mesh.ahead());
         if (!is_valid(work, mesh.ahead())) return false;
         measure(work, mesh.ahead(), there);
     }
@@ -94,21 +95,55 @@ bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     return is_good;
 }
 
-// Improves a mesh at the target that has the same movement as the best mesh, and keeps the result
-// if it is better than the best mesh. The derivative remains that of the path.
-bool SafeMorph::improve(Work& work, Points from) noexcept {
+// Improves a mesh with the movement of the best mesh, to the mesh ahead. Returns whether the limit
+// of solutions ended the improvement.
+bool SafeMorph::run_improvement(Work& work, Index max_solutions, Points from) noexcept {
+    ImproveOptions options = work.options.improve;
+    options.max_solutions = min(max_solutions, work.solutions_left());
     ImproveReport report;
+    improvement.run(work.plan, options, work.mesh().points, from, mesh.to_ahead(), report);
+    work.report.improvements += report.solutions;
+    return !report.converged;
+}
+
+// Improves the mesh `from`, which has the same movement as the best mesh, and keeps the result if
+// it is clearly better than the best mesh; if the options ask for improvement, if it is better at
+// all. The derivative remains that of the path.
+bool SafeMorph::improve(Work& work, Points from) noexcept {
+    constexpr Real rounding = 1e-9;
     Fault why;
-    if (work.best().fraction < 1) return false;
+    if (!work.arrives(work.best()) || work.solutions_left() == 0) return false;
     if (failed(MeshImprovement::check(work.plan, work.mesh().points, from, why))) return false;
-    improvement.run(work.plan, work.improve_options(), work.mesh().points, from, mesh.to_ahead(),
-                    report);
+    work.report.may_improve = run_improvement(work, work.options.improve.max_solutions, from);
     Outcome outcome = work.best();
     measure(work, mesh.ahead(), outcome);
-    if (!is_valid(work, mesh.ahead()) || !work.is_better(outcome, work.best())) return false;
+    // If improvement is asked for, any gain is kept.
+    Real const needed = work.options.improves ? 1 : SafeOptions::clear_gain;
+    bool const is_clear = outcome.min_quality >= (1 - rounding) * work.best().min_quality &&
+                          outcome.min_quality * outcome.mean_quality >
+                              needed * work.best().min_quality * work.best().mean_quality;
+    bool const is_better = work.score(outcome) > work.score(work.best()) ||
+                           (work.score(outcome) == work.score(work.best()) && is_clear);
+    if (!is_better || !is_valid(work, mesh.ahead())) return false;
     outcome.strategy = Strategy::improved;
     replace_inner_points(work, outcome);
     return true;
+}
+
+// Improves the present mesh between two substeps, where its cells are poor: functions that are
+// solved on a better mesh carry the mesh farther, and to better cells.
+void SafeMorph::improve_on_the_way(Work& work) noexcept {
+    constexpr Real poor = 0.5;  // in parts of the smallest quality of the start
+    constexpr Index max_solutions = 4;
+    if (work.derivative != nullptr || !work.options.tries(Strategy::improved)) return;
+    Outcome here;
+    Fault why;
+    measure(work, mesh.now(), here);
+    if (here.min_quality >= poor * work.report.start_quality || work.solutions_left() == 0) return;
+    if (failed(MeshImprovement::check(work.plan, work.mesh().points, mesh.now(), why))) return;
+    run_improvement(work, max_solutions, mesh.now());
+    copy(mesh.x, Span<const Real>(mesh.ahead_x));
+    copy(mesh.y, Span<const Real>(mesh.ahead_y));
 }
 
 // Restores heights near the walls and improves cells, as far as the options ask for this.

@@ -1,7 +1,6 @@
 #include "safe/mesh_improvement.hpp"
 
 #include "base/vec2.hpp"
-#include "morph/quality.hpp"
 
 namespace harmorph {
 namespace {
@@ -19,13 +18,23 @@ Status check_points(Plan const& plan, Points points, const char* inverted_cell,
     return fault.refuse(Status::bad_mesh, inverted_cell, cell_item(plan.mesh().number(inverted)));
 }
 
+bool is_same(Points one, Points other, Index n) noexcept {
+    for (Index k = 0; k < n; ++k) {
+        if (one[k].x != other[k].x || one[k].y != other[k].y) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 void MeshImprovement::lay_out(Arena& arena, Plan const& plan) noexcept {
     mobility.lay_out(arena, plan);
     first_layer.lay_out(arena, plan.mesh(), static_cast<Size>(plan.walls().count));
-    improvement.lay_out(arena, plan.region_counts());
-    arena.take(start, plan.mesh().n_points);
+    improvement.lay_out(arena, plan);
+    improvement.anchors.lay_out(arena, plan.mesh().n_points < 2 * plan.walls().count
+                                           ? plan.mesh().n_points
+                                           : 2 * plan.walls().count);
+    arena.take(result, plan.mesh().n_points);
 }
 
 Status MeshImprovement::check(Plan const& plan, Points reference, Points from,
@@ -37,87 +46,169 @@ Status MeshImprovement::check(Plan const& plan, Points reference, Points from,
 void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points reference, Points from,
                           MutablePoints to, ImproveReport& report) noexcept {
     FaceDistance const& walls = plan.walls_at(reference);
+    report = {};
+    if (is_same(reference, from, result.count())) {
+        report.converged = true;
+        for (Index k = 0; k < result.count(); ++k) to.set(k, from[k]);
+        return;
+    }
     mobility.find(plan, from);
     first_layer.find(plan.mesh(), reference, mobility.representative, walls.chosen());
+    find_layer(reference, from);
     improvement.executor = plan.executor();
     improvement.tangle = mobility.tangle(plan, reference);
     improvement.slipping = mobility.slipping;
-    improvement.targets.find(plan.cells(), walls, reference, from, plan.executor());
-    auto const smallest = [&](Points points) {
-        return measure_quality(plan.cells(), points, reference, plan.executor()).min_quality;
-    };
-    MutablePoints const result{&start.data()->x, &start.data()->y, 2};
-    auto const stay = [&] {
-        for (Index k = 0; k < start.count(); ++k) start[k] = from[k];
-    };
+    constexpr Real min_kept = 0.9;  // of the smallest quality, if tops are put there at once
+    MutablePoints const found{&result.data()->x, &result.data()->y, 2};
+    // If the smallest quality falls below this part with the tops in their places, they go back.
+    constexpr Real hopeless = 0.3;
     constexpr Real rounding = 1e-9;  // the difference of one quality that is found in two ways
+    improvement.measure_reference();
+    auto const smallest = [&](Points points) { return improvement.smallest_of(points); };
     Real const given = smallest(from);
-    ImproveOptions kept = options;
-    kept.lowest = given;
-    carry_first_layer(reference, from);
-    hold_first_layer(plan, reference);
-    bool const is_in_vain = smallest_held(plan, reference) < (1 - rounding) * given;
-    if (!is_in_vain) improvement.run(kept, result, result, report);
-    if (is_in_vain ||
-        smallest(result) < given) {  // the gain of the first layer is not worth that loss
-        mobility.find(plan, from);
-        stay();
-        hold_first_layer(plan, reference);
-        improvement.run(kept, result, result, report);
-        if (smallest(result) < given)
-            stay();  // the quality that targets use differs from the reported quality
+    Anchors& anchors = improvement.anchors;
+    Index const n_anchors = anchors.count;
+    bool is_in_vain = false;
+    improvement.run(plan, options, given, from, found, report, [&] {
+        if (anchors.count == 0) {
+            bool const is_last_chance = report.solutions == options.max_solutions * 3 / 5;
+            is_in_vain = n_anchors > 0 && is_last_chance && improvement.smallest() < given;
+            return is_in_vain ? Prepared::end : Prepared::nothing;
+        }
+        bool const is_late = 3 * report.solutions >= options.max_solutions;
+        bool const is_first = report.solutions == 0;
+        if (!is_first && !is_late && farthest_top() > near_place && !improvement.is_slow())
+            return Prepared::mesh;
+        place_first_layer(is_first ? min_kept * given : 0, from);
+        is_in_vain = anchors.count == 0 && improvement.smallest() < hopeless * given;
+        return is_in_vain ? Prepared::end : Prepared::mesh;
+    });
+    anchors.count = n_anchors;
+    if (n_anchors > 0 && (is_in_vain || smallest(found) < (1 - rounding) * given)) {
+        // The gain of the first layer is not worth that loss.
+        ImproveReport const in_vain = report;
+        for (Index k = 0; k < result.count(); ++k) improvement.now[k] = from[k];
+        drop_poor_tops();
+        hold_first_layer();
+        anchors.count = 0;
+        ImproveOptions rest = options;
+        rest.max_solutions -= report.solutions;
+        improvement.run(plan, rest, given, from, found, report, [] { return Prepared::nothing; });
+        report.solutions += in_vain.solutions;
     }
-    for (Index k = 0; k < start.count(); ++k) to.set(k, start[k]);
+    bool const is_better = smallest(found) >= (1 - rounding) * given;
+    for (Index k = 0; k < result.count(); ++k) to.set(k, is_better ? found[k] : from[k]);
 }
 
-// Returns the smallest quality of all cells without a movable point.
-Real MeshImprovement::smallest_held(Plan const& plan, Points reference) const noexcept {
-    OrientedMesh const& cells = plan.cells();
-    Mesh const& mesh = cells.mesh;
-    auto const can_move = [&](Index i) {
-        Cell const cell = mesh.cell(i);
-        bool any = false;
-        for (Index k = 0; k < cell.n; ++k)
-            any = any || mobility.held[mobility.representative[cell.point[k]]] == 0;
-        return any;
+// Returns whether the mesh has a layer at a wall point with an edge into the mesh.
+bool MeshImprovement::has_layer(Index slot, Points reference) const noexcept {
+    WallPoints const& wall = first_layer.wall;
+    Vec2 const foot = reference[wall.point[slot]];
+    Vec2 along;
+    Real lengths = 0;
+    Index faces = 0;
+    auto const add = [&](Index neighbour, Real sign) {
+        if (neighbour == none) return;
+        Vec2 const face = sign * (reference[neighbour] - foot);
+        along = along + 1 / length(face) * face;
+        lengths += length(face);
+        ++faces;
     };
-    Real smallest = infinity;
-    for (Index number = 0; number < mesh.n_given_cells(); ++number) {
-        bool any = false;
-        for (Index const i : mesh.pieces_of(number)) any = any || can_move(i);
-        if (any) continue;
-        Real const before = measure_cell(cells, number, reference).area;
-        smallest = min(smallest, measure_cell(cells, number, as_points(start)).quality(before));
-    }
-    return smallest;
+    add(wall.previous[slot], -1);
+    add(wall.next[slot], 1);
+    Vec2 const edge = reference[first_layer.above[slot]] - foot;
+    return lengths * length(along) > layer_anisotropy * faces * abs(cross(along, edge));
 }
 
-void MeshImprovement::carry_first_layer(Points reference, Points from) noexcept {
+// Makes anchors of the tops where the mesh has a layer.
+void MeshImprovement::find_layer(Points reference, Points from) noexcept {
     constexpr Real rounding =
         1e-10;  // in parts of the height; a top that is nearer to its place stays
     WallPoints const& wall = first_layer.wall;
-    improvement.region.link(improvement.tangle);
-    for (Index k = 0; k < start.count(); ++k) start[k] = from[k];
+    Anchors& anchors = improvement.anchors;
+    anchors.count = 0;
+    anchors.weight = 1;
     for (Index slot = 0; slot < wall.count; ++slot) {
         Index const top = first_layer.above[slot], foot = wall.point[slot];
-        if (top == none || mobility.held[top] != 0) continue;
+        if (top == none || mobility.held[top] != 0 || !has_layer(slot, reference)) continue;
         Vec2 const edge =
             turned(reference[top] - reference[foot], wall.turn(slot, reference, from));
-        Vec2 way = from[foot] + edge - start[top];
-        if (improvement.tangle.slips(top)) way = dot(mobility.line[top], way) * mobility.line[top];
-        if (!(square(way) > rounding * rounding * square(edge))) continue;
-        Vec2 const here = start[top];
-        for (Real part = 1; part > 0.1; part *= 0.5) {
-            if (try_top(top, mobility.slipping.placed(top, here + part * way), from)) break;
+        Vec2 way = from[foot] + edge - from[top];
+        if (!mobility.line.empty() && square(mobility.line[top]) > 0)
+            way = dot(mobility.line[top], way) * mobility.line[top];
+        if (!(square(way) > rounding * rounding * square(edge))) way = {};
+        anchors.add(top, mobility.slipping.placed(top, from[top] + way), 1 / square(edge));
+    }
+}
+
+// Returns the largest distance of a top from its place, in parts of its height.
+Real MeshImprovement::farthest_top() const noexcept {
+    Anchors const& anchors = improvement.anchors;
+    Real largest = 0;
+    for (Index k = 0; k < anchors.count; ++k)
+        largest = max(largest, anchors.scale[k] *
+                                   square(improvement.now[anchors.point[k]] - anchors.place[k]));
+    return sqrt(largest);
+}
+
+void MeshImprovement::hold_first_layer() noexcept {
+    Anchors const& anchors = improvement.anchors;
+    for (Index const top : anchors.point.first(anchors.count)) mobility.held[top] = 1;
+}
+
+// Puts the tops in their places, as far as no cell is inverted, and holds them there. If the
+// smallest quality would then be below `lowest`, nothing changes. Returns true.
+void MeshImprovement::place_first_layer(Real lowest, Points from) noexcept {
+    Anchors& anchors = improvement.anchors;
+    Span<Vec2> const now = improvement.now;
+    copy(improvement.change, Span<const Vec2>(now));
+    bool all = true;
+    for (Index k = 0; k < anchors.count; ++k) {
+        Index const top = anchors.point[k];
+        Vec2 const here = now[top], way = anchors.place[k] - here;
+        bool moves = way.x == 0 && way.y == 0;
+        for (Real part = 1; part > 0.05 && !moves; part *= 0.5) {
+            moves = try_top(top, mobility.slipping.placed(top, here + part * way), from);
+            all = all && moves && part == 1;
         }
     }
-    for (Index k = 0; k < start.count(); ++k) start[k] = position(k, from);
+    for (Index k = 0; k < now.count(); ++k) now[k] = position(k, from);
+    if (lowest > 0 && (!all || improvement.smallest() < lowest)) {
+        copy(now, Span<const Vec2>(improvement.change));
+        return;
+    }
+    drop_poor_tops();
+    hold_first_layer();
+    anchors.count = 0;
+    improvement.restart();
+}
+
+// Lets tops go whose cells have less than this part of their former quality.
+void MeshImprovement::drop_poor_tops() noexcept {
+    constexpr Real part_of_own = 0.5;
+    Tangle const& tangle = improvement.tangle;
+    Anchors& anchors = improvement.anchors;
+    auto const is_poor = [&](Index i) {
+        CellShape const before = tangle.shape(i, tangle.reference);
+        CellMeasure const was(before.n, CellCorners(before));
+        CellShape const shape = tangle.shape(i, as_points(improvement.now));
+        CellMeasure const is(shape.n, CellCorners(shape));
+        return is.quality(was.area) < part_of_own * was.quality(0);
+    };
+    Index kept = 0;
+    for (Index k = 0; k < anchors.count; ++k) {
+        bool any = false;
+        for (Index const i : improvement.region.cells_of(anchors.point[k])) any = any || is_poor(i);
+        if (!any) anchors.point[kept++] = anchors.point[k];
+    }
+    anchors.count = kept;
 }
 
 // Moves a top unless the movement inverts one of the cells of the top.
 bool MeshImprovement::try_top(Index top, Vec2 at, Points from) noexcept {
-    Vec2 const here = start[top];
-    start[top] = at;
+    Span<Vec2> const now = improvement.now;
+    Vec2 const here = now[top];
+    now[top] = at;
     for (Index const i : improvement.region.cells_of(top)) {
         Cell const cell = improvement.tangle.cell(i);
         Vec2 corner[4];
@@ -126,7 +217,7 @@ bool MeshImprovement::try_top(Index top, Vec2 at, Points from) noexcept {
         if (i >= improvement.tangle.mesh.n_cells)
             turn_guard(shape, turn_of(improvement.tangle.mesh, i));
         if (!is_inverted(shape) && !is_inverted_exactly(shape)) continue;
-        start[top] = here;
+        now[top] = here;
         return false;
     }
     return true;
@@ -137,27 +228,10 @@ bool MeshImprovement::try_top(Index top, Vec2 at, Points from) noexcept {
 Vec2 MeshImprovement::position(Index point, Points from) const noexcept {
     Index const own = mobility.representative[point];
     Tangle const& tangle = improvement.tangle;
-    if (own == point) return start[own];
+    Span<const Vec2> const now = improvement.now;
+    if (own == point) return now[own];
     return from[point] +
-           tangle.turned_alike(point, tangle.turned_to_unknown(own, start[own] - from[own]));
-}
-
-void MeshImprovement::hold_first_layer(Plan const& plan, Points reference) noexcept {
-    constexpr std::uint8_t top = 2, poor = 4;
-    Span<std::uint8_t> const held = mobility.held;
-    for (Index const above : first_layer.above.first(first_layer.wall.count)) {
-        if (above != none) held[above] |= top;
-    }
-    for (Index i = 0; i < plan.mesh().n_checked(); ++i) {
-        Cell const cell = plan.cells().cell(i);
-        CellShape const before = shape_of(plan.cells(), i, reference);
-        CellShape const now = shape_of(plan.cells(), i, as_points(start));
-        Real const quality = improvement.targets.quality(i, before);
-        if (improvement.targets.quality(i, now) >= Targets::part_of_own * quality) continue;
-        for (Index k = 0; k < cell.n; ++k) held[mobility.representative[cell.point[k]]] |= poor;
-    }
-    for (std::uint8_t& flags : held)
-        flags = (flags & 1) != 0 || ((flags & top) != 0 && (flags & poor) == 0) ? 1 : 0;
+           tangle.turned_alike(point, tangle.turned_to_unknown(own, now[own] - from[own]));
 }
 
 }  // namespace harmorph

@@ -12,8 +12,7 @@ struct MeshImprovement {
     Mobility mobility;
     FirstLayer first_layer;
     Improvement improvement;
-    Span<Vec2> start;  // [n_points] `from`, with the first layer as the wall carries it; at the end
-                       // the result
+    Span<Vec2> result;  // [n_points]
 
     void lay_out(Arena& arena, Plan const& plan) noexcept;
 
@@ -21,22 +20,31 @@ struct MeshImprovement {
     static Status check(Plan const& plan, Points reference, Points from, Fault& fault) noexcept;
     // The arrays `reference` and `from` are coordinates of the plan's mesh before and after a
     // movement, which check() has accepted; the improved coordinates are written to `to`, which may
-    // be `from`. The tops of the first layer are the ends of those edges that leave walls most
-    // nearly along the normal. They are put where the wall carries them, with their former height
-    // and angle, as far as no cell is inverted, and are held there; only a top of a cell that has
-    // less than half of its former quality may then move on. If the smallest quality ends below
-    // that of `from`, or must do so because a cell below it has no movable point, everything is
-    // repeated with the tops where they are in `from`. The plan's distances are left at the
-    // reference.
+    // be `from`. A mesh that is its own reference is not changed. The tops of the first layer are
+    // the ends of those edges that leave walls most nearly along the normal. Where the mesh has a
+    // layer (see has_layer()), they are put where the wall carries them, with their former height
+    // and angle, and are held there. If that would make cells poor, the first steps, at most a
+    // third of them, pull the tops to these places with all points free; then each top goes as far
+    // as no cell is inverted. If the smallest quality is then far below that of `from`, or ends
+    // below it, the rest of the steps begins again with the tops where they are in `from`,
+    // as far as their cells are not poor there. The plan's distances are left at the reference.
     void run(Plan& plan, ImproveOptions const& options, Points reference, Points from,
              MutablePoints to, ImproveReport& report) noexcept;
 
 private:
-    void carry_first_layer(Points reference, Points from) noexcept;
+    // A wall point has a layer if the wall faces beside it are longer than this number of heights.
+    static constexpr Real layer_anisotropy = 4;
+    // Anchors pull tops that are farther from their places than this, in parts of the height.
+    static constexpr Real near_place = 0.02;
+
+    bool has_layer(Index slot, Points reference) const noexcept;
+    void find_layer(Points reference, Points from) noexcept;
+    void place_first_layer(Real lowest, Points from) noexcept;
+    Real farthest_top() const noexcept;
+    void drop_poor_tops() noexcept;
+    void hold_first_layer() noexcept;
     bool try_top(Index top, Vec2 at, Points from) noexcept;
     Vec2 position(Index point, Points from) const noexcept;
-    void hold_first_layer(Plan const& plan, Points reference) noexcept;
-    Real smallest_held(Plan const& plan, Points reference) const noexcept;
 };
 
 }  // namespace harmorph

@@ -24,6 +24,7 @@ void NewtonSystem::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
     arena.take(hessian, 2 * counts.pairs + n);
     arena.take(inverse, n);
     arena.take(gradient, n);
+    arena.take(border, n);
     arena.take(step, n);
     arena.take(rest, n);
     arena.take(search, n);
@@ -32,7 +33,7 @@ void NewtonSystem::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
 
 void NewtonSystem::clear_row(Region const& region, Index u) const noexcept {
     fill(hessian.from(region.start[u], region.of(u).size()), Block{});
-    gradient[u] = {};
+    gradient[u] = border[u] = {};
 }
 
 // Keeps only those parts of the movements of the row's point and its neighbours that are along
@@ -63,13 +64,23 @@ void NewtonSystem::constrain_row(Tangle const& tangle, Region const& region,
         Vec2 const line = line_of(u), across = {-line.y, line.x};
         own.add(dot(line, own * line), across, across);
         gradient[u] = dot(line, gradient[u]) * line;
+        border[u] = dot(line, border[u]) * line;
     }
+    inverse[u] = inverse_of(own);
+}
+
+void NewtonSystem::add(Region const& region, Index u, Vec2 slope,
+                       Block const& curvature) const noexcept {
+    Block& own = hessian[region.start[u]];
+    own = own + curvature;
+    gradient[u] = gradient[u] + slope;
     inverse[u] = inverse_of(own);
 }
 
 // Each pass over the rows is one pass over the memory: the sums of computed values are formed in
 // the same pass.
-Index NewtonSystem::solve(Region const& region, Index max_products,
+Index NewtonSystem::solve(Region const& region, Span<const Vec2> right, Span<Vec2> to,
+                          Index max_products, Real relative_residual,
                           Executor const& executor) const noexcept {
     Index const n = region.n;
     auto const sum_over_rows = [&](auto const& body) {
@@ -77,12 +88,12 @@ Index NewtonSystem::solve(Region const& region, Index max_products,
             .value;
     };
     Real size = sum_over_rows([&](Index u) {
-        step[u] = {};
-        rest[u] = -1 * gradient[u];
+        rest[u] = right[u];
+        to[u] = {};
         search[u] = inverse[u] * rest[u];
         return dot(rest[u], search[u]);
     });
-    Real const min_size = enough * enough * size;
+    Real const min_size = relative_residual * relative_residual * size;
     Index products = 0;
     while (products < max_products && size > min_size) {
         Real const curvature =
@@ -93,7 +104,7 @@ Index NewtonSystem::solve(Region const& region, Index max_products,
         if (!(curvature > 0)) break;
         Real const length = size / curvature, before = size;
         size = sum_over_rows([&](Index u) {
-            step[u] = step[u] + length * search[u];
+            to[u] = to[u] + length * search[u];
             rest[u] = rest[u] - length * image[u];
             image[u] = inverse[u] * rest[u];
             return dot(rest[u], image[u]);
@@ -103,6 +114,12 @@ Index NewtonSystem::solve(Region const& region, Index max_products,
         });
     }
     return products;
+}
+
+Index NewtonSystem::solve(Region const& region, Index max_products,
+                          Executor const& executor) const noexcept {
+    for (Index u = 0; u < region.n; ++u) step[u] = -1 * gradient[u];
+    return solve(region, step, step, max_products, enough, executor);
 }
 
 Real NewtonSystem::multiply(Region const& region, Index begin, Index end, Span<const Vec2> v,

@@ -25,26 +25,30 @@ struct NewtonSystem {
     Span<Block> hessian;
     Span<Block> inverse;             // [n] the inverses of the diagonal blocks
     Span<Vec2> gradient;             // [n]
+    Span<Vec2> border;               // [n] the sum of CellForm::curvature times the derivatives
     Span<Vec2> step;                 // [n]
     Span<Vec2> rest, search, image;  // [n] vectors of the conjugate gradients
 
     void lay_out(Arena& arena, RegionCounts const& counts) noexcept;
+    // The function visit(cell, form) computes the derivatives of the energy of a cell or guard with
+    // an unknown point: form is a CellForm<3> or a CellForm<4>. Cells are in the same order for any
+    // number of threads, so that each row is the same sum, bit by bit.
+    template <class Visit>
+    void assemble_cells(Tangle const& tangle, Region const& region, Executor const& executor,
+                        Visit const& visit) const noexcept;
     // The function visit(cell, points, form) adds the derivatives of the energy of a corner to
     // `form`: `cell` is the cell of the corner, and `points` are the numbers of its three points.
     template <class Visit>
     void assemble(Tangle const& tangle, Region const& region, Executor const& executor,
-                  Visit const& visit) const noexcept {
-        assemble_lists(tangle, region, executor, [&] { return EachCorner<Visit>{visit}; });
-    }
-    // Does the same for corners that are computed in lists. The function make() returns an object
-    // for one thread: after clear(), add(cell, points) adds corners of at most max_cells cells to
-    // its list, differentiate() computes the derivatives of all, and next(cell, points, form) adds
-    // those of the next corner to `form`, in the order of the list.
-    template <class Make>
-    void assemble_lists(Tangle const& tangle, Region const& region, Executor const& executor,
-                        Make const& make) const noexcept;
+                  Visit const& visit) const noexcept;
+    // Adds to the gradient and to the diagonal block of an unknown. For a point that slips, both
+    // are those along its line.
+    void add(Region const& region, Index u, Vec2 slope, Block const& curvature) const noexcept;
+    // Solves approximately for to = hessian^-1 right by conjugate gradients. Returns the number of
+    // products.
+    Index solve(Region const& region, Span<const Vec2> right, Span<Vec2> to, Index max_products,
+                Real relative_residual, Executor const& executor) const noexcept;
     // Solves approximately for step = -hessian^-1 gradient, which is a direction of descent.
-    // Returns the number of products.
     Index solve(Region const& region, Index max_products, Executor const& executor) const noexcept;
     // Computes to = hessian v in the rows begin .. end-1 of one range (see region.neighbour) and
     // returns v . to.
@@ -56,125 +60,79 @@ struct NewtonSystem {
 private:
     static constexpr Index min_rows = 512;  // a task has at least so many rows
 
-    // Corners that are computed one by one.
-    template <class Visit>
-    struct EachCorner {
-        static constexpr Index max_cells = 8;
-        Visit const& visit;
-
-        void clear() noexcept {}
-        void add(Index, CornerPoints const&) noexcept {}
-        void differentiate() noexcept {}
-        void next(Index cell, CornerPoints const& points, CornerForm& form) noexcept {
-            visit(cell, points, form);
-        }
-    };
-
-    template <class IsWanted, class Corners>
-    void add_cells(Tangle const& tangle, Region const& region, Span<const Index> cells,
-                   IsWanted const& is_wanted, Corners& corners) const noexcept;
-    template <Index n, class IsWanted, class Corners>
-    void add_cell(Tangle const& tangle, Region const& region, Index i, IsWanted const& is_wanted,
-                  Corners& corners) const noexcept;
+    template <Index n, class Visit>
+    void add_cell(Tangle const& tangle, Region const& region, Index i, Index begin, Index end,
+                  Visit const& visit) const noexcept;
     void clear_row(Region const& region, Index u) const noexcept;
     void constrain_row(Tangle const& tangle, Region const& region, Index u) const noexcept;
 };
 
-// Calls visit(before, own, after, points) for those corners of a cell, which has n points, for
-// which is_wanted(unknown) holds at one of the three points.
-template <Index n, class IsWanted, class Visit>
-void for_wanted_corners(Tangle const& tangle, Region const& region, Index i,
-                        IsWanted const& is_wanted, Visit const& visit) noexcept {
-    Cell const cell = tangle.cell(i);
-    Vec2 const turn = turn_of(tangle.mesh, i);
-    bool wanted[n];
-    for (Index k = 0; k < n; ++k) wanted[k] = is_wanted(region.unknown[cell.point[k]]);
-    for (Index k = n == 3 ? 1 : 0; k < (n == 3 ? 2 : 4); ++k) {
-        Index const before = k == 0 ? n - 1 : k - 1, after = k + 1 == n ? 0 : k + 1;
-        if (!wanted[before] && !wanted[k] && !wanted[after]) continue;
-        visit(before, k, after,
-              CornerPoints{{cell.point[before], cell.point[k], cell.point[after]}, turn});
-    }
+// Each thread takes a range of rows, to which no other thread writes, and the cells with points of
+// this range.
+template <class Visit>
+void NewtonSystem::assemble_cells(Tangle const& tangle, Region const& region,
+                                  Executor const& executor, Visit const& visit) const noexcept {
+    Index const n_ranges =
+        executor.is_serial() ? 1 : clamp(region.n / min_rows, Index{1}, executor.n_threads);
+    executor.for_each(n_ranges, [&](Index range) {
+        Index const begin = static_cast<Index>(Offset{region.n} * range / n_ranges),
+                    end = static_cast<Index>(Offset{region.n} * (range + 1) / n_ranges);
+        for (Index u = begin; u < end; ++u) clear_row(region, u);
+        for (Index const i : region.cell.first(region.n_cells)) {
+            if (tangle.mesh.cell(i).n == 3) add_cell<3>(tangle, region, i, begin, end, visit);
+            else add_cell<4>(tangle, region, i, begin, end, visit);
+        }
+        for (Index u = begin; u < end; ++u) constrain_row(tangle, region, u);
+    });
 }
 
-// On one thread, the sum goes cell by cell. On several threads it goes row by row, so that threads
-// never write to the same row; then each corner is computed once for each of its three points.
-// Cells are in the same order in both cases, so that each row is the same sum, bit by bit.
-template <class Make>
-void NewtonSystem::assemble_lists(Tangle const& tangle, Region const& region,
-                                  Executor const& executor, Make const& make) const noexcept {
-    if (executor.is_serial()) {
-        auto corners = make();
-        for (Index u = 0; u < region.n; ++u) clear_row(region, u);
-        add_cells(
-            tangle, region, region.cell.first(region.n_cells), [](Index u) { return u != none; },
-            corners);
-        for (Index u = 0; u < region.n; ++u) constrain_row(tangle, region, u);
-        return;
-    }
-    executor.for_ranges(region.n, min_rows, [&](Index begin, Index end) {
-        auto corners = make();
-        for (Index u = begin; u < end; ++u) {
-            clear_row(region, u);
-            add_cells(
-                tangle, region, region.cells_of(region.point[u]), [u](Index v) { return v == u; },
-                corners);
-            constrain_row(tangle, region, u);
+template <class Visit>
+void NewtonSystem::assemble(Tangle const& tangle, Region const& region, Executor const& executor,
+                            Visit const& visit) const noexcept {
+    assemble_cells(tangle, region, executor, [&](Index i, auto& form) {
+        constexpr Index n = form.count;
+        CellTriangles const corners(tangle, i);
+        for (Index k = 0; k < corners.n; ++k) {
+            CornerPoints const& point = corners.point[k];
+            if (!region.can_move(point)) continue;
+            Index const own = n == 3 ? 1 : k;
+            CornerForm corner;
+            visit(i, point, corner);
+            corner.turn_back_side(point.turn);
+            form.add(own == 0 ? n - 1 : own - 1, own, own + 1 == n ? 0 : own + 1, corner);
         }
     });
 }
 
-template <class IsWanted, class Corners>
-void NewtonSystem::add_cells(Tangle const& tangle, Region const& region, Span<const Index> cells,
-                             IsWanted const& is_wanted, Corners& corners) const noexcept {
-    for (Index begin = 0; begin < cells.count(); begin += Corners::max_cells) {
-        Span<const Index> const part =
-            cells.from(begin, static_cast<Size>(min(Corners::max_cells, cells.count() - begin)));
-        corners.clear();
-        for (Index const i : part) {
-            auto const list = [&](Index, Index, Index, CornerPoints const& point) {
-                corners.add(i, point);
-            };
-            if (tangle.mesh.cell(i).n == 3)
-                for_wanted_corners<3>(tangle, region, i, is_wanted, list);
-            else for_wanted_corners<4>(tangle, region, i, is_wanted, list);
-        }
-        corners.differentiate();
-        for (Index const i : part) {
-            if (tangle.mesh.cell(i).n == 3) add_cell<3>(tangle, region, i, is_wanted, corners);
-            else add_cell<4>(tangle, region, i, is_wanted, corners);
-        }
-    }
-}
-
-// Adds to those rows for which is_wanted(row) holds. A corner contributes to the rows of its three
-// points only.
-template <Index n, class IsWanted, class Corners>
-void NewtonSystem::add_cell(Tangle const& tangle, Region const& region, Index i,
-                            IsWanted const& is_wanted, Corners& corners) const noexcept {
+// Adds to the rows begin .. end-1.
+template <Index n, class Visit>
+void NewtonSystem::add_cell(Tangle const& tangle, Region const& region, Index i, Index begin,
+                            Index end, Visit const& visit) const noexcept {
     Cell const cell = tangle.cell(i);
+    Index row[n];
+    bool any = false;
+    for (Index k = 0; k < n; ++k) {
+        row[k] = region.unknown[cell.point[k]];
+        any = any || (row[k] != none && row[k] >= begin && row[k] < end);
+    }
+    if (!any) return;
     CellForm<n> sum;
-    for_wanted_corners<n>(tangle, region, i, is_wanted,
-                          [&](Index before, Index own, Index after, CornerPoints const& point) {
-                              CornerForm corner;
-                              corners.next(i, point, corner);
-                              corner.turn_back_side(point.turn);
-                              sum.add(before, own, after, corner);
-                          });
+    visit(i, sum);
     if (!tangle.turn.empty()) sum.turn_back(tangle.turn, cell);
     for (Index own = 0; own < n; ++own) {
-        Index const u = region.unknown[cell.point[own]];
-        if (!is_wanted(u)) continue;
+        Index const u = row[own];
+        if (u == none || u < begin || u >= end) continue;
         Span<const Index> const neighbours = region.of(u);
-        Span<Block> const row = hessian.from(region.start[u], neighbours.size());
-        gradient[u] = gradient[u] + sum.by[own];
+        Span<Block> const entries = hessian.from(region.start[u], neighbours.size());
+        gradient[u] = gradient[u] + sum.slope * sum.by[own];
+        border[u] = border[u] + sum.curvature * sum.by[own];
         for (Index other = 0; other < n; ++other) {
-            Index const v = region.unknown[cell.point[other]];
-            if (v == none) continue;
+            if (row[other] == none) continue;
             Size entry = 0;
-            while (entry < neighbours.size() && neighbours[entry] != v)
+            while (entry < neighbours.size() && neighbours[entry] != row[other])
                 ++entry;  // blocks below the diagonal are not stored
-            if (entry < neighbours.size()) row[entry] = row[entry] + sum.hessian[own][other];
+            if (entry < neighbours.size())
+                entries[entry] = entries[entry] + sum.hessian[own][other];
         }
     }
 }

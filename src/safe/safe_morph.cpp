@@ -53,13 +53,16 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     HARMORPH_TRY(check_target(target, report.crossing, fault));
     HARMORPH_TRY(check_tear(basis, move, plan.mesh().points, Status::crossing, fault));
 
-    report.start_quality =
-        measure_quality(work.cells(), mesh.now(), {}, work.executor()).min_quality;
+    Quality const start = measure_quality(work.cells(), mesh.now(), {}, work.executor());
+    report.start_quality = start.min_quality;
+    report.start_mean = start.mean_quality();
     report.outcome.min_quality = report.start_quality;
     first_layer.find(plan.mesh(), plan.mesh().points, mesh.representative,
                      plan.walls_at(plan.mesh().points).chosen());
     Method const method = plan.equations().method();
-    Status const status = climb(work);
+    Status status = climb(work);
+    if (!failed(status) && !work.arrives(work.best()) && options.searches)
+        status = search_farthest(work);
     plan.change_operator(method.operator_kind, method.exponent_quarters);
     if (work.factored_again)
         plan.forget_factor();  // the factor is that of another mesh or operator
@@ -70,33 +73,61 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
 // Tries one strategy after another until the mesh is good.
 Status SafeMorph::climb(Work& work) noexcept {
     SafeOptions const& options = work.options;
-    bool const may_turn_back = work.derivative == nullptr;
     if (options.tries(Strategy::linear)) single_step(work, work.basis, Strategy::linear, none);
     for (Index i = 0; i < options.others.count() && options.tries(Strategy::other); ++i) {
-        if (work.is_fair(work.best())) return Status::ok;
+        if (work.is_fair(work.best())) break;
         Basis const& other = options.others[i];
         if (work.derivative == nullptr || other.kind() == work.basis.kind())
             single_step(work, other, Strategy::other, i);
     }
-    if (work.is_fair(work.best())) return Status::ok;
-    if (options.solves_others && options.tries(Strategy::other))
+    if (!work.is_fair(work.best()) && options.solves_others && options.tries(Strategy::other))
         HARMORPH_TRY(other_operators(work));
-    if (work.is_good(work.best())) {
-        bool const may_improve = options.tries(Strategy::improved) && !options.improves;
-        if (!work.is_fair(work.best()) && may_improve && options.fair_quality > 0)
-            improve(work, result());
-        return Status::ok;
-    }
+    if (!work.is_good(work.best())) HARMORPH_TRY(several_steps(work));
+    improve_result(work);
+    return Status::ok;
+}
+
+void SafeMorph::improve_result(Work& work) noexcept {
+    SafeOptions const& options = work.options;
+    if (work.searches) return;
+    bool const is_improved = work.best().strategy == Strategy::improved && !work.report.may_improve;
+    if (!work.is_fine(work.best()) && options.tries(Strategy::improved) && !options.improves &&
+        !is_improved)
+        improve(work, result());
+}
+
+// Makes the movement in several steps, on straight ways where bodies that turn do not arrive.
+Status SafeMorph::several_steps(Work& work) noexcept {
+    bool const may_turn_back = work.derivative == nullptr;
     HARMORPH_TRY(substeps(work));
-    if (work.best().fraction < 1 && may_turn_back && mesh.path.is_bent()) {
+    if (!work.arrives(work.best()) && may_turn_back && mesh.path.is_bent()) {
         mesh.path.straighten(work.basis);
         mesh.carried.init(work.basis, mesh.path, work.mesh().points);
         HARMORPH_TRY(substeps(work));
     }
-    if (work.best().fraction < 1 && options.tries(Strategy::linear)) longest_linear_step(work);
-    bool const is_improved = work.best().strategy == Strategy::improved;
-    if (!work.is_good(work.best()) && options.tries(Strategy::improved) && !is_improved)
-        improve(work, result());
+    if (!work.arrives(work.best()) && work.options.tries(Strategy::linear))
+        longest_linear_step(work);
+    return Status::ok;
+}
+
+// Tries parts of a movement that cannot be completed, by bisection, with all strategies.
+Status SafeMorph::search_farthest(Work& work) noexcept {
+    constexpr Real enough = 0.02;
+    Index const first = work.report.solutions();
+    Real refused = 1;
+    while (refused - work.best().fraction > enough &&
+           work.report.solutions() - first < SafeOptions::max_in_search &&
+           work.solutions_left() > 0) {
+        work.aim = 0.5 * (work.best().fraction + refused);
+        work.resolves_before = work.report.resolves;
+        work.searches = true;
+        HARMORPH_TRY(climb(work));
+        if (!work.arrives(work.best())) refused = work.aim;
+    }
+    work.searches = false;
+    work.aim = work.best().fraction;
+    improve_result(work);
+    work.aim = 1;
     return Status::ok;
 }
 
@@ -115,7 +146,7 @@ AdmissibleStep SafeMorph::look_ahead(Work& work, Basis const& by, Real to) noexc
 
 void SafeMorph::single_step(Work& work, Basis const& by, Strategy strategy, Index other) noexcept {
     begin(work);
-    AdmissibleStep const limit = look_ahead(work, by, 1);
+    AdmissibleStep const limit = look_ahead(work, by, work.aim);
     if (strategy == Strategy::linear) work.report.limit = limit;
     if (!(limit.step > 1) || !is_valid(work, mesh.ahead())) return;
     work.attempt.strategy = strategy;
@@ -131,7 +162,7 @@ void SafeMorph::longest_linear_step(Work& work) noexcept {
     if (mesh.path.is_bent())
         return;  // the derivative of a path that turns does not fit a straight step
     begin(work);
-    Real length = min(0.98 * look_ahead(work, work.basis, 1).step, 1.0);
+    Real length = min(0.98 * look_ahead(work, work.basis, work.aim).step, 1.0) * work.aim;
     for (Index trial = 0; trial < max_trials && length > work.best().fraction;
          ++trial, length *= 0.8) {
         look_ahead(work, work.basis, length);
@@ -192,8 +223,10 @@ void SafeMorph::turn_slipping(Work const& work) const noexcept {
 }
 
 void SafeMorph::measure(Work const& work, Points points, Outcome& outcome) const noexcept {
-    outcome.min_quality =
-        measure_quality(work.cells(), points, work.mesh().points, work.executor()).min_quality;
+    Quality const quality =
+        measure_quality(work.cells(), points, work.mesh().points, work.executor());
+    outcome.min_quality = quality.min_quality;
+    outcome.mean_quality = quality.mean_quality();
     if (!is_finite(work.options.max_height_change)) return;
     FirstLayerChange const change = compare(first_layer, work.mesh().points, points);
     if (change.points == 0) return;

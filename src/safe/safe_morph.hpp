@@ -20,7 +20,13 @@ enum class Strategy : std::int32_t {
 };
 
 struct SafeOptions {
-    Index max_resolves = 10;
+    Index max_resolves = 10;  // for each part of the movement that is tried
+    // The largest number of solutions, of functions and of improvements together; and of those that
+    // search for the largest part of a movement that cannot be completed.
+    static constexpr Index max_solutions = 200, max_in_search = 60;
+    // An improvement that multiplies smallest and mean quality together by less is not worth a
+    // change.
+    static constexpr Real clear_gain = 1.05;
     std::uint32_t skipped = 0;  // bit k: strategy k is skipped
     Span<const Basis> others;   // solved with other operators or exponents
     // If true, the morph solves functions of other operators at the start where they are needed;
@@ -29,10 +35,12 @@ struct SafeOptions {
     UntangleOptions untangle;
     ImproveOptions improve;
     bool improves = false;  // the mesh at the target is always improved
-    // A fraction, 0 to 1, of the smallest quality of the start. If the quality of an acceptable
-    // mesh at the target is below this value, other operators and improvement are tried, but no
-    // substeps.
-    Real fair_quality = 0;
+    // The largest part of a movement that cannot be completed is searched for.
+    bool searches = true;
+    // Fractions, 0 to 1, of the smallest quality of the start. If the quality of an acceptable mesh
+    // at the target is below fair_quality, other operators are tried, but no substeps; below
+    // fine_quality, an improvement is tried.
+    Real fair_quality = 0.8, fine_quality = 0.95;
     Real heights = 0;  // 0 to 1: the part of the heights near walls that is restored at the end
     Real min_quality = 0.05;  // 0 to 1: in parts of the smallest quality of the start
     // A factor > 1, by which heights of the first layer may grow or shrink.
@@ -50,8 +58,8 @@ struct Outcome {
     // if the functions were those of the given basis.
     Index other = none;
     Index steps = 0;
-    Real fraction = 0;     // of the whole movement
-    Real min_quality = 0;  // relative to the start
+    Real fraction = 0;                       // of the whole movement
+    Real min_quality = 0, mean_quality = 0;  // relative to the start
     // The largest displacement of points of walls that their carried offsets cause.
     Real turned_offset = 0;
     // The largest factor, >= 1, by which heights changed; it is not measured unless the change is
@@ -68,20 +76,27 @@ struct WorstCell {
 struct SafeReport {
     static constexpr Index max_worst = 5;
 
-    Outcome outcome;       // of the returned mesh
-    Index resolves = 0;    // by all strategies together
-    AdmissibleStep limit;  // the limit of the last step that was tried
+    Outcome outcome;           // of the returned mesh
+    Index resolves = 0;        // by all strategies together
+    Real untangling = 0;       // the work of all untangling, in solutions
+    Index improvements = 0;    // the solutions of all improvements
+    bool may_improve = false;  // the last improvement ended at the limit of solutions
+    AdmissibleStep limit;      // the limit of the last step that was tried
     UntangleReport untangle;
     FirstLayerChange first_layer;
-    Real heights = 0;        // the part of the heights that could be restored
-    Crossing crossing;       // of boundary faces at the target
-    Real start_quality = 0;  // the smallest quality at the start
+    Real heights = 0;                        // the part of the heights that could be restored
+    Crossing crossing;                       // of boundary faces at the target
+    Real start_quality = 0, start_mean = 0;  // the smallest and the mean quality at the start
     // Among the ends of walls that leave the lines beside them, the end that goes farthest from its
     // line, and the distance from the line; none if no end leaves its line.
     Index end = none;
     Real end_distance = 0;
     Index n_worst = 0;
     WorstCell worst[max_worst];  // the worst cell first
+
+    Index solutions() const noexcept {
+        return resolves + improvements + static_cast<Index>(untangling);
+    }
 };
 
 struct SafeMorph {
@@ -118,6 +133,9 @@ private:
     struct Work;  // the arguments of run() and the values derived from them
 
     Status climb(Work& work) noexcept;
+    void improve_result(Work& work) noexcept;
+    Status several_steps(Work& work) noexcept;
+    Status search_farthest(Work& work) noexcept;
     void begin(Work& work) noexcept;
     AdmissibleStep look_ahead(Work& work, Basis const& by, Real to) noexcept;
     bool is_valid(Work const& work, Points points) const noexcept;
@@ -147,7 +165,9 @@ private:
     Basis copy_to_solve(Work const& work) const noexcept;
 
     bool leap(Work& work, Basis const& by, bool is_last) noexcept;
+    bool run_improvement(Work& work, Index max_solutions, Points from) noexcept;
     bool improve(Work& work, Points from) noexcept;
+    void improve_on_the_way(Work& work) noexcept;
     void improve_at_end(Work& work) noexcept;
     void restore_heights(Work& work) noexcept;
     void measure_worst(Work& work) const noexcept;

@@ -16,30 +16,41 @@ struct SafeMorph::Work {
     // The derivative is that of the best mesh, and not that of a later attempt.
     bool derivative_of_best = true;
     bool factored_again = false;
+    // The part of the movement that the present strategies aim at.
+    Real aim = 1;
+    // The solutions of the functions before these strategies began.
+    Index resolves_before = 0;
+    // Any valid mesh will do, as the largest part of the movement is searched for.
+    bool searches = false;
 
     Mesh const& mesh() const noexcept { return plan.mesh(); }
     OrientedMesh const& cells() const noexcept { return plan.cells(); }
     Executor const& executor() const noexcept { return plan.executor(); }
     Outcome& best() const noexcept { return report.outcome; }
 
-    Real goal() const noexcept { return options.min_quality * report.start_quality; }
-    ImproveOptions improve_options() const noexcept {
-        ImproveOptions improvement = options.improve;
-        improvement.enough = goal();
-        return improvement;
+    Index resolves() const noexcept { return report.resolves - resolves_before; }
+    bool arrives(Outcome const& outcome) const noexcept { return outcome.fraction >= aim; }
+    Index solutions_left() const noexcept {
+        return max(SafeOptions::max_solutions - report.solutions(), Index{0});
     }
+    Real goal() const noexcept { return options.min_quality * report.start_quality; }
     // Returns the quality in parts of the quality asked for; 1 is enough.
     Real score(Outcome const& outcome) const noexcept {
         Real const quality = goal() > 0 ? outcome.min_quality / goal() : 1;
         return min(min(quality, options.max_height_change / outcome.height_change), 1.0);
     }
     bool is_good(Outcome const& outcome) const noexcept {
-        return outcome.fraction >= 1 && score(outcome) >= 1;
+        return arrives(outcome) && (searches || score(outcome) >= 1);
     }
     // Returns whether the mesh is so good that no further strategy is tried.
     bool is_fair(Outcome const& outcome) const noexcept {
         return is_good(outcome) &&
-               outcome.min_quality >= options.fair_quality * report.start_quality;
+               (searches || outcome.min_quality >= options.fair_quality * report.start_quality);
+    }
+    bool is_fine(Outcome const& outcome) const noexcept {
+        return is_good(outcome) &&
+               outcome.min_quality >= options.fine_quality * report.start_quality &&
+               outcome.mean_quality >= options.fine_quality * report.start_mean;
     }
     bool is_better(Outcome const& one, Outcome const& other) const noexcept {
         if (one.fraction != other.fraction) return one.fraction > other.fraction;

@@ -62,8 +62,8 @@ Status SafeMorph::other_operators(Work& work) noexcept {
     begin(work);
     Basis const here = copy_to_solve(work);
     Operators const operators(work.basis.header->method);
-    for (Index k = 1; k < operators.count && work.report.resolves < work.options.max_resolves;
-         ++k) {
+    for (Index k = 1; k < operators.count && work.resolves() < work.options.max_resolves; ++k) {
+        if (operators.list[k].kind == operators.list[0].kind && work.is_good(work.best())) continue;
         Status const status = solve_by(work, here, operators.list[k]);
         if (status == Status::cancelled) return status;
         if (failed(status)) continue;
@@ -78,7 +78,7 @@ Status SafeMorph::substeps(Work& work) noexcept {
     begin(work);
     Basis const here = copy_to_solve(work);
     Operators operators(work.basis.header->method);
-    Index leaps = work.derivative == nullptr
+    Index leaps = work.derivative == nullptr && !work.searches
                       ? max_leaps
                       : 0;  // the derivative does not include movements by untangling
     // After a solution that failed, `here` may contain any values; the functions of the start can
@@ -90,16 +90,17 @@ Status SafeMorph::substeps(Work& work) noexcept {
         while (length >= min_substep) {
             work.attempt.strategy = Strategy::substeps;
             take_step(work, *by);
-            if (work.attempt.fraction >= 1) {
+            if (work.arrives(work.attempt)) {
                 keep_if_better(work);
                 return Status::ok;
             }
-            if (work.report.resolves >= work.options.max_resolves) break;
+            if (work.resolves() >= work.options.max_resolves) break;
+            improve_on_the_way(work);
             Status status = solve_by(work, here, operators.now());
             if (!failed(status)) {
                 by = &here;
                 length = find_step(work, here);
-                bool const is_late = work.report.resolves >= usual_resolves;
+                bool const is_late = work.resolves() >= usual_resolves;
                 if ((is_late || is_stuck(work, length)) && leaps > 0) {
                     --leaps;
                     if (leap(work, here, false)) return Status::ok;
@@ -110,7 +111,7 @@ Status SafeMorph::substeps(Work& work) noexcept {
             if (status == Status::cancelled) return status;
             by = here.header->solved == 1 ? &here : &work.basis;
             if (failed(status)) break;  // the scheme does not apply, or the mesh is too poor
-            if (length >= min_substep) look_ahead(work, here, min(mesh.time + length, 1.0));
+            if (length >= min_substep) look_ahead(work, here, min(mesh.time + length, work.aim));
         }
         if (work.attempt.steps > 0) keep_if_better(work);
     }
@@ -120,9 +121,8 @@ Status SafeMorph::substeps(Work& work) noexcept {
 
 // Returns whether a step is too short to reach the target with the remaining solutions.
 bool SafeMorph::is_stuck(Work const& work, Real length) const noexcept {
-    Real const left =
-        static_cast<Real>(max(work.options.max_resolves - work.report.resolves, Index{1}));
-    return length < stuck_below * (1 - mesh.time) / left;
+    Real const left = static_cast<Real>(max(work.options.max_resolves - work.resolves(), Index{1}));
+    return length < stuck_below * (work.aim - mesh.time) / left;
 }
 
 // Returns the given basis, or the other basis with the longest step if the step of the given one is
@@ -131,7 +131,7 @@ Basis const& SafeMorph::choose_first(Work& work, Real& length) noexcept {
     const Basis* best = &work.basis;
     const Basis* last = best;
     length = find_step(work, *best);
-    if (work.options.tries(Strategy::other) && length < 1) {
+    if (work.options.tries(Strategy::other) && length < work.aim) {
         for (Basis const& other : work.options.others) {
             if (work.derivative != nullptr && other.kind() != work.basis.kind()) continue;
             Real const step = find_step(work, other);
@@ -141,7 +141,7 @@ Basis const& SafeMorph::choose_first(Work& work, Real& length) noexcept {
             best = &other;
         }
     }
-    if (last != best && length > 0) look_ahead(work, *best, min(mesh.time + length, 1.0));
+    if (last != best && length > 0) look_ahead(work, *best, min(mesh.time + length, work.aim));
     return *best;
 }
 
@@ -157,7 +157,7 @@ Status SafeMorph::change_operator(Work& work, Basis const& here, Operators& oper
     Index solved = first;
     for (Index k = 1; k < operators.count && is_stuck(work, length); ++k) {
         Index const number = (first + k) % operators.count;
-        if (work.report.resolves + 2 > work.options.max_resolves)
+        if (work.resolves() + 2 > work.options.max_resolves)
             break;  // it may have to be solved twice
         Status const status = solve_by(work, here, operators.list[number]);
         if (status == Status::unsupported) continue;
@@ -173,8 +173,9 @@ Status SafeMorph::change_operator(Work& work, Basis const& here, Operators& oper
 }
 
 // Solves the functions of an operator on the present mesh. Status::unsupported means that the
-// conditions do not allow this operator.
+// conditions do not allow this operator, or that no solution is left.
 Status SafeMorph::solve_by(Work& work, Basis const& here, OperatorChoice const& choice) noexcept {
+    if (work.solutions_left() == 0) return Status::unsupported;
     Method& method = here.header->method;
     bool const is_new =
         method.operator_kind != choice.kind || method.exponent_quarters != choice.exponent_quarters;
@@ -190,12 +191,12 @@ Status SafeMorph::solve_by(Work& work, Basis const& here, OperatorChoice const& 
 // a step shorter than the pace that leads to the target.
 Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
     Index const planned = min(usual_resolves, work.options.max_resolves);
-    Index const max_resolves = work.report.resolves < planned ? planned : work.options.max_resolves;
-    Real const pace =
-        (1 - mesh.time) / static_cast<Real>(max(max_resolves - work.report.resolves, Index{0}) + 1);
-    Real length = 1 - mesh.time;
+    Index const max_resolves = work.resolves() < planned ? planned : work.options.max_resolves;
+    Real const pace = (work.aim - mesh.time) /
+                      static_cast<Real>(max(max_resolves - work.resolves(), Index{0}) + 1);
+    Real length = work.aim - mesh.time;
     for (Index trial = 0; trial < max_trials && length >= min_substep; ++trial) {
-        Real const end = min(mesh.time + length, 1.0);
+        Real const end = min(mesh.time + length, work.aim);
         work.report.limit = look_ahead(work, by, end);
         Real const share = work.report.limit.step * substep_of_admissible;
         if (share >= 1 && is_valid(work, mesh.ahead())) {

@@ -5,6 +5,8 @@ namespace {
 
 // Flat directions get this part of the curvature of |J|^2 / chi, so that steps stay bounded.
 constexpr Real min_curvature = 0.1;
+// A factorisation of the Hessian of all points takes about as long as so many products with it.
+constexpr Real products_of_solution = 100;
 
 struct Smallest {
     Real value = infinity;
@@ -41,8 +43,10 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
     // Each region surrounds the inverted cells that the previous one left, and begins with the mesh
     // that the previous one ended with.
     for (Index layers = max(options.layers, Index{1}); region.n_cells > 0; layers *= 2) {
-        bool const is_whole = layers >= Region::whole;
         region.grow(tangle, layers);
+        // A region that has not grown is all that can move.
+        bool const is_whole =
+            layers >= Region::whole || (report.regions > 0 && region.n == report.unknowns);
         HARMORPH_TRY(check_reference(fault));
         ++report.regions;
         report.unknowns = region.n;
@@ -102,9 +106,12 @@ void Untangling::repair_region(UntangleOptions const& options, Index max_iterati
     Real softness = sqrt(1e-12 + 0.04 * smallest * smallest);
     for (Index k = 0; k < max_iterations; ++k) {
         Real const before = energy(now, softness);
-        if (!is_finite(before)) return;
+        if (!is_finite(before) || report.work >= options.max_work) return;
         assemble(softness);
-        report.products += system.solve(region, options.max_products, executor);
+        Index const products = system.solve(region, options.max_products, executor);
+        report.products += products;
+        report.work += static_cast<Real>(products) * static_cast<Real>(region.n) /
+                       (products_of_solution * static_cast<Real>(now.count()));
         ++report.iterations;
         Real const after = descend(softness, before);
         smallest = smallest_determinant();

@@ -15,7 +15,8 @@ struct UntangleOptions {
     // the number is doubled, and so on.
     Index layers = 6;
     Index iterations_in_part = 30;    // the largest number in a part of the mesh
-    Index iterations_in_whole = 200;  // the largest number in the whole mesh
+    Index iterations_in_whole = 100;  // the largest number in the whole mesh
+    Real max_work = infinity;         // in solutions
     Index max_products = 200;  // the largest number of products with the Hessian in each iteration
     // Areas of corners in units of those of the reference. A region is finished when its smallest
     // area is at least `goal`, or is at least `margin` and no longer grows; if it stays below
@@ -34,6 +35,7 @@ struct UntangleReport {
     Index stuck_cell = none;
     Index iterations = 0;  // the number in all regions
     Offset products = 0;   // the number of products with the Hessian
+    Real work = 0;         // the time of the products, in solutions
     Index regions = 0;     // the number of regions that were tried
     Index unknowns = 0;    // the number of points that could move in the last region
     // The smallest area of a corner that could move in that region, in units of the reference's.

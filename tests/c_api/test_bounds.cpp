@@ -146,11 +146,11 @@ TEST_CASE("safe morphs and better cells") {
     };
     check_changes<I>(sized<I>(),
                      {{nullptr, [](I&) {}},
-                      {nullptr, [](I& i) { i.max_iterations = 10000; }},
-                      {"options.max_iterations must be between 0 and 10000, not 10001",
-                       [](I& i) { i.max_iterations = 10001; }},
-                      {"options.max_iterations must be between 0 and 10000, not -1",
-                       [](I& i) { i.max_iterations = -1; }},
+                      {nullptr, [](I& i) { i.max_solutions = 10000; }},
+                      {"options.max_solutions must be between 0 and 10000, not 10001",
+                       [](I& i) { i.max_solutions = 10001; }},
+                      {"options.max_solutions must be between 0 and 10000, not -1",
+                       [](I& i) { i.max_solutions = -1; }},
                       {"options.reserved must be 0, not 1", [](I& i) { i.reserved = 1; }}},
                      HM_BAD_ARGUMENT, improve);
     hm_error error{};

@@ -42,6 +42,7 @@ turn() { # turn DEGREES [SHIFT]: moves of the block's corners about its middle, 
 }
 
 turn 40 >"$tmp/turn40.txt"
+turn 3 >"$tmp/turn3.txt"
 turn 60 >"$tmp/turn60.txt"
 turn 150 >"$tmp/turn150.txt"
 printf '# a body\nrigid block .5 -.25 90 1.25\n' >"$tmp/rigid.txt"

@@ -47,6 +47,8 @@ solve_fas() { solve_laplace --engine fas "$@"; }
 solve_body() { "$harmorph" solve "$box" --rigid block -o "$tmp/traced" --json "$@"; }
 morph_far() { "$harmorph" morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe -o "$tmp/traced" \
     --json "$@"; }
+morph_near() { "$harmorph" morph "$box" "$tmp/conformal.basis" --move "$tmp/turn3.txt" --safe -o "$tmp/traced" \
+    --json "$@"; }
 morph_laplace() { "$harmorph" morph "$box" "$tmp/laplace.basis" --move "$tmp/turn60.txt" --safe -o "$tmp/traced" \
     --json "$@"; }
 morph_better() { "$harmorph" morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" --improve -o "$tmp/traced" \
@@ -117,14 +119,15 @@ sets hm_study_options.start solve_fas --start zero
 sets hm_safe_options.max_resolves morph_far --max-resolves 0
 sets hm_safe_options.skipped_strategies morph_far --skip substeps
 for field in n_others others; do sets hm_safe_options.$field morph_laplace --other "$tmp/conformal.basis"; done
-sets hm_safe_options.improve morph_far --improve
+sets hm_safe_options.improve morph_near --improve
 sets hm_safe_options.heights morph_far --heights-part .5
 sets hm_safe_options.reached morph_far --reached "$tmp/traced.reached"
 sets hm_safe_options.min_quality morph_far --min-quality .99
 sets hm_safe_options.max_height_change morph_far --max-height-change 1.01
 fixed hm_safe_options.derivative "the program does not compute derivatives of safe movements"
 
-sets hm_improve_options.max_iterations morph_better --improve-iterations 1
+sets hm_improve_options.max_solutions morph_better --improve-work 1
+sets hm_safe_options.improve_work morph_far --improve-work 1
 fixed hm_improve_options.reference "the cells of MESH are the targets; other coordinates would be another mesh file"
 
 include=$here/../../include

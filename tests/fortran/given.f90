@@ -80,7 +80,8 @@ contains
         call none%init(plan)
         call none%assess(mesh, found_x, found_y, step, quality)
         call check(step%admissible > 1 .and. quality%inverted == 0, "assessment by a basis without functions")
-        call plan%displace_safe(safe, wall, x2, y2, points=list, report=safe_report)
+        call plan%displace_safe(safe, wall, x2, y2, points=list, options=hm_safe_options(min_quality=-1._dp), &
+            report=safe_report)
         call check(safe_report%strategy == hm_strategy_linear .and. safe_report%other == -1, "a small one, safely")
         call check(maxval(abs(x2 - x - found_x)) + maxval(abs(y2 - y - found_y)) < 1e-13_dp, "the same mesh, safely")
         wall(1, :) = -0.3_dp * x(list) - 0.8_dp * y(list)

@@ -51,7 +51,8 @@ contains
         call laplace%boundary_error(move, x, y, x_new, y_new, error)
         call check(error < 1e-12_dp, "its wall is the B-spline's")
         call solve(mesh, others(1))
-        call plan%morph_safe(laplace, move, x_new, y_new, others=others, report=report)
+        call plan%morph_safe(laplace, move, x_new, y_new, others=others, options=hm_safe_options(min_quality=-1._dp), &
+            report=report)
         call others(1)%morph_to(move, x, y, x_other, y_other)
         call check(report%strategy == hm_strategy_other .and. report%other == 1 .and. &
             maxval(abs(x_new - x_other)) < 1e-14_dp, &
@@ -125,17 +126,19 @@ contains
         real(dp) :: x_other(n_points), y_other(n_points), block_x(around, rings), block_y(around, rings)
         real(c_float) :: x4(n_points), y4(n_points), block_x4(around, rings), block_y4(around, rings)
         real(dp), allocatable, target :: work(:)
+        type(hm_safe_options) :: steps_alone
         integer :: stat
+        steps_alone%skipped_strategies = 2**hm_strategy_other + 2**hm_strategy_untangled + 2**hm_strategy_improved
         allocate(work(plan%morph_safe_words()))
         block_x = 0
         block_y = 0
-        call plan%morph_safe(weighted, move, block_x, block_y, work=work)
+        call plan%morph_safe(weighted, move, block_x, block_y, options=steps_alone, work=work)
         call check(same(reshape(block_x, [n_points]), x_new) .and. same(reshape(block_y, [n_points]), y_new), "a block")
         call plan%morph_safe(weighted, move, x_other, y_other, work=work(2:), stat=stat)
         call check(stat == hm_block_too_small, "work 8 bytes too small")
-        call plan%morph_safe(weighted, real(move, c_float), x4, y4)
+        call plan%morph_safe(weighted, real(move, c_float), x4, y4, options=steps_alone)
         call check(maxval(abs(x4 - x_new)) < 1e-5_dp, "default reals")
-        call plan%morph_safe(weighted, real(move, c_float), block_x4, block_y4)
+        call plan%morph_safe(weighted, real(move, c_float), block_x4, block_y4, options=steps_alone)
         call check(all(abs(reshape(block_x4, shape(x4)) - x4) <= 0) .and. &
             all(abs(reshape(block_y4, shape(y4)) - y4) <= 0), "a block of default reals")
     end subroutine
@@ -161,7 +164,7 @@ contains
         call plan%improve(block_x, block_y, reshape(x, [around, rings]), reshape(y, [around, rings]), work=work)
         call check(same(reshape(block_x, [n_points]), x_other) .and. same(reshape(block_y, [n_points]), y_other), &
             "the mesh before the movement as reference, a block, own memory")
-        call plan%improve(x_other, y_other, max_iterations=-1, stat=stat)
+        call plan%improve(x_other, y_other, max_solutions=-1, stat=stat)
         call check(stat == hm_bad_argument, "fewer steps than none")
         call plan%improve(x_other(2:), y_other(2:), stat=stat)
         call check(stat == hm_bad_argument, "an improvement of a point too few")

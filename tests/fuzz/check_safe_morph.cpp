@@ -21,7 +21,7 @@ void SolutionCheck::improvement() {
            "no morph");
     slide(from_x, from_y);
     hm_improve_options options = sized<hm_improve_options>();
-    options.max_iterations = input_.from(0, 20);
+    options.max_solutions = input_.from(0, 20);
     hm_improve_report report = sized<hm_improve_report>();
     hm_status const status = its_.blocks.make(error_, size_by(hm_improve_size, its_.plan),
                                               [&](void* memory, std::size_t bytes, hm_error* e) {

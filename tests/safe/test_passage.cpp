@@ -54,7 +54,7 @@ TEST_CASE("a safe morph of a passage reaches the target, and the sides and all p
             CHECK(a.status == HM_OK);
             CHECK(a.is_valid());
             Field const found = positions(a.moved_mesh());
-            CHECK(misfit_of_sides(one.mesh, found, turn) < 1e-15);
+            CHECK(misfit_of_sides(one.mesh, found, turn) < 2e-15);
             CHECK(a.boundary_error(move) < 1e-13);
             // The annulus has real functions without the conformal operator: its bodies go straight
             // on.
@@ -111,10 +111,10 @@ TEST_CASE("cells of a passage improve as in the annulus of all passages") {
         hm_improve_report const report = improved(a, one.mesh, from, better);
         improved(b, all.mesh, from_all, better_all);
         CHECK(report.min_quality > report.min_quality_before);
-        CHECK(report.iterations > 2);
+        CHECK(report.solutions > 2);
         CHECK(misfit_of_sides(one.mesh, better, turn) < 1e-14);
         std::size_t const side = std::size_t(points_on(one.mesh, left)[4]);
         CHECK(std::abs(better[side] - from[side]) > 1e-4);
-        CHECK(difference_in(better, better_all, number[0]) < 1e-8);
+        CHECK(difference_in(better, better_all, number[0]) < 1e-6);
     }
 }

@@ -87,6 +87,7 @@ TEST_CASE("threads, input in place and other arrays do not change the bits") {
         }
     }
     Safe reference(setup);
+    reference.safe_options.min_quality = 0;  // as without options
     REQUIRE(reference.run(move) == HM_OK);
     Case own = setup;
     hm_mesh view = own.mesh.view();

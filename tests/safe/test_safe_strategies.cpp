@@ -54,6 +54,7 @@ TEST_CASE("another basis can be the strategy that helps") {
     CHECK(largest_difference(safe.moved(), moved_beside_others) == 0);
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED});
     safe.safe_options.n_others = 1;
+    safe.safe_options.max_resolves = 10;  // no part of the movement is searched for
     CHECK(safe.run(move) == HM_SHORT);  // with the other one alone: as far as one linear step goes
     CHECK(safe.report.step_fraction == doctest::Approx(0.98 * safe.admissible(move)));
     CHECK(safe.report.strategy == HM_STRATEGY_LINEAR);
@@ -91,6 +92,7 @@ TEST_CASE("the longest linear step is straight, without a derivative of a path t
     REQUIRE(safe.admissible(move) < 1);
     safe.safe_options.skipped_strategies = without(
         {HM_STRATEGY_OTHER, HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
+    safe.safe_options.max_resolves = 10;  // no part of the movement is searched for
     CHECK(safe.run(move, derivative.basis) == HM_SHORT);
     CHECK(safe.report.step_fraction == 0);
     CHECK(safe.untouched());
@@ -126,8 +128,8 @@ TEST_CASE("a substep takes half of the admissible step, with the functions at it
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Case setup = block_in_square(kind);
         Safe safe(setup);
-        safe.safe_options.skipped_strategies =
-            without({HM_STRATEGY_LINEAR, HM_STRATEGY_OTHER, HM_STRATEGY_UNTANGLED});
+        safe.safe_options.skipped_strategies = without(
+            {HM_STRATEGY_LINEAR, HM_STRATEGY_OTHER, HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
         std::vector<double> const shift = similarity_move(setup.curves, 1, {0.5, 0.5}, {0.3, 0.2});
         for (std::vector<double> const& move : {shift, turn_of(setup, 150)}) {
             REQUIRE(safe.admissible(move) < 1);

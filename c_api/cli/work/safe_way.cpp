@@ -34,6 +34,7 @@ void add_safe(JsonObject& object, const hm_safe_report& safe, const std::string&
     if (reached_moves != nullptr) object.add("reached_moves", *reached_moves);
     object.add("rotated_offset", safe.rotated_offset).add("start_quality", safe.start_quality);
     object.add("end_point", safe.end_point).add("end_distance", safe.end_distance);
+    object.add("solutions", safe.solutions).add("may_improve", safe.may_improve != 0);
     object.add("warning", warning);
     std::vector<JsonObject> worst(static_cast<std::size_t>(safe.n_worst));
     for (std::size_t i = 0; i < worst.size(); ++i) {
@@ -94,6 +95,8 @@ void print_target(const hm_safe_report& safe) {
     print("target           %s %% of the way in %s, %s of the functions; strategy: %s\n",
           brief(100 * safe.step_fraction).c_str(), plural(safe.steps, "step").c_str(),
           plural(safe.resolves, "new solution").c_str(), strategy_name(safe.strategy));
+    print("spent            %s%s\n", plural(safe.solutions, "solution").c_str(),
+          safe.may_improve != 0 ? "; a larger --improve-work may give better cells" : "");
     if (safe.end_point >= 0) {
         print("end of a wall    point %d leaves the line of the boundary beside it by %s\n",
               safe.end_point, brief(safe.end_distance).c_str());
@@ -144,8 +147,9 @@ std::vector<Option> safe_options() {
          "those of MESH,\n"
          "and so that the worst cells are better; heights and angles of the first layer at walls "
          "are restored"},
-        {"--improve-iterations", "N",
-         "for --improve without --safe: steps of Newton's method at most (default 60)"}};
+        {"--improve-work", "SOLUTIONS",
+         "for --improve and --safe: the largest number of solutions of each improvement "
+         "(default 20)"}};
 }
 
 void check_safe_options(const Arguments& arguments) {
@@ -154,9 +158,8 @@ void check_safe_options(const Arguments& arguments) {
         if (!arguments.has("--safe") && arguments.has(option))
             arguments.refuse(std::string(option) + " needs --safe");
     }
-    if (arguments.has("--improve-iterations") &&
-        (arguments.has("--safe") || !arguments.has("--improve")))
-        arguments.refuse("--improve-iterations needs --improve, without --safe");
+    if (arguments.has("--improve-work") && !arguments.has("--safe") && !arguments.has("--improve"))
+        arguments.refuse("--improve-work needs --improve or --safe");
 }
 
 void warn_of_heights(const Arguments& arguments, const hm_safe_report& safe, bool is_valid) {
@@ -171,6 +174,7 @@ hm_safe_options safe_options_of(const Arguments& arguments) {
     auto options = sized<hm_safe_options>();
     options.improve = arguments.has("--improve") ? 1 : 0;
     options.heights = asked_heights(arguments);
+    options.improve_work = arguments.whole("--improve-work", 0, 1, 10000);
     const double quality = arguments.real("--min-quality", .05, 0, 1);
     options.min_quality = quality > 0 ? quality : -1;
     if (arguments.has("--max-height-change"))
@@ -186,7 +190,7 @@ hm_safe_options safe_options_of(const Arguments& arguments) {
 
 hm_improve_options improve_options_of(const Arguments& arguments) {
     auto options = sized<hm_improve_options>();
-    options.max_iterations = arguments.whole("--improve-iterations", 0, 1, 10000);
+    options.max_solutions = arguments.whole("--improve-work", 0, 1, 10000);
     return options;
 }
 

@@ -113,6 +113,7 @@ class Displacements:
         heights: float = 0.0,
         min_quality: float = 0.0,
         max_height_change: float = 0.0,
+        improve_work: int = 0,
     ) -> Safe:
         """Move the mesh from `start` by given displacements of any size, so that no cell inverts.
 
@@ -122,7 +123,7 @@ class Displacements:
             See :meth:`displace`.
         move : array of shape (functions, 2), optional
             Movements of curves and rigid bodies in the same call.
-        out, max_resolves, skip, improve, heights, min_quality, max_height_change
+        out, max_resolves, skip, improve, heights, min_quality, max_height_change, improve_work
             See :meth:`safe`.
         wall_points
             See :meth:`displace`.
@@ -132,7 +133,7 @@ class Displacements:
         Safe
         """
         options, _others = safe_options(
-            max_resolves, skip, (), improve, heights, min_quality, max_height_change
+            max_resolves, skip, (), improve, heights, min_quality, max_height_change, improve_work
         )
         with self._lock:
             basis = self._open()

@@ -58,6 +58,7 @@ class Large:
         heights: float = 0.0,
         min_quality: float = 0.0,
         max_height_change: float = 0.0,
+        improve_work: int = 0,
         derivative: bool = False,
     ) -> Safe:
         """Move the mesh from `start` by a movement of any size, so that no cell inverts.
@@ -83,6 +84,8 @@ class Large:
             valid mesh.
         max_height_change : float
             The largest factor by which heights of the first layer may change; 0: any.
+        improve_work : int
+            Solutions of each improvement at most; 0 means 20.
         derivative : bool
             Also return the derivative.
 
@@ -101,7 +104,7 @@ class Large:
             ``SHORT``: only a part of the movement was possible; ``POOR``; ``NOT_CONVERGED``.
         """
         options, alive = safe_options(
-            max_resolves, skip, others, improve, heights, min_quality, max_height_change
+            max_resolves, skip, others, improve, heights, min_quality, max_height_change, improve_work
         )
         with self._lock:
             basis, solver = self._open(), self._ready()
@@ -131,7 +134,7 @@ class Large:
         return other
 
     def improve(
-        self, points: Any, out: Any = None, *, reference: Any = None, max_iterations: int = 0
+        self, points: Any, out: Any = None, *, reference: Any = None, max_solutions: int = 0
     ) -> Tuple[Any, Report]:
         """Make the cells of a moved mesh more like those before; no cell inverts.
 
@@ -143,8 +146,8 @@ class Large:
             Receives the coordinates; it may be `points`.
         reference : array of shape (n_points, 2), or pair of arrays, optional
             Coordinates before the movement; the default is `start`.
-        max_iterations : int
-            0 means 60.
+        max_solutions : int
+            Factorisations at most; 0 means 20.
 
         Returns
         -------
@@ -153,7 +156,7 @@ class Large:
             The members of ``hm_improve_report``: `min_quality_before`, `min_quality`, ...
         """
         options, result, n = new("hm_improve_options"), new("hm_improve_report"), self.n_points
-        fill(options, max_iterations=max_iterations)
+        fill(options, max_solutions=max_solutions)
         out = np.empty((n, 2)) if out is None else out
         to, _to_alive = points_out(out, n, "out")
         from_, _alive = points_in(apart(points, out), n, "points")
@@ -246,10 +249,12 @@ def safe_options(
     heights: float,
     min_quality: float,
     max_height_change: float,
+    improve_work: int,
 ) -> Tuple[Any, Any]:
     """Return ``hm_safe_options*``, and what must stay alive with it."""
     options = fill(new("hm_safe_options"), max_resolves=max_resolves, improve=int(bool(improve)),
-                   heights=heights, min_quality=min_quality, max_height_change=max_height_change)
+                   heights=heights, min_quality=min_quality, max_height_change=max_height_change,
+                   improve_work=improve_work)
     for name in skip:
         if name not in _STRATEGIES:
             raise Error(f"The strategy {name!r} is unknown; known are {list(_STRATEGIES)}.")

@@ -130,7 +130,7 @@ def test_the_codes_are_those_of_the_header():
     lambda mesh, curves, morph: mesh.wall("wall", piece="first"),
     lambda mesh, curves, morph: morph.safe(np.zeros((12, 2)), heights="all"),
     lambda mesh, curves, morph: morph.safe(np.zeros((12, 2)), max_resolves=1.5),
-    lambda mesh, curves, morph: morph.improve(morph.start, max_iterations="all"),
+    lambda mesh, curves, morph: morph.improve(morph.start, max_solutions="all"),
     lambda mesh, curves, morph: harmorph.Morph(mesh, curves, tolerance="small"),
     lambda mesh, curves, morph: harmorph.Morph(mesh, curves, exponent="small"),
     lambda mesh, curves, morph: harmorph.Morph(

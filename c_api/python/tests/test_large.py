@@ -42,7 +42,7 @@ def test_strategies(laplace, morph):
         short = laplace.safe(move, skip=["substeps", "untangled"], max_resolves=-1)
     assert caught[0].message.code == harmorph.HarmorphWarning.SHORT
     assert 0 < short.report.step_fraction < 1
-    other = laplace.safe(move, others=[morph], skip=["substeps", "untangled"])
+    other = laplace.safe(move, others=[morph], skip=["substeps", "untangled", "improved"])
     assert other.report.strategy == 1 and other.report.other == 0
     out = np.empty((laplace.n_points, 2))
     assert laplace.safe(0.1 * move, out, improve=True, heights=1.0, min_quality=0.01,
@@ -69,7 +69,7 @@ def test_better_cells(laplace):
     assert laplace.assess(points=better, reference=laplace.start).quality.min_quality == pytest.approx(
         found.min_quality)
     same = moved.copy()
-    assert laplace.improve(same, same, reference=laplace.start, max_iterations=60)[0] is same
+    assert laplace.improve(same, same, reference=laplace.start, max_solutions=20)[0] is same
     assert np.array_equal(same, better)
 
 

@@ -27,7 +27,7 @@ def study(name, mesh, marker):
         seconds = shared.fastest(lambda: morph.improve(moved), 2)
         _points, report = morph.improve(moved)
         print(f"{name:22} {mesh.n_points:8d}  {what:9} {part:6.3f} {solution:10.4f} {seconds:10.4f} "
-              f"{seconds / solution:7.2f} {report.iterations:6d}   {report.min_quality_before:.4f} "
+              f"{seconds / solution:7.2f} {report.solutions:6d}   {report.min_quality_before:.4f} "
               f"{report.mean_quality_before:.5f}   {report.min_quality:.4f} {report.mean_quality:.5f}", flush=True)
 
 

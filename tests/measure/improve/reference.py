@@ -103,6 +103,12 @@ class Objective:
         quality = self.qualities(at)
         return quality.min(), quality.mean()
 
+    def rounding(self, at):
+        """How far the coordinates' rounding may change a quality: in parts of the shortest height of a cell."""
+        shortest = min((2 * area(z) / abs(np.roll(z, -1, axis=1) - z).max(axis=1)).min()
+                       for z in (at[kind.cells] for kind in self.kinds))
+        return 16 * np.finfo(float).eps * max(abs(at.real).max(), abs(at.imag).max()) / shortest
+
     def value(self, at):
         smallest, mean = self.report(at)
         return np.log(smallest) + WEIGHT * np.log(mean) if smallest > 0 else -np.inf

@@ -70,7 +70,8 @@ class Judged:
         if "points" not in report:  # a part of the movement, of which the program writes no mesh
             return found
         smallest, mean = self.objective.report(report["points"])
-        if max(abs(smallest - report["min_quality"]), abs(mean - report["mean_quality"])) > 1e-9:
+        error = max(abs(smallest - report["min_quality"]), abs(mean - report["mean_quality"]))
+        if error > 1e-9 + self.objective.rounding(report["points"]):
             self.problems.append(f"{who}: {smallest}/{mean}, reported {report['min_quality']}/{report['mean_quality']}")
         return {**found, "layer": self.layer.error(report["points"])}
 
