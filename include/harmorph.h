@@ -91,7 +91,7 @@
  * Threads          There is no hidden state. Only one thread at a time may write an object (plan,
  *                  basis) or make other objects from one (analysis); any number may read (morph,
  *                  adjoint, assess). The library uses the threads of an hm_executor, if given.
- * Stack            hm_morph: 16 KiB; hm_adjoint: 40 KiB; other calls: 56 KiB.
+ * Stack            hm_morph: 17 KiB; hm_adjoint: 40 KiB; other calls: 56 KiB.
  * Exceptions       A call that succeeds on finite numbers raises only inexact and underflow.
  * Repeatability    The same input and the same kernel give bitwise identical results: from run to
  *                  run, for any number of threads and of processes (harmorph_mpi.h).
