@@ -65,6 +65,13 @@ HARMORPH_INLINE Vector cross(ExactPair const& a, ExactPair const& b) noexcept {
     return lanes_normalised(leading.high, leading.low + (mixed_left - mixed_right)).rounded();
 }
 
+// clang unrolls loops of a constant length without being asked, and warns where it is asked.
+#ifdef __clang__
+#define HARMORPH_SWEPT_UNROLL
+#else
+#define HARMORPH_SWEPT_UNROLL _Pragma("GCC unroll 4")
+#endif
+
 // The formulas are those of sweep_polygon() in swept_areas.cpp.
 template <Index n>
 void sweep_lanes(SweptBatch& cells, Index lane) noexcept {
@@ -72,12 +79,12 @@ void sweep_lanes(SweptBatch& cells, Index lane) noexcept {
         return Registers::load(numbers[k] + lane);
     };
     ExactPair velocity[n], line[n], sum[n];
-#pragma GCC unroll 4
+    HARMORPH_SWEPT_UNROLL
     for (Index k = 0; k < n; ++k) {
         velocity[k] = exact_rise(at(cells.to_x, k), at(cells.to_y, k), at(cells.from_x, k),
                                  at(cells.from_y, k));
     }
-#pragma GCC unroll 4
+    HARMORPH_SWEPT_UNROLL
     for (Index k = 0; k < n; ++k) {
         Index const next = (k + 1) % n;
         line[k] = exact_rise(at(cells.from_x, next), at(cells.from_y, next), at(cells.from_x, k),
@@ -95,7 +102,7 @@ void sweep_lanes(SweptBatch& cells, Index lane) noexcept {
     }
     if (!cells.wants_duals) return;
     ExactPair const total = n == 4 ? sum[0] + sum[n - 2] : sum[0] + velocity[2];
-#pragma GCC unroll 4
+    HARMORPH_SWEPT_UNROLL
     for (Index k = 0; k < n; ++k) {
         ExactPair const across = line[(k + 1) % n] - line[(k + n - 1) % n];
         // 4 or 6 times the sum of the velocities of both ends of the line
@@ -104,6 +111,8 @@ void sweep_lanes(SweptBatch& cells, Index lane) noexcept {
         Registers::store(cells.duals[k] + lane, cross(ends, across) / (n == 4 ? 64.0 : 144.0));
     }
 }
+
+#undef HARMORPH_SWEPT_UNROLL
 
 void sweep(SweptBatch& cells, Index n) noexcept {
     for (Index lane = 0; lane < SweptBatch::size; lane += Registers::lanes) {

@@ -21,7 +21,7 @@ struct LogSize {
 // moves by M (sum_j pattern[j][k] (e_2j, e_2j+1)). The patterns are orthonormal, and a translation
 // is none of them.
 template <Index n>
-struct Frame {
+struct CellFrame {
     static constexpr Index patterns = n - 1, count = 2 * patterns;
     Vec2 column[2];          // M
     Vec2 inverse_column[2];  // of the transposed inverse of M
@@ -29,7 +29,7 @@ struct Frame {
     Real unit;  // a power of two of the size of the cell; lengths are divided by it
     Vec2 side[n], by_side[count][n];  // the sides and their derivatives
 
-    explicit Frame(CellShape const& shape) noexcept;
+    explicit CellFrame(CellShape const& shape) noexcept;
 
     // Turns the gradient and the Hessian by relative deformations into those by points.
     void to_points(Real const (&gradient)[count], Real const (&hessian)[count][count],
@@ -46,7 +46,7 @@ private:
 };
 
 template <Index n>
-Frame<n>::Frame(CellShape const& shape) noexcept {
+CellFrame<n>::CellFrame(CellShape const& shape) noexcept {
     constexpr Real two = 0.7071067811865476, six = 0.4082482904638630;
     constexpr Real of_triangle[2][3] = {{-two, two, 0}, {-six, -six, 2 * six}};
     constexpr Real of_quad[3][4] = {
@@ -73,8 +73,8 @@ Frame<n>::Frame(CellShape const& shape) noexcept {
 }
 
 template <Index n>
-void Frame<n>::to_points(Real const (&gradient)[count], Real const (&hessian)[count][count],
-                         CellForm<n>& form) const noexcept {
+void CellFrame<n>::to_points(Real const (&gradient)[count], Real const (&hessian)[count][count],
+                             CellForm<n>& form) const noexcept {
     Real const per_unit = 1 / unit, per_square = per_unit * per_unit;
     Vec2 const f = inverse_column[0], g = inverse_column[1];
     for (Index k = 0; k < n; ++k) {
@@ -123,7 +123,7 @@ struct Derivatives {
 // Adds weight ln(1 / sin t), where t is the angle of the corner between the sides `in` and `out`.
 // `square_weight` times the square of the gradient is added, too.
 template <Index n>
-void add_corner(Frame<n> const& frame, Index in, Index out, Real weight, Real square_weight,
+void add_corner(CellFrame<n> const& frame, Index in, Index out, Real weight, Real square_weight,
                 Derivatives<n>& to) noexcept {
     constexpr Index count = 2 * (n - 1);
     Vec2 const a = frame.side[in], b = frame.side[out];
@@ -151,7 +151,8 @@ void add_corner(Frame<n> const& frame, Index in, Index out, Real weight, Real sq
 // Adds slope ln(area) and square_weight times the square of its gradient; the area is that of the
 // triangle or quadrilateral.
 template <Index n>
-void add_area(Frame<n> const& frame, Real slope, Real square_weight, Derivatives<n>& to) noexcept {
+void add_area(CellFrame<n> const& frame, Real slope, Real square_weight,
+              Derivatives<n>& to) noexcept {
     constexpr Index count = 2 * (n - 1);
     constexpr Index last = n - 1;
     // The area is half the cross product of the two diagonals, or of two sides.
@@ -178,7 +179,7 @@ void add_area(Frame<n> const& frame, Real slope, Real square_weight, Derivatives
 
 // Makes the Hessian slope * second + curvature * first first^T positive definite.
 template <Index n>
-void finish(Frame<n> const& frame, Derivatives<n> const& y, LogarithmWeights const& weights,
+void finish(CellFrame<n> const& frame, Derivatives<n> const& y, LogarithmWeights const& weights,
             CellForm<n>& form) noexcept {
     constexpr Index count = 2 * (n - 1);
     Real hessian[count][count], vector[count][count];
@@ -212,7 +213,7 @@ Real minus_log_quality(CellMeasure const& measure, Real reference_area, Real blu
 void differentiate_cell(CellShape const& shape, Real reference_area,
                         LogarithmWeights const& weights, CellForm<3>& form) noexcept {
     constexpr Index count = 4;
-    Frame<3> const frame(shape);
+    CellFrame<3> const frame(shape);
     Real const area = CellCorners(shape).cell_area(3);
     LogSize const size(area, reference_area, weights.blur);
     Derivatives<3> y;
@@ -234,7 +235,7 @@ void differentiate_cell(CellShape const& shape, Real reference_area,
 
 void differentiate_cell(CellShape const& shape, Real reference_area,
                         LogarithmWeights const& weights, CellForm<4>& form) noexcept {
-    Frame<4> const frame(shape);
+    CellFrame<4> const frame(shape);
     CellCorners const corners(shape);
     LogSize const size(corners.cell_area(4), reference_area, weights.blur);
     Real inverse_sine[4], sum = 0;
@@ -253,17 +254,17 @@ void differentiate_cell(CellShape const& shape, Real reference_area,
 
 // The gradient of a polygon's y is a sum of gradients g with weights w >= 0, the sum of which is at
 // most 1.5; therefore the square of the sum is at most 1.5 times the sum of w g g^T.
-constexpr Real sum_of_weights = 1.5;
+constexpr Real corner_weight_sum = 1.5;
 
 void differentiate_piece(CellShape const& shape, PolygonMeasures const& polygon,
                          LogarithmWeights const& weights, CellForm<3>& form) noexcept {
-    Frame<3> const frame(shape);
+    CellFrame<3> const frame(shape);
     LogSize const size(polygon.area, polygon.reference_area, weights.blur);
     Real const part = CellCorners(shape).cell_area(3) / polygon.area;
     Derivatives<3> y;
     add_area(frame, part * size.slope, part * (size.bend + max(size.slope, 0.0)), y);
     LogarithmWeights own = weights;
-    own.curvature *= sum_of_weights / max(part * abs(size.slope), 1e-3);
+    own.curvature *= corner_weight_sum / max(part * abs(size.slope), 1e-3);
     own.least *= part;
     own.damping *= part;
     finish(frame, y, own, form);
@@ -271,13 +272,13 @@ void differentiate_piece(CellShape const& shape, PolygonMeasures const& polygon,
 
 void differentiate_corner(CellShape const& shape, PolygonMeasures const& polygon,
                           LogarithmWeights const& weights, CellForm<3>& form) noexcept {
-    Frame<3> const frame(shape);
+    CellFrame<3> const frame(shape);
     Vec2 const in = frame.side[0], out = frame.side[1];
     Real const part = sqrt(square(in)) * sqrt(square(out)) / cross(in, out) / polygon.inverse_sines;
     Derivatives<3> y;
     add_corner(frame, 0, 1, part, part, y);
     LogarithmWeights own = weights;
-    own.curvature *= sum_of_weights / part;
+    own.curvature *= corner_weight_sum / part;
     own.least *= part;
     own.damping *= part;
     finish(frame, y, own, form);

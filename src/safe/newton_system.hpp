@@ -7,6 +7,8 @@
 #include "safe/corner_triangle.hpp"
 #include "safe/region.hpp"
 
+#include <type_traits>
+
 namespace harmorph {
 
 struct Sum {
@@ -90,7 +92,7 @@ template <class Visit>
 void NewtonSystem::assemble(Tangle const& tangle, Region const& region, Executor const& executor,
                             Visit const& visit) const noexcept {
     assemble_cells(tangle, region, executor, [&](Index i, auto& form) {
-        constexpr Index n = form.count;
+        constexpr Index n = std::remove_reference_t<decltype(form)>::count;
         CellTriangles const corners(tangle, i);
         for (Index k = 0; k < corners.n; ++k) {
             CornerPoints const& point = corners.point[k];
