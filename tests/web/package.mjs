@@ -178,7 +178,7 @@ harmonic.free();
 check("what is possible without another solution", limited.report.stepFraction < 1 && limited.report.resolves === 0);
 check("is a warning", warnings.at(-1)?.code === "HM_SHORT" && warnings.at(-1).message.length > 20);
 const shaken = morph.morph(a);
-const better = morph.improve(shaken, { maxIterations: 5 });
+const better = morph.improve(shaken, { maxSolutions: 5 });
 check("improved cells", better.report.minQuality >= better.report.minQualityBefore);
 morph.solve(morph.morph(a));
 near("solved again: the start is the new mesh", morph.start, in_place, 0);

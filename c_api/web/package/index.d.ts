@@ -272,7 +272,7 @@ export class Morph implements Owner {
     safe(move: NumbersIn, options?: SafeOptions): Safe;
     /** Makes the cells of a moved mesh more like those before; no cell inverts. */
     improve(
-        points: NumbersIn, options?: { out?: NumbersOut; reference?: NumbersIn; maxIterations?: number },
+        points: NumbersIn, options?: { out?: NumbersOut; reference?: NumbersIn; maxSolutions?: number },
     ): { points: NumbersOut; report: ImproveReport };
     /** Puts points with slip back onto their curved boundary after a morph. */
     slip(points: NumbersIn, options?: { out?: NumbersOut }): NumbersOut;

@@ -304,13 +304,13 @@ export class Morph extends Owner {
     }
 
     /** Makes the cells of a moved mesh more like those before: { points, report }. */
-    improve(points, { out, reference, maxIterations = 0 } = {}) {
+    improve(points, { out, reference, maxSolutions = 0 } = {}) {
         this.open();
         const solver = this.ready();
         return this.library.with((scope) => {
             const from = scope.points(points ?? [], this.nPoints, "points"), to = scope.points_out(out, this.nPoints);
             const options = scope.struct("hm_improve_options", {
-                max_iterations: whole(maxIterations, "maxIterations"),
+                max_solutions: whole(maxSolutions, "maxSolutions"),
                 reference: scope.points(reference, this.nPoints, "reference"),
             });
             const report = scope.struct("hm_improve_report");
