@@ -5,9 +5,7 @@
 # What nothing could be made to say so far:
 # - triangles too thin: cells as thin are refused before;
 # - control points that are not determined: B-splines on knots that are accepted are far from dependent.
-# - a smallest quality below what was asked for: the improvement reaches what the tests ask for.
-unseen="the smallest quality is ~, less than was asked for: cell # at $
-a triangle at the points # and @ is too thin for its area to be computed
+unseen="a triangle at the points # and @ is too thin for its area to be computed
 control point # is not determined by the outline"
 words() {   # of all strings in these files, one string a line; strings that stand side by side are one
     awk '

@@ -190,16 +190,17 @@ void MeshImprovement::drop_poor_tops() noexcept {
     Anchors& anchors = improvement.anchors;
     auto const is_poor = [&](Index i) {
         CellShape const before = tangle.shape(i, tangle.reference);
-        CellMeasure const was(before.n, CellCorners(before));
-        CellShape const shape = tangle.shape(i, as_points(improvement.now));
-        CellMeasure const is(shape.n, CellCorners(shape));
-        return is.quality(was.area) < part_of_own * was.quality(0);
+        CellMeasure const measure_before(before.n, CellCorners(before));
+        CellShape const after = tangle.shape(i, as_points(improvement.now));
+        CellMeasure const measure_after(after.n, CellCorners(after));
+        return measure_after.quality(measure_before.area) < part_of_own * measure_before.quality(0);
     };
     Index kept = 0;
     for (Index k = 0; k < anchors.count; ++k) {
-        bool any = false;
-        for (Index const i : improvement.region.cells_of(anchors.point[k])) any = any || is_poor(i);
-        if (!any) anchors.point[kept++] = anchors.point[k];
+        bool has_poor_cell = false;
+        for (Index const i : improvement.region.cells_of(anchors.point[k]))
+            has_poor_cell = has_poor_cell || is_poor(i);
+        if (!has_poor_cell) anchors.point[kept++] = anchors.point[k];
     }
     anchors.count = kept;
 }

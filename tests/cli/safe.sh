@@ -35,8 +35,8 @@ runs "--min-quality: missed, with a warning" 0 morph "$box" "$tmp/conformal.basi
     --min-quality 0.99 -o "$tmp/poor.su2"
 check "--min-quality: the warning names a cell and its place" grep -E 'smallest quality is .*: cell [0-9]+ at \(' \
     "$tmp/err"
-refuses "--strict" 1 'smallest quality' morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe \
-    --min-quality 0.99 --strict -o "$tmp/strict.su2"
+refuses "--strict" 1 "less than was asked for: cell" morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" \
+    --safe --min-quality 0.99 --strict -o "$tmp/strict.su2"
 leaves_nothing "--strict: nothing written" "$tmp/strict.su2"
 # The program judges the mesh that it writes.
 for asked in .1 .3 .5 .6 .7 .8 .9; do
