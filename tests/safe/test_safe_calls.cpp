@@ -37,6 +37,20 @@ TEST_CASE("a safe morph that the callback cancels writes nothing, and works when
     CHECK(same_bits(safe.x, expected));
 }
 
+TEST_CASE("has_factor tells whether the plan solves without being factored again") {
+    Case setup = block_in_square(Cells::quads, 15);
+    Safe safe(setup);
+    for (double const degrees : {3., 120., 3.}) {
+        INFO(degrees);
+        REQUIRE(safe.run(turn_of(setup, degrees)) == HM_OK);
+        CHECK((safe.report.resolves > 0) == (degrees == 120));
+        hm_error error{};
+        hm_status const solved =
+            hm_plan_solve(safe.solved().plan, safe.solved().basis, nullptr, &error);
+        CHECK((safe.report.has_factor == 1) == (solved >= 0));
+    }
+}
+
 TEST_CASE("working space of exactly the stated size suffices, and every smaller size is refused") {
     Case setup = tiny_case();
     Safe safe(setup);
