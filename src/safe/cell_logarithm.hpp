@@ -2,7 +2,7 @@
 #pragma once
 
 #include "morph/quality.hpp"
-#include "safe/cell_form.hpp"
+#include "safe/corner_map.hpp"
 
 namespace harmorph {
 

@@ -2,9 +2,112 @@
 // two sides of the corner.
 #pragma once
 
-#include "safe/corner_form.hpp"
+#include "base/vec2.hpp"
+#include "mesh/mesh.hpp"
 
 namespace harmorph {
+
+// An entry of a Hessian by points. The numbers are in rows: (a, b) is the first row, (c, d) the
+// second.
+struct Block {
+    Real a = 0, b = 0, c = 0, d = 0;
+
+    constexpr Vec2 operator*(Vec2 v) const noexcept {
+        return {a * v.x + b * v.y, c * v.x + d * v.y};
+    }
+    // Adds curvature * u v^T.
+    constexpr void add(Real curvature, Vec2 u, Vec2 v) noexcept {
+        a += curvature * u.x * v.x;
+        b += curvature * u.x * v.y;
+        c += curvature * u.y * v.x;
+        d += curvature * u.y * v.y;
+    }
+};
+
+constexpr Block operator+(Block p, Block q) noexcept {
+    return {p.a + q.a, p.b + q.b, p.c + q.c, p.d + q.d};
+}
+constexpr Block operator-(Block p, Block q) noexcept {
+    return {p.a - q.a, p.b - q.b, p.c - q.c, p.d - q.d};
+}
+constexpr Block transpose(Block p) noexcept { return {p.a, p.c, p.b, p.d}; }
+
+// Returns the block that maps v, as a complex number, to t v + c conj(v). The block is symmetric if
+// t is real.
+constexpr Block complex_block(Vec2 t, Vec2 c) noexcept {
+    return {t.x + c.x, c.y - t.y, c.y + t.y, t.x - c.x};
+}
+
+// For a block that is a sum of products u v^T, these functions return the block in which each u, or
+// each v, is turned, which is a multiplication by a complex number.
+constexpr Block turned_rows(Vec2 turn, Block p) noexcept {
+    Vec2 const first = product(turn, {p.a, p.c}), second = product(turn, {p.b, p.d});
+    return {first.x, second.x, first.y, second.y};
+}
+constexpr Block turned_columns(Vec2 turn, Block p) noexcept {
+    return transpose(turned_rows(turn, transpose(p)));
+}
+
+// The gradient and the Hessian of the energy of a corner with the points p0, p1, p2, by the sides
+// p1 - p0 and p2
+// - p1. These are fewer numbers than the derivatives by the three points.
+struct CornerForm {
+    Vec2 by_side, by_next;
+    // The Hessian, by the first and by the second side.
+    Block side_side, side_next, next_next;
+
+    // Turns derivatives by a side that is turned into derivatives by the side itself.
+    void turn_back_side(Vec2 turn) noexcept {
+        if (turn.x == 1) return;
+        by_side = product(turn, by_side);
+        side_side = turned_columns(turn, turned_rows(turn, side_side));
+        side_next = turned_rows(turn, side_next);
+    }
+};
+
+// The gradient and the Hessian of the energy of one cell by the points of the cell, summed from
+// those of the corners.
+
+// The derivatives of the energy of a cell with n points; the Hessian is symmetric.
+template <Index n>
+struct CellForm {
+    static constexpr Index count = n;
+    Vec2 by[n];
+    Block hessian[n][n];
+    // The gradient of the energy is slope * by; see also NewtonSystem::border.
+    Real slope = 1, curvature = 0;
+
+    // Adds the derivatives of the corner at point `own`, the sides of which go from point `before`
+    // to point `own` and from there to point `after`.
+    void add(Index before, Index own, Index after, CornerForm const& corner) noexcept {
+        by[before] = by[before] - corner.by_side;
+        by[own] = by[own] + (corner.by_side - corner.by_next);
+        by[after] = by[after] + corner.by_next;
+        Block const cross = corner.side_next, turned = transpose(cross);
+        Block const side = corner.side_side, next = corner.next_next;
+        hessian[before][before] = hessian[before][before] + side;
+        hessian[before][own] = hessian[before][own] + (cross - side);
+        hessian[before][after] = hessian[before][after] - cross;
+        hessian[own][before] = hessian[own][before] + (turned - side);
+        hessian[own][own] = hessian[own][own] + (side - (cross + turned) + next);
+        hessian[own][after] = hessian[own][after] + (cross - next);
+        hessian[after][before] = hessian[after][before] - turned;
+        hessian[after][own] = hessian[after][own] + (turned - next);
+        hessian[after][after] = hessian[after][after] + next;
+    }
+    // Turns derivatives by points into derivatives by the unknowns that move the points; see
+    // Tangle::turn.
+    void turn_back(Span<const Vec2> turn, Cell const& cell) noexcept {
+        for (Index own = 0; own < n; ++own) {
+            Vec2 const back = conjugate(turn[cell.point[own]]);
+            by[own] = product(back, by[own]);
+            for (Index other = 0; other < n; ++other) {
+                hessian[own][other] = turned_rows(back, hessian[own][other]);
+                hessian[other][own] = turned_columns(back, hessian[other][own]);
+            }
+        }
+    }
+};
 
 // A triangle of three points. The second point is the corner of the cell that the triangle
 // represents.

@@ -4,7 +4,7 @@
 
 #include "safe/cell_logarithm.hpp"
 #include "safe/point_factor.hpp"
-#include "safe/slipping_points.hpp"
+#include "safe/mobility.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,5 @@
 #include "safe/motion_path.hpp"
 
-#include "safe/similarity.hpp"
-
 namespace harmorph {
 namespace {
 

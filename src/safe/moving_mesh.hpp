@@ -2,11 +2,72 @@
 #pragma once
 
 #include "morph/admissible_step.hpp"
+#include "boundary/distance.hpp"
+#include "safe/motion_path.hpp"
 #include "morph/crossing.hpp"
 #include "plan/plan.hpp"
-#include "safe/carried_offsets.hpp"
 
 namespace harmorph {
+
+// Where a body turns, mesh points of the wall that are not exactly on their curve need a
+// correction. A curve is fitted to the points of the wall and leaves a residual e = x - C(u), which
+// is often far larger than the height of the first layer. The movement of control points is split
+// into two parts: the similarity r (z - c) that fits the movement best, which every point of the
+// wall follows with its own position, and the rest, which follows the curve:
+//   dx = d + (r - 1) (x - c) + sum_i N_i dP_i^rest = sum_i N_i dP_i + (r - 1) e.
+// So a body that turns keeps the shape that the mesh gives it, and a movement without rotation or
+// scaling is that of the B-spline.
+//
+// Inside the mesh the similarity is carried exactly near the wall and fades with the distance to
+// the movement that the functions give:
+//   dz = sum_i F_i dP_i + (rho - 1) fade(h / reach) (z - sum_i F_i P_i).
+// Here h is the distance to the wall at the start, P_i are the control points, and rho is the
+// similarity of the step, as r is that of the whole movement; on the wall, z - sum_i F_i P_i is e.
+
+struct CarriedOffsets {
+    // The reach in units of the largest residual. An offset that fades over this length bends the
+    // mesh by a few parts in a hundred.
+    static constexpr Real reach_per_residual = 50;
+
+    Span<Vec2> wall;    // [wall points] the residual e
+    Span<Real> x, y;    // [n_points] fade (z - sum F_i P_i) on the present mesh
+    Span<Index> group;  // [n_points] the group that turns the point, or none
+    // [n_points] fade(h / reach) of points that have a group and are their own representatives.
+    Span<Real> fade;
+    Span<Real> control;       // [2 * functions]
+    Real reach = 0;           // 0: there are no offsets to carry
+    bool has_groups = false;  // whether `group` and `fade` have been found
+    // The functions that x and y were found with; null as long as x and y are not known.
+    const void* found_with = nullptr;
+
+    void lay_out(Arena& arena, BasisCounts const& counts) noexcept;
+    // Finds the residuals at the start. They are zero on a wall whose offsets are in the functions
+    // (Method::offset_correction).
+    void init(Basis const& basis, MovementPath const& path, Points start) noexcept;
+    // Must be called when the mesh or its functions have changed.
+    void forget() noexcept { found_with = nullptr; }
+    // Finds the group and the fade of all points at their start, unless they are known. Tangle
+    // describes representative and held [n_points].
+    void find_groups(Basis const& basis, MovementPath const& path, Points start,
+                     FaceDistance& walls, Span<const Index> representative,
+                     Span<const std::uint8_t> held, Executor const& executor) noexcept;
+    // Finds x and y, unless they are known, for the present mesh, which the movement `reached`
+    // [2 * functions] has led to.
+    void find(Basis const& by, Span<const Real> reached, Points now,
+              Span<const Index> representative, Executor const& executor) noexcept;
+    // Adds to displacements of inner points what the carried offsets contribute when the step goes
+    // from one time of the path to another.
+    void add(MovementPath const& path, Real from, Real to, MutablePoints displacement,
+             Executor const& executor) const noexcept;
+    // Returns the contribution to the displacement of a point of the wall from the start.
+    Vec2 of_wall(Basis const& basis, MovementPath const& path, Index slot,
+                 TurnAt& turn) const noexcept {
+        if (wall[slot].x == 0 && wall[slot].y == 0) return {};
+        return product(turn.of(path.group_of_slot(basis, slot)) - Vec2{1, 0}, wall[slot]);
+    }
+    // Returns the largest length of these contributions.
+    Real largest(Basis const& basis, MovementPath const& path, Real t) const noexcept;
+};
 
 struct MovingMesh {
     MovementPath path;

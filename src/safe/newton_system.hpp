@@ -3,13 +3,18 @@
 #pragma once
 
 #include "base/executor.hpp"
-#include "safe/cell_form.hpp"
-#include "safe/corner_triangle.hpp"
+#include "safe/corner_map.hpp"
 #include "safe/region.hpp"
 
 #include <type_traits>
 
 namespace harmorph {
+
+// Finds the positions of the three points of a corner.
+
+inline Triangle triangle_of(CornerPoints const& point, Points at) noexcept {
+    return {{turned_start(at[point[0]], at[point[1]], point.turn), at[point[1]], at[point[2]]}};
+}
 
 struct Sum {
     Real value = 0;

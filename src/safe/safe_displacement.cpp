@@ -1,6 +1,6 @@
 #include "safe/safe_displacement.hpp"
 
-#include "safe/similarity.hpp"
+#include "safe/motion_path.hpp"
 
 namespace harmorph {
 namespace {

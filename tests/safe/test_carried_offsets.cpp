@@ -4,7 +4,7 @@
 #include <fixtures/laid_out.hpp>
 
 #include "plan/plan.hpp"
-#include "safe/carried_offsets.hpp"
+#include "safe/moving_mesh.hpp"
 
 using namespace fixtures;
 using harmorph::Index;

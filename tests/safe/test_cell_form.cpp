@@ -2,7 +2,7 @@
 // stand for.
 #include <doctest/doctest.h>
 
-#include "safe/cell_form.hpp"
+#include "safe/corner_map.hpp"
 
 #include <cmath>
 #include <random>

@@ -6,7 +6,7 @@
 #include <fixtures/laid_out.hpp>
 
 #include "safe/newton_system.hpp"
-#include "safe/untangling_energy.hpp"
+#include "safe/untangle.hpp"
 
 using namespace fixtures;
 using harmorph::Block;

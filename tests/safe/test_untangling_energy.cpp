@@ -2,9 +2,9 @@
 // is smallest.
 #include <doctest/doctest.h>
 
-#include "safe/untangling_energy.hpp"
+#include "safe/untangle.hpp"
 
-#include "safe/cell_form.hpp"
+#include "safe/corner_map.hpp"
 
 #include <cmath>
 #include <random>
