@@ -25,16 +25,25 @@ struct Swept {
         : sides(static_cast<std::size_t>(n), -7.0), duals(sides), halves(2 * sides.size(), -7.0) {}
 };
 
-}  // namespace
+fixtures::Mesh hybrid(int round, int layers) {
+    return fixtures::two_bodies(round, layers, {}, fixtures::Ellipse{0.25, 0.06, 0.4},
+                                fixtures::Cells::hybrid);
+}
 
-TEST_CASE("a side has exactly opposite areas in its two cells; threads do not change bits") {
-    fixtures::Mesh const mesh = fixtures::two_bodies(40, 30, {}, fixtures::Ellipse{0.25, 0.06, 0.4},
-                                                     fixtures::Cells::hybrid);
+Positions moved_at_random(fixtures::Mesh const& mesh, unsigned seed) {
     Positions to{mesh.x, mesh.y};
-    std::mt19937 random(1);
+    std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform(-0.01, 0.01);
     for (double& x : to.x) x += uniform(random);
     for (double& y : to.y) y += uniform(random);
+    return to;
+}
+
+}  // namespace
+
+TEST_CASE("a side has exactly opposite areas in its two cells; threads do not change bits") {
+    fixtures::Mesh const mesh = hybrid(40, 30);
+    Positions const to = moved_at_random(mesh, 1);
     hm_mesh const view = mesh.view();
     hm_points const target = to.view();
     std::int64_t n = 0;
@@ -70,13 +79,8 @@ TEST_CASE("a side has exactly opposite areas in its two cells; threads do not ch
 
 TEST_CASE("all kernels give the same bits, also where a batch is not full, and in small meshes") {
     for (int const round : {7, 11, 80}) {
-        fixtures::Mesh const mesh = fixtures::two_bodies(
-            round, 6, {}, fixtures::Ellipse{0.25, 0.06, 0.4}, fixtures::Cells::hybrid);
-        Positions to{mesh.x, mesh.y};
-        std::mt19937 random(2);
-        std::uniform_real_distribution<double> uniform(-0.01, 0.01);
-        for (double& x : to.x) x += uniform(random);
-        for (double& y : to.y) y += uniform(random);
+        fixtures::Mesh const mesh = hybrid(round, 6);
+        Positions const to = moved_at_random(mesh, 2);
         hm_mesh const view = mesh.view();
         hm_points const target = to.view();
         std::int64_t n = 0;
