@@ -1,8 +1,10 @@
 #include "basics/numbers.hpp"
+#include "mesh/loops.hpp"
 #include "pictures/draw_curves.hpp"
 #include "pictures/mesh_lines.hpp"
 #include "pictures/pictures.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cli {
@@ -30,6 +32,33 @@ void draw_curves_after(Plot& plot, const hm_curves& curves) {
     draw_control_polygons(plot, curves, morph_style::polygon);
     draw_control_points(plot, curves, 4.5, morph_style::new_point);
     draw_numbers(plot, curves, {15, 12, "fill=\"#111\""});
+}
+
+// Bodies where they are after the morph cover the lines of the mesh before. A moving boundary round
+// the whole mesh is no body.
+void cover_bodies(Plot& plot, const Mesh& mesh, const hm_basis_info& info, const Field& moved) {
+    std::vector<bool> moves(mesh.x.size());
+    for (std::int32_t k = 0; k < info.curve_points; ++k) moves[place(info.curve_point[k])] = true;
+    std::vector<Edge> edges;
+    for (std::size_t face = 0; face < mesh.face_points.size(); face += 2) {
+        const auto [a, b] = std::minmax(mesh.face_points[face], mesh.face_points[face + 1]);
+        if (moves[place(a)] && moves[place(b)]) edges.push_back({a, b});
+    }
+    remove_repeats(edges);
+    Box all;
+    for (std::size_t point = 0; point < moved.x.size(); ++point)
+        all.include(Point{moved.x[point], moved.y[point]});
+    for (const std::vector<std::int32_t>& chain : edge_chains(edges, mesh.points())) {
+        if (chain.front() != chain.back()) continue;
+        std::vector<Point> outline;
+        Box around;
+        for (const std::int32_t point : chain) {
+            outline.push_back({moved.x[place(point)], moved.y[place(point)]});
+            around.include(outline.back());
+        }
+        const bool is_body = around.low.x > all.low.x && around.high.x < all.high.x;
+        if (is_body) plot.svg().path(plot.polyline(outline), "fill=\"white\" stroke=\"none\"");
+    }
 }
 
 void add_legend(Sheet& sheet, bool has_curves) {
@@ -84,6 +113,7 @@ std::string morph_picture(const Mesh& mesh, const Basis& basis, const Morph& mor
     Plot& plot = sheet.plot();
     plot.begin_inside();
     draw_mesh(plot, mesh, mesh.x, mesh.y, morph_style::before);
+    cover_bodies(plot, mesh, basis.info(), morph.moved);
     const std::string note =
         draw_mesh(plot, mesh, morph.moved.x, morph.moved.y, morph_style::after);
     draw_curves_before(plot, before);
