@@ -138,7 +138,8 @@ contours_are_true() {
 check "contour lines" contours_are_true
 
 # The moved bodies cover the mesh before, and nothing else does.
-check "morph: a picture" "$harmorph" morph "$bodies" "$tmp/conformal.basis" --move "$tmp/moves.txt" --svg "$tmp/morph.svg"
+check "morph: a picture" "$harmorph" morph "$bodies" "$tmp/conformal.basis" --move "$tmp/moves.txt" \
+    --svg "$tmp/morph.svg"
 check "morph: two bodies cover old lines" test "$(grep -c '<path fill="white" stroke="none"' "$tmp/morph.svg")" -eq 2
 
 # Cells that are not convex are painted without overlaps: their triangles run the same way round.
