@@ -1,8 +1,8 @@
 // The C interface: moves a section by values, and finds the modes of a family of movements.
-#include "base/vec2.hpp"
 #include "bspline/movements.hpp"
 #include "bspline/parsec.hpp"
 #include "bspline/section_measures.hpp"
+#include "limits.hpp"
 #include "section_view.hpp"
 
 namespace harmorph {
@@ -10,21 +10,17 @@ namespace {
 
 constexpr Index max_movements = 64;
 
+constexpr Limit<hm_movement> movement_kinds[] = {
+    {&hm_movement::kind, HM_ROTATE, HM_BLADE,
+     "the kind of movement # is @, but it must be one of HM_ROTATE to HM_BLADE"},
+};
+
 // Reads a movement, and refuses fields that belong to another kind.
 Status view_movement(const hm_movement* array, Index number, Movement& out, Fault& fault) noexcept {
     hm_movement m;
-    if (!read_struct(array, m) || !read_struct(element(array, number), m)) {
-        return fault.refuse(
-            Status::bad_argument,
-            "struct_size of movement # is not the size of an hm_movement; begin with HM_INIT",
-            entry_item(number));
-    }
-    if (m.kind < HM_ROTATE || m.kind > HM_BLADE) {
-        return fault.refuse(
-            Status::bad_argument,
-            "the kind of movement # is @, but it must be one of HM_ROTATE to HM_BLADE",
-            entry_item(number), plain(m.kind));
-    }
+    Item const item = entry_item(number);
+    HARMORPH_TRY(open_element(array, number, m, item, "movement", "hm_movement", fault));
+    HARMORPH_TRY(check_limits(m, movement_kinds, fault, item));
     out = {};
     out.kind = static_cast<MovementKind>(m.kind);
     out.n_camber = m.n_camber;

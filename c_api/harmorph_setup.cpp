@@ -1,5 +1,6 @@
 // The C interface: an analysis, a plan and a basis in two blocks, as most programs need them.
 #include "handles.hpp"
+#include "limits.hpp"
 
 namespace harmorph {
 namespace {
@@ -15,14 +16,6 @@ struct SolveBlock {
         plan.lay_out(arena, analysis);
     }
 };
-
-Status read_setup(const hm_setup* given, hm_setup& setup, CallFault& fault) noexcept {
-    HARMORPH_TRY(require({{"setup", given}}, fault));
-    if (read_struct(given, setup)) return Status::ok;
-    return fault.refuse(
-        Status::bad_argument,
-        "setup.struct_size is not the size of an hm_setup; begin with HM_INIT(setup)");
-}
 
 Status count_solution(hm_setup& setup, CallFault& fault) noexcept {
     const Analysis* analysis = nullptr;
@@ -51,7 +44,7 @@ hm_status hm_setup_init(hm_setup* setup, void* block, size_t bytes, const hm_pro
     hm_setup made = {};
     hm_status const refused = guarded(err, [&](CallFault& fault) {
         hm_setup old;
-        return read_setup(setup, old, fault);
+        return open_struct(setup, old, "setup", "hm_setup", fault);
     });
     if (refused < 0) return refused;
     hm_status const status = hm_analysis_init(&made.analysis, block, bytes, problem, options, err);
@@ -72,7 +65,7 @@ hm_status hm_setup_solve(hm_setup* setup, void* block, size_t bytes, hm_solve_re
     hm_setup made = {};
     hm_status const status = guarded(err, [&](CallFault& fault) {
         const Analysis* analysis = nullptr;
-        HARMORPH_TRY(read_setup(setup, made, fault));
+        HARMORPH_TRY(open_struct(setup, made, "setup", "hm_setup", fault));
         if (made.analysis == nullptr) {
             return fault.refuse(Status::bad_argument,
                                 "setup.analysis is NULL; call hm_setup_init first");
