@@ -36,8 +36,8 @@ struct KeptCurves {
     void copy_from(Span<const Curve> curves) const noexcept;
     void copy_from(KeptCurves const& other) const noexcept;
     Curve curve(Index number) const noexcept;
-    // Tells whether the curves n .. n + count - 1 exist and have common control points.
-    bool is_set(Index n, Index count) const noexcept;
+    // Tells whether the curves first .. first + count - 1 exist and have common control points.
+    bool is_set(Index first, Index count) const noexcept;
     // Tells whether the data agree with the counts and all curves are well-formed.
     bool fit() const noexcept;
 
