@@ -65,7 +65,7 @@ public:
         used_ = mark;
     }
 
-    // Both are exact if the arena is not overflown.
+    // used() and bytes() are exact if the arena is not overflown.
     Size used() const noexcept { return static_cast<Size>(needed()); }
     // Returns the number of bytes that suffice for a block wherever it begins.
     Size bytes() const noexcept { return used() + alignment - 1; }

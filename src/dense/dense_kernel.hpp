@@ -456,7 +456,7 @@ HARMORPH_INLINE void copy_run(const Real* from, Index n, Real* to) noexcept {
     if constexpr (at_once > 1) copy_run<at_once / 2>(from + i, n - i, to + i);
 }
 
-// Clears the last `slab` numbers, which may be padding. Their number is a constant, because
+// Clears the last `slab` numbers, which may be padding. The number `slab` is a constant, because
 // compilers call memset for a variable one.
 HARMORPH_INLINE void clear_last(Real* end) noexcept {
     for (Index i = 1; i <= slab; ++i) end[-i] = 0;
