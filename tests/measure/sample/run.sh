@@ -2,8 +2,8 @@
 # usage: sh tests/measure/sample/run.sh build/harmorph folder [DESIGNS]
 # Designs a second that `harmorph sample` makes on one thread of the shipped NACA 0012, in seconds of processor time
 # (user and system) and of wall time, the least of five runs: with coordinates, measures and quality, and what arrays
-# on request cost beside that; then designs whose control points are fitted to sections. Then the time in which dd writes
-# as many bytes to the same disk, with and without waiting for the disk itself.
+# on request cost beside that; then designs whose control points are fitted to sections. Then the time in which dd
+# writes as many bytes to the same disk, with and without waiting for the disk itself.
 harmorph=$1 to=$2 count=${3:-1000}
 rm -rf "$to"
 mkdir -p "$to" || exit 1
