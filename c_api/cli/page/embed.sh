@@ -26,7 +26,7 @@ literals() {
 printf '// Made by c_api/cli/page/embed.sh.\n#include "page/page_text.hpp"\n\nconst char cli::page_head[] =\n'
 literals head.html || exit 1
 echo ';'
-for page in explore report; do
+for page in explore report sample; do
     printf '\nconst cli::PageText cli::%s_page = {\n' $page
     literals $page.html || exit 1
     echo '};'

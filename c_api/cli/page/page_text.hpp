@@ -11,5 +11,6 @@ struct PageText {
 extern const char page_head[];       // page/head.html
 extern const PageText explore_page;  // page/explore.html
 extern const PageText report_page;   // page/report.html
+extern const PageText sample_page;   // page/sample.html, which begins without page_head
 
 }  // namespace cli
