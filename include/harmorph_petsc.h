@@ -7,14 +7,13 @@
  *
  *     PetscInitialize                          by the caller
  *     hm_petsc_create(&system, &part, ...)     own cells, points with global numbers
- *     hm_petsc_rows_size, hm_petsc_solve       a basis with the rows of this process's points
+ *     hm_petsc_solve                           a basis with the rows of this process's points
  *     hm_morph(rows, ...)                      moves the points of this process; no messages
  *     hm_petsc_assess                          admissible step and quality of the whole mesh
  *     hm_mpi_adjoint(rows, ...)                see harmorph_mpi.h
  *     hm_petsc_free                            the rows stay
  *
- * All calls but hm_petsc_rows_size and hm_petsc_owned are collective: all processes of the
- * communicator must make them, and each must have at least one own cell. Either all succeed, or all
+ * All calls but hm_petsc_owned are collective: all processes of the communicator must make them, and each must have at least one own cell. Either all succeed, or all
  * get the same status and the same hm_error: that of the first process with the worst status, whose
  * rank is in front of the text ("rank 2: ..."), also where one process alone gives a wrong
  * argument, such as NULL for the system, or another system than the others. For this purpose each
@@ -100,11 +99,11 @@ hm_status hm_petsc_create(hm_petsc** system, const hm_part_mesh* part, const hm_
  * it is NULL already, on all processes, the call does nothing. */
 void hm_petsc_free(hm_petsc** system);
 
-/* Bytes of a basis for the points of this process. */
-hm_status hm_petsc_rows_size(const hm_petsc* system, size_t* bytes, hm_error* err);
-/* Solves for all functions; *rows is in the block. HM_NOT_CONVERGED: solved, but less accurate than
- * the tolerance. HM_NOT_POSITIVE: PETSc could not factor or solve. report may be NULL. */
-hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t bytes,
+/* Solves for all functions; *rows, a basis for the points of this process, is in the block.
+ * HM_NOT_CONVERGED: solved, but less accurate than the tolerance. HM_NOT_POSITIVE: PETSc could not
+ * factor or solve. report may be NULL. Bytes: system. The size query is collective, too: it is
+ * refused where some processes ask for the size and others solve. */
+hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, hm_memory* memory,
                          hm_petsc_report* report, MPI_Comm comm, hm_error* err);
 /* Does hm_displace for one field of displacements: x and y [points] contain the given numbers at
  * points of markers with HM_GIVEN on every process that has such a point, the same numbers on each
@@ -129,7 +128,7 @@ hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm
 /* The same calls with Fortran communicators (MPI_Fint), for harmorph_petsc.f90. */
 hm_status hm_petsc_create_f(hm_petsc** system, const hm_part_mesh* part, const hm_problem* problem,
                             const hm_options* options, MPI_Fint comm, hm_error* err);
-hm_status hm_petsc_solve_f(hm_petsc* system, hm_basis** rows, void* block, size_t bytes,
+hm_status hm_petsc_solve_f(hm_petsc* system, hm_basis** rows, hm_memory* memory,
                            hm_petsc_report* report, MPI_Fint comm, hm_error* err);
 hm_status hm_petsc_displace_f(hm_petsc* system, const hm_points_out* displacement,
                               hm_petsc_report* report, MPI_Fint comm, hm_error* err);

@@ -3,7 +3,7 @@
 #     constant NAME VALUE          an enumerator with its value, and HM_ABI
 #     text NAME "TEXT"             HM_VERSION
 #     struct NAME
-#     member STRUCT NAME TYPE N    TYPE: int32, int64, double, char, pointer, function or a struct; N: array length
+#     member STRUCT NAME TYPE N    TYPE: int32, int64, size, double, char, pointer, function or a struct; N: array length
 #     end STRUCT
 # The Fortran module, the test of layouts and tests/abi/interface.txt are made from this table, and tests/cli/options.sh
 # looks for an option of the program for each field, so that a new constant or member is one edit of a header. A
@@ -66,6 +66,7 @@ function kind_of(declaration, type) {
     if (type in function_type) return "function"
     if (type == "int32_t" || type == "hm_status") return "int32"
     if (type == "int64_t" || type == "uint64_t") return "int64"
+    if (type == "size_t") return "size"
     if (type == "double" || type == "char" || type in struct_type) return type
     fail("the type of \"" declaration "\" is unknown")
 }
