@@ -72,7 +72,7 @@ hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double
         if (report == nullptr) return Status::ok;
         hm_recover_report filled = {};
         filled.residual = found.residual.error;
-        filled.rotated_offset = found.turned_offset;
+        filled.rotated_offset = found.rotated_offset;
         filled.point = numbered(found.residual.point, b.header->index_base);
         write_struct(filled, report);
         return Status::ok;
