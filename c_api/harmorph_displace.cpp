@@ -80,7 +80,7 @@ private:
     using View = std::conditional_t<std::is_same<Given, hm_points>::value, Points, MutablePoints>;
 };
 
-// The arguments that hm_tabulate_size and hm_tabulate have in common, and the layout of the block.
+// The arguments that a size query and hm_tabulate have in common, and the layout of the block.
 struct TableCall {
     Basis basis;
     hm_modes modes;

@@ -6,7 +6,7 @@
 namespace harmorph {
 namespace {
 
-// The arguments that hm_refine_size and hm_refine have in common: the curves, and the change of one
+// The arguments that a size query and hm_refine have in common: the curves, and the change of one
 // of them.
 struct FinerTask {
     CurvesView view;

@@ -62,7 +62,7 @@ Status view_movement(const hm_movement* array, Index number, Movement& out, Faul
     return Status::ok;
 }
 
-// The arguments that hm_move_section_size and hm_move_section have in common.
+// The arguments that a size query and hm_move_section have in common.
 struct MovementTask {
     CurvesView view;
     Section section;

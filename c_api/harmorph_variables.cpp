@@ -119,7 +119,7 @@ Status open_variables(const hm_variables* given, CurvesView const& view, Variabl
                         "x_max, and y_min below y_max");
 }
 
-// The arguments that hm_variables_size and hm_variables_map have in common.
+// The arguments that a size query and hm_variables_map have in common.
 struct VariablesTask {
     CurvesView view;
     Section section;

@@ -12,18 +12,15 @@
  * curve gets 20 control points; move [2*20] has the movement dx,dy of each of them.
  *
  *     hm_memory a = {NULL, 0}, b = {NULL, 0}, c = {NULL, 0};
- *     hm_fit_marker(&curves, &a, &mesh, 1, &wall, NULL, NULL, &error);
- *     a.block = malloc(a.bytes);
+ *     hm_fit_marker(&curves, &a, &mesh, 1, &wall, NULL, NULL, &error), a.block = malloc(a.bytes);
  *     hm_fit_marker(&curves, &a, &mesh, 1, &wall, NULL, NULL, &error);
  *     hm_condition on_curve = {sizeof on_curve, wall, HM_ON_CURVE};
  *     on_curve.n_curves = curves->n_curves;
  *     hm_problem problem = {sizeof problem, &mesh, curves, 1, &on_curve};
  *     hm_setup setup = {sizeof setup};
+ *     hm_setup_init(&setup, &b, &problem, NULL, &error), b.block = malloc(b.bytes);
  *     hm_setup_init(&setup, &b, &problem, NULL, &error);
- *     b.block = malloc(b.bytes);
- *     hm_setup_init(&setup, &b, &problem, NULL, &error);
- *     hm_setup_solve(&setup, &c, NULL, &error);
- *     c.block = malloc(c.bytes);
+ *     hm_setup_solve(&setup, &c, NULL, &error), c.block = malloc(c.bytes);
  *     hm_setup_solve(&setup, &c, NULL, &error);
  *     hm_morph(setup.basis, move, &mesh.points, &to, NULL, &error);
  *
@@ -831,13 +828,13 @@ HM_API hm_status hm_boundary_error(const hm_basis* basis, const double* move, co
 HM_API hm_status hm_given_points(const hm_plan* plan, int32_t* points, int32_t capacity, int32_t* n,
                                  hm_error* err);
 /* Carries n_fields displacement fields, 1 .. 2^20, to the mesh at once, for instance structural
- * modes; up to 12 fields are one substitution. wall [n_fields]: each of n wall points [length]; to [n_fields]: each
- * of n_points mesh points; to = from + displacement; from NULL: see hm_morph. Wall points move by
- * the given bits. Arrays of different fields, and `wall`, must have no number of `to` in common.
- * With `from`, a boundary that crosses itself at `to` is refused (HM_CROSSING); cells may be
- * inverted (hm_assess). All fields are computed before any is written. report counts fields as
- * functions; NULL: HM_DIRECT computes residuals only where the factor lost digits. Bytes: plan,
- * n_fields; the same for hm_displace_adjoint. */
+ * modes; up to 12 fields are one substitution. wall [n_fields]: each of n wall points [length]; to
+ * [n_fields]: each of n_points mesh points; to = from + displacement; from NULL: see hm_morph. Wall
+ * points move by the given bits. Arrays of different fields, and `wall`, must have no number of
+ * `to` in common. With `from`, a boundary that crosses itself at `to` is refused (HM_CROSSING);
+ * cells may be inverted (hm_assess). All fields are computed before any is written. report counts
+ * fields as functions; NULL: HM_DIRECT computes residuals only where the factor lost digits. Bytes:
+ * plan, n_fields; the same for hm_displace_adjoint. */
 HM_API hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n_fields,
                              const hm_points* wall, const hm_points* from, const hm_points_out* to,
                              hm_memory* memory, hm_solve_report* report, hm_error* err);

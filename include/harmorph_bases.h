@@ -111,7 +111,7 @@ typedef struct hm_modes {
     int32_t n; /* wall points */
     int32_t reserved;
     const int32_t* points; /* [n] see hm_displace; NULL: in the order of hm_given_points */
-    const double* values; /* [n_modes * n * numbers] mode by mode; a size query does not read it */
+    const double* values;  /* [n_modes * n * numbers] mode by mode; a size query does not read it */
 } hm_modes;
 
 /* Makes a second basis: the functions of `basis`, and after them functions with given values at the

@@ -358,11 +358,12 @@ typedef struct hm_movement {
 } hm_movement;
 
 /* Applies 1 .. 64 movements to a section, in their order, with values [*n] one movement after the
- * other; the size query, too, writes *n. HM_CAMBER_THICKNESS, HM_PARSEC and HM_BLADE may only come first. move [2*n_control]
- * receives the movement of the control points, for hm_morph; control points that no curve of the
- * section uses do not move. derivatives [n * 2*n_control], or NULL: row j contains the exact
- * derivatives of x and y of each control point with respect to value j at these values; their
- * products with a gradient of hm_adjoint are the derivatives with respect to the values.
+ * other; the size query, too, writes *n. HM_CAMBER_THICKNESS, HM_PARSEC and HM_BLADE may only come
+ * first. move [2*n_control] receives the movement of the control points, for hm_morph; control
+ * points that no curve of the section uses do not move. derivatives [n * 2*n_control], or NULL: row
+ * j contains the exact derivatives of x and y of each control point with respect to value j at
+ * these values; their products with a gradient of hm_adjoint are the derivatives with respect to
+ * the values.
  *
  * Rotate, shift and scale map control points, and so move the curves exactly. A flap maps control
  * points, too: the curve moves as the map of its points except near the transition, where control

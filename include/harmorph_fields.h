@@ -130,17 +130,17 @@ typedef struct hm_interpolation_report {
     double max_distance;        /* [length] its distance from the mesh */
 } hm_interpolation_report;
 
-/* Finds each of the n points `to`, 0 .. 2^29, of another mesh for instance, in the mesh that has the
- * fields, at its points `at` [n_points]; NULL: the coordinates of the mesh. analysis: that of the
- * mesh, with conditions or without; not needed afterwards. In a triangle, values are linear; in a quadrilateral they are
- * the mean over its two divisions into triangles, so that linear fields are exact but for rounding,
- * and the error of smooth fields falls with the square of the size of the cells. At a point outside
- * the mesh the value is that of the nearest place of the boundary, linear by arc length between the
- * two points of its face. distance [n] [length] receives 0 at points inside and the distance from
- * the mesh outside; NULL: not wanted. The time does not depend much on the order of the points.
- * Periodic images of the mesh are not considered. executor and report may be NULL. Refused
- * (HM_BAD_MESH): a cell that is inverted at `at`, a point that is not finite or larger than 1e100.
- * Bytes: analysis, n. */
+/* Finds each of the n points `to`, 0 .. 2^29, of another mesh for instance, in the mesh that has
+ * the fields, at its points `at` [n_points]; NULL: the coordinates of the mesh. analysis: that of
+ * the mesh, with conditions or without; not needed afterwards. In a triangle, values are linear; in
+ * a quadrilateral they are the mean over its two divisions into triangles, so that linear fields
+ * are exact but for rounding, and the error of smooth fields falls with the square of the size of
+ * the cells. At a point outside the mesh the value is that of the nearest place of the boundary,
+ * linear by arc length between the two points of its face. distance [n] [length] receives 0 at
+ * points inside and the distance from the mesh outside; NULL: not wanted. The time does not depend
+ * much on the order of the points. Periodic images of the mesh are not considered. executor and
+ * report may be NULL. Refused (HM_BAD_MESH): a cell that is inverted at `at`, a point that is not
+ * finite or larger than 1e100. Bytes: analysis, n. */
 HM_API hm_status hm_interpolation_init(hm_interpolation** interpolation, hm_memory* memory,
                                        const hm_analysis* analysis, const hm_points* at, int32_t n,
                                        const hm_points* to, double* distance,

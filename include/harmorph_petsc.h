@@ -13,17 +13,17 @@
  *     hm_mpi_adjoint(rows, ...)                see harmorph_mpi.h
  *     hm_petsc_free                            the rows stay
  *
- * All calls but hm_petsc_owned are collective: all processes of the communicator must make them, and each must have at least one own cell. Either all succeed, or all
- * get the same status and the same hm_error: that of the first process with the worst status, whose
- * rank is in front of the text ("rank 2: ..."), also where one process alone gives a wrong
- * argument, such as NULL for the system, or another system than the others. For this purpose each
- * call has the communicator, which must be that of hm_petsc_create (or a duplicate). A refused call
- * leaves all arguments as they were. A process on which an earlier call has failed must make the
- * collective call all the same, with NULL as the part or the system, or the others wait for ever. A
- * process without cells is refused: make a communicator of the processes that have cells
- * (MPI_Comm_split). The calls allocate memory; where harmorph lacks memory, all processes get a
- * status, but if PETSc or hypre lack memory, the job ends. For processes that end, see
- * harmorph_mpi.h.
+ * All calls but hm_petsc_owned are collective: all processes of the communicator must make them,
+ * and each must have at least one own cell. Either all succeed, or all get the same status and the
+ * same hm_error: that of the first process with the worst status, whose rank is in front of the
+ * text ("rank 2: ..."), also where one process alone gives a wrong argument, such as NULL for the
+ * system, or another system than the others. For this purpose each call has the communicator, which
+ * must be that of hm_petsc_create (or a duplicate). A refused call leaves all arguments as they
+ * were. A process on which an earlier call has failed must make the collective call all the same,
+ * with NULL as the part or the system, or the others wait for ever. A process without cells is
+ * refused: make a communicator of the processes that have cells (MPI_Comm_split). The calls
+ * allocate memory; where harmorph lacks memory, all processes get a status, but if PETSc or hypre
+ * lack memory, the job ends. For processes that end, see harmorph_mpi.h.
  *
  * Solver: conjugate gradients with hypre's BoomerAMG (where PETSc has hypre, otherwise GAMG), with
  * a relative tolerance of 1e-6 for each solution; refinement with residuals as sums of differences

@@ -23,9 +23,10 @@ extern "C" {
  * coordinates, and the edges of the first layer at the walls. */
 typedef struct hm_quality hm_quality;
 
-/* basis: a basis of the mesh, solved or not; mesh: as in hm_assess. start [n_points]: the coordinates to compare with;
- * NULL: the mesh's own coordinates. The coordinates are copied, so the mesh may move in place. The
- * basis, and the arrays of the mesh that list cells, must exist as long as the object.
+/* basis: a basis of the mesh, solved or not; mesh: as in hm_assess. start [n_points]: the
+ * coordinates to compare with; NULL: the mesh's own coordinates. The coordinates are copied, so the
+ * mesh may move in place. The basis, and the arrays of the mesh that list cells, must exist as long
+ * as the object.
  *
  * The walls are the faces both ends of which are on curves, on rigid bodies, or given (HM_GIVEN).
  * The first layer has one edge for each wall point: the edge of a cell that leaves the wall and is

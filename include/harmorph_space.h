@@ -202,8 +202,8 @@ typedef struct hm_edge_mesh {
 /* *mesh, for which the caller has called HM_INIT, receives views of the points of the caller and of
  * the cells and faces in the block; the arrays of edges are not needed afterwards. The layout is
  * HM_CELLS_ROWS if all cells have 3 or 4 sides, otherwise HM_CELLS_POLYGONS. Refused (HM_BAD_MESH,
- * error.item: the cell): edges of a cell that do not form one closed loop of 3 to 1024 sides. Bytes:
- * edges. */
+ * error.item: the cell): edges of a cell that do not form one closed loop of 3 to 1024 sides.
+ * Bytes: edges. */
 HM_API hm_status hm_mesh_from_edges(hm_mesh* mesh, hm_memory* memory, const hm_edge_mesh* edges,
                                     hm_error* err);
 

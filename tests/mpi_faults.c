@@ -121,7 +121,7 @@ static const struct fault {
     { #call ": " #spoil, call, spoil, status, BY_ROOT, 1, "" }
     ARGUMENT(solve, no_result_rows),
     ARGUMENT(solve, no_block),
-    ARGUMENT(solve, size_query),
+    OF_TWO(solve, size_query, "rank 0"),
     ARGUMENT(solve, no_plan),
     ARGUMENT(solve, no_analysis),
     ARGUMENT(solve, negative_n),

@@ -1,7 +1,5 @@
 /* With a module that was compiled for another version than that of the library: the calls that need
  * private calls of the library are refused on all processes, with both versions in the text. */
-#include "memory.h"
-
 #include <harmorph_mpi.h>
 
 #include <stdio.h>

@@ -28,7 +28,9 @@ struct Setup {
         status = hm_setup_init(&handles, fixtures::Memory(first->data(), bytes), &problem, options,
                                &error);
         if (status < 0) return;
-        bytes = std::size_t(handles.solve_bytes) - missing;
+        status = fixtures::setup_solve_size(&handles, &bytes, &error);
+        if (status < 0) return;
+        bytes -= missing;
         second = std::make_unique<Guarded>(bytes);
         status = hm_setup_solve(&handles, fixtures::Memory(second->data(), bytes), &report, &error);
     }

@@ -56,7 +56,8 @@ static const hm_curves* fit(void** block) {
     options.n_control = CONTROL;
     options.closed = HM_PERIODIC;
     wall.x = memory.x, wall.y = memory.y, wall.stride = 1;
-    check(hm_fit(NULL, emptied(&room), NULL, NI - 1, 0, &options, NULL, &error), "hm_fit_size");
+    check(hm_fit(NULL, emptied(&room), NULL, NI - 1, 0, &options, NULL, &error),
+          "the size of hm_fit");
     *block = room.block = block_of(room.bytes);
     check(hm_fit(&curves, &room, &wall, NI - 1, 1, &options, NULL, &error), "hm_fit");
     return curves;
@@ -91,15 +92,16 @@ static hm_plan* solve(const hm_mesh* mesh, const hm_curves* curves, int method, 
     options.engine = methods[method].engine;
     study.scheme = methods[method].scheme;
     options.study = &study;
-    check(hm_analysis_init(NULL, emptied(&room), &problem, &options, &error), "hm_analysis_size");
+    check(hm_analysis_init(NULL, emptied(&room), &problem, &options, &error),
+          "the size of hm_analysis");
     check(hm_analysis_init(&analysis, &(hm_memory){blocks[0] = block_of(room.bytes), room.bytes},
                            &problem, &options, &error),
           "hm_analysis_init");
-    check(hm_plan_init(NULL, emptied(&room), analysis, &error), "hm_plan_size");
+    check(hm_plan_init(NULL, emptied(&room), analysis, &error), "the size of hm_plan");
     check(hm_plan_init(&plan, &(hm_memory){blocks[1] = block_of(room.bytes), room.bytes}, analysis,
                        &error),
           "hm_plan_init");
-    check(hm_basis_init(NULL, emptied(&room), analysis, &error), "hm_basis_size");
+    check(hm_basis_init(NULL, emptied(&room), analysis, &error), "the size of hm_basis");
     check(hm_basis_init(basis, &(hm_memory){blocks[2] = block_of(room.bytes), room.bytes}, analysis,
                         &error),
           "hm_basis_init");
@@ -122,7 +124,7 @@ static void print_safe_morph(const hm_mesh* mesh, const char* name, const char* 
     make_move(1, memory.move);
     target.move = memory.move;
     check(hm_move_safe(plan, basis, &target, NULL, emptied(&room), NULL, NULL, &error),
-          "hm_move_safe_size");
+          "the size of hm_move_safe");
     work = room.block = block_of(room.bytes);
     check(hm_move_safe(plan, basis, &target, &to, &room, NULL, NULL, &error), "hm_move_safe");
     free(work);
@@ -161,7 +163,7 @@ static int save(const hm_mesh* mesh, const char* path) {
     FILE* file = fopen(path, "wb");
     HM_INIT(info);
     solve(mesh, fit(&curve_block), 0, &basis, blocks);
-    check(hm_single_init(NULL, emptied(&room), basis, &error), "hm_single_size");
+    check(hm_single_init(NULL, emptied(&room), basis, &error), "the size of hm_single");
     room.block = block_of(room.bytes);
     check(hm_single_init(&single, &room, basis, &error), "hm_single_init");
     check(hm_basis_info_get(single, &info, &error), "hm_basis_info_get");
