@@ -104,7 +104,8 @@ compare_layouts() {   # folder that contains include/, folder of the module's ob
     place=$2
     (cd "$1" && awk -f "$OLDPWD/c_api/packaging/table.awk" $headers) >"$place/table"
     for side in c fortran; do
-        awk -v layout=$side -f fortran/type_of.awk -f fortran/declarations.awk "$place/table" >"$place/layout_${side%ortran}.inc"
+        awk -v layout=$side -f fortran/type_of.awk -f fortran/declarations.awk "$place/table" \
+            >"$place/layout_${side%ortran}.inc"
     done
     check "layout.c" $CC -I"$place" -std=c99 -pedantic -Wall -Wextra -Werror -I"$1/include" $CFLAGS -c tests/layout.c \
         -o "$place/layout_c.o"
@@ -161,8 +162,8 @@ END
 }
 check "the new call has an interface with the comment of the header" new_call
 
-# Every function of the headers must have an interface in the module, but for hm_init, which sets the fields of C structs
-# to 0; the components of the derived types have initial values instead.
+# Every function of the headers must have an interface in the module, but for hm_init, which sets the fields of C
+# structs to 0; the components of the derived types have initial values instead.
 missing() {
     for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' $headers | grep -vx hm_init); do
         grep -q "name=\"$name\"" "$build/harmorph.f90" || echo "$name"
