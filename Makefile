@@ -151,6 +151,7 @@ rules: checked
 	@mkdir -p $(BUILD)/web $(BUILD)/meshes && cd $(BUILD) && mkdir -p objects/core objects/cli objects/unit objects/fuzz objects/mesh \
 	    objects/harmorph objects/harmorph_simd128 objects/node
 	@UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
+	    WASM_CXX='$(WASM_CXX)' \
 	    FLAGS='$(CXX) $(LEVEL) $(KERNEL_LEVEL) $(PROGRAM_LEVEL) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' \
 	    WASM_FLAGS='$(WASM_CXX) $(WASM) $(WASM_LINK)' NODE_FLAGS='$(EMXX) $(NODE) $(NODE_LINK)' \
 	    sh c_api/packaging/rules.sh $(BUILD)

@@ -5,7 +5,7 @@
 #include "basics/print.hpp"
 #include "formats/format.hpp"
 #include "formats/vtu.hpp"
-#include "page/page_data.hpp"
+#include "page/report_data.hpp"
 
 #include <algorithm>
 #include <cmath>

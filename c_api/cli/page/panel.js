@@ -45,9 +45,7 @@ class Panel {
                 ? `${inverted} inverted ${inverted === 1 ? "cell" : "cells"}`
                 : crosses
                   ? "Wall crosses itself"
-                  : cells.n < app.data.all_cells
-                    ? "Valid near the body"
-                    : "Valid mesh";
+                  : "Valid mesh";
         element("verdict_word").textContent = words;
         element("verdict_detail").textContent =
             inverted > 0 || crosses

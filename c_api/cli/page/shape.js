@@ -89,14 +89,9 @@ class Shape {
             moves = new Float64Array(2 * data.n_functions);
         moves.set(state.points);
         this.sections.forEach((section, place) => {
-            for (const [name, value] of Object.entries(state.variables[place])) {
-                if (value === 0) continue;
-                for (const i of section.control) {
-                    const [dx, dy] = section.moved_by(name, value, data.control[2 * i], data.control[2 * i + 1]);
-                    moves[2 * i] += dx;
-                    moves[2 * i + 1] += dy;
-                }
-            }
+            const values = state.variables[place];
+            if (Object.values(values).every((value) => value === 0)) return;
+            section.moves(values).forEach((move, k) => (moves[k] += move));
         });
         state.bodies.forEach((body, place) => {
             const angle = (body.degrees * Math.PI) / 180,
