@@ -67,7 +67,7 @@
 	bench-petsc deform paper demo install uninstall clean \
 	test-openfoam test-saturne test-systems \
 	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist \
-	compile-commands wheel test-release web-tools web-modules web test-web
+	compile-commands wheel test-release web-tools web-modules page-module web test-web
 
 BUILD = build
 # PREFIX is /usr/local if it is not given; DESTDIR is empty. Both come from the environment of the recipes, where make
@@ -214,6 +214,9 @@ web-modules: web-tools rules
 	+@program=; if command -v $(EMXX) >/dev/null; then program=$(BUILD)/web/program.js; \
 	else echo "$(EMXX) not found: the package has no program; install Debian's emscripten and node-acorn"; fi; \
 	$(MAKE_BY_RULES) $(WEB) $$program
+# What the program has of pages, for CMake.
+page-module: rules
+	+@$(MAKE_BY_RULES) $(BUILD)/page_module.cpp
 web: web-modules
 	@VERSION=$(VERSION) EMXX='$(EMXX)' sh c_api/web/pack.sh pack $(BUILD)
 

@@ -9,6 +9,7 @@ mkdir -p "$tmp" || exit 2
 tmp=$(cd "$tmp" && pwd)
 topic=page
 . "$(dirname "$0")/count.sh"
+. "$(dirname "$0")/behind_page.sh"
 
 # ---- What needs no browser -------------------------------------------------------------------------------------------
 
@@ -58,31 +59,6 @@ browse() { # browse PAGE OPTIONS...: the page's elements as text, once it is loa
         --use-angle=swiftshader \
         --enable-unsafe-swiftshader --window-size=1280,800 "$@" --dump-dom "file://$page" 2>"$tmp/browser.log"
     rm -rf "$tmp/profile"
-}
-# Writes a script that begins when the page has started. The page counts as loaded when the script has left its findings:
-# an empty frame, whose document stays open until then, holds this back.
-behind_page() {
-    cat <<'END'
-<script>
-const held = document.body.appendChild(document.createElement("iframe"));
-held.hidden = true;
-held.contentDocument.open();
-const waiting = setInterval(() => {
-    if (![...document.querySelectorAll("pre")].some((node) => /result ends/.test(node.textContent))) return;
-    clearInterval(waiting);
-    held.contentDocument.close();
-}, 10);
-page_started.then(() => {
-END
-    cat "$@"
-    cat <<'END'
-}).catch((error) => {
-    const result = document.createElement("pre");
-    result.textContent = `\nresult begins\ncheck script FAILED ${error.stack}\nresult ends\n`;
-    document.body.append(result);
-});
-</script>
-END
 }
 value() { sed -n "s/^value $1 //p" "$tmp/$case.result"; }
 of_program() { sed -n "s/.*\"$1\": \([^,}]*\).*/\1/p" "$tmp/$case.json"; }
@@ -224,8 +200,11 @@ for name in leading_edge_radius trailing_edge_angle; do
 done
 sed -n '/^section$/,/^end$/p' "$tmp/use.result" | sed '1d;$d' >"$tmp/saved.dat"
 if "$harmorph" fit "$tmp/saved.dat" -o "$tmp/saved.curve" >"$tmp/log" 2>&1; then ok; else fail "the saved section"; fi
-# The skew quality of single cells, by the page and by the program.
-scripted cells whole tests/page_cells.js
+# The skew quality of single cells, by the report and by the program.
+"$harmorph" morph "$naca" "$tmp/conformal.basis" --move "$tmp/conformal.moves" --report "$tmp/judged.html" \
+    >/dev/null 2>&1
+echo "<script>const page_started = Promise.resolve();</script>" >>"$tmp/judged.html"
+scripted cells judged tests/page_cells.js
 grep '^cell ' "$tmp/cells.result" >"$tmp/cells"
 [ "$(wc -l <"$tmp/cells")" = 45 ] || fail "the page has judged $(wc -l <"$tmp/cells") cells of 45"
 while read -r word type quality points; do

@@ -34,10 +34,11 @@ done
 for part in mpi petsc; do put harmorph_$part.c sh c_api/packaging/join.sh $part; done
 put page_text.cpp sh c_api/cli/page/embed.sh
 
-# The module of pages, where clang and lld are installed: without them the program has no pages.
+# The module of pages, where clang and lld are installed: without them the program has no pages, and says why.
 module=$build/web/page.wasm without_module=
-sh c_api/web/pack.sh tools >"$build/tools.$$" 2>&1 || { module= without_module=$(tail -n 1 "$build/tools.$$"); }
-rm -f "$build/tools.$$"
+if ! sh c_api/web/pack.sh tools >/dev/null 2>&1; then
+    module= without_module="clang and lld (Debian's packages clang and lld)"
+fi
 put page_reason echo "$without_module"
 
 # Programs without zlib refuse compressed files, and say why: nobody needs to know of zlib before.

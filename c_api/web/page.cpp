@@ -8,27 +8,75 @@
 
 using namespace harmorph;
 
+namespace harmorph {
+namespace {
+
+// Calls put(cell, quality) for the cells after the displacement, compared with those before.
+template <class Put>
+void for_each_quality(OrientedMesh const& cells, Points start, Points change, Put const& put) {
+    CellPlaces const places{start, change, {}};
+    auto const measure = [&](Index number) {
+        auto const displaced = [&](Index piece) {
+            CellShape shape = shape_of(cells, piece, start);
+            CellShape const by = shape_of(cells, piece, change);
+            for (Index k = 0; k < 4; ++k) shape.at[k] = shape.at[k] + by.at[k];
+            return shape;
+        };
+        put(number, CellMeasure(cells.mesh, number, displaced)
+                        .quality(measure_cell(cells, number, start).area));
+    };
+    if (cells.mesh.has_pieces()) {
+        for (Index i = 0; i < cells.mesh.n_given_cells(); ++i) measure(i);
+        return;
+    }
+    CellKernels const& kernels = cell_kernels(Kernel::automatic, cells.mesh.n_cells);
+    for_each_batch(cells, 0, cells.mesh.n_cells, [&](CellBatches const& batches) {
+        ListQuality triangles, quads;
+        kernels.triangles(batches.triangles, places, {}, &triangles);
+        kernels.quads(batches.quads, places, {}, &quads);
+        batches.for_each([&](Index number, bool is_triangle, Index i) {
+            Real const value = (is_triangle ? triangles : quads).quality[i];
+            if (value == ListQuality::not_in_range) measure(number);
+            else put(number, value);
+        });
+    });
+}
+
+}  // namespace
+}  // namespace harmorph
+
 extern "C" {
 
-// Measures each cell at the coordinates `at`. area [n_cells], or NULL, receives the areas;
-// quality [n_cells], or NULL, the qualities of hm_assess with cells of the areas `reference`.
-HM_API hm_status hm_web_cells(const hm_basis* basis, const hm_mesh* mesh, const hm_points* at,
-                              const double* reference, double* area, double* quality,
+// The area of each cell before anything moves: area [n_cells].
+HM_API hm_status hm_web_areas(const hm_basis* basis, const hm_mesh* mesh, double* area,
                               hm_error* err);
-hm_status hm_web_cells(const hm_basis* basis, const hm_mesh* mesh, const hm_points* at,
-                       const double* reference, double* area, double* quality, hm_error* err) {
+hm_status hm_web_areas(const hm_basis* basis, const hm_mesh* mesh, double* area, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         Mesh view;
         OrientedMesh cells;
-        Points places;
         HARMORPH_TRY(open_pair(basis, mesh, b, view, cells, fault));
-        HARMORPH_TRY(view_coordinates(at, "at", view, places, fault));
-        for (Index i = 0; i < cells.mesh.n_given_cells(); ++i) {
-            CellMeasure const measure = measure_cell(cells, i, places);
-            if (area != nullptr) area[i] = measure.area;
-            if (quality != nullptr) quality[i] = measure.quality(reference[i]);
-        }
+        for (Index i = 0; i < cells.mesh.n_given_cells(); ++i)
+            area[i] = measure_cell(cells, i, view.points).area;
+        return Status::ok;
+    });
+}
+
+// The quality of each cell after the displacement, as hm_assess judges it: quality [n_cells]; 0
+// for inverted cells.
+HM_API hm_status hm_web_cells(const hm_basis* basis, const hm_mesh* mesh,
+                              const hm_points* displacement, double* quality, hm_error* err);
+hm_status hm_web_cells(const hm_basis* basis, const hm_mesh* mesh, const hm_points* displacement,
+                       double* quality, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Basis b;
+        Mesh view;
+        OrientedMesh cells;
+        Points change;
+        HARMORPH_TRY(open_pair(basis, mesh, b, view, cells, fault));
+        HARMORPH_TRY(view_points(displacement, "displacement", change, fault));
+        for_each_quality(cells, view.points, change,
+                         [&](Index cell, Real value) { quality[cell] = value > 0 ? value : 0; });
         return Status::ok;
     });
 }

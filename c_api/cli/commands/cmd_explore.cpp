@@ -34,8 +34,8 @@ constexpr std::int32_t most_points = 500000;
 
 void refuse_without_module() {
     if (*page_module != '\0') return;
-    throw Failure(exit_usage, std::string("this program was built without pages: ") +
-                                  no_page_module + "; then build it again");
+    throw Failure(exit_unusable, std::string("this program was made without ") + no_page_module +
+                                     ", with which pages compute");
 }
 
 void refuse_large_mesh(const Mesh& mesh, std::int32_t most) {
@@ -85,16 +85,13 @@ const Command explore_command = {
     "inverted cells, admissible step, quality, heights and angles at the wall, and thickness and "
     "area of the section are\n"
     "updated meanwhile. It saves and loads MOVES as `harmorph morph` reads them. "
-    "Points on the page are those of\n"
-    "`harmorph morph` within 2^-24 sum |F_i| |dP_i|: functions are in single precision there, all "
-    "else in double precision.\n"
-    "Points that slip along curves (--slip) move along the tangents on the page; "
-    "`harmorph morph` puts them onto the curves.\n",
+    "The page contains the library and computes what\n"
+    "the program computes. It solves the functions when it is opened, with the bits of "
+    "`harmorph solve --kernel baseline`;\n"
+    "functions of BASIS that differ from these by more than 1e-9 are stored in the page.\n",
     {{"-o", "PAGE", "page to write, HTML (required)", FileUse::output},
      {"--points", "N",
-      "how many points nearest to the body are shown with all their cells; farther away the mesh "
-      "is coarsened\n"
-      "for drawing (default 200000, down to 50000 if there are many functions)"},
+      "the largest number of points of a mesh (default 500000): a page of more is slow"},
      {"--move", "MOVES", "movement of the control points to begin with", FileUse::input},
      format_option,
      zone_option},

@@ -20,7 +20,7 @@ class Model {
         for (const numbers of [this.start, this.at]) numbers.view.set(this.mesh.points);
         this.areas = new library.Numbers(this.n_cells); // before anything moves
         this.qualities = new library.Numbers(this.n_cells);
-        this.measure_cells(0, this.areas.address, 0);
+        this.call("hm_web_areas", this.morph.basis.address, this.morph.problem.address, this.areas.address);
         this.outlines = outlines_of(data.curves);
     }
 
@@ -92,12 +92,9 @@ class Model {
 
     // Returns what hm_assess says of the present movement: { step, quality }.
     assess() {
-        this.measure_cells(this.areas.address, 0, this.qualities.address);
+        const { basis, problem } = this.morph;
+        this.call("hm_web_cells", basis.address, problem.address, this.by, this.qualities.address);
         return this.morph.assess(this.by);
-    }
-    measure_cells(reference, area, quality) {
-        this.call("hm_web_cells", this.morph.basis.address, this.morph.problem.address, this.at, reference, area,
-            quality);
     }
 
     // Calls the library: Numbers stand for points x, y, x, y, ..., which may be null.
