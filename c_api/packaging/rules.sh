@@ -123,9 +123,9 @@ page_module() {
     own=-Os
     objects harmorph_simd128 c_api/web/page.cpp
     linked page page_exports
-    printf '%s/page_module.cpp: %s c_api/cli/page/module.sh %s/page_reason\n\tsh c_api/cli/page/module.sh %s %s >$@.new\n' \
-        $build "$module" $build $build/page_reason "$module"
-    printf '\tmv -f $@.new $@\n'
+    script=c_api/cli/page/module.sh reason=$build/page_reason
+    printf '%s/page_module.cpp: %s %s %s\n' $build "$module" $script $reason
+    printf '\tsh %s %s %s >$@.new\n\tmv -f $@.new $@\n' $script $reason "$module"
 }
 # The program for node, by emscripten, with the library of the module with simd128.
 node_program() {

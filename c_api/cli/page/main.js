@@ -18,6 +18,7 @@ class App {
         Object.assign(this.options, { comb: false, pressure: false, attack: 2 }); // the angle of attack is in degrees
         this.moves = this.shape.moves();
         this.still = true;
+        this.reached = ""; // how the mesh was reached, if not by the functions alone
         this.times = { morph: 0, judge: 0, draw: 0 }; // of the last frame [ms]
         this.camera = new Camera();
         this.view = new View(this);
@@ -25,6 +26,7 @@ class App {
         this.movement = new Movement(this);
         this.legend = new Legend(this);
         this.files = new Files(this);
+        this.farther = new Farther(this);
         this.picture = new Picture(data, this.model, this.cells, make_painter(element("mesh"), data.pieces.points));
         this.overlay = new Overlay(element("handles"), this);
         this.set_theme(this.options.theme);
@@ -125,17 +127,30 @@ class App {
     follow() {
         const begin = performance.now();
         this.must_follow = false;
+        this.reached = "";
         this.still = this.moves.every((move) => move === 0);
         this.curves.move(this.moves);
         this.model.move(this.moves);
         const morphed = performance.now();
+        this.judge();
+        if (this.is_valid()) this.shape.remember_valid();
+        Object.assign(this.times, { morph: morphed - begin, judge: performance.now() - morphed });
+        this.panel.update();
+    }
+    judge() {
         const found = this.model.assess();
         this.cells.judge(found);
         this.wall.judge(found);
         for (const section of this.sections) section.judge(this.curves.now);
-        if (this.is_valid()) this.shape.remember_valid();
-        Object.assign(this.times, { morph: morphed - begin, judge: performance.now() - morphed });
+    }
+
+    // Shows a mesh that was not reached by the functions alone; reached says how it was reached.
+    show_reached(reached) {
+        this.reached = reached;
+        this.judge();
         this.panel.update();
+        this.panel.speak_verdict();
+        this.draw_soon();
     }
 
     is_valid() {

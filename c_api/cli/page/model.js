@@ -80,6 +80,11 @@ class Model {
         this.at.view.set(places);
         for (let k = 0; k < this.n; ++k) [this.x[k], this.y[k]] = [places[2 * k], places[2 * k + 1]];
     }
+    // Moves the mesh by given displacements x, y, x, y, ...
+    move_by(displacements) {
+        this.by.view.set(displacements);
+        this.take_displacements();
+    }
     take_displacements() {
         const { n, x0, y0, x, y, dx, dy } = this, by = this.by.view, at = this.at.view;
         for (let k = 0; k < n; ++k) {

@@ -83,6 +83,14 @@ class Shape {
         this.commit();
     }
 
+    // Gives the control points of a section the movements of a fit, [2*n_control].
+    become(section, moves) {
+        const values = this.state.variables[this.sections.indexOf(section)];
+        for (const name of Object.keys(values)) values[name] = 0;
+        for (const i of section.control) this.state.points.splice(2 * i, 2, moves[2 * i], moves[2 * i + 1]);
+        this.commit();
+    }
+
     // Returns the array that hm_morph takes: dx,dy of control points, then each body's translation and s - 1.
     moves(state = this.state) {
         const { data } = this,
