@@ -42,8 +42,8 @@ Index assemble_bounded(Span<const DelaunayEdge> edges, Points points, Span<const
 
 namespace {
 
-typedef Real TwoReals __attribute__((vector_size(16), aligned(8), may_alias));
-typedef std::int64_t TwoTruths __attribute__((vector_size(16)));
+using TwoReals [[gnu::vector_size(16), gnu::aligned(8), gnu::may_alias]] = Real;
+using TwoTruths [[gnu::vector_size(16)]] = std::int64_t;
 
 // Vectors are passed by value, because clang assumes for references that they are aligned to 16
 // bytes.
@@ -152,14 +152,14 @@ void add_conductances(Matrix const& matrix, RowRange rows, CellGroup<corners> co
         }
     } else {
         constexpr bool is_complex = kind == MatrixKind::complex;
-        if (!matrix.turns_sides())
+        if (!matrix.has_rotated_sides())
             return matrix.add_corners<is_complex>(rows, cells, 0, cells.count, circulation_factor);
         for (Index c = 0; c < cells.count; ++c) {
             matrix.add_corners<is_complex>(rows, cells, c, c + 1, circulation_factor);
             Cell const cell = cells.cell(c);
-            if (!matrix.is_turned(cell)) continue;
-            matrix.add_turns(rows, cell, cells.conductances(c),
-                             circulation_factor * cells.conductivity[c]);
+            if (!matrix.is_rotated(cell)) continue;
+            matrix.add_rotations(rows, cell, cells.conductances(c),
+                                 circulation_factor * cells.conductivity[c]);
         }
     }
 }

@@ -9,20 +9,21 @@
 
 namespace harmorph {
 
-// Where a body turns, mesh points of the wall that are not exactly on their curve need a
+// Where a body rotates, mesh points of the wall that are not exactly on their curve need a
 // correction. A curve is fitted to the points of the wall and leaves a residual e = x - C(u), which
 // is often far larger than the height of the first layer. The movement of control points is split
 // into two parts: the similarity r (z - c) that fits the movement best, which every point of the
 // wall follows with its own position, and the rest, which follows the curve:
 //   dx = d + (r - 1) (x - c) + sum_i N_i dP_i^rest = sum_i N_i dP_i + (r - 1) e.
-// So a body that turns keeps the shape that the mesh gives it, and a movement without rotation or
-// scaling is that of the B-spline.
+// So a body that rotates keeps the shape that the mesh gives it, and without rotation or scaling
+// the wall moves as the B-spline does.
 //
 // Inside the mesh the similarity is carried exactly near the wall and fades with the distance to
 // the movement that the functions give:
 //   dz = sum_i F_i dP_i + (rho - 1) fade(h / reach) (z - sum_i F_i P_i).
 // Here h is the distance to the wall at the start, P_i are the control points, and rho is the
-// similarity of the step, as r is that of the whole movement; on the wall, z - sum_i F_i P_i is e.
+// similarity of the step, as r is the similarity of the whole movement; on the wall, z - sum_i F_i
+// P_i is e.
 
 struct CarriedOffsets {
     // The reach in units of the largest residual. An offset that fades over this length bends the
@@ -31,7 +32,7 @@ struct CarriedOffsets {
 
     Span<Vec2> wall;    // [wall points] the residual e
     Span<Real> x, y;    // [n_points] fade (z - sum F_i P_i) on the present mesh
-    Span<Index> group;  // [n_points] the group that turns the point, or none
+    Span<Index> group;  // [n_points] the group that rotates the point, or none
     // [n_points] fade(h / reach) of points that have a group and are their own representatives.
     Span<Real> fade;
     Span<Real> control;       // [2 * functions]
@@ -41,7 +42,7 @@ struct CarriedOffsets {
     const void* found_with = nullptr;
 
     void lay_out(Arena& arena, BasisCounts const& counts) noexcept;
-    // Finds the residuals at the start. They are zero on a wall whose offsets are in the functions
+    // Finds the residuals at the start, which are zero on a wall whose offsets are in the functions
     // (Method::offset_correction).
     void init(Basis const& basis, MovementPath const& path, Points start) noexcept;
     // Must be called when the mesh or its functions have changed.
@@ -61,9 +62,9 @@ struct CarriedOffsets {
              Executor const& executor) const noexcept;
     // Returns the contribution to the displacement of a point of the wall from the start.
     Vec2 of_wall(Basis const& basis, MovementPath const& path, Index slot,
-                 TurnAt& turn) const noexcept {
+                 RotationAt& rotation) const noexcept {
         if (wall[slot].x == 0 && wall[slot].y == 0) return {};
-        return product(turn.of(path.group_of_slot(basis, slot)) - Vec2{1, 0}, wall[slot]);
+        return product(rotation.of(path.group_of_slot(basis, slot)) - Vec2{1, 0}, wall[slot]);
     }
     // Returns the largest length of these contributions.
     Real largest(Basis const& basis, MovementPath const& path, Real t) const noexcept;
@@ -117,7 +118,8 @@ struct MovingMesh {
 
 private:
     void put_on_slip_curves(Plan const& plan) noexcept;
-    Vec2 wall_move(Plan const& plan, Basis const& basis, Index slot, TurnAt& turn) const noexcept;
+    Vec2 wall_move(Plan const& plan, Basis const& basis, Index slot,
+                   RotationAt& rotation) const noexcept;
     // Calls visit(point, start, displacement) with the displacement from the start to the time of
     // the trial step.
     template <class Visit>

@@ -218,8 +218,8 @@ Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
 // they are needed.
 Basis SafeMorph::copy_to_solve(Work const& work) const noexcept {
     Basis const& basis = work.basis;
-    auto const begin = reinterpret_cast<const unsigned char*>(basis.header);
-    auto const end = reinterpret_cast<const unsigned char*>(basis.value.data());
+    const auto* const begin = reinterpret_cast<const unsigned char*>(basis.header);
+    const auto* const end = reinterpret_cast<const unsigned char*>(basis.value.data());
     // The values of derived functions include those on the wall, which are stored nowhere else.
     bool const continues = work.plan.equations().method().traits().continues;
     bool const has_values = continues || basis.header->counts.derived();
@@ -321,7 +321,7 @@ bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     there.strategy = Strategy::untangled;
     there.fraction = work.aim;
     ++there.steps;
-    there.turned_offset = mesh.carried.largest(work.basis, mesh.path, work.aim);
+    there.rotated_offset = mesh.carried.largest(work.basis, mesh.path, work.aim);
     measure(work, mesh.ahead(), there);
     if (!work.is_good(there) && work.options.tries(Strategy::improved)) {
         there.strategy = Strategy::improved;
