@@ -192,7 +192,7 @@ hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n
             displacement.write(*call.plan, first, start, fields);
             return Status::ok;
         };
-        call.for_each_block(to, n_fields, write);
+        DisplaceCall::for_each_block(to, n_fields, write);
         call.write(solved, report);
         return fault.status;
     });
