@@ -22,9 +22,11 @@ class Variables:
 
     Parameters
     ----------
-    kind : {"ffd", "cst", "hicks_henne", "naca4"}
-        Free-form deformation of a box, class and shape functions, bumps, or the camber and
-        thickness of NACA's four-digit sections; see ``hm_variables`` in ``harmorph_design.h``.
+    kind : str
+        {"ffd": HM_FFD}
+        {"cst": HM_CST}
+        {"hicks_henne": HM_HICKS_HENNE}
+        {"naca4": HM_NACA4}
     n_upper, n_lower : int
         Variables of the upper and the lower side, 0 to 64.
     degrees : pair of int
@@ -45,6 +47,7 @@ class Variables:
     ----------
     matrix : complex ndarray of shape (n_control, n)
         One unit of variable j moves control point i by ``matrix[i, j]``, x + i y [length].
+    kind : str
     n : int
         The number of variables.
     components : int
@@ -91,6 +94,7 @@ class Variables:
             struct.peaks = places
         section, n, size = section_of(chord, curves), ffi.new("int32_t*"), ffi.new("size_t*")
         call(lib.hm_variables_size, view, section, struct, n, size)
+        self.kind = kind
         self.n: int = n[0]
         self.components = 2 if kind == "ffd" else 1
         self.matrix = np.empty((n_control, self.n), np.complex128)
@@ -98,6 +102,9 @@ class Variables:
         work = np.empty(size[0], np.uint8)
         call(lib.hm_variables_map, view, section, struct, ffi.from_buffer(work), len(work),
              ffi.from_buffer("double[]", self.matrix), ffi.from_buffer("double[]", self.error))
+
+    def __repr__(self) -> str:
+        return f"Variables({self.kind!r}, n={self.n})"
 
     def move(self, values: Any) -> np.ndarray:
         """Return the movement of the control points, shape (n_control, 2), for values of the variables.
