@@ -8,7 +8,7 @@
 #include "formats/format.hpp"
 #include "formats/vtu.hpp"
 #include "options/window_option.hpp"
-#include "page/page_data.hpp"
+#include "page/report_data.hpp"
 #include "pictures/draw_curves.hpp"
 #include "pictures/pictures.hpp"
 #include "work/engine.hpp"

@@ -6,7 +6,7 @@
 #include "commands/morph_report.hpp"
 #include "formats/format.hpp"
 #include "formats/vtu.hpp"
-#include "page/page_data.hpp"
+#include "page/report_data.hpp"
 
 #include <algorithm>
 #include <cmath>

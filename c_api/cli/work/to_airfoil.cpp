@@ -37,11 +37,12 @@ ToAirfoil fit_to_airfoil(const Basis& basis, std::int32_t curve, const Section& 
     ToAirfoil result;
     result.moves.resize(2 * static_cast<std::size_t>(basis.functions()));
     auto report = sized<hm_refit_report>();
-    std::size_t bytes = 0;
-    call(path, hm_refit_size, &basis.curves(), curve, n, &bytes);
-    Block work(bytes);
-    call(path, hm_refit, &basis.curves(), curve, &points, n, std::int32_t{section.is_loop},
-         std::int32_t{on_chord}, result.moves.data(), &report, work.data(), bytes);
+    Block work;
+    with_memory(work, [&](hm_memory* memory) {
+        return call(path, hm_refit, &basis.curves(), curve, &points, n,
+                    std::int32_t{section.is_loop}, std::int32_t{on_chord}, result.moves.data(),
+                    &report, memory);
+    });
     result.closed_width = report.closed_width;
     result.points = n;
     result.max_error = report.max_error;
