@@ -130,6 +130,8 @@ void print_measures(const Arguments& arguments, const Curves& curves) {
     if (arguments.has("--json")) print("%s\n", object.text().c_str());
 }
 
+}  // namespace
+
 void run_curve(const Arguments& arguments) {
     const Curves curves = changed(arguments, read_curves(arguments.operand(0)));
     if (arguments.has("-o")) {
@@ -139,37 +141,5 @@ void run_curve(const Arguments& arguments) {
     }
     print_measures(arguments, curves);
 }
-
-}  // namespace
-
-const Command curve_command = {
-    "curve",
-    {{"CURVE", FileUse::input}},
-    "Measures a section; inserts knots into its curve, or raises the degree",
-    "Prints area, centroid, second moments, chord, thickness, camber, "
-    "radii of curvature, and the angle and gap of the\n"
-    "trailing edge, with the place of each. Lengths are in the unit of the file, "
-    "angles in degrees. For a quantity that the\n"
-    "section does not have, `none` and the reason are printed; --json omits the quantity.\n"
-    "--elevate, --halve and --insert give the curve more control points without changing its "
-    "shape; "
-    "they are applied in\n"
-    "this order.\n",
-    {{"--stations", "S[,S..]",
-      "also thickness and camber at these stations, 0 to 1 along the chord"},
-     {"--box", "X,Y,X,Y,..",
-      "also the distance between the outline and this polygon, which must fit inside"},
-     chord_option,
-     {"--curve", "K", "the curve that changes, from 1 (default 1)"},
-     {"--elevate", nullptr, "raise the degree by 1"},
-     {"--halve", nullptr, "insert a knot in the middle of each knot span"},
-     {"--insert", "U[,U..]", "insert these knots"},
-     {"-o", "CURVE", "file to write\n" CURVE_FORMATS, FileUse::output},
-     {"--json", nullptr,
-      "print one JSON object: points, curves, area, centroid_x, .., thickness_S, camber_S, "
-      "clearance"}},
-    "  harmorph curve airfoil.curve --stations 0.25,0.5\n"
-    "  harmorph curve airfoil.curve --halve -o fine.curve\n",
-    run_curve};
 
 }  // namespace cli

@@ -134,6 +134,8 @@ void write_sign(const std::string& path) {
     files.commit();
 }
 
+}  // namespace
+
 void run_demo(const Arguments& arguments) {
     const std::string folder = arguments.operand(0);
     const std::string shipped =
@@ -177,24 +179,5 @@ void run_demo(const Arguments& arguments) {
           in_folder("morph.svg").c_str(), in_folder("function.svg").c_str(),
           in_folder("report.html").c_str(), in_folder("page.html").c_str());
 }
-
-}  // namespace
-
-const Command demo_command = {
-    "demo",
-    {{"DIR", FileUse::none}},
-    "Runs all steps on the shipped mesh and leaves the files in DIR",
-    "Each step is printed as a command that can be repeated. DIR then contains, among others: "
-    "mesh.su2, airfoil.curve,\n"
-    "airfoil.basis; moves.txt, a movement for one step, and far.txt, a movement for --safe; "
-    "fine.su2, the mesh with each\n"
-    "cell divided in four. The examples of the other commands can be run on these files. A folder "
-    "that is not empty is refused,\n"
-    "unless an earlier demo made it.\n",
-    {{"--mesh", "FILE",
-      "mesh with a marker `airfoil` of chord 1 (default build/meshes/naca0012.su2)",
-      FileUse::input}},
-    "  harmorph demo demo-output\n",
-    run_demo};
 
 }  // namespace cli

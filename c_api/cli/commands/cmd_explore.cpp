@@ -37,6 +37,8 @@ std::int32_t default_points(const Basis& basis) {
     return static_cast<std::int32_t>(std::clamp(8e6 / per_point, 50000., 200000.));
 }
 
+}  // namespace
+
 void run_explore(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
     const std::int32_t wished = arguments.whole("--points", 0, 100, 2000000);
@@ -73,32 +75,5 @@ void run_explore(const Arguments& arguments) {
             mesh.cells() - n_cells, mesh.cells());
     }
 }
-
-}  // namespace
-
-const Command explore_command = {
-    "explore",
-    {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}},
-    "Writes a page on which control points can be dragged, and the mesh follows",
-    "One self-contained file for any browser, without a network: control points, "
-    "rigid bodies and design variables to drag;\n"
-    "inverted cells, admissible step, quality, heights and angles at the wall, and thickness and "
-    "area of the section are\n"
-    "updated meanwhile. It saves and loads MOVES as `harmorph morph` reads them. "
-    "Points on the page are those of\n"
-    "`harmorph morph` within 2^-24 sum |F_i| |dP_i|: functions are in single precision there, all "
-    "else in double precision.\n"
-    "Points that slip along curves (--slip) move along the tangents on the page; "
-    "`harmorph morph` puts them onto the curves.\n",
-    {{"-o", "PAGE", "page to write, HTML (required)", FileUse::output},
-     {"--points", "N",
-      "how many points nearest to the body are shown with all their cells; farther away the mesh "
-      "is coarsened\n"
-      "for drawing (default 200000, down to 50000 if there are many functions)"},
-     {"--move", "MOVES", "movement of the control points to begin with", FileUse::input},
-     format_option,
-     zone_option},
-    "  harmorph explore naca0012.su2 airfoil.basis -o page.html\n",
-    run_explore};
 
 }  // namespace cli

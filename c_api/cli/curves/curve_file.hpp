@@ -25,13 +25,8 @@ bool is_curve_file(const TextFile& file);                       // by the first 
 Curves read_curves(const std::string& path, std::string text);  // reads `text` instead of the file
 void write_curves(std::ostream& out, const Curves& curves);
 
-// Text for the help of commands: the extension of the path selects the format.
-#define CURVE_FORMATS                                                                         \
-    "the extension selects the format: .igs, .iges IGES (entity 126); .stp, .step STEP; "     \
-    ".nml Fortran\n"                                                                          \
-    "namelists; .dat points on the curve as in Selig's files; otherwise the text that solve " \
-    "--curve reads"
 bool ends_with(const std::string& path, const std::string& ending);  // ignores the case
+// The extension of the path selects the format.
 void write_curve_file(OutputFiles& files, const std::string& path, const Curves& curves);
 
 }  // namespace cli

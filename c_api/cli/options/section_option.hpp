@@ -9,11 +9,6 @@
 
 namespace cli {
 
-inline const Option chord_option = {
-    "--chord", "X,Y,X,Y",
-    "a chord line that does not move, from the leading to the trailing edge; needed for\n"
-    "periodic curves. Default: from the point farthest from the curve's ends to their midpoint"};
-
 inline hm_section section_of(const Arguments& arguments) {
     auto section = sized<hm_section>();
     if (!arguments.has("--chord")) return section;

@@ -5,13 +5,9 @@
 
 namespace cli {
 
-const Option window_option = {
-    "--window", "X,Y,X,Y",
-    "lower left and upper right corner of what --svg shows (default: the body)"};
-
 std::optional<Box> window_of(const Arguments& arguments) {
-    if (!arguments.has(window_option.name)) return std::nullopt;
-    const std::string text = arguments.text(window_option.name);
+    if (!arguments.has("--window")) return std::nullopt;
+    const std::string text = arguments.text("--window");
     double number[4] = {};
     std::size_t begin = 0, n = 0;
     while (begin <= text.size()) {

@@ -8,8 +8,6 @@
 
 namespace cli {
 
-extern const Option window_option;
-
-std::optional<Box> window_of(const Arguments& arguments);  // empty without the option
+std::optional<Box> window_of(const Arguments& arguments);  // empty without --window
 
 }  // namespace cli

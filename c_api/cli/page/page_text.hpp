@@ -1,4 +1,4 @@
-// The pages of the program, which page/embed.sh makes of the files in page/: the beginning of all
+// The pages of the program, which embed.sh makes of the files in page/: the beginning of all
 // pages, and the text before and after the data of each page.
 #pragma once
 

@@ -109,17 +109,4 @@ std::string Limits::refusal_from(const std::vector<double>& values, std::size_t 
     return "";
 }
 
-std::vector<Option> measure_options() {
-    return {chord_option,
-            {"--stations", "S[,S..]",
-             "also the columns thickness_S and camber_S at these stations, 0 to 1 along the chord"},
-            {"--min", "NAME=NUMBER",
-             "rejects designs of which a column is smaller: area, chord, max_thickness, "
-             "max_camber,\n"
-             "leading_edge_radius, trailing_edge_angle, thickness_S, camber_S, min_quality,\n"
-             "mean_quality, fit_error (of sections), admissible_step (with --step); may be "
-             "repeated"},
-            {"--max", "NAME=NUMBER", "rejects designs of which a column is larger"}};
-}
-
 }  // namespace cli

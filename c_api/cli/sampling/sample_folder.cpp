@@ -26,17 +26,17 @@ bool is_incidental(const std::string& option) {
 
 }  // namespace
 
-std::string settings_of_set(const Arguments& arguments, const std::vector<Option>& options) {
+std::string settings_of_set(const Arguments& arguments) {
     std::string text = std::string("harmorph ") + hm_version() + " sample\n";
     for (const NamedFile& file : arguments.files()) {
         const TextFile content(mesh_file(file.path));
         text += "file " + file.name + " " + std::to_string(content.text().size()) + " bytes " +
                 std::to_string(crc32_of(0, content.text().data(), content.text().size())) + "\n";
     }
-    for (const Option& option : options) {
+    for (const Option& option : arguments.options()) {
         if (is_incidental(option.name) || option.use != FileUse::none) continue;
         for (const std::string& value : arguments.all(option.name))
-            text += std::string("option ") + option.name + (option.value ? " " + value : "") + "\n";
+            text += "option " + option.name + (option.value.empty() ? "" : " " + value) + "\n";
     }
     return text;
 }

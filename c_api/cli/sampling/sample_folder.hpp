@@ -21,7 +21,7 @@
 namespace cli {
 
 // Returns the text of set.txt: two calls with the same text make the same files.
-std::string settings_of_set(const Arguments& arguments, const std::vector<Option>& options);
+std::string settings_of_set(const Arguments& arguments);
 
 class SampleFolder {
 public:

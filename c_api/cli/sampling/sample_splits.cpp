@@ -48,14 +48,4 @@ std::string SampleSplits::description() const {
            brief(test_) + " (seed " + std::to_string(seed_) + "), else in `train`.";
 }
 
-std::vector<Option> SampleSplits::options() {
-    return {{"--test", "F",
-             "the part of the designs, 0 to 1, that the seed chooses for the split `test`\n"
-             "(default .2)"},
-            {"--inside", "NAME=LOW,HIGH",
-             "designs with this parameter or measure outside the range go into the split `out` "
-             "(may be\n"
-             "repeated)"}};
-}
-
 }  // namespace cli

@@ -20,7 +20,6 @@ public:
     std::string split(std::int64_t design, const std::vector<double>& values) const;
     std::string description() const;
 
-    static std::vector<Option> options();
 
 private:
     struct Range {

@@ -312,10 +312,6 @@ private:
 
 }  // namespace
 
-const Option by_option = {
-    "--by", "LINE",
-    "a line of a file of moves, such as \"turn airfoil 3 0.25,0\"; may be repeated"};
-
 TextFile text_of_moves(const std::string& path) {
     TextFile file(path);
     if (trimmed(file.text()).empty())

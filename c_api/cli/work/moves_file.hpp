@@ -30,7 +30,6 @@ struct Movable {
 };
 
 // The option `--by LINE`, and the texts of `--move` and of all options `--by`, in this order.
-extern const Option by_option;
 std::vector<TextFile> texts_of_moves(const Arguments& arguments);
 TextFile text_of_moves(const std::string& path);  // refuses an empty file
 

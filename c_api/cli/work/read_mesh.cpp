@@ -17,13 +17,6 @@ Mesh read_mesh(const std::string& path, const ReadOptions& options) {
     return mesh;
 }
 
-const Option format_option = {
-    "--format", "NAME",
-    "format of the mesh, if its content does not show it: `harmorph --help` lists the formats"};
-const Option zone_option = {"--zone", "Z",
-                            "the zone to use of a file with several zones; the other zones stay "
-                            "as they are"};
-
 Mesh read_mesh(const Arguments& arguments, std::size_t operand) {
     ReadOptions options;
     options.threads = threads_of(arguments);

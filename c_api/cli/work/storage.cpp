@@ -4,12 +4,6 @@
 
 namespace cli {
 
-const Option storage_option = {
-    "--storage", "P",
-    "precision of the functions in BASIS: double (default), or single: half the memory, faster "
-    "morphs, values\n"
-    "rounded by 2^-24 at most but exact on curves; not for --safe and transfer"};
-
 Stored::Stored(const Arguments& arguments, const Mesh& mesh, const hm_basis* solved)
     : basis_(solved) {
     if (arguments.choice("--storage", {{"double", HM_DOUBLE}, {"single", HM_SINGLE}}) == HM_DOUBLE)

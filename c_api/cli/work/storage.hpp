@@ -7,8 +7,6 @@
 
 namespace cli {
 
-extern const Option storage_option;
-
 // A basis as it was solved, or a copy in single precision in a separate block.
 class Stored {
 public:
