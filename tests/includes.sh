@@ -86,6 +86,14 @@ done
 is_empty "files outside of c_api/cli/files that include what the system has" "$(grep -lE \
     '#include <(filesystem|thread|mutex|condition_variable|atomic|future|pthread|csignal|fcntl|sys/)' \
     $(ls c_api/cli/*/*.[ch]pp | grep -v '^c_api/cli/files/'))"
+# Files appear by files/output_file alone: all outputs of a command together, or none. (CGNS has a library of its own;
+# own_folder has a lock.) Numbers become text, and text becomes numbers, in basics alone.
+is_empty "files that write past files/output_file" "$(grep -lE \
+    'std::(ofstream|fstream|rename|fopen|fwrite)|[^_a-z](fopen|mkstemp|O_CREAT)' c_api/cli/*/*.[ch]pp |
+    grep -vxE 'c_api/cli/files/(output_file\.[ch]pp|own_folder\.cpp|paths\.cpp)')"
+is_empty "conversions between numbers and text outside of basics" "$(grep -nE \
+    '(from|to)_chars|std::(ato[ifl]|ato[l]+|sto[dfil]|sto[ul]+|strto[a-z]+|v?s?n?printf|sscanf|setprecision)\b' \
+    $(ls c_api/cli/*/*.[ch]pp | grep -v '^c_api/cli/basics/'))"
 described=$(sed -n '/^## The sources/,$s/^| `\([a-z]*\)` |.*/\1/p' c_api/cli/README.md | tr '\n' ' ')
 is_empty c_api/cli/README.md "$([ "$described" = "$rooms " ] || echo "has other rooms: $described")"
 

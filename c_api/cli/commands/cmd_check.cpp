@@ -8,7 +8,7 @@
 #include "files/output_file.hpp"
 #include "mesh/loops.hpp"
 #include "mesh/mesh_analysis.hpp"
-#include "options/window_option.hpp"
+#include "options/place_options.hpp"
 #include "pictures/pictures.hpp"
 #include "work/read_mesh.hpp"
 

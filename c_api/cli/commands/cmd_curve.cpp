@@ -6,8 +6,7 @@
 #include "commands/commands.hpp"
 #include "curves/curve_file.hpp"
 #include "files/output_file.hpp"
-#include "options/number_list.hpp"
-#include "options/section_option.hpp"
+#include "options/place_options.hpp"
 
 #include <harmorph_design.h>
 
@@ -54,7 +53,7 @@ Curves changed(const Arguments& arguments, Curves curves) {
         curves = refined(path, curves, number, 0,
                          middles(curves.curves[static_cast<std::size_t>(number)]));
     if (arguments.has("--insert"))
-        curves = refined(path, curves, number, 0, number_list(arguments, "--insert"));
+        curves = refined(path, curves, number, 0, arguments.number_list("--insert"));
     return curves;
 }
 
@@ -88,7 +87,7 @@ std::vector<Wanted> wanted_of(const Arguments& arguments, const std::vector<doub
         {"min_radius", "smallest radius", quantity_of(HM_MIN_RADIUS)},
         {"curvature_variation", "curvature variation", quantity_of(HM_CURVATURE_VARIATION)}};
     if (arguments.has("--stations")) {
-        for (const double station : number_list(arguments, "--stations")) {
+        for (const double station : arguments.number_list("--stations")) {
             all.push_back({"thickness_" + brief(station), "thickness at " + brief(station),
                            quantity_of(HM_THICKNESS, station)});
             all.push_back({"camber_" + brief(station), "camber at " + brief(station),
@@ -107,7 +106,7 @@ void print_measures(const Arguments& arguments, const Curves& curves) {
     const hm_section section = section_of(arguments);
     const CurvesView view(curves);
     std::vector<double> box;
-    if (arguments.has("--box")) box = number_list(arguments, "--box");
+    if (arguments.has("--box")) box = arguments.number_list("--box");
     if (box.size() % 2 != 0) arguments.refuse("--box expects pairs x,y of numbers");
     JsonObject object;
     object.add("points", curves.points())

@@ -3,7 +3,7 @@
 #include "commands/commands.hpp"
 #include "files/output_file.hpp"
 #include "formats/vtu.hpp"
-#include "options/window_option.hpp"
+#include "options/place_options.hpp"
 #include "pictures/contour_lines.hpp"
 #include "pictures/pictures.hpp"
 #include "work/basis_file.hpp"

@@ -8,7 +8,6 @@
 #include "files/output_file.hpp"
 #include "files/paths.hpp"
 #include "mesh/mesh_analysis.hpp"
-#include "options/number_list.hpp"
 #include "work/read_mesh.hpp"
 
 #include <harmorph_design.h>
@@ -98,7 +97,7 @@ std::vector<double> read_weights(const std::string& path, const Outline& outline
 
 void take_direction(const Arguments& arguments, const std::string& option, double& x, double& y) {
     if (!arguments.has(option)) return;
-    const std::vector<double> numbers = number_list(arguments, option);
+    const std::vector<double> numbers = arguments.number_list(option);
     if (numbers.size() != 2 || (numbers[0] == 0 && numbers[1] == 0))
         arguments.refuse(option + " expects a direction X,Y");
     x = numbers[0];

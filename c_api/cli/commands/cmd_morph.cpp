@@ -7,7 +7,7 @@
 #include "files/output_file.hpp"
 #include "formats/format.hpp"
 #include "formats/vtu.hpp"
-#include "options/window_option.hpp"
+#include "options/place_options.hpp"
 #include "page/page_data.hpp"
 #include "pictures/draw_curves.hpp"
 #include "pictures/pictures.hpp"

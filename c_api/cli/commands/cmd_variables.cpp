@@ -3,7 +3,7 @@
 #include "commands/commands.hpp"
 #include "commands/design_variables.hpp"
 #include "files/output_file.hpp"
-#include "options/section_option.hpp"
+#include "options/place_options.hpp"
 
 namespace cli {
 

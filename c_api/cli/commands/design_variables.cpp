@@ -5,8 +5,7 @@
 #include "curves/curve_file.hpp"
 #include "curves/section.hpp"
 #include "curves/section_movement.hpp"
-#include "options/number_list.hpp"
-#include "options/section_option.hpp"
+#include "options/place_options.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +28,7 @@ std::int32_t whole(const Arguments& arguments, const std::string& option, double
 // Reads two whole numbers, for example those of shapes on the upper and on the lower side.
 void take_pair(const Arguments& arguments, const std::string& option, std::int32_t& first,
                std::int32_t& second) {
-    const std::vector<double> numbers = number_list(arguments, option);
+    const std::vector<double> numbers = arguments.number_list(option);
     if (numbers.size() != 2) arguments.refuse(option + " expects two numbers");
     first = whole(arguments, option, numbers[0]);
     second = whole(arguments, option, numbers[1]);
@@ -52,7 +51,7 @@ hm_variables variables_of(const Arguments& arguments, std::vector<double>& peaks
         take_pair(arguments, "--hicks-henne", variables.n_upper, variables.n_lower);
     }
     if (chosen("--naca", HM_NACA4)) {
-        peaks = number_list(arguments, "--naca");
+        peaks = arguments.number_list("--naca");
         variables.n_upper = static_cast<std::int32_t>(peaks.size());
     }
     if (kinds != 1)
@@ -61,7 +60,7 @@ hm_variables variables_of(const Arguments& arguments, std::vector<double>& peaks
             "--family is needed");
     if (arguments.has("--peaks")) {
         if (variables.kind != HM_HICKS_HENNE) arguments.refuse("--peaks needs --hicks-henne");
-        peaks = number_list(arguments, "--peaks");
+        peaks = arguments.number_list("--peaks");
         if (peaks.size() !=
             static_cast<std::size_t>(std::max(variables.n_upper + variables.n_lower, 0))) {
             arguments.refuse("--peaks expects as many numbers as there are bumps");
@@ -69,7 +68,7 @@ hm_variables variables_of(const Arguments& arguments, std::vector<double>& peaks
     }
     if (!peaks.empty()) variables.peaks = peaks.data();
     if (arguments.has("--box")) {
-        const std::vector<double> box = number_list(arguments, "--box");
+        const std::vector<double> box = arguments.number_list("--box");
         if (variables.kind != HM_FFD || box.size() != 4)
             arguments.refuse("--box needs --ffd and expects X,Y,X,Y");
         variables.x_min = box[0];
@@ -85,16 +84,16 @@ hm_movement placed(const Arguments& arguments, const std::string& option, const 
                    std::int32_t kind) {
     auto movement = sized<hm_movement>();
     movement.kind = kind;
-    const std::size_t comma = text.find(','), second = text.find(',', comma + 1);
-    const bool has_length = comma != std::string::npos && second != std::string::npos;
-    const bool is_place = parse_place(text.substr(0, second), movement.x, movement.y);
-    const bool is_length =
-        !has_length ||
-        (kind == HM_FLAP && parse(text.substr(second + 1), movement.length) && movement.length > 0);
-    if (!is_place || !is_length)
+    std::vector<double> number;
+    const std::size_t most = kind == HM_FLAP ? 3 : 2;
+    if (!parse_list(text, number) || number.size() < 2 || number.size() > most ||
+        (number.size() == 3 && !(number[2] > 0)))
         arguments.refuse(option +
                          (kind == HM_FLAP ? " expects X,Y or X,Y,LENGTH" : " expects a place X,Y") +
                          ", found '" + text + "'");
+    movement.x = number[0];
+    movement.y = number[1];
+    if (number.size() == 3) movement.length = number[2];
     return movement;
 }
 

@@ -1,5 +1,8 @@
 #include "files/free_memory.hpp"
 
+#include "basics/numbers.hpp"
+#include "basics/text.hpp"
+
 #include <algorithm>
 #include <fstream>
 #include <limits>
@@ -20,12 +23,11 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 // empty; infinity if there is no such number.
 double number_in(const char* path, const std::string& name) {
     std::ifstream file(path);
-    if (name.empty()) {
-        double number = 0;
-        return file >> number ? number : unlimited;
-    }
     for (std::string line; std::getline(file, line);) {
-        if (line.compare(0, name.size(), name) == 0) return std::stod(line.substr(name.size()));
+        if (line.compare(0, name.size(), name) != 0) continue;
+        double number = 0;
+        const std::string_view rest = trimmed(std::string_view(line).substr(name.size()));
+        return parse_front(rest, number) > 0 ? number : unlimited;
     }
     return unlimited;
 }

@@ -230,9 +230,9 @@ struct Entry {
 };
 
 bool read_place(std::string_view text, MarkerPiece& piece) {
-    const std::size_t colon = text.find(':');
-    piece.is_piece = colon != text.npos && parse(text.substr(0, colon), piece.x) &&
-                     parse(text.substr(colon + 1), piece.y);
+    std::vector<double> place;
+    piece.is_piece = parse_list(text, place, ':') && place.size() == 2;
+    if (piece.is_piece) piece.x = place[0], piece.y = place[1];
     return piece.is_piece;
 }
 

@@ -159,19 +159,34 @@ std::vector<std::int32_t> Arguments::whole_list(std::string_view option, std::in
                                                 std::int32_t high) const {
     const std::string list = text(option);
     std::vector<std::int32_t> values;
-    for (std::size_t begin = 0; begin <= list.size();) {
-        const std::size_t end = std::min(list.find(',', begin), list.size());
-        std::int32_t value = 0;
-        if (!parse(std::string_view(list).substr(begin, end - begin), value) || value < low ||
-            value > high) {
-            refuse(std::string(option) + " expects whole numbers between " + std::to_string(low) +
-                   " and " + std::to_string(high) + " with commas between them, not " +
-                   in_quotes(list));
-        }
-        values.push_back(value);
-        begin = end + 1;
+    const bool is_list = parse_list(list, values);
+    const auto is_outside = [=](std::int32_t value) { return value < low || value > high; };
+    if (!is_list || std::any_of(values.begin(), values.end(), is_outside)) {
+        refuse(std::string(option) + " expects whole numbers between " + std::to_string(low) +
+               " and " + std::to_string(high) + " with commas between them, not " +
+               in_quotes(list));
     }
     return values;
+}
+
+std::vector<double> Arguments::number_list(std::string_view option) const {
+    const std::string list = text(option);
+    std::vector<double> values;
+    if (!parse_list(list, values))
+        refuse(std::string(option) + " expects numbers with commas between them, not '" + list +
+               "'");
+    return values;
+}
+
+NamedNumbers Arguments::named_numbers(std::string_view option, const std::string& value,
+                                      std::size_t count, const char* form) const {
+    const std::size_t equals = value.find('=');
+    NamedNumbers found = {value.substr(0, equals), {}};
+    if (equals == std::string::npos ||
+        !parse_list(std::string_view(value).substr(equals + 1), found.numbers) ||
+        found.numbers.size() != count)
+        refuse(std::string(option) + " expects " + form + ", found " + in_quotes(value));
+    return found;
 }
 
 double Arguments::positive(std::string_view option, double fallback) const {

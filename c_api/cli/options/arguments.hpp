@@ -16,6 +16,11 @@ struct NamedFile {
     std::string name, path;  // name: the operand or the option
 };
 
+struct NamedNumbers {
+    std::string name;
+    std::vector<double> numbers;
+};
+
 struct Choice {
     const char* name;
     std::int32_t number;
@@ -39,9 +44,10 @@ public:
     std::string output(std::string_view option) const;
     std::int32_t whole(std::string_view option, std::int32_t fallback, std::int32_t low,
                        std::int32_t high) const;
-    // Reads a list such as "3,5"; the option must be given.
+    // Read a list such as "3,5"; the option must be given.
     std::vector<std::int32_t> whole_list(std::string_view option, std::int32_t low,
                                          std::int32_t high) const;
+    std::vector<double> number_list(std::string_view option) const;
     // Returns the first choice if the option is not given.
     std::int32_t choice(std::string_view option, const std::vector<Choice>& choices) const;
     // Returns the choice with the name `given`, which is a value of an option that may be repeated.
@@ -54,6 +60,11 @@ public:
     // Returns the command line in which the options that others have set are written out; empty if
     // there is no such option.
     std::string written_out() const;
+
+    // Splits a value NAME=NUMBER,NUMBER of an option. Refuses another value, or another count of
+    // numbers, and says that `form` is expected.
+    NamedNumbers named_numbers(std::string_view option, const std::string& value, std::size_t count,
+                               const char* form) const;
 
     [[noreturn]] void refuse(std::string_view message) const;  // wrong usage of this command
 

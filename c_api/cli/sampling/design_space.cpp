@@ -5,7 +5,6 @@
 #include "curves/section.hpp"
 #include "files/paths.hpp"
 #include "files/text_file.hpp"
-#include "options/number_list.hpp"
 #include "work/to_airfoil.hpp"
 
 #include <cmath>
@@ -177,7 +176,7 @@ std::vector<DesignParameter> DesignSpace::parameters_of(const Arguments& argumen
     }
     double low = 0, high = 0;
     if (arguments.has("--range")) {
-        const std::vector<double> range = number_list(arguments, "--range");
+        const std::vector<double> range = arguments.number_list("--range");
         if (range.size() != 2 || range[0] > range[1])
             arguments.refuse("--range expects two numbers LOW,HIGH");
         if (!all.empty())

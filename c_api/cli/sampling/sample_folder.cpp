@@ -1,5 +1,6 @@
 #include "sampling/sample_folder.hpp"
 
+#include "basics/numbers.hpp"
 #include "basics/failure.hpp"
 #include "files/output_file.hpp"
 #include "files/paths.hpp"
@@ -7,17 +8,9 @@
 #include "formats/format.hpp"
 #include "sampling/crc32.hpp"
 
-#include <cstdio>
-
 namespace cli {
 
 namespace {
-
-std::string numbered(std::int64_t number, int digits) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%0*lld", digits, static_cast<long long>(number));
-    return text;
-}
 
 // Tells whether an option does not change the files of the set.
 bool is_incidental(const std::string& option) {
@@ -42,15 +35,15 @@ std::string settings_of_set(const Arguments& arguments) {
 }
 
 std::string SampleFolder::shard_file(std::int64_t shard, const char* ending) const {
-    return file("shards/" + numbered(shard, 5) + ending);
+    return file("shards/" + padded(shard, 5, '0') + ending);
 }
 
 std::string SampleFolder::mesh_of(std::int64_t design, const std::string& ending) const {
-    return file("meshes/" + numbered(design + 1, 7) + ending);
+    return file("meshes/" + padded(design + 1, 7, '0') + ending);
 }
 
 std::string SampleFolder::vtk_of(std::int64_t design) const {
-    return file("vtk/" + numbered(design + 1, 7) + ".vtu");
+    return file("vtk/" + padded(design + 1, 7, '0') + ".vtu");
 }
 
 namespace {

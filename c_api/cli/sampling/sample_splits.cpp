@@ -12,13 +12,10 @@ SampleSplits::SampleSplits(const Arguments& arguments, const std::vector<std::st
     : test_(arguments.real("--test", .2, 0, 1)),
       seed_(static_cast<std::uint64_t>(arguments.whole("--seed", 1, 0, 1000000000))) {
     for (const std::string& text : arguments.all("--inside")) {
-        const std::size_t equals = text.find('='),
-                          comma = text.find(',', std::min(equals, text.size()));
-        Range range = {text.substr(0, equals), 0, 0, 0};
-        if (comma == std::string::npos ||
-            !parse(std::string_view(text).substr(equals + 1, comma - equals - 1), range.low) ||
-            !parse(std::string_view(text).substr(comma + 1), range.high) || range.low > range.high)
+        const auto [name, bound] = arguments.named_numbers("--inside", text, 2, "NAME=LOW,HIGH");
+        if (bound[0] > bound[1])
             arguments.refuse("--inside expects NAME=LOW,HIGH, found " + in_quotes(text));
+        Range range = {name, 0, bound[0], bound[1]};
         const auto found = std::find(names.begin(), names.end(), range.name);
         if (found == names.end())
             arguments.refuse("--inside: " + in_quotes(range.name) +
