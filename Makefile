@@ -160,7 +160,7 @@ rules: checked
 deform-seeded: all
 	+@$(MAKE_BY_RULES) $(BUILD)/deform-seeded
 
-# The meshes of the demo and of the tests: a program of tests/meshes makes the largest of them.
+# The meshes of the demo, of the tests and of the paper's cases, which a program of tests/meshes makes, this one last.
 MESH = $(BUILD)/meshes/naca0012.su2
 meshes: rules
 	+@$(MAKE_BY_RULES) $(MESH)

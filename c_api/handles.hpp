@@ -1,4 +1,4 @@
-// Turns the caller's handles into the objects in the blocks, and checks the state that a call
+// Converts the caller's handles into the objects in the blocks, and checks the state that a call
 // needs: an analysis with conditions, a solved or a complete basis.
 #pragma once
 

@@ -43,7 +43,7 @@ Status view_movement(const hm_movement* array, Index number, Movement& out, Faul
                                      "kind is HM_CAMBER_THICKNESS",
                             entry_item(number));
     }
-    bool const has_place = out.kind == MovementKind::turn || out.kind == MovementKind::scale ||
+    bool const has_place = out.kind == MovementKind::rotate || out.kind == MovementKind::scale ||
                            out.kind == MovementKind::flap || out.kind == MovementKind::blade;
     if (!is_coordinate(out.centre) || (!has_place && !(m.x == 0 && m.y == 0))) {
         return fault.refuse(Status::bad_argument,

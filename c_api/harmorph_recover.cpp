@@ -68,7 +68,7 @@ hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double
             move[2 * i + 1] = found.unknown[i].y;
         }
         if (residual != nullptr) *residual = found.residual.error;
-        if (rotated_offset != nullptr) *rotated_offset = found.turned_offset;
+        if (rotated_offset != nullptr) *rotated_offset = found.rotated_offset;
         if (point != nullptr) *point = numbered(found.residual.point, b.header->index_base);
         return Status::ok;
     });

@@ -43,8 +43,8 @@ hm_refit_report report_of(RefitReport const& found, Closure closure) noexcept {
     filled.closed_width = found.closed_width;
     filled.max_error_point = found.max_error_point;
     filled.closed = static_cast<std::int32_t>(closure);
-    filled.rotation_x = found.turn.x;
-    filled.rotation_y = found.turn.y;
+    filled.rotation_x = found.rotation.x;
+    filled.rotation_y = found.rotation.y;
     filled.shift_x = found.shift.x;
     filled.shift_y = found.shift.y;
     return filled;

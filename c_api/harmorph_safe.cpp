@@ -124,7 +124,7 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     filled.min_quality_cell = numbered(quality.min_quality_cell, base);
     filled.min_quality = quality.min_quality;
     filled.mean_quality = quality.mean_quality();
-    filled.rotated_offset = safe.outcome.turned_offset;
+    filled.rotated_offset = safe.outcome.rotated_offset;
     filled.start_quality = safe.start_quality;
     filled.end_point = numbered(safe.end, base);
     filled.end_distance = safe.end_distance;

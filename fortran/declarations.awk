@@ -1,15 +1,7 @@
-# usage: awk [-v layout=c|fortran] -f declarations.awk TABLE
+# usage: awk [-v layout=c|fortran] -f type_of.awk -f declarations.awk TABLE
 # Writes what Fortran declares of the constants and structs in TABLE, which c_api/packaging/table.awk makes from the C
-# headers: parameters with the names of the constants, and a bind(C) type for each struct. The struct hm_mesh becomes
-# the type hm_c_mesh; only reports, which users of the module read as they are, keep their names. Structs for output,
-# as hm_points_out, have the type of those for input, hm_c_points.
+# headers: parameters with the names of the constants, and a bind(C) type for each struct (type_of.awk has the names).
 # With layout=c and layout=fortran: the two sides of the comparison in tests/layout.c and tests/layout.f90.
-function type_of(struct, name) {
-    name = struct
-    sub(/_out$/, "", name)
-    if (name !~ /_report$/ && name !~ /^hm_(worst_cell|bound_value|step_corner)$/) sub(/^hm_/, "hm_c_", name)
-    return name
-}
 BEGIN {
     declaration["int32"] = "integer(c_int32_t) :: #@ = 0"
     declaration["int64"] = "integer(c_int64_t) :: #@ = 0"

@@ -5,18 +5,21 @@
 # declarations, a line `contains`, and procedures; the first parts are the manual and the beginning of the module.
 #
 # The lines between !@each NAME and !@end are written once for each line of the file `forms` that begins with NAME; that
-# line also gives the form, the kind and the shape. The line !@headers stands for the constants and structs that the C
-# headers in the list `headers` declare (declarations.awk).
+# line also gives the form, the kind and the shape. The lines !@headers and !@calls stand for what the C headers in the
+# list `headers` declare: constants and structs (declarations.awk), and functions (interfaces.awk).
 top=$(cd "$(dirname "$0")/.." && pwd)
 headers=$(cd "${HEADERS:-$top/include}" && pwd)
 cd "$top/fortran/$1" || exit 1
-forms=/dev/null declared=
+forms=/dev/null declared= calls=
 [ ! -f forms ] || forms=forms
 if [ -f headers ]; then
-    table=$(cd "$headers" && awk -f "$top/c_api/packaging/table.awk" $(cat "$top/fortran/$1/headers")) || exit 1
-    declared=$(echo "$table" | awk -f ../declarations.awk) || exit 1
+    table() { (cd "$headers" && awk -f "$top/c_api/packaging/table.awk" $(cat "$top/fortran/$1/headers")); }
+    known=$(table harmorph) && table=$(table "$1") || exit 1
+    declared=$(echo "$table" | awk -f ../type_of.awk -f ../declarations.awk) || exit 1
+    calls=$({ echo "$known" | sed -n 's/^struct /known /p'; echo "$table"; } |
+        awk -f ../type_of.awk -f ../interfaces.awk ../arguments -) || exit 1
 fi
-export declared
+export declared calls
 part() {   # file, declarations or procedures
     awk -v wanted="$2" -v forms=$forms '
         FILENAME == forms { name[++n] = $1; form[n] = $2; kind[n] = $3; shape[n] = $4; next }
@@ -24,6 +27,7 @@ part() {   # file, declarations or procedures
         /^contains$/ { section = "procedures"; next }
         section != wanted { next }
         /^!@headers$/ { print ENVIRON["declared"]; next }
+        /^!@calls$/ { print ENVIRON["calls"]; next }
         /^!@each / { each = $2; text = ""; next }
         /^!@end$/ {
             for (k = 1; k <= n; ++k) {

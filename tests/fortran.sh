@@ -104,7 +104,8 @@ compare_layouts() {   # folder that contains include/, folder of the module's ob
     place=$2
     (cd "$1" && awk -f "$OLDPWD/c_api/packaging/table.awk" $headers) >"$place/table"
     for side in c fortran; do
-        awk -v layout=$side -f fortran/declarations.awk "$place/table" >"$place/layout_${side%ortran}.inc"
+        awk -v layout=$side -f fortran/type_of.awk -f fortran/declarations.awk "$place/table" \
+            >"$place/layout_${side%ortran}.inc"
     done
     check "layout.c" $CC -I"$place" -std=c99 -pedantic -Wall -Wextra -Werror -I"$1/include" $CFLAGS -c tests/layout.c \
         -o "$place/layout_c.o"
@@ -125,12 +126,16 @@ same_names() {
     sed -n 's/^\(constant [^ ]*\).*/\1/p; /^struct/p' "$dir/checked/table" | grep -v HM_ABI | sort | diff "$dir/names" -
 }
 check "all constants and structs of the headers are compared" same_names
-# A new constant, and a new member in a reserved place, are one edit: that of the header.
+# A new constant, a new member in a reserved place and a new call are one edit: that of the header.
 mkdir -p "$dir/edited"
 cp -R include "$dir/edited"
 awk '/HM_STRATEGY_IMPROVED = 4/ { sub(/= 4/, "= 4,\n    HM_STRATEGY_ADDED = 5") }
     /^typedef struct hm_improve_options/ { in_options = 1 }
     in_options && sub(/reserved;/, "added;") { in_options = 0 }
+    /^HM_API hm_status hm_plan_solve/ {
+        print "HM_API hm_status hm_added(const hm_plan* plan, const hm_mesh* mesh, double of, int32_t* numbers,"
+        print "                          size_t* bytes, hm_error* err); /* The comment of the call. */"
+    }
     { print }' include/harmorph.h >"$dir/edited/include/harmorph.h"
 join_edited() { HEADERS=$dir/edited/include sh fortran/join.sh harmorph >"$dir/edited/harmorph.f90"; }
 check "the module of the edited header" join_edited
@@ -140,18 +145,42 @@ compare_layouts "$dir/edited" "$dir/edited"
 has_both() { grep hm_strategy_added "$dir/edited/$1" && grep '\badded\b' "$dir/edited/$1"; }
 check "the new constant and member are in the module" has_both harmorph.f90
 check "the new constant and member are compared" has_both layout_f.inc
+new_call() {
+    grep -A 7 -F 'hm_c_added(plan, mesh, of, numbers, bytes, err) bind(c,name="hm_added")' "$dir/edited/harmorph.f90" |
+        sed 's/^ *//' >"$dir/edited/call"
+    diff - "$dir/edited/call" <<'END' || return
+integer(c_int32_t) function hm_c_added(plan, mesh, of, numbers, bytes, err) bind(c,name="hm_added")
+import
+type(c_ptr), value, intent(in) :: plan
+type(hm_c_mesh), intent(in) :: mesh
+real(c_double), value, intent(in) :: of
+integer(c_int32_t), intent(inout) :: numbers(*)
+integer(c_size_t), intent(inout) :: bytes
+type(hm_c_error), intent(inout) :: err
+END
+    grep -B 1 'hm_c_added(plan' "$dir/edited/harmorph.f90" | grep 'The comment of the call'
+}
+check "the new call has an interface with the comment of the header" new_call
 
-# Every function of the headers must have an interface in the module, with two exceptions. hm_init sets the fields of C
-# structs to 0; the components of the derived types have initial values instead. The calls hm_setup_* do what
-# plan%analyse, plan%factor and plan%solve do.
-not_for_fortran='hm_init|hm_setup_[a-z]*'
+# Every function of the headers must have an interface in the module, but for hm_init, which sets the fields of C
+# structs to 0; the components of the derived types have initial values instead.
 missing() {
-    for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' $headers | grep -vxE "$not_for_fortran"); do
+    for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' $headers | grep -vx hm_init); do
         grep -q "name=\"$name\"" "$build/harmorph.f90" || echo "$name"
     done
 }
 nothing_missing() { missing | tee "$dir/missing"; test ! -s "$dir/missing"; }
 check "all of the header is in the module" nothing_missing
+# What the list says of pointers is about arguments that the headers have; otherwise the list is older than the headers.
+unknown_arguments() {
+    awk -f c_api/packaging/table.awk $headers include/harmorph_mpi.h include/harmorph_petsc.h |
+        awk '$1 == "argument" { known[$2, $3] = known["*", $3] = 1 }
+            FILENAME ~ /arguments$/ && $1 != "#" {
+                for (k = 3; k <= NF; ++k) if (!(($2, $k) in known)) print $2, $k
+            }' - fortran/arguments
+}
+no_unknown_argument() { ! unknown_arguments | grep .; }
+check "fortran/arguments names arguments of the headers" no_unknown_argument
 
 # The legacy calls with the module of a place, and the same flags: DOUBLE PRECISION always has 8 bytes.
 legacy_calls() {   # place, flags...

@@ -52,4 +52,21 @@ sees_another_word() {   # the check fails where a header has another word
 }
 check "another word is found" sees_another_word
 
+# The core rotates, too: a name or sentence with the other word is found, but not "in turn", "turned inside out", nor
+# the turning angle between two edges of a polygon.
+other_rotations() {
+    grep -rnE '(^|[^A-Za-z])([Tt]urn(s|ed|)|unturned)([^a-z]|$)' "$@" |
+        grep -vE 'in turn([^a-z]|$)|turn(s|ed) inside out' | tee "$dir/words"
+    test ! -s "$dir/words"
+}
+check "the core rotates" other_rotations src c_api/*.cpp c_api/*.hpp
+sees_a_turn() {
+    for line in 'Vec2 turn_of(Mesh const& mesh);' 'struct TurnAt {' '// The body is turned.' \
+        'bool is_turned();'; do
+        echo "$line" >"$dir/turn.hpp"
+        if other_rotations "$dir/turn.hpp"; then return 1; fi
+    done
+}
+check "a turn is found" sees_a_turn
+
 finish "$dir"

@@ -52,8 +52,9 @@ check "check: control volumes" "$harmorph" check "$bodies" --dual-volumes 700,70
 check "control volumes are a picture" is_picture "$tmp/dual.svg" "Control volumes" 1
 check "check: gradient volumes" "$harmorph" check "$bodies" --gradient-volumes 700 --svg "$tmp/gradient.svg"
 check "gradient volumes are a picture" is_picture "$tmp/gradient.svg" "Volumes for the gradients" 1
-refuses "a volume of no point" "--dual-volumes expects whole numbers between 0 and 1838" check "$bodies" \
-    --dual-volumes 1839 --svg "$tmp/x"
+n_points=$(sed -n 's/^NPOIN= //p' "$bodies")
+refuses "a volume of no point" "--dual-volumes expects whole numbers between 0 and $((n_points - 1))" check "$bodies" \
+    --dual-volumes "$n_points" --svg "$tmp/x"
 check "export: one function" "$harmorph" export "$bodies" "$tmp/harmonic.basis" --function 12 --svg "$tmp/one.svg" \
     --csv "$tmp/values.csv" --contour-csv "$tmp/contours.csv" --window -1,-1,5,4
 check "a function is a picture" is_picture "$tmp/one.svg" "Function of control point 12 (point 1 of curve 2)" 1

@@ -165,13 +165,12 @@ all_rules() {
     objects fuzz tests/fuzz/*.cpp
     program fuzzer
 
-    # The meshes of the demo and of the tests: those of tests/meshes, and the one that a program makes.
+    # The meshes of the demo, of the tests and of the paper's cases: a program makes all.
     flags='$(UNIT)' list=
-    objects mesh tests/meshes/make_naca0012.cpp
-    printf '%s/make_naca0012:%s\n\techo $(CXX) $@\n\t$(CXX) $(CXXFLAGS) -o $@%s $(LDFLAGS)\n' $build "$list" "$list"
-    printf '%s/meshes/naca0012.su2: %s/make_naca0012 %s\n\tcp tests/meshes/*.su2 tests/meshes/*.curve %s/meshes/\n' \
-        $build $build "$(echo tests/meshes/*.su2 tests/meshes/*.curve)" $build
-    printf '\t%s/make_naca0012 $@\n' $build
+    objects mesh tests/meshes/make_meshes.cpp
+    printf '%s/make_meshes:%s\n\techo $(CXX) $@\n\t$(CXX) $(CXXFLAGS) -o $@%s $(LDFLAGS)\n' $build "$list" "$list"
+    printf '%s/meshes/naca0012.su2: %s/make_meshes %s\n' $build $build "$(echo tests/meshes/*.curve)"
+    printf '\tcp tests/meshes/*.curve %s/meshes/ && %s/make_meshes %s/meshes\n' $build $build $build
 }
 put rules.mk all_rules
 put depends.mk find $build/objects -name '*.d' -exec cat {} +

@@ -1,10 +1,15 @@
 # usage: awk -f table.awk include/harmorph.h ...
-# Writes the constants and structs that the C headers declare as a table, one line each, in the order of the headers:
+# Writes what the C headers declare as a table, one line each, in the order of the headers:
 #     constant NAME VALUE          an enumerator with its value, and HM_ABI
 #     text NAME "TEXT"             HM_VERSION
 #     struct NAME
 #     member STRUCT NAME TYPE N    TYPE: int32, int64, double, char, pointer, function or a struct; N: array length
 #     end STRUCT
+#     comment TEXT                 a line of the comment in front of the next call
+#     call NAME RESULT             RESULT: a type as of an argument, or void
+#     argument NAME ARGUMENT TYPE STARS CONST
+#                                  TYPE: as in C, without const; STARS: the number of *; CONST: 1 if there is a const
+#     close NAME
 # The Fortran module, the test of layouts and tests/abi/interface.txt are made from this table, and tests/cli/options.sh
 # looks for an option of the program for each field, so that a new constant or member is one edit of a header. A
 # declaration that this script does not understand ends the script with an error.
@@ -18,7 +23,9 @@ function without_comments(line, start, text) {
     text = ""
     while (line != "") {
         if (in_comment) {
-            if (!(start = index(line, "*/"))) return text
+            start = index(line, "*/")
+            said_line(start ? substr(line, 1, start - 1) : line)
+            if (!start) return text
             line = substr(line, start + 2)
             in_comment = 0
         } else {
@@ -29,6 +36,11 @@ function without_comments(line, start, text) {
         }
     }
     return text
+}
+# Keeps a line of a comment, which belongs to the next call unless an empty line comes first.
+function said_line(text) {
+    gsub(/^[ *]+|[ *]+$/, "", text)
+    if (text != "") said[++n_said] = text
 }
 function constants(text, n, k, one, pair) {
     sub(/^[^{]*[{]/, "", text)
@@ -61,6 +73,33 @@ function members(struct, declaration, n, k, name, type, length_of) {
         print "member", struct, name[k], kind_of(declaration, type), length_of
     }
 }
+# The call "hm_status hm_morph(const hm_basis* basis, ...)". Calls for communicators of C are left out: other languages
+# have the same calls with an MPI_Fint.
+function call(declaration, name, one, n, k, type, argument, stars) {
+    sub(/^HM_API /, "", declaration)
+    if (declaration ~ /MPI_Comm/) return
+    name = type = declaration
+    sub(/ ?\(.*/, "", name)
+    sub(/^.*[ *]/, "", name)
+    sub(/^const /, "", type)
+    sub(/[ *].*/, "", type)
+    for (k = 1; k <= n_said; ++k) print "comment", said[k]
+    print "call", name, type
+    sub(/^[^(]*\(/, "", declaration)
+    sub(/\).*/, "", declaration)
+    n = declaration == "void" ? 0 : split(declaration, one, ",")
+    for (k = 1; k <= n; ++k) {
+        argument = one[k]
+        stars = gsub(/\*/, " ", argument)
+        type = argument
+        sub(/ *$/, "", argument)
+        sub(/^.* /, "", argument)
+        gsub(/^ *(const )? */, "", type)
+        sub(/ .*/, "", type)
+        print "argument", name, argument, type, stars, (one[k] ~ /const /) + 0
+    }
+    print "close", name
+}
 function kind_of(declaration, type) {
     if (declaration ~ /\*/) return "pointer"
     if (type in function_type) return "function"
@@ -71,6 +110,7 @@ function kind_of(declaration, type) {
 }
 /^#define HM_ABI / { print "constant HM_ABI", $3 }
 /^#define HM_VERSION / { print "text HM_VERSION", $3 }
+/^#/ || (/^ *$/ && statement !~ /[^ ]/) { n_said = 0 }
 /^#/ || /^extern "C" [{]/ || /^[}]$/ { next }
 {
     statement = statement " " without_comments($0)
@@ -95,7 +135,10 @@ function kind_of(declaration, type) {
         sub(/^[^*]*\*/, "", statement)
         sub(/\).*/, "", statement)
         function_type[statement] = 1
+    } else if (statement ~ /^(HM_API )?(const )?[a-z0-9_]+ ?\*? ?hm_[a-z0-9_]+\(/) {
+        call(statement)
     }
     statement = ""
+    n_said = 0
 }
 END { if (!failed && (in_comment || statement ~ /[^ ]/)) fail("the header ends inside a declaration") }

@@ -118,10 +118,10 @@ inline bool take_flag(bool& flag) noexcept {
 
 // Lets one task after the other run a few instructions. The order is any, so what these leave
 // behind must not depend on it, as sums of integers or a minimum.
-class Turns {
+class Lock {
 public:
     template <class Body>
-    void take(Body const& body) noexcept {
+    void run(Body const& body) noexcept {
         while (!take_flag(is_free_)) {}
         body();
         raise_flag(is_free_);

@@ -98,8 +98,8 @@ struct BinaryScale {
         return {scale_a.exponent + scale_b.exponent -
                 (scale_a.down(a) * scale_b.down(b) < 0.5 ? 1 : 0)};
     }
-    // Returns the scale with which down() turns these products into numbers below 2^63, as FixedSum
-    // takes them.
+    // Returns the scale with which down() converts these products into numbers below 2^63, as
+    // FixedSum takes them.
     BinaryScale units() const noexcept { return {exponent - 63}; }
     bool finite() const noexcept { return exponent != not_finite; }
     bool valid() const noexcept {

@@ -1,4 +1,4 @@
-// Defines points of the plane: signed areas, turns and angles, boxes, checks of the caller's
+// Defines points of the plane: signed areas, rotations and angles, boxes, checks of the caller's
 // numbers, and a strided view of the caller's coordinates.
 #pragma once
 
@@ -75,7 +75,7 @@ inline bool is_coordinate(Vec2 p) noexcept {
     return is_finite(p.x) && is_finite(p.y) && is_in_range(p);
 }
 
-// Computes directions, turns and angles of vectors with square roots and a series.
+// Computes directions, rotations and angles of vectors with square roots and a series.
 inline constexpr Real pi = 3.141592653589793;
 
 // Returns the vector of length 1 in the direction of v; the zero vector has the direction 0.
@@ -85,13 +85,15 @@ inline Vec2 direction(Vec2 v) noexcept {
 }
 constexpr Vec2 left_of(Vec2 v) noexcept { return {-v.y, v.x}; }
 
-// A turn by an angle is the vector (cosine, sine), which is a complex number of length 1.
-// turn_between() returns the turn from a to b, multiplied by both lengths.
-constexpr Vec2 turned(Vec2 v, Vec2 turn) noexcept {
-    return {v.x * turn.x - v.y * turn.y, v.x * turn.y + v.y * turn.x};
+// A rotation by an angle is the vector (cosine, sine), which is a complex number of length 1.
+// rotation_between() returns the rotation from a to b, multiplied by both lengths.
+constexpr Vec2 rotated(Vec2 v, Vec2 rotation) noexcept {
+    return {v.x * rotation.x - v.y * rotation.y, v.x * rotation.y + v.y * rotation.x};
 }
-constexpr Vec2 turned_back(Vec2 v, Vec2 turn) noexcept { return turned(v, {turn.x, -turn.y}); }
-constexpr Vec2 turn_between(Vec2 a, Vec2 b) noexcept { return {dot(a, b), cross(a, b)}; }
+constexpr Vec2 rotated_back(Vec2 v, Vec2 rotation) noexcept {
+    return rotated(v, {rotation.x, -rotation.y});
+}
+constexpr Vec2 rotation_between(Vec2 a, Vec2 b) noexcept { return {dot(a, b), cross(a, b)}; }
 
 constexpr Real in_degrees(Real radians) noexcept { return radians * (180 / pi); }
 
@@ -102,11 +104,11 @@ inline Real angle_of(Vec2 v) noexcept {
     if (!(size > 0)) return 0;
     Vec2 const unit = {v.x / size, v.y / size};
     Real const r = length(unit);
-    // The vector is turned by a quarter where the tangent of half the angle would be large.
-    bool const turned = unit.x < 0;
-    Real const quarter = turned ? (unit.y < 0 ? -pi / 2 : pi / 2) : 0;
-    Real const x = turned ? abs(unit.y) : unit.x,
-               y = turned ? (unit.y < 0 ? unit.x : -unit.x) : unit.y;
+    // The vector is rotated by a quarter where the tangent of half the angle would be large.
+    bool const rotated = unit.x < 0;
+    Real const quarter = rotated ? (unit.y < 0 ? -pi / 2 : pi / 2) : 0;
+    Real const x = rotated ? abs(unit.y) : unit.x,
+               y = rotated ? (unit.y < 0 ? unit.x : -unit.x) : unit.y;
     Real t = y / (r + x), factor = 2;
     // Each step halves the angle. Gregory's series then follows; the omitted terms are below
     // 0.06^14 / 15.

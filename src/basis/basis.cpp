@@ -201,7 +201,7 @@ Curve Basis::curve(Index number) const noexcept {
     return curve;
 }
 
-// At a point of a curve the functions are N_i, or N_i + e N_i' / C' if the point's offset e turns
+// At a point of a curve the functions are N_i, or N_i + e N_i' / C' if the point's offset e rotates
 // with the curve.
 BoundaryFunctions Basis::boundary_functions(WallPlace const& at) const noexcept {
     BoundaryFunctions out;
@@ -216,15 +216,16 @@ BoundaryFunctions Basis::boundary_functions(WallPlace const& at) const noexcept 
         out.value[1] = offset;
         return out;
     }
-    bool const turns = offset.x != 0 || offset.y != 0;
+    bool const rotates = offset.x != 0 || offset.y != 0;
     Curve const spline = curve(at.curve);
     CurveBasis const functions = curve_basis(spline, at.u, 1);
-    Vec2 const per_derivative = turns ? quotient(offset, derivative_of(spline, functions)) : Vec2{};
+    Vec2 const per_derivative =
+        rotates ? quotient(offset, derivative_of(spline, functions)) : Vec2{};
     out.order = functions.order;
     for (Index k = 0; k < max_order; ++k) {  // The values from the order on are 0.
         out.function[k] = functions.control[k];
         out.value[k] = {functions.value[0][k], 0};
-        if (turns) out.value[k] = out.value[k] + functions.value[1][k] * per_derivative;
+        if (rotates) out.value[k] = out.value[k] + functions.value[1][k] * per_derivative;
     }
     return out;
 }

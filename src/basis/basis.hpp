@@ -69,8 +69,8 @@ struct BasisCounts {
 
     // Returns the number of functions of control points, or of design variables.
     Index shapes() const noexcept { return combination == 0 ? control : combined; }
-    // Returns the number of all functions: shapes, two for each rigid body (translation and turn),
-    // and modes.
+    // Returns the number of all functions: shapes, two for each rigid body (translation and
+    // rotation), and modes.
     Index functions() const noexcept { return shapes() + 2 * bodies + modes; }
     bool complete() const noexcept { return stored == functions(); }
     // Tells whether combined functions or modes are among the functions. The values on the wall are

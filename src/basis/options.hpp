@@ -121,7 +121,7 @@ struct Method {
     Engine engine = Engine::direct;
     Kernel kernel = Kernel::automatic;   // automatic but in the equations of a plan
     std::int32_t exponent_quarters = 0;  // The weight is k = d^(-exponent_quarters / 4).
-    // If this is 1, the offset of a wall point from its curve turns with the curve.
+    // If this is 1, the offset of a wall point from its curve rotates with the curve.
     std::int32_t offset_correction = 0;
     Real tolerance = 1e-10;
 

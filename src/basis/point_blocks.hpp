@@ -44,7 +44,7 @@ void copy_row(To to, From from, Index n) noexcept {
     for (Index k = 0; k < n; ++k) to[k] = from[k];
 }
 
-// Turns rows of n_points points, each with its numbers side by side, into blocks in the same
+// Converts rows of n_points points, each with its numbers side by side, into blocks in the same
 // memory. A block takes the memory of the rows of its points; `work` holds the rows that are being
 // moved.
 struct RowsToBlocks {
@@ -59,7 +59,7 @@ struct RowsToBlocks {
     Span<Real> work;  // [work_numbers(numbers)] or fewer: at least block_points * numbers.
 
     void run(Executor const& executor) const noexcept;
-    // Turns blocks into rows again. The memory after the last row is then undefined.
+    // Converts blocks into rows again. The memory after the last row is then undefined.
     void undo(Executor const& executor) const noexcept;
 
 private:

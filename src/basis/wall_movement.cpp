@@ -5,7 +5,7 @@ namespace {
 
 // This number, relative to the mean diagonal entry, is added to all diagonal entries.
 constexpr Real regularisation = 1e-12;
-// The residual of the solution with turned offsets must be below this fraction of that without.
+// The residual of the solution with rotated offsets must be below this fraction of that without.
 constexpr Real much_better = 0.1;
 constexpr Index max_refinements = 200;
 
@@ -69,9 +69,9 @@ Vec2 WallMovement::rest(Basis const& basis, Index slot, Index n_columns, Points 
     return rest;
 }
 
-// Tells whether more points follow the curve than it has functions and a turn. The marks of
+// Tells whether more points follow the curve than it has functions and a rotation. The marks of
 // functions are in `step`.
-bool WallMovement::determines_turn(Basis const& basis, Index curve) noexcept {
+bool WallMovement::determines_rotation(Basis const& basis, Index curve) noexcept {
     Index surplus = -1;
     fill(step, Vec2{});
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
@@ -87,7 +87,7 @@ bool WallMovement::determines_turn(Basis const& basis, Index curve) noexcept {
     return surplus > 0;
 }
 
-// Finds the scales of the curves whose offsets may have turned. Returns whether there are any.
+// Finds the scales of the curves whose offsets may have rotated. Returns whether there are any.
 bool WallMovement::find_scales(Basis const& basis) noexcept {
     Real size = 0;
     for (Vec2 const start : basis.wall_start) size = max(size, largest_of(start));
@@ -99,9 +99,9 @@ bool WallMovement::find_scales(Basis const& basis) noexcept {
     }
     bool any = false;
     for (Index curve = 0; curve < scale.count(); ++curve) {
-        bool const turns = scale[curve] > min_offset * size && determines_turn(basis, curve);
-        if (!turns) scale[curve] = 0;
-        any = any || turns;
+        bool const rotates = scale[curve] > min_offset * size && determines_rotation(basis, curve);
+        if (!rotates) scale[curve] = 0;
+        any = any || rotates;
     }
     return any;
 }
@@ -172,7 +172,7 @@ void WallMovement::solve() noexcept {
     }
 }
 
-// Returns the largest residual, which the turned offsets have made smaller.
+// Returns the largest residual, which the rotated offsets have made smaller.
 BoundaryError WallMovement::find_solution(Basis const& basis, Points at) noexcept {
     set_up(basis);
     BoundaryError best;
@@ -199,14 +199,14 @@ BoundaryError WallMovement::find_solution(Basis const& basis, Points at) noexcep
 // Measures where the functions alone lead the points, as a morph does.
 void WallMovement::measure(Basis const& basis, Points at) noexcept {
     residual = {};
-    turned_offset = 0;
+    rotated_offset = 0;
     Index const n = basis.n_functions();
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
         if (!follows_functions(basis, slot)) continue;
         find_row(basis, slot);
         residual.include(length(rest(basis, slot, n, at)), basis.wall_point[slot]);
         for (Index k = n; k < row.count(); ++k)
-            turned_offset = max(turned_offset, length(product(row[k], unknown[k])));
+            rotated_offset = max(rotated_offset, length(product(row[k], unknown[k])));
     }
 }
 
@@ -215,9 +215,9 @@ void WallMovement::find(Basis const& basis, Points at) noexcept {
     following = find_solution(basis, at);
     for (Index i = 0; i < unknown.count(); ++i) first[i] = unknown[i];
     if (find_scales(basis)) {
-        BoundaryError const turned = find_solution(basis, at);
-        if (turned.error < much_better * following.error) {
-            following = turned;
+        BoundaryError const rotated = find_solution(basis, at);
+        if (rotated.error < much_better * following.error) {
+            following = rotated;
         } else {
             fill(scale, Real(0));
             for (Index i = 0; i < unknown.count(); ++i) unknown[i] = first[i];

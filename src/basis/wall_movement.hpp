@@ -7,8 +7,8 @@
 // from all numbers that the wall determines. Each correction is a combination of rows of the
 // matrix F, so that of all movements with these residuals the solution is the smallest one.
 //
-// Safe morphs turn the offset e_k = X_k - C(u_k) of a point from its curve along with the body, so
-// that a second solution has one number r more for each curve, whose term is (r - 1) e_k. With
+// Safe morphs rotate the offset e_k = X_k - C(u_k) of a point from its curve along with the body,
+// so that a second solution has one number r more for each curve, whose term is (r - 1) e_k. With
 // this number few points could follow any movement. A curve therefore has it only if more of its
 // points are on the wall than it has functions and this number, and the second solution is taken
 // only if its residual is a tenth of that of the first one.
@@ -23,9 +23,9 @@ struct WallMovement {
     // residuals above the second mean that the wall follows no curve.
     static constexpr Real min_offset = 1e-12, default_tolerance = 1e-4;
 
-    BoundaryError following;  // The largest residual beside the turned offsets.
+    BoundaryError following;  // The largest residual beside the rotated offsets.
     BoundaryError residual;   // The largest distance of a point from where the functions lead it.
-    Real turned_offset = 0;   // The largest |(r - 1) e_k|.
+    Real rotated_offset = 0;  // The largest |(r - 1) e_k|.
 
     // [unknowns * unknowns] Lower triangle of a Hermitian matrix, then of its Cholesky factor.
     Span<Vec2> matrix;
@@ -34,8 +34,8 @@ struct WallMovement {
     // curve.
     Span<Vec2> unknown;
     Span<Vec2> step;   // [unknowns]
-    Span<Vec2> first;  // [unknowns] The solution in which no offset turns.
-    // [curves] The largest offset of a point from the curve; 0 if no offset turns.
+    Span<Vec2> first;  // [unknowns] The solution in which no offset rotates.
+    // [curves] The largest offset of a point from the curve; 0 if no offset rotates.
     Span<Real> scale;
 
     void lay_out(Arena& arena, BasisCounts const& counts) noexcept;
@@ -48,7 +48,7 @@ private:
     void find_row(Basis const& basis, Index slot) noexcept;
     Vec2 rest(Basis const& basis, Index slot, Index n_columns, Points at) noexcept;
     bool find_scales(Basis const& basis) noexcept;
-    bool determines_turn(Basis const& basis, Index curve) noexcept;
+    bool determines_rotation(Basis const& basis, Index curve) noexcept;
     BoundaryError find_solution(Basis const& basis, Points at) noexcept;
     void measure(Basis const& basis, Points at) noexcept;
     void set_up(Basis const& basis) noexcept;

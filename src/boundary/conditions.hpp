@@ -65,7 +65,7 @@ struct Condition {
     // the numbers count the curves for slip, and n_curves may be 0.
     Index first_curve = 0, n_curves = 0;
     Index body = 0;     // rigid: the number of the body
-    Index partner = 0;  // pairs: the marker onto which this marker is moved or turned
+    Index partner = 0;  // pairs: the marker onto which this marker is moved or rotated
     Vec2 centre;        // rigid, rotation: the centre of the rotation
     // If piece is 1, the condition holds only on the piece of the marker nearest to `near`.
     Index piece = 0, reserved = 0;

@@ -66,10 +66,10 @@ struct FaceDistance {
     // In a periodic mesh, weights take images of the faces into account; distances do not.
     Translations translations;
     Rotation rotation;
-    // The distance of a point from an image of the faces is the distance of turn * point + shift
-    // from the faces, in units.
+    // The distance of a point from an image of the faces is the distance of rotation * point +
+    // shift from the faces, in units.
     struct Image {
-        Vec2 turn{1, 0}, shift;
+        Vec2 rotation{1, 0}, shift;
     };
     Index n_images = 0;
     Image image[Translations::max_shifts];

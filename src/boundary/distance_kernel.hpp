@@ -166,8 +166,8 @@ struct Eight {
         for (Index v = 0; v < vectors; ++v) {
             Vector const from_x = Registers::load(new_x + v * width),
                          from_y = Registers::load(new_y + v * width);
-            x[v] = from_x * to.turn.x - from_y * to.turn.y + to.shift.x;
-            y[v] = from_y * to.turn.x + from_x * to.turn.y + to.shift.y;
+            x[v] = from_x * to.rotation.x - from_y * to.rotation.y + to.shift.x;
+            y[v] = from_y * to.rotation.x + from_x * to.rotation.y + to.shift.y;
         }
         set_centre();
     }

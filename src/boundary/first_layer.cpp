@@ -39,7 +39,7 @@ Vec2 WallPoints::tangent(Index at_slot, Points points) const noexcept {
     return length(ahead) * direction(behind) + length(behind) * direction(ahead);
 }
 
-Vec2 WallPoints::turn(Index at_slot, Points before, Points after) const noexcept {
+Vec2 WallPoints::rotation(Index at_slot, Points before, Points after) const noexcept {
     Vec2 sum{};
     Index const here = point[at_slot], from[] = {previous[at_slot], here},
                 to[] = {here, next[at_slot]};
@@ -52,10 +52,10 @@ Vec2 WallPoints::turn(Index at_slot, Points before, Points after) const noexcept
         if (from[face] == none || to[face] == none) continue;
         Vec2 const old_side = direction(before[to[face]] - before[from[face]]);
         Vec2 const new_side = direction(after[to[face]] - after[from[face]]);
-        sum = sum + weight[face] * direction(turn_between(old_side, new_side));
+        sum = sum + weight[face] * direction(rotation_between(old_side, new_side));
     }
-    Vec2 const turn = direction(sum);
-    return turn.x == 0 && turn.y == 0 ? Vec2{1, 0} : turn;
+    Vec2 const rotation = direction(sum);
+    return rotation.x == 0 && rotation.y == 0 ? Vec2{1, 0} : rotation;
 }
 
 void FirstLayer::lay_out(Arena& arena, Mesh const& mesh, Size max_faces) noexcept {
@@ -94,12 +94,12 @@ FirstLayerChange compare(FirstLayer const& layer, Points before, Points after) n
     for (Index slot = 0; slot < layer.wall.count; ++slot) {
         if (layer.above[slot] == none) continue;
         Index const foot = layer.wall.point[slot], top = layer.above[slot];
-        Vec2 const turn = layer.wall.turn(slot, before, after);
+        Vec2 const rotation = layer.wall.rotation(slot, before, after);
         Vec2 const normal = left_of(direction(layer.wall.tangent(slot, before)));
         Vec2 const old_edge = before[top] - before[foot],
-                   new_edge = turned_back(after[top] - after[foot], turn);
+                   new_edge = rotated_back(after[top] - after[foot], rotation);
         Real const angle =
-            in_degrees(abs(angle_of(turn_between(direction(old_edge), direction(new_edge)))));
+            in_degrees(abs(angle_of(rotation_between(direction(old_edge), direction(new_edge)))));
         Real const ratio = dot(new_edge, normal) / dot(old_edge, normal);
         ++change.points;
         change.mean_angle += angle;
@@ -142,7 +142,7 @@ void WallHeights::lay_out(Arena& arena, Mesh const& mesh, Size max_faces) noexce
     wall.lay_out(arena, mesh.n_points, max_faces);
     arena.take(foot, mesh.n_points);
     arena.take(reach, max_count);
-    arena.take(turn, max_count);
+    arena.take(rotation, max_count);
 }
 
 void WallHeights::find(Mesh const& mesh, Points before, Span<const PointKind> kinds,
@@ -236,7 +236,8 @@ void WallHeights::restore(FaceDistance const& walls, Points before, MutablePoint
                           Span<const Index> representative, Real amount,
                           Executor const& executor) const noexcept {
     Points const after{points.x, points.y, points.stride};
-    for (Index slot = 0; slot < wall.count; ++slot) turn[slot] = wall.turn(slot, before, after);
+    for (Index slot = 0; slot < wall.count; ++slot)
+        rotation[slot] = wall.rotation(slot, before, after);
     executor.for_ranges(foot.count(), min_points_near_walls, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
             FaceDistance::Foot const& foot_of_k = foot[k];
@@ -245,9 +246,10 @@ void WallHeights::restore(FaceDistance const& walls, Points before, MutablePoint
             Vec2 const from_foot = before[k] - walls.at(foot_of_k, before),
                        up = direction(from_foot);
             Real const height_before = dot(from_foot, up);
-            Vec2 const turn_at_foot = direction((1 - foot_of_k.t) * turn[wall.slot[face.point[0]]] +
-                                                foot_of_k.t * turn[wall.slot[face.point[1]]]);
-            Vec2 const normal = turned(up, turn_at_foot);
+            Vec2 const rotation_at_foot =
+                direction((1 - foot_of_k.t) * rotation[wall.slot[face.point[0]]] +
+                          foot_of_k.t * rotation[wall.slot[face.point[1]]]);
+            Vec2 const normal = rotated(up, rotation_at_foot);
             Real const lost = height_before - dot(after[k] - walls.at(foot_of_k, after), normal);
             Real const reached = reach_at(walls, foot_of_k);
             if (!(height_before < reached)) continue;

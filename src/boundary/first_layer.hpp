@@ -27,7 +27,7 @@ struct WallPoints {
     // Returns the rotation of the wall between two states of the mesh, as cosine and sine:
     // the mean over the adjacent faces, not the rotation of the tangent, so that it is correct at
     // sharp edges as well as on smooth walls.
-    Vec2 turn(Index at_slot, Points before, Points after) const noexcept;
+    Vec2 rotation(Index at_slot, Points before, Points after) const noexcept;
 };
 
 struct FirstLayer {
@@ -42,7 +42,7 @@ struct FirstLayer {
 };
 
 // An angle is the rotation of an edge relative to the wall. A height is that of the outer end of an
-// edge above the wall, along the normal that turns with the wall; a ratio is the height after the
+// edge above the wall, along the normal that rotates with the wall; a ratio is the height after the
 // movement divided by the height before.
 struct FirstLayerChange {
     Index points = 0;                        // the number of wall points that have such an edge
@@ -57,7 +57,7 @@ FirstLayerChange compare(FirstLayer const& layer, Points before, Points after) n
 
 // Every point near a wall has a foot, the nearest point of the wall. A deformation that preserves
 // angles (the conformal basis) still scales the height above the moved foot with the stretch of the
-// wall. Therefore the point moves along the normal n, which turns with the wall, by
+// wall. Therefore the point moves along the normal n, which rotates with the wall, by
 //
 //   n (d - h) fade(d / reach),
 //
@@ -76,8 +76,8 @@ struct WallHeights {
     // [n_points] The foot of each point; its face is none if the point is far from all walls or
     // must not move.
     Span<FaceDistance::Foot> foot;
-    Span<Real> reach;  // [wall.max_count]
-    Span<Vec2> turn;   // [wall.max_count] the rotation of the wall in the current deformation
+    Span<Real> reach;     // [wall.max_count]
+    Span<Vec2> rotation;  // [wall.max_count] the rotation of the wall in the current deformation
 
     void lay_out(Arena& arena, Mesh const& mesh, Size max_faces) noexcept;
     // kinds and representative [n_points]: only inner points move; points that are joined to others

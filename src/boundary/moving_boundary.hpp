@@ -40,9 +40,9 @@ struct Wall {
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
 };
 
-// Returns the offset e of a point from its curve, if the offset can turn with the curve; otherwise
-// 0: at corners, which have no single direction, and where e N_i' / C' would be larger than the
-// functions N_i, as it is if C' is nearly 0.
+// Returns the offset e of a point from its curve, if the offset can rotate with the curve;
+// otherwise 0: at corners, which have no single direction, and where e N_i' / C' would be larger
+// than the functions N_i, as it is if C' is nearly 0.
 Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept;
 
 // The working space of parametrise().

@@ -9,12 +9,12 @@ constexpr Real parallel_below = 1e-6;  // the sine of the angle between two slip
 // The largest misfit as a fraction of the boundary's extent; files with few digits have this
 // precision.
 constexpr Real mapped_within = 1e-6;
-constexpr Real turned_above = 1e-6;  // the smallest angle of a rotation, in radians
+constexpr Real smallest_rotation = 1e-6;  // the smallest angle of a rotation, in radians
 
 // Maps the points of one side to the points of the other side.
 struct SideMap {
-    Vec2 centre, turn{1, 0}, shift;
-    Vec2 image(Vec2 at) const noexcept { return centre + product(turn, at - centre) + shift; }
+    Vec2 centre, rotation{1, 0}, shift;
+    Vec2 image(Vec2 at) const noexcept { return centre + product(rotation, at - centre) + shift; }
 };
 
 class Pair {
@@ -65,9 +65,9 @@ public:
             }
         }
     }
-    // Changes the turns of unknowns so that points of this marker are not turned. The strong
-    // couplings of thin cells along a side then are between points with equal turns.
-    void keep_unturned(Index marker) noexcept {
+    // Changes the rotations of unknowns so that points of this marker are not rotated. The strong
+    // couplings of thin cells along a side then are between points with equal rotations.
+    void keep_unrotated(Index marker) noexcept {
         Span<Index> const times = periodicity_.times;
         Index const n = collect(marker, 0);
         for (Index const point : chain_.first(n)) {
@@ -75,7 +75,7 @@ public:
                 times[tied_[point]] = -times[point];
         }
     }
-    void turn_tied() const noexcept {
+    void rotate_tied() const noexcept {
         Span<Index> const times = periodicity_.times;
         for (Index k = 0; k < times.count(); ++k) {
             if (tied_[k] != k) times[k] += times[tied_[k]];
@@ -120,21 +120,21 @@ private:
         Vec2 sum;
         for (Index k = 0; k < n_; ++k)
             sum = sum + product(conjugate(from_centre(chain_[k])), from_centre(image_of(k)));
-        map.turn = direction(sum);
+        map.rotation = direction(sum);
         HARMORPH_TRY(check_images(
             map,
-            "points # and @ of a rotation pair do not match: the turned point is ~ away from its "
+            "points # and @ of a rotation pair do not match: the rotated point is ~ away from its "
             "partner",
             fault));
-        if (length(map.turn - Vec2{1, 0}) < turned_above) {
+        if (length(map.rotation - Vec2{1, 0}) < smallest_rotation) {
             return fault.refuse(Status::bad_condition,
-                                "the sides of the rotation pair of marker # are not turned; use "
+                                "the sides of the rotation pair of marker # are not rotated; use "
                                 "HM_PERIODIC_PAIR for a translation",
                                 marker_item(condition.marker));
         }
         Rotation& rotation = periodicity_.rotation;
-        if (!rotation.any) rotation = {true, map.centre, map.turn};
-        times = rotation.times_of(map.centre, map.turn);
+        if (!rotation.any) rotation = {true, map.centre, map.rotation};
+        times = rotation.times_of(map.centre, map.rotation);
         if (times != 0) return Status::ok;
         return fault.refuse(
             Status::bad_condition,
@@ -174,8 +174,8 @@ private:
         return chains == 1 && !closed ? n : 0;
     }
 
-    // The root is the point that stands for a point; `times` is the number of turns from the root
-    // to the point.
+    // The root is the point that stands for a point; `times` is the number of rotations from the
+    // root to the point.
     struct Root {
         Index point, times;
     };
@@ -188,8 +188,8 @@ private:
         return out;
     }
 
-    // Ties the image to the point; `times` is the number of turns from the point to the image. If
-    // two pairs meet in a corner, one point may have images in both pairs.
+    // Ties the image to the point; `times` is the number of rotations from the point to the image.
+    // If two pairs meet in a corner, one point may have images in both pairs.
     Status tie(Index image, Index point, Index times, Fault& fault) noexcept {
         Root const a = root(point), b = root(image);
         times += a.times - b.times;  // from a to b
@@ -247,9 +247,9 @@ Status tie_periodic(Topology& topology, Boundary const& boundary, Span<const Con
     }
     pair.complete();
     for (Condition const& condition : conditions) {
-        if (condition.kind == ConditionKind::rotation) pair.keep_unturned(condition.marker);
+        if (condition.kind == ConditionKind::rotation) pair.keep_unrotated(condition.marker);
     }
-    pair.turn_tied();
+    pair.rotate_tied();
     return Status::ok;
 }
 

@@ -13,8 +13,8 @@ struct Periodicity {
     Translations translations;
     Rotation rotation;
     // [n_points] If there is a rotation, the displacement of a point is the displacement of its
-    // unknown, turned this number of times. Points of the marker that a condition names first are
-    // not turned.
+    // unknown, rotated this number of times. Points of the marker that a condition names first are
+    // not rotated.
     Span<Index> times;
 
     void lay_out(Arena& arena, Index n_points, Demands const& demands) noexcept {

@@ -173,7 +173,7 @@ SlipCurves::Place SlipCurves::on_segment(Index curve, Index slot, Vec2 p) const 
 }
 
 // Returns whether a cubic between two places is close to the curve: both tangents must point from
-// the first place to the second and turn little.
+// the first place to the second and rotate little.
 bool SlipCurves::is_smooth(const Vec2 (&at)[2], const Vec2 (&tangent)[2]) noexcept {
     constexpr Real cosine_of_30_degrees = 0.8660254037844386;
     Vec2 const side = at[1] - at[0];

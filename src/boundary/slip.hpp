@@ -140,7 +140,7 @@ struct SlipAlong {
     // Adds the curve through the positions work.position [n + 1], or [n] for a closed line, along
     // the nearest of the condition's curves. Refuses (Status::bad_condition) positions that are
     // farther from this curve than a twentieth of the length of the line. Also refuses a curve that
-    // has a corner between two positions, or turns by more than 30 degrees in an eighth of a face.
+    // has a corner between two positions, or bends by more than 30 degrees in an eighth of a face.
     template <class PointOf>
     Status add(Condition const& condition, Index n, bool closed, PointOf const& point_of,
                SlipCurves& to, Fault& fault) const noexcept {

@@ -5,23 +5,23 @@
 namespace harmorph {
 namespace {
 
-// Directions are taken over several lengths, and the smallest turn counts. A corner turns the
-// direction over all lengths. The zigzag of coordinates with few digits turns it over short lengths
-// only, and a round arc or a corner nearby over long lengths only.
+// Directions are taken over several lengths, and the smallest turning counts. A corner changes the
+// direction over all lengths. The zigzag of coordinates with few digits changes it over short
+// lengths only, and a round arc or a corner nearby over long lengths only.
 constexpr Real window[] = {2e-5, 5e-4, 1e-2};
 
-constexpr Real min_corner_turn = 0.087;   // 5 degrees
-constexpr Real side_straightness = 0.02;  // as a fraction of the length of the side
-constexpr Real coordinate_noise = 2e-6;   // the precision of coordinates with six digits
-// A point with a smaller turn divides a straight facet; more than max_flat_points of them in a row
-// are a straight side.
-constexpr Real flat_turn = 1e-4;
+constexpr Real min_corner_turning = 0.087;  // 5 degrees
+constexpr Real side_straightness = 0.02;    // as a fraction of the length of the side
+constexpr Real coordinate_noise = 2e-6;     // the precision of coordinates with six digits
+// A point with a smaller turning divides a straight facet; more than max_flat_points of them in a
+// row are a straight side.
+constexpr Real flat_turning = 1e-4;
 constexpr Index max_flat_points = 3;
 
 Vec2 direction_of(Vec2 a) noexcept { return (1 / length(a)) * a; }
 
 struct OutlineBend {
-    Real turn = 0;
+    Real turning = 0;
     Real curvature = 0;
 };
 
@@ -33,9 +33,9 @@ OutlineBend bend_at(Outline const& outline, Index point, Real reach) noexcept {
     Vec2 const forth = outline.points[b] - outline.points[point];
     // A reach of the whole loop leads back to the point.
     if (square(back) == 0 || square(forth) == 0) return {infinity, infinity};
-    Real const turn = length(direction_of(forth) - direction_of(back));
+    Real const turning = length(direction_of(forth) - direction_of(back));
     // On a circle the curvature is exactly 1 / radius if both chords are equal.
-    return {turn, 2 * turn / (length(back) + length(forth))};
+    return {turning, 2 * turning / (length(back) + length(forth))};
 }
 
 // Returns the first of the values [begin, end) of a growing array that is not below `bound`, or
@@ -60,23 +60,23 @@ struct Walk {
         Index at = point, flat = 0;
         do {
             at = forward ? outline.ahead(at, window[0]) : outline.behind(at, window[0]);
-        } while (at != none && at != point && outline.turn[at] < flat_turn &&
+        } while (at != none && at != point && outline.turning[at] < flat_turning &&
                  flat++ < max_flat_points);
         return at;
     }
-    Real turn(Index point) const noexcept { return point == none ? 0 : outline.turn[point]; }
+    Real turning(Index point) const noexcept { return point == none ? 0 : outline.turning[point]; }
 };
 
-// Returns whether `turn` is larger than can be expected from the next two turns. On rounded leading
-// edges, turns grow up to fourfold from point to point. If the next turn is far larger than that,
-// the outline has a kink beside this point, and is not round.
-bool stands_out(Real turn, Real next, Real after) noexcept {
+// Returns whether `turning` is larger than can be expected from the next two points. On rounded
+// leading edges, values grow up to fourfold from point to point. If the next turning is far larger
+// than that, the outline has a kink beside this point, and is not round.
+bool stands_out(Real turning, Real next, Real after) noexcept {
     constexpr Real excess = 2.5, max_growth = 4;
     bool const is_kink = next > excess * max_growth * after;
     Real const growth = is_kink     ? 1
                         : after > 0 ? clamp(next / after, Real(1), max_growth)
                                     : max_growth;
-    return turn > excess * growth * next;
+    return turning > excess * growth * next;
 }
 
 struct OutlineSide {
@@ -89,10 +89,10 @@ OutlineSide look(Walk const& walk, Index point) noexcept {
     Index const first = walk.next(point);
     Index const second = walk.next(first);
     Index const third = walk.next(second);
-    Real const turn = walk.turn(point);
-    if (walk.turn(first) < 0.5 * turn)
-        return {stands_out(turn, walk.turn(first), walk.turn(second)), false};
-    return {stands_out(walk.turn(first), walk.turn(second), walk.turn(third)), true};
+    Real const turning = walk.turning(point);
+    if (walk.turning(first) < 0.5 * turning)
+        return {stands_out(turning, walk.turning(first), walk.turning(second)), false};
+    return {stands_out(walk.turning(first), walk.turning(second), walk.turning(third)), true};
 }
 
 // Within one short window, only the sharpest point can be a corner; if several are equally sharp,
@@ -104,13 +104,13 @@ bool is_sharpest(Outline const& outline, Index point, bool forward) noexcept {
         other += forward ? 1 : -1;
         if (outline.is_loop) other = other < 0 ? n - 1 : other == n ? 0 : other;
         if (other < 0 || other == n || other == limit || other == point) return true;
-        if (outline.turn[other] > outline.turn[point]) return false;
-        if (!forward && outline.turn[other] == outline.turn[point]) return false;
+        if (outline.turning[other] > outline.turning[point]) return false;
+        if (!forward && outline.turning[other] == outline.turning[point]) return false;
     }
 }
 
 bool is_corner(Outline const& outline, Index point) noexcept {
-    if (outline.turn[point] < min_corner_turn) return false;
+    if (outline.turning[point] < min_corner_turning) return false;
     if (!is_sharpest(outline, point, true) || !is_sharpest(outline, point, false)) return false;
     OutlineSide const back = look({outline, false}, point);
     OutlineSide const forth = look({outline, true}, point);
@@ -121,7 +121,7 @@ bool is_corner(Outline const& outline, Index point) noexcept {
 
 void Outline::lay_out(Arena& arena, Index n) noexcept {
     arena.take(arc, static_cast<Offset>(n) + 1);
-    arena.take(turn, n);
+    arena.take(turning, n);
     arena.take(curvature, n);
 }
 
@@ -134,13 +134,13 @@ void Outline::measure() noexcept {
             arc[k] + (is_last && !is_loop ? 0 : length(points[is_last ? 0 : k + 1] - points[k]));
     }
     for (Index k = 0; k < n; ++k) {
-        turn[k] = curvature[k] = infinity;
+        turning[k] = curvature[k] = infinity;
         for (Real const reach : window) {
             OutlineBend const bend = bend_at(*this, k, reach);
-            turn[k] = min(turn[k], bend.turn);
+            turning[k] = min(turning[k], bend.turning);
             curvature[k] = min(curvature[k], bend.curvature);
         }
-        if (turn[k] == infinity) turn[k] = curvature[k] = 0;
+        if (turning[k] == infinity) turning[k] = curvature[k] = 0;
     }
 }
 
@@ -199,40 +199,40 @@ constexpr Real max_base = 0.6, max_facet = 0.15;
 // The directions before and after a base differ by an angle whose cosine is below this, so wedges
 // up to 45 degrees have bases, and with a base longer than a facet wedges up to 80 degrees.
 constexpr Real cosine_of_return = -0.7, cosine_of_wide_return = -0.17;
-// The outline turns by at least 25 degrees at both ends of a base. A side with a smaller turn at
+// The outline bends by at least 25 degrees at both ends of a base. A side with a smaller turning at
 // one end is the last panel before a trailing edge of one point.
-constexpr Real cosine_of_least_turn = 0.9063;
+constexpr Real cosine_of_least_turning = 0.9063;
 // The smallest distance of a base from the leading edge, as a fraction of the chord.
 constexpr Real min_base_distance = 0.95;
-constexpr Real blunt_turn = 1;  // 2 sin(angle / 2) for 60 degrees
+constexpr Real blunt_turning = 1;  // 2 sin(angle / 2) for 60 degrees
 // If the outline widens by more than 45 degrees within max_horn_length of the extent beside a
 // straight side, the body begins there, and the straight side is the end of a horn or lip.
 constexpr Real cosine_of_widening = 0.7, max_horn_length = 0.25, direction_reach = 0.01;
-// An edge with a turn above sharp_turn, an interior angle below 36 degrees, is sharp. A leading
-// edge with few points turns further at the two points beside a facet, by more than
-// min_turn_beside.
-constexpr Real sharp_turn = 1.9, min_turn_beside = 0.1;
+// An edge with a turning above sharp_turning, an interior angle below 36 degrees, is sharp. A
+// leading edge with few points bends further at the two points beside a facet, by more than
+// min_turning_beside.
+constexpr Real sharp_turning = 1.9, min_turning_beside = 0.1;
 
-// Returns one of the points whose turn is the largest, within the fraction `tie`: the point
+// Returns one of the points whose turning is the largest, within the fraction `tie`: the point
 // farthest from the centroid (the origin), and among several such points the one nearest to either
 // end of the list. Rounding, rotation and reversal of the outline therefore do not change the
 // choice.
 template <class Candidates>
 Index sharpest_of(Outline const& outline, Candidates const& candidates, Index n,
                   Real tie) noexcept {
-    Real turn = 0;
-    for (Index j = 0; j < n; ++j) turn = max(turn, outline.turn[candidates(j)]);
-    turn *= 1 - tie;
+    Real turning = 0;
+    for (Index j = 0; j < n; ++j) turning = max(turning, outline.turning[candidates(j)]);
+    turning *= 1 - tie;
     Real distance = 0;
     for (Index j = 0; j < n; ++j)
-        if (outline.turn[candidates(j)] >= turn)
+        if (outline.turning[candidates(j)] >= turning)
             distance = max(distance, length(outline.points[candidates(j)]));
     distance *= 1 - 1e-9;
     Index best = none;
     auto const from_ends = [&](Index k) { return min(k, outline.count() - 1 - k); };
     for (Index j = 0; j < n; ++j) {
         Index const k = candidates(j);
-        if (outline.turn[k] < turn || length(outline.points[k]) < distance) continue;
+        if (outline.turning[k] < turning || length(outline.points[k]) < distance) continue;
         if (best == none || from_ends(k) < from_ends(best)) best = k;
     }
     return best;
@@ -262,7 +262,7 @@ Index farthest_from(Outline const& outline, Vec2 from) noexcept {
     return farthest;
 }
 
-// Returns whether the outline reverses its direction at this side, and turns at both ends.
+// Returns whether the outline reverses its direction at this side, and bends at both ends.
 // Directions are taken over the length of the side.
 bool comes_back(Outline const& outline, Index from, Index to) noexcept {
     Vec2 const side = outline.points[to] - outline.points[from];
@@ -271,11 +271,11 @@ bool comes_back(Outline const& outline, Index from, Index to) noexcept {
     Vec2 const out = outline.points[outline.ahead(to, reach)] - outline.points[to];
     Real const limit = reach > max_facet ? cosine_of_wide_return : cosine_of_return;
     return dot(in, out) < limit * length(in) * length(out) &&
-           dot(in, side) < cosine_of_least_turn * length(in) * reach &&
-           dot(side, out) < cosine_of_least_turn * reach * length(out);
+           dot(in, side) < cosine_of_least_turning * length(in) * reach &&
+           dot(side, out) < cosine_of_least_turning * reach * length(out);
 }
 
-// Returns whether the outline turns away from the body on the side that begins at `end`, one end of
+// Returns whether the outline bends away from the body on the side that begins at `end`, one end of
 // a base; the other end is `start`.
 bool widens(Outline const& outline, Index start, Index end, bool forward) noexcept {
     auto const next = [&](Index point, Real reach) {
@@ -288,9 +288,9 @@ bool widens(Outline const& outline, Index start, Index end, bool forward) noexce
     for (Index k = end; walked < max_horn_length;) {
         Index const after = next(k, direction_reach);
         Vec2 const direction = outline.points[after] - outline.points[k];
-        Real const turn = dot(away, direction);
+        Real const turning = dot(away, direction);
         if (cross(away, direction) * inwards < 0 &&
-            turn < cosine_of_widening * length(away) * length(direction))
+            turning < cosine_of_widening * length(away) * length(direction))
             return true;
         walked += max(length(direction), direction_reach);
         k = after;
@@ -304,8 +304,8 @@ bool is_leading_edge_facet(Outline const& outline, Index from, Index to) noexcep
     Index const last = outline.count() - 1;
     Index const before = from == 0 ? last : from - 1, after = to == last ? 0 : to + 1;
     Vec2 const middle = 0.5 * (outline.points[from] + outline.points[to]);
-    return outline.turn[farthest_from(outline, middle)] > sharp_turn &&
-           outline.turn[before] + outline.turn[after] > min_turn_beside;
+    return outline.turning[farthest_from(outline, middle)] > sharp_turning &&
+           outline.turning[before] + outline.turning[after] > min_turning_beside;
 }
 
 bool is_base(Outline const& outline, Index from, Index to) noexcept {
@@ -363,7 +363,7 @@ Index drop_facets(Outline const& outline, Span<Index> corner, Index n) noexcept 
     auto const is_facet = [&](Index from, Index to) {
         if (!is_straight_side(outline, from, to, max_facet)) return false;
         if (is_leading_edge_facet(outline, from, to)) return true;
-        return outline.turn[from] < blunt_turn && outline.turn[to] < blunt_turn &&
+        return outline.turning[from] < blunt_turning && outline.turning[to] < blunt_turning &&
                !is_base(outline, from, to);
     };
     if (!outline.is_loop || n < 2) return n;
@@ -388,15 +388,15 @@ Index corners_on(Course const& course, Outline const& outline, Span<Index> corne
         bool const inside = position > 0 && position + 1 < course.n_positions;
         if (inside && course.closure != Closure::periodic) corner[kept++] = position;
     }
-    auto const turn = [&](Index j) {
+    auto const turning = [&](Index j) {
         Index const position = corner[j];
-        return outline.turn[position < n - course.first ? course.first + position
-                                                        : position - (n - course.first)];
+        return outline.turning[position < n - course.first ? course.first + position
+                                                           : position - (n - course.first)];
     };
     for (; kept > max_corners; --kept) {
         Index bluntest = 0;
         for (Index j = 1; j < kept; ++j)
-            if (turn(j) < turn(bluntest)) bluntest = j;
+            if (turning(j) < turning(bluntest)) bluntest = j;
         remove(corner, kept, bluntest);
     }
     sort_by_insertion(corner.first(kept), [](Index a, Index b) { return a < b; });

@@ -18,11 +18,11 @@ struct Outline {
     Span<Real> arc;  // [n + 1] the arc length up to each point; the last entry is the total length
     // [n] 2 sin(angle / 2) of the change of direction, which is the angle if it is small; 0 at open
     // ends.
-    Span<Real> turn;
+    Span<Real> turning;
     Span<Real> curvature;  // [n] 1 / radius
 
     void lay_out(Arena& arena, Index n) noexcept;
-    // Computes arc, turn and curvature from the points.
+    // Computes arc, turning and curvature from the points.
     void measure() noexcept;
 
     Index count() const noexcept { return points.count(); }
@@ -33,7 +33,7 @@ struct Outline {
 };
 
 // Writes the points at which the direction jumps to corner [n], in order, and returns their number.
-// A rounded leading or trailing edge with few points turns as sharply from point to point, but over
+// A rounded leading or trailing edge with few points bends as sharply from point to point, but over
 // more than two points; its points are not corners.
 Index find_corners(Outline const& outline, Span<Index> corner) noexcept;
 
@@ -61,13 +61,13 @@ struct Course {
 // there are no corners, open if there is a blunt base, and otherwise tied at the sharpest corner.
 // The open curve runs the long way from one corner of the base to the other. If the caller chooses
 // tied or periodic, the curve begins at the sharpest corner, or without corners at the point where
-// the outline turns most. An open curve that the caller chooses runs from the first point to the
+// the outline bends most. An open curve that the caller chooses runs from the first point to the
 // last.
 //
 // A base is a straight side between two consecutive corners, at the end of the section farthest
 // from the leading edge. The outline reverses there: the directions before the first corner and
-// after the second one are nearly opposite, and the outline turns by at least 25 degrees at either
-// corner. At facets of a rounded edge with few points the outline turns less, so they are not
+// after the second one are nearly opposite, and the outline bends by at least 25 degrees at either
+// corner. At facets of a rounded edge with few points the outline bends less, so they are not
 // bases. The last panel before a trailing edge of one point is no base, nor is the facet across the
 // round leading edge of a section with few points and a sharp trailing edge. The two ends of a
 // plate are not bases either, because a plate has no leading edge.

@@ -194,7 +194,7 @@ void Fit::shape_curve(FitOptions const& options) noexcept {
 }
 
 // Collects the points and their curvature along the curve. A corner gets the curvature beside it,
-// so that the turn of the corner does not attract knots.
+// so that the turning of the corner does not attract knots.
 void Fit::gather(Index n_corners, FitOptions const& options) noexcept {
     Index const m = course_.n_positions;
     for (Index k = 0; k < m; ++k) {
@@ -332,9 +332,9 @@ constexpr Real nearer_by = 0.15;
 constexpr Real near_polygon = 1.7e-3;  // [extent] the largest departure from the polygon
 constexpr Real tolerable_error =
     3e-4;  // [extent] an error of the points that is as bad as `near_polygon`
-// [radians] Where the polygon turns less from side to side, the points resolve the shape, and the
-// curve may leave the polygon by the sagitta of an arc with this turn.
-constexpr Real resolved_turn = 0.52, sagitta_margin = 1.5;
+// [radians] Where the polygon bends less from side to side, the points resolve the shape, and the
+// curve may leave the polygon by the sagitta of an arc with this turning angle.
+constexpr Real resolved_turning = 0.52, sagitta_margin = 1.5;
 
 Real departure_from(Vec2 p, Vec2 a, Vec2 b, Vec2& foot) noexcept {
     Vec2 const along = b - a;
@@ -359,7 +359,7 @@ Vec2 Fit::vertex(Index position) const noexcept {
 }
 
 // 2 sin(angle / 2) of the change of direction of the polygon at a position.
-Real Fit::turn_at(Index position) const noexcept {
+Real Fit::turning_at(Index position) const noexcept {
     Vec2 const in = vertex(position) - vertex(position - 1);
     Vec2 const out = vertex(position + 1) - vertex(position);
     if (square(in) == 0 || square(out) == 0) return 0;
@@ -408,10 +408,10 @@ Real Fit::error_at_points() const noexcept {
 Real Fit::mark_departures() noexcept {
     Real worst = 0;
     for (Index k = 0; k + 1 < course_.n_positions; ++k) {
-        Real const turn = max(turn_at(k), turn_at(k + 1));
+        Real const turning = max(turning_at(k), turning_at(k + 1));
         Real const step = length(vertex(k + 1) - vertex(k));
-        Real const allowed = turn < resolved_turn
-                                 ? max(near_polygon, sagitta_margin * step * turn / 8)
+        Real const allowed = turning < resolved_turning
+                                 ? max(near_polygon, sagitta_margin * step * turning / 8)
                                  : near_polygon;
         Real const departure = departure_after(k);
         if (departure <= allowed) continue;

@@ -41,7 +41,7 @@ struct FitReport {
 // Checks degree, number of control points and number of points; must be called before lay_out().
 Status check_fit(Index n_points, FitOptions const& options, Fault& fault) noexcept;
 
-// Between two points that are far apart where the outline turns, a fit inserts this many points.
+// Between two points that are far apart where the outline bends, a fit inserts this many points.
 constexpr Index inserted_points = 3;
 
 // Holds the fitted curves (with parameters from 0 to 1) and the working space. The result is
@@ -75,7 +75,7 @@ private:
     Curve unit_curve() const noexcept;
     void stay_near_polygon(Index n_corners, FitOptions const& options) noexcept;
     Vec2 vertex(Index position) const noexcept;
-    Real turn_at(Index position) const noexcept;
+    Real turning_at(Index position) const noexcept;
     Real departure_after(Index position) const noexcept;
     Real error_at_points() const noexcept;
     Real mark_departures() noexcept;

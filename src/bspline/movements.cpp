@@ -8,12 +8,12 @@
 namespace harmorph {
 namespace {
 
-constexpr Real largest_turn = 360;  // degrees
+constexpr Real largest_rotation = 360;  // degrees
 
-MappedPoint turn_about(Vec2 centre, Real degrees, Vec2 point) noexcept {
-    Vec2 const turn = turn_by(degrees), arm = point - centre;
-    Vec2 const by_degrees = per_degree * left_of(turned(arm, turn));
-    return {turned(arm, turn - Vec2{1, 0}), turn, left_of(turn), {by_degrees, {}}};
+MappedPoint rotated_about(Vec2 centre, Real degrees, Vec2 point) noexcept {
+    Vec2 const rotation = rotation_by(degrees), arm = point - centre;
+    Vec2 const by_degrees = per_degree * left_of(rotated(arm, rotation));
+    return {rotated(arm, rotation - Vec2{1, 0}), rotation, left_of(rotation), {by_degrees, {}}};
 }
 
 MappedPoint deflect(Movement const& flap, Real degrees, Vec2 point) noexcept {
@@ -23,7 +23,7 @@ MappedPoint deflect(Movement const& flap, Real degrees, Vec2 point) noexcept {
     Real const t = behind >= flap.length ? 1 : behind > 0 ? behind / flap.length : 0;
     Real const share = t * t * t * (10 - t * (15 - 6 * t));
     Real const slope = t > 0 && t < 1 ? 30 * t * t * (1 - t) * (1 - t) / flap.length : 0;
-    MappedPoint mapped = turn_about(flap.centre, share * degrees, point);
+    MappedPoint mapped = rotated_about(flap.centre, share * degrees, point);
     Vec2 const by_angle = mapped.by_value[0];
     mapped.by_x = mapped.by_x + (degrees * slope * flap.behind.x) * by_angle;
     mapped.by_y = mapped.by_y + (degrees * slope * flap.behind.y) * by_angle;
@@ -45,9 +45,9 @@ Index Movement::count() const noexcept {
 
 Index Movement::find_bad_value(const Real* values) const noexcept {
     bool const is_angle =
-        kind == MovementKind::turn || kind == MovementKind::flap || kind == MovementKind::blade;
+        kind == MovementKind::rotate || kind == MovementKind::flap || kind == MovementKind::blade;
     for (Index j = 0; j < count(); ++j) {
-        if (!is_at_most(values[j], is_angle ? largest_turn : largest_coordinate)) return j;
+        if (!is_at_most(values[j], is_angle ? largest_rotation : largest_coordinate)) return j;
     }
     return kind == MovementKind::scale && !(values[0] > -1) ? 0 : none;
 }
@@ -62,7 +62,7 @@ MappedPoint map_point(Movement const& movement, const Real* values, Vec2 point) 
             return {values[0] * arm, scale * x, scale * y, {arm, {}}};
         }
         case MovementKind::flap: return deflect(movement, values[0], point);
-        default: return turn_about(movement.centre, values[0], point);
+        default: return rotated_about(movement.centre, values[0], point);
     }
 }
 
@@ -74,7 +74,7 @@ constexpr Index max_values = 2 * Variables::max_count;
 
 Vec2 in_frame(Section const& section, Vec2 point) noexcept {
     Vec2 const chord = section.chord();
-    return (1 / square(chord)) * turn_between(chord, point - section.leading_edge);
+    return (1 / square(chord)) * rotation_between(chord, point - section.leading_edge);
 }
 
 // Writes s (1-s) B_k(s), and the derivatives by s, of the n Bernstein polynomials of degree n - 1.
@@ -102,14 +102,14 @@ Status CamberLine::measure(Section const& section, Fault& fault) noexcept {
         Real matrix[n * n] = {}, right[n] = {};
         for (Index k = 0; k < n_places; ++k) {
             // The stations are dense at both ends.
-            Real const s = 0.5 * (1 - turn_by(180.0 * (k + 1) / (n_places + 1)).x);
+            Real const s = 0.5 * (1 - rotation_by(180.0 * (k + 1) / (n_places + 1)).x);
             Real c[3];
             evaluate(s, c);
             Vec2 const foot{s, c[0]}, tangent = direction(Vec2{1, c[1]});
             Vec2 const chord = section.chord();
-            Vec2 const through = section.leading_edge + turned(foot, chord);
-            across.leading_edge = through - 0.5 * turned(tangent, chord);
-            across.trailing_edge = through + 0.5 * turned(tangent, chord);
+            Vec2 const through = section.leading_edge + rotated(foot, chord);
+            across.leading_edge = through - 0.5 * rotated(tangent, chord);
+            across.trailing_edge = through + 0.5 * rotated(tangent, chord);
             Station station;
             HARMORPH_TRY(measure_station(across, StationValue::camber, 0.5, station, fault));
             Vec2 const middle = foot + (station.value / length(chord)) * left_of(tangent);
@@ -175,7 +175,7 @@ Status CamberChange::measure(Section const& section, Movement const& movement,
 Real CamberChange::start(Index j) const noexcept {
     if (!is_blade()) return 0;
     Vec2 const chord = section_->chord();
-    return angle_of(j == 2 ? chord : turned(chord, {1, end_slope_[j]})) / per_degree;
+    return angle_of(j == 2 ? chord : rotated(chord, {1, end_slope_[j]})) / per_degree;
 }
 
 Index CamberChange::set(const Real* values) noexcept {
@@ -183,8 +183,8 @@ Index CamberChange::set(const Real* values) noexcept {
     for (Index end = 0; is_blade() && end < 2; ++end) {
         Real const slope = end_slope_[end], degrees = values[end] - values[2];
         if (!(abs(angle_of({1, slope}) / per_degree + degrees) <= largest_metal_angle)) return end;
-        Vec2 const turn = turn_by(degrees);
-        slope_change_[end] = (1 + slope * slope) * turn.y / (turn.x - slope * turn.y);
+        Vec2 const rotation = rotation_by(degrees);
+        slope_change_[end] = (1 + slope * slope) * rotation.y / (rotation.x - slope * rotation.y);
         Real const now = slope + slope_change_[end];
         slope_by_[end] = (1 + now * now) * per_degree;
     }
@@ -239,18 +239,19 @@ void CamberChange::write(Vec2 point, bool upper, Real* pairs) const noexcept {
         return Vec2{s, height} + along * t + off * left_of(t);
     };
     Vec2 const moved = place(now, c[0] + change.height, distance) - place(tangent, c[0], offset);
-    Vec2 const in_plane = turned(moved, chord);
-    Vec2 const turn = is_blade() ? turn_by(values_[2]) : Vec2{1, 0};
+    Vec2 const in_plane = rotated(moved, chord);
+    Vec2 const rotation = is_blade() ? rotation_by(values_[2]) : Vec2{1, 0};
     Vec2 const arm = point + in_plane - movement_->centre;
-    Vec2 const total = in_plane + turned(arm, turn - Vec2{1, 0});
+    Vec2 const total = in_plane + rotated(arm, rotation - Vec2{1, 0});
     pairs[0] = total.x;
     pairs[1] = total.y;
     Vec2 const by_slope = (1 / (1 + slope * slope)) * (along * normal - distance * now);
     for (Index j = 0; j < movement_->count(); ++j) {
         Vec2 const shape =
             Vec2{0, by[j].height} + by[j].slope * by_slope + (sign * by[j].thickness) * normal;
-        Vec2 derivative = turned(turned(shape, chord), turn);
-        if (is_blade() && j == 2) derivative = derivative + per_degree * left_of(turned(arm, turn));
+        Vec2 derivative = rotated(rotated(shape, chord), rotation);
+        if (is_blade() && j == 2)
+            derivative = derivative + per_degree * left_of(rotated(arm, rotation));
         pairs[2 * j + 2] = derivative.x;
         pairs[2 * j + 3] = derivative.y;
     }

@@ -43,11 +43,11 @@ inline bool solve_small(Index n, Real* matrix, Index width, Real* right) noexcep
     return true;
 }
 
-// Computes turns by angles in degrees.
+// Computes rotations by angles in degrees.
 inline constexpr Real per_degree = pi / 180;
 
-// Returns the turn by an angle of at most a million degrees. Multiples of 90 degrees are exact.
-inline Vec2 turn_by(Real degrees) noexcept {
+// Returns the rotation by an angle of at most a million degrees. Multiples of 90 degrees are exact.
+inline Vec2 rotation_by(Real degrees) noexcept {
     Index const right_angles = static_cast<Index>(degrees / 90 + (degrees < 0 ? -0.5 : 0.5));
     Real const a = (degrees - 90.0 * right_angles) * per_degree, s = a * a;  // |a| <= pi / 4
     Real sine = 1, cosine = 1;
@@ -55,14 +55,14 @@ inline Vec2 turn_by(Real degrees) noexcept {
         cosine = 1 - s / ((2 * k - 1) * (2 * k)) * cosine;
         sine = 1 - s / ((2 * k) * (2 * k + 1)) * sine;
     }
-    Vec2 turn{cosine, a * sine};
-    for (Index k = 0; k < ((right_angles % 4) + 4) % 4; ++k) turn = left_of(turn);
-    return turn;
+    Vec2 rotation{cosine, a * sine};
+    for (Index k = 0; k < ((right_angles % 4) + 4) % 4; ++k) rotation = left_of(rotation);
+    return rotation;
 }
 
 // The C header has the same numbers, and explains the movements.
 enum class MovementKind : std::int32_t {
-    turn = 0,
+    rotate = 0,
     shift = 1,
     scale = 2,
     flap = 3,
@@ -72,7 +72,7 @@ enum class MovementKind : std::int32_t {
 };
 
 struct Movement {
-    MovementKind kind = MovementKind::turn;
+    MovementKind kind = MovementKind::rotate;
     Index n_camber = 0, n_thickness = 0;
     Vec2 centre;  // or the hinge
     Real length = 0;

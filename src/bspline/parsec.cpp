@@ -46,7 +46,7 @@ struct InFrame {
         Vec2 c[3];
         place.derivatives(2, c);
         Vec2 const chord = section.chord();
-        auto const frame = [&](Vec2 v) { return (1 / square(chord)) * turn_between(chord, v); };
+        auto const frame = [&](Vec2 v) { return (1 / square(chord)) * rotation_between(chord, v); };
         at = frame(c[0] - section.leading_edge);
         first = frame(c[1]);
         second = frame(c[2]);
@@ -105,8 +105,8 @@ Index ParsecSection::solve_side(Index side) noexcept {
     if (!(t > first_crest && t < last_crest)) return first;
     Real const angle = parameter[edge_direction] - 0.5 * sign * parameter[edge_wedge];
     if (!(abs(angle) <= largest_slope_angle)) return edge_direction;
-    Vec2 const turn = turn_by(angle);
-    Real const slope = turn.y / turn.x, by_angle = (1 + slope * slope) * per_degree;
+    Vec2 const rotation = rotation_by(angle);
+    Real const slope = rotation.y / rotation.x, by_angle = (1 + slope * slope) * per_degree;
     Real const height = parameter[edge_height] + 0.5 * sign * parameter[edge_thickness];
     Real rows[n][n_powers];
     for (Index d = 0; d < 3; ++d) powers(t, d, rows[d]);

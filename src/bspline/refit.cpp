@@ -144,16 +144,16 @@ Status Refit::place_samples(RefitOptions const& options, RefitReport& report,
     line.measure();
     Vec2 const chord = line.trailing - line.leading;
     if (options.on_chord) {
-        turn_ = quotient(source_.trailing - source_.leading, chord);
-        shift_ = source_.leading - product(turn_, line.leading);
+        rotation_ = quotient(source_.trailing - source_.leading, chord);
+        shift_ = source_.leading - product(rotation_, line.leading);
     } else {
-        turn_ = {samples_.points.extent / extent_, 0};
+        rotation_ = {samples_.points.extent / extent_, 0};
         shift_ = to_unit(samples_.points.centre);
     }
-    report.turn = (extent_ / samples_.points.extent) * turn_;
-    report.shift = centre_ + extent_ * shift_ - product(report.turn, samples_.points.centre);
+    report.rotation = (extent_ / samples_.points.extent) * rotation_;
+    report.shift = centre_ + extent_ * shift_ - product(report.rotation, samples_.points.centre);
     for (Index k = 0; k < line.n; ++k) line.at[k] = placed(line.at[k]);
-    report.chord = extent_ * length(product(turn_, chord));
+    report.chord = extent_ * length(product(rotation_, chord));
     Real const gap = length(line.at[line.n - 1] - line.at[0]);
     if (!(gap * extent_ < max_gap * report.chord))
         return fault.refuse(Status::bad_curve,
@@ -265,10 +265,10 @@ void Refit::publish(Curve const& curve, Curve const* base) noexcept {
     }
     if (base == nullptr) return;
     Index const a = base->control_point(0), b = base->control_point(base->n_indices - 1);
-    Vec2 const turn = quotient(new_place(b) - new_place(a), old_place(b) - old_place(a));
+    Vec2 const rotation = quotient(new_place(b) - new_place(a), old_place(b) - old_place(a));
     for (Index k = 1; k + 1 < base->n_indices; ++k) {
         Index const i = base->control_point(k);
-        move(i, new_place(a) + product(turn, old_place(i) - old_place(a)));
+        move(i, new_place(a) + product(rotation, old_place(i) - old_place(a)));
     }
 }
 

@@ -9,7 +9,7 @@ namespace harmorph {
 
 struct RefitOptions {
     bool is_loop = true;
-    // If true, the points are turned, scaled and shifted so that both chord lines coincide.
+    // If true, the points are rotated, scaled and shifted so that both chord lines coincide.
     bool on_chord = false;
 };
 
@@ -19,8 +19,8 @@ struct RefitReport {
     Real chord = 0;  // [length] the chord of the placed points, in the units of the curve
     // [length] The width of a blunt base that was tapered to one point, or 0.
     Real closed_width = 0;
-    // A point p of the caller was placed at turn * p + shift, as complex numbers.
-    Vec2 turn{1, 0}, shift;
+    // A point p of the caller was placed at rotation * p + shift, as complex numbers.
+    Vec2 rotation{1, 0}, shift;
 };
 
 class Refit {
@@ -50,7 +50,7 @@ private:
                         RefitReport& report) const noexcept;
 
     Vec2 to_unit(Vec2 p) const noexcept { return (1 / extent_) * (p - centre_); }
-    Vec2 placed(Vec2 unit) const noexcept { return product(turn_, unit) + shift_; }
+    Vec2 placed(Vec2 unit) const noexcept { return product(rotation_, unit) + shift_; }
 
     // All lengths are in units of the extent of the curve's control points about their centre.
     Vec2 centre_;
@@ -65,7 +65,7 @@ private:
     Span<Real> source_u_;  // parameters of the points of source_
     Span<Real> start_u_;   // parameters of the samples before any correction
     AirfoilSamples samples_;
-    Vec2 turn_{1, 0}, shift_;  // from unit points to units of the curve, as complex numbers
+    Vec2 rotation_{1, 0}, shift_;  // from unit points to units of the curve, as complex numbers
     LeastSquares squares_;
 };
 

@@ -178,7 +178,7 @@ struct Curvature {
         speed = found;
         value = x;
         slope = speed * (y - 3 * x * d);
-        // The derivative of C' x C'' by C' is C'' turned right, and by C'' it is C' turned left.
+        // The derivative of C' x C'' by C' is C'' rotated right, and by C'' it is C' rotated left.
         Vec2 const by_second = per * (per * left_of(t));
         value_by[1] = per * (right_of(a) - 3 * x * t);
         value_by[2] = by_second;
@@ -461,7 +461,7 @@ Status measure_trailing_edge_angle(Section& section, ControlGradient const& grad
             "0 there");
     }
     Real const sign = section.sign * in_degrees(1);
-    Real const angle = sign * angle_of(turn_between(from, to));
+    Real const angle = sign * angle_of(rotation_between(from, to));
     measured = {angle < -90 ? angle + 360 : angle, a[0]};
     Vec2 const by_first[2] = {{}, (backwards_first ? 1 : -1) * sign / square(from) * left_of(from)};
     Vec2 const by_last[2] = {{}, (backwards_last ? 1 : -1) * sign / square(to) * left_of(to)};

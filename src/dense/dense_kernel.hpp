@@ -127,8 +127,8 @@ void eliminate_sums(Slabs const& u, Index first, Index n, Index end, Real* sums,
 
 HARMORPH_INLINE double sqrt(double x) noexcept { return __builtin_sqrt(x); }
 
-// A diagonal block A beside a unit matrix. Elimination without square roots turns [A | 1] into [D
-// L^H | L^-1], where A = L D L^H.
+// A diagonal block A beside a unit matrix. Elimination without square roots converts [A | 1] into
+// [D L^H | L^-1], where A = L D L^H.
 template <Index planes>
 struct AugmentedBlock {
     static constexpr Index block = slab, width = 2 * block;

@@ -181,7 +181,7 @@ Status Multifrontal::factorise(Matrix const& matrix, Progress const& progress,
     Factorisation const factorisation(*this, matrix);
     fill(numbers.min_pivot_ratio, Real{1});
     fill(numbers.min_pivot_to_diagonal, Real{1});
-    Turns turns;
+    Lock lock;
     // The fault with the first position is kept, so that the result does not depend on the number
     // of threads.
     auto const take_first = [](Fault const& other, Fault& first) {
@@ -193,7 +193,7 @@ Status Multifrontal::factorise(Matrix const& matrix, Progress const& progress,
         factorisation.run(
             subtrees.all[subtree].root, kept_update(subtree), worker.stack, worker,
             [](Index) { return Status::ok; }, subtree_fault);
-        turns.take([&] { take_first(subtree_fault, fault); });
+        lock.run([&] { take_first(subtree_fault, fault); });
     });
     HARMORPH_TRY(fault.status);
 

@@ -145,7 +145,7 @@ private:
 
     // Returns the face at a foot from whose cell a line in the direction `off` begins, or none if
     // the direction leads out of the mesh. A corner has two faces, and a direction into the mesh
-    // makes an angle of at most 180 degrees with one of them: the walk turns about the corner from
+    // makes an angle of at most 180 degrees with one of them: the walk goes about the corner from
     // there.
     Index face_before(Vec2 off, FaceDistance::Foot const& foot) const noexcept {
         auto const inwards = [&](Index face) {

@@ -17,8 +17,8 @@ struct Gap {
 
     // Takes the ends that are farther apart, of edges that are closer together than any before.
     void include(Points points, const Index (&ends)[2], Index low, Index high) noexcept {
-        Index const turns[2][2] = {{low, high}, {high, low}};
-        for (Index const(&to)[2] : turns) {
+        Index const directions[2][2] = {{low, high}, {high, low}};
+        for (Index const(&to)[2] : directions) {
             Real const apart[2] = {distance(points, ends[0], to[0]),
                                    distance(points, ends[1], to[1])};
             Index const wider = apart[0] >= apart[1] ? 0 : 1;

@@ -28,10 +28,10 @@ struct Corners {
     }
     CornerKind kind(Index k) const noexcept {
         Vec2 const before = at(k) - at(previous(k)), after = at(next(k)) - at(k);
-        Real const turn = reversed ? -cross(before, after) : cross(before, after),
+        Real const sine = reversed ? -cross(before, after) : cross(before, after),
                    ahead = dot(before, after);
-        if (turn > 0 && turn > Pieces::flat * ahead) return CornerKind::convex;
-        return turn < 0 && -turn > Pieces::flat * ahead ? CornerKind::reflex : CornerKind::flat;
+        if (sine > 0 && sine > Pieces::flat * ahead) return CornerKind::convex;
+        return sine < 0 && -sine > Pieces::flat * ahead ? CornerKind::reflex : CornerKind::flat;
     }
     void orient() noexcept {
         Real sum = 0;

@@ -11,7 +11,7 @@ Vec2 barycentre(CellShape const& shape) noexcept {
     return (shape.n == 4 ? 0.25 : 1.0 / 3) * sum;
 }
 
-constexpr Vec2 turned_right(Vec2 a) noexcept { return {a.y, -a.x}; }
+constexpr Vec2 rotated_right(Vec2 a) noexcept { return {a.y, -a.x}; }
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void MedianDual::build(OrientedMesh const& cells, Edges const& edges,
                 barycentre(CellShape(cells.mesh.cell(cell), points, false)) - middle;
             bool const on_left = runs_backwards(code) == (cells.reversed[cell] != 0);
             normal =
-                on_left ? normal + turned_right(from_middle) : normal - turned_right(from_middle);
+                on_left ? normal + rotated_right(from_middle) : normal - rotated_right(from_middle);
         };
         add(edges.first[edge].code);
         if (!edges.is_boundary(edge)) add(edges.second[edge]);

@@ -63,12 +63,12 @@ struct Translations {
 struct Rotation {
     bool any = false;
     Vec2 centre;
-    Vec2 turn{1, 0};  // cosine and sine of the angle, the complex number e^(i angle)
+    Vec2 factor{1, 0};  // cosine and sine of the angle, the complex number e^(i angle)
 
-    // Returns turn^times, which is exactly 1 for times = 0.
+    // Returns factor^times, which is exactly 1 for times = 0.
     Vec2 power(Index times) const noexcept {
         Vec2 out{1, 0};
-        for (Index k = 0; k < absolute_of(times); ++k) out = k == 0 ? turn : product(out, turn);
+        for (Index k = 0; k < absolute_of(times); ++k) out = k == 0 ? factor : product(out, factor);
         return times < 0 ? conjugate(out) : out;
     }
     Vec2 image(Vec2 point, Index times) const noexcept {
@@ -76,13 +76,13 @@ struct Rotation {
     }
 
     // Several pairs of markers may have this rotation. Returns 1 if another pair has the same
-    // centre and turn, -1 if it has the opposite turn, and 0 otherwise.
-    Index times_of(Vec2 other_centre, Vec2 other_turn) const noexcept {
+    // centre and rotation, -1 if it has the opposite rotation, and 0 otherwise.
+    Index times_of(Vec2 other_centre, Vec2 other_rotation) const noexcept {
         // Files with few digits have coordinates of this precision.
         constexpr Real same_within = 1e-5;
         if (other_centre.x != centre.x || other_centre.y != centre.y) return 0;
-        if (length(other_turn - turn) <= same_within) return 1;
-        return length(other_turn - conjugate(turn)) <= same_within ? -1 : 0;
+        if (length(other_rotation - factor) <= same_within) return 1;
+        return length(other_rotation - conjugate(factor)) <= same_within ? -1 : 0;
     }
 
 private:

@@ -12,8 +12,8 @@ namespace harmorph {
 // diagonals become edges. Positive areas of the pieces do not bound the angles of the cell's
 // corners. Therefore each corner has a guard, the triangle of the corner and its two neighbours. No
 // equation contains guards, but their areas must stay positive, too; at flat and reflex corners the
-// area is computed after a turn, see cell_shape.hpp. Each piece and each guard has four points, as
-// in CellLayout::quads; a triangle repeats its last point. The corner of a guard is its second
+// area is computed after a rotation, see cell_shape.hpp. Each piece and each guard has four points,
+// as in CellLayout::quads; a triangle repeats its last point. The corner of a guard is its second
 // point. Guards are numbered after all pieces.
 struct Pieces {
     // A corner is flat if the tangent of its exterior angle has at most this magnitude.

@@ -112,11 +112,11 @@ struct Adder {
 // inlined, as one thread needs no stack for these.
 __attribute__((noinline)) void add_in_ranges(Adder const& adder, Executor const& executor,
                                              FixedSums& total) noexcept {
-    Turns turns;
+    Lock lock;
     for_block_ranges(adder.basis.n_points(), executor, [&](Index begin, Index end, Index) {
         FixedSums sums{};
         adder.add_points_of_basis(begin, end, sums);
-        turns.take([&] {
+        lock.run([&] {
             for (Index k = 0; k < adder.slice.width; ++k) {
                 total.x[k] += sums.x[k];
                 total.y[k] += sums.y[k];

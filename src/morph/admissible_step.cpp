@@ -111,7 +111,7 @@ StepCorner step_corner_at(OrientedMesh const& cells, Index i, Index k, Points po
                fall = -(area.slope + 2 * corner.step * area.curvature);
     corner.has_derivative = fall > 1e-7 * terms;
     if (!corner.has_derivative) return corner;
-    Vec2 const by_in = product(turn_of(cells.mesh, i), Vec2{out_there.y, -out_there.x}),
+    Vec2 const by_in = product(rotation_of(cells.mesh, i), Vec2{out_there.y, -out_there.x}),
                by_out = {-in_there.y, in_there.x};
     corner.by_position[0] = (-1 / fall) * by_in;
     corner.by_position[1] = (1 / fall) * (by_in - by_out);

@@ -231,5 +231,13 @@ void smooth(CellList const& cells, CellPlaces const& given_places, SmoothRequest
     if (cells.n < CellBatches::max_count) list.odd &= (std::uint64_t{1} << cells.n) - 1;
 }
 
+constexpr SmoothKernels smooth_kernels{smooth<3>, smooth<4>};
+
 }  // namespace
 }  // namespace harmorph::cell_measures::HARMORPH_SET
+
+namespace harmorph::simd {
+template <>
+inline constexpr const SmoothKernels* table<SmoothKernels, Kernel::HARMORPH_SET> =
+    &harmorph::cell_measures::HARMORPH_SET::smooth_kernels;
+}  // namespace harmorph::simd

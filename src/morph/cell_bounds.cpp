@@ -18,15 +18,15 @@ struct LayerFace {
 };
 
 // One edge now and at the start. Vectors are complex numbers. With the directions o of the faces at
-// the start and u now, the wall turns by T = S / |S|, S = sum of weight conj(o) u; the edge E,
-// turned back, is e = conj(T) E. Then the ratio of heights is Re(conj(n) e) / (height at the
+// the start and u now, the wall rotates by T = S / |S|, S = sum of weight conj(o) u; the edge E,
+// rotated back, is e = conj(T) E. Then the ratio of heights is Re(conj(n) e) / (height at the
 // start), n the normal at the start, and the cosine is Re(conj(E at the start) e) / (the lengths of
 // both).
 struct LayerState {
     LayerEdge edge;
     LayerFace face[2];
     Vec2 sum;            // S
-    Vec2 turn;           // T
+    Vec2 rotation;       // T
     Vec2 old_edge, now;  // E
     Vec2 normal;
     Real old_height;
@@ -52,8 +52,8 @@ struct LayerState {
             if (wall.given())
                 sum = sum + wall.weight * product(conjugate(wall.before), direction(wall.now));
         }
-        turn = direction(sum);
-        if (turn.x == 0 && turn.y == 0) turn = {1, 0};
+        rotation = direction(sum);
+        if (rotation.x == 0 && rotation.y == 0) rotation = {1, 0};
         old_edge = start[edge.top] - start[edge.foot];
         now = at[edge.top] - at[edge.foot];
         normal = left_of(direction(tangent));
@@ -61,30 +61,30 @@ struct LayerState {
     }
 
     Real value(LayerValue which) const noexcept {
-        Vec2 const turned_now = turned_back(now, turn);
-        if (which == LayerValue::angle) return dot(direction(old_edge), direction(turned_now));
-        Real const ratio = dot(turned_now, normal) / old_height;
+        Vec2 const rotated_now = rotated_back(now, rotation);
+        if (which == LayerValue::angle) return dot(direction(old_edge), direction(rotated_now));
+        Real const ratio = dot(rotated_now, normal) / old_height;
         return which == LayerValue::stretch ? -ratio : ratio;
     }
 
     // Adds the derivatives of the value, multiplied by `scale`. `reference` is the vector of the
-    // start with which the edge is compared, turned with the wall.
+    // start with which the edge is compared, rotated with the wall.
     void add_slopes(LayerValue which, Real scale, PointGradient const& gradient) const noexcept {
         Vec2 by_edge;
-        Real by_turn = 0;
+        Real by_rotation = 0;
         if (which == LayerValue::angle) {
             Real const size = length(now);
             if (!(size > 0)) return;
-            Vec2 const unit = direction(now), reference = turned(direction(old_edge), turn);
+            Vec2 const unit = direction(now), reference = rotated(direction(old_edge), rotation);
             // The value is the cosine of the angle between both unit vectors.
             Real const sine = cross(reference, unit);
             by_edge = -scale * sine / size * left_of(unit);
-            by_turn = scale * sine;
+            by_rotation = scale * sine;
         } else {
-            Vec2 const reference = turned(normal, turn);
+            Vec2 const reference = rotated(normal, rotation);
             Real const factor = (which == LayerValue::stretch ? -scale : scale) / old_height;
             by_edge = factor * reference;
-            by_turn = factor * cross(reference, now);
+            by_rotation = factor * cross(reference, now);
         }
         gradient.add(edge.top, by_edge);
         gradient.add(edge.foot, -1 * by_edge);
@@ -96,8 +96,8 @@ struct LayerState {
             Real const along = length(wall.now);
             if (!wall.given() || !(along > 0)) continue;
             Vec2 const unit = direction(wall.now), part = product(conjugate(wall.before), unit);
-            Real const share = wall.weight * dot(turn, part) / size;
-            Vec2 const by_end = by_turn * share / along * left_of(unit);
+            Real const share = wall.weight * dot(rotation, part) / size;
+            Vec2 const by_end = by_rotation * share / along * left_of(unit);
             gradient.add(wall.to, by_end);
             gradient.add(wall.from, -1 * by_end);
         }

@@ -208,11 +208,11 @@ private:
     // Tells whether the point lies strictly between two others, seen from `here` and
     // counter-clockwise from the first to the second.
     static bool is_between(Vec2 here, Vec2 first, Vec2 point, Vec2 second) noexcept {
-        int const turn = orientation_sign(here, first, second);
+        int const sign = orientation_sign(here, first, second);
         int const from_first = orientation_sign(here, first, point),
                   to_second = orientation_sign(here, point, second);
-        if (turn > 0) return from_first > 0 && to_second > 0;
-        if (turn < 0) return !(to_second <= 0 && from_first <= 0);
+        if (sign > 0) return from_first > 0 && to_second > 0;
+        if (sign < 0) return !(to_second <= 0 && from_first <= 0);
         return on_opposite_sides(here, first, second) && from_first > 0;
     }
 

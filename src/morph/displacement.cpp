@@ -179,11 +179,11 @@ Status Displacement::set_derivatives(Plan const& plan, Index first, Span<const P
                             "the derivative by the coordinates of point # in field @ is not finite",
                             point_item(bad.point), field_item(bad.field));
     }
-    // A joined point moves with the other point, or turned against it.
+    // A joined point moves with the other point, or rotated against it.
     for (Index const point : plan.given().joined) {
         Index const same = plan.same_point(point);
         if (same == none || same == point) continue;
-        Vec2 const back = conjugate(plan.turn_of(point, same));
+        Vec2 const back = conjugate(plan.rotation_of(point, same));
         for (Index i = 0; i < derivatives.count(); ++i) {
             MutablePoints const to = block.field(first + i);
             to.set(same, to[same] + product(back, derivatives[i][point]));
@@ -228,7 +228,7 @@ void Displacement::write_gradient(Plan const& plan, PointList const& list, Index
 
 namespace {
 
-constexpr Vec2 turned_by_90(Vec2 v) noexcept { return {-v.y, v.x}; }
+constexpr Vec2 rotated_by_90(Vec2 v) noexcept { return {-v.y, v.x}; }
 
 }  // namespace
 
@@ -270,7 +270,7 @@ Status tabulate(Plan& plan, Basis const& from, PointList const& list, Modes cons
         Index const mode = matrices ? field / 2 : field;
         for (Index k = 0; k < list.count(); ++k) {
             Vec2 const value = modes.at(mode, k, list.count());
-            wall[k] = matrices && field % 2 == 1 ? turned_by_90(value) : value;
+            wall[k] = matrices && field % 2 == 1 ? rotated_by_90(value) : value;
         }
         HARMORPH_TRY(displacement.set(plan, list, field, {&wall[0].x, &wall[0].y, 2}, fault));
     }

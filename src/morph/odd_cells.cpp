@@ -9,15 +9,15 @@ namespace {
 constexpr Real min_sine = 1e-100, min_area = 1e-280, min_side = 1e-140;
 
 // A corner of a cell: three points, and the sides into and out of the corner. The first side has
-// been turned back, as guards require.
+// been rotated back, as guards require.
 struct OddCorner {
     Index point[3];
-    Vec2 turn;
+    Vec2 rotation;
     Vec2 in, out;
 
     Real twice_area() const noexcept { return cross(in, out); }
     void add(Vec2 by_in, Vec2 by_out, PointGradient const& gradient) const noexcept {
-        Vec2 const by_first = product(turn, by_in);
+        Vec2 const by_first = product(rotation, by_in);
         gradient.add(point[0], -1 * by_first);
         gradient.add(point[1], by_first - by_out);
         gradient.add(point[2], by_out);
@@ -50,10 +50,10 @@ struct OddAngle {
     }
 };
 
-OddCorner corner_of(Cell const& cell, CellShape const& shape, Index k, Vec2 turn) noexcept {
+OddCorner corner_of(Cell const& cell, CellShape const& shape, Index k, Vec2 rotation) noexcept {
     Index const n = cell.n, before = k == 0 ? n - 1 : k - 1, behind = k + 1 == n ? 0 : k + 1;
     return {{cell.point[before], cell.point[k], cell.point[behind]},
-            turn,
+            rotation,
             shape.at[k] - shape.at[before],
             shape.at[behind] - shape.at[k]};
 }
@@ -80,7 +80,7 @@ void OddCell::for_each_corner(Points points, Visit const& visit) const noexcept 
         bool const is_convex =
             cells_.mesh.guard_kind[guard - cells_.mesh.n_cells] == CornerKind::convex;
         visit(corner_of(cells_.cell(guard), shape_of(cells_, guard, points), 1,
-                        turn_of(cells_.mesh, guard)),
+                        rotation_of(cells_.mesh, guard)),
               is_convex);
     }
 }
@@ -198,7 +198,7 @@ void OddCell::add_areas(SmoothMinimum& minimum, PointGradient const& gradient) c
     auto const add = [&](Index i, Index k) {
         Cell const cell = cells_.cell(i);
         OddCorner const corner =
-            corner_of(cell, shape_of(cells_, i, at_), k, turn_of(cells_.mesh, i));
+            corner_of(cell, shape_of(cells_, i, at_), k, rotation_of(cells_.mesh, i));
         CellShape const start = shape_of(cells_, i, start_);
         Real const before = corner_of(cell, start, k, {1, 0}).twice_area();
         Real const weight = minimum.add(corner.twice_area() / before, number_);

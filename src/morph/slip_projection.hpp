@@ -14,10 +14,10 @@ struct SlipProjection {
     // Copies `from` to `to`, with slipping points at the nearest places of their curves, and
     // followers moved along. `to` may be `from`.
     void project(Points from, MutablePoints to) const noexcept;
-    // Turns a velocity of the points of `from` into that of the points of `to`; both may be the
+    // Converts a velocity of the points of `from` into that of the points of `to`; both may be the
     // same arrays.
     void differentiate(Points from, Points velocity, MutablePoints to) const noexcept;
-    // Turns derivatives by `to` into derivatives by `from`; both may be the same arrays.
+    // Converts derivatives by `to` into derivatives by `from`; both may be the same arrays.
     void transpose(Points from, Points derivative, MutablePoints to) const noexcept;
 };
 

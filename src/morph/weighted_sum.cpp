@@ -31,7 +31,7 @@ void add_weighted(Basis const& sum, Basis const& basis, Span<const Vec2> weight,
             case ValueKind::real: return add_real(from, to, w.x);
             case ValueKind::complex: return add_pair(from, to, plane, w);
             case ValueKind::matrix:
-                // The sum xx + xy of a turned movement is (xx - i xy) w, with the other sign of i.
+                // The sum xx + xy of a rotated movement is (xx - i xy) w, with the other sign of i.
                 add_pair(from, to, plane, {w.x, -w.y});
                 return add_pair(from + 2 * plane, to + 2 * plane, plane, {w.x, -w.y});
         }

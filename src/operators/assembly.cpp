@@ -152,14 +152,14 @@ void add_conductances(Matrix const& matrix, RowRange rows, CellGroup<corners> co
         }
     } else {
         constexpr bool is_complex = kind == MatrixKind::complex;
-        if (!matrix.turns_sides())
+        if (!matrix.has_rotated_sides())
             return matrix.add_corners<is_complex>(rows, cells, 0, cells.count, circulation_factor);
         for (Index c = 0; c < cells.count; ++c) {
             matrix.add_corners<is_complex>(rows, cells, c, c + 1, circulation_factor);
             Cell const cell = cells.cell(c);
-            if (!matrix.is_turned(cell)) continue;
-            matrix.add_turns(rows, cell, cells.conductances(c),
-                             circulation_factor * cells.conductivity[c]);
+            if (!matrix.is_rotated(cell)) continue;
+            matrix.add_rotations(rows, cell, cells.conductances(c),
+                                 circulation_factor * cells.conductivity[c]);
         }
     }
 }

@@ -80,21 +80,22 @@ void Matrix::add_off_diagonal(RowRange rows, Index i, Index j, Real conductance,
 template void Matrix::add_off_diagonal<false>(RowRange, Index, Index, Real, Real) const noexcept;
 template void Matrix::add_off_diagonal<true>(RowRange, Index, Index, Real, Real) const noexcept;
 
-void Matrix::add_turns(RowRange rows, Cell const& cell, CellConductances const& conductance,
-                       Real circulation) const noexcept {
+void Matrix::add_rotations(RowRange rows, Cell const& cell, CellConductances const& conductance,
+                           Real circulation) const noexcept {
     for (Index k = 0; k < cell.n; ++k) {
-        add_turn(rows, cell.point[k], cell.next(k), {-conductance.side[k], circulation});
+        add_rotation(rows, cell.point[k], cell.next(k), {-conductance.side[k], circulation});
     }
     for (Index k = 0; cell.n == 4 && k < 2; ++k) {
-        add_turn(rows, cell.point[k], cell.point[k + 2], {-conductance.across[k], 0});
+        add_rotation(rows, cell.point[k], cell.point[k + 2], {-conductance.across[k], 0});
     }
 }
 
 // The entry between the displacements of two points becomes conjugate(direction) entry other
 // direction between the numbers of their dofs. This function adds the difference. Points whose
-// value is 0 are not turned.
-void Matrix::add_turn(RowRange rows, Index point, Index other, Vec2 entry_value) const noexcept {
-    Vec2 const own = turn(point), theirs = turn(other);
+// value is 0 are not rotated.
+void Matrix::add_rotation(RowRange rows, Index point, Index other,
+                          Vec2 entry_value) const noexcept {
+    Vec2 const own = rotation(point), theirs = rotation(other);
     Index const i = row_of(point), j = row_of(other);
     if ((own.x == theirs.x && own.y == theirs.y) || i == none || j == none) return;
     Vec2 const change = product(product(conjugate(own), theirs) - Vec2{1, 0}, entry_value);
@@ -225,11 +226,11 @@ Offset drop_repeats(Span<Index> row) noexcept {
     return static_cast<Offset>(n);
 }
 
-// Calls visit(unknown) for the unknowns of turned points, and for all that share a cell with one;
+// Calls visit(unknown) for the unknowns of rotated points, and for all that share a cell with one;
 // some are visited repeatedly.
 template <class Visit>
-void for_each_beside_turned(Graph const& graph, Span<const Index> times,
-                            Visit const& visit) noexcept {
+void for_each_beside_rotated(Graph const& graph, Span<const Index> times,
+                             Visit const& visit) noexcept {
     for (Index point = 0; point < times.count(); ++point) {
         if (times[point] == 0 || graph.unknown[point] == none) continue;
         visit(graph.unknown[point]);
@@ -243,7 +244,7 @@ Matrix::Sizes Matrix::count(Graph const& graph, MatrixKind kind,
                             Periodicity const& periodicity) noexcept {
     Sizes sizes{graph.start[graph.n] / 2, graph.couplings, graph.fixed, kind,
                 periodicity.rotation.any};
-    for_each_beside_turned(graph, periodicity.times, [&](Index) { ++sizes.fixed; });
+    for_each_beside_rotated(graph, periodicity.times, [&](Index) { ++sizes.fixed; });
     return sizes;
 }
 
@@ -266,7 +267,7 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     arena.take(fixed_row, sizes.fixed);
     arena.take(fixed_value, sizes.fixed);
     arena.take(fixed_imaginary, kind() != MatrixKind::real ? sizes.fixed : 0);
-    lay_out_directions(arena, n_points, sizes.turns);
+    lay_out_directions(arena, n_points, sizes.rotates);
 }
 
 void Matrix::fit(Index unknowns, Index wall_points, Sizes const& sizes) noexcept {
@@ -343,8 +344,8 @@ void Matrix::build_known_columns(Graph const& graph, Span<const Index> position,
             fixed_row[n_fixed++] = position[unknown];
         }
     });
-    for_each_beside_turned(graph, periodicity.times,
-                           [&](Index unknown) { fixed_row[n_fixed++] = position[unknown]; });
+    for_each_beside_rotated(graph, periodicity.times,
+                            [&](Index unknown) { fixed_row[n_fixed++] = position[unknown]; });
     rewind_starts(coupling_start);
     for (Index known = 0; known + 1 < coupling_start.count(); ++known) {
         sort_row(coupling_row.from(coupling_start[known],

@@ -39,15 +39,15 @@ struct RowRange {
 // Entries in columns of fixed points are summed in fixed_value, as the values of these points are
 // 0. Including these sums, the diagonal, the entries and the couplings of a row add up to 0, up to
 // the rounding of the diagonal. Therefore A F is a sum of differences along couplings. If x and y
-// are coupled, this holds before the dofs of slipping points are turned to the slip lines; one
+// are coupled, this holds before the dofs of slipping points are rotated to the slip lines; one
 // complex number of fixed_value then represents both dofs of a point. fixed_value also contains the
-// rest of the sum if points that are turned differently are coupled.
+// rest of the sum if points that are rotated differently are coupled.
 struct Matrix : Unknowns {
     struct Sizes {
         Offset entries = 0;
         Index couplings = 0, fixed = 0;
         MatrixKind kind = MatrixKind::real;
-        bool turns = false;  // The sides of a passage are turned.
+        bool rotates = false;  // The sides of a passage are rotated.
     };
 
     Index n = 0;
@@ -62,7 +62,7 @@ struct Matrix : Unknowns {
     Span<Index> coupling_row;
     Span<Real> coupling_value;
     Span<Real> coupling_imaginary;
-    // The rows of unknowns beside fixed or turned points, increasing, with repetitions; first dofs
+    // The rows of unknowns beside fixed or rotated points, increasing, with repetitions; first dofs
     // only.
     Span<Index> fixed_row;
     Span<Real> fixed_value;
@@ -100,10 +100,10 @@ struct Matrix : Unknowns {
     template <bool with_circulation, Index corners>
     void add_corners(RowRange rows, CellGroup<corners> const& cells, Index begin, Index end,
                      Real circulation_factor) const noexcept;
-    // Adds the terms that add_corners() omits if corners of the cell are turned differently; for
+    // Adds the terms that add_corners() omits if corners of the cell are rotated differently; for
     // complex matrices only.
-    void add_turns(RowRange rows, Cell const& cell, CellConductances const& conductance,
-                   Real circulation) const noexcept;
+    void add_rotations(RowRange rows, Cell const& cell, CellConductances const& conductance,
+                       Real circulation) const noexcept;
     // Adds a conductance and a circulation between two points if x and y are coupled.
     void add_coupled(RowRange rows, Index point, Index other, Real conductance,
                      Real circulation) const noexcept;
@@ -160,7 +160,7 @@ private:
     template <bool with_circulation, Index corners>
     void add_beside_known(RowRange rows, Index const (&at)[corners], CellConductances conductance,
                           Real circulation) const noexcept;
-    void add_turn(RowRange rows, Index point, Index other, Vec2 entry) const noexcept;
+    void add_rotation(RowRange rows, Index point, Index other, Vec2 entry) const noexcept;
     void couple_to_fixed(RowRange rows, Index point, Real conductance,
                          Real circulation) const noexcept;
 };

@@ -38,8 +38,8 @@ struct NodalGradient {
     struct CellRows {
         // The rows of the corners, counter-clockwise; the last one is `none` in a triangle.
         Index row[4];
-        // Half of each diagonal, turned by 90 degrees: the weight of the difference along the other
-        // diagonal.
+        // Half of each diagonal, rotated by 90 degrees: the weight of the difference along the
+        // other diagonal.
         Vec2 across[2];
     };
 

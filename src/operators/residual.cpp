@@ -28,17 +28,17 @@ namespace harmorph {
 
 namespace {
 
-class TurnedBalances {
+class RotatedBalances {
 public:
-    TurnedBalances(Matrix const& matrix, DofValues const& dofs, Index first, Index n, Index width,
-                   Span<Real> value) noexcept
+    RotatedBalances(Matrix const& matrix, DofValues const& dofs, Index first, Index n, Index width,
+                    Span<Real> value) noexcept
         : matrix_(matrix), dofs_(dofs), first_(first), n_(n), width_(width), value_(value) {}
 
     Residual::Norms run() const noexcept {
         Residual::Norms norms;
         fill(value_, 0.0);
         take_right_hand_sides(norms.right_hand_side);
-        add_turned_flows(norms.rest);
+        add_rotated_flows(norms.rest);
         return norms;
     }
 
@@ -94,9 +94,9 @@ private:
     }
 
     // The dof of a slipping point has a direction of its own. Flows are computed from displacements
-    // along x and y, and only then turned to the dofs, so that both end points get the same flow,
+    // along x and y, and only then rotated to the dofs, so that both end points get the same flow,
     // up to the rounding of the flow itself.
-    void add_turned_flows(Real* squares) const noexcept {
+    void add_rotated_flows(Real* squares) const noexcept {
         for (Index wall = 0; wall + 1 < matrix_.coupling_start.count(); ++wall) {
             const Real* const known = dofs_.wall(wall) + first_;
             for (Index c = matrix_.coupling_start[wall]; c < matrix_.coupling_start[wall + 1];
@@ -153,7 +153,7 @@ private:
     }
 
     // Adds the flow between a point that slips and one dof of a point that does not. The entries of
-    // the two dofs of the free point are the conductance and circulation of the two points, turned
+    // the two dofs of the free point are the conductance and circulation of the two points, rotated
     // by the slip direction.
     void add_slipping(Index slipping, Index free, Real entry) const noexcept {
         Dof const dof = dof_at(free);
@@ -181,9 +181,9 @@ private:
 
 // Stores b - A F for columns first .. first+n-1 of F, n <= width, in value [matrix.n x width].
 // Returns the norms.
-Residual::Norms find_turned_balances(Matrix const& matrix, DofValues const& dofs, Index first,
-                                     Index n, Index width, Span<Real> value) noexcept {
-    return TurnedBalances(matrix, dofs, first, n, width, value).run();
+Residual::Norms find_rotated_balances(Matrix const& matrix, DofValues const& dofs, Index first,
+                                      Index n, Index width, Span<Real> value) noexcept {
+    return RotatedBalances(matrix, dofs, first, n, width, value).run();
 }
 
 constexpr Index max_subtrees = 64;
@@ -338,7 +338,7 @@ Real Residual::Norms::relative(Index k) const noexcept {
 Residual::Norms Residual::compute(Matrix const& matrix, DofValues const& dofs, Index first,
                                   Index n) const noexcept {
     if (matrix.kind() == MatrixKind::coupled_xy)
-        return find_turned_balances(matrix, dofs, first, n, width, value);
+        return find_rotated_balances(matrix, dofs, first, n, width, value);
     return find_balances(*this, matrix, dofs, first, n, true);
 }
 
@@ -358,61 +358,61 @@ Residual::Changes Residual::add_to(Matrix const& matrix, DofValues const& dofs, 
     return add_rows(matrix, dofs, value.data(), width, first, n, chosen);
 }
 
-// Calls turn(tangent, number of the first dof, number of the second dof) for the numbers of each
+// Calls rotate(tangent, number of the first dof, number of the second dof) for the numbers of each
 // slipping point that is not joined to another one.
-template <class Turn>
+template <class Rotate>
 void DofDirections::for_each_slipping(DofValues const& values, Index n_points,
-                                      Turn const& turn) const noexcept {
+                                      Rotate const& rotate) const noexcept {
     if (!matrix_.couples_xy()) return;
     for (Index point = 0; point < n_points; ++point) {
         if (!matrix_.slips(point) || values.dof_of_position[matrix_.row_of(2 * point)] != 2 * point)
             continue;
         Real* const x = values.values_of_dof(2 * point);
         Real* const y = values.values_of_dof(2 * point + 1);
-        for (Index k = 0; k < values.length(); ++k) turn(matrix_.direction(point), x[k], y[k]);
+        for (Index k = 0; k < values.length(); ++k) rotate(matrix_.direction(point), x[k], y[k]);
     }
 }
 
-void DofDirections::turn_slipping(DofValues const& values, Index n_points) const noexcept {
+void DofDirections::rotate_slipping(DofValues const& values, Index n_points) const noexcept {
     for_each_slipping(values, n_points, [](Vec2 along, Real& x, Real& y) {
         y = along.y * x;
         x = along.x * x;
     });
 }
 
-void DofDirections::turn_slipping_back(DofValues const& values, Index n_points) const noexcept {
+void DofDirections::rotate_slipping_back(DofValues const& values, Index n_points) const noexcept {
     for_each_slipping(values, n_points, [](Vec2 along, Real& x, Real& y) {
         x = along.x * x + along.y * y;
         y = 0;
     });
 }
 
-// Calls turn(factor, number as a complex one) for the numbers of each point on a turned side.
-template <class Turn>
-void DofDirections::for_each_turned(DofValues const& values, Index n_points,
-                                    Turn const& turn) const noexcept {
-    if (!matrix_.turns_sides()) return;
+// Calls rotate(factor, number as a complex one) for the numbers of each point on a rotated side.
+template <class Rotate>
+void DofDirections::for_each_rotated(DofValues const& values, Index n_points,
+                                     Rotate const& rotate) const noexcept {
+    if (!matrix_.has_rotated_sides()) return;
     Index const n = values.columns(matrix_);
     for (Index point = 0; point < n_points; ++point) {
-        Vec2 const factor = matrix_.turn(point);
+        Vec2 const factor = matrix_.rotation(point);
         if (matrix_.row_of(point) == none || (factor.x == 1 && factor.y == 0)) continue;
         Real* const re = values.values_of_dof(point);
         for (Index k = 0; k < n; ++k) {
-            Vec2 const turned = turn(factor, Vec2{re[k], re[n + k]});
-            re[k] = turned.x;
-            re[n + k] = turned.y;
+            Vec2 const rotated = rotate(factor, Vec2{re[k], re[n + k]});
+            re[k] = rotated.x;
+            re[n + k] = rotated.y;
         }
     }
 }
 
-void DofDirections::turn_sides(DofValues const& values, Index n_points) const noexcept {
-    for_each_turned(values, n_points,
-                    [](Vec2 factor, Vec2 number) { return product(factor, number); });
+void DofDirections::rotate_sides(DofValues const& values, Index n_points) const noexcept {
+    for_each_rotated(values, n_points,
+                     [](Vec2 factor, Vec2 number) { return product(factor, number); });
 }
 
-void DofDirections::turn_sides_back(DofValues const& values, Index n_points) const noexcept {
-    for_each_turned(values, n_points,
-                    [](Vec2 factor, Vec2 number) { return product(conjugate(factor), number); });
+void DofDirections::rotate_sides_back(DofValues const& values, Index n_points) const noexcept {
+    for_each_rotated(values, n_points,
+                     [](Vec2 factor, Vec2 number) { return product(conjugate(factor), number); });
 }
 
 }  // namespace harmorph

@@ -7,8 +7,8 @@ void Unknowns::lay_out_rows(Arena& arena, Index n_points, MatrixKind kind) noexc
     arena.take(row_of_, Offset{components()} * n_points);
 }
 
-void Unknowns::lay_out_directions(Arena& arena, Index n_points, bool turns) noexcept {
-    arena.take(direction_, couples_xy() || turns ? n_points : 0);
+void Unknowns::lay_out_directions(Arena& arena, Index n_points, bool rotates) noexcept {
+    arena.take(direction_, couples_xy() || rotates ? n_points : 0);
 }
 
 void Unknowns::find(Span<const Index> representative, Graph const& graph,

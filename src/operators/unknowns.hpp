@@ -28,7 +28,7 @@ inline MatrixKind matrix_kind(Method const& method, Demands const& demands) noex
 // has the first one only, along the tangent or against it: the larger component of the direction is
 // positive, so that the entry between a slipping point and a neighbour inside is negative, as
 // between two points inside. The coarse levels of multigrid depend on that sign. If sides of a
-// passage are turned against each other, the direction of a point is the factor that turns the
+// passage are rotated against each other, the direction of a point is the factor that rotates the
 // complex number of its dof into the displacement of the point.
 //
 // After find(), points that are joined have the same rows, and directions of points that slip are
@@ -40,8 +40,8 @@ public:
     bool couples_xy() const noexcept { return kind_ == MatrixKind::coupled_xy; }
     bool is_complex() const noexcept { return kind_ == MatrixKind::complex; }
     Index planes() const noexcept { return is_complex() ? 2 : 1; }
-    // Tells whether sides of a passage are turned against each other.
-    bool turns_sides() const noexcept { return is_complex() && !direction_.empty(); }
+    // Tells whether sides of a passage are rotated against each other.
+    bool has_rotated_sides() const noexcept { return is_complex() && !direction_.empty(); }
 
     // Dofs on the wall are numbered components * slot + component. wall(wall(dof)) is dof.
     static constexpr Index wall(Index dof) noexcept { return -2 - dof; }
@@ -61,13 +61,15 @@ public:
         return couples_xy() && is_unknown(point) && row_of_[2 * point + 1] == none;
     }
     // Returns the direction of the first dof; valid only if x and y are coupled or sides are
-    // turned.
+    // rotated.
     Vec2 direction(Index point) const noexcept { return direction_[point]; }
     // Returns the factor from the number of a dof to the displacement of the point.
-    Vec2 turn(Index point) const noexcept { return turns_sides() ? direction_[point] : Vec2{1, 0}; }
-    // Tells whether the cell has a corner on a side of a passage that is turned against the other
+    Vec2 rotation(Index point) const noexcept {
+        return has_rotated_sides() ? direction_[point] : Vec2{1, 0};
+    }
+    // Tells whether the cell has a corner on a side of a passage that is rotated against the other
     // side.
-    bool is_turned(Cell const& cell) const noexcept {
+    bool is_rotated(Cell const& cell) const noexcept {
         bool any = false;
         for (Index k = 0; k < cell.n; ++k)
             any = any || direction_[cell.point[k]].y != 0 || direction_[cell.point[k]].x != 1;
@@ -90,7 +92,7 @@ public:
 
 protected:
     void lay_out_rows(Arena& arena, Index n_points, MatrixKind kind) noexcept;
-    void lay_out_directions(Arena& arena, Index n_points, bool turns) noexcept;
+    void lay_out_directions(Arena& arena, Index n_points, bool rotates) noexcept;
     // representative, slot, tangent [n_points] and position [unknowns] are those of
     // Matrix::build().
     void find(Span<const Index> representative, Graph const& graph, Span<const Index> position,
@@ -102,7 +104,7 @@ private:
     bool directions_change_ = false;
     Span<Index> row_of_;  // [components * n_points]
     Span<Vec2>
-        direction_;  // [n_points] This array exists if x and y are coupled or sides are turned.
+        direction_;  // [n_points] This array exists if x and y are coupled or sides are rotated.
 };
 
 }  // namespace harmorph

@@ -56,7 +56,7 @@ struct CutCoordinates {
     // Computes the straight coordinates.
     void place(Graph const& graph, Points points, Executor const& executor) const noexcept;
     // The searches for layers and across layers may run at the same time, as they use different
-    // arrays. keep_searches() turns the results of both into coordinates.
+    // arrays. keep_searches() converts the results of both into coordinates.
     void find_layers(Graph const& graph) const noexcept;
     // Counts steps from a connected run of a separator, positive on the side where
     // is_ahead(unknown) is true, and negative on the other. If the mesh surrounds a body, the two

@@ -17,7 +17,7 @@ Mesh with_cells(Mesh mesh, Index n_own, const Index* cell_start,
 }
 
 // Reverses the order of the points of a piece or guard.
-void turn(Index* points) noexcept {
+void reverse(Index* points) noexcept {
     bool const is_triangle = points[2] == points[3];
     Index const a = points[0], b = points[1], c = points[2], d = points[3];
     points[0] = is_triangle ? c : d;
@@ -105,7 +105,7 @@ void Part::note_points(const Index* points, Index n, bool ghost) noexcept {
     }
 }
 
-// Takes the own cells; each is turned counter-clockwise by its own area.
+// Takes the own cells; each is made counter-clockwise by its own area.
 Status Part::take_cells(Fault& fault) noexcept {
     Mesh const& mesh = given.mesh;
     Index n = 0;
@@ -127,7 +127,7 @@ Status Part::take_cells(Fault& fault) noexcept {
 }
 
 // Takes the own polygons. They are divided in the orientation in which they are given, so that all
-// parts have the triangles of the whole mesh, and are turned counter-clockwise after that.
+// parts have the triangles of the whole mesh, and are made counter-clockwise after that.
 Status Part::take_polygons(Fault& fault) noexcept {
     Mesh const& mesh = given.mesh;
     Index n = 0, filled = 0;
@@ -164,7 +164,7 @@ Status Part::take_polygons(Fault& fault) noexcept {
     return Status::ok;
 }
 
-// Turns polygon i, with its pieces and guards, counter-clockwise.
+// Makes polygon i, with its pieces and guards, counter-clockwise.
 void Part::orient_polygon(Index i) noexcept {
     Mesh const& mesh = given.mesh;
     Pieces& pieces = division.pieces;
@@ -181,9 +181,9 @@ void Part::orient_polygon(Index i) noexcept {
         corner[k] = other;
     }
     for (Index k = pieces.start[i]; k < pieces.start[i + 1]; ++k)
-        turn(pieces.point.data() + 4 * Offset{k});
+        reverse(pieces.point.data() + 4 * Offset{k});
     for (Index k = pieces.guard_start[i]; k < pieces.guard_start[i + 1]; ++k)
-        turn(pieces.point.data() + 4 * Offset{k});
+        reverse(pieces.point.data() + 4 * Offset{k});
 }
 
 // Tells whether the cell is neither inverted nor too thin for the digits of its coordinates.

@@ -197,7 +197,7 @@ void PartEquations::find_residual(DofValues const& values, Index column,
 }
 
 void PartEquations::finish(DofValues const& values) const noexcept {
-    DofDirections(matrix).turn_slipping(values, part.own().n_points);
+    DofDirections(matrix).rotate_slipping(values, part.own().n_points);
     for (Index point = 0; point < part.own().n_points; ++point)
         values.copy_row(topology.representative[point], point);
 }

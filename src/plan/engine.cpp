@@ -10,8 +10,8 @@ constexpr Real min_uncancelled_ratio = 1e-3;
 // If pivot / diagonal is larger than this for all pivots, cancellation does not matter. The ratio
 // is a fifth on isotropic cells, and thousandths beside thin ones. Circulations are not
 // conductances, so their sums cancel in part, and so do conductances that large angles make
-// negative. If x and y are coupled, the rows of turned dofs of slipping points have no row sums, so
-// the bound is larger.
+// negative. If x and y are coupled, the rows of rotated dofs of slipping points have no row sums,
+// so the bound is larger.
 constexpr Real min_even_pivot(MatrixKind kind) noexcept {
     return kind == MatrixKind::coupled_xy ? 1.0 / 30 : 1e-5;
 }

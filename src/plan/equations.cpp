@@ -60,8 +60,8 @@ void Equations::build(Analysis const& analysis) noexcept {
     nodal_.init(topology, matrix_, method_.scheme == Scheme::nodal_gradient);
 }
 
-// Turns the dofs of points that slip along curves to the tangents at these coordinates.
-void Equations::turn_tangents(Points points) const noexcept {
+// Rotates the dofs of points that slip along curves to the tangents at these coordinates.
+void Equations::rotate_tangents(Points points) const noexcept {
     if (slip_curves_.count == 0) return;
     slip_curves_.for_each([&](Index slot, Index point) {
         matrix_.set_tangent(point, slip_curves_.nearest(slot, points[point]).tangent);
@@ -73,7 +73,7 @@ void Equations::turn_tangents(Points points) const noexcept {
 }
 
 Status Equations::assemble(Points points, Executor const& executor, Fault& fault) noexcept {
-    turn_tangents(points);
+    rotate_tangents(points);
     HARMORPH_TRY(method_.bounded() ? assemble_edges(points, executor, fault)
                                    : assemble_cells(points, executor, fault));
     if (method_.nodal_gradients()) nodal_.scheme.measure(points);

@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    void turn_tangents(Points points) const noexcept;
+    void rotate_tangents(Points points) const noexcept;
     Status assemble_cells(Points points, Executor const& executor, Fault& fault) noexcept;
     Status assemble_edges(Points points, Executor const& executor, Fault& fault) noexcept;
 

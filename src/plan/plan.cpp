@@ -151,7 +151,7 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault,
                             rows_in_work_};
     if (is_derived || dofs.is_start) rows.undo(executor_);
     if (dofs.is_start) {
-        DofDirections(equations_.matrix()).turn_slipping_back(dofs, mesh_.n_points);
+        DofDirections(equations_.matrix()).rotate_slipping_back(dofs, mesh_.n_points);
         if (!is_derived) set_wall_values(equations_.matrix(), basis, dofs);
     } else if (is_derived) {
         clear_all_but_wall(dofs);
@@ -182,11 +182,11 @@ Status Plan::solve_rows(DofValues const& dofs, SolveReport& report, Fault& fault
     report.factor_entries = factor_entries_;
     HARMORPH_TRY(refinement_.run(equations_, engine_, dofs, progress_, report, fault));
     DofDirections const dof_directions(equations_.matrix());
-    dof_directions.turn_slipping(dofs, mesh_.n_points);
+    dof_directions.rotate_slipping(dofs, mesh_.n_points);
     executor_.for_ranges(mesh_.n_points, min_task_points, [&](Index begin, Index end) {
         for (Index point = begin; point < end; ++point) dofs.copy_row(same_point(point), point);
     });
-    dof_directions.turn_sides(dofs, mesh_.n_points);
+    dof_directions.rotate_sides(dofs, mesh_.n_points);
     return Status::ok;
 }
 
@@ -262,15 +262,15 @@ Status Plan::solve_fields(DofValues const& values, bool measured, SolveReport& r
 
 void Plan::to_displacements(DofValues const& values) const noexcept {
     DofDirections const dof_directions(equations_.matrix());
-    dof_directions.turn_slipping(values, mesh_.n_points);
+    dof_directions.rotate_slipping(values, mesh_.n_points);
     for (Index const point : given_.joined) values.copy_row(same_point(point), point);
-    dof_directions.turn_sides(values, mesh_.n_points);
+    dof_directions.rotate_sides(values, mesh_.n_points);
 }
 
 void Plan::to_displacements_transposed(DofValues const& values) const noexcept {
     DofDirections const dof_directions(equations_.matrix());
-    dof_directions.turn_slipping_back(values, mesh_.n_points);
-    dof_directions.turn_sides_back(values, mesh_.n_points);
+    dof_directions.rotate_slipping_back(values, mesh_.n_points);
+    dof_directions.rotate_sides_back(values, mesh_.n_points);
 }
 
 Index Plan::same_point(Index point) const noexcept {

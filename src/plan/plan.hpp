@@ -1,4 +1,4 @@
-// The plan turns boundary functions into harmonic functions.
+// The plan converts boundary functions into harmonic functions.
 #pragma once
 
 #include "mesh/topology.hpp"
@@ -79,7 +79,7 @@ public:
     // fields alone; its residuals are set if fields are refined or measured.
     Status solve_fields(DofValues const& values, bool measured, SolveReport& report,
                         Fault& fault) noexcept;
-    // The first function turns the numbers of dofs, which joined points do not have yet, into
+    // The first function converts the numbers of dofs, which joined points do not have yet, into
     // displacements of points. The second one is the transpose, except for joined points.
     void to_displacements(DofValues const& values) const noexcept;
     void to_displacements_transposed(DofValues const& values) const noexcept;
@@ -97,7 +97,7 @@ public:
     OrientedMesh const& cells() const noexcept { return equations_.cells(); }
     RegionCounts const& region_counts() const noexcept { return region_counts_; }
     PointKind kind(Index point) const noexcept { return equations_.kind(point); }
-    // Which points are unknown, where they slip, and how they are turned.
+    // Which points are unknown, where they slip, and how they are rotated.
     Unknowns const& unknowns() const noexcept { return equations_.matrix(); }
     // Returns the point that stands in the equations for all points with the same unknown; a point
     // without an unknown represents itself.
@@ -106,9 +106,9 @@ public:
         return row < 0 ? point : equations_.point_of(row);
     }
     // Returns the factor from the displacement of `same_point(point)` to that of the point.
-    Vec2 turn_of(Index point, Index same) const noexcept {
-        if (!unknowns().turns_sides()) return {1, 0};
-        return product(conjugate(unknowns().turn(same)), unknowns().turn(point));
+    Vec2 rotation_of(Index point, Index same) const noexcept {
+        if (!unknowns().has_rotated_sides()) return {1, 0};
+        return product(conjugate(unknowns().rotation(same)), unknowns().rotation(point));
     }
     // Returns the point of the wall or of an unknown that has the values of this one, or none if
     // the values are 0.

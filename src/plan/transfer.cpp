@@ -85,7 +85,7 @@ public:
             Index const same = analysis_.topology().representative[point];
             if (same == point) continue;
             copy_row(fine_.row(point), fine_.row(same), row_length_);
-            if (analysis_.problem().demands.rotation) turn(point, same);
+            if (analysis_.problem().demands.rotation) rotate(point, same);
         }
     }
 
@@ -159,18 +159,18 @@ private:
         return analysis_.wall_slot()[analysis_.topology().representative[point]];
     }
 
-    // Turns the values of a point on a side of a passage that is turned against the side of the
+    // Rotates the values of a point on a side of a passage that is rotated against the side of the
     // other point.
-    void turn(Index point, Index same) const noexcept {
+    void rotate(Index point, Index same) const noexcept {
         Periodicity const& periodicity = analysis_.periodicity();
         Vec2 const by =
             periodicity.rotation.power(periodicity.times[point] - periodicity.times[same]);
         auto const row = fine_.row(point);
         Index const half = row_length_ / 2;
         for (Index k = 0; k < half; ++k) {
-            Vec2 const turned = product(by, {row[k], row[half + k]});
-            row[k] = turned.x;
-            row[half + k] = turned.y;
+            Vec2 const rotated = product(by, {row[k], row[half + k]});
+            row[k] = rotated.x;
+            row[half + k] = rotated.y;
         }
     }
 

@@ -31,7 +31,7 @@ struct CellFrame {
 
     explicit CellFrame(CellShape const& shape) noexcept;
 
-    // Turns the gradient and the Hessian by relative deformations into those by points.
+    // Converts the gradient and the Hessian by relative deformations into those by points.
     void to_points(Real const (&gradient)[count], Real const (&hessian)[count][count],
                    CellForm<n>& form) const noexcept;
 
@@ -127,7 +127,7 @@ void add_corner(CellFrame<n> const& frame, Index in, Index out, Real weight, Rea
                 Derivatives<n>& to) noexcept {
     constexpr Index count = 2 * (n - 1);
     Vec2 const a = frame.side[in], b = frame.side[out];
-    Real const sine = cross(a, b), cotangent = -dot(a, b) / sine;  // of pi minus the turn
+    Real const sine = cross(a, b), cotangent = -dot(a, b) / sine;  // of pi minus the turning angle
     Vec2 p[count], q[count];
     Real gradient[count];
     for (Index i = 0; i < count; ++i) {
@@ -135,13 +135,14 @@ void add_corner(CellFrame<n> const& frame, Index in, Index out, Real weight, Rea
         q[i] = quotient(frame.by_side[i][out], b);
         gradient[i] = cotangent * (q[i].y - p[i].y);
     }
-    // With the turn t from a to b, ln(1 / sin t) has the derivatives -cot t and 1 + cot^2 t.
+    // With the turning angle t from a to b, ln(1 / sin t) has the derivatives -cot t and 1 + cot^2
+    // t.
     for (Index i = 0; i < count; ++i) {
         for (Index j = i; j < count; ++j) {
-            Real const turns = (q[i].y - p[i].y) * (q[j].y - p[j].y);
+            Real const turning = (q[i].y - p[i].y) * (q[j].y - p[j].y);
             Real const bends =
                 (p[i].x * p[j].y + p[i].y * p[j].x) - (q[i].x * q[j].y + q[i].y * q[j].x);
-            to.second[i][j] += weight * ((1 + cotangent * cotangent) * turns + cotangent * bends);
+            to.second[i][j] += weight * ((1 + cotangent * cotangent) * turning + cotangent * bends);
         }
     }
     to.add_first(weight, gradient);

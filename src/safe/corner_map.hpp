@@ -39,13 +39,13 @@ constexpr Block complex_block(Vec2 t, Vec2 c) noexcept {
 }
 
 // For a block that is a sum of products u v^T, these functions return the block in which each u, or
-// each v, is turned, which is a multiplication by a complex number.
-constexpr Block turned_rows(Vec2 turn, Block p) noexcept {
-    Vec2 const first = product(turn, {p.a, p.c}), second = product(turn, {p.b, p.d});
+// each v, is rotated, which is a multiplication by a complex number.
+constexpr Block rotated_rows(Vec2 rotation, Block p) noexcept {
+    Vec2 const first = product(rotation, {p.a, p.c}), second = product(rotation, {p.b, p.d});
     return {first.x, second.x, first.y, second.y};
 }
-constexpr Block turned_columns(Vec2 turn, Block p) noexcept {
-    return transpose(turned_rows(turn, transpose(p)));
+constexpr Block rotated_columns(Vec2 rotation, Block p) noexcept {
+    return transpose(rotated_rows(rotation, transpose(p)));
 }
 
 // The gradient and the Hessian of the energy of a corner with the points p0, p1, p2, by the sides
@@ -56,12 +56,12 @@ struct CornerForm {
     // The Hessian, by the first and by the second side.
     Block side_side, side_next, next_next;
 
-    // Turns derivatives by a side that is turned into derivatives by the side itself.
-    void turn_back_side(Vec2 turn) noexcept {
-        if (turn.x == 1) return;
-        by_side = product(turn, by_side);
-        side_side = turned_columns(turn, turned_rows(turn, side_side));
-        side_next = turned_rows(turn, side_next);
+    // Converts derivatives by a side that is rotated into derivatives by the side itself.
+    void rotate_side_back(Vec2 rotation) noexcept {
+        if (rotation.x == 1) return;
+        by_side = product(rotation, by_side);
+        side_side = rotated_columns(rotation, rotated_rows(rotation, side_side));
+        side_next = rotated_rows(rotation, side_next);
     }
 };
 
@@ -83,27 +83,27 @@ struct CellForm {
         by[before] = by[before] - corner.by_side;
         by[own] = by[own] + (corner.by_side - corner.by_next);
         by[after] = by[after] + corner.by_next;
-        Block const cross = corner.side_next, turned = transpose(cross);
+        Block const cross = corner.side_next, rotated = transpose(cross);
         Block const side = corner.side_side, next = corner.next_next;
         hessian[before][before] = hessian[before][before] + side;
         hessian[before][own] = hessian[before][own] + (cross - side);
         hessian[before][after] = hessian[before][after] - cross;
-        hessian[own][before] = hessian[own][before] + (turned - side);
-        hessian[own][own] = hessian[own][own] + (side - (cross + turned) + next);
+        hessian[own][before] = hessian[own][before] + (rotated - side);
+        hessian[own][own] = hessian[own][own] + (side - (cross + rotated) + next);
         hessian[own][after] = hessian[own][after] + (cross - next);
-        hessian[after][before] = hessian[after][before] - turned;
-        hessian[after][own] = hessian[after][own] + (turned - next);
+        hessian[after][before] = hessian[after][before] - rotated;
+        hessian[after][own] = hessian[after][own] + (rotated - next);
         hessian[after][after] = hessian[after][after] + next;
     }
-    // Turns derivatives by points into derivatives by the unknowns that move the points; see
-    // Tangle::turn.
-    void turn_back(Span<const Vec2> turn, Cell const& cell) noexcept {
+    // Converts derivatives by points into derivatives by the unknowns that move the points; see
+    // Tangle::rotation.
+    void rotate_back(Span<const Vec2> rotation, Cell const& cell) noexcept {
         for (Index own = 0; own < n; ++own) {
-            Vec2 const back = conjugate(turn[cell.point[own]]);
+            Vec2 const back = conjugate(rotation[cell.point[own]]);
             by[own] = product(back, by[own]);
             for (Index other = 0; other < n; ++other) {
-                hessian[own][other] = turned_rows(back, hessian[own][other]);
-                hessian[other][own] = turned_columns(back, hessian[other][own]);
+                hessian[own][other] = rotated_rows(back, hessian[own][other]);
+                hessian[other][own] = rotated_columns(back, hessian[other][own]);
             }
         }
     }
@@ -130,8 +130,8 @@ struct DensityDerivatives {
     Real unit;  // the curvature that the lower bound of curvatures is measured in
 };
 
-// The Hessian of an energy by z and w in its own axes: turning z, turning w, and the two changes of
-// |z| and |w| along (cos a, sin a) and (-sin a, cos a).
+// The Hessian of an energy by z and w in its own axes: rotating z, rotating w, and the two changes
+// of |z| and |w| along (cos a, sin a) and (-sin a, cos a).
 struct Curvatures {
     Real value[4];
     Real cosine = 1, sine = 0;  // of 2 a
@@ -144,7 +144,7 @@ constexpr Vec2 direction_or_x(Vec2 a, Real size) noexcept {
 
 // The linear map J from the reference triangle to another one, in complex numbers: J dX = z dX + w
 // conj(dX), so that |J|^2 = 2 p + 2 q and det J = p - q with p = |z|^2 and q = |w|^2. An energy
-// that does not change when either triangle turns is a function of p and q.
+// that does not change when either triangle rotates is a function of p and q.
 class CornerMap {
 public:
     explicit CornerMap(Triangle const& reference) noexcept;
@@ -183,7 +183,7 @@ inline CornerMap::CornerMap(Triangle const& reference) noexcept
     second_ = -half * times_i(conjugate(side));
 }
 
-// Turning z or w changes neither p nor q, and scaling couples the two.
+// Rotating z or w changes neither p nor q, and scaling couples the two.
 inline Curvatures CornerMap::curvatures(Triangle const& now, DensityDerivatives const& by,
                                         Real min_curvature) const noexcept {
     Real const p = square(z(now)), q = square(w(now));
@@ -243,8 +243,8 @@ inline void CornerMap::differentiate(Triangle const& now, DensityDerivatives con
     form.next_next = form.next_next +
                      complex_block({a * g2 + twice_real(gg), 0},
                                    product(b_z, conjugate(gg)) + product(b_w, gg) + 2 * g2 * b_zw);
-    Vec2 const turned = a_z * f_to_g + a_w * conjugate(f_to_g);
-    form.side_next = form.side_next + complex_block({turned.x + twice_real(fg), turned.y},
+    Vec2 const rotated = a_z * f_to_g + a_w * conjugate(f_to_g);
+    form.side_next = form.side_next + complex_block({rotated.x + twice_real(fg), rotated.y},
                                                     product(b_z, conjugate(fg)) + product(b_w, fg) +
                                                         2 * f_to_g.x * b_zw);
 }

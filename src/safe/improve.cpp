@@ -103,7 +103,7 @@ CellMeasure Improvement::measure_in_units(Index number, Points points) const noe
 bool Improvement::is_slow() const noexcept { return last_length >= 0.5 && last_gain < slow_gain; }
 
 void Improvement::restart() noexcept {
-    slipping.turn_lines(as_points(now));
+    slipping.rotate_lines(as_points(now));
     fill(change, Vec2{});
     region.grow(tangle, Region::whole);
     blur = max_blur;
@@ -271,7 +271,7 @@ bool Improvement::solve() noexcept {
     executor.for_ranges(now.count(), 4096, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
             Index const u = region.unknown[k];
-            change[k] = u != none ? unit * tangle.turned_alike(k, step[u]) : Vec2{};
+            change[k] = u != none ? unit * tangle.rotated_alike(k, step[u]) : Vec2{};
         }
     });
     return true;
@@ -322,7 +322,7 @@ Real Improvement::descend(Real before, Real max_largest) noexcept {
     }
     look_ahead(length);
     copy(now, Span<const Vec2>(ahead));
-    slipping.turn_lines(as_points(now));
+    slipping.rotate_lines(as_points(now));
     return length;
 }
 

@@ -132,7 +132,7 @@ void MeshImprovement::find_layer(Points reference, Points from) noexcept {
         Index const top = first_layer.above[slot], foot = wall.point[slot];
         if (top == none || mobility.held[top] != 0 || !has_layer(slot, reference)) continue;
         Vec2 const edge =
-            turned(reference[top] - reference[foot], wall.turn(slot, reference, from));
+            rotated(reference[top] - reference[foot], wall.rotation(slot, reference, from));
         Vec2 way = from[foot] + edge - from[top];
         if (!mobility.line.empty() && square(mobility.line[top]) > 0)
             way = dot(mobility.line[top], way) * mobility.line[top];
@@ -216,7 +216,7 @@ bool MeshImprovement::try_top(Index top, Vec2 at, Points from) noexcept {
         for (Index k = 0; k < cell.n; ++k) corner[k] = position(cell.point[k], from);
         CellShape shape(Cell{cell.n, {0, 1, 2, 3}}, {&corner->x, &corner->y, 2}, false);
         if (i >= improvement.tangle.mesh.n_cells)
-            turn_guard(shape, turn_of(improvement.tangle.mesh, i));
+            rotate_guard(shape, rotation_of(improvement.tangle.mesh, i));
         if (!is_inverted(shape) && !is_inverted_exactly(shape)) continue;
         now[top] = here;
         return false;
@@ -225,14 +225,14 @@ bool MeshImprovement::try_top(Index top, Vec2 at, Points from) noexcept {
 }
 
 // Returns the position of a point; points of a cut or of a pair move as their representative does,
-// or turned against it.
+// or rotated against it.
 Vec2 MeshImprovement::position(Index point, Points from) const noexcept {
     Index const own = mobility.representative[point];
     Tangle const& tangle = improvement.tangle;
     Span<const Vec2> const now = improvement.now;
     if (own == point) return now[own];
     return from[point] +
-           tangle.turned_alike(point, tangle.turned_to_unknown(own, now[own] - from[own]));
+           tangle.rotated_alike(point, tangle.rotated_to_unknown(own, now[own] - from[own]));
 }
 
 }  // namespace harmorph

@@ -21,10 +21,10 @@ void SlippingPoints::find(SlipCurves const& slip_curves, Points now,
         slot[k] = slot[same] = none;
         held[same] = 1;
     }
-    turn_lines(now);
+    rotate_lines(now);
 }
 
-void SlippingPoints::turn_lines(Points now) const noexcept {
+void SlippingPoints::rotate_lines(Points now) const noexcept {
     for (Index k = 0; k < slot.count(); ++k) {
         if (slot[k] != none) line[k] = curves->nearest(slot[k], now[k]).tangent;
     }
@@ -35,7 +35,7 @@ void Mobility::lay_out(Arena& arena, Plan const& plan) noexcept {
     arena.take(representative, n);
     arena.take(held, n);
     arena.take(line, plan.unknowns().couples_xy() ? n : 0);
-    arena.take(turn, plan.unknowns().turns_sides() ? n : 0);
+    arena.take(rotation, plan.unknowns().has_rotated_sides() ? n : 0);
     arena.take(slipping.slot, plan.equations().slip_curves().count > 0 ? n : 0);
 }
 
@@ -47,7 +47,7 @@ void Mobility::find(Plan const& plan, Points now) noexcept {
         if (!line.empty())
             line[k] = plan.kind(k) == PointKind::slip ? plan.unknowns().direction(representative[k])
                                                       : Vec2{};
-        if (!turn.empty()) turn[k] = plan.unknowns().turn(k);
+        if (!rotation.empty()) rotation[k] = plan.unknowns().rotation(k);
     }
     slipping.line = line;
     slipping.find(plan.equations().slip_curves(), now, representative, held);

@@ -33,11 +33,11 @@ struct SlippingPoints {
     void find(SlipCurves const& slip_curves, Points now, Span<const Index> representative,
               Span<std::uint8_t> held) noexcept;
     // Sets the lines to the tangents at the present positions.
-    void turn_lines(Points now) const noexcept;
+    void rotate_lines(Points now) const noexcept;
 };
 
 // Inner points move in any direction, slipping points along their lines and curves, points of a cut
-// or of a periodic pair together, and points of a rotation pair together with one of them turned.
+// or of a periodic pair together, and points of a rotation pair together with one of them rotated.
 // Points on walls, on fixed boundaries and on free boundaries are held: the operator alone decides
 // how a free boundary moves. Slipping points that are not on their curves, or that other points are
 // joined to, are held, too.
@@ -45,14 +45,15 @@ struct Mobility {
     Span<Index> representative;
     Span<std::uint8_t> held;
     Span<Vec2> line;          // empty if no point slips; see Tangle
-    Span<Vec2> turn;          // empty if no sides are turned; see Tangle
+    Span<Vec2> rotation;      // empty if no sides are rotated; see Tangle
     SlippingPoints slipping;  // the points that slip along curves; their lines are in `line`
 
     void lay_out(Arena& arena, Plan const& plan) noexcept;
     // The points are at `now`.
     void find(Plan const& plan, Points now) noexcept;
     Tangle tangle(Plan const& plan, Points reference) const noexcept {
-        return {plan.mesh(), reference, plan.cells().reversed, representative, held, line, turn};
+        return {plan.mesh(), reference, plan.cells().reversed, representative, held,
+                line,        rotation};
     }
 };
 

@@ -71,13 +71,14 @@ void MovementPath::fit_all(Basis const& basis, bool straight) noexcept {
     for (Index i = 0; i < n_shapes && counts.combination != 0; ++i)
         set_alone(i, {}, not_at_all, false);
     for (Index body = 0; body < counts.bodies; ++body) {
-        Index const translation = n_shapes + 2 * body, turn_of_it = translation + 1;
-        Vec2 const ratio = Vec2{1, 0} + Vec2{target[2 * turn_of_it], target[2 * turn_of_it + 1]};
-        bool const anchored = groups[turn_of_it].anchored;
-        bool const turns = !straight && !anchored && length(ratio) > Similarity::min_ratio;
+        Index const translation = n_shapes + 2 * body, rotation_of_it = translation + 1;
+        Vec2 const ratio =
+            Vec2{1, 0} + Vec2{target[2 * rotation_of_it], target[2 * rotation_of_it + 1]};
+        bool const anchored = groups[rotation_of_it].anchored;
+        bool const rotates = !straight && !anchored && length(ratio) > Similarity::min_ratio;
         set_alone(translation, {}, not_at_all, anchored);
-        set_alone(turn_of_it, {1, 0}, turns ? ratio : not_at_all, anchored);
-        if (turns) drift[turn_of_it] = {};
+        set_alone(rotation_of_it, {1, 0}, rotates ? ratio : not_at_all, anchored);
+        if (rotates) drift[rotation_of_it] = {};
     }
     for (Index mode = 0; mode < counts.modes; ++mode) {
         ModeWay const way =
@@ -142,8 +143,9 @@ void MovementPath::join(Index group, Index other) noexcept {
     groups[low].anchored = anchored;
 }
 
-// A loop of the boundary that consists of walls only is a body: its curves turn together. If a loop
-// is a wall only in part, or has both curves and rigid parts, everything on the loop goes straight.
+// A loop of the boundary that consists of walls only is a body: its curves rotate together. If a
+// loop is a wall only in part, or has both curves and rigid parts, everything on the loop goes
+// straight.
 void MovementPath::find_anchors(Basis const& basis) noexcept {
     Index const n_shapes = basis.header->counts.shapes();
     for (Index loop = 0; loop + 1 < basis.loop_start.count(); ++loop) {
@@ -190,7 +192,7 @@ void MovementPath::fit_group(Basis const& basis, Index group, bool straight) noe
 
 void MovementPath::at(Real t, Span<Real> movement) const noexcept {
     if (t >= 1) return copy(movement, Span<const Real>(target));
-    TurnAt turn(*this, t);
+    RotationAt rotation(*this, t);
     for (Index i = 0; i < group_of.count(); ++i) {
         Group const& similarity = groups[group_of[i]];
         if (similarity.is_straight()) {
@@ -198,8 +200,8 @@ void MovementPath::at(Real t, Span<Real> movement) const noexcept {
             movement[2 * i + 1] = t * drift[i].y;
             continue;
         }
-        Vec2 const turned = product(turn.of(group_of[i]), start[i] + t * drift[i]);
-        Vec2 const moved = t * similarity.shift + (turned - start[i]);
+        Vec2 const rotated = product(rotation.of(group_of[i]), start[i] + t * drift[i]);
+        Vec2 const moved = t * similarity.shift + (rotated - start[i]);
         movement[2 * i] = moved.x;
         movement[2 * i + 1] = moved.y;
     }

@@ -30,13 +30,13 @@ Similarity fit_similarity(ForEach const& for_each) noexcept {
         fit.centre = fit.centre + share * point;
         fit.shift = fit.shift + share * movement;
     });
-    Vec2 turned;
+    Vec2 rotated;
     Real squares = 0;
     for_each([&](Vec2 point, Vec2 movement) {
-        turned = turned + product(conjugate(point - fit.centre), movement - fit.shift);
+        rotated = rotated + product(conjugate(point - fit.centre), movement - fit.shift);
         squares += square(point - fit.centre);
     });
-    Vec2 const ratio = squares > 0 ? Vec2{1, 0} + (1 / squares) * turned : Vec2{};
+    Vec2 const ratio = squares > 0 ? Vec2{1, 0} + (1 / squares) * rotated : Vec2{};
     if (length(ratio) > Similarity::min_ratio) fit.ratio = ratio;
     return fit;
 }
@@ -44,16 +44,16 @@ Similarity fit_similarity(ForEach const& for_each) noexcept {
 // Returns r^t for 0 <= t <= 1, with the argument of r between -pi and pi, by square roots alone.
 Vec2 complex_power(Vec2 r, Real t) noexcept;
 
-// Control points that curves connect turn and scale together. The similarity z -> c + d + r (z - c)
-// that fits their movement best proceeds along r^t, and the remainder of the movement grows
-// linearly in the turning frame:
+// Control points that curves connect rotate and scale together. The similarity z -> c + d + r (z -
+// c) that fits their movement best proceeds along r^t, and the remainder of the movement grows
+// linearly in the rotating frame:
 //   P_i(t) = c + t d + r^t (P_i - c + t D_i),   D_i = (P_i + dP_i - c - d) / r - (P_i - c).
 // So a rotation is a rotation at each time, whereas a straight line would shrink the body. Rigid
 // bodies move in the same way. Three kinds of groups go straight, with r = 1: groups with functions
-// of real values, which cannot turn; walls that end on another boundary, because only on a straight
-// path do their ends stay on that boundary, or where they are held; and combined functions and
-// modes, for which no rotation is defined unless a mode has a ModeWay. All curves of one body turn
-// together.
+// of real values, which cannot rotate; walls that end on another boundary, because only on a
+// straight path do their ends stay on that boundary, or where they are held; and combined functions
+// and modes, for which no rotation is defined unless a mode has a ModeWay. All curves of one body
+// rotate together.
 struct MovementPath {
     // The amplitude of a mode is r^t (start + t drift) - start, where the drift leads to the target
     // of the mode.
@@ -71,8 +71,8 @@ struct MovementPath {
 
     Span<Index> group_of;  // [functions]
     Span<Group> groups;    // [functions] at most
-    // [functions] P_i - c and D_i of a group; 1 and 0 for the turn of a rigid body; P_i and dP_i if
-    // the group goes straight.
+    // [functions] P_i - c and D_i of a group; 1 and 0 for the rotation of a rigid body; P_i and
+    // dP_i if the group goes straight.
     Span<Vec2> start, drift;
     Span<Real> target;              // [2 * functions] dP
     Span<const ModeWay> mode_ways;  // [modes], or empty: all modes go straight
@@ -84,7 +84,7 @@ struct MovementPath {
     void init(Basis const& basis, const Real* move) noexcept;
     // Makes all groups go straight.
     void straighten(Basis const& basis) noexcept;
-    // Returns whether any group turns or scales.
+    // Returns whether any group rotates or scales.
     bool is_bent() const noexcept;
 
     // Finds the movement [2 * functions] from the start to the time t, 0 <= t <= 1; at 1 it is
@@ -112,22 +112,22 @@ private:
     void fit_group(Basis const& basis, Index group, bool straight) noexcept;
 };
 
-// Returns the factor r^t by which each group of a path has turned and scaled at one time. The last
+// Returns the factor r^t by which each group of a path has rotated and scaled at one time. The last
 // group is remembered, because neighbouring points mostly follow the same group.
-class TurnAt {
+class RotationAt {
 public:
-    TurnAt(MovementPath const& path, Real t) noexcept : groups_(path.groups), t_(t) {}
+    RotationAt(MovementPath const& path, Real t) noexcept : groups_(path.groups), t_(t) {}
     Vec2 of(Index group) noexcept {
-        if (group != last_) turn_ = complex_power(groups_[group].ratio, t_);
+        if (group != last_) rotation_ = complex_power(groups_[group].ratio, t_);
         last_ = group;
-        return turn_;
+        return rotation_;
     }
 
 private:
     Span<const MovementPath::Group> groups_;
     Real t_;
     Index last_ = none;
-    Vec2 turn_;
+    Vec2 rotation_;
 };
 
 }  // namespace harmorph

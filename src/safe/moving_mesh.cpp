@@ -91,10 +91,10 @@ void CarriedOffsets::find(Basis const& by, Span<const Real> reached, Points now,
 }
 
 Real CarriedOffsets::largest(Basis const& basis, MovementPath const& path, Real t) const noexcept {
-    TurnAt turn(path, t);
+    RotationAt rotation(path, t);
     Real longest = 0;
     for (Index slot = 0; slot < wall.count(); ++slot)
-        longest = max(longest, length(of_wall(basis, path, slot, turn)));
+        longest = max(longest, length(of_wall(basis, path, slot, rotation)));
     return longest;
 }
 
@@ -102,11 +102,11 @@ void CarriedOffsets::add(MovementPath const& path, Real from, Real to, MutablePo
                          Executor const& executor) const noexcept {
     if (reach == 0) return;
     executor.for_ranges(group.count(), min_carried_points, [&](Index begin, Index end) {
-        TurnAt before(path, from), after(path, to);
+        RotationAt before(path, from), after(path, to);
         for (Index k = begin; k < end; ++k) {
             if (group[k] == none) continue;
-            Vec2 const turn = quotient(after.of(group[k]), before.of(group[k]));
-            Vec2 const by = product(turn - Vec2{1, 0}, {x[k], y[k]});
+            Vec2 const rotation = quotient(after.of(group[k]), before.of(group[k]));
+            Vec2 const by = product(rotation - Vec2{1, 0}, {x[k], y[k]});
             displacement.set(k, Vec2{displacement.x[k], displacement.y[k]} + by);
         }
     });
@@ -216,19 +216,19 @@ void MovingMesh::advance() noexcept {
 }
 
 Vec2 MovingMesh::wall_move(Plan const& plan, Basis const& basis, Index slot,
-                           TurnAt& turn) const noexcept {
+                           RotationAt& rotation) const noexcept {
     if (basis.is_given(slot) && !given.empty() && aimed_time >= 1)
         return given[slot - plan.given().first_slot];
-    return basis.wall_move(slot, aimed.data()) + carried.of_wall(basis, path, slot, turn);
+    return basis.wall_move(slot, aimed.data()) + carried.of_wall(basis, path, slot, rotation);
 }
 
 template <class Visit>
 void MovingMesh::for_wall(Plan const& plan, Basis const& basis, Visit const& visit) const noexcept {
-    TurnAt turn(path, aimed_time);
+    RotationAt rotation(path, aimed_time);
     for (Index k = 0; k < plan.mesh().n_points; ++k) {
         Index const slot = plan.unknowns().wall_slot(k);
         if (slot == none) continue;
-        visit(k, plan.mesh().points[k], wall_move(plan, basis, slot, turn));
+        visit(k, plan.mesh().points[k], wall_move(plan, basis, slot, rotation));
     }
 }
 

@@ -9,13 +9,13 @@
 
 namespace harmorph {
 
-// Where a body turns, mesh points of the wall that are not exactly on their curve need a
+// Where a body rotates, mesh points of the wall that are not exactly on their curve need a
 // correction. A curve is fitted to the points of the wall and leaves a residual e = x - C(u), which
 // is often far larger than the height of the first layer. The movement of control points is split
 // into two parts: the similarity r (z - c) that fits the movement best, which every point of the
 // wall follows with its own position, and the rest, which follows the curve:
 //   dx = d + (r - 1) (x - c) + sum_i N_i dP_i^rest = sum_i N_i dP_i + (r - 1) e.
-// So a body that turns keeps the shape that the mesh gives it, and a movement without rotation or
+// So a body that rotates keeps the shape that the mesh gives it, and a movement without rotation or
 // scaling is that of the B-spline.
 //
 // Inside the mesh the similarity is carried exactly near the wall and fades with the distance to
@@ -31,7 +31,7 @@ struct CarriedOffsets {
 
     Span<Vec2> wall;    // [wall points] the residual e
     Span<Real> x, y;    // [n_points] fade (z - sum F_i P_i) on the present mesh
-    Span<Index> group;  // [n_points] the group that turns the point, or none
+    Span<Index> group;  // [n_points] the group that rotates the point, or none
     // [n_points] fade(h / reach) of points that have a group and are their own representatives.
     Span<Real> fade;
     Span<Real> control;       // [2 * functions]
@@ -61,9 +61,9 @@ struct CarriedOffsets {
              Executor const& executor) const noexcept;
     // Returns the contribution to the displacement of a point of the wall from the start.
     Vec2 of_wall(Basis const& basis, MovementPath const& path, Index slot,
-                 TurnAt& turn) const noexcept {
+                 RotationAt& rotation) const noexcept {
         if (wall[slot].x == 0 && wall[slot].y == 0) return {};
-        return product(turn.of(path.group_of_slot(basis, slot)) - Vec2{1, 0}, wall[slot]);
+        return product(rotation.of(path.group_of_slot(basis, slot)) - Vec2{1, 0}, wall[slot]);
     }
     // Returns the largest length of these contributions.
     Real largest(Basis const& basis, MovementPath const& path, Real t) const noexcept;
@@ -117,7 +117,8 @@ struct MovingMesh {
 
 private:
     void put_on_slip_curves(Plan const& plan) noexcept;
-    Vec2 wall_move(Plan const& plan, Basis const& basis, Index slot, TurnAt& turn) const noexcept;
+    Vec2 wall_move(Plan const& plan, Basis const& basis, Index slot,
+                   RotationAt& rotation) const noexcept;
     // Calls visit(point, start, displacement) with the displacement from the start to the time of
     // the trial step.
     template <class Visit>

@@ -13,7 +13,8 @@ namespace harmorph {
 // Finds the positions of the three points of a corner.
 
 inline Triangle triangle_of(CornerPoints const& point, Points at) noexcept {
-    return {{turned_start(at[point[0]], at[point[1]], point.turn), at[point[1]], at[point[2]]}};
+    return {
+        {rotated_start(at[point[0]], at[point[1]], point.rotation), at[point[1]], at[point[2]]}};
 }
 
 struct Sum {
@@ -105,7 +106,7 @@ void NewtonSystem::assemble(Tangle const& tangle, Region const& region, Executor
             Index const own = n == 3 ? 1 : k;
             CornerForm corner;
             visit(i, point, corner);
-            corner.turn_back_side(point.turn);
+            corner.rotate_side_back(point.rotation);
             form.add(own == 0 ? n - 1 : own - 1, own, own + 1 == n ? 0 : own + 1, corner);
         }
     });
@@ -125,7 +126,7 @@ void NewtonSystem::add_cell(Tangle const& tangle, Region const& region, Index i,
     if (!any) return;
     CellForm<n> sum;
     visit(i, sum);
-    if (!tangle.turn.empty()) sum.turn_back(tangle.turn, cell);
+    if (!tangle.rotation.empty()) sum.rotate_back(tangle.rotation, cell);
     for (Index own = 0; own < n; ++own) {
         Index const u = row[own];
         if (u == none || u < begin || u >= end) continue;

@@ -19,9 +19,9 @@ struct Tangle {
     // [n_points] The unit vector along the line on which a representative slips; (0, 0) if it
     // moves in any direction. Empty: all representatives move in any direction.
     Span<const Vec2> line = {};
-    // [n_points] The factor that turns the movement of an unknown into that of the point, on sides
-    // of a passage that are turned against each other. Empty: no point is turned.
-    Span<const Vec2> turn = {};
+    // [n_points] The factor that rotates the movement of an unknown into that of the point, on
+    // sides of a passage that are rotated against each other. Empty: no point is rotated.
+    Span<const Vec2> rotation = {};
 
     // Returns the corners of a cell or guard in counter-clockwise order.
     Cell cell(Index i) const noexcept {
@@ -33,20 +33,20 @@ struct Tangle {
     CellShape shape(Index i, Points points) const noexcept {
         return shape_of({mesh, reversed}, i, points);
     }
-    Vec2 turned_alike(Index point, Vec2 movement) const noexcept {
-        return turn.empty() ? movement : product(turn[point], movement);
+    Vec2 rotated_alike(Index point, Vec2 movement) const noexcept {
+        return rotation.empty() ? movement : product(rotation[point], movement);
     }
-    Vec2 turned_to_unknown(Index point, Vec2 derivative) const noexcept {
-        return turn.empty() ? derivative : product(conjugate(turn[point]), derivative);
+    Vec2 rotated_to_unknown(Index point, Vec2 derivative) const noexcept {
+        return rotation.empty() ? derivative : product(conjugate(rotation[point]), derivative);
     }
     bool slips(Index point) const noexcept { return !line.empty() && square(line[point]) > 0; }
 };
 
 // A corner, which is the second point, with its two neighbours. If the side to the first point is
-// turned, it is turned back; see cell_shape.hpp.
+// rotated, it is rotated back; see cell_shape.hpp.
 struct CornerPoints {
     Index point[3] = {};
-    Vec2 turn = {1, 0};
+    Vec2 rotation = {1, 0};
 
     Index operator[](Index k) const noexcept { return point[k]; }
 };
@@ -58,7 +58,7 @@ struct CellTriangles {
     CornerPoints point[4] = {};
 
     CellTriangles(Tangle const& tangle, Index i) noexcept : CellTriangles(tangle.cell(i)) {
-        point[0].turn = turn_of(tangle.mesh, i);
+        point[0].rotation = rotation_of(tangle.mesh, i);
     }
     explicit CellTriangles(Cell const& cell) noexcept : n(cell.n == 3 ? 1 : 4) {
         for (Index k = 0; k < n; ++k) {

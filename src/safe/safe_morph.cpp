@@ -156,11 +156,11 @@ void SafeMorph::improve_result(Work& work) noexcept {
         improve(work, result());
 }
 
-// Makes the movement in several steps, on straight ways where bodies that turn do not arrive.
+// Makes the movement in several steps, on straight ways where bodies that rotate do not arrive.
 Status SafeMorph::several_steps(Work& work) noexcept {
-    bool const may_turn_back = work.derivative == nullptr;
+    bool const may_rotate_back = work.derivative == nullptr;
     HARMORPH_TRY(substeps(work));
-    if (!work.arrives(work.best()) && may_turn_back && mesh.path.is_bent()) {
+    if (!work.arrives(work.best()) && may_rotate_back && mesh.path.is_bent()) {
         mesh.path.straighten(work.basis);
         mesh.carried.init(work.basis, mesh.path, work.mesh().points);
         HARMORPH_TRY(substeps(work));
@@ -220,7 +220,7 @@ void SafeMorph::single_step(Work& work, Basis const& by, Strategy strategy, Inde
 void SafeMorph::longest_linear_step(Work& work) noexcept {
     constexpr Index max_trials = 8;
     if (mesh.path.is_bent())
-        return;  // the derivative of a path that turns does not fit a straight step
+        return;  // the derivative of a path that rotates does not fit a straight step
     begin(work);
     Real length = min(0.98 * look_ahead(work, work.basis, work.aim).step, 1.0) * work.aim;
     for (Index trial = 0; trial < max_trials && length > work.best().fraction;
@@ -251,17 +251,17 @@ void SafeMorph::take_step(Work& work, Basis const& by) noexcept {
             weight[i] = mesh.path.weight(i, mesh.aimed_time) - mesh.path.weight(i, mesh.time);
         }
         add_weighted(*work.derivative, by, weight, work.executor());
-        turn_slipping(work);
+        rotate_slipping(work);
     }
     mesh.advance();
-    work.attempt.turned_offset = mesh.carried.largest(work.basis, mesh.path, mesh.time);
+    work.attempt.rotated_offset = mesh.carried.largest(work.basis, mesh.path, mesh.time);
     work.attempt.fraction = mesh.time;
     ++work.attempt.steps;
 }
 
-// Turns the derivative of the last trial step at points that slip along curves, which the step
+// Converts the derivative of the last trial step at points that slip along curves, which the step
 // puts back onto their curves.
-void SafeMorph::turn_slipping(Work const& work) const noexcept {
+void SafeMorph::rotate_slipping(Work const& work) const noexcept {
     SlipCurves const& curves = work.plan.equations().slip_curves();
     if (curves.count == 0) return;
     Index const half = work.derivative->row_length() / 2;  // numbers of x, then of y
@@ -423,7 +423,7 @@ void SafeMorph::finish_derivative(Work& work) noexcept {
             add_weighted(derivative, by, weight, work.executor());
             mesh.begin(work.plan);
             look_ahead(work, by, best.fraction);
-            turn_slipping(work);
+            rotate_slipping(work);
         }
     }
     derivative.header->coordinates = work.basis.header->coordinates;

@@ -61,7 +61,7 @@ struct Outcome {
     Real fraction = 0;                       // of the whole movement
     Real min_quality = 0, mean_quality = 0;  // relative to the start
     // The largest displacement of points of walls that their carried offsets cause.
-    Real turned_offset = 0;
+    Real rotated_offset = 0;
     // The largest factor, >= 1, by which heights changed; it is not measured unless the change is
     // limited.
     Real height_change = 1;
@@ -140,7 +140,7 @@ private:
     AdmissibleStep look_ahead(Work& work, Basis const& by, Real to) noexcept;
     bool is_valid(Work const& work, Points points) const noexcept;
     void take_step(Work& work, Basis const& by) noexcept;
-    void turn_slipping(Work const& work) const noexcept;
+    void rotate_slipping(Work const& work) const noexcept;
     void keep_if_better(Work& work) noexcept;
     void keep(Work& work, Outcome const& outcome, Span<const Real> x, Span<const Real> y,
               Span<const Real> movement) noexcept;

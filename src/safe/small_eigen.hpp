@@ -5,7 +5,7 @@
 
 namespace harmorph {
 
-// Turns `a` into a diagonal matrix and sets the columns of `vector` to the eigenvectors. The
+// Converts `a` into a diagonal matrix and sets the columns of `vector` to the eigenvectors. The
 // diagonal has the eigenvalues in no particular order. Only the upper triangle of `a` is read.
 template <Index n>
 void diagonalise(Real (&a)[n][n], Real (&vector)[n][n]) noexcept {
@@ -31,15 +31,15 @@ void diagonalise(Real (&a)[n][n], Real (&vector)[n][n]) noexcept {
                 a[p][p] -= tangent * a[p][q];
                 a[q][q] += tangent * a[p][q];
                 a[p][q] = 0;
-                auto const turn = [&](Real& x, Real& y) {
+                auto const rotate = [&](Real& x, Real& y) {
                     Real const old = x;
                     x = cosine * old - sine * y;
                     y = sine * old + cosine * y;
                 };
-                for (Index k = 0; k < p; ++k) turn(a[k][p], a[k][q]);
-                for (Index k = p + 1; k < q; ++k) turn(a[p][k], a[k][q]);
-                for (Index k = q + 1; k < n; ++k) turn(a[p][k], a[q][k]);
-                for (Index k = 0; k < n; ++k) turn(vector[k][p], vector[k][q]);
+                for (Index k = 0; k < p; ++k) rotate(a[k][p], a[k][q]);
+                for (Index k = p + 1; k < q; ++k) rotate(a[p][k], a[k][q]);
+                for (Index k = q + 1; k < n; ++k) rotate(a[p][k], a[q][k]);
+                for (Index k = 0; k < n; ++k) rotate(vector[k][p], vector[k][q]);
             }
         }
     }

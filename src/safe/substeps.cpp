@@ -321,7 +321,7 @@ bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     there.strategy = Strategy::untangled;
     there.fraction = work.aim;
     ++there.steps;
-    there.turned_offset = mesh.carried.largest(work.basis, mesh.path, work.aim);
+    there.rotated_offset = mesh.carried.largest(work.basis, mesh.path, work.aim);
     measure(work, mesh.ahead(), there);
     if (!work.is_good(there) && work.options.tries(Strategy::improved)) {
         there.strategy = Strategy::improved;

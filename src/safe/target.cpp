@@ -47,10 +47,10 @@ struct Loop {
             Vec2 const a = at[point[k]], b = at[next(k)];
             Real const low = min(a.y, b.y), high = max(a.y, b.y);
             if (p.y < low || p.y > high) continue;
-            int const turn = orientation_sign(a, b, p);
-            if (turn == 0 && p.x >= min(a.x, b.x) && p.x <= max(a.x, b.x)) return Side::on;
+            int const sign = orientation_sign(a, b, p);
+            if (sign == 0 && p.x >= min(a.x, b.x) && p.x <= max(a.x, b.x)) return Side::on;
             bool const spans = (a.y <= p.y) != (b.y <= p.y);
-            if (spans && (b.y > a.y ? turn > 0 : turn < 0)) inside = !inside;
+            if (spans && (b.y > a.y ? sign > 0 : sign < 0)) inside = !inside;
         }
         return inside ? Side::inside : Side::outside;
     }
@@ -127,7 +127,7 @@ Status check_corners(Target const& target, Fault& fault) noexcept {
     Vec2 const at = target.at_target[bad_corner];
     return fault.refuse_at(
         at.x, at.y, Status::crossing,
-        "cell # is inverted by its points on the boundary, at point @ $: a wall turns too far",
+        "cell # is inverted by its points on the boundary, at point @ $: a wall rotates too far",
         cell_item(mesh.number(cell)), point_item(bad_corner));
 }
 

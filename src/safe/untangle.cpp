@@ -58,7 +58,7 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
     report.inverted_before = report.left = region.n_cells;
     if (region.n_cells == 0) return Status::ok;
     for (Index k = 0; k < now.count(); ++k) now[k] = given[k];
-    slipping.turn_lines(as_points(now));
+    slipping.rotate_lines(as_points(now));
     region.link(tangle);
     for (Index const i : region.cell.first(region.n_cells)) {
         if (!is_stuck(i)) continue;
@@ -168,7 +168,7 @@ Real Untangling::descend(Real softness, Real before) noexcept {
         executor.for_ranges(now.count(), 4096, [&](Index begin, Index end) {
             for (Index k = begin; k < end; ++k) {
                 if (region.unknown[k] != none)
-                    body(k, tangle.turned_alike(k, system.step[region.unknown[k]]));
+                    body(k, tangle.rotated_alike(k, system.step[region.unknown[k]]));
             }
         });
     };
@@ -180,7 +180,7 @@ Real Untangling::descend(Real softness, Real before) noexcept {
         Real const after = energy(trial, softness);
         if (!(after <= before + 1e-4 * length * slope)) continue;
         for_points([&](Index point, Vec2) { now[point] = trial[point]; });
-        slipping.turn_lines(as_points(now));
+        slipping.rotate_lines(as_points(now));
         return after;
     }
     return before;

@@ -184,8 +184,8 @@ PlacedPoint Frame::placed(Vec3 point) const noexcept {
     Vec2 const radius{dot(from_axis, y), dot(from_axis, normal)};
     Real const r = length(Vec3{radius.x, radius.y, 0});
     out.place = {along(from_axis, x), r};
-    if (r > tolerance) out.turn = (1 / r) * radius;
-    out.across = out.turn.y >= 0 ? 1 - out.turn.x : 3 + out.turn.x;
+    if (r > tolerance) out.rotation = (1 / r) * radius;
+    out.across = out.rotation.y >= 0 ? 1 - out.rotation.x : 3 + out.rotation.x;
     return out;
 }
 

@@ -9,11 +9,11 @@
 namespace harmorph {
 
 // A point of space is projected into the plane by a movement across the layers, or in a wedge by a
-// turn about the axis.
+// rotation about the axis.
 struct PlacedPoint {
     Vec2 place;       // the projection in plane coordinates
     Real across = 0;  // the distance from the plane; in a wedge, a number that grows with the angle
-    Vec2 turn{1, 0};  // in a wedge, cosine and sine of the angle
+    Vec2 rotation{1, 0};  // in a wedge, cosine and sine of the angle
 };
 
 struct Frame {
@@ -24,16 +24,18 @@ struct Frame {
     PlacedPoint placed(Vec3 point) const noexcept;
     // Returns the plane coordinates of a point of the faces, which lies in the plane.
     Vec2 in_plane(Vec3 point) const noexcept;
-    // Returns the movement in space for a movement in the plane, at a point with this turn.
-    Vec3 moved(Vec2 step, Vec2 turn) const noexcept { return step.x * x + step.y * radial(turn); }
+    // Returns the movement in space for a movement in the plane, at a point with this rotation.
+    Vec3 moved(Vec2 step, Vec2 rotation) const noexcept {
+        return step.x * x + step.y * radial(rotation);
+    }
     // Is the transpose of moved().
-    Vec2 projected(Vec3 step, Vec2 turn) const noexcept {
-        return {dot(step, x), dot(step, radial(turn))};
+    Vec2 projected(Vec3 step, Vec2 rotation) const noexcept {
+        return {dot(step, x), dot(step, radial(rotation))};
     }
 
 private:
-    Vec3 radial(Vec2 turn) const noexcept {
-        return kind == SpaceKind::wedge ? turn.x * y + turn.y * normal : y;
+    Vec3 radial(Vec2 rotation) const noexcept {
+        return kind == SpaceKind::wedge ? rotation.x * y + rotation.y * normal : y;
     }
 };
 

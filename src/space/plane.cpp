@@ -26,7 +26,7 @@ void Plane::lay_out(Arena& arena, SpaceMesh const& mesh) noexcept {
     arena.take(cell_points, mesh.n_corners());
     arena.take(side_points, 2 * Size(mesh.n_sides));
     arena.take(side_markers, mesh.n_sides);
-    arena.take(turn, mesh.kind == SpaceKind::planes ? 0 : mesh.n_points);
+    arena.take(rotation, mesh.kind == SpaceKind::planes ? 0 : mesh.n_points);
 }
 
 Mesh Plane::mesh() const noexcept {
@@ -48,7 +48,7 @@ void Plane::spread(Points displacement, SpacePoints from, MutableSpacePoints to,
                    Executor const& executor) const noexcept {
     executor.for_ranges(n_space_points, min_plane_points, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
-            Vec3 const step = frame.moved(displacement[follows[k] - index_base], turn_of(k));
+            Vec3 const step = frame.moved(displacement[follows[k] - index_base], rotation_of(k));
             Vec3 const old = from.given() ? from[k] : Vec3{};
             to.set(k, {moved_by_step(old.x, step.x), moved_by_step(old.y, step.y),
                        moved_by_step(old.z, step.z)});
@@ -63,7 +63,7 @@ void Plane::gather(SpacePoints by_space_points, MutablePoints by_points,
             Vec2 sum;
             for (Index at = follower_start[p]; at < follower_start[p + 1]; ++at) {
                 Index const k = follower[at];
-                sum = sum + frame.projected(by_space_points[k], turn_of(k));
+                sum = sum + frame.projected(by_space_points[k], rotation_of(k));
             }
             by_points.set(p, sum);
         }
@@ -101,7 +101,7 @@ Status PlaneSearch::run(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexc
         for (Index k = 0; k < face.n; ++k) in_faces[face.point(k)] = 1;
     }
     HARMORPH_TRY(find_frame(mesh, in_faces, plane.frame, fault));
-    if (plane.frame.kind != SpaceKind::wedge) plane.turn = {};
+    if (plane.frame.kind != SpaceKind::wedge) plane.rotation = {};
     number_points(mesh, plane);
     copy_cells(mesh, plane);
     find_reach(plane);
@@ -129,7 +129,7 @@ void PlaneSearch::number_points(SpaceMesh const& mesh, Plane& plane) noexcept {
         plane.y[p] = place.y;
         plane.space_point[p] = k + plane.index_base;
         plane.follows[k] = p + plane.index_base;
-        if (!plane.turn.empty()) plane.turn[k] = {1, 0};
+        if (!plane.rotation.empty()) plane.rotation[k] = {1, 0};
     }
 }
 
@@ -197,7 +197,7 @@ Status PlaneSearch::follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) no
         if (near.item == none || !(near.squared <= reach[near.item])) {
             constexpr const char* text =
                 "the projection of point # is ~ away from the nearest point of the faces, so the "
-                "mesh is not an extruded or turned plane mesh";
+                "mesh is not an extruded or rotated plane mesh";
             return fault.refuse(Status::bad_mesh, text, point_item(k), {}, sqrt(near.squared));
         }
         Real const distance = sqrt(near.squared);
@@ -207,7 +207,7 @@ Status PlaneSearch::follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) no
         }
         Index const first = first_at_place[near.item];
         plane.follows[k] = first + plane.index_base;
-        if (!plane.turn.empty()) plane.turn[k] = placed.turn;
+        if (!plane.rotation.empty()) plane.rotation[k] = placed.rotation;
         if (next_at_place[first] != none) ambiguous[n_ambiguous++] = {first, k, placed.across};
     }
     resolve(plane, n_ambiguous);

@@ -34,14 +34,14 @@ struct Plane {
     Span<Index> cell_start, cell_points;
     Span<Index> side_points, side_markers;
     // [n_space_points] In a wedge, cosine and sine of each point's angle; otherwise empty.
-    Span<Vec2> turn;
+    Span<Vec2> rotation;
 
     // Takes arrays for the largest possible number of points.
     void lay_out(Arena& arena, SpaceMesh const& mesh) noexcept;
 
     Mesh mesh() const noexcept;
-    // Returns the turn of point k of space.
-    Vec2 turn_of(Index k) const noexcept { return turn.empty() ? Vec2{1, 0} : turn[k]; }
+    // Returns the rotation of point k of space.
+    Vec2 rotation_of(Index k) const noexcept { return rotation.empty() ? Vec2{1, 0} : rotation[k]; }
 
     // Computes to = from + the displacement of the plane's point; without `from`, only the
     // displacement. A component of the displacement that is 0 does not change the coordinate.

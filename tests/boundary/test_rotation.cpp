@@ -272,7 +272,7 @@ TEST_CASE("markers that are no rotation pair are refused with the place") {
     setup.mesh.y[std::size_t(points_on(setup.mesh, right)[4])] += 1e-4;
     Attempt const attempt(setup.problem(), &options);
     CHECK(attempt.status == HM_BAD_CONDITION);
-    CHECK(says(attempt.error, "the turned point is"));
+    CHECK(says(attempt.error, "the rotated point is"));
     CHECK(attempt.error.item == points_on(setup.mesh, left)[4]);
     CHECK(attempt.error.value == doctest::Approx(1e-4).epsilon(0.3));
     struct {
@@ -288,7 +288,7 @@ TEST_CASE("markers that are no rotation pair are refused with the place") {
          }},
         {good, HM_OK, "", [](Case& c) { c = similar(c, 1e-90, 0); }},
         {good, HM_OK, "", [](Case& c) { c = similar(c, 1e90, 0); }},
-        {good, HM_BAD_CONDITION, "the turned point is",
+        {good, HM_BAD_CONDITION, "the rotated point is",
          [](Case& c) { c.conditions.back().x = 0.01; }},
         {good, HM_BAD_CONDITION, "a coordinate beyond 1e100",
          [](Case& c) { c.conditions.back().x = 1e101; }},
@@ -296,9 +296,9 @@ TEST_CASE("markers that are no rotation pair are refused with the place") {
          [](Case& c) { c.conditions.back().x = std::nan(""); }},
         {good, HM_BAD_CONDITION, "the translated point is",
          [](Case& c) { c.conditions.back().kind = HM_PERIODIC_PAIR; }},
-        {translates, HM_BAD_CONDITION, "the turned point is",
+        {translates, HM_BAD_CONDITION, "the rotated point is",
          [](Case& c) { c.conditions.pop_back(), c.set_rotation(left, right); }},
-        {good, HM_BAD_CONDITION, "are not turned; use HM_PERIODIC_PAIR",  // a whole annulus, cut
+        {good, HM_BAD_CONDITION, "are not rotated; use HM_PERIODIC_PAIR",  // a whole annulus, cut
          [](Case& c) { c = bent(cascade(Cells::quads, 0), 1, 0); }},
         {translates, HM_OK, "",  // a quarter turn about a corner
          [](Case& c) { c.conditions.pop_back(), c.set_rotation(bottom, left); }},

@@ -60,7 +60,7 @@ TEST_CASE("a given length along the outline leads to the right place") {
     CHECK(line.outline.ahead(2, 0.1) == none);
     CHECK(line.outline.ahead(1, 1.5) == none);
     CHECK(line.outline.behind(0, 0.1) == none);
-    CHECK(line.outline.turn[1] == 0);
+    CHECK(line.outline.turning[1] == 0);
 }
 
 TEST_CASE("sharp trailing edges are corners, and rounded leading edges are not") {

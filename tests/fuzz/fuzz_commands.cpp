@@ -2,22 +2,28 @@
 // own checksum is put into the damaged block, so that the program gets numbers that no solution
 // has: in conditions, curves, counts and names. A command ends, or refuses the basis by a sentence;
 // an exception of the language, as of an index out of range, is a failure, like memory that is not
-// the program's own.
+// the program's own. Every file that a command has written is read again; a command that is refused
+// leaves no other files than those that it may write, and a folder with files of somebody else as
+// it is. In some cases another process shortens the mesh while the command runs.
 #include "commands/commands.hpp"
+#include "curves/curve_file.hpp"
+#include "files/csv_cells.hpp"
 #include "target.hpp"
+#include "work/basis_file.hpp"
+#include "work/moves_file.hpp"
+#include "work/read_mesh.hpp"
 
 #include "failure.hpp"
+#include "scratch_folder.hpp"
 
 #include "basis/basis.hpp"
 
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <set>
 #include <sstream>
-#include <stdlib.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace fuzz {
@@ -44,80 +50,10 @@ private:
     int kept_;
 };
 
-// A folder of this process, which goes with it.
-class Folder {
-public:
-    Folder() {
-        for (const char* const parent : {"/dev/shm", "/tmp"}) {
-            path_ = std::string(parent) + "/harmorph-fuzz-XXXXXX";
-            if (mkdtemp(path_.data()) != nullptr) return;
-        }
-        expect(false, "no scratch folder");
-    }
-    ~Folder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    Folder(Folder const&) = delete;
-    std::string file(const char* name) const { return path_ + '/' + name; }
-    std::string write(const char* name, std::string const& text) const {
-        std::ofstream(file(name), std::ios::binary) << text;
-        return file(name);
-    }
-
-private:
-    std::string path_;
-};
-
-std::string text_of(std::string const& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-// 6 x 6 cells round a block of 2 x 2, each side and the block with a marker.
-std::string box() {
-    constexpr int n = 6;
-    std::ostringstream cells, points, faces;
-    int number[n + 1][n + 1], n_points = 0, n_cells = 0;
-    auto const is_in_block = [](int i, int j) { return 2 <= i && i < 4 && 2 <= j && j < 4; };
-    for (int j = 0; j <= n; ++j) {
-        for (int i = 0; i <= n; ++i) {
-            if (i == 3 && j == 3) continue;
-            number[i][j] = n_points++;
-            points << i << ' ' << j << '\n';
-        }
-    }
-    for (int j = 0; j < n; ++j) {
-        for (int i = 0; i < n; ++i) {
-            if (is_in_block(i, j)) continue;
-            cells << "9 " << number[i][j] << ' ' << number[i + 1][j] << ' ' << number[i + 1][j + 1]
-                  << ' ' << number[i][j + 1] << '\n';
-            ++n_cells;
-        }
-    }
-    auto const side = [&](const char* name, int first, int last, auto const& point) {
-        faces << "MARKER_TAG= " << name << "\nMARKER_ELEMS= " << last - first << '\n';
-        for (int k = first; k < last; ++k) faces << "3 " << point(k) << ' ' << point(k + 1) << '\n';
-    };
-    side("low", 0, n, [&](int k) { return number[k][0]; });
-    side("high", 0, n, [&](int k) { return number[k][n]; });
-    side("in", 0, n, [&](int k) { return number[0][k]; });
-    side("out", 0, n, [&](int k) { return number[n][k]; });
-    int const around[9][2] = {{2, 2}, {3, 2}, {4, 2}, {4, 3}, {4, 4},
-                              {3, 4}, {2, 4}, {2, 3}, {2, 2}};
-    side("block", 0, 8, [&](int k) { return number[around[k][0]][around[k][1]]; });
-    std::ostringstream all;
-    all << "NDIME= 2\nNELEM= " << n_cells << '\n'
-        << cells.str() << "NPOIN= " << n_points << '\n'
-        << points.str() << "NMARK= 5\n"
-        << faces.str();
-    return all.str();
-}
-
 // That mesh, and bases of it: of a curve with sliding sides, and of a rigid body between periodic
 // sides.
 struct Files {
-    Folder folder;
+    ScratchFolder folder;
     std::string mesh, moves[2], airfoil, damaged, fields, basis_text[2], fields_text;
 
     Files()
@@ -240,6 +176,83 @@ void damage(std::string& text, Input& input) {
     std::memcpy(text.data(), copy.data(), bytes);
 }
 
+// The files of a case that are not written by its command.
+bool is_input(std::string const& name) {
+    static std::set<std::string> const names = {"m.su2", "0.txt",   "1.txt",   "a.dat",  "b.basis",
+                                                "f.csv", "c.curve", "l.curve", "designs"};
+    return names.count(name) > 0;
+}
+
+void remove_outputs(Files const& files) {
+    for (std::string const& name : files.folder.names())
+        if (!is_input(name)) std::filesystem::remove(files.folder.file(name.c_str()));
+}
+
+// Reads a file that a command has written, by the reader for files of its kind.
+void read_again(std::string const& name, Files const& files) {
+    std::string const path = files.folder.file(name.c_str());
+    std::string const ending = name.substr(name.rfind('.'));
+    if (ending == ".su2" || ending == ".msh" || ending == ".vtu") {
+        cli::run_command({"check", path});
+    } else if (ending == ".csv") {
+        cli::TextFile const file(path);
+        cli::CsvReader records(file);
+        for (std::size_t n = 0; records.next(); n = records.cells().size())
+            if (n > 0 && records.cells().size() != n) records.fail("another number of cells");
+    } else if (ending == ".curve") {
+        cli::read_curves(path);
+    } else if (ending == ".basis") {
+        cli::Basis(path, cli::read_mesh(files.mesh));
+    } else if (ending == ".txt" || ending == ".reached") {
+        cli::Mesh const mesh = cli::read_mesh(files.mesh);
+        cli::Basis const basis(files.damaged, mesh);
+        cli::read_moves({cli::text_of_moves(path)}, cli::movable_of(basis), mesh);
+    } else {
+        std::string const text = text_of(path);
+        std::string const end = ending == ".svg" ? "</svg>\n" : "</html>\n";
+        expect((ending == ".svg" || ending == ".html") && text.size() > end.size() &&
+                   text.substr(text.size() - end.size()) == end,
+               "a file that has no end: " + name);
+    }
+}
+
+void read_outputs(Files const& files) {
+    for (std::string const& name : files.folder.names()) {
+        if (is_input(name)) continue;
+        try {
+            read_again(name, files);
+        } catch (cli::Failure const& failure) {
+            throw Failure("a file that the program has written is refused: " +
+                          std::string(failure.what()));
+        }
+    }
+}
+
+// Runs a command in a process of its own, and makes the mesh shorter meanwhile: the process ends by
+// itself, with an exit code, after any part of the work.
+void run_while_the_mesh_shrinks(Files const& files, std::vector<std::string> words, Input& input) {
+    words[1] = files.folder.write("shrinks.su2", text_of(files.mesh));
+    std::size_t const size = text_of(files.mesh).size();
+    std::int32_t const microseconds = input.from(0, 400);
+    pid_t const child = fork();
+    if (child == 0) {
+        try {
+            cli::run_command(words);
+        } catch (cli::Failure const&) {
+            _exit(1);
+        } catch (std::exception const&) {
+            abort();
+        }
+        _exit(0);
+    }
+    usleep(static_cast<useconds_t>(microseconds));
+    bool const is_shorter =
+        truncate(words[1].c_str(), static_cast<off_t>(input.below(std::uint32_t(size)))) == 0;
+    int status = 0;
+    expect(waitpid(child, &status, 0) == child && WIFEXITED(status) && is_shorter,
+           "a command whose mesh becomes shorter ends by signal " + std::to_string(status));
+}
+
 }  // namespace
 
 Outcome run_commands(Input& input) {
@@ -256,14 +269,31 @@ Outcome run_commands(Input& input) {
     if (has_fields) damage_table(table, input);
     files.folder.write("b.basis", text);
     files.folder.write("f.csv", table);
+    std::string const designs = files.folder.file("designs");
+    bool const is_taken = command == sample && input.one_in(4);
     if (command == sample) {  // else the command continues in the folder of another case
         std::error_code ignored;
-        std::filesystem::remove_all(files.folder.file("designs"), ignored);
+        std::filesystem::remove_all(designs, ignored);
+        if (is_taken) {
+            std::filesystem::create_directory(designs);
+            files.folder.write("designs/notes.txt", "of somebody else\n");
+        }
+    }
+    remove_outputs(files);
+    std::vector<std::string> const words = files.command(command, basis);
+    if (command != sample && input.one_in(32)) {
+        run_while_the_mesh_shrinks(files, words, input);
+        return Outcome::done;
     }
     try {
-        cli::run_command(files.command(command, basis));
+        cli::run_command(words);
+        expect(!is_taken, "sample writes into a folder of somebody else");
+        read_outputs(files);
     } catch (cli::Failure const& failure) {
         expect(*failure.what() != '\0', "a refusal without a sentence");
+        expect(!is_taken || files.folder.names("designs").size() == 1,
+               "a refusal changes a folder of somebody else");
+        read_outputs(files);
         return Outcome::refused;
     } catch (std::exception const& error) {
         throw Failure("command " + std::to_string(command) + ": " + error.what());

@@ -9,7 +9,7 @@ for cases in tests/fuzz/corpus/*; do
 done
 for run in "problem 6000" "polygons 2000" "basis 3000" "sequence 2000" "files 4000" "shape 1500" "given 2000" \
     "parts 1000" "plane 2000" "transfer 1000" "commands 1500" "model 1500" "fields 1500" \
-    "quality 2000" "sections 400"; do
+    "quality 2000" "sections 400" "tables 6000"; do
     "$build/fuzzer" $run 1 || failed=1
 done
 exit $failed

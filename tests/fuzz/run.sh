@@ -11,6 +11,7 @@ checks="address,undefined,float-cast-overflow"
 # them are coordinates and pointers in loops, and recording them took six tenths of the time.
 followed=-fsanitize-coverage=inline-8bit-counters,pc-table
 targets="problem polygons basis sequence files shape given parts plane transfer commands model fields quality sections"
+targets="$targets tables"
 if [ -n "${TARGETS-}" ]; then targets=$TARGETS; fi
 n=$(set -- $targets; echo $#)
 each=$((FUZZ_SECONDS / n > 0 ? FUZZ_SECONDS / n : 1))

@@ -23,6 +23,7 @@ Outcome run_model(Input& input);
 Outcome run_fields(Input& input);
 Outcome run_quality(Input& input);
 Outcome run_sections(Input& input);
+Outcome run_tables(Input& input);
 
 struct Target {
     const char* name;
@@ -33,6 +34,7 @@ inline constexpr Target targets[] = {
     {"given", run_given},       {"parts", run_parts},       {"plane", run_plane},
     {"transfer", run_transfer}, {"sequence", run_sequence}, {"files", run_files},
     {"shape", run_shape},       {"commands", run_commands}, {"model", run_model},
-    {"fields", run_fields},     {"quality", run_quality},   {"sections", run_sections}};
+    {"fields", run_fields},     {"quality", run_quality},   {"sections", run_sections},
+    {"tables", run_tables}};
 
 }  // namespace fuzz

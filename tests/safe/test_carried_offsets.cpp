@@ -67,9 +67,9 @@ TEST_CASE("offsets are those of the points from their curve, and turn with the b
         Complex const e = carried.start(slot) - carried.on_curve(slot);
         CHECK(std::abs(number(carried.carried.wall[slot]) - e) < 1e-15);
         for (double const t : {0.0, 0.3, 1.0}) {
-            harmorph::TurnAt turned(carried.path, t);
+            harmorph::RotationAt rotated(carried.path, t);
             Complex const by =
-                number(carried.carried.of_wall(carried.basis, carried.path, slot, turned));
+                number(carried.carried.of_wall(carried.basis, carried.path, slot, rotated));
             CHECK(std::abs(by - (std::pow(turn, t) - 1.0) * e) < 1e-14);
         }
         largest = std::fmax(largest, std::abs((turn - 1.0) * e));

@@ -103,10 +103,10 @@ void check(Vec2 turn, bool is_passage, unsigned seed) {
             for (Mode const& one : term.mode) add(one.curvature, one.at, false);
             term.add_to(corner);
         }
-        corner.turn_back_side(turn);
+        corner.rotate_side_back(turn);
         form.add(point[0], own, point[2], corner);
     }
-    if (is_passage) form.turn_back({turn_of_point, n}, cell);
+    if (is_passage) form.rotate_back({turn_of_point, n}, cell);
     for (Index k = 0; k < n; ++k) {
         CHECK(length(form.by[k] - by[k]) < 1e-13);
         for (Index other = 0; other < n; ++other) {

@@ -108,12 +108,10 @@ TEST_CASE("the sides of a periodic cascade follow translations by half a chord a
 // solutions at most.
 TEST_CASE("random movements of half a channel's floor and of a cascade by half a pitch are safe") {
     Case floor = channel(14, 16, 0.004, 20), row;
-    // Markers in the order of the file: blade, inlet, lower, outlet, upper.
-    row.mesh = read_su2("tests/meshes/cascade.su2");
-    REQUIRE(row.mesh.n_points() > 0);
-    row.curves.add(fitted_loop(points_along(row.mesh, 1), 20));
-    row.put_on_curves(1);
-    row.set_periodic(3, 5);
+    row.mesh = cascade_mesh();
+    row.curves.add(fitted_loop(points_along(row.mesh, CascadeMarkers::blade), 20));
+    row.put_on_curves(CascadeMarkers::blade);
+    row.set_periodic(CascadeMarkers::lower, CascadeMarkers::upper);
     for (bool const is_row : {false, true}) {
         Safe safe(is_row ? row : floor);
         safe.safe_options.min_quality = 0;

@@ -47,9 +47,9 @@ TEST_CASE("a point within the tolerance of the axis of a wedge has no angle of i
             bool const is_on_axis = r < 1e-5;
             CHECK(placed.place.x == 0.7);
             CHECK(placed.place.y == doctest::Approx(r).epsilon(1e-12));
-            CHECK(placed.turn.x ==
+            CHECK(placed.rotation.x ==
                   doctest::Approx(is_on_axis ? 1 : std::cos(angle)).epsilon(1e-12));
-            CHECK(placed.turn.y ==
+            CHECK(placed.rotation.y ==
                   doctest::Approx(is_on_axis ? 0 : std::sin(angle)).epsilon(1e-12));
         }
     }

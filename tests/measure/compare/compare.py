@@ -225,8 +225,8 @@ def airfoil(folder, word):
 
 
 def block(folder):
-    mesh = harmorph.Mesh.read("tests/meshes/block.su2")
-    begin_table("tests/meshes/block.su2",
+    mesh = harmorph.Mesh.read(os.path.join(folder, "../meshes/block.su2"))
+    begin_table("block.su2",
                 " (the outer sides slide in harmorph's mesh, and are fixed in the others)")
     control = np.array([[0.4, 0.48], [0.6, 0.48], [0.6, 0.52], [0.4, 0.52]])
     curves = harmorph.Curves(control, degree=1, closed="tied")

@@ -228,10 +228,13 @@ Counts channel(const std::string& folder, int wanted, const cli::Threads& thread
                  });
 }
 
+// The mesh that `make meshes` leaves beside the folder of the results.
+std::string cascade_of(const std::string& folder) { return folder + "/../meshes/cascade.su2"; }
+
 Counts cascade(const std::string& folder, int wanted, const cli::Curves& curves,
                const cli::Threads& threads) {
     constexpr double pitch = .9;
-    const cli::Mesh mesh = cli::read_mesh("tests/meshes/cascade.su2");
+    const cli::Mesh mesh = cli::read_mesh(cascade_of(folder));
     cli::Task task = task_on(mesh, "blade", curves);
     auto condition = cli::sized<hm_condition>();
     condition.kind = HM_PERIODIC_PAIR;
@@ -249,7 +252,7 @@ void run(const std::string& folder, int wanted, const std::vector<std::string>& 
     std::printf(
         "\n== Seeded random movements\n\ntable The curves through the airfoils' points\n  what  "
         "is\n");
-    std::vector<cli::Curves> curves = {fit("tests/meshes/cascade.su2", "blade", folder)};
+    std::vector<cli::Curves> curves = {fit(cascade_of(folder), "blade", folder)};
     const auto colon = [](const std::string& word) { return word.rfind(':'); };
     for (const std::string& word : airfoils)
         curves.push_back(fit(word.substr(0, colon(word)), word.substr(colon(word) + 1), folder));

@@ -59,7 +59,8 @@ def section(seed):
 
 def meshes(folder, words):
     """Pairs of a file and a marker."""
-    for word in [str(folder.parent / "meshes/naca0012.su2:airfoil"), "tests/meshes/two_bodies.su2:left", *words]:
+    made = folder.parent / "meshes"
+    for word in [f"{made}/naca0012.su2:airfoil", f"{made}/two_bodies.su2:left", *words]:
         if not Path(word).is_dir():
             yield word.rsplit(":", 1)
             continue
