@@ -7,10 +7,9 @@
 #include "curves/variables_file.hpp"
 #include "files/output_file.hpp"
 #include "files/threads.hpp"
-#include "work/gradient_file.hpp"
+#include "work/sensitivity.hpp"
 #include "work/mesh_fields.hpp"
 #include "work/read_mesh.hpp"
-#include "work/sensitivity.hpp"
 
 #include <harmorph_design.h>
 

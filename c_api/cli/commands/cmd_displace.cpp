@@ -11,7 +11,6 @@
 #include "work/mesh_fields.hpp"
 #include "work/moves_file.hpp"
 #include "work/read_mesh.hpp"
-#include "work/shared_points.hpp"
 #include "work/solver.hpp"
 
 #include <algorithm>

@@ -1,15 +1,13 @@
 // harmorph sample: many designs of one mesh, for surrogate models.
 #include "basics/print.hpp"
 #include "basics/progress.hpp"
-#include "basics/stopwatch.hpp"
 #include "commands/commands.hpp"
-#include "commands/used_files.hpp"
 #include "files/output_file.hpp"
 #include "formats/format.hpp"
-#include "sampling/design_files.hpp"
+#include "sampling/sample_folder.hpp"
 #include "sampling/sample_pages.hpp"
 #include "sampling/sample_shard.hpp"
-#include "sampling/sample_splits.hpp"
+#include "sampling/sample_table.hpp"
 #include "work/read_mesh.hpp"
 
 #include <algorithm>

@@ -9,9 +9,7 @@
 #include "work/mesh_fields.hpp"
 #include "work/read_mesh.hpp"
 #include "work/safe_way.hpp"
-#include "work/shared_points.hpp"
 #include "work/solver.hpp"
-#include "work/storage.hpp"
 #include "work/task.hpp"
 #include "work/wall_field.hpp"
 

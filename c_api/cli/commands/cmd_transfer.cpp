@@ -2,13 +2,12 @@
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "basics/stopwatch.hpp"
+#include "basics/progress.hpp"
 #include "commands/commands.hpp"
 #include "files/output_file.hpp"
 #include "files/threads.hpp"
 #include "work/basis_file.hpp"
 #include "work/read_mesh.hpp"
-#include "work/storage.hpp"
 #include "work/task.hpp"
 
 #include <harmorph_bases.h>

@@ -1,6 +1,5 @@
 // Writes the file of a mesh, of any format, with other coordinates.
 #include "basics/numbers.hpp"
-#include "files/ordered_output.hpp"
 #include "files/threads.hpp"
 #include "formats/bytes.hpp"
 #include "formats/format.hpp"

@@ -1,7 +1,6 @@
 #include "options/arguments.hpp"
 
 #include "basics/numbers.hpp"
-#include "basics/quoted_name.hpp"
 #include "basics/text.hpp"
 #include "files/output_file.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "files/free_memory.hpp"
+#include "files/memory.hpp"
 #include "work/task.hpp"
 
 #include <harmorph_study.h>

@@ -2,7 +2,7 @@
 
 #include "basics/library.hpp"
 #include "basics/numbers.hpp"
-#include "files/csv_cells.hpp"
+#include "files/text_file.hpp"
 #include "formats/point_table.hpp"
 #include "formats/vtu.hpp"
 #include "mesh/mesh_analysis.hpp"

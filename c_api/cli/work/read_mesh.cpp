@@ -2,7 +2,7 @@
 
 #include "basics/print.hpp"
 #include "basics/progress.hpp"
-#include "mesh/marker_names.hpp"
+#include "mesh/mesh_file.hpp"
 
 namespace cli {
 

@@ -4,7 +4,7 @@
 #include "basics/failure.hpp"
 #include "basics/json.hpp"
 #include "basics/library.hpp"
-#include "basics/stopwatch.hpp"
+#include "basics/progress.hpp"
 #include "options/arguments.hpp"
 
 #include <exception>

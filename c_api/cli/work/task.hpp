@@ -6,7 +6,7 @@
 #include "options/arguments.hpp"
 #include "work/basis_file.hpp"
 #include "work/engine.hpp"
-#include "work/flux_file.hpp"
+#include "work/wall_field.hpp"
 
 #include <memory>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "files/free_memory.hpp"
+#include "files/memory.hpp"
 
 #include "basics/numbers.hpp"
 #include "basics/text.hpp"
@@ -11,6 +11,12 @@
 #ifdef __linux__
 #include <sys/resource.h>
 #include <unistd.h>
+#endif
+
+#include "files/threads.hpp"
+
+#ifdef __linux__
+#include <sys/mman.h>
 #endif
 
 namespace cli {
@@ -49,6 +55,23 @@ double rest_of_address_space() {
 double free_memory() {
     return std::min({1024 * number_in("/proc/meminfo", "MemAvailable:"),
                      number_in("/sys/fs/cgroup/memory.max", ""), rest_of_address_space()});
+}
+
+void touch_pages(void* memory, std::size_t bytes, std::int32_t threads) {
+    constexpr std::size_t page = 4096, large_page = std::size_t{1} << 21;
+    const auto place = reinterpret_cast<std::uintptr_t>(memory);
+    const std::size_t before = (large_page - place % large_page) % large_page;
+    if (bytes < before + large_page) return;
+    auto* const first = static_cast<char*>(memory) + before;
+#ifdef MADV_HUGEPAGE
+    // This is advice to the system: without such pages the program is slower, but works.
+    madvise(first, (bytes - before) / large_page * large_page, MADV_HUGEPAGE);
+#endif
+    run_ranges((bytes - before) / page, threads,
+               [first](std::size_t begin, std::size_t end, std::size_t) {
+                   for (std::size_t k = begin; k < end; ++k)
+                       *static_cast<volatile char*>(first + k * page) = 0;
+               });
 }
 
 }  // namespace cli

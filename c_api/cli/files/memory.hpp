@@ -1,4 +1,4 @@
-// Memory for arrays whose lengths are known before they are filled.
+// The memory that the program can still allocate, and memory for large arrays.
 #pragma once
 
 #include <cstddef>
@@ -6,6 +6,13 @@
 #include <vector>
 
 namespace cli {
+
+// Returns the smallest, in bytes, of the memory that the system can give without swapping, the
+// limit of the program's control group, and the rest of the limit of the address space (`ulimit
+// -v`). Returns infinity on systems that report none of these.
+double free_memory();
+
+// Memory for arrays whose lengths are known before they are filled.
 
 // Touches the pages of memory that has not been used yet, by several threads: the system clears
 // each page at the first touch. Pages have 2 MiB where the system has such pages.
