@@ -26,6 +26,7 @@
 #   make cross            other processors and systems under emulators, as far as Debian's cross compilers are there;
 #                         TARGETS="s390x musl"; see tests/cross/run.sh
 #   make compile-commands  BUILD/compile_commands.json, for editors and clang-tidy
+#   make tidy             the checks of .clang-tidy on the core, by clang-tidy 14; FILES="src/ROOM/FILE.cpp ...": those alone
 #   make compilers        all compilers that are installed, without a warning; LEVELS=-O2; see tests/compilers.sh
 #   make amalgamation     the library in one source with its headers, in build/amalgamation
 #   make test-systems     both commands of README.md in fresh systems, as the superuser: SYSTEMS="bookworm trixie", in the
@@ -68,7 +69,7 @@
 	bench-petsc deform paper demo install uninstall clean \
 	test-openfoam test-saturne test-systems \
 	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist \
-	compile-commands wheel test-release web-tools web-modules web test-web
+	compile-commands tidy wheel test-release web-tools web-modules page-module web test-web
 
 BUILD = build
 # PREFIX is /usr/local if it is not given; DESTDIR is empty. Both come from the environment of the recipes, where make
@@ -152,6 +153,7 @@ rules: checked
 	@mkdir -p $(BUILD)/web $(BUILD)/meshes && cd $(BUILD) && mkdir -p objects/core objects/cli objects/unit objects/fuzz objects/mesh \
 	    objects/harmorph objects/harmorph_simd128 objects/node
 	@UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
+	    WASM_CXX='$(WASM_CXX)' \
 	    FLAGS='$(CXX) $(LEVEL) $(KERNEL_LEVEL) $(PROGRAM_LEVEL) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' \
 	    WASM_FLAGS='$(WASM_CXX) $(WASM) $(WASM_LINK)' NODE_FLAGS='$(EMXX) $(NODE) $(NODE_LINK)' \
 	    sh c_api/packaging/rules.sh $(BUILD)
@@ -173,6 +175,9 @@ compile-commands: rules
 	    printf "%s{\"directory\": \"%s\", \"file\": \"%s\",\n \"command\": \"%s %s -c %s\"}", \
 	        (NR > 1 ? ",\n" : ""), folder, $$1, compiler, $$2, $$1 } END { print "\n]" }' \
 	    $(BUILD)/sources.txt >$(BUILD)/compile_commands.json
+
+tidy:
+	@sh tests/tidy.sh $(FILES)
 
 library-only: rules
 	+@$(MAKE_BY_RULES) $(LIBRARY)
@@ -214,6 +219,9 @@ web-modules: web-tools rules
 	+@program=; if command -v $(EMXX) >/dev/null; then program=$(BUILD)/web/program.js; \
 	else echo "$(EMXX) not found: the package has no program; install Debian's emscripten and node-acorn"; fi; \
 	$(MAKE_BY_RULES) $(WEB) $$program
+# What the program has of pages, for CMake.
+page-module: rules
+	+@$(MAKE_BY_RULES) $(BUILD)/page_module.cpp
 web: web-modules
 	@VERSION=$(VERSION) EMXX='$(EMXX)' sh c_api/web/pack.sh pack $(BUILD)
 

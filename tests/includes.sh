@@ -94,6 +94,26 @@ is_empty "files that write past files/output_file" "$(grep -lE \
 is_empty "conversions between numbers and text outside of basics" "$(grep -nE \
     '(from|to)_chars|std::(ato[ifl]|ato[l]+|sto[dfil]|sto[ul]+|strto[a-z]+|v?s?n?printf|sscanf|setprecision)\b' \
     $(ls c_api/cli/*/*.[ch]pp | grep -v '^c_api/cli/basics/'))"
+# The page lists the files that a movement passes: they exist, and each is included by another one of them.
+on_the_way=$(sed -n '/^A line of a file of movements passes/,/^$/p' c_api/cli/README.md |
+    grep -o '`[a-z]*[/.][a-z_]*`' | tr -d '`' | sed 's/^main\.cpp$/main/')
+not_reached() {
+    if [ "$(echo "$on_the_way" | wc -l)" -gt 12 ]; then echo "there are more than 12"; fi
+    for file in $on_the_way; do
+        header=$file.hpp
+        case $file in
+        main) continue ;;
+        formats/*) header=formats/format.hpp ;;
+        commands/cmd_*) header=commands/commands.hpp ;;
+        esac
+        others=$(for other in $on_the_way; do
+            if [ "$other" != "$file" ]; then ls c_api/cli/"$other".?pp; fi
+        done)
+        if [ ! -f "c_api/cli/$file.cpp" ]; then echo "$file does not exist"; fi
+        grep -qF "#include \"$header\"" $others || echo "$file is not reached"
+    done
+}
+is_empty "files that a movement passes" "$(not_reached)"
 described=$(sed -n '/^## The sources/,$s/^| `\([a-z]*\)` |.*/\1/p' c_api/cli/README.md | tr '\n' ' ')
 is_empty c_api/cli/README.md "$([ "$described" = "$rooms " ] || echo "has other rooms: $described")"
 

@@ -8,6 +8,7 @@ openmpi-bin libopenmpi-dev          # harmorph_mpi: several processes
 cmake pkg-config                    # installation, and programs that find the installed library
 
 clang-format                        # includes: the layout of the sources, by version 14
+clang-tidy                          # tidy: the checks of .clang-tidy, by version 14
 petsc-dev                           # harmorph_petsc: functions on parts of the mesh
 libcgns-dev cgns-convert            # formats: CGNS files
 locales                             # faults: numbers where the decimal point is a comma

@@ -44,7 +44,7 @@ public:
     template <class T, class Count>
     void take(Span<T>& out, Count n) noexcept {
         static_assert(__is_trivially_copyable(T), "nobody will run destructors");
-        static_assert(alignof(T) <= alignment, "");
+        static_assert(alignof(T) <= alignment);
         Count64 const count = static_cast<Count64>(n);
         out = {};
         if (used_ >= most || count > (most - used_) / sizeof(T)) {
@@ -65,7 +65,7 @@ public:
         used_ = mark;
     }
 
-    // Both are exact if the arena is not overflown.
+    // used() and bytes() are exact if the arena is not overflown.
     Size used() const noexcept { return static_cast<Size>(needed()); }
     // Returns the number of bytes that suffice for a block wherever it begins.
     Size bytes() const noexcept { return used() + alignment - 1; }

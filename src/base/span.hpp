@@ -69,7 +69,7 @@ bool contains(Span<const T> list, T const& value) noexcept {
 template <class T>
 void copy(Span<T> to, Span<const T> from) noexcept {
     static_assert(__is_trivially_copyable(T), "copied as bytes");
-    if (from.size() != 0) std::memcpy(to.data(), from.data(), from.size() * sizeof(T));
+    if (!from.empty()) std::memcpy(to.data(), from.data(), from.size() * sizeof(T));
 }
 
 // A view of rows of numbers in an array of the caller or the core, with one row for each position:

@@ -36,8 +36,8 @@ struct KeptCurves {
     void copy_from(Span<const Curve> curves) const noexcept;
     void copy_from(KeptCurves const& other) const noexcept;
     Curve curve(Index number) const noexcept;
-    // Tells whether the curves n .. n + count - 1 exist and have common control points.
-    bool is_set(Index n, Index count) const noexcept;
+    // Tells whether the curves first .. first + count - 1 exist and have common control points.
+    bool is_set(Index first, Index count) const noexcept;
     // Tells whether the data agree with the counts and all curves are well-formed.
     bool fit() const noexcept;
 
@@ -216,9 +216,9 @@ struct Basis {
     bool is_given(Index slot) const noexcept { return is_given(place(slot)); }
     // Returns a complex number; valid only if functions are combined.
     Vec2 combination_at(Index control_point, Index variable) const noexcept;
-    // Both return the movement that follows from the movements of functions, [2 * functions] x,y
-    // pairs: of a control point, and of a point of the wall. If modes move the point, the basis
-    // must be in double precision.
+    // control_move() and wall_move() return the movement of a control point and of a point of the
+    // wall that follows from the movements of functions, [2 * functions] x,y pairs. If modes move
+    // the point, the basis must be in double precision.
     Vec2 control_move(Index control_point, const Real* move) const noexcept;
     Vec2 wall_move(Index slot, const Real* move) const noexcept;
     // Returns the movement of a place that is not given.

@@ -14,8 +14,8 @@ struct BoundaryError {
         if (point == none || exceeds(found, error)) *this = {found, at};
     }
 };
-// Compares the movement of the points of the wall with that of the B-spline, and the movement of
-// shared points with that of both conditions; returns the largest difference.
+// Compares how points of the wall moved with the B-spline, and how shared points moved with both of
+// their conditions; returns the largest difference.
 BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, Points to) noexcept;
 
 // The shared point whose two conditions differ most after a movement.

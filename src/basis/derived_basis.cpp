@@ -140,8 +140,8 @@ constexpr Real largest_float = 0x1.fffffep+127;
 
 // Copies the data between header and values, which are the same in both.
 void copy_problem(Basis const& from, Basis const& to) noexcept {
-    auto const begin = reinterpret_cast<const unsigned char*>(from.shape.data());
-    auto const end = reinterpret_cast<const unsigned char*>(from.value.data());
+    const auto* const begin = reinterpret_cast<const unsigned char*>(from.shape.data());
+    const auto* const end = reinterpret_cast<const unsigned char*>(from.value.data());
     std::memcpy(to.shape.data(), begin, static_cast<Size>(end - begin));
 }
 

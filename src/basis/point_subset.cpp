@@ -192,8 +192,8 @@ std::uint64_t functions_of(Basis const& basis) noexcept {
     Hash hash;
     for (std::int32_t const number : numbers) hash.add(static_cast<std::uint32_t>(number));
     // The hash includes curves, combination and conditions, in this order.
-    auto const begin = reinterpret_cast<const unsigned char*>(basis.shape.data());
-    auto const end = reinterpret_cast<const unsigned char*>(basis.wall_point.data());
+    const auto* const begin = reinterpret_cast<const unsigned char*>(basis.shape.data());
+    const auto* const end = reinterpret_cast<const unsigned char*>(basis.wall_point.data());
     hash.add(hash_of_words(begin, static_cast<Size>(end - begin) / 8));
     return hash.value();
 }

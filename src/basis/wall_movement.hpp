@@ -4,14 +4,14 @@
 // where X_k is the place of wall point k when the basis was made, and F_ik are its values. If these
 // functions alone have moved the wall, the residual is rounding. The solution of the normal
 // equations is refined with the residuals of the points, so that the weak regularisation vanishes
-// from all numbers that the wall determines. Each correction is a combination of rows of the
-// matrix F, so that of all movements with these residuals the solution is the smallest one.
+// from all numbers that the wall determines. Each correction is a combination of rows of the matrix
+// F, so the solution is the smallest one of all movements with these residuals.
 //
 // Safe morphs rotate the offset e_k = X_k - C(u_k) of a point from its curve along with the body,
 // so that a second solution has one number r more for each curve, whose term is (r - 1) e_k. With
 // this number few points could follow any movement. A curve therefore has it only if more of its
 // points are on the wall than it has functions and this number, and the second solution is taken
-// only if its residual is a tenth of that of the first one.
+// only if the residual of the second solution is a tenth of the residual of the first one.
 #pragma once
 
 #include "basis/basis_measures.hpp"
@@ -19,8 +19,8 @@
 namespace harmorph {
 
 struct WallMovement {
-    // Both are fractions of the extent of the wall: offsets below the first are rounding, and
-    // residuals above the second mean that the wall follows no curve.
+    // Fractions of the extent of the wall: offsets below min_offset are rounding, and residuals
+    // above default_tolerance mean that the wall follows no curve.
     static constexpr Real min_offset = 1e-12, default_tolerance = 1e-4;
 
     BoundaryError following;  // The largest residual beside the rotated offsets.

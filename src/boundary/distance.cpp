@@ -140,7 +140,7 @@ FaceDistance::Foot FaceDistance::foot(Vec2 from, Index& group) const noexcept {
 }
 
 void FaceDistance::find_nearest(const Vec2* point, Index n, Index* hint) const noexcept {
-    static_assert(block == SortedPoints::max_points, "");
+    static_assert(block == SortedPoints::max_points);
     DistanceKernels const& kernels = simd::table_of<DistanceKernels>(kernel);
     SortedPoints sorted;
     // Points with hints begin next to their faces, so their order matters less.

@@ -35,10 +35,9 @@ struct SpanSamples {
     static constexpr Index max_samples = 4 * max_degree + 1;
 
     Index span = none;
-    Real low, high;
+    Real low = 0, high = 0;
     Vec2 point[max_samples];
 
-    SpanSamples() noexcept : low(0), high(0) {}
     Real parameter(Index j, Index n) const noexcept {
         return j == n ? high : low + (high - low) * static_cast<Real>(j) / n;
     }

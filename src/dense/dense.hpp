@@ -59,7 +59,7 @@ constexpr Offset sum_entries(Index pivots, Index border) noexcept {
     return padded(pivots) + padded(border);
 }
 // One block of the products has at most `strip` rows and `chunk` columns, so that the operands stay
-// in the caches. Both are whole numbers of tiles.
+// in the caches. `strip` and `chunk` are whole numbers of tiles.
 inline constexpr Index strip = 128;
 inline constexpr Index chunk = 192;
 

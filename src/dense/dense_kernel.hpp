@@ -20,7 +20,7 @@ HARMORPH_INLINE Vector magnitudes(Vector v) noexcept {
 
 // Returns the sum of a register's numbers.
 HARMORPH_INLINE Real total(Vector v) noexcept {
-    typedef Real Block16 __attribute__((vector_size(16), aligned(sizeof(Real)), may_alias));
+    using Block16 [[gnu::vector_size(16), gnu::aligned(sizeof(Real)), gnu::may_alias]] = Real;
     constexpr Index per_block = static_cast<Index>(sizeof(Block16) / sizeof(Real));
     Real each[lanes];
     store(each, v);
@@ -447,15 +447,16 @@ void add_front(Slabs const& from, const Index* target, Panel const& panel,
 // as many at a time, repeatedly.
 template <Index at_once = lanes>
 HARMORPH_INLINE void copy_run(const Real* from, Index n, Real* to) noexcept {
-    typedef Real Reals
-        __attribute__((vector_size(at_once * sizeof(Real)), aligned(sizeof(Real)), may_alias));
+    using Reals
+        [[gnu::vector_size(at_once * sizeof(Real)), gnu::aligned(sizeof(Real)), gnu::may_alias]] =
+            Real;
     Index i = 0;
     for (; i + at_once <= n; i += at_once)
         *reinterpret_cast<Reals*>(to + i) = *reinterpret_cast<const Reals*>(from + i);
     if constexpr (at_once > 1) copy_run<at_once / 2>(from + i, n - i, to + i);
 }
 
-// Clears the last `slab` numbers, which may be padding. Their number is a constant, because
+// Clears the last `slab` numbers, which may be padding. The number `slab` is a constant, because
 // compilers call memset for a variable one.
 HARMORPH_INLINE void clear_last(Real* end) noexcept {
     for (Index i = 1; i <= slab; ++i) end[-i] = 0;

@@ -54,8 +54,8 @@ struct Vectors {
 };
 
 // InSlabs and InRows tell where the vectors of a tile are in memory: in a matrix in slabs, or in
-// right-hand sides. Both begin at one entry. first(n) returns n vectors; the vectors after them
-// repeat the first one.
+// right-hand sides. The vectors begin at one entry. first(n) returns n vectors; the vectors after
+// them repeat the first one.
 template <Index planes>
 struct InSlabs {
     Slabs const& slabs;
@@ -86,8 +86,8 @@ struct InRows {
     }
 };
 
-// op(A) of an A in slabs: element (r, k) is that of the conjugate transpose, read from A (k, r), or
-// that of A itself, read from A (r, k) within one slab.
+// op(A) of an A in slabs: the conjugate transpose, whose element (r, k) is read from A (k, r), or A
+// itself, whose element is read from A (r, k) within one slab.
 enum class Op { conjugate_transposed, plain };
 enum class Store { subtract, set };
 

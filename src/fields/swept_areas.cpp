@@ -28,7 +28,7 @@ namespace {
 
 constexpr Index min_cells_of_task = 2048;
 
-typedef Real Xy __attribute__((vector_size(16)));  // x and y
+using Xy [[gnu::vector_size(16)]] = Real;  // x and y
 using ExactVector = DoubleDoubleOf<Xy>;
 
 ExactVector exact_difference(Vec2 a, Vec2 b) noexcept {

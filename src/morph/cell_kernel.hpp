@@ -102,7 +102,7 @@ public:
             // No index is multiplied by a stride.
             gather<true>({points.x, points.y, 1}, {other.x, other.y, 1});
     }
-    // Both return the corners of the cells that begin with cell i.
+    // shapes() and others() return the corners of the cells that begin with cell i.
     HARMORPH_INLINE Shapes<n> shapes(Index i) const noexcept { return shapes(points_, at_, i); }
     HARMORPH_INLINE Shapes<n> others(Index i) const noexcept {
         return shapes(other_, other_at_, i);
@@ -152,7 +152,7 @@ private:
 
     template <bool has_other>
     HARMORPH_INLINE void gather(Points points, Points other) noexcept {
-        // This is a copy, as the compiler does not know that no coordinate is written over the
+        // The list is copied, as the compiler does not know that no coordinate is written over the
         // list.
         CellList const cells = cells_;
         std::uint64_t const rows = rows_;
@@ -213,7 +213,7 @@ public:
                                   : (squares[0] + squares[n / 2]) + (squares[1] + squares[n - 1]);
         smallest = corners.smallest();
         Vector size = is_compared ? lanes_max(reference_area, -reference_area) : smallest;
-        // One of these is NaN if any number is.
+        // `lowest` or `highest` is NaN if any number is.
         Vector const lowest = lanes_min(size, smallest), highest = lanes_max(sum, size);
         regular_ = (Registers::less(zero + min_factor, lowest) &
                     Registers::less(highest, zero + max_factor)) == all;
@@ -256,10 +256,10 @@ private:
     Vector sum_ = {}, root_[3] = {}, area_[Corners<n>::n_areas] = {};
 };
 
-// Tells whether c + b s + a s^2 is positive, and far from a root, for 0 <= s <= step. This follows
-// from the value at `step`, which must be at least a millionth of its terms, and from the minimum,
-// if that comes before. The result is 1 in the lanes where this holds, and 0 in others. Steps are
-// less than 1e50, or infinite, so that nothing overflows.
+// Tells whether c + b s + a s^2 is positive, and far from a root, for 0 <= s <= step. The answer
+// follows from the value at `step`, which must be at least a millionth of its terms, and from the
+// minimum, if that comes before. The result is 1 in the lanes where this holds, and 0 in others.
+// Steps are less than 1e50, or infinite, so that nothing overflows.
 HARMORPH_INLINE Vector stays_positive(Vector a, Vector b, Vector c, Real step) noexcept {
     constexpr Real max_step = 1e50, margin = 1e-6;
     Vector const zero = {}, one = zero + 1;
@@ -275,8 +275,8 @@ HARMORPH_INLINE Vector stays_positive(Vector a, Vector b, Vector c, Real step) n
     return holds ? one : zero;
 }
 
-// Tells for triangles whether the product of these two sides has the digits of the area. This may
-// not be so in needles, which the kernel leaves to the caller.
+// Tells for triangles whether the product of these two sides has the digits of the area. In needles
+// the product may have fewer digits, so the kernel leaves needles to the caller.
 template <Index n>
 HARMORPH_INLINE unsigned keeps_digits(Corners<n> const& corners) noexcept {
     Vector const product = corners.side[0].x * corners.side[1].y;

@@ -1,6 +1,6 @@
 // The smooth quality and the relative corner areas of one cell, for polygons and for cells that the
-// kernels leave out: inverted ones, and those of which products of areas would overflow or
-// underflow. tests/morph/test_cell_bounds.cpp covers this file.
+// kernels leave out: inverted cells, and cells whose products of areas would overflow or underflow.
+// tests/morph/test_cell_bounds.cpp covers this file.
 #pragma once
 
 #include "base/elementary.hpp"
@@ -85,7 +85,7 @@ private:
     };
     Skew skew(Points points) const noexcept;
     Real area(Points points) const noexcept;
-    // Both add the derivatives, multiplied by `scale`.
+    // add_skew_slopes() and add_area_slopes() add derivatives, multiplied by `scale`.
     void add_skew_slopes(Skew const& skew, Real scale,
                          PointGradient const& gradient) const noexcept;
     void add_area_slopes(Real scale, PointGradient const& gradient) const noexcept;

@@ -12,8 +12,8 @@ namespace harmorph::block {
 template <Index W, class Number>
 struct Lanes {
     static constexpr Index lanes = 16 / sizeof(Number), parts = W / lanes;
-    typedef Number Part __attribute__((vector_size(16)));
-    typedef Number Stored __attribute__((vector_size(16), aligned(sizeof(Number)), may_alias));
+    using Part [[gnu::vector_size(16)]] = Number;
+    using Stored [[gnu::vector_size(16), gnu::aligned(sizeof(Number)), gnu::may_alias]] = Number;
 
     Part part[parts];
 

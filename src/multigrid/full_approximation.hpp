@@ -21,10 +21,10 @@ struct FullApproximation : BlockIteration {
     // The time step is dt_P = cfl (0.5 shortest edge)^2, but at most the step with which the scheme
     // damps all eigenvectors.
     static constexpr Real cfl = 4;
-    // Nodal gradients without correction have small eigenvalues for short waves: on squares the
-    // largest eigenvalue is a quarter of that of the compact scheme, and on meshes of all kinds it
-    // was measured to be at most 0.35 of that. Therefore steps may be 2.5 times as long. With
-    // correction the largest eigenvalues are those of the compact scheme, within the margin that
+    // Nodal gradients without correction have small eigenvalues for short waves: the largest
+    // eigenvalue is a quarter of the compact scheme's on squares, and was measured to be at most
+    // 0.35 of the compact scheme's on meshes of all kinds. Therefore steps may be 2.5 times as
+    // long. With correction both schemes have the same largest eigenvalues, within the margin that
     // damping_limit leaves.
     static constexpr Real plain_stretch = 2.5;
 

@@ -15,10 +15,10 @@ namespace harmorph {
 // The explicit four-stage Runge-Kutta scheme of the paper's iteration, dF/dt = R(F): F(k) = F(0) +
 // alpha_k dt R(F(k-1)), k = 1 .. 4, and F(4) is the new F.
 
-// The coefficients are usual in agglomeration multigrid of second order. Their source: M.-H.
-// Lallemand, Etude de schemas Runge-Kutta a 4 pas pour la resolution multigrille des equations
-// d'Euler 2D, INRIA 1988, as quoted by others. alpha_4 = 1 and alpha_3 = 1/2 give the order; the
-// others were chosen for damping.
+// The coefficients are usual in agglomeration multigrid of second order (M.-H. Lallemand, Etude de
+// schemas Runge-Kutta a 4 pas pour la resolution multigrille des equations d'Euler 2D, INRIA 1988,
+// as quoted by others). alpha_4 = 1 and alpha_3 = 1/2 give the order; the others were chosen for
+// damping.
 inline constexpr Index stages = 4;
 inline constexpr Real stage_coefficient[stages] = {0.11, 0.2766, 0.5, 1.0};
 

@@ -8,9 +8,9 @@ namespace harmorph {
 
 // The cycle for blocks of `width` functions, in the precision of Number. B is the approximation of
 // the inverse of A that a cycle applies; B is symmetric and positive definite, and the eigenvalues
-// of B A are at most 1. On the finest levels it is a V-cycle. Coarser levels are solved by two
-// cycles (W-cycle), the second one for the residual of the first one: 2 B - B A B. Their work is
-// small, and without the second cycle the iterations grow with the number of levels.
+// of B A are at most 1. On the finest levels the cycle is a V-cycle. Coarser levels are solved by
+// two cycles (W-cycle), the second one for the residual of the first one: 2 B - B A B. W-cycles
+// take little work, and without the second cycle the iterations grow with the number of levels.
 template <class Number>
 class Cycle {
 public:

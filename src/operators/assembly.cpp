@@ -42,8 +42,8 @@ Index assemble_bounded(Span<const DelaunayEdge> edges, Points points, Span<const
 
 namespace {
 
-typedef Real TwoReals __attribute__((vector_size(16), aligned(8), may_alias));
-typedef std::int64_t TwoTruths __attribute__((vector_size(16)));
+using TwoReals [[gnu::vector_size(16), gnu::aligned(8), gnu::may_alias]] = Real;
+using TwoTruths [[gnu::vector_size(16)]] = std::int64_t;
 
 // Vectors are passed by value, because clang assumes for references that they are aligned to 16
 // bytes.

@@ -72,8 +72,8 @@ I find_in_order(Span<const Index> columns, I begin, I end, Index column) noexcep
     return begin;
 }
 
-typedef Index FourIndices __attribute__((vector_size(16), aligned(4), may_alias));
-typedef std::int64_t TwoPairs __attribute__((vector_size(16)));
+using FourIndices [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = Index;
+using TwoPairs [[gnu::vector_size(16)]] = std::int64_t;
 
 // Searches a long row. The function is not inlined, as long rows are rare.
 __attribute__((noinline)) inline Offset find_in_long_row(Span<const Index> columns, Offset begin,

@@ -68,7 +68,7 @@ private:
         const Real* at;
         Real re, im;
     };
-    typedef Real Row[planes][Residual::max_width];
+    using Row = Real[planes][Residual::max_width];
 
     const Real* at(Index position) const noexcept { return dofs_.at(position) + first_; }
     static Real imaginary(Span<Real> numbers, Offset entry) noexcept {

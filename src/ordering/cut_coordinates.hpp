@@ -21,8 +21,8 @@ constexpr Index prefetch_ahead = 16;
 
 // The numbers of four directions. Compilers split wider vectors on the architecture without
 // extensions.
-typedef float Four __attribute__((vector_size(16), aligned(4), may_alias));
-typedef std::int32_t FourCounts __attribute__((vector_size(16)));
+using Four [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = float;
+using FourCounts [[gnu::vector_size(16)]] = std::int32_t;
 inline constexpr Index halves = direction_lanes / 4;
 
 // Vectors are passed by value, because clang assumes for references that they are aligned to 16

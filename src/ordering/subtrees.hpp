@@ -28,7 +28,7 @@ struct Subtrees {
     Offset kept_entries = 0;   // The entries of all update matrices.
     Offset kept_rows = 0;      // The rows of the fronts of all roots.
     Offset stack_entries = 0;  // The update matrices along a path inside a subtree, below the root.
-    // Those along a path above the subtrees; one worker has all here.
+    // The update matrices along a path above the subtrees; one worker has all of them here.
     Offset top_stack_entries = 0;
     Offset stack_rows = 0;  // The rows of the fronts along a path.
     // Returns the number of the subtree with this root, or none.

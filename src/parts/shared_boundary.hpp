@@ -34,8 +34,8 @@ struct SharedBoundary {
     Span<OpenEdge> edges;  // The edges are sorted.
     Span<Offset> number;   // [n_points]
     Span<Real> x, y;
-    // There are no cells. The edges are those of the boundary; `representative` is that of cuts and
-    // periodic pairs.
+    // There are no cells, and no edges but the boundary's; `representative` joins the points of
+    // cuts and periodic pairs.
     Topology topology;
     Boundary boundary;
     Span<PointKind> kinds;

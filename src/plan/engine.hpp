@@ -147,8 +147,8 @@ struct AnyEngine {
     void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
         visit(*this, [&](auto& engine) { engine.lay_out(arena, analysis, columns); });
     }
-    // Both are called once for an analysis: init() before the matrix has a sparsity pattern,
-    // take_pattern() after that.
+    // init() and take_pattern() are called once for an analysis: init() before the matrix has a
+    // sparsity pattern, take_pattern() after that.
     void init(Analysis const& analysis) noexcept {
         visit(*this, [&](auto& engine) { engine.init(analysis); });
     }

@@ -75,7 +75,7 @@ public:
     DofValues fields(Span<Real> rows, Index first, Index n) const noexcept {
         return {rows, first, n, equations_.dof_of(), wall_point_, equations_.matrix().components()};
     }
-    // Replaces the right-hand sides of the unknowns by values, in place. `report` is that of these
+    // Replaces the right-hand sides of the unknowns by values, in place. `report` tells of these
     // fields alone; its residuals are set if fields are refined or measured.
     Status solve_fields(DofValues const& values, bool measured, SolveReport& report,
                         Fault& fault) noexcept;

@@ -49,8 +49,7 @@ constexpr Block rotated_columns(Vec2 rotation, Block p) noexcept {
 }
 
 // The gradient and the Hessian of the energy of a corner with the points p0, p1, p2, by the sides
-// p1 - p0 and p2
-// - p1. These are fewer numbers than the derivatives by the three points.
+// p1 - p0 and p2 - p1: fewer numbers than the derivatives by the three points.
 struct CornerForm {
     Vec2 by_side, by_next;
     // The Hessian, by the first and by the second side.
@@ -206,10 +205,9 @@ inline Curvatures CornerMap::curvatures(Triangle const& now, DensityDerivatives 
     return out;
 }
 
-// With the changes s and n of the two sides, and with f = first_ and g = second_, the change of z
-// is f s + g n and that of w is conj(f) s + conj(g) n. The Hessian by z maps v to a v + b conj(v),
-// as do its other parts (see complex_block()); a product with such a map from both sides is one
-// again.
+// With the changes s and n of the two sides, and with f = first_ and g = second_, z changes by f s
+// + g n, and w by conj(f) s + conj(g) n. The Hessian by z maps v to a v + b conj(v), as do its
+// other parts (see complex_block()); a product with such a map from both sides is one again.
 inline void CornerMap::differentiate(Triangle const& now, DensityDerivatives const& by,
                                      Real min_curvature, CornerForm& form) const noexcept {
     Vec2 const f = first_, g = second_, conj_f = conjugate(f), conj_g = conjugate(g);

@@ -71,14 +71,14 @@ void MovementPath::fit_all(Basis const& basis, bool straight) noexcept {
     for (Index i = 0; i < n_shapes && counts.combination != 0; ++i)
         set_alone(i, {}, not_at_all, false);
     for (Index body = 0; body < counts.bodies; ++body) {
-        Index const translation = n_shapes + 2 * body, rotation_of_it = translation + 1;
+        Index const translation = n_shapes + 2 * body, rotation = translation + 1;
         Vec2 const ratio =
-            Vec2{1, 0} + Vec2{target[2 * rotation_of_it], target[2 * rotation_of_it + 1]};
-        bool const anchored = groups[rotation_of_it].anchored;
+            Vec2{1, 0} + Vec2{target[2 * rotation], target[2 * rotation + 1]};
+        bool const anchored = groups[rotation].anchored;
         bool const rotates = !straight && !anchored && length(ratio) > Similarity::min_ratio;
         set_alone(translation, {}, not_at_all, anchored);
-        set_alone(rotation_of_it, {1, 0}, rotates ? ratio : not_at_all, anchored);
-        if (rotates) drift[rotation_of_it] = {};
+        set_alone(rotation, {1, 0}, rotates ? ratio : not_at_all, anchored);
+        if (rotates) drift[rotation] = {};
     }
     for (Index mode = 0; mode < counts.modes; ++mode) {
         ModeWay const way =

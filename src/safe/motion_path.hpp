@@ -90,8 +90,8 @@ struct MovementPath {
     // Finds the movement [2 * functions] from the start to the time t, 0 <= t <= 1; at 1 it is
     // exactly the target.
     void at(Real t, Span<Real> movement) const noexcept;
-    // Returns the derivative of that movement by the target with the similarities held. It is a
-    // complex number: dP_i(t) = weight (dP_i), which is t r^(t-1).
+    // Returns the derivative of that movement by the target with the similarities held, a complex
+    // number: dP_i(t) = weight (dP_i), which is t r^(t-1).
     Vec2 weight(Index function, Real t) const noexcept;
     // Returns the group whose similarity a point of the wall follows.
     Index group_of_slot(Basis const& basis, Index slot) const noexcept {

@@ -15,14 +15,15 @@ namespace harmorph {
 // into two parts: the similarity r (z - c) that fits the movement best, which every point of the
 // wall follows with its own position, and the rest, which follows the curve:
 //   dx = d + (r - 1) (x - c) + sum_i N_i dP_i^rest = sum_i N_i dP_i + (r - 1) e.
-// So a body that rotates keeps the shape that the mesh gives it, and a movement without rotation or
-// scaling is that of the B-spline.
+// So a body that rotates keeps the shape that the mesh gives it, and without rotation or scaling
+// the wall moves as the B-spline does.
 //
 // Inside the mesh the similarity is carried exactly near the wall and fades with the distance to
 // the movement that the functions give:
 //   dz = sum_i F_i dP_i + (rho - 1) fade(h / reach) (z - sum_i F_i P_i).
 // Here h is the distance to the wall at the start, P_i are the control points, and rho is the
-// similarity of the step, as r is that of the whole movement; on the wall, z - sum_i F_i P_i is e.
+// similarity of the step, as r is the similarity of the whole movement; on the wall, z - sum_i F_i
+// P_i is e.
 
 struct CarriedOffsets {
     // The reach in units of the largest residual. An offset that fades over this length bends the
@@ -41,7 +42,7 @@ struct CarriedOffsets {
     const void* found_with = nullptr;
 
     void lay_out(Arena& arena, BasisCounts const& counts) noexcept;
-    // Finds the residuals at the start. They are zero on a wall whose offsets are in the functions
+    // Finds the residuals at the start, which are zero on a wall whose offsets are in the functions
     // (Method::offset_correction).
     void init(Basis const& basis, MovementPath const& path, Points start) noexcept;
     // Must be called when the mesh or its functions have changed.

@@ -92,7 +92,7 @@ struct Region {
     Span<Index> queue;           // [n_points] working space
 
     void lay_out(Arena& arena, RegionCounts const& counts) noexcept;
-    // Finds the cells of each point. This is done once for a mesh.
+    // Finds the cells of each point, once for a mesh.
     void link(Tangle const& tangle) noexcept;
     // choose() sets the cells to those of the mesh for which is_one(cell) holds; keep() removes the
     // cells for which it does not hold.

@@ -16,8 +16,8 @@ namespace {
 
 // Returns the bytes between the header and the values: curves, conditions and parameters.
 Span<const unsigned char> problem_of(Basis const& basis) noexcept {
-    auto const begin = reinterpret_cast<const unsigned char*>(basis.shape.data());
-    auto const end = reinterpret_cast<const unsigned char*>(basis.value.data());
+    const auto* const begin = reinterpret_cast<const unsigned char*>(basis.shape.data());
+    const auto* const end = reinterpret_cast<const unsigned char*>(basis.value.data());
     return {begin, static_cast<Size>(end - begin)};
 }
 

@@ -1,5 +1,5 @@
-// A safe morph reaches the target with cells of good quality, or reports how far it came and where
-// cells are poor. It tries strategies in the order of their cost and keeps the best mesh.
+// A safe morph reaches the target with cells of good quality, or reports how far the mesh came and
+// where cells are poor. Strategies are tried in the order of their cost, and the best mesh is kept.
 #pragma once
 
 #include "boundary/first_layer.hpp"

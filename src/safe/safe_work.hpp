@@ -13,7 +13,7 @@ struct SafeMorph::Work {
     SafeReport& report;
     Fault& fault;
     Outcome attempt;  // of the present mesh
-    // The derivative is that of the best mesh, and not that of a later attempt.
+    // The derivative belongs to the best mesh, and not to a later attempt.
     bool derivative_of_best = true;
     bool factored_again = false;
     // The part of the movement that the present strategies aim at.

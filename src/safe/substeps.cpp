@@ -218,8 +218,8 @@ Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
 // they are needed.
 Basis SafeMorph::copy_to_solve(Work const& work) const noexcept {
     Basis const& basis = work.basis;
-    auto const begin = reinterpret_cast<const unsigned char*>(basis.header);
-    auto const end = reinterpret_cast<const unsigned char*>(basis.value.data());
+    const auto* const begin = reinterpret_cast<const unsigned char*>(basis.header);
+    const auto* const end = reinterpret_cast<const unsigned char*>(basis.value.data());
     // The values of derived functions include those on the wall, which are stored nowhere else.
     bool const continues = work.plan.equations().method().traits().continues;
     bool const has_values = continues || basis.header->counts.derived();

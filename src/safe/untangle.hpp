@@ -33,8 +33,8 @@ struct Distortion {
 
     Real determinant(Triangle const& now) const noexcept { return map_.determinant(now); }
     Real energy(Triangle const& now, Real softness) const noexcept;
-    // Returns the derivatives of the energy. Their unit is the curvature of |J|^2 / chi, so that
-    // with least >= 0 no curvature is negative; see CornerMap.
+    // Returns the derivatives of the energy, in units of the curvature of |J|^2 / chi, so that with
+    // least >= 0 no curvature is negative; see CornerMap.
     DensityDerivatives derivatives(Triangle const& now, Real softness) const noexcept;
     // Adds the derivatives by the sides to `form`; see CornerMap.
     void differentiate(Triangle const& now, Real softness, Real min_curvature,

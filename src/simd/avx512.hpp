@@ -70,7 +70,7 @@ private:
     }
 };
 
-// A register holds 8 numbers, the width of a slab of the dense kernels. This is half of an AVX-512
+// A register holds 8 numbers, the width of a slab of the dense kernels: half of an AVX-512
 // register, but there are 32 registers, where AVX2 has 16.
 template <>
 struct Registers<float> : Register<float, 8> {

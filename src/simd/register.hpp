@@ -7,10 +7,10 @@ namespace harmorph::simd::HARMORPH_SET {
 template <class Of, Index n>
 struct Register {
     static constexpr Index lanes = n;
-    typedef Of Vector __attribute__((vector_size(n * sizeof(Of))));
+    using Vector [[gnu::vector_size(n * sizeof(Of))]] = Of;
     // A Word is an unsigned integer as wide as a number, and holds the bits of the number.
     using Word = typename std::conditional<sizeof(Of) == 8, std::uint64_t, std::uint32_t>::type;
-    typedef Word Words __attribute__((vector_size(n * sizeof(Of))));
+    using Words [[gnu::vector_size(n * sizeof(Of))]] = Word;
 
     static HARMORPH_INLINE Vector load(const Of* from) noexcept {
         return *reinterpret_cast<const Stored*>(from);
@@ -25,9 +25,10 @@ struct Register {
     static HARMORPH_INLINE Vector all(Of x) noexcept { return x - Vector{}; }
 
 private:
-    typedef Of Stored __attribute__((vector_size(n * sizeof(Of)), aligned(sizeof(Of)), may_alias));
-    typedef Word StoredWords
-        __attribute__((vector_size(n * sizeof(Of)), aligned(sizeof(Of)), may_alias));
+    using Stored [[gnu::vector_size(n * sizeof(Of)), gnu::aligned(sizeof(Of)), gnu::may_alias]] =
+        Of;
+    using StoredWords
+        [[gnu::vector_size(n * sizeof(Of)), gnu::aligned(sizeof(Of)), gnu::may_alias]] = Word;
 };
 
 }  // namespace harmorph::simd::HARMORPH_SET

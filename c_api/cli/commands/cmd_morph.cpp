@@ -1,6 +1,6 @@
 // harmorph morph: moves control points and with them the mesh, and judges the result.
 #include "basics/numbers.hpp"
-#include "commands/asked_moves.hpp"
+#include "work/moves_file.hpp"
 #include "commands/commands.hpp"
 #include "commands/morph_report.hpp"
 #include "curves/curves.hpp"
@@ -8,12 +8,11 @@
 #include "formats/format.hpp"
 #include "formats/vtu.hpp"
 #include "options/place_options.hpp"
-#include "page/page_data.hpp"
+#include "page/report_data.hpp"
 #include "pictures/draw_curves.hpp"
 #include "pictures/pictures.hpp"
 #include "work/engine.hpp"
 #include "work/morph.hpp"
-#include "work/moves_file.hpp"
 #include "work/read_mesh.hpp"
 
 #include <harmorph_design.h>
@@ -223,9 +222,7 @@ void run_morph(const Arguments& arguments) {
         }
     }
     if (strict && morph.valid()) throw Failure(exit_unusable, morph.warning);
-    if (!reached)
-        throw Failure(exit_unusable,
-                      morph.refusal.empty() ? why_not_valid(morph, mesh) : morph.refusal);
+    if (!reached) throw Failure(exit_unusable, why_not_reached(morph, mesh, asked));
     if (!morph.warning.empty()) warn(morph.warning);
 }
 
