@@ -16,8 +16,9 @@ class Section {
         }, { place: 0 }).place;
         this.frame = this.find_frame();
         this.start = this.now = this.measure(model.curves);
-        this.map = this.find_map();
-        const has = { thickness: this.map, camber: this.map, twist: this.frame, flap: this.frame };
+        this.thickening = this.find_thickening();
+        this.cambering = this.find_cambering();
+        const has = { thickness: this.thickening, camber: this.cambering, twist: this.frame, flap: this.frame };
         this.variables = Section.variables.filter(({ name: variable }) => has[variable] !== null);
         this.moved_by = { values: "", moves: null };
     }
@@ -94,9 +95,29 @@ class Section {
         return lines.join("\n") + "\n";
     }
 
-    // Returns the movements of all control points by one unit of camber and of thickness, in chords: complex numbers,
-    // two for each control point. null: this outline has none.
-    find_map() {
+    // Returns the distances of the control points of this section from its camber line, normal to the chord: pairs x, y
+    // for all control points. null: this outline has no camber line.
+    find_thickening() {
+        const { curves } = this.model,
+            { tx, ty, chord } = this.frame,
+            places = this.control.map((i) =>
+                this.in_chords(this.frame, curves.control[2 * i], curves.control[2 * i + 1])),
+            stations = places.map(([along]) => ({ kind: "camber", station: Math.min(Math.max(along, 1e-3), 0.999) }));
+        try {
+            const camber = curves.measure(stations, this.curves).values,
+                by = new Float64Array(2 * curves.nControl);
+            this.control.forEach((i, k) => {
+                const distance = chord * places[k][1] - camber[k];
+                by.set([-distance * ty, distance * tx], 2 * i);
+            });
+            return by;
+        } catch (error) {
+            return null;
+        }
+    }
+
+    // Returns the movements of all control points by a camber of one chord: pairs x, y. null: this outline has none.
+    find_cambering() {
         const { curves } = this.model,
             { library } = curves;
         try {
@@ -112,7 +133,8 @@ class Section {
                     matrix = scope.take(32 * curves.nControl);
                 scope.with_memory((memory) =>
                     library.call("hm_variables_map", view, section, variables, n, memory, matrix, 0));
-                return library.memory.numbers(matrix, 4 * curves.nControl).slice();
+                // Each control point has two complex numbers: those of camber and thickness.
+                return library.memory.numbers(matrix, 4 * curves.nControl).filter((_, k) => (k & 3) < 2);
             });
         } catch (error) {
             return null;
@@ -124,18 +146,15 @@ class Section {
         return scope.struct("hm_section", { first_curve, n_curves, leading_x, leading_y, trailing_x, trailing_y });
     }
 
-    // Returns the movement of all control points, [2*n_control], by values of the design variables: first camber and
-    // thickness, then the section with these turns, and its flap.
+    // Returns the movement of all control points, [2*n_control], by values of the design variables: camber and
+    // thickness, and then the flap and the twist of the section with these.
     moves(values) {
         const key = JSON.stringify(values);
         if (key === this.moved_by.values) return this.moved_by.moves;
         const { curves } = this.model,
-            by = new Float64Array(2 * curves.nControl),
-            factors = [values.camber / 100, (values.thickness / 100) * this.start.thickness];
-        for (let i = 0; i < curves.nControl && this.map !== null; ++i) {
-            for (let axis = 0; axis < 2; ++axis)
-                by[2 * i + axis] = this.map[4 * i + axis] * factors[0] + this.map[4 * i + 2 + axis] * factors[1];
-        }
+            by = new Float64Array(2 * curves.nControl);
+        for (const [map, factor] of [[this.cambering, values.camber / 100], [this.thickening, values.thickness / 100]])
+            if (factor !== 0 && map !== null) map.forEach((unit, k) => (by[k] += factor * unit));
         if (values.twist !== 0 || values.flap !== 0) {
             const turned = this.turned(curves.moved(by), values);
             for (let k = 0; k < by.length; ++k) by[k] += turned[k];
