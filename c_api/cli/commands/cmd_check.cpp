@@ -173,7 +173,8 @@ const Command check_command = {
       "--svg also shows these B-splines with their control points (may be repeated)",
       FileUse::input},
      {"--window", "X,Y,X,Y",
-      "lower left and upper right corner of what --svg shows (default: all of the mesh)"},
+      "lower left and upper right corner of what --svg shows (default: the bodies, with the whole\n"
+      "mesh in a corner; all of the mesh if there is no small body)"},
      {"--dual-volumes", "P[,Q..]",
       "--svg shows the control volumes (median dual) around these points, numbered from 0 as in "
       "the file"},
