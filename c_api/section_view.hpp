@@ -3,6 +3,7 @@
 
 #include "base/vec2.hpp"
 #include "bspline/section.hpp"
+#include "bspline/variables.hpp"
 #include "views.hpp"
 
 namespace harmorph {
@@ -62,5 +63,9 @@ inline Status open_section(const hm_curves* curves, const hm_section* given, Cur
     }
     return section.connect(fault);
 }
+
+// Reads linear variables, whose box may be that of the control points.
+Status open_variables(const hm_variables* given, CurvesView const& view, Variables& out,
+                      Fault& fault) noexcept;
 
 }  // namespace harmorph

@@ -13,7 +13,7 @@ subroutine hmcond(w, mark, kind, icurv, ncurv, ierr, msg)
     call this%open(w)
     call this%refuse_if(kind == hm_rigid, "KIND is that of a rigid body: call HMRIGD")
     call this%refuse_if(kind == hm_periodic_pair, "KIND is that of a periodic pair: call HMPAIR")
-    call this%refuse_if(kind == hm_rotation_pair, "KIND is that of a rotation pair: call HMTURN")
+    call this%refuse_if(kind == hm_rotation_pair, "KIND is that of a rotation pair: call HMROTA")
     call this%refuse_if(kind == hm_interface, "KIND is that of a sliding interface: call HMINTF")
     condition = hm_c_condition(marker=short(mark), kind=short(kind))
     if (kind == hm_on_curve .or. .not. (icurv == ncurv .and. (icurv == 0 .or. icurv == 1))) then
@@ -48,7 +48,7 @@ subroutine hmpair(w, mark, mark2, ierr, msg)
     call add_condition(w, hm_c_condition(marker=short(mark), kind=hm_periodic_pair, partner=short(mark2)), ierr, msg)
 end subroutine
 
-subroutine hmturn(w, mark, mark2, xc, yc, ierr, msg)
+subroutine hmrota(w, mark, mark2, xc, yc, ierr, msg)
     use harmorph77
     implicit none
     integer, intent(in) :: mark, mark2

@@ -78,14 +78,15 @@ subroutine hmvars(w, kind, n1, n2, par, la, a, nv, err, ierr, msg)
     integer, intent(in) :: kind, n1, n2, la
     real(c_double), intent(inout), target :: w(*)
     real(c_double), intent(in), target :: par(*)
-    real(c_double), intent(inout) :: a(*), err(*)
+    real(c_double), intent(inout), target :: a(*), err(*)
     integer, intent(out) :: nv, ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
     type(hm_c_curves) :: set
     type(hm_c_curve) :: list(most_curves)
-    type(hm_c_variables) :: variables
-    integer(c_int32_t) :: n
+    type(hm_c_variables), target :: variables
+    type(hm_c_movement) :: linear(1)
+    type(hm_c_section_move) :: found
     type(hm_c_memory) :: memory
     nv = 0
     call this%open(w)
@@ -113,12 +114,20 @@ subroutine hmvars(w, kind, n1, n2, par, la, a, nv, err, ierr, msg)
     case (hm_naca4)
         if (par(1) > 0) variables%peaks = c_loc(par)
     end select
-    if (this%ok()) call this%told(hm_c_variables_map(set, this%kept%section, variables, n, memory, a, err, this%e))
+    linear%struct_size = int(c_sizeof(linear(1)), c_int64_t)
+    linear%kind = hm_linear
+    linear%variables = c_loc(variables)
+    found%struct_size = int(c_sizeof(found), c_int64_t)
+    if (this%ok()) call this%told(hm_c_move_section(set, this%kept%section, 1_c_int32_t, linear, c_null_ptr, found, &
+        memory, this%e))
     if (this%ok()) then
-        nv = int(n)
+        nv = int(found%n_variables)
         call this%refuse_if(la < 2 * nv * set%n_control, "A is too small: A needs 2*NV*NCP numbers")
     end if
     call this%room(memory%bytes, memory%block)
-    if (this%ok()) call this%told(hm_c_variables_map(set, this%kept%section, variables, n, memory, a, err, this%e))
+    found%matrix = c_loc(a)
+    found%unit_errors = c_loc(err)
+    if (this%ok()) call this%told(hm_c_move_section(set, this%kept%section, 1_c_int32_t, linear, c_null_ptr, found, &
+        memory, this%e))
     call this%finish(ierr, msg)
 end subroutine

@@ -133,19 +133,24 @@ MadeVariables make_linear(const Arguments& arguments, const std::string& path,
     std::vector<double> peaks;
     const hm_variables variables = variables_of(arguments, peaks);
     const hm_section section = section_of(arguments);
+    auto movement = sized<hm_movement>();
+    movement.kind = HM_LINEAR;
+    movement.variables = &variables;
     MadeVariables made;
     VariableMap& map = made.map;
+    auto result = sized<hm_section_move>();
     hm_memory memory = {};
-    call(path, hm_variables_map, view.get(), &section, &variables, &map.variables, &memory, nullptr,
-         nullptr);
+    call(path, hm_move_section, view.get(), &section, 1, &movement, nullptr, &result, &memory);
     map.points = view.get()->n_control;
+    map.variables = result.n_variables;
     map.matrix.resize(2 * static_cast<std::size_t>(map.points) *
                       static_cast<std::size_t>(map.variables));
     std::vector<double> error(2 * static_cast<std::size_t>(map.variables));
+    result.matrix = map.matrix.data();
+    result.unit_errors = error.data();
     Block work(memory.bytes);
     memory.block = work.data();
-    call(path, hm_variables_map, view.get(), &section, &variables, nullptr, &memory,
-         map.matrix.data(), error.data());
+    call(path, hm_move_section, view.get(), &section, 1, &movement, nullptr, &result, &memory);
     made.table = "variable  error on the curve (rms, largest), per unit\n";
     for (std::size_t j = 0; j < static_cast<std::size_t>(map.variables); ++j) {
         made.table += in_column(std::to_string(j + 1), 10) + in_column(brief(error[2 * j]), 11) +
@@ -186,7 +191,7 @@ MadeVariables make_family(const Arguments& arguments, const std::string& path,
     const std::vector<std::string> family = arguments.all("--family");
     const auto n = static_cast<std::int32_t>(family.size());
     const auto length = 2 * static_cast<std::size_t>(view.get()->n_control);
-    std::vector<double> modes(family.size() * length), singular(family.size());
+    std::vector<double> members(family.size() * length), singular(family.size());
     for (std::size_t k = 0; k < family.size(); ++k) {
         const Section section = read_section(family[k]);
         for (const std::string& warning : section.warnings) warn(warning);
@@ -195,13 +200,22 @@ MadeVariables make_family(const Arguments& arguments, const std::string& path,
         Block work;
         with_memory(work, [&](hm_memory* memory) {
             return call(family[k], hm_refit, view.get(), std::int32_t{0}, &at, points,
-                        std::int32_t{section.is_loop}, std::int32_t{1}, &modes[k * length], nullptr,
-                        memory);
+                        std::int32_t{section.is_loop}, std::int32_t{1}, &members[k * length],
+                        nullptr, memory);
         });
     }
+    std::vector<double> modes(members.size());
+    auto movement = sized<hm_movement>();
+    movement.kind = HM_FAMILY;
+    movement.n_members = n;
+    movement.members = members.data();
+    movement.singular = singular.data();
+    auto result = sized<hm_section_move>();
+    result.derivatives = modes.data();
     Block work;
     with_memory(work, [&](hm_memory* memory) {
-        return call(path, hm_family_modes, view.get(), n, modes.data(), singular.data(), memory);
+        return call(path, hm_move_section, view.get(), nullptr, 1, &movement, nullptr, &result,
+                    memory);
     });
     std::int32_t kept = 0;
     while (kept < n && singular[static_cast<std::size_t>(kept)] > 1e-12 * singular[0]) ++kept;

@@ -67,24 +67,22 @@ bool move_section(const hm_curves& curves, const hm_section& section,
                   const std::vector<hm_movement>& movements, const std::vector<double>& values,
                   MovedSection& moved, hm_error& error) {
     const auto n_movements = static_cast<std::int32_t>(movements.size());
-    std::int32_t n = 0;
-    hm_memory memory = {};
-    if (hm_move_section(&curves, &section, n_movements, movements.data(), &n, nullptr, nullptr,
-                        nullptr, nullptr, nullptr, &memory, &error) < 0)
-        return false;
     const auto length = 2 * static_cast<std::size_t>(curves.n_control);
     moved.move.resize(length);
     moved.derivatives.resize(values.size() * length);
     moved.start.resize(values.size());
-    double errors[2] = {};
-    Block work(memory.bytes);
-    memory.block = work.data();
-    if (hm_move_section(&curves, &section, n_movements, movements.data(), nullptr, values.data(),
-                        moved.move.data(), moved.derivatives.data(), moved.start.data(), errors,
-                        &memory, &error) < 0)
-        return false;
-    moved.rms_error = errors[0];
-    moved.max_error = errors[1];
+    auto result = sized<hm_section_move>();
+    result.move = moved.move.data();
+    result.derivatives = moved.derivatives.data();
+    result.start = moved.start.data();
+    Block work;
+    const hm_status status = with_memory(work, [&](hm_memory* memory) {
+        return hm_move_section(&curves, &section, n_movements, movements.data(), values.data(),
+                               &result, memory, &error);
+    });
+    if (status < 0) return false;
+    moved.rms_error = result.error[0];
+    moved.max_error = result.error[1];
     return true;
 }
 

@@ -26,14 +26,9 @@ class Section {
     // the line between the control points that are farthest apart.
     find_frame() {
         const { curves } = this.model,
-            line = (a, b) => {
-                const chord = Math.hypot(b[0] - a[0], b[1] - a[1]);
-                return { x: a[0], y: a[1], tx: (b[0] - a[0]) / chord, ty: (b[1] - a[1]) / chord, chord };
-            };
+            { line } = Section;
         try {
-            const stations = [0.25, 0.75].map((station) => ({ kind: "thickness", station })),
-                [ax, ay, bx, by] = curves.measure(stations, this.curves).places;
-            return line([1.5 * ax - 0.5 * bx, 1.5 * ay - 0.5 * by], [1.5 * bx - 0.5 * ax, 1.5 * by - 0.5 * ay]);
+            return Section.frame_of(curves.measure(Section.stations, this.curves).places);
         } catch (error) {
             const places = this.control.map((i) => [curves.control[2 * i], curves.control[2 * i + 1]]),
                 pairs = places.flatMap((a) => places.map((b) => line(a, b))),
@@ -42,6 +37,14 @@ class Section {
             this.curves.chord = [[x, y], [x + chord * tx, y + chord * ty]].sort((a, b) => a[0] - b[0]);
             return line(...this.curves.chord);
         }
+    }
+    static line(a, b) {
+        const chord = Math.hypot(b[0] - a[0], b[1] - a[1]);
+        return { x: a[0], y: a[1], tx: (b[0] - a[0]) / chord, ty: (b[1] - a[1]) / chord, chord };
+    }
+    // Returns the chord line through the places of its two stations.
+    static frame_of([ax, ay, bx, by]) {
+        return Section.line([1.5 * ax - 0.5 * bx, 1.5 * ay - 0.5 * by], [1.5 * bx - 0.5 * ax, 1.5 * by - 0.5 * ay]);
     }
     // Returns the place of a point along the chord and across it, in chords.
     in_chords({ x: x0, y: y0, tx, ty, chord }, x, y) {
@@ -59,13 +62,14 @@ class Section {
                 return { values: kinds.map(() => NaN), places: kinds.flatMap(() => [NaN, NaN]) };
             }
         };
-        const { values, places } = of("chord", "maxThickness", "maxCamber", "area", "twist"),
+        const { values, places } = of("chord", "maxThickness", "maxCamber", "area", "twist", ...Section.stations),
             [chord, thickness, camber, area, angle] = values,
+            frame = Section.frame_of(places.slice(-4)),
             turn = this.start ? angle - this.start.angle : 0;
         return {
             chord,
             thickness: thickness / chord,
-            thickest: Math.abs(this.in_chords({ ...this.frame, chord }, places[2], places[3])[0]),
+            thickest: this.in_chords(frame, places[2], places[3])[0],
             camber: camber / chord,
             area,
             angle,
@@ -104,12 +108,10 @@ class Section {
                         n_upper: 1,
                         peaks: scope.copied(Float64Array.of(0.5)),
                     }),
-                    n = scope.take(8),
+                    n = scope.take(4),
                     matrix = scope.take(32 * curves.nControl);
-                library.call("hm_variables_size", view, section, variables, n, n + 4);
-                const bytes = library.memory.integers(n, 2)[1],
-                    work = scope.take(bytes);
-                library.call("hm_variables_map", view, section, variables, work, bytes, matrix, 0);
+                scope.with_memory((memory) =>
+                    library.call("hm_variables_map", view, section, variables, n, memory, matrix, 0));
                 return library.memory.numbers(matrix, 4 * curves.nControl).slice();
             });
         } catch (error) {
@@ -153,17 +155,16 @@ class Section {
                     { kind: HM_FLAP, ...at(Section.hinge) },
                     { kind: HM_ROTATE, ...at(0.25) },
                 ]),
-                n = scope.take(8),
-                move = scope.take(16 * curves.nControl);
-            library.call("hm_move_section_size", view, section, 2, movements, n, n + 4);
-            const bytes = library.memory.integers(n, 2)[1],
-                work = scope.take(bytes),
-                angles = scope.copied(Float64Array.of(-flap, -twist)); // up, and down for a flap, at the right end
-            library.call("hm_move_section", view, section, 2, movements, angles, move, 0, 0, 0, work, bytes);
+                n = scope.take(4),
+                move = scope.take(16 * curves.nControl),
+                angles = scope.copied(Float64Array.of(-flap, -twist)); // the leading edge up, the flap down
+            scope.with_memory((memory) =>
+                library.call("hm_move_section", view, section, 2, movements, n, angles, move, 0, 0, 0, memory));
             return library.memory.numbers(move, 2 * curves.nControl).slice();
         });
     }
 }
+Section.stations = [0.25, 0.75].map((station) => ({ kind: "thickness", station })); // which tell where the chord is
 Section.hinge = 0.7; // of the flap, in chords from the leading edge
 Section.variables = [
     { name: "thickness", label: "Thickness", unit: "%", most: 60, step: 0.5 },

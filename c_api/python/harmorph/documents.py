@@ -1,7 +1,7 @@
 """Docstrings with the sentences of the headers, for those who do not read C.
 
 A line ``{members of hm_step_report}`` of a docstring becomes the members of the report, with types,
-units and meanings, and a line ``{"turn": HM_ROTATE}`` becomes the word with its meaning. The
+units and meanings, and a line ``{"rotate": HM_ROTATE}`` becomes the word with its meaning. The
 sentences come from the comments of the headers (``native/manual.py``).
 """
 
@@ -21,7 +21,7 @@ _WORDS = {
     "hm_assess": "Morph.assess", "hm_morph": "Morph.morph", "hm_move_safe": "Morph.safe",
     "hm_boundary_error": "Morph.boundary_error", "hm_displace": "Morph.displace", "hm_fit_marker": "Curves.fit",
     "hm_fit": "Curves.fit_points", "hm_quality_report": "Morph.assess", "hm_measure": "Curves.measure",
-    "HM_ROTATE": "turn",
+    "HM_ROTATE": "rotate",
 }
 # Members that C programs need, or that mean something else here.
 _HIDDEN = ("bytes", "index_base")

@@ -13,11 +13,8 @@ from .measures import Measures, measure, section_of
 from .reports import Report, fill, new, pair, report
 from .variables import Variables
 
-_MOVEMENTS = {
-    "turn": lib.HM_ROTATE,  # the verb of files of moves
-    **{name: getattr(lib, "HM_" + name.upper())
-       for name in ("shift", "scale", "flap", "camber_thickness", "parsec", "blade")},
-}
+_MOVEMENTS = {name: getattr(lib, "HM_" + name.upper())
+              for name in ("rotate", "shift", "scale", "flap", "camber_thickness", "parsec", "blade")}
 Self = TypeVar("Self", bound="Shapes")
 
 
@@ -37,7 +34,7 @@ class Movement(_Movement):
     kind : str
         With (x, y) the `centre`; angles are positive counter-clockwise:
 
-        {"turn": HM_ROTATE}
+        {"rotate": HM_ROTATE}
         {"shift": HM_SHIFT}
         {"scale": HM_SCALE}
         {"flap": HM_FLAP}
@@ -45,7 +42,7 @@ class Movement(_Movement):
         {"parsec": HM_PARSEC}
         {"blade": HM_BLADE}
     centre : pair of float
-        The centre of "turn", "scale" and "blade"; the hinge of "flap" [length].
+        The centre of "rotate", "scale" and "blade"; the hinge of "flap" [length].
     length : float
         "flap": behind this length the section moves as a rigid body; 0 means a tenth of the chord.
     n_camber, n_thickness : int
@@ -123,7 +120,7 @@ class Shapes:
     def move_section(
         self, movements: Sequence[Movement], values: Any = None, *, chord: Any = None, curves: Any = None
     ) -> Moved:
-        """Turn, shift or scale a section, deflect a flap, change PARSEC parameters or metal angles.
+        """Rotate, shift or scale a section, deflect a flap, change PARSEC parameters or metal angles.
 
         Parameters
         ----------
@@ -145,14 +142,16 @@ class Shapes:
             x, y = pair(wanted.centre, "centre")
             fill(ffi.addressof(struct), struct_size=ffi.sizeof("hm_movement"), kind=_MOVEMENTS[wanted.kind],
                  n_camber=wanted.n_camber, n_thickness=wanted.n_thickness, x=x, y=y, length=wanted.length)
-        section, n, memory = section_of(chord, curves), ffi.new("int32_t*"), ffi.new("hm_memory*")
-        call(lib.hm_move_section, self._c, section, len(movements), structs, n, *[ffi.NULL] * 5, memory)
-        given = doubles(np.zeros(n[0]) if values is None else values, (n[0],), "values")
+        section, found, memory = section_of(chord, curves), new("hm_section_move"), ffi.new("hm_memory*")
+        call(lib.hm_move_section, self._c, section, len(movements), structs, ffi.NULL, found, memory)
+        n = found.n_values
+        given = doubles(np.zeros(n) if values is None else values, (n,), "values")
         shape = self.control.shape
-        result = Moved(np.empty(shape), np.empty((n[0], *shape)), np.empty(n[0]), np.empty(2))
-        move, derivatives, start, error = (doubles(one, one.shape, "result", out=True) for one in result)
-        call_with_memory(lib.hm_move_section, self._c, section, len(movements), structs, n, given, move,
-                         derivatives, start, error, MEMORY)
+        result = Moved(np.empty(shape), np.empty((n, *shape)), np.empty(n), np.empty(2))
+        found.move, found.derivatives, found.start, _error = (
+            doubles(one, one.shape, "result", out=True) for one in result)
+        call_with_memory(lib.hm_move_section, self._c, section, len(movements), structs, given, found, MEMORY)
+        result.error[:] = found.error[0], found.error[1]
         return result
 
     def refit(
@@ -201,9 +200,11 @@ class Shapes:
         modes = np.array(numbers(movements, "movements"), np.float64, order="C")
         if modes.ndim != 3 or modes.shape[1:] != self.control.shape:
             raise Error(f"movements must have the shape (n, {len(self.control)}, 2), not {modes.shape}.")
-        singular = np.empty(len(modes))
-        call_with_memory(lib.hm_family_modes, self._c, len(modes), ffi.from_buffer("double[]", modes),
-                         ffi.from_buffer("double[]", singular), MEMORY)
+        members, singular = modes.copy(), np.empty(len(modes))
+        found = fill(new("hm_section_move"), derivatives=ffi.from_buffer("double[]", modes))
+        family = fill(new("hm_movement"), kind=lib.HM_FAMILY, n_members=len(members),
+                      members=ffi.from_buffer("double[]", members), singular=ffi.from_buffer("double[]", singular))
+        call_with_memory(lib.hm_move_section, self._c, ffi.NULL, 1, family, ffi.NULL, found, MEMORY)
         return modes, singular
 
     def refined(

@@ -92,15 +92,17 @@ class Variables:
             stations = numbers(peaks, "peaks")
             places = doubles(stations, (n_upper + n_lower,), "peaks")
             struct.peaks = places
-        section, n, memory = section_of(chord, curves), ffi.new("int32_t*"), ffi.new("hm_memory*")
-        call(lib.hm_variables_map, view, section, struct, n, memory, ffi.NULL, ffi.NULL)
+        section, found, memory = section_of(chord, curves), new("hm_section_move"), ffi.new("hm_memory*")
+        movement = fill(new("hm_movement"), kind=lib.HM_LINEAR, variables=struct)
+        call(lib.hm_move_section, view, section, 1, movement, ffi.NULL, found, memory)
         self.kind = kind
-        self.n: int = n[0]
+        self.n: int = found.n_variables
         self.components = 2 if kind == "ffd" else 1
         self.matrix = np.empty((n_control, self.n), np.complex128)
         self.error = np.empty((self.n, 2))
-        call_with_memory(lib.hm_variables_map, view, section, struct, n, MEMORY,
-                         ffi.from_buffer("double[]", self.matrix), ffi.from_buffer("double[]", self.error))
+        fill(found, matrix=ffi.from_buffer("double[]", self.matrix),
+             unit_errors=ffi.from_buffer("double[]", self.error))
+        call_with_memory(lib.hm_move_section, view, section, 1, movement, ffi.NULL, found, MEMORY)
 
     def __repr__(self) -> str:
         return f"Variables({self.kind!r}, n={self.n})"

@@ -13,7 +13,7 @@ def turned(points, degrees):
 
 def test_maps_of_the_section():
     airfoil = section()
-    found = airfoil.move_section([harmorph.Movement("turn"), harmorph.Movement("shift")], [10, 0.3, -0.2])
+    found = airfoil.move_section([harmorph.Movement("rotate"), harmorph.Movement("shift")], [10, 0.3, -0.2])
     assert isinstance(found, harmorph.Moved) and not found.error.any() and not found.start.any()
     after = airfoil.control + found.move
     assert abs(after - turned(airfoil.control, 10) - [0.3, -0.2]).max() < 1e-14
@@ -113,9 +113,9 @@ def test_smallest_values_and_other_bodies():
 
 @pytest.mark.parametrize("call, words", [
     (lambda a: a.move_section([("roll",)], [1]), "unknown"),
-    (lambda a: a.move_section([("turn",)], [1, 2]), "values must have the shape"),
+    (lambda a: a.move_section([("rotate",)], [1, 2]), "values must have the shape"),
     (lambda a: a.move_section([]), ""),
-    (lambda a: a.move_section([("turn",)], [np.nan]), ""),
+    (lambda a: a.move_section([("rotate",)], [np.nan]), ""),
     (lambda a: a.refit(np.zeros((9, 2))), ""),
     (lambda a: a.refit(np.zeros((9, 3))), "shape"),
     (lambda a: a.family_modes(np.zeros((2, 5, 2))), "shape"),
@@ -123,8 +123,8 @@ def test_smallest_values_and_other_bodies():
     (lambda a: a.refined([0.5], degree=4), ""),
     (lambda a: a.measure(("min_thickness", 0.2)), "written"),
     (lambda a: harmorph.Movement("roll"), "'roll' is unknown; known are .*'turn'"),
-    (lambda a: harmorph.Movement(["turn"]), "unknown"),
-    (lambda a: harmorph.Movement("turn", 0.25), "centre must have two entries"),
+    (lambda a: harmorph.Movement(["rotate"]), "unknown"),
+    (lambda a: harmorph.Movement("rotate", 0.25), "centre must have two entries"),
     (lambda a: harmorph.Movement("flap", centre=(0, 0, 0)), "centre must have two entries"),
     (lambda a: a.measure(("distance", 5, 1)), ""),
     (lambda a: harmorph.Curves.fit_points(naca(), True, weights=[1.0]), ""),

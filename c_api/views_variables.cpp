@@ -1,7 +1,5 @@
-// The C interface: computes the map from design variables to control points.
+// Reads the description of linear design variables.
 #include "base/vec2.hpp"
-#include "bspline/section_measures.hpp"
-#include "bspline/variables.hpp"
 #include "section_view.hpp"
 
 namespace harmorph {
@@ -82,6 +80,8 @@ void use_box(hm_variables const& v, CurvesView const& view, Variables& out) noex
     out.high = box.high + margin;
 }
 
+}  // namespace
+
 Status open_variables(const hm_variables* given, CurvesView const& view, Variables& out,
                       Fault& fault) noexcept {
     HARMORPH_TRY(require({{"variables", given}}, fault));
@@ -119,64 +119,4 @@ Status open_variables(const hm_variables* given, CurvesView const& view, Variabl
                         "x_max, and y_min below y_max");
 }
 
-// The arguments that a size query and hm_variables_map have in common.
-struct VariablesTask {
-    CurvesView view;
-    Section section;
-    Variables variables;
-
-    Status open(const hm_curves* curves, const hm_section* given_section, const hm_variables* given,
-                CallFault& fault) noexcept {
-        HARMORPH_TRY(open_section(curves, given_section, view, section, fault));
-        HARMORPH_TRY(open_variables(given, view, variables, fault));
-        if (!variables.needs_chord()) return Status::ok;
-        AreaMoments moments;
-        HARMORPH_TRY(area_moments(section, moments, fault));  // finds the orientation
-        return section.find_chord(true, fault);
-    }
-    void lay_out(Arena& arena, VariableMap& map) const noexcept {
-        map.lay_out(arena, view.set.n_control, variables.count());
-    }
-};
-
-hm_status variables_bytes(const hm_curves* curves, const hm_section* section,
-                          const hm_variables* variables, int32_t* n, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        VariablesTask task;
-        HARMORPH_TRY(task.open(curves, section, variables, fault));
-        VariableMap map;
-        HARMORPH_TRY(count_bytes(bytes, fault, [&](Arena& arena) { task.lay_out(arena, map); }));
-        if (n != nullptr) *n = task.variables.count();
-        return Status::ok;
-    });
-}
-
-}  // namespace
 }  // namespace harmorph
-
-using namespace harmorph;
-
-extern "C" {
-
-hm_status hm_variables_map(const hm_curves* curves, const hm_section* section,
-                           const hm_variables* variables, int32_t* n, hm_memory* memory,
-                           double* matrix, double* error, hm_error* err) {
-    if (asks(memory)) return variables_bytes(curves, section, variables, n, &memory->bytes, err);
-    return guarded(err, [&](CallFault& fault) {
-        VariablesTask task;
-        HARMORPH_TRY(require({{"memory", memory}, {"matrix", matrix}}, fault));
-        HARMORPH_TRY(task.open(curves, section, variables, fault));
-        VariableMap map;
-        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { task.lay_out(arena, map); }));
-        VariablesOfSection const wanted{task.section, task.variables};
-        HARMORPH_TRY(map.run(task.section, wanted.movements(), fault));
-        HARMORPH_TRY(map.check_independence(fault));
-        copy(Span<Real>(matrix, map.wanted.size()), Span<const Real>(map.wanted));
-        if (error != nullptr)
-            copy(Span<Real>(error, map.error.size()), Span<const Real>(map.error));
-        if (n != nullptr) *n = task.variables.count();
-        return Status::ok;
-    });
-}
-
-}  // extern "C"
