@@ -32,8 +32,11 @@ Box box_of(const Mesh& mesh) {
 
 std::string mesh_picture(const Mesh& mesh, bool boundaries_alone, const hm_curves& curves,
                          const std::optional<Box>& wished) {
-    const Box all = box_of(mesh),
-              window = wished ? *wished : all.widened(.02 * std::max(all.width(), all.height()));
+    const Box all = box_of(mesh);
+    const std::optional<Box> bodies = wished ? std::nullopt : window_of_bodies(mesh);
+    const Box window = wished   ? *wished
+                       : bodies ? *bodies
+                                : all.widened(.02 * std::max(all.width(), all.height()));
     const std::string title = boundaries_alone ? "Boundaries of the mesh" : "The mesh";
     Sheet sheet(window, title + (curves.n_control > 0 ? " and its B-spline" : ""),
                 plural(mesh.points(), "point") + ", " + plural(mesh.cells(), "cell") +
@@ -56,6 +59,7 @@ std::string mesh_picture(const Mesh& mesh, bool boundaries_alone, const hm_curve
     draw_control_polygons(plot, curves, mesh_style::polygon);
     draw_control_points(plot, curves, 3.5, mesh_style::control);
     draw_numbers(plot, curves, {14, 12, "fill=\"#111\""});
+    if (bodies) draw_inset(plot, mesh);
     plot.end_inside();
     for (const auto& [style, name] : legend) sheet.legend_line(style, name);
     if (curves.n_control > 0) {
