@@ -68,7 +68,7 @@
 	bench-petsc deform paper demo install uninstall clean \
 	test-openfoam test-saturne test-systems \
 	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist \
-	compile-commands tidy wheel test-release web-tools web-modules web test-web
+	compile-commands tidy wheel test-release web-tools web-modules page-module web test-web
 
 BUILD = build
 # PREFIX is /usr/local if it is not given; DESTDIR is empty. Both come from the environment of the recipes, where make
@@ -152,6 +152,7 @@ rules: checked
 	@mkdir -p $(BUILD)/web $(BUILD)/meshes && cd $(BUILD) && mkdir -p objects/core objects/cli objects/unit objects/fuzz objects/mesh \
 	    objects/harmorph objects/harmorph_simd128 objects/node
 	@UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
+	    WASM_CXX='$(WASM_CXX)' \
 	    FLAGS='$(CXX) $(LEVEL) $(KERNEL_LEVEL) $(PROGRAM_LEVEL) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' \
 	    WASM_FLAGS='$(WASM_CXX) $(WASM) $(WASM_LINK)' NODE_FLAGS='$(EMXX) $(NODE) $(NODE_LINK)' \
 	    sh c_api/packaging/rules.sh $(BUILD)
@@ -217,6 +218,9 @@ web-modules: web-tools rules
 	+@program=; if command -v $(EMXX) >/dev/null; then program=$(BUILD)/web/program.js; \
 	else echo "$(EMXX) not found: the package has no program; install Debian's emscripten and node-acorn"; fi; \
 	$(MAKE_BY_RULES) $(WEB) $$program
+# What the program has of pages, for CMake.
+page-module: rules
+	+@$(MAKE_BY_RULES) $(BUILD)/page_module.cpp
 web: web-modules
 	@VERSION=$(VERSION) EMXX='$(EMXX)' sh c_api/web/pack.sh pack $(BUILD)
 

@@ -61,6 +61,20 @@ Status place(void* block, Size bytes, Fault& fault, LayOut const& lay_out) noexc
     return arena.verify(bytes, fault);
 }
 
+// A size query: the caller has no block yet, and asks how many bytes it needs.
+inline bool asks(const hm_memory* memory) noexcept {
+    return memory != nullptr && memory->block == nullptr && memory->bytes == 0;
+}
+
+template <class LayOut>
+Status place(const hm_memory* memory, Fault& fault, LayOut const& lay_out) noexcept {
+    HARMORPH_TRY(require({{"memory", memory}}, fault));
+    if (memory->block != nullptr) return place(memory->block, memory->bytes, fault, lay_out);
+    return fault.refuse(Status::bad_argument,
+                        "memory.block is NULL, but memory.bytes is ~; in a size query both are 0",
+                        {}, {}, static_cast<Real>(memory->bytes));
+}
+
 // An object that lies in the block in front of its arrays. The object is made outside the block,
 // and copied into the block when it is complete.
 template <class Object>

@@ -53,15 +53,8 @@ struct Piece {
     }
 };
 
-}  // namespace
-}  // namespace harmorph
-
-using namespace harmorph;
-
-extern "C" {
-
-hm_status hm_analysis_size(const hm_problem* problem, const hm_options* options, size_t* bytes,
-                           hm_error* err) {
+hm_status analysis_bytes(const hm_problem* problem, const hm_options* options, size_t* bytes,
+                         hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Request request;
         HARMORPH_TRY(request.read(problem, options, fault));
@@ -72,14 +65,22 @@ hm_status hm_analysis_size(const hm_problem* problem, const hm_options* options,
     });
 }
 
-hm_status hm_analysis_init(hm_analysis** analysis, void* block, size_t bytes,
-                           const hm_problem* problem, const hm_options* options, hm_error* err) {
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_analysis_init(hm_analysis** analysis, hm_memory* memory, const hm_problem* problem,
+                           const hm_options* options, hm_error* err) {
+    if (asks(memory)) return analysis_bytes(problem, options, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         Request request;
         HARMORPH_TRY(require({{"analysis", analysis}}, fault));
         HARMORPH_TRY(request.read(problem, options, fault));
         InBlock<Analysis> made;
-        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) {
+        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) {
             made.lay_out(arena, request.problem, request.n_curves, request.n_conditions);
         }));
         HARMORPH_TRY(request.copy_to(made.object.curves(), made.object.slip_along(),

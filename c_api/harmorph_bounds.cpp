@@ -168,15 +168,7 @@ Status view_start(const hm_points* given, Mesh const& mesh, Points& start, Fault
     return check_range(start, mesh.n_points, fault);
 }
 
-}  // namespace
-}  // namespace harmorph
-
-using namespace harmorph;
-
-extern "C" {
-
-hm_status hm_quality_size(const hm_basis* basis, const hm_mesh* mesh, size_t* bytes,
-                          hm_error* err) {
+hm_status quality_bytes(const hm_basis* basis, const hm_mesh* mesh, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         Mesh view;
@@ -188,8 +180,16 @@ hm_status hm_quality_size(const hm_basis* basis, const hm_mesh* mesh, size_t* by
     });
 }
 
-hm_status hm_quality_init(hm_quality** quality, void* block, size_t bytes, const hm_basis* basis,
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_quality_init(hm_quality** quality, hm_memory* memory, const hm_basis* basis,
                           const hm_mesh* mesh, const hm_points* start, hm_error* err) {
+    if (asks(memory)) return quality_bytes(basis, mesh, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         Mesh view;
@@ -205,7 +205,7 @@ hm_status hm_quality_init(hm_quality** quality, void* block, size_t bytes, const
         }
         MeshQualityBlock made;
         HARMORPH_TRY(
-            place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, b, cells.mesh); }));
+            place(memory, fault, [&](Arena& arena) { made.lay_out(arena, b, cells.mesh); }));
         made.object.find(b, cells, at);
         made.give(quality);
         return Status::ok;

@@ -23,13 +23,13 @@ struct DisplaceCall {
     PointList list;
     Displacement displacement;
 
-    Status open(hm_plan* handle, Index n, const Index* points, Index n_fields, void* work,
-                Size bytes, const hm_solve_report* report, CallFault& fault) noexcept {
+    Status open(hm_plan* handle, Index n, const Index* points, Index n_fields, hm_memory* memory,
+                const hm_solve_report* report, CallFault& fault) noexcept {
         HARMORPH_TRY(open_plan(handle, plan, fault));
         HARMORPH_TRY(check_fields(*plan, n_fields, fault));
         HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(view_given_list(*plan, n, points, list, fault));
-        HARMORPH_TRY(place(work, bytes, fault,
+        HARMORPH_TRY(place(memory, fault,
                            [&](Arena& arena) { displacement.lay_out(arena, *plan, n_fields); }));
         return displacement.find_places(*plan, list, fault);
     }
@@ -80,7 +80,7 @@ private:
     using View = std::conditional_t<std::is_same<Given, hm_points>::value, Points, MutablePoints>;
 };
 
-// The arguments that hm_tabulate_size and hm_tabulate have in common, and the layout of the block.
+// The arguments that a size query and hm_tabulate have in common, and the layout of the block.
 struct TableCall {
     Basis basis;
     hm_modes modes;
@@ -117,6 +117,29 @@ MutablePoints points_of(hm_points_out const& given) noexcept {
     return {given.x, given.y, stride_of(given.stride)};
 }
 
+hm_status displace_bytes(const hm_plan* plan, int32_t n_fields, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Plan* p = nullptr;
+        HARMORPH_TRY(open_plan(plan, p, fault));
+        HARMORPH_TRY(check_fields(*p, n_fields, fault));
+        Displacement made;
+        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, n_fields); });
+    });
+}
+
+hm_status tabulate_bytes(const hm_plan* plan, const hm_basis* basis, const hm_modes* modes,
+                         size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Plan* p = nullptr;
+        TableCall call;
+        HARMORPH_TRY(call.open(plan, p, basis, modes, fault));
+        Basis made;
+        ModeWork work;
+        return count_bytes(bytes, fault,
+                           [&](Arena& arena) { call.lay_out(arena, *p, made, work); });
+    });
+}
+
 }  // namespace
 }  // namespace harmorph
 
@@ -144,23 +167,14 @@ hm_status hm_given_points(const hm_plan* plan, int32_t* points, int32_t capacity
     });
 }
 
-hm_status hm_displace_size(const hm_plan* plan, int32_t n_fields, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        const Plan* p = nullptr;
-        HARMORPH_TRY(open_plan(plan, p, fault));
-        HARMORPH_TRY(check_fields(*p, n_fields, fault));
-        Displacement made;
-        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, n_fields); });
-    });
-}
-
 hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n_fields,
                       const hm_points* wall, const hm_points* from, const hm_points_out* to,
-                      void* work, size_t bytes, hm_solve_report* report, hm_error* err) {
+                      hm_memory* memory, hm_solve_report* report, hm_error* err) {
+    if (asks(memory)) return displace_bytes(plan, n_fields, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         DisplaceCall call;
         Points start;
-        HARMORPH_TRY(call.open(plan, n, points, n_fields, work, bytes, report, fault));
+        HARMORPH_TRY(call.open(plan, n, points, n_fields, memory, report, fault));
         HARMORPH_TRY(call.view_fields(wall, n_fields, "wall", fault, n));
         HARMORPH_TRY(view_points_if(from, "from", start, fault));
         HARMORPH_TRY(call.view_fields(to, n_fields, "to", fault));
@@ -185,11 +199,12 @@ hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n
 }
 
 hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* points, int32_t n_fields,
-                              const hm_points* dj, const hm_points_out* gradient, void* work,
-                              size_t bytes, hm_solve_report* report, hm_error* err) {
+                              const hm_points* dj, const hm_points_out* gradient, hm_memory* memory,
+                              hm_solve_report* report, hm_error* err) {
+    if (asks(memory)) return displace_bytes(plan, n_fields, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         DisplaceCall call;
-        HARMORPH_TRY(call.open(plan, n, points, n_fields, work, bytes, report, fault));
+        HARMORPH_TRY(call.open(plan, n, points, n_fields, memory, report, fault));
         HARMORPH_TRY(call.view_fields(dj, n_fields, "dj", fault));
         HARMORPH_TRY(call.view_fields(gradient, n_fields, "gradient", fault, n));
         Displacement const& displacement = call.displacement;
@@ -206,22 +221,9 @@ hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* points, i
     });
 }
 
-hm_status hm_tabulate_size(const hm_plan* plan, const hm_basis* basis, const hm_modes* modes,
-                           size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        const Plan* p = nullptr;
-        TableCall call;
-        HARMORPH_TRY(call.open(plan, p, basis, modes, fault));
-        Basis made;
-        ModeWork work;
-        return count_bytes(bytes, fault,
-                           [&](Arena& arena) { call.lay_out(arena, *p, made, work); });
-    });
-}
-
-hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* plan,
-                      const hm_basis* basis, const hm_modes* modes, hm_solve_report* report,
-                      hm_error* err) {
+hm_status hm_tabulate(hm_basis** tabulated, hm_memory* memory, hm_plan* plan, const hm_basis* basis,
+                      const hm_modes* modes, hm_solve_report* report, hm_error* err) {
+    if (asks(memory)) return tabulate_bytes(plan, basis, modes, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         TableCall table;
         DisplaceCall call;
@@ -246,7 +248,7 @@ hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* 
                                 "the basis was solved on other coordinates than those of the "
                                 "plan's factor; solve the basis again");
         HARMORPH_TRY(
-            place(block, bytes, fault, [&](Arena& arena) { table.lay_out(arena, p, made, work); }));
+            place(memory, fault, [&](Arena& arena) { table.lay_out(arena, p, made, work); }));
         HARMORPH_TRY(work.displacement.find_places(p, call.list, fault));
         Modes const given{table.modes.n_modes, table.modes.numbers, table.modes.values};
         HARMORPH_TRY(given.check(n, fault));

@@ -200,6 +200,14 @@ hm_mesh EdgeCells::present() const noexcept {
     return mesh;
 }
 
+hm_status mesh_from_edges_bytes(const hm_edge_mesh* edges, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        EdgeCells cells;
+        HARMORPH_TRY(cells.read(edges, fault));
+        return count_bytes(bytes, fault, [&](Arena& arena) { cells.lay_out(arena); });
+    });
+}
+
 }  // namespace
 }  // namespace harmorph
 
@@ -207,23 +215,15 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_mesh_from_edges_size(const hm_edge_mesh* edges, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        EdgeCells cells;
-        HARMORPH_TRY(require({{"bytes", bytes}}, fault));
-        HARMORPH_TRY(cells.read(edges, fault));
-        return count_bytes(bytes, fault, [&](Arena& arena) { cells.lay_out(arena); });
-    });
-}
-
-hm_status hm_mesh_from_edges(hm_mesh* mesh, void* block, size_t bytes, const hm_edge_mesh* edges,
+hm_status hm_mesh_from_edges(hm_mesh* mesh, hm_memory* memory, const hm_edge_mesh* edges,
                              hm_error* err) {
+    if (asks(memory)) return mesh_from_edges_bytes(edges, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         EdgeCells cells;
-        HARMORPH_TRY(require({{"block", block}}, fault));
+        HARMORPH_TRY(require({{"memory", memory}}, fault));
         HARMORPH_TRY(check_report(mesh, "mesh", fault));
         HARMORPH_TRY(cells.read(edges, fault));
-        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { cells.lay_out(arena); }));
+        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { cells.lay_out(arena); }));
         HARMORPH_TRY(cells.run(fault));
         write_struct(cells.present(), mesh);
         return Status::ok;

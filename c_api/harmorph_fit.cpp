@@ -15,17 +15,9 @@ struct FitBlock {
     }
 };
 
-}  // namespace
-}  // namespace harmorph
-
-using namespace harmorph;
-
-extern "C" {
-
-hm_status hm_fit_size(int32_t n, const hm_fit_options* options, size_t* bytes, hm_error* err) {
+hm_status fit_bytes(int32_t n, const hm_fit_options* options, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         FitOptions asked;
-        HARMORPH_TRY(require({{"bytes", bytes}}, fault));
         HARMORPH_TRY(view_fit_options(options, asked, fault));
         HARMORPH_TRY(check_fit(n, asked, fault));
         FitBlock made;
@@ -33,13 +25,21 @@ hm_status hm_fit_size(int32_t n, const hm_fit_options* options, size_t* bytes, h
     });
 }
 
-hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes, const hm_points* points,
-                 int32_t n, int32_t is_loop, const hm_fit_options* options, hm_fit_report* report,
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_fit(const hm_curves** curves, hm_memory* memory, const hm_points* points, int32_t n,
+                 int32_t is_loop, const hm_fit_options* options, hm_fit_report* report,
                  hm_error* err) {
+    if (asks(memory)) return fit_bytes(n, options, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         Points view;
         FitOptions asked;
-        HARMORPH_TRY(require({{"curves", curves}, {"block", block}}, fault));
+        HARMORPH_TRY(require({{"curves", curves}, {"memory", memory}}, fault));
         HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(view_points(points, "points", view, fault));
         HARMORPH_TRY(view_fit_options(options, asked, fault));
@@ -47,12 +47,11 @@ hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes, const hm_p
         HARMORPH_TRY(check_fit_weights(asked, n, fault));
         FitBlock made;
         FitReport fitted;
-        HARMORPH_TRY(
-            place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, n, asked); }));
+        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { made.lay_out(arena, n, asked); }));
         HARMORPH_TRY(made.fit.run(view, n, is_loop != 0, asked, fitted, fault));
         made.made.add(made.fit);
         hm_fit_report filled = report_of(fitted, 1);
-        *curves = made.made.present(block, bytes, filled.bytes);
+        *curves = made.made.present(memory->block, memory->bytes, filled.bytes);
         if (report != nullptr) write_struct(filled, report);
         return fault.status;
     });

@@ -29,15 +29,8 @@ Status open_interpolation(const hm_interpolation* handle, const Interpolation*& 
     return Status::ok;
 }
 
-}  // namespace
-}  // namespace harmorph
-
-using namespace harmorph;
-
-extern "C" {
-
-hm_status hm_interpolation_size(const hm_analysis* analysis, int32_t n, size_t* bytes,
-                                hm_error* err) {
+hm_status interpolation_bytes(const hm_analysis* analysis, int32_t n, size_t* bytes,
+                              hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* opened = nullptr;
         HARMORPH_TRY(open_analysis(analysis, opened, fault));
@@ -47,10 +40,18 @@ hm_status hm_interpolation_size(const hm_analysis* analysis, int32_t n, size_t* 
     });
 }
 
-hm_status hm_interpolation_init(hm_interpolation** interpolation, void* block, size_t bytes,
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_interpolation_init(hm_interpolation** interpolation, hm_memory* memory,
                                 const hm_analysis* analysis, const hm_points* at, int32_t n,
                                 const hm_points* to, double* distance, const hm_executor* executor,
                                 hm_interpolation_report* report, hm_error* err) {
+    if (asks(memory)) return interpolation_bytes(analysis, n, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         const Analysis* opened = nullptr;
         Points targets;
@@ -73,8 +74,7 @@ hm_status hm_interpolation_init(hm_interpolation** interpolation, void* block, s
                                     "cell # is inverted, so no point can be found in the mesh",
                                     fault));
         InBlock<Interpolation> made;
-        HARMORPH_TRY(
-            place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, *opened, n); }));
+        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { made.lay_out(arena, *opened, n); }));
         Span<Real> distances;
         if (distance != nullptr) distances = {distance, static_cast<Size>(n)};
         Interpolation::Report const found =

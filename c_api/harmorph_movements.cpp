@@ -62,7 +62,7 @@ Status view_movement(const hm_movement* array, Index number, Movement& out, Faul
     return Status::ok;
 }
 
-// The arguments that hm_move_section_size and hm_move_section have in common.
+// The arguments that a size query and hm_move_section have in common.
 struct MovementTask {
     CurvesView view;
     Section section;
@@ -269,6 +269,29 @@ void write_pairs(Span<const Vec2> from, double* to) noexcept {
     }
 }
 
+hm_status move_section_bytes(const hm_curves* curves, const hm_section* section,
+                             int32_t n_movements, const hm_movement* movements, int32_t* n,
+                             size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        MovementTask task;
+        MovementWork arrays;
+        HARMORPH_TRY(task.open(curves, section, n_movements, movements, fault));
+        HARMORPH_TRY(count_bytes(bytes, fault, [&](Arena& arena) { arrays.lay_out(arena, task); }));
+        if (n != nullptr) *n = task.n_values;
+        return Status::ok;
+    });
+}
+
+hm_status family_modes_bytes(const hm_curves* curves, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        CurvesView view;
+        FamilyModes modes;
+        HARMORPH_TRY(view_curves(curves, view, fault));
+        return count_bytes(bytes, fault,
+                           [&](Arena& arena) { modes.lay_out(arena, view.set.n_control); });
+    });
+}
+
 }  // namespace
 }  // namespace harmorph
 
@@ -276,63 +299,42 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_move_section_size(const hm_curves* curves, const hm_section* section,
-                               int32_t n_movements, const hm_movement* movements, int32_t* n,
-                               size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        MovementTask task;
-        MovementWork arrays;
-        HARMORPH_TRY(require({{"n", n}}, fault));
-        HARMORPH_TRY(task.open(curves, section, n_movements, movements, fault));
-        HARMORPH_TRY(count_bytes(bytes, fault, [&](Arena& arena) { arrays.lay_out(arena, task); }));
-        *n = task.n_values;
-        return Status::ok;
-    });
-}
-
 hm_status hm_move_section(const hm_curves* curves, const hm_section* section, int32_t n_movements,
-                          const hm_movement* movements, const double* values, double* move,
-                          double* derivatives, double* start, double* error, void* work,
-                          size_t bytes, hm_error* err) {
+                          const hm_movement* movements, int32_t* n, const double* values,
+                          double* move, double* derivatives, double* start, double* error,
+                          hm_memory* memory, hm_error* err) {
+    if (asks(memory))
+        return move_section_bytes(curves, section, n_movements, movements, n, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         MovementTask task;
         MovementWork arrays;
-        HARMORPH_TRY(require({{"values", values}, {"move", move}, {"work", work}}, fault));
+        HARMORPH_TRY(require({{"values", values}, {"move", move}, {"memory", memory}}, fault));
         HARMORPH_TRY(task.open(curves, section, n_movements, movements, fault));
-        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { arrays.lay_out(arena, task); }));
+        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { arrays.lay_out(arena, task); }));
         HARMORPH_TRY(arrays.run(task, values, fault));
         write_pairs(arrays.move, move);
         write_pairs(arrays.derivative, derivatives);
         for (Index j = 0; start != nullptr && j < task.n_values; ++j) start[j] = arrays.start[j];
         for (Index k = 0; error != nullptr && k < 2; ++k) error[k] = arrays.error[k];
+        if (n != nullptr) *n = task.n_values;
         return Status::ok;
     });
 }
 
-hm_status hm_family_modes_size(const hm_curves* curves, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        CurvesView view;
-        FamilyModes modes;
-        HARMORPH_TRY(require({{"bytes", bytes}}, fault));
-        HARMORPH_TRY(view_curves(curves, view, fault));
-        return count_bytes(bytes, fault,
-                           [&](Arena& arena) { modes.lay_out(arena, view.set.n_control); });
-    });
-}
-
 hm_status hm_family_modes(const hm_curves* curves, int32_t n, double* movements, double* singular,
-                          void* work, size_t bytes, hm_error* err) {
+                          hm_memory* memory, hm_error* err) {
+    if (asks(memory)) return family_modes_bytes(curves, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         CurvesView view;
         FamilyModes modes;
         HARMORPH_TRY(
-            require({{"movements", movements}, {"singular", singular}, {"work", work}}, fault));
+            require({{"movements", movements}, {"singular", singular}, {"memory", memory}}, fault));
         if (n < 1 || n > 1024)
             return fault.refuse(Status::bad_argument, "n must be between 1 and 1024, not #",
                                 plain(n));
         HARMORPH_TRY(view_curves(curves, view, fault));
-        HARMORPH_TRY(place(work, bytes, fault,
-                           [&](Arena& arena) { modes.lay_out(arena, view.set.n_control); }));
+        HARMORPH_TRY(
+            place(memory, fault, [&](Arena& arena) { modes.lay_out(arena, view.set.n_control); }));
         modes.start();
         for (Index number = 0; number < view.count(); ++number) {
             Curve curve;

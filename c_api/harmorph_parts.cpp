@@ -125,7 +125,8 @@ hm_status hm_private_share_init(hm_basis** share, void* block, size_t bytes,
         HARMORPH_TRY(require({{"share", share}}, fault));
         HARMORPH_TRY(open_complete(analysis, opened, fault));
         HARMORPH_TRY(count_share(*opened, first, n, counts, fault));
-        return make_basis(*opened, counts, block, bytes, share, fault);
+        const hm_memory memory = {block, bytes};
+        return make_basis(*opened, counts, &memory, share, fault);
     });
 }
 

@@ -31,14 +31,7 @@ hm_solve_report report_of(SolveReport const& solved, Basis const& basis,
     return filled;
 }
 
-}  // namespace
-}  // namespace harmorph
-
-using namespace harmorph;
-
-extern "C" {
-
-hm_status hm_plan_size(const hm_analysis* analysis, size_t* bytes, hm_error* err) {
+hm_status plan_bytes(const hm_analysis* analysis, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* opened = nullptr;
         HARMORPH_TRY(open_complete(analysis, opened, fault));
@@ -47,22 +40,7 @@ hm_status hm_plan_size(const hm_analysis* analysis, size_t* bytes, hm_error* err
     });
 }
 
-hm_status hm_plan_init(hm_plan** plan, void* block, size_t bytes, const hm_analysis* analysis,
-                       hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        const Analysis* opened = nullptr;
-        HARMORPH_TRY(require({{"plan", plan}}, fault));
-        HARMORPH_TRY(open_complete(analysis, opened, fault));
-        InBlock<Plan> made;
-        HARMORPH_TRY(
-            place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, *opened); }));
-        made.object.init(*opened);
-        made.give(plan);
-        return Status::ok;
-    });
-}
-
-hm_status hm_basis_size(const hm_analysis* analysis, size_t* bytes, hm_error* err) {
+hm_status basis_bytes(const hm_analysis* analysis, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* opened = nullptr;
         HARMORPH_TRY(open_complete(analysis, opened, fault));
@@ -72,13 +50,36 @@ hm_status hm_basis_size(const hm_analysis* analysis, size_t* bytes, hm_error* er
     });
 }
 
-hm_status hm_basis_init(hm_basis** basis, void* block, size_t bytes, const hm_analysis* analysis,
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_plan_init(hm_plan** plan, hm_memory* memory, const hm_analysis* analysis,
+                       hm_error* err) {
+    if (asks(memory)) return plan_bytes(analysis, &memory->bytes, err);
+    return guarded(err, [&](CallFault& fault) {
+        const Analysis* opened = nullptr;
+        HARMORPH_TRY(require({{"plan", plan}}, fault));
+        HARMORPH_TRY(open_complete(analysis, opened, fault));
+        InBlock<Plan> made;
+        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { made.lay_out(arena, *opened); }));
+        made.object.init(*opened);
+        made.give(plan);
+        return Status::ok;
+    });
+}
+
+hm_status hm_basis_init(hm_basis** basis, hm_memory* memory, const hm_analysis* analysis,
                         hm_error* err) {
+    if (asks(memory)) return basis_bytes(analysis, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         const Analysis* opened = nullptr;
         HARMORPH_TRY(require({{"basis", basis}}, fault));
         HARMORPH_TRY(open_complete(analysis, opened, fault));
-        return make_basis(*opened, opened->basis_counts(), block, bytes, basis, fault);
+        return make_basis(*opened, opened->basis_counts(), memory, basis, fault);
     });
 }
 

@@ -17,14 +17,7 @@ Status check_wall(Basis const& basis, Points at, Fault& fault) noexcept {
     return Status::ok;
 }
 
-}  // namespace
-}  // namespace harmorph
-
-using namespace harmorph;
-
-extern "C" {
-
-hm_status hm_recover_movement_size(const hm_basis* basis, size_t* bytes, hm_error* err) {
+hm_status recover_movement_bytes(const hm_basis* basis, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         WallMovement found;
@@ -34,14 +27,23 @@ hm_status hm_recover_movement_size(const hm_basis* basis, size_t* bytes, hm_erro
     });
 }
 
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
 hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double tolerance,
-                              double* move, double* residual, double* rotated_offset,
-                              int32_t* point, void* work, size_t bytes, hm_error* err) {
+                              double* move, hm_recover_report* report, hm_memory* memory,
+                              hm_error* err) {
+    if (asks(memory)) return recover_movement_bytes(basis, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         Points now;
         WallMovement found;
         HARMORPH_TRY(require({{"move", move}}, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(open_complete(basis, b, fault));
         HARMORPH_TRY(view_points(at, "at", now, fault, b.n_points()));
         if (!(tolerance >= 0)) {
@@ -49,8 +51,8 @@ hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double
                                 tolerance);
         }
         HARMORPH_TRY(check_wall(b, now, fault));
-        HARMORPH_TRY(place(work, bytes, fault,
-                           [&](Arena& arena) { found.lay_out(arena, b.header->counts); }));
+        HARMORPH_TRY(
+            place(memory, fault, [&](Arena& arena) { found.lay_out(arena, b.header->counts); }));
         found.find(b, now);
         BoundaryError const worst = found.following;
         Real const max_error = tolerance > 0
@@ -67,9 +69,12 @@ hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double
             move[2 * i] = found.unknown[i].x;
             move[2 * i + 1] = found.unknown[i].y;
         }
-        if (residual != nullptr) *residual = found.residual.error;
-        if (rotated_offset != nullptr) *rotated_offset = found.rotated_offset;
-        if (point != nullptr) *point = numbered(found.residual.point, b.header->index_base);
+        if (report == nullptr) return Status::ok;
+        hm_recover_report filled = {};
+        filled.residual = found.residual.error;
+        filled.rotated_offset = found.rotated_offset;
+        filled.point = numbered(found.residual.point, b.header->index_base);
+        write_struct(filled, report);
         return Status::ok;
     });
 }

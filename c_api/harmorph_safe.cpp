@@ -248,8 +248,7 @@ struct MoveSafe {
     hm_safe_target target;
     hm_basis* derivative;
     const hm_points_out* to;
-    void* work;
-    size_t bytes;
+    hm_memory* memory;
     const hm_safe_options* options;
     hm_safe_report* report;
 
@@ -265,8 +264,8 @@ struct MoveSafe {
         if (derivative != nullptr) sum = view_basis(derivative, fault);
         HARMORPH_TRY(open_plan(plan, p, fault));
         HARMORPH_TRY(p->check_fit(b, fault));
-        HARMORPH_TRY(place(work, bytes, fault,
-                           [&](Arena& arena) { made.lay_out(arena, *p, b.header->counts); }));
+        HARMORPH_TRY(
+            place(memory, fault, [&](Arena& arena) { made.lay_out(arena, *p, b.header->counts); }));
         HARMORPH_TRY(call.open(to, options, report, made.others, fault));
         HARMORPH_TRY(check_move(b, target.move, fault));
         call.options.solves_others =
@@ -301,7 +300,7 @@ struct MoveSafe {
         HARMORPH_TRY(call.open(to, options, report, {}, fault));
         call.options.solves_others = true;
         SafeDisplacement made;
-        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, b); }));
+        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { made.lay_out(arena, *p, b); }));
         bool const had_factor = p->is_factored();
         Status const status =
             made.run(*p, b, target.move, list, displacement, call.options, call.reached, fault);
@@ -310,15 +309,8 @@ struct MoveSafe {
     }
 };
 
-}  // namespace
-}  // namespace harmorph
-
-using namespace harmorph;
-
-extern "C" {
-
-hm_status hm_move_safe_size(const hm_plan* plan, const hm_basis* basis,
-                            const hm_safe_target* target, size_t* bytes, hm_error* err) {
+hm_status move_safe_bytes(const hm_plan* plan, const hm_basis* basis, const hm_safe_target* target,
+                          size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Plan* p = nullptr;
         Basis b;
@@ -338,12 +330,20 @@ hm_status hm_move_safe_size(const hm_plan* plan, const hm_basis* basis,
     });
 }
 
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
 hm_status hm_move_safe(hm_plan* plan, const hm_basis* basis, const hm_safe_target* target,
-                       const hm_points_out* to, void* work, size_t bytes,
-                       const hm_safe_options* options, hm_safe_report* report, hm_error* err) {
+                       const hm_points_out* to, hm_memory* memory, const hm_safe_options* options,
+                       hm_safe_report* report, hm_error* err) {
+    if (asks(memory)) return move_safe_bytes(plan, basis, target, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         hm_safe_options asked = {};
-        MoveSafe call{plan, basis, {}, nullptr, to, work, bytes, options, report};
+        MoveSafe call{plan, basis, {}, nullptr, to, memory, options, report};
         HARMORPH_TRY(read_target(target, call.target, fault));
         if (options != nullptr && read_struct(options, asked)) call.derivative = asked.derivative;
         return call.target.wall != nullptr ? call.displace(fault) : call.move(fault);

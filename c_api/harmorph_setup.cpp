@@ -24,14 +24,22 @@ Status read_setup(const hm_setup* given, hm_setup& setup, CallFault& fault) noex
         "setup.struct_size is not the size of an hm_setup; begin with HM_INIT(setup)");
 }
 
-Status count_solution(hm_setup& setup, CallFault& fault) noexcept {
-    const Analysis* analysis = nullptr;
-    HARMORPH_TRY(open_complete(setup.analysis, analysis, fault));
-    SolveBlock made;
-    Size bytes = 0;
-    HARMORPH_TRY(count_bytes(&bytes, fault, [&](Arena& arena) { made.lay_out(arena, *analysis); }));
-    setup.solve_bytes = bytes;
-    return Status::ok;
+// Reads the setup, and opens the analysis in it.
+Status open_setup(const hm_setup* given, hm_setup& setup, const Analysis*& analysis,
+                  CallFault& fault) noexcept {
+    HARMORPH_TRY(read_setup(given, setup, fault));
+    if (setup.analysis != nullptr) return open_complete(setup.analysis, analysis, fault);
+    return fault.refuse(Status::bad_argument, "setup.analysis is NULL; call hm_setup_init first");
+}
+
+hm_status setup_solve_bytes(const hm_setup* setup, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        hm_setup made = {};
+        const Analysis* analysis = nullptr;
+        HARMORPH_TRY(open_setup(setup, made, analysis, fault));
+        SolveBlock counted;
+        return count_bytes(bytes, fault, [&](Arena& arena) { counted.lay_out(arena, *analysis); });
+    });
 }
 
 }  // namespace
@@ -41,47 +49,40 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_setup_size(const hm_problem* problem, const hm_options* options, size_t* bytes,
-                        hm_error* err) {
-    return hm_analysis_size(problem, options, bytes, err);
-}
-
-hm_status hm_setup_init(hm_setup* setup, void* block, size_t bytes, const hm_problem* problem,
+hm_status hm_setup_init(hm_setup* setup, hm_memory* memory, const hm_problem* problem,
                         const hm_options* options, hm_error* err) {
+    if (asks(memory)) return hm_analysis_init(nullptr, memory, problem, options, err);
     hm_setup made = {};
     hm_status const refused = guarded(err, [&](CallFault& fault) {
         hm_setup old;
         return read_setup(setup, old, fault);
     });
     if (refused < 0) return refused;
-    hm_status const status = hm_analysis_init(&made.analysis, block, bytes, problem, options, err);
+    hm_status const status = hm_analysis_init(&made.analysis, memory, problem, options, err);
     if (status < 0) return status;
     hm_error reason;
-    hm_status const counted =
-        guarded(&reason, [&](CallFault& fault) { return count_solution(made, fault); });
-    if (counted < 0) {
+    hm_status const refused_as_incomplete = guarded(&reason, [&](CallFault& fault) {
+        const Analysis* analysis = nullptr;
+        return open_complete(made.analysis, analysis, fault);
+    });
+    if (refused_as_incomplete < 0) {
         if (err != nullptr) *err = reason;
-        return counted;
+        return refused_as_incomplete;
     }
     write_struct(made, setup);
     return status;
 }
 
-hm_status hm_setup_solve(hm_setup* setup, void* block, size_t bytes, hm_solve_report* report,
+hm_status hm_setup_solve(hm_setup* setup, hm_memory* memory, hm_solve_report* report,
                          hm_error* err) {
+    if (asks(memory)) return setup_solve_bytes(setup, &memory->bytes, err);
     hm_setup made = {};
     hm_status const status = guarded(err, [&](CallFault& fault) {
         const Analysis* analysis = nullptr;
-        HARMORPH_TRY(read_setup(setup, made, fault));
-        if (made.analysis == nullptr) {
-            return fault.refuse(Status::bad_argument,
-                                "setup.analysis is NULL; call hm_setup_init first");
-        }
+        HARMORPH_TRY(open_setup(setup, made, analysis, fault));
         HARMORPH_TRY(check_report_if(report, "report", fault));
-        HARMORPH_TRY(open_complete(made.analysis, analysis, fault));
         SolveBlock placed;
-        HARMORPH_TRY(
-            place(block, bytes, fault, [&](Arena& arena) { placed.lay_out(arena, *analysis); }));
+        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { placed.lay_out(arena, *analysis); }));
         init_basis(placed.basis, analysis->basis_counts(), analysis->basis_source(),
                    analysis->problem().executor);
         placed.plan.object.init(*analysis);

@@ -51,15 +51,8 @@ hm_transfer_report report_of(TransferReport const& done, Basis const& fine,
     return filled;
 }
 
-}  // namespace
-}  // namespace harmorph
-
-using namespace harmorph;
-
-extern "C" {
-
-hm_status hm_transfer_size(const hm_analysis* analysis, const hm_mesh* coarse_mesh, size_t* bytes,
-                           hm_error* err) {
+hm_status transfer_bytes(const hm_analysis* analysis, const hm_mesh* coarse_mesh, size_t* bytes,
+                         hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* fine = nullptr;
         Mesh mesh;
@@ -71,9 +64,17 @@ hm_status hm_transfer_size(const hm_analysis* analysis, const hm_mesh* coarse_me
     });
 }
 
-hm_status hm_transfer(hm_basis* basis, void* block, size_t bytes, const hm_analysis* analysis,
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_transfer(hm_basis* basis, hm_memory* memory, const hm_analysis* analysis,
                       const hm_basis* coarse, const hm_mesh* coarse_mesh,
                       hm_transfer_report* report, hm_error* err) {
+    if (asks(memory)) return transfer_bytes(analysis, coarse_mesh, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         const Analysis* fine_analysis = nullptr;
         Basis fine, source;
@@ -88,7 +89,7 @@ hm_status hm_transfer(hm_basis* basis, void* block, size_t bytes, const hm_analy
         HARMORPH_TRY(open_target(basis, *fine_analysis, fine,
                                  fault));  // errors name points of the fine mesh from here on
         Transfer transfer;
-        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) {
+        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) {
             transfer.lay_out(arena, *fine_analysis, source_mesh);
         }));
         TransferReport done;

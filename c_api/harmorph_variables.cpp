@@ -119,7 +119,7 @@ Status open_variables(const hm_variables* given, CurvesView const& view, Variabl
                         "x_max, and y_min below y_max");
 }
 
-// The arguments that hm_variables_size and hm_variables_map have in common.
+// The arguments that a size query and hm_variables_map have in common.
 struct VariablesTask {
     CurvesView view;
     Section section;
@@ -139,6 +139,18 @@ struct VariablesTask {
     }
 };
 
+hm_status variables_bytes(const hm_curves* curves, const hm_section* section,
+                          const hm_variables* variables, int32_t* n, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        VariablesTask task;
+        HARMORPH_TRY(task.open(curves, section, variables, fault));
+        VariableMap map;
+        HARMORPH_TRY(count_bytes(bytes, fault, [&](Arena& arena) { task.lay_out(arena, map); }));
+        if (n != nullptr) *n = task.variables.count();
+        return Status::ok;
+    });
+}
+
 }  // namespace
 }  // namespace harmorph
 
@@ -146,35 +158,23 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_variables_size(const hm_curves* curves, const hm_section* section,
-                            const hm_variables* variables, int32_t* n, size_t* bytes,
-                            hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        VariablesTask task;
-        HARMORPH_TRY(require({{"n", n}}, fault));
-        HARMORPH_TRY(task.open(curves, section, variables, fault));
-        VariableMap map;
-        HARMORPH_TRY(count_bytes(bytes, fault, [&](Arena& arena) { task.lay_out(arena, map); }));
-        *n = task.variables.count();
-        return Status::ok;
-    });
-}
-
 hm_status hm_variables_map(const hm_curves* curves, const hm_section* section,
-                           const hm_variables* variables, void* work, size_t bytes, double* matrix,
-                           double* error, hm_error* err) {
+                           const hm_variables* variables, int32_t* n, hm_memory* memory,
+                           double* matrix, double* error, hm_error* err) {
+    if (asks(memory)) return variables_bytes(curves, section, variables, n, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         VariablesTask task;
-        HARMORPH_TRY(require({{"work", work}, {"matrix", matrix}}, fault));
+        HARMORPH_TRY(require({{"memory", memory}, {"matrix", matrix}}, fault));
         HARMORPH_TRY(task.open(curves, section, variables, fault));
         VariableMap map;
-        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { task.lay_out(arena, map); }));
+        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { task.lay_out(arena, map); }));
         VariablesOfSection const wanted{task.section, task.variables};
         HARMORPH_TRY(map.run(task.section, wanted.movements(), fault));
         HARMORPH_TRY(map.check_independence(fault));
         copy(Span<Real>(matrix, map.wanted.size()), Span<const Real>(map.wanted));
         if (error != nullptr)
             copy(Span<Real>(error, map.error.size()), Span<const Real>(map.error));
+        if (n != nullptr) *n = task.variables.count();
         return Status::ok;
     });
 }

@@ -81,15 +81,8 @@ Vec2 change_of(WallFoot const& foot, FaceDistance::Face const& ends, Points mesh
 
 void add_to(MutablePoints points, Index k, Vec2 more) noexcept { points.set(k, points[k] + more); }
 
-}  // namespace
-}  // namespace harmorph
-
-using namespace harmorph;
-
-extern "C" {
-
-hm_status hm_walls_size(const hm_analysis* analysis, int32_t n_markers, const int32_t* markers,
-                        size_t* bytes, hm_error* err) {
+hm_status walls_bytes(const hm_analysis* analysis, int32_t n_markers, const int32_t* markers,
+                      size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* opened = nullptr;
         Index n_faces = 0;
@@ -100,9 +93,17 @@ hm_status hm_walls_size(const hm_analysis* analysis, int32_t n_markers, const in
     });
 }
 
-hm_status hm_walls_init(hm_walls** walls, void* block, size_t bytes, const hm_analysis* analysis,
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_walls_init(hm_walls** walls, hm_memory* memory, const hm_analysis* analysis,
                         int32_t n_markers, const int32_t* markers, const hm_points* at,
                         hm_error* err) {
+    if (asks(memory)) return walls_bytes(analysis, n_markers, markers, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         const Analysis* opened = nullptr;
         Index n_faces = 0;
@@ -112,8 +113,8 @@ hm_status hm_walls_init(hm_walls** walls, void* block, size_t bytes, const hm_an
         HARMORPH_TRY(view_points_if(at, "at", points, fault));
         HARMORPH_TRY(check_range(points, opened->problem().mesh.n_points, fault));
         WallsInBlock made;
-        HARMORPH_TRY(place(block, bytes, fault,
-                           [&](Arena& arena) { made.lay_out(arena, *opened, n_faces); }));
+        HARMORPH_TRY(
+            place(memory, fault, [&](Arena& arena) { made.lay_out(arena, *opened, n_faces); }));
         made.walls.find(*opened, {markers, static_cast<Size>(n_markers)}, points);
         made.in_block[0] = made.walls;
         *walls = reinterpret_cast<hm_walls*>(made.in_block.data());

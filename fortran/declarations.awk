@@ -5,6 +5,7 @@
 BEGIN {
     declaration["int32"] = "integer(c_int32_t) :: #@ = 0"
     declaration["int64"] = "integer(c_int64_t) :: #@ = 0"
+    declaration["size"] = "integer(c_size_t) :: #@ = 0"
     declaration["double"] = "real(c_double) :: #@ = 0"
     declaration["char"] = "character(kind=c_char) :: #@ = c_null_char"
     declaration["pointer"] = "type(c_ptr) :: #@ = c_null_ptr"

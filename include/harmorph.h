@@ -11,22 +11,25 @@
  * THE SHORTEST USE. `mesh` is an hm_mesh whose faces at the airfoil have the marker `wall`. The
  * curve gets 20 control points; move [2*20] has the movement dx,dy of each of them.
  *
- *     hm_fit_marker_size(&mesh, 1, &wall, NULL, &bytes, &error);
- *     hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, &wall, NULL, NULL, &error);
+ *     hm_memory a = {NULL, 0}, b = {NULL, 0}, c = {NULL, 0};
+ *     hm_fit_marker(&curves, &a, &mesh, 1, &wall, NULL, NULL, &error), a.block = malloc(a.bytes);
+ *     hm_fit_marker(&curves, &a, &mesh, 1, &wall, NULL, NULL, &error);
  *     hm_condition on_curve = {sizeof on_curve, wall, HM_ON_CURVE};
  *     on_curve.n_curves = curves->n_curves;
  *     hm_problem problem = {sizeof problem, &mesh, curves, 1, &on_curve};
  *     hm_setup setup = {sizeof setup};
- *     hm_setup_size(&problem, NULL, &bytes, &error);
- *     hm_setup_init(&setup, malloc(bytes), bytes, &problem, NULL, &error);
- *     hm_setup_solve(&setup, malloc(setup.solve_bytes), setup.solve_bytes, NULL, &error);
+ *     hm_setup_init(&setup, &b, &problem, NULL, &error), b.block = malloc(b.bytes);
+ *     hm_setup_init(&setup, &b, &problem, NULL, &error);
+ *     hm_setup_solve(&setup, &c, NULL, &error), c.block = malloc(c.bytes);
+ *     hm_setup_solve(&setup, &c, NULL, &error);
  *     hm_morph(setup.basis, move, &mesh.points, &to, NULL, &error);
  *
- * `to` is an hm_points_out, which may be the arrays of the mesh. Each call returns a status, which
- * is negative if the call was refused; error.text then says why. c_api/examples/morph.c is a
- * complete program of 60 lines.
+ * `to` is an hm_points_out, which may be the arrays of the mesh. A call that needs memory is made
+ * twice: first with an empty hm_memory, into which it writes how many bytes it needs. Each call
+ * returns a status, which is negative if the call was refused; error.text then says why.
+ * c_api/examples/morph.c is a complete program of 60 lines.
  *
- * ORDER OF CALLS. Calls that end in _size say how many bytes the block of the next call takes.
+ * ORDER OF CALLS.
  *
  *     hm_fit_marker, or hm_fit          a curve through the wall, unless there is one
  *     hm_setup_init > hm_setup_solve    all of the next four lines, in two blocks
@@ -54,10 +57,9 @@
  * CONVENTIONS hold for every function of these headers.
  *
  * Languages        C89 (with stdint.h), C99, C11, C++11 to C++20; no C++ run-time library.
- * Memory           The library allocates no memory. A *_size function returns the exact number of
- *                  bytes; any alignment is accepted. An object lives inside the caller's block:
- *                  nothing has to be freed, and the block must not move while the object is in use
- *                  (a basis may be copied or written to a file: hm_basis_attach).
+ * Memory           The library allocates no memory: see hm_memory. An object lives inside the
+ *                  caller's block: nothing has to be freed, and the block must not move while the
+ *                  object is in use (a basis may be copied or written to a file: hm_basis_attach).
  * Ownership        Arrays in structs remain the caller's; input arrays are never changed. Arrays of
  *                  a mesh must exist as long as the analysis and the plan that were made from the
  *                  mesh, arrays of curves as long as the analysis. A basis needs no other memory.
@@ -206,6 +208,29 @@ typedef struct hm_error {
     double x, y;      /* the place that the text names [length], never NaN; 0, 0 if there is none */
     char text[200];   /* one sentence, NUL-terminated */
 } hm_error;
+
+/* ---- Memory of the caller ---- */
+
+/* Memory for an object that a call makes, or for the work of a call until it returns.
+ *
+ * A call that takes an hm_memory is made twice. The first time block is NULL and bytes is 0: the
+ * call only writes to `bytes` how many bytes it needs, to the last one. This size query reads those
+ * arguments that the text of the call names after "Bytes:"; all others may be NULL or 0, and no
+ * output changes. The second time block has that many bytes or more, at any alignment:
+ *
+ *     hm_memory memory = {NULL, 0};
+ *     hm_plan_init(&plan, &memory, analysis, &error);
+ *     memory.block = malloc(memory.bytes);
+ *     hm_plan_init(&plan, &memory, analysis, &error);
+ *
+ * The second call does not change the struct, so that working memory serves any number of calls. A
+ * block that is too small is refused (HM_BLOCK_TOO_SMALL, error.value: the missing bytes), as is a
+ * block that is NULL with bytes > 0 (HM_BAD_ARGUMENT), as after malloc has failed. The struct will
+ * always have these two members. */
+typedef struct hm_memory {
+    void* block;
+    size_t bytes; /* of the block */
+} hm_memory;
 
 HM_API int32_t hm_abi_version(void);
 HM_API const char* hm_version(void);                 /* "major.minor.patch" of the library */
@@ -393,27 +418,24 @@ typedef struct hm_fit_report {
     uint64_t bytes;
 } hm_fit_report;
 
-/* Bytes of the block of hm_fit: the curves, and behind them working memory. */
-HM_API hm_status hm_fit_size(int32_t n, const hm_fit_options* options, size_t* bytes,
-                             hm_error* err);
 /* Fits curves to n points in order, by least squares; knots are placed by arc length and curvature.
  * is_loop: the last point is connected to the first one, which is not repeated (else HM_BAD_CURVE).
- * *curves and its arrays are inside the block (index_base 0). options and report may be NULL.
- * HM_BACKTRACKS: the curve runs against the order of the points; use fewer control points. */
-HM_API hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes,
-                        const hm_points* points, int32_t n, int32_t is_loop,
-                        const hm_fit_options* options, hm_fit_report* report, hm_error* err);
+ * *curves and its arrays are inside the block (index_base 0), and working memory behind them: only
+ * the first hm_fit_report.bytes of the block are needed afterwards. options and report may be NULL.
+ * HM_BACKTRACKS: the curve runs against the order of the points; use fewer control points. Bytes:
+ * n, options. */
+HM_API hm_status hm_fit(const hm_curves** curves, hm_memory* memory, const hm_points* points,
+                        int32_t n, int32_t is_loop, const hm_fit_options* options,
+                        hm_fit_report* report, hm_error* err);
 
 /* Fits curves to the walls of a mesh: finds the points of the given markers in order along the
  * boundary, joins the two sides of cuts (the trailing edge of a C-mesh), and fits each connected
  * piece, in the order of first faces, by curves of its own with n_control control points. The
- * report is that of the piece with the largest max_error. The size query reads the markers; *bytes
- * is enough for any number of pieces, with the working memory; only the first hm_fit_report.bytes
- * of the block are needed afterwards. A marker that no face has is refused (HM_BAD_CONDITION). */
-HM_API hm_status hm_fit_marker_size(const hm_mesh* mesh, int32_t n_markers, const int32_t* markers,
-                                    const hm_fit_options* options, size_t* bytes, hm_error* err);
-HM_API hm_status hm_fit_marker(const hm_curves** curves, void* block, size_t bytes,
-                               const hm_mesh* mesh, int32_t n_markers, const int32_t* markers,
+ * report is that of the piece with the largest max_error. A marker that no face has is refused
+ * (HM_BAD_CONDITION). Bytes: mesh, n_markers, markers, options; enough for any number of pieces,
+ * with the working memory, as for hm_fit. */
+HM_API hm_status hm_fit_marker(const hm_curves** curves, hm_memory* memory, const hm_mesh* mesh,
+                               int32_t n_markers, const int32_t* markers,
                                const hm_fit_options* options, hm_fit_report* report, hm_error* err);
 
 /* ---- Problem: what is to be solved ---- */
@@ -471,7 +493,7 @@ typedef struct hm_condition {
     int32_t reserved;      /* 0 */
     double near_x, near_y; /* piece: a point near it, at the start coordinates [length] */
     /* Slip: the curves along which the points move (see hm_slip); NULL (n_curves 0): the polyline
-     * of the marker, made smooth. Read by hm_analysis_size and hm_analysis_init only; a basis
+     * of the marker, made smooth. Read by hm_analysis_init and hm_setup_init only; a basis
      * keeps copies, see hm_basis_along of harmorph_study.h. */
     const hm_curves* along;
 } hm_condition;
@@ -584,13 +606,12 @@ typedef struct hm_options {
 
 typedef struct hm_analysis hm_analysis;
 
-/* Bytes from the counts alone (points, cells, faces, control points). options NULL: defaults. */
-HM_API hm_status hm_analysis_size(const hm_problem* problem, const hm_options* options,
-                                  size_t* bytes, hm_error* err);
 /* Checks all input, numbers the unknowns and finds the parameters of the curve points. Ordering and
  * symbolic factorisation use the threads of options.executor. A mesh with inverted cells is refused
- * unless the analysis covers the mesh only, for hm_analysis_report. */
-HM_API hm_status hm_analysis_init(hm_analysis** analysis, void* block, size_t bytes,
+ * unless the analysis covers the mesh only, for hm_analysis_report. options NULL: defaults. Bytes:
+ * problem, options, of which the query reads the counts alone (points, cells, faces, control
+ * points). */
+HM_API hm_status hm_analysis_init(hm_analysis** analysis, hm_memory* memory,
                                   const hm_problem* problem, const hm_options* options,
                                   hm_error* err);
 
@@ -600,13 +621,12 @@ typedef struct hm_plan hm_plan;
 typedef struct hm_basis hm_basis;
 
 /* The analysis must have curves, rigid bodies or markers with HM_GIVEN; with the latter alone, the
- * basis has no functions, and serves hm_assess. Plan and basis copy what they need of it. */
-HM_API hm_status hm_plan_size(const hm_analysis* analysis, size_t* bytes, hm_error* err);
-HM_API hm_status hm_plan_init(hm_plan** plan, void* block, size_t bytes,
-                              const hm_analysis* analysis, hm_error* err);
-HM_API hm_status hm_basis_size(const hm_analysis* analysis, size_t* bytes, hm_error* err);
-HM_API hm_status hm_basis_init(hm_basis** basis, void* block, size_t bytes,
-                               const hm_analysis* analysis, hm_error* err);
+ * basis has no functions, and serves hm_assess. Plan and basis copy what they need of it. Bytes:
+ * analysis. */
+HM_API hm_status hm_plan_init(hm_plan** plan, hm_memory* memory, const hm_analysis* analysis,
+                              hm_error* err);
+HM_API hm_status hm_basis_init(hm_basis** basis, hm_memory* memory, const hm_analysis* analysis,
+                               hm_error* err);
 
 /* Assembles and factors the matrix with the coordinates `at` of the mesh points (NULL: the mesh's
  * own coordinates); the ordering and the symbolic factorisation are reused. A failed or cancelled
@@ -646,23 +666,19 @@ typedef struct hm_setup {
     hm_analysis* analysis;
     hm_plan* plan;   /* with a factor at the mesh's own coordinates; NULL before hm_setup_solve */
     hm_basis* basis; /* solved; NULL before hm_setup_solve */
-    uint64_t solve_bytes; /* exact bytes of the block of hm_setup_solve */
 } hm_setup;
 
-/* Bytes of the first block, from the counts alone: those of hm_analysis_size. */
-HM_API hm_status hm_setup_size(const hm_problem* problem, const hm_options* options, size_t* bytes,
-                               hm_error* err);
-/* Does what hm_analysis_init does, and counts the bytes of plan and basis. Warnings are those of
- * hm_analysis_init. A problem without conditions is refused (HM_BAD_ARGUMENT). */
-HM_API hm_status hm_setup_init(hm_setup* setup, void* block, size_t bytes,
-                               const hm_problem* problem, const hm_options* options, hm_error* err);
+/* Does what hm_analysis_init does, with the same warnings and the same bytes. A problem without
+ * conditions is refused (HM_BAD_ARGUMENT). Bytes: problem, options. */
+HM_API hm_status hm_setup_init(hm_setup* setup, hm_memory* memory, const hm_problem* problem,
+                               const hm_options* options, hm_error* err);
 /* Makes plan and basis in the second block, factors and solves, as hm_plan_init, hm_basis_init,
  * hm_plan_factor and hm_plan_solve do with the same bits. report may be NULL. After a refused call
  * setup is as before. The handles serve all other calls: to solve again on a moved mesh, call
  * hm_plan_factor and hm_plan_solve with them. The basis lies at the beginning of the block, in
  * front of the plan: where morphs follow alone, keep hm_basis_info.bytes bytes from setup.basis on.
- */
-HM_API hm_status hm_setup_solve(hm_setup* setup, void* block, size_t bytes, hm_solve_report* report,
+ * Bytes: setup, after hm_setup_init. */
+HM_API hm_status hm_setup_solve(hm_setup* setup, hm_memory* memory, hm_solve_report* report,
                                 hm_error* err);
 
 /* A basis is one block without pointers: write the block to a file unchanged (hm_basis_info.bytes),
@@ -811,26 +827,24 @@ HM_API hm_status hm_boundary_error(const hm_basis* basis, const double* move, co
  * points [capacity]; *n: number of points, also if the capacity is too small (HM_BAD_ARGUMENT). */
 HM_API hm_status hm_given_points(const hm_plan* plan, int32_t* points, int32_t capacity, int32_t* n,
                                  hm_error* err);
-/* Working memory of hm_displace and hm_displace_adjoint for n_fields fields, 1 .. 2^20. */
-HM_API hm_status hm_displace_size(const hm_plan* plan, int32_t n_fields, size_t* bytes,
-                                  hm_error* err);
-/* Carries n_fields displacement fields to the mesh at once, for instance structural modes; up to 12
- * fields are one substitution. wall [n_fields]: each of n wall points [length]; to [n_fields]: each
- * of n_points mesh points; to = from + displacement; from NULL: see hm_morph. Wall points move by
- * the given bits. Arrays of different fields, and `wall`, must have no number of `to` in common.
- * With `from`, a boundary that crosses itself at `to` is refused (HM_CROSSING); cells may be
- * inverted (hm_assess). All fields are computed before any is written. report counts fields as
- * functions; NULL: HM_DIRECT computes residuals only where the factor lost digits. */
+/* Carries n_fields displacement fields, 1 .. 2^20, to the mesh at once, for instance structural
+ * modes; up to 12 fields are one substitution. wall [n_fields]: each of n wall points [length]; to
+ * [n_fields]: each of n_points mesh points; to = from + displacement; from NULL: see hm_morph. Wall
+ * points move by the given bits. Arrays of different fields, and `wall`, must have no number of
+ * `to` in common. With `from`, a boundary that crosses itself at `to` is refused (HM_CROSSING);
+ * cells may be inverted (hm_assess). All fields are computed before any is written. report counts
+ * fields as functions; NULL: HM_DIRECT computes residuals only where the factor lost digits. Bytes:
+ * plan, n_fields; the same for hm_displace_adjoint. */
 HM_API hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n_fields,
                              const hm_points* wall, const hm_points* from, const hm_points_out* to,
-                             void* work, size_t bytes, hm_solve_report* report, hm_error* err);
+                             hm_memory* memory, hm_solve_report* report, hm_error* err);
 /* The transpose of hm_displace. dj [n_fields]: derivatives of objectives with respect to the mesh
  * points; gradient [n_fields]: derivatives with respect to the displacements of the n wall points;
  * where a point is repeated in the list, the first entry receives the whole derivative and the
  * others 0. Forces on mesh points become forces on the wall that do the same work. */
 HM_API hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* points,
                                      int32_t n_fields, const hm_points* dj,
-                                     const hm_points_out* gradient, void* work, size_t bytes,
+                                     const hm_points_out* gradient, hm_memory* memory,
                                      hm_solve_report* report, hm_error* err);
 
 /* ---- Large movements that stay valid ---- */
@@ -959,10 +973,6 @@ typedef struct hm_safe_report {
     int32_t has_factor;
 } hm_safe_report;
 
-/* Working memory of hm_move_safe with a basis like this one; basis NULL: as hm_basis_init makes it;
- * target NULL: without given displacements. */
-HM_API hm_status hm_move_safe_size(const hm_plan* plan, const hm_basis* basis,
-                                   const hm_safe_target* target, size_t* bytes, hm_error* err);
 /* Moves the mesh that the plan was made from to the target, starting at the mesh's own coordinates,
  * which must be those that the basis was solved on (else HM_BAD_MESH: after hm_morph in place,
  * solve again, or restore the coordinates). Combined functions and functions by table move on
@@ -984,9 +994,12 @@ HM_API hm_status hm_move_safe_size(const hm_plan* plan, const hm_basis* basis,
  * when they are needed (report.other is then their operator_kind). The basis is solved if it has
  * functions, and has no functions by table. A loop of the boundary all of whose points are given
  * rotates as a body; points of other loops move on straight lines. Where the whole movement is
- * possible, wall points are displaced by the given bits. */
+ * possible, wall points are displaced by the given bits.
+ *
+ * Bytes: plan, basis, target. The query takes basis NULL as one that hm_basis_init has made, and
+ * target NULL as one without given displacements. */
 HM_API hm_status hm_move_safe(hm_plan* plan, const hm_basis* basis, const hm_safe_target* target,
-                              const hm_points_out* to, void* work, size_t bytes,
+                              const hm_points_out* to, hm_memory* memory,
                               const hm_safe_options* options, hm_safe_report* report,
                               hm_error* err);
 
@@ -1026,10 +1039,9 @@ typedef struct hm_improve_report {
  * than half of their quality, or this lowers the smallest quality of the mesh. Cells of other walls
  * are free. Points with slip stay on their lines and curves (call hm_slip before). Points of a cut
  * or pair move together. options and report may be NULL. Refused (HM_BAD_MESH), `to` unchanged: an
- * inverted cell or a coordinate out of range. */
-HM_API hm_status hm_improve_size(const hm_plan* plan, size_t* bytes, hm_error* err);
+ * inverted cell or a coordinate out of range. Bytes: plan. */
 HM_API hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* to,
-                            void* work, size_t bytes, const hm_improve_options* options,
+                            hm_memory* memory, const hm_improve_options* options,
                             hm_improve_report* report, hm_error* err);
 
 #ifdef __cplusplus

@@ -41,9 +41,8 @@ HM_API hm_status hm_basis_matrix(const hm_basis* basis, double* matrix, hm_error
  *
  * The new basis is written, attached, extracted from and used like any basis. Calls that need F in
  * double precision return HM_UNSUPPORTED: hm_plan_solve, hm_transfer, hm_move_safe, hm_combine,
- * hm_tabulate, parcels, hm_single_size. */
-HM_API hm_status hm_single_size(const hm_basis* basis, size_t* bytes, hm_error* err);
-HM_API hm_status hm_single_init(hm_basis** single, void* block, size_t bytes, const hm_basis* basis,
+ * hm_tabulate, hm_single_init. Bytes: basis. */
+HM_API hm_status hm_single_init(hm_basis** single, hm_memory* memory, const hm_basis* basis,
                                 hm_error* err);
 
 /* ---- Combined functions: one for each design variable ---- */
@@ -63,10 +62,8 @@ HM_API hm_status hm_single_init(hm_basis** single, void* block, size_t bytes, co
  * hm_transfer refuses it, with HM_UNSUPPORTED: transfer the functions of the control points, and
  * combine those. The first basis must be solved, complete and in double precision. Refused with
  * HM_BAD_CONDITION (error.item: the column, from 0): a column that is zero, or a combination of the
- * columns before; with HM_BAD_ARGUMENT: a matrix that is not finite. */
-HM_API hm_status hm_combine_size(const hm_basis* basis, int32_t n, int32_t numbers, size_t* bytes,
-                                 hm_error* err);
-HM_API hm_status hm_combine(hm_basis** combined, void* block, size_t bytes, const hm_basis* basis,
+ * columns before; with HM_BAD_ARGUMENT: a matrix that is not finite. Bytes: basis, n, numbers. */
+HM_API hm_status hm_combine(hm_basis** combined, hm_memory* memory, const hm_basis* basis,
                             int32_t n, int32_t numbers, const double* matrix, hm_error* err);
 
 /* ---- Coarse to fine: functions of one mesh for a finer mesh of the same domain ---- */
@@ -86,11 +83,8 @@ typedef struct hm_transfer_report {
     double wall_correction;
 } hm_transfer_report;
 
-/* Bytes of working memory. The fine analysis must have the curves, conditions and options of the
- * coarse basis. */
-HM_API hm_status hm_transfer_size(const hm_analysis* analysis, const hm_mesh* coarse_mesh,
-                                  size_t* bytes, hm_error* err);
-/* Fills a basis that was made from the fine analysis by interpolation; no plan is needed. A point
+/* Fills a basis that was made from the fine analysis by interpolation; no plan is needed. The fine
+ * analysis must have the curves, conditions and options of the coarse basis. A point
  * receives the values of the coarse cell that contains the point. A point beyond a curved boundary
  * receives the linear extrapolation of the nearest cell; if the point is farther away than half the
  * longest side of that cell, the call is refused (HM_BAD_MESH, error.item: the point, error.value:
@@ -99,10 +93,11 @@ HM_API hm_status hm_transfer_size(const hm_analysis* analysis, const hm_mesh* co
  * is of second order in the coarse spacing, and exact for linear functions. Uses the threads of the
  * analysis. `coarse` must have all functions, not a share of them (HM_BAD_BASIS), and must not be
  * `basis` (HM_BAD_ARGUMENT). Objects that do not belong together are refused before anything is
- * written; after any other refusal the basis is not solved. report may be NULL. */
-HM_API hm_status hm_transfer(hm_basis* basis, void* block, size_t bytes,
-                             const hm_analysis* analysis, const hm_basis* coarse,
-                             const hm_mesh* coarse_mesh, hm_transfer_report* report, hm_error* err);
+ * written; after any other refusal the basis is not solved. report may be NULL. Bytes: analysis,
+ * coarse_mesh; working memory. */
+HM_API hm_status hm_transfer(hm_basis* basis, hm_memory* memory, const hm_analysis* analysis,
+                             const hm_basis* coarse, const hm_mesh* coarse_mesh,
+                             hm_transfer_report* report, hm_error* err);
 
 /* ---- Functions by table: modes given at wall points ---- */
 
@@ -116,8 +111,7 @@ typedef struct hm_modes {
     int32_t n; /* wall points */
     int32_t reserved;
     const int32_t* points; /* [n] see hm_displace; NULL: in the order of hm_given_points */
-    const double*
-        values; /* [n_modes * n * numbers] mode by mode; hm_tabulate_size does not read it */
+    const double* values;  /* [n_modes * n * numbers] mode by mode; a size query does not read it */
 } hm_modes;
 
 /* Makes a second basis: the functions of `basis`, and after them functions with given values at the
@@ -135,10 +129,8 @@ typedef struct hm_modes {
  * report may be NULL; functions are fields there. Refused with HM_BAD_CONDITION: no marker with
  * HM_GIVEN, a mode that is zero (error.item: the mode, from 0), a list that is not that of the
  * given points; with HM_BAD_ARGUMENT: values that are not finite. HM_NOT_CONVERGED is that of
- * hm_plan_solve. */
-HM_API hm_status hm_tabulate_size(const hm_plan* plan, const hm_basis* basis, const hm_modes* modes,
-                                  size_t* bytes, hm_error* err);
-HM_API hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* plan,
+ * hm_plan_solve. Bytes: plan, basis, modes. */
+HM_API hm_status hm_tabulate(hm_basis** tabulated, hm_memory* memory, hm_plan* plan,
                              const hm_basis* basis, const hm_modes* modes, hm_solve_report* report,
                              hm_error* err);
 

@@ -65,7 +65,7 @@ typedef struct hm_fit_details {
     /* [length] > 0: control points (and with them knots, where the errors are) are inserted, from
      * degree + 1 up to options.n_control, until report.max_error is at most this; each step adds
      * one control point, or an eighth of their number if that is more. HM_FAR_FROM_POINTS:
-     * n_control points do not suffice; the curve is that of the last step. The size queries count
+     * n_control points do not suffice; the curve is that of the last step. A size query counts
      * n_control. 0: the curve has n_control control points. */
     double tolerance;
     /* Directions of the curve (not the other way round) where it begins and where it ends, of any
@@ -96,12 +96,10 @@ typedef struct hm_fit_details {
  * Refused with HM_BAD_ARGUMENT: a knot that is not finite or not between the ends of the curve (the
  * beginning of a periodic curve is allowed), another degree; with HM_BAD_CURVE: a multiplicity
  * above the degree, and a degree above 5. (Polar forms: Ramshaw, Comput. Aided Geom. Des. 6 (1989)
- * 323.) */
-HM_API hm_status hm_refine_size(const hm_curves* curves, int32_t curve, int32_t degree, int32_t n,
-                                const double* u, size_t* bytes, hm_error* err);
-HM_API hm_status hm_refine(const hm_curves** finer, const double** matrix, void* block,
-                           size_t bytes, const hm_curves* curves, int32_t curve, int32_t degree,
-                           int32_t n, const double* u, hm_error* err);
+ * 323.) Bytes: curves, curve, degree, n, u. */
+HM_API hm_status hm_refine(const hm_curves** finer, const double** matrix, hm_memory* memory,
+                           const hm_curves* curves, int32_t curve, int32_t degree, int32_t n,
+                           const double* u, hm_error* err);
 
 /* ---- Another airfoil on the same knots ---- */
 
@@ -137,12 +135,10 @@ typedef struct hm_refit_report {
  * report may be NULL. Refused with HM_BAD_CURVE: points that hm_fit refuses, a curve or points that
  * are no such outline, points with a sharp trailing edge for a curve with a blunt base. A failed
  * call leaves movement as it was. (W. Wang, H. Pottmann, Y. Liu, ACM Trans. Graph. 25 (2006) 214.)
- */
-HM_API hm_status hm_refit_size(const hm_curves* curves, int32_t curve, int32_t n, size_t* bytes,
-                               hm_error* err);
+ * Bytes: curves, curve, n. */
 HM_API hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_points* points,
                           int32_t n, int32_t is_loop, int32_t on_chord, double* movement,
-                          hm_refit_report* report, void* work, size_t bytes, hm_error* err);
+                          hm_refit_report* report, hm_memory* memory, hm_error* err);
 
 /* ---- Smooth gradients ---- */
 
@@ -156,10 +152,9 @@ HM_API hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_point
  * corners and tied ends both sides are coupled through the control point that they share, and only
  * there; ends that share no control point are independent. A control point that no curve uses keeps
  * its gradient. The shape of s does not depend on the unit of length of g. (A. Jameson, J. Sci.
- * Comput. 3 (1988) 233.) */
-HM_API hm_status hm_smooth_gradient_size(const hm_curves* curves, size_t* bytes, hm_error* err);
+ * Comput. 3 (1988) 233.) Bytes: curves. */
 HM_API hm_status hm_smooth_gradient(const hm_curves* curves, double length, const double* gradient,
-                                    double* smoothed, void* work, size_t bytes, hm_error* err);
+                                    double* smoothed, hm_memory* memory, hm_error* err);
 
 /* ---- Measures of a section, with derivatives with respect to the control points ---- */
 
@@ -304,11 +299,8 @@ typedef struct hm_variables {
     double width; /* Hicks-Henne: exponent of the sine, 1 .. 100; 0: 3 */
 } hm_variables;
 
-/* *n: number of variables; *bytes: working memory of hm_variables_map. section as in hm_measure. */
-HM_API hm_status hm_variables_size(const hm_curves* curves, const hm_section* section,
-                                   const hm_variables* variables, int32_t* n, size_t* bytes,
-                                   hm_error* err);
-/* Computes d(control) / d(variable). matrix [n_control * n * 2] contains for each control point the
+/* Computes d(control) / d(variable) for the *n variables; the size query, too, writes *n. section
+ * as in hm_measure. matrix [n_control * n * 2] contains for each control point the
  * pairs (x, y) by which one unit of each variable moves this point, as complex numbers: the
  * variables v, also complex, move control point i by sum_j matrix_ij v_j. The variables of FFD have
  * two components; those of the other kinds are real. The matrix makes the B-spline follow the
@@ -317,9 +309,9 @@ HM_API hm_status hm_variables_size(const hm_curves* curves, const hm_section* se
  * largest difference that remains [length], per unit of each variable. hm_combine takes the matrix
  * unchanged. Control points that no curve of the section uses do not move. Refused with
  * HM_BAD_CONDITION (error.item: the variable, from 0), outputs unchanged: a variable that moves
- * nothing, or that is a combination of those before. */
+ * nothing, or that is a combination of those before. Bytes: curves, section, variables. */
 HM_API hm_status hm_variables_map(const hm_curves* curves, const hm_section* section,
-                                  const hm_variables* variables, void* work, size_t bytes,
+                                  const hm_variables* variables, int32_t* n, hm_memory* memory,
                                   double* matrix, double* error, hm_error* err);
 
 /* ---- Movements of a section by values: rotations, flaps, and variables that are not linear ----
@@ -365,16 +357,13 @@ typedef struct hm_movement {
     double length;                 /* flap: > 0; 0 means a tenth of the chord */
 } hm_movement;
 
-/* *n: number of values of all movements; *bytes: working memory of hm_move_section. */
-HM_API hm_status hm_move_section_size(const hm_curves* curves, const hm_section* section,
-                                      int32_t n_movements, const hm_movement* movements, int32_t* n,
-                                      size_t* bytes, hm_error* err);
-/* Applies 1 .. 64 movements to a section, in their order, with values [n] one movement after the
- * other. HM_CAMBER_THICKNESS, HM_PARSEC and HM_BLADE may only come first. move [2*n_control]
- * receives the movement of the control points, for hm_morph; control points that no curve of the
- * section uses do not move. derivatives [n * 2*n_control], or NULL: row j contains the exact
- * derivatives of x and y of each control point with respect to value j at these values; their
- * products with a gradient of hm_adjoint are the derivatives with respect to the values.
+/* Applies 1 .. 64 movements to a section, in their order, with values [*n] one movement after the
+ * other; the size query, too, writes *n. HM_CAMBER_THICKNESS, HM_PARSEC and HM_BLADE may only come
+ * first. move [2*n_control] receives the movement of the control points, for hm_morph; control
+ * points that no curve of the section uses do not move. derivatives [n * 2*n_control], or NULL: row
+ * j contains the exact derivatives of x and y of each control point with respect to value j at
+ * these values; their products with a gradient of hm_adjoint are the derivatives with respect to
+ * the values.
  *
  * Rotate, shift and scale map control points, and so move the curves exactly. A flap maps control
  * points, too: the curve moves as the map of its points except near the transition, where control
@@ -389,12 +378,12 @@ HM_API hm_status hm_move_section_size(const hm_curves* curves, const hm_section*
  * that are not finite, degrees beyond 360, a factor that is not > 0, a metal angle beyond 85
  * degrees from the chord, a PARSEC crest outside the chord or radius below 0 (HM_BAD_ARGUMENT,
  * error.item: the value, from 0); a section without a round leading edge, without a crest on both
- * sides, or without ends at the trailing edge for HM_PARSEC (HM_BAD_CURVE). */
+ * sides, or without ends at the trailing edge for HM_PARSEC (HM_BAD_CURVE). Bytes: curves, section,
+ * n_movements, movements. */
 HM_API hm_status hm_move_section(const hm_curves* curves, const hm_section* section,
-                                 int32_t n_movements, const hm_movement* movements,
+                                 int32_t n_movements, const hm_movement* movements, int32_t* n,
                                  const double* values, double* move, double* derivatives,
-                                 double* start, double* error, void* work, size_t bytes,
-                                 hm_error* err);
+                                 double* start, double* error, hm_memory* memory, hm_error* err);
 
 /* Replaces n movements of control points, such as those that hm_refit finds for the airfoils of a
  * family, by their modes: movements [n * 2*n_control] receives the modes, the most important one
@@ -406,10 +395,9 @@ HM_API hm_status hm_move_section(const hm_curves* curves, const hm_section* sect
  * all movements, in the sum of squares. The largest component of each mode is positive. 1 <= n <=
  * 1024. Control points that no curve uses have weight 0 and receive 0. Refused with
  * HM_BAD_ARGUMENT: movements that are not finite, or all 0 (outputs unchanged). (One-sided Jacobi:
- * Hestenes, J. SIAM 6 (1958) 51.) */
-HM_API hm_status hm_family_modes_size(const hm_curves* curves, size_t* bytes, hm_error* err);
+ * Hestenes, J. SIAM 6 (1958) 51.) Bytes: curves. */
 HM_API hm_status hm_family_modes(const hm_curves* curves, int32_t n, double* movements,
-                                 double* singular, void* work, size_t bytes, hm_error* err);
+                                 double* singular, hm_memory* memory, hm_error* err);
 
 /* ---- Points that slip along curves ---- */
 
@@ -447,8 +435,18 @@ HM_API hm_status hm_slip_adjoint(const hm_analysis* analysis, const hm_points* f
 
 /* ---- The movement of a mesh that was morphed before ---- */
 
-/* Working memory of hm_recover_movement. */
-HM_API hm_status hm_recover_movement_size(const hm_basis* basis, size_t* bytes, hm_error* err);
+typedef struct hm_recover_report {
+    uint64_t struct_size;
+    /* [length] the largest distance of a point of the wall in `at` from where hm_morph leads it
+     * from its place at hm_basis_init by `move` */
+    double residual;
+    /* [length] the largest distance by which rotated offsets contribute to the residual; 0: none
+     * has rotated */
+    double rotated_offset;
+    int32_t point;    /* the point with that residual; -1: there are no points */
+    int32_t reserved; /* 0 */
+} hm_recover_report;
+
 /* Finds the movement that a mesh has made since the basis was made: move [2*functions], with which
  * hm_morph moves the points on curves and rigid bodies from where they were at hm_basis_init to
  * where they are in `at` [n_points]. It is the solution of a least-squares problem for all
@@ -465,19 +463,15 @@ HM_API hm_status hm_recover_movement_size(const hm_basis* basis, size_t* bytes, 
  * hm_options.offset_correction 1, nor for a curve with too few points: there must be at least two
  * points on the wall more than control points on which they depend.
  *
- * *residual [length]: the largest distance of a point of the wall in `at` from where hm_morph leads
- * it from its place at hm_basis_init by `move`; *point: that point, -1: there are no points;
- * *rotated_offset [length]: the largest distance by which rotated offsets contribute to the
- * residual, 0: none has rotated; all three may be NULL. Refused with HM_BAD_MESH: the distance that
- * remains beside the rotated offsets is more than `tolerance` [length], because the wall is then on
- * no curve of this basis (error.item: the point, error.value: the distance); a coordinate of the
- * wall is beyond the range. tolerance 0 means 1e-4 of the width or height of the wall in `at`, the
- * larger one; infinity: any.
+ * report may be NULL. Refused with HM_BAD_MESH: the distance that remains beside the rotated
+ * offsets is more than `tolerance` [length], because the wall is then on no curve of this basis
+ * (error.item: the point, error.value: the distance); a coordinate of the wall is beyond the range.
+ * tolerance 0 means 1e-4 of the width or height of the wall in `at`, the larger one; infinity: any.
  * The basis must be solved, and have all functions. After a refused call the outputs are unchanged.
- */
+ * Bytes: basis. */
 HM_API hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double tolerance,
-                                     double* move, double* residual, double* rotated_offset,
-                                     int32_t* point, void* work, size_t bytes, hm_error* err);
+                                     double* move, hm_recover_report* report, hm_memory* memory,
+                                     hm_error* err);
 
 #ifdef __cplusplus
 }

@@ -55,12 +55,10 @@ typedef struct hm_walls hm_walls;
  * n_markers >= 1: the markers of the walls; a marker that no face has is refused
  * (HM_BAD_CONDITION). at [n_points]: the coordinates of the mesh points; NULL: those of the mesh.
  * The walls keep all that they need in their block: analysis, mesh and `at` are not needed
- * afterwards. */
-HM_API hm_status hm_walls_size(const hm_analysis* analysis, int32_t n_markers,
-                               const int32_t* markers, size_t* bytes, hm_error* err);
-HM_API hm_status hm_walls_init(hm_walls** walls, void* block, size_t bytes,
-                               const hm_analysis* analysis, int32_t n_markers,
-                               const int32_t* markers, const hm_points* at, hm_error* err);
+ * afterwards. Bytes: analysis, n_markers, markers. */
+HM_API hm_status hm_walls_init(hm_walls** walls, hm_memory* memory, const hm_analysis* analysis,
+                               int32_t n_markers, const int32_t* markers, const hm_points* at,
+                               hm_error* err);
 /* Moves the walls to the mesh points `at` [n_points], after a morph for instance. The time is
  * proportional to the number of faces. Refused (HM_BAD_MESH), the walls unchanged: a coordinate of
  * a wall point that is not finite or larger than 1e100. */
@@ -132,23 +130,18 @@ typedef struct hm_interpolation_report {
     double max_distance;        /* [length] its distance from the mesh */
 } hm_interpolation_report;
 
-/* analysis: that of the mesh that has the fields, with conditions or without; not needed
- * afterwards. n: number of points to which fields are interpolated, of another mesh for instance, 0
- * .. 2^29.
- */
-HM_API hm_status hm_interpolation_size(const hm_analysis* analysis, int32_t n, size_t* bytes,
-                                       hm_error* err);
-/* Finds each of the n points `to` in the mesh of the analysis at the mesh points `at` [n_points];
- * NULL: the coordinates of the mesh. In a triangle, values are linear; in a quadrilateral they are
- * the mean over its two divisions into triangles, so that linear fields are exact but for rounding,
- * and the error of smooth fields falls with the square of the size of the cells. At a point outside
- * the mesh the value is that of the nearest place of the boundary, linear by arc length between the
- * two points of its face. distance [n] [length] receives 0 at points inside and the distance from
- * the mesh outside; NULL: not wanted. The time does not depend much on the order of the points.
- * Periodic images of the mesh are not considered. executor and report may be NULL. Refused
- * (HM_BAD_MESH): a cell that is inverted at `at`, a point that is not finite or larger than 1e100.
- */
-HM_API hm_status hm_interpolation_init(hm_interpolation** interpolation, void* block, size_t bytes,
+/* Finds each of the n points `to`, 0 .. 2^29, of another mesh for instance, in the mesh that has
+ * the fields, at its points `at` [n_points]; NULL: the coordinates of the mesh. analysis: that of
+ * the mesh, with conditions or without; not needed afterwards. In a triangle, values are linear; in
+ * a quadrilateral they are the mean over its two divisions into triangles, so that linear fields
+ * are exact but for rounding, and the error of smooth fields falls with the square of the size of
+ * the cells. At a point outside the mesh the value is that of the nearest place of the boundary,
+ * linear by arc length between the two points of its face. distance [n] [length] receives 0 at
+ * points inside and the distance from the mesh outside; NULL: not wanted. The time does not depend
+ * much on the order of the points. Periodic images of the mesh are not considered. executor and
+ * report may be NULL. Refused (HM_BAD_MESH): a cell that is inverted at `at`, a point that is not
+ * finite or larger than 1e100. Bytes: analysis, n. */
+HM_API hm_status hm_interpolation_init(hm_interpolation** interpolation, hm_memory* memory,
                                        const hm_analysis* analysis, const hm_points* at, int32_t n,
                                        const hm_points* to, double* distance,
                                        const hm_executor* executor, hm_interpolation_report* report,

@@ -6,8 +6,7 @@
  * functions:
  *
  *     hm_analysis_init, hm_plan_init, hm_plan_factor      on every process, of the same problem
- *     hm_mpi_rows_size(analysis, n, &bytes, &error)       n points of this process
- *     hm_mpi_solve(&rows, block, bytes, plan, analysis, n, points, &report, comm, &error)
+ *     hm_mpi_solve(&rows, &memory, plan, analysis, n, points, &report, comm, &error)
  *     hm_morph(rows, ...), hm_mpi_adjoint(rows, ...)      any number of times
  *
  * After hm_mpi_solve analysis, plan and the copy of the mesh may be freed. hm_morph(rows, ...)
@@ -25,8 +24,8 @@
  * NULL makes all processes refuse the call, and so do hm_mpi_adjoint with rows = NULL, and
  * hm_mpi_displace with n_fields = 0. A process may have no points (n = 0). The calls allocate
  * memory for the messages, and free it before they return. The library must have the version with
- * whose headers harmorph_mpi.c was compiled (HM_VERSION): with another one, hm_mpi_rows_size,
- * hm_mpi_solve and hm_mpi_adjoint are refused (HM_UNSUPPORTED).
+ * whose headers harmorph_mpi.c was compiled (HM_VERSION): with another one, hm_mpi_solve and
+ * hm_mpi_adjoint are refused (HM_UNSUPPORTED).
  *
  * MPI itself decides what happens if a process ends or cannot be reached: by default
  * (MPI_ERRORS_ARE_FATAL) it ends all processes. harmorph adds nothing to this, and does not look at
@@ -41,9 +40,6 @@
 extern "C" {
 #endif
 
-/* Bytes of a block for the rows of n points of the mesh, enough for any list of n points. This call
- * is not collective. */
-hm_status hm_mpi_rows_size(const hm_analysis* analysis, int32_t n, size_t* bytes, hm_error* err);
 /* Solves for all functions, each process for some of them, and gives each process the values of all
  * functions at its own points. The plan must have a factor, and the analysis must be that of the
  * plan; both must be those of the same problem on all processes.
@@ -57,8 +53,10 @@ hm_status hm_mpi_rows_size(const hm_analysis* analysis, int32_t n, size_t* bytes
  * report: of the functions that this process has solved, with partition_defect 0; may be NULL.
  * HM_NOT_CONVERGED is that of hm_plan_solve on any process. A process sends (points of all
  * processes) * numbers_per_value * (its functions) doubles, and receives n * numbers_per_value *
- * (all functions); either number must be below 2^31. */
-hm_status hm_mpi_solve(hm_basis** rows, void* block, size_t bytes, hm_plan* plan,
+ * (all functions); either number must be below 2^31. Bytes: analysis, n; enough for any list of n
+ * points. The size query is collective, too: it is refused where some processes ask for the size
+ * and others solve. */
+hm_status hm_mpi_solve(hm_basis** rows, hm_memory* memory, hm_plan* plan,
                        const hm_analysis* analysis, int32_t n, const int32_t* points,
                        hm_solve_report* report, MPI_Comm comm, hm_error* err);
 
@@ -99,7 +97,7 @@ hm_status hm_mpi_displace_adjoint(hm_plan* plan, int32_t n_wall, const int32_t* 
                                   int32_t root, MPI_Comm comm, hm_error* err);
 
 /* The same calls with Fortran communicators (MPI_Fint), for harmorph_mpi.f90. */
-hm_status hm_mpi_solve_f(hm_basis** rows, void* block, size_t bytes, hm_plan* plan,
+hm_status hm_mpi_solve_f(hm_basis** rows, hm_memory* memory, hm_plan* plan,
                          const hm_analysis* analysis, int32_t n, const int32_t* points,
                          hm_solve_report* report, MPI_Fint comm, hm_error* err);
 hm_status hm_mpi_adjoint_f(const hm_basis* rows, const hm_points* dj, double* gradient,

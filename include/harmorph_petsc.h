@@ -7,24 +7,23 @@
  *
  *     PetscInitialize                          by the caller
  *     hm_petsc_create(&system, &part, ...)     own cells, points with global numbers
- *     hm_petsc_rows_size, hm_petsc_solve       a basis with the rows of this process's points
+ *     hm_petsc_solve                           a basis with the rows of this process's points
  *     hm_morph(rows, ...)                      moves the points of this process; no messages
  *     hm_petsc_assess                          admissible step and quality of the whole mesh
  *     hm_mpi_adjoint(rows, ...)                see harmorph_mpi.h
  *     hm_petsc_free                            the rows stay
  *
- * All calls but hm_petsc_rows_size and hm_petsc_owned are collective: all processes of the
- * communicator must make them, and each must have at least one own cell. Either all succeed, or all
- * get the same status and the same hm_error: that of the first process with the worst status, whose
- * rank is in front of the text ("rank 2: ..."), also where one process alone gives a wrong
- * argument, such as NULL for the system, or another system than the others. For this purpose each
- * call has the communicator, which must be that of hm_petsc_create (or a duplicate). A refused call
- * leaves all arguments as they were. A process on which an earlier call has failed must make the
- * collective call all the same, with NULL as the part or the system, or the others wait for ever. A
- * process without cells is refused: make a communicator of the processes that have cells
- * (MPI_Comm_split). The calls allocate memory; where harmorph lacks memory, all processes get a
- * status, but if PETSc or hypre lack memory, the job ends. For processes that end, see
- * harmorph_mpi.h.
+ * All calls but hm_petsc_owned are collective: all processes of the communicator must make them,
+ * and each must have at least one own cell. Either all succeed, or all get the same status and the
+ * same hm_error: that of the first process with the worst status, whose rank is in front of the
+ * text ("rank 2: ..."), also where one process alone gives a wrong argument, such as NULL for the
+ * system, or another system than the others. For this purpose each call has the communicator, which
+ * must be that of hm_petsc_create (or a duplicate). A refused call leaves all arguments as they
+ * were. A process on which an earlier call has failed must make the collective call all the same,
+ * with NULL as the part or the system, or the others wait for ever. A process without cells is
+ * refused: make a communicator of the processes that have cells (MPI_Comm_split). The calls
+ * allocate memory; where harmorph lacks memory, all processes get a status, but if PETSc or hypre
+ * lack memory, the job ends. For processes that end, see harmorph_mpi.h.
  *
  * Solver: conjugate gradients with hypre's BoomerAMG (where PETSc has hypre, otherwise GAMG), with
  * a relative tolerance of 1e-6 for each solution; refinement with residuals as sums of differences
@@ -100,11 +99,11 @@ hm_status hm_petsc_create(hm_petsc** system, const hm_part_mesh* part, const hm_
  * it is NULL already, on all processes, the call does nothing. */
 void hm_petsc_free(hm_petsc** system);
 
-/* Bytes of a basis for the points of this process. */
-hm_status hm_petsc_rows_size(const hm_petsc* system, size_t* bytes, hm_error* err);
-/* Solves for all functions; *rows is in the block. HM_NOT_CONVERGED: solved, but less accurate than
- * the tolerance. HM_NOT_POSITIVE: PETSc could not factor or solve. report may be NULL. */
-hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t bytes,
+/* Solves for all functions; *rows, a basis for the points of this process, is in the block.
+ * HM_NOT_CONVERGED: solved, but less accurate than the tolerance. HM_NOT_POSITIVE: PETSc could not
+ * factor or solve. report may be NULL. Bytes: system. The size query is collective, too: it is
+ * refused where some processes ask for the size and others solve. */
+hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, hm_memory* memory,
                          hm_petsc_report* report, MPI_Comm comm, hm_error* err);
 /* Does hm_displace for one field of displacements: x and y [points] contain the given numbers at
  * points of markers with HM_GIVEN on every process that has such a point, the same numbers on each
@@ -129,7 +128,7 @@ hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm
 /* The same calls with Fortran communicators (MPI_Fint), for harmorph_petsc.f90. */
 hm_status hm_petsc_create_f(hm_petsc** system, const hm_part_mesh* part, const hm_problem* problem,
                             const hm_options* options, MPI_Fint comm, hm_error* err);
-hm_status hm_petsc_solve_f(hm_petsc* system, hm_basis** rows, void* block, size_t bytes,
+hm_status hm_petsc_solve_f(hm_petsc* system, hm_basis** rows, hm_memory* memory,
                            hm_petsc_report* report, MPI_Fint comm, hm_error* err);
 hm_status hm_petsc_displace_f(hm_petsc* system, const hm_points_out* displacement,
                               hm_petsc_report* report, MPI_Fint comm, hm_error* err);

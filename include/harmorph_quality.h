@@ -23,21 +23,18 @@ extern "C" {
  * coordinates, and the edges of the first layer at the walls. */
 typedef struct hm_quality hm_quality;
 
-/* *bytes: the exact size of the block of hm_quality_init. basis, mesh: as in hm_assess. */
-HM_API hm_status hm_quality_size(const hm_basis* basis, const hm_mesh* mesh, size_t* bytes,
-                                 hm_error* err);
-/* basis: a basis of the mesh, solved or not. start [n_points]: the coordinates to compare with;
- * NULL: the mesh's own coordinates. The coordinates are copied, so the mesh may move in place. The
- * basis, and the arrays of the mesh that list cells, must exist as long as the object.
+/* basis: a basis of the mesh, solved or not; mesh: as in hm_assess. start [n_points]: the
+ * coordinates to compare with; NULL: the mesh's own coordinates. The coordinates are copied, so the
+ * mesh may move in place. The basis, and the arrays of the mesh that list cells, must exist as long
+ * as the object.
  *
  * The walls are the faces both ends of which are on curves, on rigid bodies, or given (HM_GIVEN).
  * The first layer has one edge for each wall point: the edge of a cell that leaves the wall and is
  * nearest to the normal of the wall at the start. For a polygon that is divided into triangles, the
  * edge may be a side of such a triangle. Refused with HM_BAD_MESH: a cell that is inverted at the
- * start, a coordinate beyond the range; with HM_BAD_BASIS: see hm_assess. */
-HM_API hm_status hm_quality_init(hm_quality** quality, void* block, size_t bytes,
-                                 const hm_basis* basis, const hm_mesh* mesh, const hm_points* start,
-                                 hm_error* err);
+ * start, a coordinate beyond the range; with HM_BAD_BASIS: see hm_assess. Bytes: basis, mesh. */
+HM_API hm_status hm_quality_init(hm_quality** quality, hm_memory* memory, const hm_basis* basis,
+                                 const hm_mesh* mesh, const hm_points* start, hm_error* err);
 
 /* ---- Smooth bounds ---- */
 

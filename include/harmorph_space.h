@@ -81,8 +81,6 @@ typedef struct hm_space_mesh {
 
 typedef struct hm_plane hm_plane;
 
-/* Bytes from the counts alone: points, faces, corners of faces, sides, and kind. */
-HM_API hm_status hm_plane_size(const hm_space_mesh* space, size_t* bytes, hm_error* err);
 /* Finds the mesh of the plane; `space` and its arrays are not needed afterwards. Where several
  * points of the plane lie at one place to 1e-4 of the tolerance (the two sides of a cut, of a
  * sliding interface, or of a plate without thickness), a point of another layer follows the one to
@@ -90,9 +88,10 @@ HM_API hm_status hm_plane_size(const hm_space_mesh* space, size_t* bytes, hm_err
  * numbers. Refused (HM_BAD_MESH, error.item: the point or side, error.value: the distance): a
  * point of a face outside the plane of the others; a point that is opposite to no point of the
  * plane, as in a mesh that is not one cell thick; a point of the plane that no point of another
- * layer follows; a side that does not have exactly two different points of the plane. */
-HM_API hm_status hm_plane_init(hm_plane** plane, void* block, size_t bytes,
-                               const hm_space_mesh* space, hm_error* err);
+ * layer follows; a side that does not have exactly two different points of the plane. Bytes: space,
+ * of which the query reads the counts alone (points, faces, corners of faces, sides) and kind. */
+HM_API hm_status hm_plane_init(hm_plane** plane, hm_memory* memory, const hm_space_mesh* space,
+                               hm_error* err);
 
 typedef struct hm_plane_info {
     uint64_t struct_size;
@@ -200,14 +199,13 @@ typedef struct hm_edge_mesh {
     const int32_t* edge_markers;
 } hm_edge_mesh;
 
-/* Bytes of the cells and faces that the edges form. */
-HM_API hm_status hm_mesh_from_edges_size(const hm_edge_mesh* edges, size_t* bytes, hm_error* err);
 /* *mesh, for which the caller has called HM_INIT, receives views of the points of the caller and of
  * the cells and faces in the block; the arrays of edges are not needed afterwards. The layout is
  * HM_CELLS_ROWS if all cells have 3 or 4 sides, otherwise HM_CELLS_POLYGONS. Refused (HM_BAD_MESH,
- * error.item: the cell): edges of a cell that do not form one closed loop of 3 to 1024 sides. */
-HM_API hm_status hm_mesh_from_edges(hm_mesh* mesh, void* block, size_t bytes,
-                                    const hm_edge_mesh* edges, hm_error* err);
+ * error.item: the cell): edges of a cell that do not form one closed loop of 3 to 1024 sides.
+ * Bytes: edges. */
+HM_API hm_status hm_mesh_from_edges(hm_mesh* mesh, hm_memory* memory, const hm_edge_mesh* edges,
+                                    hm_error* err);
 
 /* ---- Polygons (HM_CELLS_POLYGONS) ---- */
 

@@ -121,6 +121,17 @@ edges_meet() {
         END { print x, y; exit !(x ^ 2 + y ^ 2 < 1e-6) }' "$1"
 }
 check "another chord, turned and moved: the edges are where they were" edges_meet "$tmp/placed.su2"
+# In per cent of the chord, and in a unit that is a thirtieth of the mesh's.
+for scale in 100 30; do
+    naca2412 selig $scale 0 0 0 >"$tmp/unit.dat"
+    for way in "" --safe; do
+        refuses "a file in another unit, $scale $way" "times as long as that of the mesh: --on-chord" morph "$naca" \
+            "$tmp/airfoil.basis" --to-airfoil "$tmp/unit.dat" $way -o "$tmp/x.su2"
+    done
+    check "a file in another unit, $scale: no safe morph is offered" sh -c '! grep "safe goes" "$1"' sh "$tmp/message"
+    check "a file in another unit, $scale: --on-chord" "$harmorph" morph "$naca" "$tmp/airfoil.basis" \
+        --to-airfoil "$tmp/unit.dat" --on-chord
+done
 naca2412 selig 1 5 .1 -.05 >"$tmp/turned.dat"
 check "turned and moved" "$harmorph" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/turned.dat" --json
 cp "$tmp/log" "$tmp/json"

@@ -94,6 +94,7 @@ int main(void) {
     BEGINS(hm_safe_target);
     BEGINS(hm_improve_options);
     BEGINS(hm_improve_report);
+    BEGINS(hm_recover_report);
     BEGINS(hm_refit_report);
     BEGINS(hm_section);
     BEGINS(hm_quantity);

@@ -162,8 +162,8 @@ END
 }
 check "the new call has an interface with the comment of the header" new_call
 
-# Every function of the headers must have an interface in the module, but for hm_init, which sets the fields of structs
-# to 0; the components of the derived types have initial values instead.
+# Every function of the headers must have an interface in the module, but for hm_init, which sets the fields of C
+# structs to 0; the components of the derived types have initial values instead.
 missing() {
     for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' $headers | grep -vx hm_init); do
         grep -q "name=\"$name\"" "$build/harmorph.f90" || echo "$name"

@@ -18,7 +18,6 @@ int main(void) {
     const hm_curves* curves;
     hm_mesh mesh;
     hm_error error;
-    size_t bytes;
     int k;
     for (k = 0; k < NI * NJ; ++k) {
         const double angle = 6.283185307179586 * (k % NI % (NI - 1)) / (NI - 1),

@@ -180,7 +180,7 @@ static void check_displacements(int32_t operator_kind) {
     int32_t k, field, n_wall = 0, n_given = 0, wrong = 0;
     int32_t *all_given, *own_wall;
     double *own_x, *own_y;
-    size_t bytes;
+    hm_memory memory;
     void* work;
 
     make_case(&setup, 65, 25, 8, operator_kind);
@@ -232,9 +232,10 @@ static void check_displacements(int32_t operator_kind) {
         gradient[field] = (hm_points_out){g, g + mine.n, 1};
         all_gradient[field] = (hm_points_out){h, h + 1, 2};
     }
-    need(hm_displace_size(with.plan, FIELDS, &bytes, &error), &error);
-    work = room(bytes);
-    need(hm_displace(with.plan, n_given, NULL, FIELDS, wall, NULL, to, work, bytes, NULL, &error),
+    need(hm_displace(with.plan, 0, NULL, FIELDS, NULL, NULL, NULL, emptied(&memory), NULL, &error),
+         &error);
+    work = memory.block = room(memory.bytes);
+    need(hm_displace(with.plan, n_given, NULL, FIELDS, wall, NULL, to, &memory, NULL, &error),
          &error);
     need(hm_mpi_displace(rank == root ? with.plan : NULL, n_wall, own_wall, FIELDS, on_wall, mine.n,
                          mine.points, NULL, own_to, root, MPI_COMM_WORLD, &error),
@@ -247,7 +248,7 @@ static void check_displacements(int32_t operator_kind) {
     }
     check(wrong == 0, "displacements as on one process");
 
-    need(hm_displace_adjoint(with.plan, n_given, NULL, FIELDS, dj, all_gradient, work, bytes, NULL,
+    need(hm_displace_adjoint(with.plan, n_given, NULL, FIELDS, dj, all_gradient, &memory, NULL,
                              &error),
          &error);
     need(hm_mpi_displace_adjoint(rank == root ? with.plan : NULL, n_wall, own_wall, FIELDS, own_dj,
@@ -279,8 +280,8 @@ static void check_displacements(int32_t operator_kind) {
         own_y[k] = setup.y[mine.points[k]];
     }
     to[0] = (hm_points_out){to[0].x, to[0].y, 1};
-    need(hm_displace(with.plan, n_given, NULL, 1, wall, &(hm_points){setup.x, setup.y, 1}, to, work,
-                     bytes, NULL, &error),
+    need(hm_displace(with.plan, n_given, NULL, 1, wall, &(hm_points){setup.x, setup.y, 1}, to,
+                     &memory, NULL, &error),
          &error);
     need(hm_mpi_displace(rank == root ? with.plan : NULL, n_wall, own_wall, 1, on_wall, mine.n,
                          mine.points, &(hm_points){own_x, own_y, 1},

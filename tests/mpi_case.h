@@ -3,6 +3,8 @@
 #ifndef MPI_CASE_H
 #define MPI_CASE_H
 
+#include "memory.h"
+
 #include <harmorph_mpi.h>
 #include <private.h>
 
@@ -44,7 +46,7 @@ static void make_case(problem_case* made, int32_t ni, int32_t nj, int32_t n_func
     hm_problem problem = {sizeof problem};
     hm_options options = {sizeof options};
     hm_error error;
-    size_t bytes;
+    hm_memory memory;
     int32_t i, j;
     made->n_points = ni * nj;
     made->n_functions = n_functions;
@@ -82,9 +84,9 @@ static void make_case(problem_case* made, int32_t ni, int32_t nj, int32_t n_func
     fit.n_control = n_functions;
     fit.closed = HM_PERIODIC;
     made->fit = fit;
-    need(hm_fit_size(ni - 1, &fit, &bytes, &error), &error);
-    need(hm_fit(&made->curves, room(bytes), bytes, &(hm_points){made->x, made->y, 1}, ni - 1, 1,
-                &fit, NULL, &error),
+    need(hm_fit(NULL, emptied(&memory), NULL, ni - 1, 0, &fit, NULL, &error), &error);
+    need(hm_fit(&made->curves, &(hm_memory){room(memory.bytes), memory.bytes},
+                &(hm_points){made->x, made->y, 1}, ni - 1, 1, &fit, NULL, &error),
          &error);
     on_curve.marker = WALL;
     on_curve.kind = HM_ON_CURVE;
@@ -109,17 +111,17 @@ typedef struct solver {
 
 static void make_solver(solver* made, const problem_case* setup) {
     hm_error error;
-    size_t bytes;
-    need(hm_analysis_size(&setup->problem, &setup->options, &bytes, &error), &error);
-    made->bytes = bytes;
-    made->analysis_block = room(bytes);
-    need(hm_analysis_init(&made->analysis, made->analysis_block, bytes, &setup->problem,
-                          &setup->options, &error),
+    hm_memory memory;
+    need(hm_analysis_init(NULL, emptied(&memory), &setup->problem, &setup->options, &error),
          &error);
-    need(hm_plan_size(made->analysis, &bytes, &error), &error);
-    made->bytes += bytes;
-    made->plan_block = room(bytes);
-    need(hm_plan_init(&made->plan, made->plan_block, bytes, made->analysis, &error), &error);
+    made->bytes = memory.bytes;
+    made->analysis_block = memory.block = room(memory.bytes);
+    need(hm_analysis_init(&made->analysis, &memory, &setup->problem, &setup->options, &error),
+         &error);
+    need(hm_plan_init(NULL, emptied(&memory), made->analysis, &error), &error);
+    made->bytes += memory.bytes;
+    made->plan_block = memory.block = room(memory.bytes);
+    need(hm_plan_init(&made->plan, &memory, made->analysis, &error), &error);
     need(hm_plan_factor(made->plan, NULL, &error), &error);
 }
 
@@ -143,10 +145,12 @@ static inline hm_basis* solve_share(solver* with, int32_t first, int32_t n, void
 /* The rows of these points, solved on all processes together, in a block of their own. */
 static hm_status solve_rows(solver* with, int32_t n, const int32_t* points, hm_basis** rows,
                             void** block, hm_solve_report* report, hm_error* error) {
-    size_t bytes;
-    need(hm_mpi_rows_size(with->analysis, n, &bytes, error), error);
-    *block = room(bytes);
-    return hm_mpi_solve(rows, *block, bytes, with->plan, with->analysis, n, points, report,
+    hm_memory memory;
+    need(hm_mpi_solve(NULL, emptied(&memory), NULL, with->analysis, n, NULL, NULL, MPI_COMM_WORLD,
+                      error),
+         error);
+    *block = memory.block = room(memory.bytes);
+    return hm_mpi_solve(rows, &memory, with->plan, with->analysis, n, points, report,
                         MPI_COMM_WORLD, error);
 }
 

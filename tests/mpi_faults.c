@@ -20,8 +20,7 @@ static double results[2 * N_I * N_J];
 typedef struct arguments {
     hm_basis* rows;
     hm_basis** made;
-    void* block;
-    size_t bytes;
+    hm_memory memory;
     hm_plan* of_curves; /* for the functions of curves, with its analysis */
     const hm_analysis* analysis;
     int32_t n, n_wall, n_fields, root;
@@ -35,8 +34,9 @@ typedef struct arguments {
 } arguments;
 
 static hm_status solve(const arguments* a, hm_error* err) {
-    return hm_mpi_solve(a->made, a->block, a->bytes, a->of_curves, a->analysis, a->n, a->points,
-                        NULL, MPI_COMM_WORLD, err);
+    hm_memory memory = a->memory;
+    return hm_mpi_solve(a->made, &memory, a->of_curves, a->analysis, a->n, a->points, NULL,
+                        MPI_COMM_WORLD, err);
 }
 static hm_status adjoint(const arguments* a, hm_error* err) {
     return hm_mpi_adjoint(a->rows, a->field, a->gradient, NULL, MPI_COMM_WORLD, err);
@@ -62,8 +62,9 @@ static hm_status transpose(const arguments* a, hm_error* err) {
     }
 WRONG(no_rows, a->rows = NULL)
 WRONG(no_result_rows, a->made = NULL)
-WRONG(no_block, a->block = NULL)
-WRONG(small_block, a->bytes = 64)
+WRONG(no_block, a->memory.block = NULL)
+WRONG(size_query, a->memory = (hm_memory){0})
+WRONG(small_block, a->memory.bytes = 64)
 WRONG(no_plan, a->of_curves = NULL)
 WRONG(no_analysis, a->analysis = NULL)
 WRONG(analysis_of_another, a->analysis = of_less.analysis)
@@ -120,6 +121,7 @@ static const struct fault {
     { #call ": " #spoil, call, spoil, status, BY_ROOT, 1, "" }
     ARGUMENT(solve, no_result_rows),
     ARGUMENT(solve, no_block),
+    OF_TWO(solve, size_query, "rank 0"),
     ARGUMENT(solve, no_plan),
     ARGUMENT(solve, no_analysis),
     ARGUMENT(solve, negative_n),
@@ -193,15 +195,17 @@ static void make_like(solver* made, int32_t n_functions, double shift) {
 static void make_plans(problem_case* setup) {
     static hm_condition given;
     hm_error error;
-    size_t bytes;
+    hm_memory memory;
     given.struct_size = sizeof given;
     given.marker = WALL;
     given.kind = HM_GIVEN;
     setup->problem.curves = NULL;
     setup->problem.conditions = &given;
     make_solver(&with, setup);
-    need(hm_plan_size(with.analysis, &bytes, &error), &error);
-    need(hm_plan_init(&unfactored, room(bytes), bytes, with.analysis, &error), &error);
+    need(hm_plan_init(NULL, emptied(&memory), with.analysis, &error), &error);
+    need(hm_plan_init(&unfactored, &(hm_memory){room(memory.bytes), memory.bytes}, with.analysis,
+                      &error),
+         &error);
 }
 
 static void make_objects(void) {
@@ -209,7 +213,7 @@ static void make_objects(void) {
     hm_error error;
     const int32_t n = own_points(N_I * N_J, points);
     int32_t k;
-    size_t bytes;
+    hm_memory memory;
     void* block;
     make_case(&setup, N_I, N_J, FUNCTIONS, HM_LAPLACE);
     for (k = 0; k < n; ++k) {
@@ -219,8 +223,9 @@ static void make_objects(void) {
     make_like(&of_curves, FUNCTIONS, 0);
     make_like(&of_other_mesh, FUNCTIONS, 1e-3);
     make_like(&of_less, OTHER_FUNCTIONS, 0);
-    need(hm_plan_size(of_curves.analysis, &bytes, &error), &error);
-    need(hm_plan_init(&unfactored_of_curves, room(bytes), bytes, of_curves.analysis, &error),
+    need(hm_plan_init(NULL, emptied(&memory), of_curves.analysis, &error), &error);
+    need(hm_plan_init(&unfactored_of_curves, &(hm_memory){room(memory.bytes), memory.bytes},
+                      of_curves.analysis, &error),
          &error);
     need(solve_rows(&of_less, n, points, &rows_of_less, &block, NULL, &error), &error);
     make_plans(&setup);
@@ -256,8 +261,10 @@ static void make_right(attempt* made, hm_status (*call)(const arguments*, hm_err
     a->rows = rows;
     a->made = &made->made;
     if (call == solve) {
-        need(hm_mpi_rows_size(a->analysis, a->n, &a->bytes, NULL), &(hm_error){0});
-        a->block = made->block = room(a->bytes);
+        need(hm_mpi_solve(NULL, emptied(&a->memory), NULL, a->analysis, a->n, NULL, NULL,
+                          MPI_COMM_WORLD, NULL),
+             &(hm_error){0});
+        a->memory.block = made->block = room(a->memory.bytes);
     }
     a->points = points;
     a->wall_points = wall_points;

@@ -19,10 +19,12 @@ static void check(hm_status status, const hm_error* error, const char* call) {
 
 int main(int argc, char** argv) {
     hm_error error = {0};
-    size_t bytes = 0;
+    hm_memory memory = {NULL, 0};
     MPI_Init(&argc, &argv);
-    check(hm_mpi_rows_size(NULL, 0, &bytes, &error), &error, "hm_mpi_rows_size");
-    check(hm_mpi_solve(NULL, NULL, 0, NULL, NULL, 0, NULL, NULL, MPI_COMM_WORLD, &error), &error,
+    check(hm_mpi_solve(NULL, &memory, NULL, NULL, 0, NULL, NULL, MPI_COMM_WORLD, &error), &error,
+          "the size query of hm_mpi_solve");
+    memory.bytes = 1;
+    check(hm_mpi_solve(NULL, &memory, NULL, NULL, 0, NULL, NULL, MPI_COMM_WORLD, &error), &error,
           "hm_mpi_solve");
     check(hm_mpi_adjoint(NULL, NULL, NULL, NULL, MPI_COMM_WORLD, &error), &error, "hm_mpi_adjoint");
     printf("%d passed, %d failed\n", passed, failed);

@@ -8,7 +8,7 @@ enum { NUMBERS = 4 * POINTS + 2 * CONTROL };
 
 static void compute(const hm_mesh* mesh, const hm_curves* curves, int32_t operator_kind,
                     int32_t n_threads, double* result) {
-    size_t bytes;
+    hm_memory memory;
     int i;
     double move[2 * CONTROL];
     double *dx = result, *dy = dx + POINTS, *far_x = dy + POINTS, *far_y = far_x + POINTS;
@@ -32,13 +32,19 @@ static void compute(const hm_mesh* mesh, const hm_curves* curves, int32_t operat
     problem.curves = curves;
     problem.n_conditions = 1;
     problem.conditions = &on_curve;
-    require(hm_analysis_size(&problem, &options, &bytes, &error), "size of an analysis", &error);
-    require(hm_analysis_init(&analysis, block_of(bytes), bytes, &problem, &options, &error),
+    require(hm_analysis_init(NULL, emptied(&memory), &problem, &options, &error),
+            "size of an analysis", &error);
+    require(hm_analysis_init(&analysis, &(hm_memory){block_of(memory.bytes), memory.bytes},
+                             &problem, &options, &error),
             "analysis", &error);
-    require(hm_plan_size(analysis, &bytes, &error), "size of a plan", &error);
-    require(hm_plan_init(&plan, block_of(bytes), bytes, analysis, &error), "plan", &error);
-    require(hm_basis_size(analysis, &bytes, &error), "size of a basis", &error);
-    require(hm_basis_init(&basis, block_of(bytes), bytes, analysis, &error), "basis", &error);
+    require(hm_plan_init(NULL, emptied(&memory), analysis, &error), "size of a plan", &error);
+    require(
+        hm_plan_init(&plan, &(hm_memory){block_of(memory.bytes), memory.bytes}, analysis, &error),
+        "plan", &error);
+    require(hm_basis_init(NULL, emptied(&memory), analysis, &error), "size of a basis", &error);
+    require(
+        hm_basis_init(&basis, &(hm_memory){block_of(memory.bytes), memory.bytes}, analysis, &error),
+        "basis", &error);
     require(hm_plan_factor(plan, NULL, &error), "factor", &error);
     require(hm_plan_solve(plan, basis, NULL, &error), "functions", &error);
     for (i = 0; i < CONTROL; ++i) {
@@ -53,9 +59,10 @@ static void compute(const hm_mesh* mesh, const hm_curves* curves, int32_t operat
         target.move = move;
         require(hm_morph(basis, move, NULL, &to, &executor, &error), "morph", &error);
         require(hm_adjoint(basis, &by, result + 4 * POINTS, &executor, &error), "adjoint", &error);
-        require(hm_move_safe_size(plan, basis, &target, &bytes, &error), "size of a safe morph",
-                &error);
-        check(hm_move_safe(plan, basis, &target, &far, block_of(bytes), bytes, NULL, NULL,
+        require(hm_move_safe(plan, basis, &target, NULL, emptied(&memory), NULL, NULL, &error),
+                "size of a safe morph", &error);
+        check(hm_move_safe(plan, basis, &target, &far,
+                           &(hm_memory){block_of(memory.bytes), memory.bytes}, NULL, NULL,
                            &error) >= HM_OK,
               "safe morph", &error);
     }
@@ -64,7 +71,7 @@ static void compute(const hm_mesh* mesh, const hm_curves* curves, int32_t operat
 int main(void) {
     static double one[NUMBERS], four[NUMBERS];
     const int32_t kinds[] = {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL}, body[] = {BODY};
-    size_t bytes;
+    hm_memory memory;
     int k;
     hm_error error;
     hm_fit_options fit;
@@ -73,8 +80,10 @@ int main(void) {
     HM_INIT(fit);
     fit.n_control = CONTROL;
     fit.closed = HM_PERIODIC;
-    require(hm_fit_marker_size(&mesh, 1, body, &fit, &bytes, &error), "size of a fit", &error);
-    require(hm_fit_marker(&curves, block_of(bytes), bytes, &mesh, 1, body, &fit, NULL, &error),
+    require(hm_fit_marker(NULL, emptied(&memory), &mesh, 1, body, &fit, NULL, &error),
+            "size of a fit", &error);
+    require(hm_fit_marker(&curves, &(hm_memory){block_of(memory.bytes), memory.bytes}, &mesh, 1,
+                          body, &fit, NULL, &error),
             "fit", &error);
     for (k = 0; k < 3; ++k) {
         compute(&mesh, curves, kinds[k], 1, one);

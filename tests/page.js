@@ -1,8 +1,7 @@
 "use strict";
 // Drives the page of `harmorph explore` as a user would, with pointer and key events, before the browser calls it
 // loaded; leaves its findings as text of the element `result`: lines "check NAME ok" or "check NAME FAILED ...", "value
-// NAME NUMBER", "moves" with the saved file, and "point INDEX X Y BOUND_X BOUND_Y", what `harmorph morph` should agree
-// with and how well.
+// NAME NUMBER", "moves" with the saved file, and "point INDEX X Y", with which `harmorph morph` must agree.
 (() => {
     const lines = [];
     const check = (name, holds, found = "") => lines.push(`check ${name} ${holds ? "ok" : `FAILED ${found}`}`);
@@ -175,40 +174,6 @@
         frame();
     };
 
-    // Rounding the functions to single precision moves a point by no more; that of sums in double precision comes on
-    // top.
-    const bounds = () => {
-        const { model, moves } = app,
-            bound_x = new Float64Array(model.n),
-            bound_y = new Float64Array(model.n);
-        const columns = {
-            1: [[1, 0, 0, 1]],
-            2: [
-                [1, 0, 0, 1],
-                [0, 1, 1, 0],
-            ],
-            4: [
-                [1, 0, 0, 0],
-                [0, 1, 0, 0],
-                [0, 0, 1, 0],
-                [0, 0, 0, 1],
-            ],
-        };
-        for (let i = 0; i < model.n_functions; ++i) {
-            const mx = Math.abs(moves[2 * i]),
-                my = Math.abs(moves[2 * i + 1]);
-            columns[model.numbers].forEach(([xx, xy, yx, yy], number) => {
-                const values = model.values(i, number);
-                for (let k = 0; k < model.n; ++k) {
-                    bound_x[k] += Math.abs(values[k]) * (xx * mx + xy * my);
-                    bound_y[k] += Math.abs(values[k]) * (yx * mx + yy * my);
-                }
-            });
-        }
-        const bound = (sum, at) => sum * (2 ** -24 + 2 ** -44) + 2 ** -50 * (Math.abs(at) + sum);
-        return [bound_x.map((sum, k) => bound(sum, model.x[k])), bound_y.map((sum, k) => bound(sum, model.y[k]))];
-    };
-
     // Does it draw at all? Lines and cells, not the background alone.
     const draws = (painter) => {
         const { picture } = app,
@@ -257,7 +222,7 @@
         app.moves.every((move, k) => move === moves[k]),
     );
     check("and the same mesh", coordinates() === here);
-    const { cells, wall, model, data } = app;
+    const { cells, wall, model } = app;
     lines.push(
         `value inverted ${cells.inverted}`,
         `value admissible_step ${app.admissible_step()}`,
@@ -265,10 +230,7 @@
     );
     lines.push(`value mean_quality ${cells.mean_quality}`, `value self_crossing ${wall.crossing.length > 0}`);
     lines.push("moves", text.trimEnd(), "end");
-    const [bound_x, bound_y] = bounds();
-    data.point.forEach((point, k) =>
-        lines.push(`point ${point} ${model.x[k]} ${model.y[k]} ${bound_x[k]} ${bound_y[k]}`),
-    );
+    for (let k = 0; k < model.n; ++k) lines.push(`point ${k} ${model.x[k]} ${model.y[k]}`);
     const result = document.createElement("pre");
     result.id = "result";
     result.textContent = `\nresult begins\n${lines.join("\n")}\nresult ends\n`;

@@ -123,24 +123,6 @@
         back_to_start();
     };
 
-    // The definition, pair by pair, against the search in a tree of boxes.
-    const touch = () => {
-        const { model, wall } = app;
-        let agreed = 0;
-        for (let trial = 1; trial <= 12; ++trial) {
-            const moves = app.moves.map((_, k) => 0.2 * Math.sin(k * k + trial));
-            model.morph(moves);
-            const all = new FirstTouch(wall.faces, model);
-            all.judge(Infinity, false);
-            const pairs = new FirstTouch(wall.faces, model);
-            pairs.may_meet = () => true;
-            pairs.judge(Infinity, false);
-            agreed += all.step === pairs.step && all.step < Infinity ? 1 : 0;
-        }
-        model.morph(app.moves);
-        check("the first touch of all pairs of faces", agreed === 12, agreed);
-    };
-
     const screen_reader = async () => {
         const spoken = () => element("spoken").textContent;
         app.selection.choose(-1);
@@ -246,7 +228,7 @@
     check("a page without JavaScript says so", /needs JavaScript/.test(text) && /display: none/.test(text));
     const rules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]);
     check("there are rules for print", rules.some((rule) => rule.conditionText === "print"));
-    if (app.data.n_control > 0) for (const part of [fingers, numbers, crossing, touch, pointer, painters]) part();
+    if (app.data.n_control > 0) for (const part of [fingers, numbers, crossing, pointer, painters]) part();
     if (app.sections.length > 0) section();
     if (app.data.bodies.length > 0) bodies();
     else await screen_reader();

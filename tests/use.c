@@ -21,14 +21,14 @@ static const hm_curves* fit_body(const hm_mesh* mesh, void** block) {
     const int32_t marker = BODY;
     int32_t points[AROUND], n = 0, is_loop = 0, k;
     double body_x[AROUND], body_y[AROUND];
-    size_t bytes = 0;
+    hm_memory memory;
 
     problem.mesh = mesh;
-    require(hm_analysis_size(&problem, NULL, &bytes, &error), "size of the mesh's analysis",
+    require(hm_analysis_init(NULL, emptied(&memory), &problem, NULL, &error),
+            "size of the mesh's analysis", &error);
+    *block = memory.block = block_of(memory.bytes);
+    require(hm_analysis_init(&analysis, &memory, &problem, NULL, &error), "analysis of the mesh",
             &error);
-    *block = block_of(bytes);
-    require(hm_analysis_init(&analysis, *block, bytes, &problem, NULL, &error),
-            "analysis of the mesh", &error);
     require(hm_analysis_report(analysis, &report, &error), "report on the mesh", &error);
     check(report.points == POINTS && report.cells == CELLS && report.quads == CELLS, "counts",
           &error);
@@ -44,10 +44,11 @@ static const hm_curves* fit_body(const hm_mesh* mesh, void** block) {
     free(*block);
 
     options.n_control = CONTROL;
-    require(hm_fit_size(n, &options, &bytes, &error), "size of the fit", &error);
-    *block = block_of(bytes);
-    require(hm_fit(&curves, *block, bytes, &(hm_points){body_x, body_y, 1}, n, is_loop, &options,
-                   &fit, &error),
+    require(hm_fit(NULL, emptied(&memory), NULL, n, 0, &options, NULL, &error), "size of the fit",
+            &error);
+    *block = memory.block = block_of(memory.bytes);
+    require(hm_fit(&curves, &memory, &(hm_points){body_x, body_y, 1}, n, is_loop, &options, &fit,
+                   &error),
             "the fit", &error);
     check(fit.closed == HM_PERIODIC && curves->n_control == CONTROL,
           "a smooth body gets a periodic curve", &error);
@@ -73,27 +74,29 @@ static hm_basis* solve(const hm_problem* problem, void** block) {
     hm_plan* plan = NULL;
     hm_basis* basis = NULL;
     void *analysis_block, *plan_block;
-    size_t analysis_bytes = 0, plan_bytes = 0, basis_bytes = 0;
+    hm_memory analysis_memory, plan_memory, basis_memory;
     int32_t stop_in = HM_PHASE_SOLVE;
 
     options.progress = cancel;
     options.progress_user = &stop_in;
-    require(hm_analysis_size(problem, &options, &analysis_bytes, &error), "size of the analysis",
-            &error);
-    analysis_block = block_of(analysis_bytes);
-    check(hm_analysis_init(&analysis, analysis_block, analysis_bytes - 1, problem, &options,
-                           &error) == HM_BLOCK_TOO_SMALL &&
+    require(hm_analysis_init(NULL, emptied(&analysis_memory), problem, &options, &error),
+            "size of the analysis", &error);
+    analysis_block = analysis_memory.block = block_of(analysis_memory.bytes);
+    check(hm_analysis_init(&analysis, &(hm_memory){analysis_block, analysis_memory.bytes - 1},
+                           problem, &options, &error) == HM_BLOCK_TOO_SMALL &&
               error.value >= 1,
           "a block that is a byte too small is refused", &error);
     error.code = HM_OK;
-    require(hm_analysis_init(&analysis, analysis_block, analysis_bytes, problem, &options, &error),
+    require(hm_analysis_init(&analysis, &analysis_memory, problem, &options, &error),
             "the analysis", &error);
-    require(hm_plan_size(analysis, &plan_bytes, &error), "size of the plan", &error);
-    require(hm_basis_size(analysis, &basis_bytes, &error), "size of the basis", &error);
-    plan_block = block_of(plan_bytes);
-    *block = block_of(basis_bytes);
-    require(hm_plan_init(&plan, plan_block, plan_bytes, analysis, &error), "the plan", &error);
-    require(hm_basis_init(&basis, *block, basis_bytes, analysis, &error), "the basis", &error);
+    require(hm_plan_init(NULL, emptied(&plan_memory), analysis, &error), "size of the plan",
+            &error);
+    require(hm_basis_init(NULL, emptied(&basis_memory), analysis, &error), "size of the basis",
+            &error);
+    plan_block = plan_memory.block = block_of(plan_memory.bytes);
+    *block = basis_memory.block = block_of(basis_memory.bytes);
+    require(hm_plan_init(&plan, &plan_memory, analysis, &error), "the plan", &error);
+    require(hm_basis_init(&basis, &basis_memory, analysis, &error), "the basis", &error);
     free(analysis_block);
 
     require(hm_plan_factor(plan, NULL, &error), "the factor", &error);
@@ -195,7 +198,7 @@ static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
     void *analysis_block, *plan_block, *laplace_block, *work;
     static double dx[POINTS], dy[POINTS], values[POINTS];
     double move[2 * CONTROL], boundary_error = 1;
-    size_t bytes = 0;
+    hm_memory memory;
     int32_t point = 0, n = 0;
     int k;
 
@@ -211,18 +214,19 @@ static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
     require(hm_basis_curves(basis, NULL, NULL, &curves, &curve, 1, &error), "its curve", &error);
 
     options.operator_kind = HM_LAPLACE;
-    require(hm_analysis_size(problem, &options, &bytes, &error), "size of Laplace's analysis",
+    require(hm_analysis_init(NULL, emptied(&memory), problem, &options, &error),
+            "size of Laplace's analysis", &error);
+    analysis_block = memory.block = block_of(memory.bytes);
+    require(hm_analysis_init(&analysis, &memory, problem, &options, &error), "its analysis",
             &error);
-    analysis_block = block_of(bytes);
-    require(hm_analysis_init(&analysis, analysis_block, bytes, problem, &options, &error),
-            "its analysis", &error);
-    require(hm_plan_size(analysis, &bytes, &error), "size of Laplace's plan", &error);
-    plan_block = block_of(bytes);
-    require(hm_plan_init(&plan, plan_block, bytes, analysis, &error), "Laplace's plan", &error);
-    require(hm_basis_size(analysis, &bytes, &error), "size of Laplace's basis", &error);
-    laplace_block = block_of(bytes);
-    require(hm_basis_init(&laplace, laplace_block, bytes, analysis, &error), "Laplace's basis",
+    require(hm_plan_init(NULL, emptied(&memory), analysis, &error), "size of Laplace's plan",
             &error);
+    plan_block = memory.block = block_of(memory.bytes);
+    require(hm_plan_init(&plan, &memory, analysis, &error), "Laplace's plan", &error);
+    require(hm_basis_init(NULL, emptied(&memory), analysis, &error), "size of Laplace's basis",
+            &error);
+    laplace_block = memory.block = block_of(memory.bytes);
+    require(hm_basis_init(&laplace, &memory, analysis, &error), "Laplace's basis", &error);
     require(hm_plan_factor(plan, NULL, &error), "Laplace's factor", &error);
     require(hm_plan_solve(plan, laplace, NULL, &error), "Laplace's functions", &error);
     free(analysis_block);
@@ -241,10 +245,10 @@ static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
     safe_options.skipped_strategies = 1 << HM_STRATEGY_IMPROVED;
     HM_INIT(target);
     target.move = move;
-    require(hm_move_safe_size(plan, laplace, &target, &bytes, &error), "size of a safe morph",
-            &error);
-    work = block_of(bytes);
-    require(hm_move_safe(plan, laplace, &target, &(hm_points_out){x_new, y_new, 1}, work, bytes,
+    require(hm_move_safe(plan, laplace, &target, NULL, emptied(&memory), NULL, NULL, &error),
+            "size of a safe morph", &error);
+    work = memory.block = block_of(memory.bytes);
+    require(hm_move_safe(plan, laplace, &target, &(hm_points_out){x_new, y_new, 1}, &memory,
                          &safe_options, &report, &error),
             "it", &error);
     check(report.step_fraction >= 1 && report.strategy >= HM_STRATEGY_SUBSTEPS &&
@@ -259,10 +263,11 @@ static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
             "its wall", &error);
     check(boundary_error <= 1e-12, "the wall is where the B-spline is", &error);
     free(work);
-    require(hm_improve_size(plan, &bytes, &error), "size of an improvement", &error);
-    work = block_of(bytes);
-    require(hm_improve(plan, &(hm_points){x_new, y_new, 1}, &(hm_points_out){dx, dy, 1}, work,
-                       bytes, NULL, &improved, &error),
+    require(hm_improve(plan, NULL, NULL, emptied(&memory), NULL, NULL, &error),
+            "size of an improvement", &error);
+    work = memory.block = block_of(memory.bytes);
+    require(hm_improve(plan, &(hm_points){x_new, y_new, 1}, &(hm_points_out){dx, dy, 1}, &memory,
+                       NULL, &improved, &error),
             "an improvement", &error);
     check(improved.min_quality_before == report.min_quality &&
               improved.mean_quality_before == report.mean_quality,
@@ -314,13 +319,13 @@ static void two_arrays(hm_mesh mesh) {
     HM_INIT(report);
     hm_analysis* analysis = NULL;
     void* block;
-    size_t bytes = 0;
+    hm_memory memory;
 
     problem.mesh = &mesh;
-    require(hm_analysis_size(&problem, NULL, &bytes, &error),
+    require(hm_analysis_init(NULL, emptied(&memory), &problem, NULL, &error),
             "size of the analysis of both kinds of cells", &error);
-    block = block_of(bytes);
-    require(hm_analysis_init(&analysis, block, bytes, &problem, NULL, &error),
+    block = memory.block = block_of(memory.bytes);
+    require(hm_analysis_init(&analysis, &memory, &problem, NULL, &error),
             "the analysis of both kinds", &error);
     require(hm_analysis_report(analysis, &report, &error), "the report on both kinds", &error);
     check(report.triangles == 2 * AROUND, "triangles of both kinds", &error);
@@ -328,7 +333,7 @@ static void two_arrays(hm_mesh mesh) {
     check(report.boundary_loops == 2 && report.inverted == 0, "they are one mesh", &error);
     mesh.n_cells = 2 * AROUND;
     mesh.n_quads = 0;
-    check(hm_analysis_init(&analysis, block, bytes, &problem, NULL, &error) == HM_BAD_MESH,
+    check(hm_analysis_init(&analysis, &memory, &problem, NULL, &error) == HM_BAD_MESH,
           "triangles alone", &error);
     check(strstr(error.text, "is not an edge of any cell") != NULL &&
               error.item == 1 + (RINGS - 1) * AROUND,

@@ -2,6 +2,8 @@
 #ifndef HARMORPH_TESTS_USE_CASE_H
 #define HARMORPH_TESTS_USE_CASE_H
 
+#include "memory.h"
+
 #include <harmorph.h>
 
 #include <stdio.h>

@@ -2,7 +2,7 @@
 # usage: web.sh BUILD   (called by `make test-web` and `make test`; MAKE, CC, EMXX from the environment)
 # The package for npm (c_api/web): `make web`, the bits of the native library, every call, memory, damaged input, and
 # the tarball installed in an empty folder without a network.
-: "${MAKE:=make}" "${CC:=cc}" "${EMXX:=em++}"
+: "${MAKE:=make}" "${CC:=cc}" "${CXX:=c++}" "${EMXX:=em++}"
 build=$(cd "$1" && pwd)
 dir=$build/web-test
 topic=web log=$dir/log
@@ -96,6 +96,27 @@ else
     check "without emscripten the program says that it is not there" without_program
     skip "the program in node" "$EMXX is not installed (Debian's emscripten, node-acorn)"
 fi
+# A program that was made without clang and lld has no pages, and says why.
+without_pages() {
+    echo "clang and lld (Debian's packages clang and lld)" >"$dir/reason"
+    sh c_api/cli/page/module.sh "$dir/reason" >"$dir/page_module.cpp" &&
+        $CXX -std=c++17 -Ic_api/cli -c -o "$dir/page_module.o" "$dir/page_module.cpp" &&
+        $CXX -pthread -o "$dir/without_pages" "$dir/page_module.o" "$1/objects/cli/c_api-cli-main.o" \
+            $(tr ' ' '\n' <"$1/objects/program.list" | grep -v page_module) "$1/libharmorph.a" $LDFLAGS
+}
+check "a program without the module of pages" without_pages "$1"
+refuses_pages() {
+    ! "$dir/without_pages" explore "$build/meshes/naca0012.su2" no.basis -o "$dir/page.html" 2>"$log" &&
+        [ ! -e "$dir/page.html" ] && grep -F "$(cat "$dir/reason")" "$log" &&
+        grep -F "this program was made without clang and lld" "$log" && grep -F ", with which pages compute" "$log"
+}
+check "refuses a page, and names the packages" refuses_pages
+leaves_page_out() {
+    "$dir/without_pages" demo "$dir/demo" --mesh "$build/meshes/naca0012.su2" >"$log" 2>&1 &&
+        [ -s "$dir/demo/report.html" ] && [ ! -e "$dir/demo/page.html" ] &&
+        grep -F "left out: $dir/demo/page.html, as this program was made without" "$log"
+}
+check "its demo makes everything else, and names the file that is left out" leaves_page_out
 if command -v tsc >/dev/null; then
     types() (
         cp tests/web/types.ts "$dir/installed/" && cd "$dir/installed" &&

@@ -30,6 +30,18 @@ hm_status checked(hm_status status, const hm_error& error) {
     throw std::runtime_error(std::string(hm_status_name(status)) + ": " + error.text);
 }
 
+// Makes a call twice: with an empty hm_memory, which receives the number of bytes, and with a
+// block.
+template <class Call>
+Block reserved(const Call& call) {
+    hm_memory memory{};
+    call(&memory);
+    Block block(memory.bytes);
+    memory.block = block.data();
+    call(&memory);
+    return block;
+}
+
 // A structured O-mesh of ni x nj points; the first and the last column are the same points.
 struct Ring {
     int ni, nj;
@@ -66,7 +78,6 @@ int main() try {
     mesh.list_points = grid.lists.data();
     mesh.list_markers = grid.markers.data();
     hm_error error;
-    std::size_t bytes;
 
     // A periodic cubic B-spline with 12 control points through the points of the wall.
     hm_fit_options fit;
@@ -74,11 +85,9 @@ int main() try {
     fit.n_control = 12;
     fit.closed = HM_PERIODIC;
     const hm_curves* curves;
-    checked(hm_fit_marker_size(&mesh, 1, &wall, &fit, &bytes, &error), error);
-    const Block curve_block(bytes);
-    checked(
-        hm_fit_marker(&curves, curve_block.data(), bytes, &mesh, 1, &wall, &fit, nullptr, &error),
-        error);
+    const Block curve_block = reserved([&](hm_memory* memory) {
+        checked(hm_fit_marker(&curves, memory, &mesh, 1, &wall, &fit, nullptr, &error), error);
+    });
 
     // One function for each control point.
     hm_condition on_curve;
@@ -94,11 +103,12 @@ int main() try {
     problem.conditions = &on_curve;
     hm_setup setup;
     HM_INIT(setup);
-    checked(hm_setup_size(&problem, nullptr, &bytes, &error), error);
-    const Block first(bytes);
-    checked(hm_setup_init(&setup, first.data(), bytes, &problem, nullptr, &error), error);
-    const Block second(static_cast<std::size_t>(setup.solve_bytes));
-    checked(hm_setup_solve(&setup, second.data(), second.size(), nullptr, &error), error);
+    const Block first = reserved([&](hm_memory* memory) {
+        checked(hm_setup_init(&setup, memory, &problem, nullptr, &error), error);
+    });
+    const Block second = reserved([&](hm_memory* memory) {
+        checked(hm_setup_solve(&setup, memory, nullptr, &error), error);
+    });
     const hm_basis* const basis = setup.basis;
 
     // The upper control points go up. The displacements are judged before the mesh moves.

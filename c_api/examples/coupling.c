@@ -35,13 +35,17 @@ int main(int argc, char** argv) {
     problem.mesh = &mesh;
     problem.n_conditions = 1;
     problem.conditions = &given;
-    size_t bytes;
+    hm_memory first = {0}, second = {0}, work = {0};
     hm_setup setup; /* the basis has no functions; hm_assess needs the cells of this basis */
     HM_INIT(setup);
-    check(hm_setup_size(&problem, NULL, &bytes, &error));
-    check(hm_setup_init(&setup, malloc(bytes), bytes, &problem, NULL, &error));
-    check(hm_setup_solve(&setup, malloc(setup.solve_bytes), setup.solve_bytes, NULL, &error));
-    check(hm_displace_size(setup.plan, 1, &bytes, &error));
+    check(hm_setup_init(&setup, &first, &problem, NULL, &error)); /* how many bytes? */
+    first.block = malloc(first.bytes);
+    check(hm_setup_init(&setup, &first, &problem, NULL, &error));
+    check(hm_setup_solve(&setup, &second, NULL, &error));
+    second.block = malloc(second.bytes);
+    check(hm_setup_solve(&setup, &second, NULL, &error));
+    check(hm_displace(setup.plan, 0, NULL, 1, NULL, NULL, NULL, &work, NULL, &error));
+    work.block = malloc(work.bytes);
 
     int n, k = 0, steps = 0; /* the points of the wall, then dx and dy of each, step by step */
     if (scanf("%d", &n) != 1 || n < 1 || n > mesh.n_points)
@@ -49,7 +53,6 @@ int main(int argc, char** argv) {
     int32_t* points = calloc((size_t)n, sizeof *points);
     double *wall = calloc(2 * (size_t)n, sizeof *wall),
            *x = malloc(2 * sizeof *x * (size_t)mesh.n_points), worst = 1;
-    void* work = malloc(bytes);
     for (int i = 0; i < n; ++i)
         if (scanf("%d", &points[i]) != 1) exit((fprintf(stderr, "point %d is missing\n", i), 1));
     for (; scanf("%lf", &wall[k]) == 1; k = (k + 1) % (2 * n)) {
@@ -57,7 +60,7 @@ int main(int argc, char** argv) {
         hm_quality_report quality;
         HM_INIT(quality);
         check(hm_displace(setup.plan, n, points, 1, &(hm_points){wall, wall + 1, 2}, &mesh.points,
-                          &(hm_points_out){x, x + mesh.n_points, 1}, work, bytes, NULL, &error));
+                          &(hm_points_out){x, x + mesh.n_points, 1}, &work, NULL, &error));
         check(hm_assess(setup.basis, &mesh, &(hm_points){x, x + mesh.n_points, 1}, NULL,
                         &mesh.points, NULL, NULL, &quality, &error));
         if (quality.min_quality < worst) worst = quality.min_quality;

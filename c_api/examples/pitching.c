@@ -85,10 +85,10 @@ int main(void) {
     fit.closed = HM_PERIODIC;
     const hm_curves* curves;
     hm_error error;
-    size_t bytes;
-    check(hm_fit_marker_size(&mesh, 1, markers, &fit, &bytes, &error), &error);
-    check(hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, markers, &fit, NULL, &error),
-          &error);
+    hm_memory of_curve = {0}, first = {0}, second = {0};
+    check(hm_fit_marker(&curves, &of_curve, &mesh, 1, markers, &fit, NULL, &error), &error);
+    of_curve.block = malloc(of_curve.bytes);
+    check(hm_fit_marker(&curves, &of_curve, &mesh, 1, markers, &fit, NULL, &error), &error);
 
     hm_condition on_curve;
     HM_INIT(on_curve);
@@ -103,10 +103,12 @@ int main(void) {
     problem.conditions = &on_curve;
     hm_setup setup;
     HM_INIT(setup);
-    check(hm_setup_size(&problem, NULL, &bytes, &error), &error);
-    check(hm_setup_init(&setup, malloc(bytes), bytes, &problem, NULL, &error), &error);
-    check(hm_setup_solve(&setup, malloc(setup.solve_bytes), setup.solve_bytes, NULL, &error),
-          &error);
+    check(hm_setup_init(&setup, &first, &problem, NULL, &error), &error);
+    first.block = malloc(first.bytes);
+    check(hm_setup_init(&setup, &first, &problem, NULL, &error), &error);
+    check(hm_setup_solve(&setup, &second, NULL, &error), &error);
+    second.block = malloc(second.bytes);
+    check(hm_setup_solve(&setup, &second, NULL, &error), &error);
     const hm_basis* const basis = setup.basis;
 
     const hm_points now = {x, y, 1};

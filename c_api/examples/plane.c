@@ -43,7 +43,7 @@ static void make_mesh(void) {
 int main(void) {
     make_mesh();
     hm_error error;
-    size_t bytes;
+    hm_memory of_plane = {0}, of_curve = {0}, first = {0}, second = {0};
     const int32_t wall = WALL;
 
     /* README: the mesh of the plane */
@@ -59,8 +59,9 @@ int main(void) {
     hm_plane* plane;
     hm_mesh mesh;
     HM_INIT(mesh);
-    check(hm_plane_size(&space, &bytes, &error), &error);
-    check(hm_plane_init(&plane, malloc(bytes), bytes, &space, &error), &error);
+    check(hm_plane_init(&plane, &of_plane, &space, &error), &error);
+    of_plane.block = malloc(of_plane.bytes);
+    check(hm_plane_init(&plane, &of_plane, &space, &error), &error);
     check(hm_plane_mesh(plane, &mesh, &error), &error);
     /* end */
 
@@ -69,9 +70,9 @@ int main(void) {
     fit.n_control = 12;
     fit.closed = HM_PERIODIC;
     const hm_curves* curves;
-    check(hm_fit_marker_size(&mesh, 1, &wall, &fit, &bytes, &error), &error);
-    check(hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, &wall, &fit, NULL, &error),
-          &error);
+    check(hm_fit_marker(&curves, &of_curve, &mesh, 1, &wall, &fit, NULL, &error), &error);
+    of_curve.block = malloc(of_curve.bytes);
+    check(hm_fit_marker(&curves, &of_curve, &mesh, 1, &wall, &fit, NULL, &error), &error);
     hm_condition on_curve;
     HM_INIT(on_curve);
     on_curve.marker = WALL;
@@ -85,10 +86,12 @@ int main(void) {
     problem.conditions = &on_curve;
     hm_setup setup;
     HM_INIT(setup);
-    check(hm_setup_size(&problem, NULL, &bytes, &error), &error);
-    check(hm_setup_init(&setup, malloc(bytes), bytes, &problem, NULL, &error), &error);
-    check(hm_setup_solve(&setup, malloc(setup.solve_bytes), setup.solve_bytes, NULL, &error),
-          &error);
+    check(hm_setup_init(&setup, &first, &problem, NULL, &error), &error);
+    first.block = malloc(first.bytes);
+    check(hm_setup_init(&setup, &first, &problem, NULL, &error), &error);
+    check(hm_setup_solve(&setup, &second, NULL, &error), &error);
+    second.block = malloc(second.bytes);
+    check(hm_setup_solve(&setup, &second, NULL, &error), &error);
     const hm_basis* const basis = setup.basis;
 
     double move[2 * 12] = {0}, gradient[2 * 12];

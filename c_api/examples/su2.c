@@ -41,10 +41,10 @@ int main(int argc, char** argv) {
     mesh.face_markers = file.face_markers;
     const hm_curves* curves; /* of 20 control points; two curves if the trailing edge is blunt */
     hm_error error;
-    size_t bytes;
-    check(hm_fit_marker_size(&mesh, 1, &marker, NULL, &bytes, &error), &error);
-    check(hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, &marker, NULL, NULL, &error),
-          &error);
+    hm_memory of_curve = {0}, first = {0}, second = {0};
+    check(hm_fit_marker(&curves, &of_curve, &mesh, 1, &marker, NULL, NULL, &error), &error);
+    of_curve.block = malloc(of_curve.bytes);
+    check(hm_fit_marker(&curves, &of_curve, &mesh, 1, &marker, NULL, NULL, &error), &error);
 
     hm_condition on_curves;
     HM_INIT(on_curves);
@@ -59,10 +59,12 @@ int main(int argc, char** argv) {
     problem.conditions = &on_curves;
     hm_setup setup;
     HM_INIT(setup);
-    check(hm_setup_size(&problem, NULL, &bytes, &error), &error);
-    check(hm_setup_init(&setup, malloc(bytes), bytes, &problem, NULL, &error), &error);
-    check(hm_setup_solve(&setup, malloc(setup.solve_bytes), setup.solve_bytes, NULL, &error),
-          &error);
+    check(hm_setup_init(&setup, &first, &problem, NULL, &error), &error);
+    first.block = malloc(first.bytes);
+    check(hm_setup_init(&setup, &first, &problem, NULL, &error), &error);
+    check(hm_setup_solve(&setup, &second, NULL, &error), &error);
+    second.block = malloc(second.bytes);
+    check(hm_setup_solve(&setup, &second, NULL, &error), &error);
     const hm_basis* const basis = setup.basis;
 
     double* move = malloc(2 * (size_t)curves->n_control * sizeof *move);

@@ -67,6 +67,22 @@ static int differs_from_first(const int64_t* numbers, int n, MPI_Comm comm) {
     return memcmp(first, numbers, (size_t)n * sizeof *first) != 0;
 }
 
+/* A size query, see hm_memory. */
+static int asks(const hm_memory* memory) {
+    return memory != NULL && memory->block == NULL && memory->bytes == 0;
+}
+
+/* Refuses a call that is a size query on some processes only. Collective. */
+static hm_status agree_on_query(const hm_memory* memory, MPI_Comm comm, hm_error* err) {
+    const int64_t is_query = asks(memory);
+    hm_status status = HM_OK;
+    if (differs_from_first(&is_query, 1, comm))
+        status = refuse_argument(err, is_query ? "memory asks for the size, but not on rank 0"
+                                               : "memory has a block, but asks for the size on "
+                                                 "rank 0");
+    return agree(status, comm, err);
+}
+
 /* At the begin of each call: the reason has a place also where the caller wants none, since other
  * processes may want it. */
 #define BEGIN_CALL(comm, err)           \

@@ -11,40 +11,45 @@
 
 /* ---- Functions ---- */
 
-hm_status hm_mpi_rows_size(const hm_analysis* analysis, int32_t n, size_t* bytes, hm_error* err) {
-    hm_error unread;
+/* Says how many bytes the rows of each process take. */
+static hm_status count_rows(hm_memory* memory, const hm_analysis* analysis, int32_t n,
+                            MPI_Comm comm, hm_error* err) {
     hm_basis* none = NULL;
     void* block = NULL;
-    hm_status status;
-    if (err == NULL) err = &unread;
-    status = refuse_other_version(err);
+    size_t bytes = 0;
+    hm_status status = refuse_other_version(err);
     if (status >= 0) status = make_share(&none, &block, analysis, 0, 0, err);
-    if (status >= 0) status = hm_private_extract_size(none, n, bytes, err);
+    if (status >= 0) status = hm_private_extract_size(none, n, &bytes, err);
     free(block);
+    status = agree(status, comm, err);
+    if (status >= 0) memory->bytes = bytes;
     return status;
 }
 
-hm_status hm_mpi_solve(hm_basis** rows, void* block, size_t bytes, hm_plan* plan,
+hm_status hm_mpi_solve(hm_basis** rows, hm_memory* memory, hm_plan* plan,
                        const hm_analysis* analysis, int32_t n, const int32_t* points,
                        hm_solve_report* report, MPI_Comm comm, hm_error* err) {
     row_exchange exchange;
     hm_error warning;
     hm_status status, solved;
     BEGIN_CALL(comm, err);
+    status = agree_on_query(memory, comm, err);
+    if (status < 0) return status;
+    if (asks(memory)) return count_rows(memory, analysis, n, comm, err);
     status = begin(&exchange, comm, err);
     if (status >= 0) status = refuse_other_version(err);
-    if (status >= 0 && (rows == NULL || block == NULL || plan == NULL || analysis == NULL ||
-                        n < 0 || (n > 0 && points == NULL))) {
+    if (status >= 0 && (rows == NULL || memory == NULL || memory->block == NULL || plan == NULL ||
+                        analysis == NULL || n < 0 || (n > 0 && points == NULL))) {
         status = refuse_argument(err,
-                                 "rows, block, plan, analysis or points is NULL, as where an "
+                                 "rows, the block, plan, analysis or points is NULL, as where an "
                                  "earlier call has failed, or n is negative");
     }
     if (status >= 0) status = solve_share(&exchange, plan, analysis, report, err);
     solved = status;
     warning = *err;
     if (status >= 0) {
-        status =
-            hm_private_extract_init(&exchange.rows, block, bytes, exchange.share, n, points, err);
+        status = hm_private_extract_init(&exchange.rows, memory->block, memory->bytes,
+                                         exchange.share, n, points, err);
     }
     if (status >= 0) {
         status = solved;
@@ -153,9 +158,9 @@ hm_status hm_mpi_displace(hm_plan* plan, int32_t n_wall, const int32_t* wall_poi
             whole.in[field] = (hm_points){given_here, given_here + 1, 2};
             whole.out[field] = (hm_points_out){result, result + 1, 2};
         }
-        status = hm_displace(plan, (int32_t)whole.wall.lists.total, whole.wall.points, n_fields,
-                             whole.in, from != NULL ? &start : NULL, whole.out, whole.work,
-                             whole.bytes, NULL, err);
+        status =
+            hm_displace(plan, (int32_t)whole.wall.lists.total, whole.wall.points, n_fields,
+                        whole.in, from != NULL ? &start : NULL, whole.out, &whole.work, NULL, err);
     }
     status = agree(status, comm, err);
     for (field = 0; status >= 0 && field < n_fields; ++field) {
@@ -204,9 +209,8 @@ hm_status hm_mpi_displace_adjoint(hm_plan* plan, int32_t n_wall, const int32_t* 
             whole.in[field] = (hm_points){by_points, by_points + 1, 2};
             whole.out[field] = (hm_points_out){result, result + 1, 2};
         }
-        status =
-            hm_displace_adjoint(plan, (int32_t)whole.wall.lists.total, whole.wall.points, n_fields,
-                                whole.in, whole.out, whole.work, whole.bytes, NULL, err);
+        status = hm_displace_adjoint(plan, (int32_t)whole.wall.lists.total, whole.wall.points,
+                                     n_fields, whole.in, whole.out, &whole.work, NULL, err);
     }
     status = agree(status, comm, err);
     for (field = 0; status >= 0 && field < n_fields; ++field) {
@@ -222,11 +226,10 @@ hm_status hm_mpi_displace_adjoint(hm_plan* plan, int32_t n_wall, const int32_t* 
 
 /* ---- Fortran ---- */
 
-hm_status hm_mpi_solve_f(hm_basis** rows, void* block, size_t bytes, hm_plan* plan,
+hm_status hm_mpi_solve_f(hm_basis** rows, hm_memory* memory, hm_plan* plan,
                          const hm_analysis* analysis, int32_t n, const int32_t* points,
                          hm_solve_report* report, MPI_Fint comm, hm_error* err) {
-    return hm_mpi_solve(rows, block, bytes, plan, analysis, n, points, report, MPI_Comm_f2c(comm),
-                        err);
+    return hm_mpi_solve(rows, memory, plan, analysis, n, points, report, MPI_Comm_f2c(comm), err);
 }
 
 hm_status hm_mpi_adjoint_f(const hm_basis* rows, const hm_points* dj, double* gradient,

@@ -14,8 +14,7 @@ typedef struct whole_fields {
         *from;     /* [n_fields * 2 * wall points], [n_fields * 2 * n_points], [2 * n_points] */
     hm_points* in; /* [n_fields] */
     hm_points_out* out;
-    void* work;
-    size_t bytes;
+    hm_memory work;
 } whole_fields;
 
 static int is_root(const whole_fields* whole) { return whole->mesh.rank == whole->mesh.root; }
@@ -39,22 +38,24 @@ static hm_status refuse_point(hm_error* err, const char* before, int32_t point, 
 }
 
 /* On root: takes memory, and checks that all points of the lists are points of the mesh. */
-static hm_status make_room(whole_fields* whole, const hm_plan* plan, int needs_all, hm_error* err) {
+static hm_status make_room(whole_fields* whole, hm_plan* plan, int needs_all, hm_error* err) {
     const size_t n_fields = (size_t)whole->n_fields, n_wall = (size_t)whole->wall.lists.total;
     unsigned char* seen;
     int64_t k, missing = -1, wrong = -1;
     hm_status status = hm_plan_points(plan, &whole->n_points, &whole->index_base, err);
-    if (status >= 0) status = hm_displace_size(plan, whole->n_fields, &whole->bytes, err);
+    if (status >= 0)
+        status =
+            hm_displace(plan, 0, NULL, whole->n_fields, NULL, NULL, NULL, &whole->work, NULL, err);
     if (status < 0) return status;
     whole->at_wall = room_for(2 * n_fields * n_wall, sizeof(double));
     whole->at_points = room_for(2 * n_fields * (size_t)whole->n_points, sizeof(double));
     whole->from = needs_all ? room_for(2 * (size_t)whole->n_points, sizeof(double)) : NULL;
     whole->in = room_for(n_fields, sizeof *whole->in);
     whole->out = room_for(n_fields, sizeof *whole->out);
-    whole->work = room_for(whole->bytes, 1);
+    whole->work.block = room_for(whole->work.bytes, 1);
     seen = room_for((size_t)whole->n_points, 1);
     if (whole->at_wall == NULL || whole->at_points == NULL || (needs_all && whole->from == NULL) ||
-        whole->in == NULL || whole->out == NULL || whole->work == NULL || seen == NULL) {
+        whole->in == NULL || whole->out == NULL || whole->work.block == NULL || seen == NULL) {
         free(seen);
         return refuse_argument(err, "there is no memory for the fields of all processes");
     }
@@ -85,7 +86,7 @@ static void free_whole(whole_fields* whole) {
     free(whole->from);
     free(whole->in);
     free(whole->out);
-    free(whole->work);
+    free(whole->work.block);
     end_gathering(&whole->wall);
     end_gathering(&whole->mesh);
 }

@@ -28,11 +28,9 @@ PlaneMotion::PlaneMotion(const polyMesh& mesh, const GatheredMesh& points,
 
 void PlaneMotion::find_plane(const hm_space_mesh& space) {
     hm_error error;
-    std::size_t bytes = 0;
     const char* const find = "find the mesh of the plane";
-    refusal_.check(hm_plane_size(&space, &bytes, &error), find, error);
-    block_.resize(bytes);
-    refusal_.check(hm_plane_init(&plane_, block_.data(), bytes, &space, &error), find, error);
+    const auto init = [&](hm_memory* m) { return hm_plane_init(&plane_, m, &space, &error); };
+    refusal_.check(with_memory(block_, init), find, error);
     HM_INIT(info_);
     HM_INIT(mesh_);
     refusal_.check(hm_plane_info_get(plane_, &info_, &error), find, error);

@@ -30,21 +30,19 @@ PlaneSolution::PlaneSolution(const hm_mesh& plane, const PlaneField& at,
     problem.conditions = conditions.data();
 
     hm_error error;
-    std::size_t bytes = 0;
     const char* const analyse = "analyse the mesh";
-    refusal.check(hm_analysis_size(&problem, &options, &bytes, &error), analyse, error);
-    analysis_block_.resize(bytes);
-    refusal.check(
-        hm_analysis_init(&analysis_, analysis_block_.data(), bytes, &problem, &options, &error),
-        analyse, error);
-    refusal.check(hm_plan_size(analysis_, &bytes, &error), analyse, error);
-    plan_block_.resize(bytes);
-    refusal.check(hm_plan_init(&plan_, plan_block_.data(), bytes, analysis_, &error), analyse,
-                  error);
-    refusal.check(hm_basis_size(analysis_, &bytes, &error), analyse, error);
-    basis_block_.resize(bytes);
-    refusal.check(hm_basis_init(&basis_, basis_block_.data(), bytes, analysis_, &error), analyse,
-                  error);
+    const auto init_analysis = [&](hm_memory* memory) {
+        return hm_analysis_init(&analysis_, memory, &problem, &options, &error);
+    };
+    const auto init_plan = [&](hm_memory* memory) {
+        return hm_plan_init(&plan_, memory, analysis_, &error);
+    };
+    const auto init_basis = [&](hm_memory* memory) {
+        return hm_basis_init(&basis_, memory, analysis_, &error);
+    };
+    refusal.check(with_memory(analysis_block_, init_analysis), analyse, error);
+    refusal.check(with_memory(plan_block_, init_plan), analyse, error);
+    refusal.check(with_memory(basis_block_, init_basis), analyse, error);
     given_.resize(static_cast<std::size_t>(mesh_.n_points));
     std::int32_t n = 0;
     refusal.check(hm_given_points(plan_, given_.data(), mesh_.n_points, &n, &error), analyse,
@@ -70,16 +68,14 @@ PlaneField PlaneSolution::wall_of(const PlaneField& field) const {
 
 bool PlaneSolution::displace(const PlaneField& wall, const PlaneField& from, PlaneField& to,
                              hm_error& error) {
-    std::size_t bytes = 0;
-    refusal_.check(hm_displace_size(plan_, 1, &bytes, &error), "displace the mesh", error);
-    work_.resize(bytes);
     const PlaneField own = wall_of(wall);
     const hm_points given = own.read(), start = from.read();
     PlaneField moved(from.x.size());
     const hm_points_out result = moved.write();
-    const hm_status status =
-        hm_displace(plan_, static_cast<std::int32_t>(given_.size()), given_.data(), 1, &given,
-                    &start, &result, work_.data(), bytes, nullptr, &error);
+    const hm_status status = with_memory(work_, [&](hm_memory* memory) {
+        return hm_displace(plan_, static_cast<std::int32_t>(given_.size()), given_.data(), 1,
+                           &given, &start, &result, memory, nullptr, &error);
+    });
     if (status == HM_CROSSING) return false;
     refusal_.check(status, "displace the mesh", error);
     const hm_points linear = moved.read();
@@ -98,26 +94,22 @@ hm_status PlaneSolution::displace_safely(const PlaneField& wall, PlaneField& to,
     target.n = static_cast<std::int32_t>(given_.size());
     target.points = given_.data();
     target.wall = &given;
-    std::size_t bytes = 0;
-    refusal_.check(hm_move_safe_size(plan_, basis_, &target, &bytes, &error), "displace the mesh",
-                   error);
-    work_.resize(bytes);
     to = at_;
     const hm_points_out result = to.write();
     HM_INIT(report);
-    return hm_move_safe(plan_, basis_, &target, &result, work_.data(), bytes, nullptr, &report,
-                        &error);
+    return with_memory(work_, [&](hm_memory* memory) {
+        return hm_move_safe(plan_, basis_, &target, &result, memory, nullptr, &report, &error);
+    });
 }
 
 void PlaneSolution::improve(PlaneField& moved) {
     hm_error error;
-    std::size_t bytes = 0;
-    refusal_.check(hm_improve_size(plan_, &bytes, &error), "improve the mesh", error);
-    work_.resize(bytes);
     const hm_points from = moved.read();
     const hm_points_out to = moved.write();
-    refusal_.check(hm_improve(plan_, &from, &to, work_.data(), bytes, nullptr, nullptr, &error),
-                   "improve the mesh", error);
+    const auto improve = [&](hm_memory* memory) {
+        return hm_improve(plan_, &from, &to, memory, nullptr, nullptr, &error);
+    };
+    refusal_.check(with_memory(work_, improve), "improve the mesh", error);
 }
 
 Judgement PlaneSolution::judge(const PlaneField& from, const PlaneField& to) const {

@@ -5,7 +5,21 @@
 #include "gathered_mesh.hpp"
 #include "wordList.H"
 
+#include <vector>
+
 namespace Foam {
+
+// Makes a call that takes memory: make(&memory) first asks for the size, and is made again with the
+// block. Returns the status of the last of the two.
+template <class Make>
+hm_status with_memory(std::vector<unsigned char>& block, const Make& make) {
+    hm_memory memory = {};
+    const hm_status status = make(&memory);
+    if (status < 0) return status;
+    block.resize(memory.bytes);
+    memory.block = block.data();
+    return make(&memory);
+}
 
 class Refusal {
 public:

@@ -34,6 +34,13 @@ done
 for part in mpi petsc; do put harmorph_$part.c sh c_api/packaging/join.sh $part; done
 put page_text.cpp sh c_api/cli/page/embed.sh
 
+# The module of pages, where clang and lld are installed: without them the program has no pages, and says why.
+module=$build/web/page.wasm without_module=
+if ! sh c_api/web/pack.sh tools >/dev/null 2>&1; then
+    module= without_module="clang and lld (Debian's packages clang and lld)"
+fi
+put page_reason echo "$without_module"
+
 # Programs without zlib refuse compressed files, and say why: nobody needs to know of zlib before.
 with_zlib= zlib=
 if [ "$ZLIB" != 0 ]; then
@@ -104,34 +111,50 @@ module() {
     objects $1 $fast
     if [ -n "$2" ]; then own=-Os; fi
     objects $1 $(printf '%s\n' $kernels $others | grep -vE "$rare" | grep -vxF "$fast")
-    printf '%s/web/%s.wasm:%s %s/web/exports %s/rules.mk\n\techo $(WASM_CXX) $@\n' $build $1 "$list" $build $build
-    printf '\t$(WASM_CXX) $(WASM_LINK) @%s/web/exports -o $@%s\n' $build "$list"
+    linked $1 exports
+}
+# linked NAME EXPORTS: the module NAME of the objects in $list.
+linked() {
+    printf '%s/web/%s.wasm:%s %s/web/%s %s/rules.mk\n\techo $(WASM_CXX) $@\n' $build $1 "$list" $build $2 $build
+    printf '\t$(WASM_CXX) $(WASM_LINK) @%s/web/%s -o $@%s\n' $build $2 "$list"
+}
+# The module of pages: that with simd128, but with what pages call alone; and the text that the program has of it.
+page_module() {
+    own=-Os
+    objects harmorph_simd128 c_api/web/page.cpp
+    linked page page_exports
+    script=c_api/cli/page/module.sh reason=$build/page_reason
+    printf '%s/page_module.cpp: %s %s %s\n' $build "$module" $script $reason
+    printf '\tsh %s %s %s >$@.new\n\tmv -f $@.new $@\n' $script $reason "$module"
 }
 # The program for node, by emscripten, with the library of the module with simd128.
 node_program() {
     library=$(echo "$list" | tr ' ' '\n' | grep -v web-module)
     compiler='$(EMXX)' own=-O2 flags='$(NODE)' list= stamp=$build/web/node_flags
-    objects node $build/page_text.cpp c_api/cli/formats/cgns*.cpp c_api/cli/main.cpp
+    objects node $build/page_text.cpp $build/page_module.cpp c_api/cli/formats/cgns*.cpp c_api/cli/main.cpp
     groups node $in_program in_turn $(ls c_api/cli/*/*.cpp | grep -v /cgns)
     printf '%s/web/program.js:%s %s c_api/web/program_before.js\n\techo $(EMXX) $@\n' $build "$list" "$(echo $library)"
     printf '\tNODE_PATH="$${NODE_PATH:-/usr/share/nodejs}" $(EMXX) $(NODE_LINK) -o $@%s %s\n' "$list" "$(echo $library)"
 }
-# What the scripts of the package call; other words, such as names of structs, are not there to be exported.
-exports() {
-    cat c_api/web/package/*.js | grep -o 'hm_[a-z_]*' | sort -u | sed 's/^/-Wl,--export-if-defined=/'
-}
+# What the scripts of the package, or of pages, call; other words, such as names of structs, are not there to be
+# exported. A page calls a part of what the package has: page_calls names it.
+exported() { grep -o 'hm_[a-z_]*' | sort -u | sed 's/^/-Wl,--export-if-defined=/'; }
+exports() { cat c_api/web/package/*.js | exported; }
+page_exports() { cat c_api/web/page_calls c_api/cli/page/*.js | exported; }
 layout() {
     awk -f c_api/packaging/table.awk $(sed 's|^|include/|' fortran/harmorph/headers) | awk -f c_api/web/layout.awk
 }
 put web/layout.inc layout
 put web/headers.inc sed 's/.*/#include "&"/' fortran/harmorph/headers
 put web/exports exports
+put web/page_exports page_exports
 
 all_rules() {
     echo "WITH_ZLIB = $with_zlib"
     compiler='$(WASM_CXX)' stamp=$build/web/flags
     module harmorph ''
     module harmorph_simd128 -msimd128
+    (page_module)
     node_program
 
     compiler='$(CXX)' stamp=$build/flags flags='$(CORE)' list=
@@ -148,7 +171,7 @@ all_rules() {
     put objects/tests.list echo $list
 
     flags='$(CLI)' own='$(PROGRAM_LEVEL) $(CXXFLAGS)' list=
-    objects cli $build/page_text.cpp c_api/cli/formats/cgns*.cpp
+    objects cli $build/page_text.cpp $build/page_module.cpp c_api/cli/formats/cgns*.cpp
     for room in c_api/cli/*/; do
         groups cli $in_program in_turn $(ls $room*.cpp | grep -v /cgns)
     done

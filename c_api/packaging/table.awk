@@ -3,7 +3,7 @@
 #     constant NAME VALUE          an enumerator with its value, and HM_ABI
 #     text NAME "TEXT"             HM_VERSION
 #     struct NAME
-#     member STRUCT NAME TYPE N    TYPE: int32, int64, double, char, pointer, function or a struct; N: array length
+#     member STRUCT NAME TYPE N    TYPE: int32, int64, size, double, char, pointer, function or a struct; N: array length
 #     end STRUCT
 #     comment TEXT                 a line of the comment in front of the next call
 #     call NAME RESULT             RESULT: a type as of an argument, or void
@@ -105,6 +105,7 @@ function kind_of(declaration, type) {
     if (type in function_type) return "function"
     if (type == "int32_t" || type == "hm_status") return "int32"
     if (type == "int64_t" || type == "uint64_t") return "int64"
+    if (type == "size_t") return "size"
     if (type == "double" || type == "char" || type in struct_type) return type
     fail("the type of \"" declaration "\" is unknown")
 }

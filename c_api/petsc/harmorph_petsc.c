@@ -111,22 +111,33 @@ static hm_status check_report(const hm_petsc_report* report, hm_error* err) {
     return refuse_argument(err, "report.struct_size is wrong");
 }
 
-hm_status hm_petsc_rows_size(const hm_petsc* system, size_t* bytes, hm_error* err) {
-    if (system == NULL) return refuse_argument(err, "system is NULL");
-    return hm_private_rows_size(system->equations, bytes, err);
+/* Says how many bytes the rows of each process take. */
+static hm_status count_rows(const hm_petsc* system, hm_memory* memory, MPI_Comm comm,
+                            hm_error* err) {
+    size_t bytes = 0;
+    hm_status status = check_system(system, comm, err);
+    if (status >= 0) status = hm_private_rows_size(system->equations, &bytes, err);
+    status = agree(status, comm, err);
+    if (status >= 0) memory->bytes = bytes;
+    return status;
 }
 
-hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t bytes,
+hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, hm_memory* memory,
                          hm_petsc_report* report, MPI_Comm comm, hm_error* err) {
     hm_petsc_report found = {sizeof found};
     hm_basis* made = NULL;
     columns wanted;
     hm_status status;
     BEGIN_CALL(comm, err);
+    status = agree_on_query(memory, comm, err);
+    if (status < 0) return status;
+    if (asks(memory)) return count_rows(system, memory, comm, err);
     status = check_system(system, comm, err);
     if (status >= 0) status = check_report(report, err);
     if (status >= 0 && rows == NULL) status = refuse_argument(err, "rows is NULL");
-    if (status >= 0) status = hm_private_rows_init(&made, block, bytes, system->equations, err);
+    if (status >= 0 && memory == NULL) status = refuse_argument(err, "memory is NULL");
+    if (status >= 0)
+        status = hm_private_rows_init(&made, memory->block, memory->bytes, system->equations, err);
     status = agree(status, comm, err);
     if (status < 0) return status;
     memset(&wanted, 0, sizeof wanted);
@@ -263,9 +274,9 @@ hm_status hm_petsc_create_f(hm_petsc** system, const hm_part_mesh* part, const h
     return hm_petsc_create(system, part, problem, options, MPI_Comm_f2c(comm), err);
 }
 
-hm_status hm_petsc_solve_f(hm_petsc* system, hm_basis** rows, void* block, size_t bytes,
+hm_status hm_petsc_solve_f(hm_petsc* system, hm_basis** rows, hm_memory* memory,
                            hm_petsc_report* report, MPI_Fint comm, hm_error* err) {
-    return hm_petsc_solve(system, rows, block, bytes, report, MPI_Comm_f2c(comm), err);
+    return hm_petsc_solve(system, rows, memory, report, MPI_Comm_f2c(comm), err);
 }
 
 hm_status hm_petsc_displace_f(hm_petsc* system, const hm_points_out* displacement,

@@ -63,7 +63,8 @@ static double dot(const double* a, const double* b) {
  * compared. */
 static void prepare(void) {
     static const int32_t airfoil = AIRFOIL;
-    size_t bytes;
+    hm_memory of_curve = {NULL, 0}, first = {NULL, 0}, second = {NULL, 0}, work = {NULL, 0},
+              combined = {NULL, 0}, compared = {NULL, 0};
     int32_t n;
     const hm_curves* curves;
     hm_setup setup = {sizeof setup};
@@ -82,20 +83,27 @@ static void prepare(void) {
     mesh.n_faces = flow.faces;
     mesh.face_points = flow.face_points;
     mesh.face_markers = flow.face_markers;
-    check(hm_fit_marker_size(&mesh, 1, &airfoil, &fit, &bytes, &error));
-    check(hm_fit_marker(&curves, reserve(bytes), bytes, &mesh, 1, &airfoil, &fit, NULL, &error));
+    check(hm_fit_marker(&curves, &of_curve, &mesh, 1, &airfoil, &fit, NULL, &error));
+    of_curve.block = reserve(of_curve.bytes);
+    check(hm_fit_marker(&curves, &of_curve, &mesh, 1, &airfoil, &fit, NULL, &error));
     problem.curves = curves;
-    check(hm_setup_size(&problem, &options, &bytes, &error));
-    check(hm_setup_init(&setup, reserve(bytes), bytes, &problem, &options, &error));
-    check(hm_setup_solve(&setup, reserve(setup.solve_bytes), setup.solve_bytes, NULL, &error));
-    check(hm_variables_size(curves, NULL, &variables, &n, &bytes, &error));
+    check(hm_setup_init(&setup, &first, &problem, &options, &error));
+    first.block = reserve(first.bytes);
+    check(hm_setup_init(&setup, &first, &problem, &options, &error));
+    check(hm_setup_solve(&setup, &second, NULL, &error));
+    second.block = reserve(second.bytes);
+    check(hm_setup_solve(&setup, &second, NULL, &error));
+    check(hm_variables_map(curves, NULL, &variables, &n, &work, NULL, NULL, &error));
+    work.block = reserve(work.bytes);
     control_points = curves->n_control;
     map = reserve(2 * N * (size_t)control_points * sizeof(double));
-    check(hm_variables_map(curves, NULL, &variables, reserve(bytes), bytes, map, NULL, &error));
-    check(hm_combine_size(setup.basis, N, 2, &bytes, &error));
-    check(hm_combine(&few, reserve(bytes), bytes, setup.basis, N, 2, map, &error));
-    check(hm_quality_size(few, &mesh, &bytes, &error));
-    check(hm_quality_init(&quality, reserve(bytes), bytes, few, &mesh, NULL, &error));
+    check(hm_variables_map(curves, NULL, &variables, &n, &work, map, NULL, &error));
+    check(hm_combine(&few, &combined, setup.basis, N, 2, map, &error));
+    combined.block = reserve(combined.bytes);
+    check(hm_combine(&few, &combined, setup.basis, N, 2, map, &error));
+    check(hm_quality_init(&quality, &compared, few, &mesh, NULL, &error));
+    compared.block = reserve(compared.bytes);
+    check(hm_quality_init(&quality, &compared, few, &mesh, NULL, &error));
     check(hm_measure(curves, NULL, 2, measured, start, NULL, NULL, &error));
 }
 

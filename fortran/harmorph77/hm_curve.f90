@@ -40,21 +40,21 @@ subroutine hmfit(w, mark, x, y, inc, ncp, ideg, iclos, dmax, ierr, msg)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
-    type(c_ptr) :: made, block
+    type(c_ptr) :: made
     type(hm_c_fit_options) :: options
     type(hm_fit_report) :: report
-    integer(c_size_t) :: bytes
+    type(hm_c_memory) :: memory
     options = hm_c_fit_options(degree=short(ideg), n_control=short(ncp), closed=short(iclos), index_base=1)
     options%struct_size = int(c_sizeof(options), c_int64_t)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call open_at(this, w, x, y, inc)
     if (this%ok()) call forget_curves(this%kept)
     if (this%ok()) this%top = this%kept%words
-    if (this%ok()) call this%told(hm_c_fit_marker_size(this%kept%mesh, 1_c_int32_t, [short(mark)], options, bytes, &
-        this%e))
-    call this%room(bytes, block)
-    if (this%ok()) call this%told(hm_c_fit_marker(made, block, bytes, this%kept%mesh, 1_c_int32_t, &
-        [short(mark)], options, report, this%e))
+    if (this%ok()) call this%told(hm_c_fit_marker(made, memory, this%kept%mesh, 1_c_int32_t, [short(mark)], options, &
+        report, this%e))
+    call this%room(memory%bytes, memory%block)
+    if (this%ok()) call this%told(hm_c_fit_marker(made, memory, this%kept%mesh, 1_c_int32_t, [short(mark)], options, &
+        report, this%e))
     if (this%ok()) call keep_set(this, made)
     if (this%ok()) dmax = report%max_error
     call this%finish(ierr, msg)
@@ -134,16 +134,16 @@ subroutine hmrefn(w, icurv, ideg, nu, u, la, a, ncp, ierr, msg)
     type(legacy_call) :: this
     type(hm_c_curves) :: set
     type(hm_c_curve) :: list(most_curves)
-    type(c_ptr) :: finer, matrix, place
-    integer(c_size_t) :: bytes
+    type(c_ptr) :: finer, matrix
+    type(hm_c_memory) :: memory
     ncp = 0
     call this%open(w)
     call curves_now(this, set, list)
-    if (this%ok()) call this%told(hm_c_refine_size(set, short(icurv - 1), short(ideg), &
-        short(nu), u, bytes, this%e))
-    call this%room(bytes, place)
-    if (this%ok()) call this%told(hm_c_refine(finer, matrix, place, bytes, set, short(icurv - 1), &
-        short(ideg), short(nu), u, this%e))
+    if (this%ok()) call this%told(hm_c_refine(finer, matrix, memory, set, short(icurv - 1), short(ideg), short(nu), &
+        u, this%e))
+    call this%room(memory%bytes, memory%block)
+    if (this%ok()) call this%told(hm_c_refine(finer, matrix, memory, set, short(icurv - 1), short(ideg), short(nu), &
+        u, this%e))
     if (this%ok()) call keep_finer(this, finer, matrix, int(set%n_control), la, a, ncp)
     call this%finish(ierr, msg)
 end subroutine

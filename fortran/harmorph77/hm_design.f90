@@ -63,13 +63,12 @@ subroutine hmsmth(w, alen, g, s, ierr, msg)
     type(legacy_call) :: this
     type(hm_c_curves) :: set
     type(hm_c_curve) :: list(most_curves)
-    type(c_ptr) :: work
-    integer(c_size_t) :: bytes
+    type(hm_c_memory) :: memory
     call this%open(w)
     call curves_now(this, set, list)
-    if (this%ok()) call this%told(hm_c_smooth_gradient_size(set, bytes, this%e))
-    call this%room(bytes, work)
-    if (this%ok()) call this%told(hm_c_smooth_gradient(set, alen, g, s, work, bytes, this%e))
+    if (this%ok()) call this%told(hm_c_smooth_gradient(set, alen, g, s, memory, this%e))
+    call this%room(memory%bytes, memory%block)
+    if (this%ok()) call this%told(hm_c_smooth_gradient(set, alen, g, s, memory, this%e))
     call this%finish(ierr, msg)
 end subroutine
 
@@ -86,9 +85,8 @@ subroutine hmvars(w, kind, n1, n2, par, la, a, nv, err, ierr, msg)
     type(hm_c_curves) :: set
     type(hm_c_curve) :: list(most_curves)
     type(hm_c_variables) :: variables
-    type(c_ptr) :: work
     integer(c_int32_t) :: n
-    integer(c_size_t) :: bytes
+    type(hm_c_memory) :: memory
     nv = 0
     call this%open(w)
     call curves_now(this, set, list)
@@ -115,12 +113,12 @@ subroutine hmvars(w, kind, n1, n2, par, la, a, nv, err, ierr, msg)
     case (hm_naca4)
         if (par(1) > 0) variables%peaks = c_loc(par)
     end select
-    if (this%ok()) call this%told(hm_c_variables_size(set, this%kept%section, variables, n, bytes, this%e))
+    if (this%ok()) call this%told(hm_c_variables_map(set, this%kept%section, variables, n, memory, a, err, this%e))
     if (this%ok()) then
         nv = int(n)
         call this%refuse_if(la < 2 * nv * set%n_control, "A is too small: A needs 2*NV*NCP numbers")
     end if
-    call this%room(bytes, work)
-    if (this%ok()) call this%told(hm_c_variables_map(set, this%kept%section, variables, work, bytes, a, err, this%e))
+    call this%room(memory%bytes, memory%block)
+    if (this%ok()) call this%told(hm_c_variables_map(set, this%kept%section, variables, n, memory, a, err, this%e))
     call this%finish(ierr, msg)
 end subroutine

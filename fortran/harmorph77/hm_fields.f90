@@ -31,17 +31,17 @@ subroutine hmwals(w, nmark, marks, x, y, inc, ww, lww, nface, nwall, ierr, msg)
     type(hm_c_walls_info) :: info
     type(c_ptr) :: analysis, place, walls
     integer(c_int32_t), pointer :: markers(:)
-    integer(c_size_t) :: bytes
+    type(hm_c_memory) :: memory
     character(len=112) :: text
     call open_at(this, w, x, y, inc)
     call analyse(this, .false., analysis)
     call this%list(marks, nmark, place)
     if (this%ok()) call c_f_pointer(place, markers, [max(nmark, 0)])
-    if (this%ok()) call this%told(hm_c_walls_size(analysis, short(nmark), markers, bytes, this%e))
-    write(text, "(a, i0, a)") "WW is too small: WW needs at least ", words_of(bytes), " words"
-    if (this%ok() .and. lww < words_of(bytes)) call this%refuse(text, hm_block_too_small)
-    if (this%ok()) call this%told(hm_c_walls_init(walls, c_loc(ww), bytes, analysis, short(nmark), markers, &
-        c_null_ptr, this%e))
+    if (this%ok()) call this%told(hm_c_walls_init(walls, memory, analysis, short(nmark), markers, c_null_ptr, this%e))
+    write(text, "(a, i0, a)") "WW is too small: WW needs at least ", words_of(memory%bytes), " words"
+    if (this%ok() .and. lww < words_of(memory%bytes)) call this%refuse(text, hm_block_too_small)
+    memory%block = c_loc(ww)
+    if (this%ok()) call this%told(hm_c_walls_init(walls, memory, analysis, short(nmark), markers, c_null_ptr, this%e))
     info%struct_size = int(c_sizeof(info), c_int64_t)
     if (this%ok()) call this%told(hm_c_walls_info_get(walls, info, this%e))
     if (this%ok()) then
@@ -114,16 +114,17 @@ subroutine hmintp(w, x, y, inc, n, xt, yt, nf, f, ft, dist, ierr, msg)
     type(legacy_call) :: this
     type(hm_interpolation_report) :: report
     type(hm_c_points), target :: at
-    type(c_ptr) :: analysis, interpolation, block
-    integer(c_size_t) :: bytes
+    type(c_ptr) :: analysis, interpolation
+    type(hm_c_memory) :: memory
     at = points_of(x, y, inc)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call open_at(this, w, x, y, inc)
     call analyse(this, .false., analysis)
-    if (this%ok()) call this%told(hm_c_interpolation_size(analysis, short(n), bytes, this%e))
-    call this%room(bytes, block)
-    if (this%ok()) call this%told(hm_c_interpolation_init(interpolation, block, bytes, analysis, c_loc(at), &
-        short(n), points_of(xt, yt, inc), c_loc(dist), c_null_ptr, report, this%e))
+    if (this%ok()) call this%told(hm_c_interpolation_init(interpolation, memory, analysis, c_loc(at), short(n), &
+        points_of(xt, yt, inc), c_loc(dist), c_null_ptr, report, this%e))
+    call this%room(memory%bytes, memory%block)
+    if (this%ok()) call this%told(hm_c_interpolation_init(interpolation, memory, analysis, c_loc(at), short(n), &
+        points_of(xt, yt, inc), c_loc(dist), c_null_ptr, report, this%e))
     if (this%ok()) call this%told(hm_c_interpolate(interpolation, short(nf), f, ft, c_null_ptr, this%e))
     call this%finish(ierr, msg)
 end subroutine

@@ -11,14 +11,14 @@ subroutine hmgive(w, n, ip, wx, wy, dx, dy, inc, ierr, msg)
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
     type(hm_solve_report) :: report
-    type(c_ptr) :: points, work
-    integer(c_size_t) :: bytes
+    type(c_ptr) :: points
+    type(hm_c_memory) :: memory
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call this%open(w)
-    call work_of_field(this, work, bytes)
+    call work_of_field(this, memory)
     call this%list(ip, n, points)
     if (this%ok()) call this%told(hm_c_displace(this%kept%plan, short(n), points, 1_c_int32_t, &
-        [points_of(wx, wy, 1)], c_null_ptr, [points_of(dx, dy, inc)], work, bytes, report, this%e))
+        [points_of(wx, wy, 1)], c_null_ptr, [points_of(dx, dy, inc)], memory, report, this%e))
     call this%finish(ierr, msg)
 end subroutine
 
@@ -32,14 +32,14 @@ subroutine hmgadj(w, n, ip, gx, gy, inc, hx, hy, ierr, msg)
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
     type(hm_solve_report) :: report
-    type(c_ptr) :: points, work
-    integer(c_size_t) :: bytes
+    type(c_ptr) :: points
+    type(hm_c_memory) :: memory
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call this%open(w)
-    call work_of_field(this, work, bytes)
+    call work_of_field(this, memory)
     call this%list(ip, n, points)
     if (this%ok()) call this%told(hm_c_displace_adjoint(this%kept%plan, short(n), points, 1_c_int32_t, &
-        [points_of(gx, gy, inc)], [points_of(hx, hy, 1)], work, bytes, report, this%e))
+        [points_of(gx, gy, inc)], [points_of(hx, hy, 1)], memory, report, this%e))
     call this%finish(ierr, msg)
 end subroutine
 
@@ -59,8 +59,8 @@ subroutine hmgsaf(w, n, ip, wx, wy, dp, x, y, xn, yn, inc, frac, istrat, ierr, m
     type(hm_safe_report) :: report
     type(hm_c_safe_target) :: goal
     type(hm_c_points), target :: of_wall
-    type(c_ptr) :: plan, work
-    integer(c_size_t) :: bytes
+    type(c_ptr) :: plan
+    type(hm_c_memory) :: memory
     info%struct_size = int(c_sizeof(info), c_int64_t)
     options%struct_size = int(c_sizeof(options), c_int64_t)
     report%struct_size = int(c_sizeof(report), c_int64_t)
@@ -73,9 +73,10 @@ subroutine hmgsaf(w, n, ip, wx, wy, dp, x, y, xn, yn, inc, frac, istrat, ierr, m
     goal%n = short(n)
     of_wall = points_of(wx, wy, 1)
     goal%wall = c_loc(of_wall)
-    if (this%ok()) call this%told(hm_c_move_safe_size(plan, this%kept%basis, goal, bytes, this%e))
-    call this%room(bytes, work)
-    if (this%ok()) call this%told(hm_c_move_safe(plan, this%kept%basis, goal, points_of(xn, yn, inc), work, bytes, &
+    if (this%ok()) call this%told(hm_c_move_safe(plan, this%kept%basis, goal, points_of(xn, yn, inc), memory, &
+        options, report, this%e))
+    call this%room(memory%bytes, memory%block)
+    if (this%ok()) call this%told(hm_c_move_safe(plan, this%kept%basis, goal, points_of(xn, yn, inc), memory, &
         options, report, this%e))
     if (this%ok()) then
         frac = report%step_fraction

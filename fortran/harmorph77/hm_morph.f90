@@ -26,15 +26,16 @@ subroutine hmreco(w, x, y, inc, dp, res, ierr, msg)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
-    type(c_ptr) :: work
-    integer(c_size_t) :: bytes
-    real(c_double) :: turned
-    integer(c_int32_t) :: point
+    type(hm_c_memory) :: memory
+    type(hm_recover_report) :: report
+    report%struct_size = int(c_sizeof(report), c_int64_t)
     call this%open_solved(w)
-    if (this%ok()) call this%told(hm_c_recover_movement_size(this%kept%basis, bytes, this%e))
-    call this%room(bytes, work)
-    if (this%ok()) call this%told(hm_c_recover_movement(this%kept%basis, points_of(x, y, inc), 0._c_double, dp, res, &
-        turned, point, work, bytes, this%e))
+    if (this%ok()) call this%told(hm_c_recover_movement(this%kept%basis, points_of(x, y, inc), 0._c_double, dp, &
+        report, memory, this%e))
+    call this%room(memory%bytes, memory%block)
+    if (this%ok()) call this%told(hm_c_recover_movement(this%kept%basis, points_of(x, y, inc), 0._c_double, dp, &
+        report, memory, this%e))
+    if (this%ok()) res = report%residual
     call this%finish(ierr, msg)
 end subroutine
 
@@ -83,8 +84,8 @@ subroutine hmsafe(w, dp, x, y, xn, yn, inc, dr, frac, istrat, ierr, msg)
     type(hm_c_safe_options) :: options
     type(hm_c_safe_target) :: goal
     type(hm_safe_report) :: report
-    type(c_ptr) :: plan, work
-    integer(c_size_t) :: bytes
+    type(c_ptr) :: plan
+    type(hm_c_memory) :: memory
     options%struct_size = int(c_sizeof(options), c_int64_t)
     options%reached = c_loc(dr)
     goal%struct_size = int(c_sizeof(goal), c_int64_t)
@@ -92,9 +93,10 @@ subroutine hmsafe(w, dp, x, y, xn, yn, inc, dr, frac, istrat, ierr, msg)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call open_solved_at(this, w, x, y, inc)
     call plan_of_start(this, "HMSAFE", plan)
-    if (this%ok()) call this%told(hm_c_move_safe_size(plan, this%kept%basis, goal, bytes, this%e))
-    call this%room(bytes, work)
-    if (this%ok()) call this%told(hm_c_move_safe(plan, this%kept%basis, goal, points_of(xn, yn, inc), work, bytes, &
+    if (this%ok()) call this%told(hm_c_move_safe(plan, this%kept%basis, goal, points_of(xn, yn, inc), memory, &
+        options, report, this%e))
+    call this%room(memory%bytes, memory%block)
+    if (this%ok()) call this%told(hm_c_move_safe(plan, this%kept%basis, goal, points_of(xn, yn, inc), memory, &
         options, report, this%e))
     if (this%ok()) then
         frac = report%step_fraction
@@ -204,8 +206,8 @@ subroutine hmboun(w, kind, rho, xs, ys, x, y, inc, bound, gx, gy, ierr, msg)
     type(hm_c_points), target :: start, at, gradient
     type(hm_c_bound) :: wanted
     type(hm_bound_value) :: found(1)
-    type(c_ptr) :: quality, block
-    integer(c_size_t) :: bytes
+    type(c_ptr) :: quality
+    type(hm_c_memory) :: memory
     start = points_of(xs, ys, inc)
     at = points_of(x, y, inc)
     gradient = points_of(gx, gy, inc)
@@ -213,10 +215,11 @@ subroutine hmboun(w, kind, rho, xs, ys, x, y, inc, bound, gx, gy, ierr, msg)
     wanted%struct_size = int(c_sizeof(wanted), c_int64_t)
     found%struct_size = int(c_sizeof(found(1)), c_int64_t)
     call this%open_solved(w)
-    if (this%ok()) call this%told(hm_c_quality_size(this%kept%basis, this%kept%mesh, bytes, this%e))
-    call this%room(bytes, block)
-    if (this%ok()) call this%told(hm_c_quality_init(quality, block, bytes, this%kept%basis, this%kept%mesh, &
-        c_loc(start), this%e))
+    if (this%ok()) call this%told(hm_c_quality_init(quality, memory, this%kept%basis, this%kept%mesh, c_loc(start), &
+        this%e))
+    call this%room(memory%bytes, memory%block)
+    if (this%ok()) call this%told(hm_c_quality_init(quality, memory, this%kept%basis, this%kept%mesh, c_loc(start), &
+        this%e))
     if (this%ok()) call this%told(hm_c_quality_bounds(quality, c_loc(at), 1_c_int32_t, [wanted], found, &
         c_loc(gradient), c_null_ptr, this%e))
     if (this%ok()) bound = found(1)%bound

@@ -17,7 +17,7 @@ subroutine hmplan(w, np, x, y, z, inc, nf, npf, faces, ns, sides, marks, kind, a
     type(c_ptr) :: place
     integer(c_int32_t), pointer :: start(:)
     integer :: k
-    integer(c_size_t) :: bytes
+    type(hm_c_memory) :: memory
     integer(c_int64_t) :: top
     nplane = 0
     call this%open(w)
@@ -40,15 +40,16 @@ subroutine hmplan(w, np, x, y, z, inc, nf, npf, faces, ns, sides, marks, kind, a
         end if
         space%face_start = place
     end if
-    if (this%ok()) call this%told(hm_c_plane_size(space, bytes, this%e))
-    if (this%fits(words_of(bytes), own_words(this))) then
+    if (this%ok()) call this%told(hm_c_plane_init(this%kept%plane, memory, space, this%e))
+    if (this%fits(words_of(memory%bytes), own_words(this))) then
         top = this%top                          ! the copies stay until this call ends
-        call keep_mesh(this, hm_c_mesh(), words_of(bytes))
-        this%kept%mesh_end = own_words(this) + words_of(bytes)
+        call keep_mesh(this, hm_c_mesh(), words_of(memory%bytes))
+        this%kept%mesh_end = own_words(this) + words_of(memory%bytes)
         call forget_curves(this%kept)
         this%top = top
     end if
-    if (this%ok()) call this%told(hm_c_plane_init(this%kept%plane, this%at(own_words(this) + 1), bytes, space, this%e))
+    memory%block = this%at(own_words(this) + 1)
+    if (this%ok()) call this%told(hm_c_plane_init(this%kept%plane, memory, space, this%e))
     mesh%struct_size = int(c_sizeof(mesh), c_int64_t)
     if (this%ok()) call this%told(hm_c_plane_mesh(this%kept%plane, mesh, this%e))
     if (this%ok()) then

@@ -34,14 +34,12 @@ subroutine hmcomb(w, n, num, a, ierr, msg)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
-    type(c_ptr) :: made, place
-    integer(c_size_t) :: bytes
+    type(c_ptr) :: made
+    type(hm_c_memory) :: memory
     call this%open_solved(w)
-    if (this%ok()) call this%told(hm_c_combine_size(this%kept%basis, short(n), short(num), bytes, &
-        this%e))
-    call this%spare(bytes, place)
-    if (this%ok()) call this%told(hm_c_combine(made, place, bytes, this%kept%basis, short(n), &
-        short(num), a, this%e))
+    if (this%ok()) call this%told(hm_c_combine(made, memory, this%kept%basis, short(n), short(num), a, this%e))
+    call this%spare(memory%bytes, memory%block)
+    if (this%ok()) call this%told(hm_c_combine(made, memory, this%kept%basis, short(n), short(num), a, this%e))
     call replace_functions(this, made)
     call this%finish(ierr, msg)
 end subroutine
@@ -57,8 +55,8 @@ subroutine hmtabl(w, m, num, n, ip, v, ierr, msg)
     type(legacy_call) :: this
     type(hm_solve_report) :: report
     type(hm_c_modes) :: modes
-    type(c_ptr) :: made, place
-    integer(c_size_t) :: bytes
+    type(c_ptr) :: made
+    type(hm_c_memory) :: memory
     call this%open_solved(w)
     if (this%ok()) call this%refuse_if(.not. c_associated(this%kept%plan), "W has no factor: call HMFACT first")
     if (this%ok()) call this%refuse_if(num < 1 .or. num > 2, "NUM must be 1 or 2")
@@ -68,11 +66,10 @@ subroutine hmtabl(w, m, num, n, ip, v, ierr, msg)
     modes%numbers = short(num)
     modes%n = short(n)
     modes%values = c_loc(v)
-    if (this%ok()) call this%told(hm_c_tabulate_size(this%kept%plan, this%kept%basis, modes, bytes, this%e))
-    call this%spare(bytes, place)
+    if (this%ok()) call this%told(hm_c_tabulate(made, memory, this%kept%plan, this%kept%basis, modes, report, this%e))
+    call this%spare(memory%bytes, memory%block)
     report%struct_size = int(c_sizeof(report), c_int64_t)
-    if (this%ok()) call this%told(hm_c_tabulate(made, place, bytes, this%kept%plan, this%kept%basis, modes, report, &
-        this%e))
+    if (this%ok()) call this%told(hm_c_tabulate(made, memory, this%kept%plan, this%kept%basis, modes, report, this%e))
     call replace_functions(this, made)
     call this%finish(ierr, msg)
 end subroutine
@@ -84,12 +81,12 @@ subroutine hmsngl(w, ierr, msg)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
-    type(c_ptr) :: made, place
-    integer(c_size_t) :: bytes
+    type(c_ptr) :: made
+    type(hm_c_memory) :: memory
     call this%open_solved(w)
-    if (this%ok()) call this%told(hm_c_single_size(this%kept%basis, bytes, this%e))
-    call this%spare(bytes, place)
-    if (this%ok()) call this%told(hm_c_single_init(made, place, bytes, this%kept%basis, this%e))
+    if (this%ok()) call this%told(hm_c_single_init(made, memory, this%kept%basis, this%e))
+    call this%spare(memory%bytes, memory%block)
+    if (this%ok()) call this%told(hm_c_single_init(made, memory, this%kept%basis, this%e))
     call replace_functions(this, made)
     call this%finish(ierr, msg)
 end subroutine

@@ -89,18 +89,22 @@ void FirstLayer::find(Mesh const& mesh, Points points, Span<const Index> represe
     }
 }
 
+LayerChange change_of(FirstLayer const& layer, Index slot, Points before, Points after) noexcept {
+    Index const foot = layer.wall.point[slot], top = layer.above[slot];
+    Vec2 const rotation = layer.wall.rotation(slot, before, after);
+    Vec2 const normal = left_of(direction(layer.wall.tangent(slot, before)));
+    Vec2 const old_edge = before[top] - before[foot],
+               new_edge = rotated_back(after[top] - after[foot], rotation);
+    Real const angle = abs(angle_of(rotation_between(direction(old_edge), direction(new_edge))));
+    return {in_degrees(angle), dot(new_edge, normal) / dot(old_edge, normal)};
+}
+
 FirstLayerChange compare(FirstLayer const& layer, Points before, Points after) noexcept {
     FirstLayerChange change;
     for (Index slot = 0; slot < layer.wall.count; ++slot) {
         if (layer.above[slot] == none) continue;
-        Index const foot = layer.wall.point[slot], top = layer.above[slot];
-        Vec2 const rotation = layer.wall.rotation(slot, before, after);
-        Vec2 const normal = left_of(direction(layer.wall.tangent(slot, before)));
-        Vec2 const old_edge = before[top] - before[foot],
-                   new_edge = rotated_back(after[top] - after[foot], rotation);
-        Real const angle =
-            in_degrees(abs(angle_of(rotation_between(direction(old_edge), direction(new_edge)))));
-        Real const ratio = dot(new_edge, normal) / dot(old_edge, normal);
+        Index const foot = layer.wall.point[slot];
+        auto const [angle, ratio] = change_of(layer, slot, before, after);
         ++change.points;
         change.mean_angle += angle;
         change.mean_ratio += ratio;

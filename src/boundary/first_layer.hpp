@@ -44,6 +44,12 @@ struct FirstLayer {
 // An angle is the rotation of an edge relative to the wall. A height is that of the outer end of an
 // edge above the wall, along the normal that rotates with the wall; a ratio is the height after the
 // movement divided by the height before.
+struct LayerChange {
+    Real angle = 0;  // [degrees], without sign
+    Real ratio = 1;
+};
+// `slot` must have an edge.
+LayerChange change_of(FirstLayer const& layer, Index slot, Points before, Points after) noexcept;
 struct FirstLayerChange {
     Index points = 0;                        // the number of wall points that have such an edge
     Real mean_angle = 0, largest_angle = 0;  // [degrees], without sign

@@ -1,5 +1,6 @@
 // Progress, cancellation and calls out of order lose no results and leave no partial ones.
 #include <fixtures/bodies.hpp>
+#include <fixtures/memory.hpp>
 
 #include <limits>
 
@@ -106,9 +107,10 @@ TEST_CASE("a solution that is cancelled at any moment has the same bits when rep
         again_if_cancelled(attempt.analyse(problem, &options));
         if (cancelled) {
             CHECK(attempt.analysis == nullptr);
-            hm_status const status =
-                hm_analysis_init(&attempt.analysis, attempt.analysis_block->data(),
-                                 attempt.analysis_block->size(), &problem, &options, nullptr);
+            hm_status const status = hm_analysis_init(
+                &attempt.analysis,
+                fixtures::Memory(attempt.analysis_block->data(), attempt.analysis_block->size()),
+                &problem, &options, nullptr);
             REQUIRE(status >= HM_OK);  // in the same block
         }
         REQUIRE(attempt.prepare());
@@ -156,8 +158,8 @@ TEST_CASE("a plan without a factor and the basis of another analysis are refused
     problem.curves = nullptr;
     REQUIRE(only_mesh.analyse(problem));
     std::size_t bytes = 0;
-    CHECK(hm_plan_size(only_mesh.analysis, &bytes, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_basis_size(only_mesh.analysis, &bytes, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(fixtures::plan_size(only_mesh.analysis, &bytes, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(fixtures::basis_size(only_mesh.analysis, &bytes, nullptr) == HM_BAD_ARGUMENT);
 }
 
 TEST_CASE("functions solved again on moved coordinates are those of the moved mesh") {

@@ -5,6 +5,7 @@
 #include <fixtures/executors.hpp>
 #include <fixtures/operators.hpp>
 #include <fixtures/wrong.hpp>
+#include <fixtures/memory.hpp>
 
 using namespace fixtures;
 
@@ -342,10 +343,10 @@ TEST_CASE("blocks of the stated size suffice at any alignment; smaller ones are 
             hm_basis* basis = nullptr;
             Guarded less_plan(attempt.plan_block->size() - 64),
                 less_basis(attempt.basis_block->size() - 64);
-            CHECK(hm_plan_init(&plan, less_plan.data(), less_plan.size(), attempt.analysis,
-                               nullptr) == HM_BLOCK_TOO_SMALL);
-            CHECK(hm_basis_init(&basis, less_basis.data(), less_basis.size(), attempt.analysis,
-                                nullptr) == HM_BLOCK_TOO_SMALL);
+            CHECK(hm_plan_init(&plan, fixtures::Memory(less_plan.data(), less_plan.size()),
+                               attempt.analysis, nullptr) == HM_BLOCK_TOO_SMALL);
+            CHECK(hm_basis_init(&basis, fixtures::Memory(less_basis.data(), less_basis.size()),
+                                attempt.analysis, nullptr) == HM_BLOCK_TOO_SMALL);
             CHECK(less_plan.guards_intact());
             CHECK(less_basis.guards_intact());
             CHECK(plan == nullptr);

@@ -6,6 +6,7 @@
 #include <fixtures/executors.hpp>
 #include <fixtures/morphed.hpp>
 #include <fixtures/parts.hpp>
+#include <fixtures/memory.hpp>
 
 using namespace fixtures;
 
@@ -115,7 +116,7 @@ TEST_CASE("the memory of a share is proportional to the share") {
     REQUIRE(hm_private_share_size(attempt.analysis, 3, 1, &one, nullptr) == HM_OK);
     REQUIRE(hm_private_share_size(attempt.analysis, 3, 5, &five, nullptr) == HM_OK);
     REQUIRE(hm_private_share_size(attempt.analysis, 0, 20, &whole, nullptr) == HM_OK);
-    REQUIRE(hm_basis_size(attempt.analysis, &all, nullptr) == HM_OK);
+    REQUIRE(fixtures::basis_size(attempt.analysis, &all, nullptr) == HM_OK);
     CHECK(whole == all);
     CHECK(five - none >= 5 * 8 * problem.setup.mesh.x.size());
     CHECK(five - none < 5 * 8 * (problem.setup.mesh.x.size() + 15) + 64);

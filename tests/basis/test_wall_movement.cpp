@@ -5,6 +5,7 @@
 #include <fixtures/fitted.hpp>
 #include <fixtures/refused.hpp>
 #include <fixtures/safe.hpp>
+#include <fixtures/memory.hpp>
 
 using namespace fixtures;
 
@@ -21,10 +22,16 @@ struct Recovered {
     Recovered(const hm_basis* basis, std::vector<double> const& x, std::vector<double> const& y,
               double tolerance = 0) {
         hm_basis_info const info = info_of(basis);
-        Guarded work = block_of(hm_recover_movement_size, basis);
+        Guarded work = block_of(fixtures::recover_movement_size, basis);
         move.assign(2 * std::size_t(info.functions), 7.5);
-        status = hm_recover_movement(basis, points_in(x, y), tolerance, move.data(), &residual,
-                                     &rotated_offset, &point, work.data(), work.size(), &error);
+        hm_recover_report report = sized<hm_recover_report>();
+        report.residual = report.rotated_offset = -1;
+        report.point = -7;
+        status = hm_recover_movement(basis, points_in(x, y), tolerance, move.data(), &report,
+                                     fixtures::Memory(work.data(), work.size()), &error);
+        residual = report.residual;
+        rotated_offset = report.rotated_offset;
+        point = report.point;
         CHECK(work.guards_intact());
     }
 };

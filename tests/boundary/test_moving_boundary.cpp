@@ -1,5 +1,6 @@
 // Every point of a curve's marker gets the right curve and parameter.
 #include <fixtures/core.hpp>
+#include <fixtures/memory.hpp>
 
 using namespace fixtures;
 
@@ -98,9 +99,9 @@ TEST_CASE("points of a blunt base are on the second curve, and the ends belong t
     auto options = sized<hm_fit_options>();
     auto report = sized<hm_fit_report>();
     std::int32_t const n = std::int32_t(outline.points.size());
-    Guarded block = block_of(hm_fit_size, n, &options);
+    Guarded block = block_of(fixtures::fit_size, n, &options);
     const hm_curves* curves = nullptr;
-    REQUIRE(hm_fit(&curves, block.data(), block.size(),
+    REQUIRE(hm_fit(&curves, fixtures::Memory(block.data(), block.size()),
                    points_in(&outline.points[0].x, &outline.points[0].y, 2), n, 1, &options,
                    &report, nullptr) == HM_OK);
     REQUIRE(curves->n_curves == 2);

@@ -4,6 +4,7 @@
 #include <fixtures/curves.hpp>
 #include <fixtures/guarded.hpp>
 #include <fixtures/traps.hpp>
+#include <fixtures/memory.hpp>
 
 #include <string>
 
@@ -40,11 +41,11 @@ Finer refined(hm_curves const& curves, int curve, std::vector<double> const& u,
     Finer out;
     std::size_t bytes = 0;
     int const n = int(u.size());
-    out.status = hm_refine_size(&curves, curve, degree, n, u.data(), &bytes, &out.error);
+    out.status = fixtures::refine_size(&curves, curve, degree, n, u.data(), &bytes, &out.error);
     if (out.status < 0) return out;
     out.block.resize(bytes);
-    out.status = hm_refine(&out.curves, &out.matrix, out.block.data(), bytes, &curves, curve,
-                           degree, n, u.data(), &out.error);
+    out.status = hm_refine(&out.curves, &out.matrix, fixtures::Memory(out.block.data(), bytes),
+                           &curves, curve, degree, n, u.data(), &out.error);
     return out;
 }
 

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/sections.hpp>
+#include <fixtures/memory.hpp>
 
 #include <algorithm>
 #include <string>
@@ -45,8 +46,8 @@ Moved moved(CurveSet& set, std::vector<hm_movement> const& movements,
     Moved out;
     std::size_t bytes = 0;
     auto const n = std::int32_t(movements.size());
-    out.status =
-        hm_move_section_size(&set.view(), section, n, movements.data(), &out.n, &bytes, &out.error);
+    out.status = fixtures::move_section_size(&set.view(), section, n, movements.data(), &out.n,
+                                             &bytes, &out.error);
     if (out.status < 0) return out;
     REQUIRE(std::size_t(out.n) == values.size());
     auto const length = std::size_t(2 * set.n_control());
@@ -55,9 +56,10 @@ Moved moved(CurveSet& set, std::vector<hm_movement> const& movements,
     out.start.assign(values.size(), -7);
     out.difference.assign(2, -7);
     fixtures::Guarded work(bytes);
-    out.status = hm_move_section(&set.view(), section, n, movements.data(), values.data(),
-                                 out.move.data(), out.derivatives.data(), out.start.data(),
-                                 out.difference.data(), work.data(), bytes, &out.error);
+    out.status =
+        hm_move_section(&set.view(), section, n, movements.data(), nullptr, values.data(),
+                        out.move.data(), out.derivatives.data(), out.start.data(),
+                        out.difference.data(), fixtures::Memory(work.data(), bytes), &out.error);
     CHECK(work.guards_intact());
     return out;
 }
@@ -394,8 +396,9 @@ TEST_CASE("movements that cannot be made are refused, and the outputs stay") {
             std::int32_t n = -7;
             std::size_t bytes = 7;
             hm_error error{};
-            CHECK(hm_move_section_size(&one.set.view(), nullptr, std::int32_t(one.movements.size()),
-                                       one.movements.data(), &n, &bytes, &error) == one.status);
+            CHECK(fixtures::move_section_size(
+                      &one.set.view(), nullptr, std::int32_t(one.movements.size()),
+                      one.movements.data(), &n, &bytes, &error) == one.status);
             CHECK(std::string(error.text).find(one.text) != std::string::npos);
             CHECK(n == -7);
             continue;

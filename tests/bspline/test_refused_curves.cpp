@@ -4,6 +4,7 @@
 #include <fixtures/curves.hpp>
 #include <fixtures/refused.hpp>
 #include <fixtures/sized.hpp>
+#include <fixtures/memory.hpp>
 
 #include <cmath>
 #include <limits>
@@ -45,7 +46,7 @@ TEST_CASE("refused evaluations and refinements of curves have the stated texts")
     std::size_t bytes = 0;
     auto const refine = [&](double knot) {
         return [&, knot](hm_error* e) {
-            return u[0] = knot, hm_refine_size(&square.set, 0, 0, 1, u, &bytes, e);
+            return u[0] = knot, fixtures::refine_size(&square.set, 0, 0, 1, u, &bytes, e);
         };
     };
     check_texts({

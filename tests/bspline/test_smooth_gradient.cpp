@@ -3,6 +3,7 @@
 
 #include <fixtures/curves.hpp>
 #include <fixtures/sized.hpp>
+#include <fixtures/memory.hpp>
 
 #include <algorithm>
 #include <string>
@@ -14,9 +15,9 @@ namespace {
 
 hm_status smooth(CurveSet& set, double length, std::vector<double> const& gradient,
                  std::vector<double>& out, hm_error* error = nullptr) {
-    fixtures::Guarded work = fixtures::block_of(hm_smooth_gradient_size, &set.view());
-    return hm_smooth_gradient(&set.view(), length, gradient.data(), out.data(), work.data(),
-                              work.size(), error);
+    fixtures::Guarded work = fixtures::block_of(fixtures::smooth_gradient_size, &set.view());
+    return hm_smooth_gradient(&set.view(), length, gradient.data(), out.data(),
+                              fixtures::Memory(work.data(), work.size()), error);
 }
 std::vector<double> smoothed(CurveSet& set, double length, std::vector<double> const& gradient) {
     std::vector<double> out(gradient.size(), 7);

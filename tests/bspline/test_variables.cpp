@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/sections.hpp>
+#include <fixtures/memory.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -31,13 +32,15 @@ struct Map {
 Map mapped(CurveSet& set, hm_variables const& variables, hm_section const* section = nullptr) {
     Map out;
     std::size_t bytes = 0;
-    out.status = hm_variables_size(&set.view(), section, &variables, &out.n, &bytes, &out.error);
+    out.status =
+        fixtures::variables_size(&set.view(), section, &variables, &out.n, &bytes, &out.error);
     if (out.status < 0) return out;
     out.matrix.assign(std::size_t(2 * set.n_control() * out.n), -7);
     out.errors.assign(std::size_t(2 * out.n), -7);
     fixtures::Guarded work(bytes);
-    out.status = hm_variables_map(&set.view(), section, &variables, work.data(), bytes,
-                                  out.matrix.data(), out.errors.data(), &out.error);
+    out.status = hm_variables_map(&set.view(), section, &variables, nullptr,
+                                  fixtures::Memory(work.data(), bytes), out.matrix.data(),
+                                  out.errors.data(), &out.error);
     CHECK(work.guards_intact());
     return out;
 }

@@ -7,6 +7,7 @@
 
 #include <fixtures/bodies.hpp>
 #include <fixtures/guarded.hpp>
+#include <fixtures/memory.hpp>
 
 #include <functional>
 #include <set>
@@ -126,11 +127,11 @@ TEST_CASE("fields of moving meshes and adjoints") {
 
     std::int32_t const marker = setup.conditions[0].marker;
     std::size_t bytes = 0;
-    REQUIRE(hm_walls_size(solved.analysis, 1, &marker, &bytes, &error) == HM_OK);
+    REQUIRE(fixtures::walls_size(solved.analysis, 1, &marker, &bytes, &error) == HM_OK);
     Guarded block(bytes);
     hm_walls* walls = nullptr;
-    REQUIRE(hm_walls_init(&walls, block.data(), bytes, solved.analysis, 1, &marker, nullptr,
-                          &error) == HM_OK);
+    REQUIRE(hm_walls_init(&walls, fixtures::Memory(block.data(), bytes), solved.analysis, 1,
+                          &marker, nullptr, &error) == HM_OK);
     std::vector<std::int32_t> face(std::size_t(n), view.index_base);
     double* const free = memory.free(mesh, 10);
     check_refused(
@@ -162,16 +163,17 @@ TEST_CASE("interpolated fields") {
     Ready ready;
     auto& [setup, mesh, n, solved, view, memory, at, error] = ready;
     std::size_t bytes = 0;
-    REQUIRE(hm_interpolation_size(solved.analysis, n, &bytes, &error) == HM_OK);
+    REQUIRE(fixtures::interpolation_size(solved.analysis, n, &bytes, &error) == HM_OK);
     Guarded block(bytes);
     hm_interpolation* interpolation = nullptr;
-    check_refused(
-        memory,
-        hm_interpolation_init(&interpolation, block.data(), bytes, solved.analysis, nullptr, n, &at,
-                              memory.at_x() + 1, nullptr, nullptr, &error),
-        error, "distance", "to");
-    REQUIRE(hm_interpolation_init(&interpolation, block.data(), bytes, solved.analysis, nullptr, n,
-                                  &at, nullptr, nullptr, nullptr, &error) == HM_OK);
+    check_refused(memory,
+                  hm_interpolation_init(&interpolation, fixtures::Memory(block.data(), bytes),
+                                        solved.analysis, nullptr, n, &at, memory.at_x() + 1,
+                                        nullptr, nullptr, &error),
+                  error, "distance", "to");
+    REQUIRE(hm_interpolation_init(&interpolation, fixtures::Memory(block.data(), bytes),
+                                  solved.analysis, nullptr, n, &at, nullptr, nullptr, nullptr,
+                                  &error) == HM_OK);
     double* const fields = memory.free(mesh, 10);
     for (std::int32_t const n_fields : {1, 3}) {
         std::int32_t const last = n_fields * n - 1;
@@ -190,11 +192,11 @@ TEST_CASE("gradients of bounds of the quality") {
     Ready ready;
     auto& [setup, mesh, n, solved, view, memory, at, error] = ready;
     std::size_t bytes = 0;
-    REQUIRE(hm_quality_size(solved.basis, &view, &bytes, &error) == HM_OK);
+    REQUIRE(fixtures::quality_size(solved.basis, &view, &bytes, &error) == HM_OK);
     Guarded block(bytes);
     hm_quality* quality = nullptr;
-    REQUIRE(hm_quality_init(&quality, block.data(), bytes, solved.basis, &view, nullptr, &error) ==
-            HM_OK);
+    REQUIRE(hm_quality_init(&quality, fixtures::Memory(block.data(), bytes), solved.basis, &view,
+                            nullptr, &error) == HM_OK);
     hm_bound bounds[2];
     hm_bound_value values[2];
     for (int k = 0; k < 2; ++k) HM_INIT(bounds[k]), HM_INIT(values[k]);

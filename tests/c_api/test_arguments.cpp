@@ -17,6 +17,7 @@
 #include <fixtures/extruded.hpp>
 #include <fixtures/parted.hpp>
 #include <fixtures/spoiled_arguments.hpp>
+#include "fixtures/memory.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -68,17 +69,18 @@ TEST_CASE("curves and fits") {
     }
     hm_points const points{x.data(), y.data(), 1};
     const hm_curves* fitted = nullptr;
-    check_arguments("-, ?options, bytes", hm_fit_size, 40, &options, &bytes);
+    check_arguments("-, ?options, ?bytes", fixtures::fit_size, 40, &options, &bytes);
     Guarded block(bytes);
-    check_arguments("curves, block, bytes, points, -, -, ?options, ?report", hm_fit, &fitted,
-                    block.data(), bytes, &points, 40, 1, &options, &report);
+    check_arguments("curves, memory, points, -, -, ?options, ?report", hm_fit, &fitted,
+                    fixtures::Memory(block.data(), bytes), &points, 40, 1, &options, &report);
 
     double const at[] = {0.3};
     const double* matrix = nullptr;
-    check_arguments("curves, -, -, -, u, bytes", hm_refine_size, &curves, 0, 0, 1, at, &bytes);
+    check_arguments("curves, -, -, -, u, ?bytes", fixtures::refine_size, &curves, 0, 0, 1, at,
+                    &bytes);
     Guarded refined(bytes);
-    check_arguments("finer, ?matrix, block, bytes, curves, -, -, -, u", hm_refine, &fitted, &matrix,
-                    refined.data(), bytes, &curves, 0, 0, 1, at);
+    check_arguments("finer, ?matrix, memory, curves, -, -, -, u", hm_refine, &fitted, &matrix,
+                    fixtures::Memory(refined.data(), bytes), &curves, 0, 0, 1, at);
     hm_section section = sized<hm_section>();
     hm_quantity quantity = sized<hm_quantity>();
     quantity.kind = HM_AREA;
@@ -89,24 +91,25 @@ TEST_CASE("curves and fits") {
     variables.kind = HM_FFD;
     variables.degree_x = variables.degree_y = 1;
     std::int32_t n = 0;
-    check_arguments("curves, ?section, variables, n, bytes", hm_variables_size, &curves, &section,
-                    &variables, &n, &bytes);
+    check_arguments("curves, ?section, variables, ?n, ?bytes", fixtures::variables_size, &curves,
+                    &section, &variables, &n, &bytes);
     Guarded work(bytes);
-    check_arguments("curves, ?section, variables, work, bytes, matrix, ?error", hm_variables_map,
-                    &curves, &section, &variables, work.data(), bytes, map.data(), values);
+    check_arguments("curves, ?section, variables, ?n, memory, matrix, ?error", hm_variables_map,
+                    &curves, &section, &variables, &n, fixtures::Memory(work.data(), bytes),
+                    map.data(), values);
     hm_movement turn = sized<hm_movement>();
-    check_arguments("curves, ?section, -, movements, n, bytes", hm_move_section_size, &curves,
-                    &section, 1, &turn, &n, &bytes);
+    check_arguments("curves, ?section, -, movements, ?n, ?bytes", fixtures::move_section_size,
+                    &curves, &section, 1, &turn, &n, &bytes);
     Guarded moved(bytes);
     check_arguments(
-        "curves, ?section, -, movements, values, move, ?derivatives, ?start, ?error, work, bytes",
-        hm_move_section, &curves, &section, 1, &turn, values, map.data(), map.data() + 32, values,
-        values, moved.data(), bytes);
-    check_arguments("curves, bytes", hm_family_modes_size, &curves, &bytes);
+        "curves, ?section, -, movements, ?n, values, move, ?derivatives, ?start, ?error, memory",
+        hm_move_section, &curves, &section, 1, &turn, &n, values, map.data(), map.data() + 32,
+        values, values, fixtures::Memory(moved.data(), bytes));
+    check_arguments("curves, ?bytes", fixtures::family_modes_size, &curves, &bytes);
     Guarded modes(bytes);
     map.assign(map.size(), 1);
-    check_arguments("curves, -, movements, singular, work, bytes", hm_family_modes, &curves, 1,
-                    map.data(), values, modes.data(), bytes);
+    check_arguments("curves, -, movements, singular, memory", hm_family_modes, &curves, 1,
+                    map.data(), values, fixtures::Memory(modes.data(), bytes));
 }
 
 TEST_CASE("from the problem to the basis") {
@@ -119,28 +122,29 @@ TEST_CASE("from the problem to the basis") {
     hm_mesh_report of_mesh = sized<hm_mesh_report>();
     hm_solve_report solved = sized<hm_solve_report>();
     std::int32_t const marker = body;
-    check_arguments("problem, ?options, bytes", hm_analysis_size, &problem, &options, &g.bytes);
+    check_arguments("problem, ?options, ?bytes", fixtures::analysis_size, &problem, &options,
+                    &g.bytes);
     Guarded analysed(g.bytes);
-    check_arguments("analysis, block, bytes, problem, ?options", hm_analysis_init, &analysis,
-                    analysed.data(), g.bytes, &problem, &options);
+    check_arguments("analysis, memory, problem, ?options", hm_analysis_init, &analysis,
+                    fixtures::Memory(analysed.data(), g.bytes), &problem, &options);
     check_arguments("analysis, report", hm_analysis_report, analysis, &of_mesh);
     check_arguments("analysis, -, markers, -, points, -, n, is_loop", hm_analysis_boundary,
                     analysis, 1, &marker, 0, g.list, 100, &g.n, &g.other);
-    check_arguments("analysis, bytes", hm_plan_size, analysis, &g.bytes);
+    check_arguments("analysis, ?bytes", fixtures::plan_size, analysis, &g.bytes);
     Guarded planned(g.bytes);
-    check_arguments("plan, block, bytes, analysis", hm_plan_init, &plan, planned.data(), g.bytes,
-                    analysis);
-    check_arguments("analysis, bytes", hm_basis_size, analysis, &g.bytes);
+    check_arguments("plan, memory, analysis", hm_plan_init, &plan,
+                    fixtures::Memory(planned.data(), g.bytes), analysis);
+    check_arguments("analysis, ?bytes", fixtures::basis_size, analysis, &g.bytes);
     Guarded of_basis(g.bytes);
-    check_arguments("basis, block, bytes, analysis", hm_basis_init, &basis, of_basis.data(),
-                    g.bytes, analysis);
+    check_arguments("basis, memory, analysis", hm_basis_init, &basis,
+                    fixtures::Memory(of_basis.data(), g.bytes), analysis);
     check_arguments("plan, ?at", hm_plan_factor, plan, &g.at);
     check_arguments("plan, basis, ?report", hm_plan_solve, plan, basis, &solved);
     check_arguments("plan, n_points, index_base", hm_plan_points, plan, &g.n, &g.other);
 
     std::int32_t first = 0;
     check_arguments("analysis, -, -, first, n", hm_private_share_of, analysis, 0, 2, &first, &g.n);
-    check_arguments("analysis, -, -, bytes", hm_private_share_size, analysis, 0, 2, &g.bytes);
+    check_arguments("analysis, -, -, ?bytes", hm_private_share_size, analysis, 0, 2, &g.bytes);
     Guarded shared(g.bytes);
     check_arguments("share, block, bytes, analysis, -, -", hm_private_share_init, &basis,
                     shared.data(), g.bytes, analysis, 0, 2);
@@ -164,23 +168,25 @@ TEST_CASE("what a basis is asked for") {
     check_arguments("basis, -, -, values", hm_basis_values, g.basis, 0, 0, g.numbers.data());
     std::vector<double> dense(2 * g.numbers.size() * 100);
     check_arguments("basis, matrix", hm_basis_matrix, g.basis, dense.data());
-    check_arguments("basis, bytes", hm_single_size, g.basis, &g.bytes);
+    check_arguments("basis, ?bytes", fixtures::single_size, g.basis, &g.bytes);
     Guarded single(g.bytes);
-    check_arguments("single, block, bytes, basis", hm_single_init, &made, single.data(), g.bytes,
-                    g.basis);
+    check_arguments("single, memory, basis", hm_single_init, &made,
+                    fixtures::Memory(single.data(), g.bytes), g.basis);
     double const matrix[] = {1, 0, 0, 1, 0, 0, 0, 0};
-    check_arguments("basis, -, -, bytes", hm_combine_size, g.basis, 2, 1, &g.bytes);
+    check_arguments("basis, -, -, ?bytes", fixtures::combine_size, g.basis, 2, 1, &g.bytes);
     Guarded combined(g.bytes);
-    check_arguments("combined, block, bytes, basis, -, -, matrix", hm_combine, &made,
-                    combined.data(), g.bytes, g.basis, 2, 1, matrix);
+    check_arguments("combined, memory, basis, -, -, matrix", hm_combine, &made,
+                    fixtures::Memory(combined.data(), g.bytes), g.basis, 2, 1, matrix);
     hm_transfer_report report = sized<hm_transfer_report>();
-    check_arguments("analysis, mesh, bytes", hm_transfer_size, g.analysis, &g.mesh, &g.bytes);
+    check_arguments("analysis, mesh, ?bytes", fixtures::transfer_size, g.analysis, &g.mesh,
+                    &g.bytes);
     Guarded room(g.bytes);
     Attempt fine;
     REQUIRE(fine.analyse(g.setup.problem()));
     REQUIRE(fine.prepare());
-    check_arguments("basis, block, bytes, analysis, coarse, mesh, ?report", hm_transfer, fine.basis,
-                    room.data(), g.bytes, fine.analysis, g.basis, &g.mesh, &report);
+    check_arguments("basis, memory, analysis, coarse, mesh, ?report", hm_transfer, fine.basis,
+                    fixtures::Memory(room.data(), g.bytes), fine.analysis, g.basis, &g.mesh,
+                    &report);
 }
 
 TEST_CASE("movements, gradients, quality") {
@@ -196,12 +202,11 @@ TEST_CASE("movements, gradients, quality") {
     check_arguments("basis, move, from, to, error, ?point", hm_boundary_error, g.basis,
                     g.move.data(), &g.at, &g.at, &error, &g.n);
     std::size_t bytes = 0;
-    check_arguments("basis, bytes", hm_recover_movement_size, g.basis, &bytes);
+    check_arguments("basis, ?bytes", fixtures::recover_movement_size, g.basis, &bytes);
     Guarded room(bytes);
-    double turned = 0;
-    check_arguments("basis, at, -, move, ?residual, ?rotated_offset, ?point, block, bytes",
-                    hm_recover_movement, g.basis, &g.at, 0.0, g.numbers.data(), &error, &turned,
-                    &g.n, room.data(), bytes);
+    hm_recover_report recovered = sized<hm_recover_report>();
+    check_arguments("basis, at, -, move, ?report, memory", hm_recover_movement, g.basis, &g.at, 0.0,
+                    g.numbers.data(), &recovered, fixtures::Memory(room.data(), bytes));
     check_arguments("analysis, from, to", hm_slip, g.analysis, &g.at, &g.to);
     check_arguments("analysis, from, dj, dj_from", hm_slip_adjoint, g.analysis, &g.at, &g.at,
                     &g.to);
@@ -219,7 +224,7 @@ TEST_CASE("movements, gradients, quality") {
                     g.numbers.data());
     std::int32_t const points[] = {20, 30};
     hm_basis* rows = nullptr;
-    check_arguments("basis, -, bytes", hm_private_extract_size, g.basis, 2, &g.bytes);
+    check_arguments("basis, -, ?bytes", hm_private_extract_size, g.basis, 2, &g.bytes);
     Guarded extract(g.bytes);
     check_arguments("rows, block, -, basis, -, points", hm_private_extract_init, &rows,
                     extract.data(), g.bytes, g.basis, 2, points);
@@ -247,15 +252,16 @@ TEST_CASE("large movements and better cells") {
     hm_improve_report improved = sized<hm_improve_report>();
     auto target = sized<hm_safe_target>();
     target.move = g.move.data();
-    check_arguments("plan, ?basis, ?target, bytes", hm_move_safe_size, g.plan, g.basis, &target,
-                    &g.bytes);
+    check_arguments("plan, ?basis, ?target, ?bytes", fixtures::move_safe_size, g.plan, g.basis,
+                    &target, &g.bytes);
     Guarded work(g.bytes);
-    check_arguments("plan, basis, target, to, block, bytes, ?options, ?report", hm_move_safe,
-                    g.plan, g.basis, &target, &g.to, work.data(), g.bytes, &safe, &report);
-    check_arguments("plan, bytes", hm_improve_size, g.plan, &g.bytes);
+    check_arguments("plan, basis, target, to, memory, ?options, ?report", hm_move_safe, g.plan,
+                    g.basis, &target, &g.to, fixtures::Memory(work.data(), g.bytes), &safe,
+                    &report);
+    check_arguments("plan, ?bytes", fixtures::improve_size, g.plan, &g.bytes);
     Guarded room(g.bytes);
-    check_arguments("plan, ?from, to, block, bytes, ?options, ?report", hm_improve, g.plan, &g.at,
-                    &g.to, room.data(), g.bytes, &better, &improved);
+    check_arguments("plan, ?from, to, memory, ?options, ?report", hm_improve, g.plan, &g.at, &g.to,
+                    fixtures::Memory(room.data(), g.bytes), &better, &improved);
 }
 
 TEST_CASE("given displacements") {
@@ -272,29 +278,33 @@ TEST_CASE("given displacements") {
     std::int32_t list[100] = {}, n_given = 0;
     std::size_t bytes = 0;
     check_arguments("plan, points, -, n", hm_given_points, d.plan, list, 100, &n_given);
-    check_arguments("plan, -, bytes", hm_displace_size, d.plan, 1, &bytes);
+    check_arguments("plan, -, ?bytes", fixtures::displace_size, d.plan, 1, &bytes);
     Guarded work(bytes);
-    check_arguments("plan, -, ?points, -, wall, ?from, to, block, bytes, ?report", hm_displace,
-                    d.plan, n, d.points.data(), 1, &wall, &from, &to, work.data(), bytes, &report);
-    check_arguments("plan, -, ?points, -, dj, gradient, block, bytes, ?report", hm_displace_adjoint,
-                    d.plan, n, d.points.data(), 1, &from, &to, work.data(), bytes, &report);
+    check_arguments("plan, -, ?points, -, wall, ?from, to, memory, ?report", hm_displace, d.plan, n,
+                    d.points.data(), 1, &wall, &from, &to, fixtures::Memory(work.data(), bytes),
+                    &report);
+    check_arguments("plan, -, ?points, -, dj, gradient, memory, ?report", hm_displace_adjoint,
+                    d.plan, n, d.points.data(), 1, &from, &to, fixtures::Memory(work.data(), bytes),
+                    &report);
     auto table = sized<hm_modes>();
     table.n_modes = 1;
     table.n = n;
     table.values = modes.data();
-    check_arguments("plan, basis, modes, bytes", hm_tabulate_size, d.plan, d.basis, &table, &bytes);
+    check_arguments("plan, basis, modes, ?bytes", fixtures::tabulate_size, d.plan, d.basis, &table,
+                    &bytes);
     Guarded block(bytes);
     hm_basis* tabulated = nullptr;
-    check_arguments("tabulated, block, bytes, plan, basis, modes, ?report", hm_tabulate, &tabulated,
-                    block.data(), bytes, d.plan, d.basis, &table, &report);
+    check_arguments("tabulated, memory, plan, basis, modes, ?report", hm_tabulate, &tabulated,
+                    fixtures::Memory(block.data(), bytes), d.plan, d.basis, &table, &report);
     auto target = sized<hm_safe_target>();
     target.n = n;
     target.wall = &wall;
-    check_arguments("plan, basis, ?target, bytes", hm_move_safe_size, d.plan, d.basis, &target,
-                    &bytes);
+    check_arguments("plan, basis, ?target, ?bytes", fixtures::move_safe_size, d.plan, d.basis,
+                    &target, &bytes);
     Guarded safe_work(bytes);
-    check_arguments("plan, ?basis, target, to, block, bytes, ?options, ?report", hm_move_safe,
-                    d.plan, d.basis, &target, &to, safe_work.data(), bytes, &safe, &of_safe);
+    check_arguments("plan, ?basis, target, to, memory, ?options, ?report", hm_move_safe, d.plan,
+                    d.basis, &target, &to, fixtures::Memory(safe_work.data(), bytes), &safe,
+                    &of_safe);
 }
 
 TEST_CASE("a mesh one cell thick") {
@@ -307,10 +317,10 @@ TEST_CASE("a mesh one cell thick") {
     std::vector<double> x = space.x, y = space.y, z = space.z;
     hm_space_points const at = space.points();
     hm_space_points_out const to{x.data(), y.data(), z.data(), 1};
-    check_arguments("space, bytes", hm_plane_size, &mesh, &g.bytes);
+    check_arguments("space, ?bytes", fixtures::plane_size, &mesh, &g.bytes);
     Guarded block(g.bytes);
-    check_arguments("plane, block, bytes, space", hm_plane_init, &plane, block.data(), g.bytes,
-                    &mesh);
+    check_arguments("plane, memory, space", hm_plane_init, &plane,
+                    fixtures::Memory(block.data(), g.bytes), &mesh);
     check_arguments("plane, info", hm_plane_info_get, plane, &info);
     check_arguments("plane, mesh", hm_plane_mesh, plane, &of_plane);
     check_arguments("plane, basis, move, ?from, to, ?executor", hm_plane_morph, plane, g.basis,
@@ -333,12 +343,13 @@ TEST_CASE("fields of moving meshes") {
                     &g.at, &g.at, sides.data(), duals.data(), halves.data(), &g.executor);
 
     std::int32_t const marker = g.setup.conditions[0].marker;
-    check_arguments("analysis, -, markers, bytes", hm_walls_size, g.analysis, 1, &marker, &g.bytes);
+    check_arguments("analysis, -, markers, ?bytes", fixtures::walls_size, g.analysis, 1, &marker,
+                    &g.bytes);
     Guarded block(g.bytes);
     hm_walls* walls = nullptr;
     hm_walls_info info = sized<hm_walls_info>();
-    check_arguments("walls, block, bytes, analysis, -, markers, ?at", hm_walls_init, &walls,
-                    block.data(), g.bytes, g.analysis, 1, &marker, &g.at);
+    check_arguments("walls, memory, analysis, -, markers, ?at", hm_walls_init, &walls,
+                    fixtures::Memory(block.data(), g.bytes), g.analysis, 1, &marker, &g.at);
     check_arguments("walls, at", hm_walls_move, walls, &g.at);
     check_arguments("walls, info", hm_walls_info_get, walls, &info);
     std::int32_t const n = g.setup.mesh.n_points();
@@ -353,14 +364,14 @@ TEST_CASE("fields of moving meshes") {
                     walls, n, &g.at, face.data(), g.numbers.data(), &g.to, &g.to);
     check_arguments("walls, at, heights", hm_first_layer, walls, &g.at, g.numbers.data());
 
-    check_arguments("analysis, -, bytes", hm_interpolation_size, g.analysis, n, &g.bytes);
+    check_arguments("analysis, -, ?bytes", fixtures::interpolation_size, g.analysis, n, &g.bytes);
     Guarded interpolation_block(g.bytes);
     hm_interpolation* interpolation = nullptr;
     hm_interpolation_report report = sized<hm_interpolation_report>();
-    check_arguments(
-        "interpolation, block, bytes, analysis, ?at, -, to, ?distance, ?executor, ?report",
-        hm_interpolation_init, &interpolation, interpolation_block.data(), g.bytes, g.analysis,
-        &g.at, n, &g.at, g.numbers.data(), &g.executor, &report);
+    check_arguments("interpolation, memory, analysis, ?at, -, to, ?distance, ?executor, ?report",
+                    hm_interpolation_init, &interpolation,
+                    fixtures::Memory(interpolation_block.data(), g.bytes), g.analysis, &g.at, n,
+                    &g.at, g.numbers.data(), &g.executor, &report);
     check_arguments("interpolation, -, from, to, ?executor", hm_interpolate, interpolation, 1,
                     g.x.data(), g.numbers.data(), &g.executor);
     check_arguments("interpolation, -, to_dj, from_dj", hm_interpolate_adjoint, interpolation, 1,
@@ -396,7 +407,7 @@ TEST_CASE("a part of a mesh, and its equations") {
         of_part.numbers = whole.numbers.data();
         hm_private_part* part = nullptr;
         std::size_t bytes = 0;
-        check_arguments("mesh, bytes", hm_private_part_size, &of_part, &bytes);
+        check_arguments("mesh, ?bytes", hm_private_part_size, &of_part, &bytes);
         Guarded block(bytes);
         check_arguments("part, block, bytes, mesh", hm_private_part_init, &part, block.data(),
                         bytes, &of_part);
@@ -413,7 +424,7 @@ TEST_CASE("a part of a mesh, and its equations") {
         check_arguments("edges, n", hm_private_match_edges, edges.data(), &n_open);
         hm_private_equations* equations = nullptr;
         hm_private_equations_info info = sized<hm_private_equations_info>();
-        check_arguments("part, -, problem, ?options, bytes", hm_private_equations_size, part,
+        check_arguments("part, -, problem, ?options, ?bytes", hm_private_equations_size, part,
                         n_edges, &problem, &options, &bytes);
         Guarded of_equations(bytes);
         check_arguments("equations, block, bytes, part, -, edges, problem, ?options",
@@ -455,7 +466,7 @@ TEST_CASE("a part of a mesh, and its equations") {
             continue;
         }
         hm_basis* rows = nullptr;
-        check_arguments("equations, bytes", hm_private_rows_size, equations, &bytes);
+        check_arguments("equations, ?bytes", hm_private_rows_size, equations, &bytes);
         Guarded of_rows(bytes);
         check_arguments("rows, block, bytes, equations", hm_private_rows_init, &rows,
                         of_rows.data(), bytes, equations);

@@ -12,6 +12,7 @@
 #include <fixtures/changes.hpp>
 #include <fixtures/parted.hpp>
 #include <fixtures/spoiled_arguments.hpp>
+#include "fixtures/memory.hpp"
 
 using namespace fixtures;
 
@@ -21,7 +22,7 @@ TEST_CASE("conditions and given parameters") {
         hm_problem problem = setup.problem();
         problem.conditions = &condition;
         std::size_t bytes = 0;
-        return hm_analysis_size(&problem, nullptr, &bytes, e);
+        return fixtures::analysis_size(&problem, nullptr, &bytes, e);
     };
     using C = hm_condition;
     check_changes<C>(
@@ -48,7 +49,7 @@ TEST_CASE("conditions and given parameters") {
     setup.give(16, 0.5);
     auto const size_of = [](hm_problem const& problem, hm_error* e) {
         std::size_t bytes = 0;
-        return hm_analysis_size(&problem, nullptr, &bytes, e);
+        return fixtures::analysis_size(&problem, nullptr, &bytes, e);
     };
     using P = hm_problem;
     check_changes<P>(
@@ -139,10 +140,11 @@ TEST_CASE("safe morphs and better cells") {
           [](S& s) { s.max_height_change = not_a_number; }}},
         HM_BAD_ARGUMENT, morph);
     using I = hm_improve_options;
-    Guarded room = block_of(hm_improve_size, solved.plan);
+    Guarded room = block_of(fixtures::improve_size, solved.plan);
     hm_points const at{setup.mesh.x.data(), setup.mesh.y.data(), 1};
     auto const improve = [&](I const& options, hm_error* e) {
-        return hm_improve(solved.plan, &at, &to, room.data(), room.size(), &options, nullptr, e);
+        return hm_improve(solved.plan, &at, &to, fixtures::Memory(room.data(), room.size()),
+                          &options, nullptr, e);
     };
     check_changes<I>(sized<I>(),
                      {{nullptr, [](I&) {}},
@@ -221,28 +223,32 @@ TEST_CASE("what else a call finds wrong in its numbers") {
     hm_fit_options few = sized<hm_fit_options>();
     few.n_control = 1;
     const hm_curves* fitted = nullptr;
-    says(hm_fit(&fitted, values.data(), 8000, &points, 40, 0, &few, nullptr, &error), HM_BAD_CURVE,
-         "are too few");
+    says(hm_fit(&fitted, fixtures::Memory(values.data(), 8000), &points, 40, 0, &few, nullptr,
+                &error),
+         HM_BAD_CURVE, "are too few");
 
     // Reports and arrays that are not wanted.
     std::int32_t const degree = set.view().curve[0].degree + 1;
-    Guarded elevated = block_of(hm_refine_size, &set.view(), 0, degree, 0, nullptr);
-    CHECK(hm_refine(&fitted, nullptr, elevated.data(), elevated.size(), &set.view(), 0, degree, 0,
-                    nullptr, &error) == HM_OK);
+    Guarded elevated = block_of(fixtures::refine_size, &set.view(), 0, degree, 0, nullptr);
+    CHECK(hm_refine(&fitted, nullptr, fixtures::Memory(elevated.data(), elevated.size()),
+                    &set.view(), 0, degree, 0, nullptr, &error) == HM_OK);
     hm_variables naca = sized<hm_variables>();
     naca.kind = HM_NACA4;
     std::int32_t n = 0;
-    Guarded work = block_of(hm_variables_size, &set.view(), nullptr, &naca, &n);
-    CHECK(hm_variables_map(&set.view(), nullptr, &naca, work.data(), work.size(), values.data(),
-                           nullptr, &error) == HM_OK);
+    Guarded work = block_of(fixtures::variables_size, &set.view(), nullptr, &naca, &n);
+    CHECK(hm_variables_map(&set.view(), nullptr, &naca, nullptr,
+                           fixtures::Memory(work.data(), work.size()), values.data(), nullptr,
+                           &error) == HM_OK);
     // A chord that ends at the origin is a chord.
     hm_section chord = sized<hm_section>();
     chord.trailing_y = -1;
-    CHECK(hm_variables_map(&set.view(), &chord, &naca, work.data(), work.size(), values.data(),
-                           nullptr, &error) == HM_OK);
+    CHECK(hm_variables_map(&set.view(), &chord, &naca, nullptr,
+                           fixtures::Memory(work.data(), work.size()), values.data(), nullptr,
+                           &error) == HM_OK);
     chord.trailing_y = 0, chord.leading_y = -1;
-    CHECK(hm_variables_map(&set.view(), &chord, &naca, work.data(), work.size(), values.data(),
-                           nullptr, &error) == HM_OK);
+    CHECK(hm_variables_map(&set.view(), &chord, &naca, nullptr,
+                           fixtures::Memory(work.data(), work.size()), values.data(), nullptr,
+                           &error) == HM_OK);
 
     std::int32_t const point = 0;
     says(hm_private_extract_size(solved.basis, -1, &bytes, &error), HM_BAD_ARGUMENT, "-1");
@@ -262,8 +268,9 @@ TEST_CASE("what else a call finds wrong in its numbers") {
     hm_improve_options improve = sized<hm_improve_options>();
     hm_points const no_y{x.data(), nullptr, 1};
     improve.reference = &no_y;
-    Guarded room = block_of(hm_improve_size, solved.plan);
-    says(hm_improve(solved.plan, &points, &to, room.data(), room.size(), &improve, nullptr, &error),
+    Guarded room = block_of(fixtures::improve_size, solved.plan);
+    says(hm_improve(solved.plan, &points, &to, fixtures::Memory(room.data(), room.size()), &improve,
+                    nullptr, &error),
          HM_BAD_ARGUMENT, "reference.x or reference.y is NULL");
 }
 
@@ -276,8 +283,9 @@ TEST_CASE("a given displacement whose target is out of range") {
     hm_points_out const to{x.data(), y.data(), 1};
     Guarded work = displaced.work_for(1);
     hm_error error{};
-    CHECK(hm_displace(displaced.plan, n, nullptr, 1, &all, &all, &to, work.data(), work.size(),
-                      nullptr, &error) == HM_BAD_ARGUMENT);
+    CHECK(hm_displace(displaced.plan, n, nullptr, 1, &all, &all, &to,
+                      fixtures::Memory(work.data(), work.size()), nullptr,
+                      &error) == HM_BAD_ARGUMENT);
     CHECK(std::string(error.text).find("a target coordinate of point ") == 0);
     CHECK(fixtures::says(error, "in field 0 exceeds 1e100 in magnitude"));
     CHECK(x == setup.mesh.x);

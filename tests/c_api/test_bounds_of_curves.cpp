@@ -6,6 +6,7 @@
 #include <fixtures/changes.hpp>
 #include <fixtures/parted.hpp>
 #include <fixtures/spoiled_arguments.hpp>
+#include <fixtures/memory.hpp>
 
 using namespace fixtures;
 
@@ -151,7 +152,7 @@ TEST_CASE("design variables") {
     auto const size = [&](hm_variables const& variables, hm_error* e) {
         std::int32_t n = 0;
         std::size_t bytes = 0;
-        return hm_variables_size(&set.view(), nullptr, &variables, &n, &bytes, e);
+        return fixtures::variables_size(&set.view(), nullptr, &variables, &n, &bytes, e);
     };
     using V = hm_variables;
     check_changes<V>(
@@ -270,17 +271,17 @@ TEST_CASE("curves: each field of the set and of a curve") {
                      : "struct_size of curve 1 is not the size of an hm_curve; begin with HM_INIT";
         std::size_t bytes = 0;
         double at[2];
-        Guarded block = block_of(hm_analysis_size, &problem, nullptr);
+        Guarded block = block_of(fixtures::analysis_size, &problem, nullptr);
         hm_analysis* analysis = nullptr;
         hm_error error{};
-        CHECK(hm_analysis_init(&analysis, block.data(), block.size(), &problem, nullptr, &error) ==
-              HM_BAD_ARGUMENT);
+        CHECK(hm_analysis_init(&analysis, fixtures::Memory(block.data(), block.size()), &problem,
+                               nullptr, &error) == HM_BAD_ARGUMENT);
         CHECK(error.text == text);
         CHECK(hm_curves_check(&two, &error) == HM_BAD_ARGUMENT);
         CHECK(error.text == text);
         CHECK(hm_curve_point(&two, 1, 0.5, 0, at, &error) == HM_BAD_ARGUMENT);
         CHECK(error.text == text);
-        CHECK(hm_refine_size(&two, 0, 0, 0, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
+        CHECK(fixtures::refine_size(&two, 0, 0, 0, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
         CHECK(error.text == text);
         hm_quantity area = sized<hm_quantity>();
         area.kind = HM_AREA;
@@ -292,7 +293,7 @@ TEST_CASE("curves: each field of the set and of a curve") {
 TEST_CASE("fits and finer curves") {
     auto const size = [](hm_fit_options const& options, hm_error* e) {
         std::size_t bytes = 0;
-        return hm_fit_size(40, &options, &bytes, e);
+        return fixtures::fit_size(40, &options, &bytes, e);
     };
     hm_fit_options sound = sized<hm_fit_options>();
     sound.n_control = 8;
@@ -311,13 +312,13 @@ TEST_CASE("fits and finer curves") {
     std::size_t bytes = 0;
     auto const refine = [&](std::int32_t curve, std::int32_t n, const double* knots) {
         hm_error error{};
-        CHECK(hm_refine_size(&set.view(), curve, 0, n, knots, &bytes, &error) ==
+        CHECK(fixtures::refine_size(&set.view(), curve, 0, n, knots, &bytes, &error) ==
               (curve == 0 && n == 0 ? HM_OK : HM_BAD_ARGUMENT));
         return std::string(error.text);
     };
     hm_error error{};
     for (std::int32_t const degree : {3, 5}) {
-        CHECK(hm_refine_size(&set.view(), 0, degree, 0, nullptr, &bytes, &error) ==
+        CHECK(fixtures::refine_size(&set.view(), 0, degree, 0, nullptr, &bytes, &error) ==
               HM_BAD_ARGUMENT);
         CHECK(std::string(error.text) ==
               "degree is " + std::to_string(degree) +

@@ -6,6 +6,7 @@
 
 #include <fixtures/bodies.hpp>
 #include <fixtures/morphed.hpp>
+#include "fixtures/memory.hpp"
 
 #include <set>
 
@@ -30,11 +31,11 @@ TEST_CASE("success clears the error") {
     hm_problem problem = setup.problem();
     hm_error error{};
     std::size_t bytes = 0;
-    CHECK(hm_analysis_size(nullptr, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
+    CHECK(fixtures::analysis_size(nullptr, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
     CHECK(error.code == HM_BAD_ARGUMENT);
     CHECK(error.item == -1);
     CHECK(error.text[0] != '\0');
-    CHECK(hm_analysis_size(&problem, nullptr, &bytes, &error) == HM_OK);
+    CHECK(fixtures::analysis_size(&problem, nullptr, &bytes, &error) == HM_OK);
     CHECK(error.code == HM_OK);
     CHECK(error.item == -1);
     CHECK(error.value == 0);

@@ -6,6 +6,7 @@
 #include <fixtures/found.hpp>
 #include <fixtures/displaced.hpp>
 #include <fixtures/traps.hpp>
+#include "fixtures/memory.hpp"
 
 #include <functional>
 #include <limits>
@@ -45,11 +46,11 @@ struct Arguments {
     }
     hm_status displace(hm_error& error) {
         return hm_displace(displaced.plan, n, points, n_fields, given.data(), nullptr, to.data(),
-                           work.data(), bytes, &report, &error);
+                           fixtures::Memory(work.data(), bytes), &report, &error);
     }
     hm_status adjoint(hm_error& error) {
         return hm_displace_adjoint(displaced.plan, n, points, n_fields, dj.data(), gradient.data(),
-                                   work.data(), bytes, &report, &error);
+                                   fixtures::Memory(work.data(), bytes), &report, &error);
     }
 };
 

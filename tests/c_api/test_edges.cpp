@@ -3,6 +3,7 @@
 #include <harmorph_space.h>
 
 #include <fixtures/bodies.hpp>
+#include <fixtures/memory.hpp>
 
 #include <algorithm>
 #include <map>
@@ -65,10 +66,10 @@ struct Converted {
     explicit Converted(hm_edge_mesh const& edges) {
         std::size_t bytes = 0;
         HM_INIT(mesh);
-        status = hm_mesh_from_edges_size(&edges, &bytes, &error);
+        status = fixtures::mesh_from_edges_size(&edges, &bytes, &error);
         if (status < 0) return;
         block.resize(bytes);
-        status = hm_mesh_from_edges(&mesh, block.data(), bytes, &edges, &error);
+        status = hm_mesh_from_edges(&mesh, fixtures::Memory(block.data(), bytes), &edges, &error);
     }
 };
 

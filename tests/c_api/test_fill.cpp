@@ -12,6 +12,7 @@
 #include <fixtures/operators.hpp>
 #include <fixtures/single.hpp>
 #include <fixtures/transferred.hpp>
+#include "fixtures/memory.hpp"
 
 #include <cfenv>
 #include <functional>
@@ -291,13 +292,13 @@ TEST_CASE("fits of every closure, and the points of a curve") {
                 std::int32_t const n = std::int32_t(outline.points.size());
                 auto options = sized<hm_fit_options>();
                 options.closed = closed;
-                Guarded block = block_of(hm_fit_size, n, &options);
+                Guarded block = block_of(fixtures::fit_size, n, &options);
                 hm_fit_report report = filled_report<hm_fit_report>();
                 const hm_curves* curves = nullptr;
                 hm_error error{};
                 hm_status const status =
-                    hm_fit(&curves, block.data(), block.size(), points_in(xy, xy + 1, 2), n, 1,
-                           &options, &report, &error);
+                    hm_fit(&curves, fixtures::Memory(block.data(), block.size()),
+                           points_in(xy, xy + 1, 2), n, 1, &options, &report, &error);
                 record.add_outcome(status, error);
                 if (status < 0) return;
                 record.add(report);
@@ -398,7 +399,7 @@ TEST_CASE("improvements: of a mesh with layers, and of one whose sides slide") {
             Case setup = slides ? block() : airfoil_case(20, 8);
             if (slides) setup.set_slip(top);
             Solved const solved(setup);
-            Guarded work = block_of(hm_improve_size, solved.plan);
+            Guarded work = block_of(fixtures::improve_size, solved.plan);
             std::vector<double> const move = similarity_move(setup.curves, std::polar(1.0, 0.04),
                                                              {0.5, slides ? 0.5 : 0.0}, 0.01);
             std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
@@ -410,8 +411,8 @@ TEST_CASE("improvements: of a mesh with layers, and of one whose sides slide") {
             hm_improve_report report = filled_report<hm_improve_report>();
             hm_error error{};
             hm_status const status =
-                hm_improve(solved.plan, points_in(x, y), points_out(x, y), work.data(), work.size(),
-                           &options, &report, &error);
+                hm_improve(solved.plan, points_in(x, y), points_out(x, y),
+                           fixtures::Memory(work.data(), work.size()), &options, &report, &error);
             INFO(error.text);
             REQUIRE(status == HM_OK);
             record.add_outcome(status, error);

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/guarded.hpp>
+#include <fixtures/memory.hpp>
 
 #include <cmath>
 #include <functional>
@@ -65,13 +66,13 @@ Fitted fitted(Line const& line, const hm_fit_details* wishes, int n_control = 20
     options.details = wishes;
     out.report.struct_size = sizeof out.report;
     std::size_t bytes = 0;
-    out.status = hm_fit_size(line.n(), &options, &bytes, &out.error);
+    out.status = fixtures::fit_size(line.n(), &options, &bytes, &out.error);
     if (out.status < 0) return out;
     fixtures::Guarded block(bytes);
     hm_points const points{line.x.data(), line.y.data(), 1};
     const hm_curves* curves = nullptr;
-    out.status = hm_fit(&curves, block.data(), bytes, &points, line.n(), line.is_loop, &options,
-                        &out.report, &out.error);
+    out.status = hm_fit(&curves, fixtures::Memory(block.data(), bytes), &points, line.n(),
+                        line.is_loop, &options, &out.report, &out.error);
     CHECK(block.guards_intact());
     if (out.status < 0) return out;
     out.control.assign(curves->control, curves->control + 2 * curves->n_control);

@@ -3,6 +3,7 @@
 #include <harmorph_design.h>
 
 #include <fixtures/bodies.hpp>
+#include <fixtures/memory.hpp>
 
 #include <cmath>
 
@@ -25,11 +26,11 @@ struct WallFit {
         options.n_control = n_control;
         std::size_t bytes = 0;
         auto const n = std::int32_t(markers.size());
-        status = hm_fit_marker_size(&mesh, n, markers.data(), &options, &bytes, &error);
+        status = fixtures::fit_marker_size(&mesh, n, markers.data(), &options, &bytes, &error);
         if (status < 0) return;
         block.resize(bytes - missing);
-        status = hm_fit_marker(&curves, block.data(), block.size(), &mesh, n, markers.data(),
-                               &options, &report, &error);
+        status = hm_fit_marker(&curves, fixtures::Memory(block.data(), block.size()), &mesh, n,
+                               markers.data(), &options, &report, &error);
     }
 };
 

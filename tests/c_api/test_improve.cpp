@@ -8,6 +8,7 @@
 #include <fixtures/executors.hpp>
 #include <fixtures/polygons.hpp>
 #include <fixtures/traps.hpp>
+#include "fixtures/memory.hpp"
 
 #include <complex>
 
@@ -33,14 +34,14 @@ struct Morphed {
         Moved const to = morphed(solved.basis, setup.mesh, move);
         x = to.x;
         y = to.y;
-        REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
+        REQUIRE(fixtures::improve_size(solved.plan, &bytes, nullptr) == HM_OK);
         report.struct_size = sizeof report;
     }
     hm_status improve(hm_improve_options const* options = nullptr) {
         Guarded work(bytes);
         hm_status const status =
-            hm_improve(solved.plan, points_in(x, y), points_out(better_x, better_y), work.data(),
-                       bytes, options, &report, &error);
+            hm_improve(solved.plan, points_in(x, y), points_out(better_x, better_y),
+                       fixtures::Memory(work.data(), bytes), options, &report, &error);
         CHECK(work.guards_intact());
         CHECK(solved.guards_intact());
         return status;
@@ -234,7 +235,8 @@ TEST_CASE("hm_improve: in place, and with threads, the same bits") {
     Morphed other(setup, move, options);
     Guarded work(other.bytes);
     REQUIRE(hm_improve(other.solved.plan, points_in(other.x, other.y), points_out(other.x, other.y),
-                       work.data(), other.bytes, nullptr, nullptr, nullptr) == HM_OK);
+                       fixtures::Memory(work.data(), other.bytes), nullptr, nullptr,
+                       nullptr) == HM_OK);
     CHECK(other.x == out.better_x);
     CHECK(other.y == out.better_y);
 }

@@ -6,6 +6,7 @@
 #include <fixtures/bodies.hpp>
 #include <fixtures/operators.hpp>
 #include <fixtures/refused.hpp>
+#include "fixtures/memory.hpp"
 
 using namespace fixtures;
 
@@ -30,7 +31,7 @@ struct Objects {
             move[k + 1] = 0.1 * setup.curves.control[k];
         std::size_t safe = 0, improve = 0;
         REQUIRE(safe_move_size(solved->plan, solved->basis, &safe, nullptr) == HM_OK);
-        REQUIRE(hm_improve_size(solved->plan, &improve, nullptr) == HM_OK);
+        REQUIRE(fixtures::improve_size(solved->plan, &improve, nullptr) == HM_OK);
         work.resize((safe > improve ? safe : improve) / 8 + 1);
     }
     hm_status go() {
@@ -42,8 +43,8 @@ struct Objects {
     }
     hm_status improve(hm_points_out const& to, hm_improve_options const* asked,
                       hm_improve_report* report, hm_error* error) {
-        return hm_improve(solved->plan, &own, &to, work.data(), work.size() * 8, asked, report,
-                          error);
+        return hm_improve(solved->plan, &own, &to, fixtures::Memory(work.data(), work.size() * 8),
+                          asked, report, error);
     }
 };
 

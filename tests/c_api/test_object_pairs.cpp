@@ -11,6 +11,7 @@
 
 #include <fixtures/calls.hpp>
 #include <fixtures/kinds_of_bases.hpp>
+#include <fixtures/memory.hpp>
 
 using namespace fixtures;
 
@@ -166,13 +167,14 @@ TEST_CASE("each call takes the kinds of bases that it can use") {
         {"hm_single_init", ".bbb.b...u...b", false,
          [](World&, hm_basis* b, hm_error* error) {
              hm_basis* made = nullptr;
-             return in_block(error, size_by(hm_single_size, b), init_by(hm_single_init, &made, b));
+             return in_block(error, size_by(fixtures::single_size, b),
+                             init_by(hm_single_init, &made, b));
          }},
         {"hm_combine", ".bbb.b...u...b", false,
          [](World&, hm_basis* b, hm_error* error) {
              hm_basis* made = nullptr;
              std::vector<double> const ones(100, 1.0);
-             return in_block(error, size_by(hm_combine_size, b, 1, 1),
+             return in_block(error, size_by(fixtures::combine_size, b, 1, 1),
                              init_by(hm_combine, &made, b, 1, 1, ones.data()));
          }},
         {"hm_private_extract_init", ".b.b.b.......b", false,
@@ -214,11 +216,12 @@ TEST_CASE("each call takes the kinds of bases that it can use") {
              modes.n = std::int32_t(given_points(plan).size());
              std::vector<double> const ones(std::size_t(modes.n), 1.0);
              modes.values = ones.data();
-             hm_status const status = hm_tabulate_size(plan, b, &modes, &bytes, e);
+             hm_status const status = fixtures::tabulate_size(plan, b, &modes, &bytes, e);
              if (status < 0) return status;
              Guarded block(bytes);
              hm_basis* made = nullptr;
-             return hm_tabulate(&made, block.data(), bytes, plan, b, &modes, nullptr, e);
+             return hm_tabulate(&made, fixtures::Memory(block.data(), bytes), plan, b, &modes,
+                                nullptr, e);
          }},
         {"hm_plane_morph", ".bbbbb......bb", false,
          [](World& w, hm_basis* b, hm_error* e) {
@@ -316,11 +319,12 @@ TEST_CASE("two bases in one call: each pair of kinds, and one basis as both") {
              return in_block(
                  error,
                  [&](std::size_t* bytes, hm_error* e) {
-                     return hm_transfer_size(w.one.solved.analysis, &w.one.mesh, bytes, e);
+                     return fixtures::transfer_size(w.one.solved.analysis, &w.one.mesh, bytes, e);
                  },
                  [&](void* work, std::size_t bytes, hm_error* e) {
-                     return hm_transfer(pair.first, work, bytes, w.one.solved.analysis, pair.second,
-                                        &w.one.mesh, nullptr, e);
+                     return hm_transfer(pair.first, fixtures::Memory(work, bytes),
+                                        w.one.solved.analysis, pair.second, &w.one.mesh, nullptr,
+                                        e);
                  });
          }},
         {"hm_move_safe, the derivative and the basis",

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
+#include "fixtures/memory.hpp"
 
 using namespace fixtures;
 
@@ -67,7 +68,7 @@ namespace {
 hm_status size_with(Case& setup, hm_options const& options) {
     hm_problem const problem = setup.problem();
     std::size_t bytes = 0;
-    return hm_analysis_size(&problem, &options, &bytes, nullptr);
+    return fixtures::analysis_size(&problem, &options, &bytes, nullptr);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <fixtures/polygon_cases.hpp>
 #include <fixtures/safe.hpp>
+#include "fixtures/memory.hpp"
 
 using namespace fixtures;
 
@@ -191,12 +192,12 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
                 CHECK(report.worst[0].quality == report.min_quality);
                 CHECK(report.worst[0].cell < setup.mesh.n_cells());
 
-                Guarded improve_work = block_of(hm_improve_size, solved.plan);
+                Guarded improve_work = block_of(fixtures::improve_size, solved.plan);
                 auto improved = sized<hm_improve_report>();
                 std::vector<double> better_x(x.size()), better_y(x.size());
                 REQUIRE(hm_improve(solved.plan, points_in(x, y), points_out(better_x, better_y),
-                                   improve_work.data(), improve_work.size(), nullptr, &improved,
-                                   &error) == HM_OK);
+                                   fixtures::Memory(improve_work.data(), improve_work.size()),
+                                   nullptr, &improved, &error) == HM_OK);
                 CHECK(improve_work.guards_intact());
                 CHECK(is_sound(setup.mesh, better_x, better_y));
                 CHECK(improved.min_quality_before == measured.min_quality);
@@ -206,10 +207,11 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
         // The mesh itself is as good as it can be: it is its own target.
         std::vector<double> same_x(setup.mesh.x.size()), same_y(same_x);
         auto report = sized<hm_improve_report>();
-        Guarded improve_work = block_of(hm_improve_size, solved.plan);
+        Guarded improve_work = block_of(fixtures::improve_size, solved.plan);
         REQUIRE(hm_improve(solved.plan, points_in(setup.mesh.x, setup.mesh.y),
-                           points_out(same_x, same_y), improve_work.data(), improve_work.size(),
-                           nullptr, &report, nullptr) == HM_OK);
+                           points_out(same_x, same_y),
+                           fixtures::Memory(improve_work.data(), improve_work.size()), nullptr,
+                           &report, nullptr) == HM_OK);
         CHECK(largest_difference(same_x, setup.mesh.x) < 1e-12);
         CHECK(largest_difference(same_y, setup.mesh.y) < 1e-12);
     }

@@ -9,6 +9,7 @@
 #include <fixtures/executors.hpp>
 #include <fixtures/polygon_cases.hpp>
 #include <fixtures/transferred.hpp>
+#include "fixtures/memory.hpp"
 
 using namespace fixtures;
 
@@ -130,10 +131,10 @@ TEST_CASE("polygons: every engine, scheme and kind of derived basis takes meshes
     Options options = options_of(HM_CONFORMAL);
     Solved const solved(setup.problem(view), &options);
     hm_error error{};
-    Guarded single_block = block_of(hm_single_size, solved.basis);
+    Guarded single_block = block_of(fixtures::single_size, solved.basis);
     hm_basis* single = nullptr;
-    REQUIRE(hm_single_init(&single, single_block.data(), single_block.size(), solved.basis,
-                           &error) == HM_OK);
+    REQUIRE(hm_single_init(&single, fixtures::Memory(single_block.data(), single_block.size()),
+                           solved.basis, &error) == HM_OK);
     CHECK(single_block.guards_intact());
     hm_quality_report const a = quality_of(single, view, setup.mesh),
                             b = quality_of(solved.basis, view, setup.mesh);
@@ -173,7 +174,7 @@ TEST_CASE("damaged bases of polygons and wrong polygons are refused with the rea
     hm_problem problem = setup.problem(other);
     std::size_t needed = 0;
     auto const refused = [&](hm_status status, const char* words) {
-        CHECK(hm_analysis_size(&problem, nullptr, &needed, &error) == status);
+        CHECK(fixtures::analysis_size(&problem, nullptr, &needed, &error) == status);
         INFO(error.text);
         CHECK(says(error, words));
     };

@@ -4,6 +4,7 @@
 
 #include <fixtures/airfoil.hpp>
 #include <fixtures/bodies.hpp>
+#include <fixtures/memory.hpp>
 
 #include <string>
 
@@ -33,19 +34,19 @@ struct Airfoil {
         Section const start({0, 0.4, 0.12, false});
         hm_points const points = start.view();
         std::size_t bytes = 0;
-        REQUIRE(hm_fit_size(start.count(), nullptr, &bytes, nullptr) == HM_OK);
+        REQUIRE(fixtures::fit_size(start.count(), nullptr, &bytes, nullptr) == HM_OK);
         block.resize(bytes);
-        REQUIRE(hm_fit(&curves, block.data(), bytes, &points, start.count(), 1, nullptr, nullptr,
-                       nullptr) == HM_OK);
+        REQUIRE(hm_fit(&curves, fixtures::Memory(block.data(), bytes), &points, start.count(), 1,
+                       nullptr, nullptr, nullptr) == HM_OK);
         movement.assign(std::size_t(2 * curves->n_control), 7);
-        REQUIRE(hm_refit_size(curves, 0, section.count(), &bytes, &error) == HM_OK);
+        REQUIRE(fixtures::refit_size(curves, 0, section.count(), &bytes, &error) == HM_OK);
         work.resize(bytes);
         HM_INIT(report);
     }
     hm_status refit(Section const& to, std::int32_t curve = 0, std::size_t missing = 0) {
         hm_points const points = to.view();
         return hm_refit(curves, curve, &points, to.count(), 1, 0, movement.data(), &report,
-                        work.data(), work.size() - missing, &error);
+                        fixtures::Memory(work.data(), work.size() - missing), &error);
     }
 };
 
@@ -89,7 +90,7 @@ TEST_CASE("refused calls name the argument and leave the movement as it was") {
     CHECK(airfoil.error.item == 17);
     untouched();
     std::size_t bytes = 5;
-    CHECK(hm_refit_size(airfoil.curves, 0, 2, &bytes, &airfoil.error) == HM_BAD_ARGUMENT);
+    CHECK(fixtures::refit_size(airfoil.curves, 0, 2, &bytes, &airfoil.error) == HM_BAD_ARGUMENT);
     CHECK(says(airfoil.error, "between 3 and 2^24"));
     CHECK(bytes == 5);
 }

@@ -11,6 +11,7 @@
 #include <fixtures/displaced.hpp>
 #include <fixtures/refused.hpp>
 #include <fixtures/transferred.hpp>
+#include <fixtures/memory.hpp>
 
 #include "base/arena.hpp"
 
@@ -179,15 +180,15 @@ TEST_CASE("steps in the wrong order") {
     std::int32_t n = 0;
     hm_given_points(of_given.plan, nullptr, 0, &n, nullptr);
     std::size_t bytes = 0;
-    Guarded work = block_of(hm_displace_size, of_given.plan, 1);
+    Guarded work = block_of(fixtures::displace_size, of_given.plan, 1);
     check_texts({
         {HM_BAD_CONDITION, "no marker has the condition HM_GIVEN, so no displacements can be given",
-         call_by(hm_displace_size, attempt.plan, 1, &bytes)},
+         call_by(fixtures::displace_size, attempt.plan, 1, &bytes)},
         {HM_BAD_ARGUMENT, "the plan has no factor; call hm_plan_factor first",
          call_by(hm_plan_solve, attempt.plan, attempt.basis, nullptr)},
         {HM_BAD_ARGUMENT, "the plan has no factor; call hm_plan_factor first",
-         call_by(hm_displace, of_given.plan, n, nullptr, 1, &wall, nullptr, &to, work.data(),
-                 work.size(), nullptr)},
+         call_by(hm_displace, of_given.plan, n, nullptr, 1, &wall, nullptr, &to,
+                 fixtures::Memory(work.data(), work.size()), nullptr)},
         {HM_BAD_ARGUMENT,
          "the plan has no merged cells; hm_plan_factor makes them for the engine fas",
          call_by(hm_plan_level, attempt.plan, 0, cells, &n_cells)},
@@ -214,8 +215,9 @@ TEST_CASE("modes: numbers, lists, and what they do not go with") {
     far[0] = 5;  // across the body
     hm_points const across{far.data(), dy.data(), 1};
     hm_error crossing{};
-    CHECK(hm_displace(displaced.plan, n, nullptr, 1, &across, &from, &to, room.data(), room.size(),
-                      nullptr, &crossing) == HM_CROSSING);
+    CHECK(hm_displace(displaced.plan, n, nullptr, 1, &across, &from, &to,
+                      fixtures::Memory(room.data(), room.size()), nullptr,
+                      &crossing) == HM_CROSSING);
     CHECK(std::string(crossing.text)
               .find("the moved boundary crosses itself: the faces that begin at points ") == 0);
     auto real = sized<hm_modes>();
@@ -226,20 +228,21 @@ TEST_CASE("modes: numbers, lists, and what they do not go with") {
     many.n = 97;
     many.points = list.data();
     other.numbers = 3;
-    REQUIRE(hm_tabulate_size(displaced.plan, displaced.basis, &real, &bytes, nullptr) == HM_OK);
+    REQUIRE(fixtures::tabulate_size(displaced.plan, displaced.basis, &real, &bytes, nullptr) ==
+            HM_OK);
     Guarded block(bytes);
     check_texts({
         {HM_BAD_ARGUMENT, "modes.numbers must be 1 (real values) or 2 (complex values), not 3",
-         call_by(hm_tabulate_size, displaced.plan, displaced.basis, &other, &bytes)},
+         call_by(fixtures::tabulate_size, displaced.plan, displaced.basis, &other, &bytes)},
         {HM_BAD_ARGUMENT, "point 17 has two different displacements in field 0",
          call_by(hm_displace, displaced.plan, n + 1, twice.data(), 1, &wall, nullptr, &to,
-                 room.data(), room.size(), nullptr)},
+                 fixtures::Memory(room.data(), room.size()), nullptr)},
         {HM_BAD_ARGUMENT, "n is 97, but the list may have at most twice as many points as the mesh",
-         call_by(hm_tabulate, &made, block.data(), bytes, displaced.plan, displaced.basis, &many,
-                 nullptr)},
+         call_by(hm_tabulate, &made, fixtures::Memory(block.data(), bytes), displaced.plan,
+                 displaced.basis, &many, nullptr)},
     });
-    REQUIRE(hm_tabulate(&made, block.data(), block.size(), displaced.plan, displaced.basis, &real,
-                        nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_tabulate(&made, fixtures::Memory(block.data(), block.size()), displaced.plan,
+                        displaced.basis, &real, nullptr, nullptr) == HM_OK);
     TransferAttempt transfer;
     REQUIRE(transfer.open(setup.problem()));
     CHECK_FALSE(transfer.fill_from(made, setup.mesh_view()));
@@ -252,12 +255,12 @@ TEST_CASE("modes: numbers, lists, and what they do not go with") {
 TEST_CASE("options of the safe morph and of better cells") {
     Objects o;
     Guarded work = block_of(safe_move_size, o.solved.plan, o.basis);
-    Guarded room = block_of(hm_improve_size, o.solved.plan);
+    Guarded room = block_of(fixtures::improve_size, o.solved.plan);
     hm_basis* derivative = nullptr;  // of two functions
     double matrix[] = {1, 0, 0, 1, 0, 0, 0, 0};
-    Guarded combined = block_of(hm_combine_size, o.basis, 2, 1);
-    REQUIRE(hm_combine(&derivative, combined.data(), combined.size(), o.basis, 2, 1, matrix,
-                       nullptr) == HM_OK);
+    Guarded combined = block_of(fixtures::combine_size, o.basis, 2, 1);
+    REQUIRE(hm_combine(&derivative, fixtures::Memory(combined.data(), combined.size()), o.basis, 2,
+                       1, matrix, nullptr) == HM_OK);
     struct {
         hm_safe_options safe;
         double more;
@@ -285,14 +288,14 @@ TEST_CASE("options of the safe morph and of better cells") {
         {HM_UNSUPPORTED,
          "options contains fields that are set but unknown to this version of the library; use the "
          "header of this version",
-         call_by(hm_improve, o.solved.plan, &o.points, &o.out, room.data(), room.size(),
-                 &younger_better.better, nullptr)},
+         call_by(hm_improve, o.solved.plan, &o.points, &o.out,
+                 fixtures::Memory(room.data(), room.size()), &younger_better.better, nullptr)},
         {HM_BAD_BASIS, "the basis for the derivative has other functions than the basis",
          call_by(safe_move, o.solved.plan, o.basis, o.move.data(), &o.out, derivative, work.data(),
                  work.size(), nullptr, nullptr)},
         {HM_BAD_MESH, "cell 1 of the reference mesh is inverted",
-         call_by(hm_improve, o.solved.plan, &o.points, &o.out, room.data(), room.size(), &better,
-                 nullptr)},
+         call_by(hm_improve, o.solved.plan, &o.points, &o.out,
+                 fixtures::Memory(room.data(), room.size()), &better, nullptr)},
     });
 }
 

@@ -5,6 +5,7 @@
 
 #include <fixtures/bodies.hpp>
 #include <fixtures/refused.hpp>
+#include "fixtures/memory.hpp"
 
 #include <functional>
 
@@ -264,7 +265,7 @@ TEST_CASE("polygons with more corners than cells can be counted") {
     Options const options = laplace();
     std::size_t bytes = 0;
     check_texts({{HM_BAD_MESH, "all polygons together have more than 2^29 corners",
-                  call_by(hm_analysis_size, &problem, &options, &bytes)}});
+                  call_by(fixtures::analysis_size, &problem, &options, &bytes)}});
 }
 
 TEST_CASE("four translations of a periodic mesh, which no lattice has") {
@@ -302,9 +303,10 @@ TEST_CASE("a fit: options, and counts of points") {
             options.degree = 1;
             options.n_control = 3;
             options.closed = closed;
-            hm_fit_size(5, &options, &bytes, nullptr);
+            fixtures::fit_size(5, &options, &bytes, nullptr);
             std::vector<double> block(bytes / 8 + 1);
-            return hm_fit(&curves, block.data(), bytes, &points, 5, 0, &options, nullptr, e);
+            return hm_fit(&curves, fixtures::Memory(block.data(), bytes), &points, 5, 0, &options,
+                          nullptr, e);
         };
     };
     check_texts({
@@ -313,7 +315,7 @@ TEST_CASE("a fit: options, and counts of points") {
          fit(apart, HM_PERIODIC)},
         {HM_BAD_CURVE, "2147483647 points are too many for a fit",
          [&](hm_error* e) {
-             return options.closed = 0, hm_fit_size(2147483647, &options, &bytes, e);
+             return options.closed = 0, fixtures::fit_size(2147483647, &options, &bytes, e);
          }},
     });
 }

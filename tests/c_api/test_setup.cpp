@@ -3,6 +3,7 @@
 #include <harmorph_design.h>
 
 #include <fixtures/bodies.hpp>
+#include <fixtures/memory.hpp>
 
 using namespace fixtures;
 
@@ -21,14 +22,17 @@ struct Setup {
         HM_INIT(handles);
         HM_INIT(report);
         std::size_t bytes = 0;
-        status = hm_setup_size(&problem, options, &bytes, &error);
+        status = fixtures::setup_size(&problem, options, &bytes, &error);
         if (status < 0) return;
         first = std::make_unique<Guarded>(bytes);
-        status = hm_setup_init(&handles, first->data(), bytes, &problem, options, &error);
+        status = hm_setup_init(&handles, fixtures::Memory(first->data(), bytes), &problem, options,
+                               &error);
         if (status < 0) return;
-        bytes = std::size_t(handles.solve_bytes) - missing;
+        status = fixtures::setup_solve_size(&handles, &bytes, &error);
+        if (status < 0) return;
+        bytes -= missing;
         second = std::make_unique<Guarded>(bytes);
-        status = hm_setup_solve(&handles, second->data(), bytes, &report, &error);
+        status = hm_setup_solve(&handles, fixtures::Memory(second->data(), bytes), &report, &error);
     }
 };
 
@@ -82,12 +86,12 @@ TEST_CASE("a setup with given displacements alone has a factor and a basis witho
     REQUIRE(hm_given_points(made.handles.plan, points.data(), mesh.n_points, &n, nullptr) == HM_OK);
     std::vector<double> wall(2 * n, .01), to(2 * mesh.n_points);
     std::size_t bytes = 0;
-    REQUIRE(hm_displace_size(made.handles.plan, 1, &bytes, nullptr) == HM_OK);
+    REQUIRE(fixtures::displace_size(made.handles.plan, 1, &bytes, nullptr) == HM_OK);
     std::vector<unsigned char> work(bytes);
     hm_points const at_wall{wall.data(), wall.data() + 1, 2};
     hm_points_out const everywhere{to.data(), to.data() + 1, 2};
     CHECK(hm_displace(made.handles.plan, n, points.data(), 1, &at_wall, nullptr, &everywhere,
-                      work.data(), bytes, nullptr, nullptr) == HM_OK);
+                      fixtures::Memory(work.data(), bytes), nullptr, nullptr) == HM_OK);
     CHECK(to[2 * points[0]] == .01);
 }
 
@@ -105,14 +109,16 @@ TEST_CASE("wrong setups and short blocks are refused, and the setup stays as it 
     hm_error error{};
     hm_setup none{};
     unsigned char block[64] = {};
-    CHECK(hm_setup_init(nullptr, block, sizeof block, &problem, nullptr, &error) ==
+    CHECK(hm_setup_init(nullptr, fixtures::Memory(block, sizeof block), &problem, nullptr,
+                        &error) == HM_BAD_ARGUMENT);
+    CHECK(hm_setup_init(&none, fixtures::Memory(block, sizeof block), &problem, nullptr, &error) ==
           HM_BAD_ARGUMENT);
-    CHECK(hm_setup_init(&none, block, sizeof block, &problem, nullptr, &error) == HM_BAD_ARGUMENT);
     CHECK(std::string(error.text).find("setup.struct_size") != std::string::npos);
     HM_INIT(none);
-    CHECK(hm_setup_init(&none, block, sizeof block, &problem, nullptr, &error) ==
+    CHECK(hm_setup_init(&none, fixtures::Memory(block, sizeof block), &problem, nullptr, &error) ==
           HM_BLOCK_TOO_SMALL);
-    CHECK(hm_setup_solve(&none, block, sizeof block, nullptr, &error) == HM_BAD_ARGUMENT);
+    CHECK(hm_setup_solve(&none, fixtures::Memory(block, sizeof block), nullptr, &error) ==
+          HM_BAD_ARGUMENT);
     CHECK(std::string(error.text) == "setup.analysis is NULL; call hm_setup_init first");
 
     hm_problem of_mesh = problem;  // nothing to solve

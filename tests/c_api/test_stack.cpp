@@ -10,6 +10,7 @@
 #include <fixtures/fitted.hpp>
 #include <fixtures/safe.hpp>
 #include <fixtures/safe_displaced.hpp>
+#include <fixtures/memory.hpp>
 
 #include <functional>
 #include <cstdio>
@@ -117,11 +118,11 @@ TEST_CASE("morphs, adjoints and safe morphs take at most the stated stack") {
                                &quality, nullptr);
         });
         CHECK(status == HM_OK);
-        Guarded room = block_of(hm_recover_movement_size, basis);
+        Guarded room = block_of(fixtures::recover_movement_size, basis);
         std::vector<double> found(move.size());
         check_stack("hm_recover_movement", 56 * kib, [&] {
-            status = hm_recover_movement(basis, &at, 0, found.data(), nullptr, nullptr, nullptr,
-                                         room.data(), room.size(), nullptr);
+            status = hm_recover_movement(basis, &at, 0, found.data(), nullptr,
+                                         fixtures::Memory(room.data(), room.size()), nullptr);
         });
         CHECK(status == HM_OK);
         // All strategies: a body turns by more than a right angle while the other one stays.

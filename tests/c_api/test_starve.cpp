@@ -10,6 +10,7 @@
 #include <fixtures/extruded.hpp>
 #include <fixtures/mixed.hpp>
 #include <fixtures/operators.hpp>
+#include "fixtures/memory.hpp"
 
 #include <set>
 
@@ -72,9 +73,10 @@ TEST_CASE("analysis, plan and basis: every size below the required one is refuse
         hm_problem problem = with_curves ? setup.problem() : setup.problem(in_two_arrays);
         if (!with_curves) problem.curves = nullptr;
         starve<hm_analysis>(
-            block_of(hm_analysis_size, &problem, nullptr).size(),
+            block_of(fixtures::analysis_size, &problem, nullptr).size(),
             [&](hm_analysis** analysis, void* block, std::size_t bytes, hm_error* e) {
-                return hm_analysis_init(analysis, block, bytes, &problem, nullptr, e);
+                return hm_analysis_init(analysis, fixtures::Memory(block, bytes), &problem, nullptr,
+                                        e);
             },
             [](hm_analysis*) {});
     }
@@ -83,18 +85,18 @@ TEST_CASE("analysis, plan and basis: every size below the required one is refuse
         options.engine = engine;
         Solved const solved(setup, options);
         starve<hm_plan>(
-            block_of(hm_plan_size, solved.analysis).size(),
+            block_of(fixtures::plan_size, solved.analysis).size(),
             [&](hm_plan** plan, void* block, std::size_t bytes, hm_error* e) {
-                return hm_plan_init(plan, block, bytes, solved.analysis, e);
+                return hm_plan_init(plan, fixtures::Memory(block, bytes), solved.analysis, e);
             },
             [&](hm_plan* plan) {
                 REQUIRE(hm_plan_factor(plan, nullptr, nullptr) == HM_OK);
                 REQUIRE(hm_plan_solve(plan, solved.basis, nullptr, nullptr) == HM_OK);
             });
         starve<hm_basis>(
-            block_of(hm_basis_size, solved.analysis).size(),
+            block_of(fixtures::basis_size, solved.analysis).size(),
             [&](hm_basis** basis, void* block, std::size_t bytes, hm_error* e) {
-                return hm_basis_init(basis, block, bytes, solved.analysis, e);
+                return hm_basis_init(basis, fixtures::Memory(block, bytes), solved.analysis, e);
             },
             [&](hm_basis* basis) {
                 REQUIRE(hm_plan_solve(solved.plan, basis, nullptr, nullptr) == HM_OK);
@@ -108,10 +110,10 @@ TEST_CASE("fit: every size below the required one is refused") {
     auto options = sized<hm_fit_options>();
     options.n_control = 12;
     starve<const hm_curves>(
-        block_of(hm_fit_size, n, &options).size(),
+        block_of(fixtures::fit_size, n, &options).size(),
         [&](const hm_curves** curves, void* block, std::size_t bytes, hm_error* e) {
-            return hm_fit(curves, block, bytes, points_in(&points[0].x, &points[0].y, 2), n, 1,
-                          &options, nullptr, e);
+            return hm_fit(curves, fixtures::Memory(block, bytes),
+                          points_in(&points[0].x, &points[0].y, 2), n, 1, &options, nullptr, e);
         },
         [](const hm_curves*) {});
 }
@@ -124,9 +126,9 @@ TEST_CASE("plane: every size below the required one is refused, and the smallest
         Extruded const space(setup.mesh, place, 2);
         hm_space_mesh const view = space.view();
         starve<hm_plane>(
-            block_of(hm_plane_size, &view).size(),
+            block_of(fixtures::plane_size, &view).size(),
             [&](hm_plane** plane, void* block, std::size_t bytes, hm_error* e) {
-                return hm_plane_init(plane, block, bytes, &view, e);
+                return hm_plane_init(plane, fixtures::Memory(block, bytes), &view, e);
             },
             [&](hm_plane* plane) {
                 std::vector<double> x = space.x, y = space.y, z = space.z, gradient(8);
@@ -178,14 +180,14 @@ TEST_CASE("blocks for several threads: exactly the stated size, and one byte les
             CHECK(attempt.report.residual < 1e-12);
             hm_plan* plan = nullptr;
             Guarded less(attempt.plan_block->size() - 1, shift);
-            CHECK(hm_plan_init(&plan, less.data(), less.size(), attempt.analysis, nullptr) ==
-                  HM_BLOCK_TOO_SMALL);
+            CHECK(hm_plan_init(&plan, fixtures::Memory(less.data(), less.size()), attempt.analysis,
+                               nullptr) == HM_BLOCK_TOO_SMALL);
             CHECK(plan == nullptr);
             CHECK(less.untouched());
             hm_analysis* analysis = nullptr;
             Guarded small(attempt.analysis_block->size() - 1, shift);
-            CHECK(hm_analysis_init(&analysis, small.data(), small.size(), &problem, &options,
-                                   nullptr) == HM_BLOCK_TOO_SMALL);
+            CHECK(hm_analysis_init(&analysis, fixtures::Memory(small.data(), small.size()),
+                                   &problem, &options, nullptr) == HM_BLOCK_TOO_SMALL);
             CHECK(analysis == nullptr);
             CHECK(small.untouched());
         }
@@ -196,16 +198,16 @@ TEST_CASE("sizes follow from the counts alone, and do not depend on where anythi
     Case setup = airfoil_case();
     hm_problem problem = setup.problem();
     std::size_t a = 0, b = 0;
-    REQUIRE(hm_analysis_size(&problem, nullptr, &a, nullptr) == HM_OK);
+    REQUIRE(fixtures::analysis_size(&problem, nullptr, &a, nullptr) == HM_OK);
     Case other = setup;
     renumber_points(other.mesh, 1);
     problem = other.problem();
-    REQUIRE(hm_analysis_size(&problem, nullptr, &b, nullptr) == HM_OK);
+    REQUIRE(fixtures::analysis_size(&problem, nullptr, &b, nullptr) == HM_OK);
     CHECK(a == b);
     hm_mesh no_arrays = other.mesh.view();
     no_arrays.points = {};
     no_arrays.cell_points = no_arrays.cell_start = no_arrays.face_points = nullptr;
     problem.mesh = &no_arrays;
-    REQUIRE(hm_analysis_size(&problem, nullptr, &b, nullptr) == HM_OK);
+    REQUIRE(fixtures::analysis_size(&problem, nullptr, &b, nullptr) == HM_OK);
     CHECK(a == b);
 }

@@ -6,6 +6,7 @@
 
 #include <fixtures/bodies.hpp>
 #include <fixtures/mixed.hpp>
+#include "fixtures/memory.hpp"
 
 #include <cstddef>
 
@@ -154,17 +155,17 @@ TEST_CASE("a struct_size that was never set or breaks the alignment of an array 
         Options options{};
         hm_error error{};
         problem.struct_size = size;
-        CHECK(hm_analysis_size(&problem, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
+        CHECK(fixtures::analysis_size(&problem, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
         CHECK(says(error, "problem.struct_size"));
         problem = setup.problem();
         options.hm_options::struct_size = size;
-        CHECK(hm_analysis_size(&problem, &options, &bytes, &error) == HM_BAD_ARGUMENT);
+        CHECK(fixtures::analysis_size(&problem, &options, &bytes, &error) == HM_BAD_ARGUMENT);
         CHECK(says(error, "options.struct_size"));
         std::vector<hm_condition> conditions(2, setup.conditions[0]);
         for (hm_condition& condition : conditions) condition.struct_size = size;
         problem.conditions = conditions.data();
         problem.n_conditions = 2;
-        CHECK(hm_analysis_size(&problem, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
+        CHECK(fixtures::analysis_size(&problem, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
         CHECK(says(error, "struct_size of condition 0"));
     }
     CHECK(bytes == 0);

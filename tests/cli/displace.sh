@@ -133,6 +133,17 @@ done
 echo "rigid right -.5 0 0" >"$tmp/right.txt"
 refuses "displace: a body into the given one" 1 'the moved boundary crosses itself' \
     displace "$bodies" --given left --wall "$tmp/left.txt" --rigid right --move "$tmp/right.txt" -o "$tmp/x"
+marker_points "$bodies" left | awk '{ print $1, 0, 0 }' >"$tmp/left.txt"
+for place in "-1.77 .1 0 .01" "-1.7 .12 40 .02"; do
+    echo "rigid right $place" >"$tmp/right.txt"
+    refuses "displace: a small body inside the other one, $place" 1 "marker 'right' would be inside another body" \
+        displace "$bodies" --given left --wall "$tmp/left.txt" --rigid right --move "$tmp/right.txt" -o "$tmp/x"
+done
+for place in "40 0 0" "0 -60 20"; do
+    echo "rigid right $place" >"$tmp/right.txt"
+    refuses "displace: a body outside the domain, $place" 1 "marker 'right' would be outside the domain" \
+        displace "$bodies" --given left --wall "$tmp/left.txt" --rigid right --move "$tmp/right.txt" -o "$tmp/x"
+done
 marker_points "$bodies" left | awk '{ printf "%d .03 %.17g\n", $1, .1 * ($2 - 1.2) }' >"$tmp/left.txt"
 runs "displace beside a curve" 0 displace "$bodies" --given left --wall "$tmp/left.txt" \
     --curve "right=$meshes/two_bodies_right.curve" --safe -o "$tmp/both.su2"

@@ -23,7 +23,11 @@ refuses "unknown marker" 2 "'body', 'far'" fit "$ring" --marker wing -o "$tmp/x"
 refuses "two separate pieces of boundary" 2 'separate' fit "$ring" --marker body,far -o "$tmp/x"
 
 # A result that cannot be used.
-refuses "morph that inverts cells" 1 '--safe goes farther' morph "$ring" "$basis" --move "$tmp/large.txt" \
+refuses "a shift that inverts cells" 1 '--safe goes farther' morph "$ring" "$basis" --by 'shift body 2.8 0'
+refuses "a body that leaves the domain" 1 "; marker 'body' would be outside the domain" morph "$ring" "$basis" \
+    --by 'shift body 0 -40'
+check "no safe morph is offered then" sh -c '! grep "safe goes farther" "$1"' sh "$tmp/err"
+refuses "morph that inverts cells" 1 'inverted cells: 0.' morph "$ring" "$basis" --move "$tmp/large.txt" \
     -o "$tmp/large.su2" --json
 leaves_nothing "morph that inverts cells: nothing written" "$tmp/large.su2"
 has_keys "morph that inverts cells: JSON all the same" \
@@ -83,7 +87,8 @@ refuses "a marker with wrong letters" 2 "did you mean 'body'?" fit "$ring" --mar
 refuses "no condition" 2 '--curve MARKER=FILE' solve "$ring" -o "$tmp/x"
 refuses "an unknown movement" 3 'turn, shift, scale, flap, rigid or mode' morph "$ring" "$basis" \
     --by 'trun body 3' -o "$tmp/x"
-refuses "a line of moves is no file" 3 '--by:1: the option needs' morph "$ring" "$basis" --by '1 2' -o "$tmp/x"
+refuses "a line of moves is no file" 3 "harmorph: --by '1 2': the option needs index dx dy here" \
+    morph "$ring" "$basis" --by '1 2' -o "$tmp/x"
 runs "morph without -o" 0 morph "$ring" "$basis" --move "$no_moves"
 check "morph without -o: nothing is written" grep '^morphed mesh  *not written: -o FILE' "$tmp/out"
 runs "morph with -o" 0 morph "$ring" "$basis" --move "$no_moves" -o "$tmp/said.su2"

@@ -13,6 +13,18 @@ for file in set.txt designs.csv index.html README.md vtk/series.pvd shards/00003
     vtk/0000025.vtu; do
     check "sample: there is $file" test -s "$tmp/set/$file"
 done
+# The page of the designs has the style of the report, works without a network, and has a point for each design.
+like_the_report() {
+    runs "sample: a report to compare with" 0 morph "$ring" "$basis" --move "$tmp/small.txt" --report "$tmp/report.html"
+    for page in set/index.html report.html; do
+        sed -n '/^:root {/,/^}/p; /^article {/,/}/p' "$tmp/$page" >"$tmp/$(basename "$page").style"
+    done
+    cmp "$tmp/index.html.style" "$tmp/report.html.style" && grep -q -e --panel "$tmp/index.html.style" &&
+        ! grep -E '(src|href)="?(https?:)?//' "$tmp/set/index.html" &&
+        [ "$(grep -o '<figure>' "$tmp/set/index.html" | wc -l)" = 25 ] &&
+        [ "$(tail -n 1 "$tmp/set/index.html")" = "</html>" ]
+}
+check "sample: the page of the designs is like the other pages" like_the_report
 column() { awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; next } { print $c }' "$1"; }
 check "sample: a line for each design" test "$(column "$tmp/set/designs.csv" design | tr '\n' ' ')" = \
     "$(seq 1 25 | tr '\n' ' ')"

@@ -7,6 +7,7 @@
  * or the refusal */
 #include <harmorph_bases.h>
 #include <harmorph_study.h>
+#include "../memory.h"
 #include "case.h"
 
 #include <stdio.h>
@@ -50,14 +51,15 @@ static const hm_curves* fit(void** block) {
     hm_fit_options options;
     hm_points wall;
     const hm_curves* curves = NULL;
-    size_t bytes;
+    hm_memory room;
     HM_INIT(options);
     options.n_control = CONTROL;
     options.closed = HM_PERIODIC;
     wall.x = memory.x, wall.y = memory.y, wall.stride = 1;
-    check(hm_fit_size(NI - 1, &options, &bytes, &error), "hm_fit_size");
-    *block = block_of(bytes);
-    check(hm_fit(&curves, *block, bytes, &wall, NI - 1, 1, &options, NULL, &error), "hm_fit");
+    check(hm_fit(NULL, emptied(&room), NULL, NI - 1, 0, &options, NULL, &error),
+          "the size of hm_fit");
+    *block = room.block = block_of(room.bytes);
+    check(hm_fit(&curves, &room, &wall, NI - 1, 1, &options, NULL, &error), "hm_fit");
     return curves;
 }
 
@@ -71,7 +73,7 @@ static hm_plan* solve(const hm_mesh* mesh, const hm_curves* curves, int method, 
     hm_study_options study;
     hm_analysis* analysis = NULL;
     hm_plan* plan = NULL;
-    size_t bytes;
+    hm_memory room;
     HM_INIT(on_curve);
     HM_INIT(problem);
     HM_INIT(options);
@@ -90,15 +92,18 @@ static hm_plan* solve(const hm_mesh* mesh, const hm_curves* curves, int method, 
     options.engine = methods[method].engine;
     study.scheme = methods[method].scheme;
     options.study = &study;
-    check(hm_analysis_size(&problem, &options, &bytes, &error), "hm_analysis_size");
-    check(
-        hm_analysis_init(&analysis, blocks[0] = block_of(bytes), bytes, &problem, &options, &error),
-        "hm_analysis_init");
-    check(hm_plan_size(analysis, &bytes, &error), "hm_plan_size");
-    check(hm_plan_init(&plan, blocks[1] = block_of(bytes), bytes, analysis, &error),
+    check(hm_analysis_init(NULL, emptied(&room), &problem, &options, &error),
+          "the size of hm_analysis");
+    check(hm_analysis_init(&analysis, &(hm_memory){blocks[0] = block_of(room.bytes), room.bytes},
+                           &problem, &options, &error),
+          "hm_analysis_init");
+    check(hm_plan_init(NULL, emptied(&room), analysis, &error), "the size of hm_plan");
+    check(hm_plan_init(&plan, &(hm_memory){blocks[1] = block_of(room.bytes), room.bytes}, analysis,
+                       &error),
           "hm_plan_init");
-    check(hm_basis_size(analysis, &bytes, &error), "hm_basis_size");
-    check(hm_basis_init(basis, blocks[2] = block_of(bytes), bytes, analysis, &error),
+    check(hm_basis_init(NULL, emptied(&room), analysis, &error), "the size of hm_basis");
+    check(hm_basis_init(basis, &(hm_memory){blocks[2] = block_of(room.bytes), room.bytes}, analysis,
+                        &error),
           "hm_basis_init");
     check(hm_plan_factor(plan, NULL, &error), "hm_plan_factor");
     check(hm_plan_solve(plan, *basis, NULL, &error), "hm_plan_solve");
@@ -112,15 +117,16 @@ static void print_safe_morph(const hm_mesh* mesh, const char* name, const char* 
     hm_quality_report quality;
     uint64_t sum;
     void* work;
-    size_t bytes;
+    hm_memory room;
     hm_safe_target target;
     HM_INIT(target);
     HM_INIT(quality);
     make_move(1, memory.move);
     target.move = memory.move;
-    check(hm_move_safe_size(plan, basis, &target, &bytes, &error), "hm_move_safe_size");
-    work = block_of(bytes);
-    check(hm_move_safe(plan, basis, &target, &to, work, bytes, NULL, NULL, &error), "hm_move_safe");
+    check(hm_move_safe(plan, basis, &target, NULL, emptied(&room), NULL, NULL, &error),
+          "the size of hm_move_safe");
+    work = room.block = block_of(room.bytes);
+    check(hm_move_safe(plan, basis, &target, &to, &room, NULL, NULL, &error), "hm_move_safe");
     free(work);
     check(hm_assess(basis, mesh, &to_read, NULL, &mesh->points, NULL, NULL, &quality, &error),
           "hm_assess");
@@ -153,13 +159,13 @@ static int save(const hm_mesh* mesh, const char* path) {
     void *curve_block, *blocks[3], *block;
     hm_basis *basis = NULL, *single = NULL;
     hm_basis_info info;
-    size_t bytes;
+    hm_memory room;
     FILE* file = fopen(path, "wb");
     HM_INIT(info);
     solve(mesh, fit(&curve_block), 0, &basis, blocks);
-    check(hm_single_size(basis, &bytes, &error), "hm_single_size");
-    block = block_of(bytes);
-    check(hm_single_init(&single, block, bytes, basis, &error), "hm_single_init");
+    check(hm_single_init(NULL, emptied(&room), basis, &error), "the size of hm_single");
+    room.block = block_of(room.bytes);
+    check(hm_single_init(&single, &room, basis, &error), "hm_single_init");
     check(hm_basis_info_get(single, &info, &error), "hm_basis_info_get");
     return file == NULL || fwrite(single, 1, info.bytes, file) != info.bytes || fclose(file) != 0;
 }

@@ -9,6 +9,7 @@
 #include <fixtures/naca0012.hpp>
 #include <fixtures/polygons.hpp>
 #include <fixtures/squares.hpp>
+#include <fixtures/memory.hpp>
 
 #include <cmath>
 #include <algorithm>
@@ -37,17 +38,17 @@ struct Interpolated {
         : setup(std::move(from)), analysed(setup), distance(x.size(), -1.0) {
         std::size_t bytes = 0;
         std::int32_t const n = static_cast<std::int32_t>(x.size());
-        REQUIRE(hm_interpolation_size(analysed.analysis, n, &bytes, nullptr) == HM_OK);
+        REQUIRE(fixtures::interpolation_size(analysed.analysis, n, &bytes, nullptr) == HM_OK);
         block = std::make_unique<Guarded>(bytes, 0);
         hm_points const to = {x.data(), y.data(), 1};
         HM_INIT(report);
         hm_error error;
-        CHECK(hm_interpolation_init(&object, block->data(), bytes - 1, analysed.analysis, nullptr,
-                                    n, &to, nullptr, executor, nullptr,
+        CHECK(hm_interpolation_init(&object, fixtures::Memory(block->data(), bytes - 1),
+                                    analysed.analysis, nullptr, n, &to, nullptr, executor, nullptr,
                                     nullptr) == HM_BLOCK_TOO_SMALL);
-        hm_status const status =
-            hm_interpolation_init(&object, block->data(), bytes, analysed.analysis, nullptr, n, &to,
-                                  distance.data(), executor, &report, &error);
+        hm_status const status = hm_interpolation_init(
+            &object, fixtures::Memory(block->data(), bytes), analysed.analysis, nullptr, n, &to,
+            distance.data(), executor, &report, &error);
         INFO(error.text);
         REQUIRE(status == HM_OK);
     }
@@ -206,16 +207,17 @@ TEST_CASE("refused interpolations") {
     Analysed const analysed(mesh);
     hm_error error;
     std::size_t bytes = 0;
-    CHECK(hm_interpolation_size(analysed.analysis, -1, &bytes, &error) == HM_BAD_ARGUMENT);
+    CHECK(fixtures::interpolation_size(analysed.analysis, -1, &bytes, &error) == HM_BAD_ARGUMENT);
     CHECK(std::string(error.text) == "n is -1, but must be between 0 and 2^29");
-    REQUIRE(hm_interpolation_size(analysed.analysis, 1, &bytes, nullptr) == HM_OK);
+    REQUIRE(fixtures::interpolation_size(analysed.analysis, 1, &bytes, nullptr) == HM_OK);
     Guarded block(bytes, 0);
     double x = 0.5, y = NAN;
     hm_points const to = {&x, &y, 1};
     hm_interpolation* object = nullptr;
     auto const init = [&](const hm_points* at) {
-        return hm_interpolation_init(&object, block.data(), bytes, analysed.analysis, at, 1, &to,
-                                     nullptr, nullptr, nullptr, &error);
+        return hm_interpolation_init(&object, fixtures::Memory(block.data(), bytes),
+                                     analysed.analysis, at, 1, &to, nullptr, nullptr, nullptr,
+                                     &error);
     };
     CHECK(init(nullptr) == HM_BAD_MESH);
     y = 0.5;

@@ -8,6 +8,7 @@
 #include <fixtures/core.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/naca0012.hpp>
+#include <fixtures/memory.hpp>
 
 #include <cmath>
 #include <random>
@@ -29,12 +30,13 @@ struct WallSet {
         : mesh(given), analysed(mesh) {
         std::size_t bytes = 0;
         std::int32_t const n = static_cast<std::int32_t>(markers.size());
-        REQUIRE(hm_walls_size(analysed.analysis, n, markers.data(), &bytes, nullptr) == HM_OK);
+        REQUIRE(fixtures::walls_size(analysed.analysis, n, markers.data(), &bytes, nullptr) ==
+                HM_OK);
         block = std::make_unique<Guarded>(bytes, 0);
-        CHECK(hm_walls_init(&walls, block->data(), bytes - 1, analysed.analysis, n, markers.data(),
-                            nullptr, nullptr) == HM_BLOCK_TOO_SMALL);
-        REQUIRE(hm_walls_init(&walls, block->data(), bytes, analysed.analysis, n, markers.data(),
-                              nullptr, nullptr) == HM_OK);
+        CHECK(hm_walls_init(&walls, fixtures::Memory(block->data(), bytes - 1), analysed.analysis,
+                            n, markers.data(), nullptr, nullptr) == HM_BLOCK_TOO_SMALL);
+        REQUIRE(hm_walls_init(&walls, fixtures::Memory(block->data(), bytes), analysed.analysis, n,
+                              markers.data(), nullptr, nullptr) == HM_OK);
         HM_INIT(info);
         REQUIRE(hm_walls_info_get(walls, &info, nullptr) == HM_OK);
     }
@@ -190,9 +192,11 @@ TEST_CASE("refused calls with walls") {
     std::size_t bytes = 0;
     hm_error error;
     std::int32_t const markers[] = {body, 77};
-    CHECK(hm_walls_size(set.analysed.analysis, 2, markers, &bytes, &error) == HM_BAD_CONDITION);
+    CHECK(fixtures::walls_size(set.analysed.analysis, 2, markers, &bytes, &error) ==
+          HM_BAD_CONDITION);
     CHECK(std::string(error.text) == "no face of the boundary has the marker 77");
-    CHECK(hm_walls_size(set.analysed.analysis, 0, markers, &bytes, &error) == HM_BAD_ARGUMENT);
+    CHECK(fixtures::walls_size(set.analysed.analysis, 0, markers, &bytes, &error) ==
+          HM_BAD_ARGUMENT);
     CHECK(std::string(error.text) == "n_markers must be at least 1, not 0");
     std::vector<double> x = set.mesh.x, distance(x.size(), -1.0);
     hm_points points = {x.data(), set.mesh.y.data(), 1};

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <map>
+#include <fixtures/memory.hpp>
 
 namespace fuzz {
 
@@ -66,7 +67,7 @@ void SolutionCheck::wall() {
 // In single precision, for some points, and for some points of that.
 void SolutionCheck::derived_bases() {
     hm_basis *single = nullptr, *rows = nullptr, *combined = nullptr;
-    hm_status const made = its_.blocks.make(error_, size_by(hm_single_size, its_.basis),
+    hm_status const made = its_.blocks.make(error_, size_by(fixtures::single_size, its_.basis),
                                             init_by(hm_single_init, &single, its_.basis));
     std::vector<std::int32_t> points(input_.below(20) + 1);
     for (std::int32_t& k : points)
@@ -80,7 +81,7 @@ void SolutionCheck::derived_bases() {
            "no extract");
     Numbers matrix(at(2 * info_.functions));
     for (double& number : matrix) number = input_.between(-1, 1);
-    its_.blocks.make(error_, size_by(hm_combine_size, its_.basis, 2, 1),
+    its_.blocks.make(error_, size_by(fixtures::combine_size, its_.basis, 2, 1),
                      init_by(hm_combine, &combined, its_.basis, 2, 1, matrix.data()));
     Numbers x(n_), y(n_), few_x(points.size()), few_y(points.size());
     hm_points_out const all{x.data(), y.data(), 1}, few{few_x.data(), few_y.data(), 1};

@@ -2,6 +2,7 @@
 #include "fields_model.hpp"
 
 #include <map>
+#include <fixtures/memory.hpp>
 
 namespace fuzz {
 
@@ -15,9 +16,9 @@ void FieldsModel::interpolation() {
     hm_interpolation* interpolation = nullptr;
     hm_interpolation_report report = sized<hm_interpolation_report>();
     std::size_t bytes = 0;
-    expect(hm_interpolation_size(analysis_, -1, &bytes, &error_) < 0, "-1 points are taken");
+    expect(fixtures::interpolation_size(analysis_, -1, &bytes, &error_) < 0, "-1 points are taken");
     hm_status const status =
-        blocks_.make(error_, size_by(hm_interpolation_size, analysis_, count),
+        blocks_.make(error_, size_by(fixtures::interpolation_size, analysis_, count),
                      init_by(hm_interpolation_init, &interpolation, analysis_, nullptr, count, &to,
                              distance.data(), problem_.options.executor, &report));
     if (status < 0) {

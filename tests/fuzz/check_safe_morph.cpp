@@ -3,6 +3,7 @@
 
 #include "solution_check.hpp"
 #include <fixtures/safe_moves.hpp>
+#include <fixtures/memory.hpp>
 
 #include <cmath>
 #include <complex>
@@ -23,10 +24,11 @@ void SolutionCheck::improvement() {
     hm_improve_options options = sized<hm_improve_options>();
     options.max_solutions = input_.from(0, 20);
     hm_improve_report report = sized<hm_improve_report>();
-    hm_status const status = its_.blocks.make(error_, size_by(hm_improve_size, its_.plan),
+    hm_status const status = its_.blocks.make(error_, size_by(fixtures::improve_size, its_.plan),
                                               [&](void* memory, std::size_t bytes, hm_error* e) {
-                                                  return hm_improve(its_.plan, &from, &out, memory,
-                                                                    bytes, &options, &report, e);
+                                                  return hm_improve(its_.plan, &from, &out,
+                                                                    fixtures::Memory(memory, bytes),
+                                                                    &options, &report, e);
                                               });
     if (status < 0) return expect_untouched(x), expect_untouched(y);
     expect(inverted_cells(judged_, moved(x, y), rounding_of_turns()) == 0,
@@ -114,7 +116,7 @@ void SolutionCheck::safe_morph() {
 // A basis of the same analysis, not solved.
 hm_basis* SolutionCheck::another_basis() {
     hm_basis* made = nullptr;
-    expect_done(its_.blocks.make(error_, size_by(hm_basis_size, its_.analysis),
+    expect_done(its_.blocks.make(error_, size_by(fixtures::basis_size, its_.analysis),
                                  init_by(hm_basis_init, &made, its_.analysis)),
                 error_, "a basis for a derivative");
     return made;

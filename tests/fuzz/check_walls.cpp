@@ -3,6 +3,7 @@
 #include "fields_model.hpp"
 
 #include <map>
+#include <fixtures/memory.hpp>
 
 namespace fuzz {
 
@@ -27,7 +28,7 @@ void FieldsModel::walls() {
     hm_points const coordinates = in(moved);
     hm_walls* walls = nullptr;
     hm_status const status =
-        blocks_.make(error_, size_by(hm_walls_size, analysis_, n, markers.data()),
+        blocks_.make(error_, size_by(fixtures::walls_size, analysis_, n, markers.data()),
                      init_by(hm_walls_init, &walls, analysis_, n, markers.data(), nullptr));
     expect((status >= 0) == all_exist, all_exist ? std::string("walls are refused: ") + error_.text
                                                  : "walls of a marker that no face has");

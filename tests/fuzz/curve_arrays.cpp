@@ -4,6 +4,7 @@
 #include "problem.hpp"
 
 #include <algorithm>
+#include <fixtures/memory.hpp>
 
 namespace fuzz {
 
@@ -39,12 +40,12 @@ bool CurveArrays::add_fit(std::vector<Point> const& points, bool is_loop, Input&
     options.closed = input.from(0, 3);
     std::size_t bytes = 0;
     hm_error error;
-    if (hm_fit_size(n, &options, &bytes, &error) < 0) return false;
+    if (fixtures::fit_size(n, &options, &bytes, &error) < 0) return false;
     Block const block(bytes, input.below(64), static_cast<int>(input.below(256)));
     const hm_curves* fitted = nullptr;
     hm_points const at{&points[0].x, &points[0].y, 2};
-    hm_status const status =
-        hm_fit(&fitted, block.data(), bytes, &at, n, is_loop, &options, nullptr, &error);
+    hm_status const status = hm_fit(&fitted, fixtures::Memory(block.data(), bytes), &at, n, is_loop,
+                                    &options, nullptr, &error);
     block.expect_intact();
     if (status < 0) return false;
     expect(hm_curves_check(fitted, &error) == HM_OK,

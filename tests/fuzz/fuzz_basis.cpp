@@ -12,6 +12,7 @@
 #include "basis/basis.hpp"
 
 #include <iterator>
+#include <fixtures/memory.hpp>
 
 namespace fuzz {
 namespace {
@@ -27,12 +28,13 @@ void restore(hm_curves const& curves, const hm_condition* conditions, std::int32
     restored.conditions = conditions;
     hm_error error{};
     std::size_t bytes = 0;
-    hm_status status = hm_analysis_size(&restored, nullptr, &bytes, &error);
+    hm_status status = fixtures::analysis_size(&restored, nullptr, &bytes, &error);
     expect_told(status, error);
     if (status < 0 || bytes > 1 << 24) return;
     Block const block(bytes, 0, 0x7F);
     hm_analysis* analysis = nullptr;
-    status = hm_analysis_init(&analysis, block.data(), bytes, &restored, nullptr, &error);
+    status = hm_analysis_init(&analysis, fixtures::Memory(block.data(), bytes), &restored, nullptr,
+                              &error);
     expect_told(status, error);
 }
 
@@ -82,10 +84,10 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
     double worst = 0;
     hm_boundary_error(basis, move.data(), &in, &in, &worst, nullptr, &error);
     std::size_t work_bytes = 0;
-    if (hm_recover_movement_size(basis, &work_bytes, &error) >= 0 && work_bytes < 1 << 24) {
+    if (fixtures::recover_movement_size(basis, &work_bytes, &error) >= 0 && work_bytes < 1 << 24) {
         Block const work(work_bytes, 0, 0x3F);
-        hm_recover_movement(basis, &in, 0, gradient.data(), &worst, nullptr, nullptr, work.data(),
-                            work_bytes, &error);
+        hm_recover_movement(basis, &in, 0, gradient.data(), nullptr,
+                            fixtures::Memory(work.data(), work_bytes), &error);
         work.expect_intact();
     }
     std::vector<hm_curve> curves(at(info.curves) + 1);
@@ -111,10 +113,10 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
     hm_quality_report quality = sized<hm_quality_report>();
     hm_assess(basis, &problem.mesh, nullptr, &in, nullptr, nullptr, &step, &quality, &error);
     std::size_t bytes = 0;
-    if (hm_single_size(basis, &bytes, &error) >= 0 && bytes < 1 << 24) {
+    if (fixtures::single_size(basis, &bytes, &error) >= 0 && bytes < 1 << 24) {
         Block const block(bytes, 0, 0xFF);
         hm_basis* single = nullptr;
-        if (hm_single_init(&single, block.data(), bytes, basis, &error) >= 0) {
+        if (hm_single_init(&single, fixtures::Memory(block.data(), bytes), basis, &error) >= 0) {
             hm_morph(single, move.data(), nullptr, &out, nullptr, &error);
             hm_adjoint(single, &in, gradient.data(), nullptr, &error);
             if (info.functions > 0) hm_basis_values(single, 0, 0, x.data(), &error);
@@ -143,9 +145,10 @@ Outcome run_basis(Input& input) {
     const hm_basis* good = solution.basis;
     std::size_t bytes = 0;
     hm_error error{};
-    if (input.one_in(2) && hm_single_size(good, &bytes, &error) >= 0) {
+    if (input.one_in(2) && fixtures::single_size(good, &bytes, &error) >= 0) {
         hm_basis* single = nullptr;
-        if (hm_single_init(&single, solution.blocks.take(bytes).data(), bytes, good, &error) >= 0)
+        if (hm_single_init(&single, fixtures::Memory(solution.blocks.take(bytes).data(), bytes),
+                           good, &error) >= 0)
             good = single;
         expect(hm_basis_info_get(good, &info, nullptr) == HM_OK,
                "no information about a basis in single precision");

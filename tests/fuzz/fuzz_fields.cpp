@@ -2,6 +2,7 @@
 // interpolation. Results are compared with sums and searches over all cells and faces in more
 // digits, derivatives with their transposes.
 #include "fields_model.hpp"
+#include <fixtures/memory.hpp>
 
 namespace fuzz {
 
@@ -26,7 +27,7 @@ FieldsModel::FieldsModel(Problem& problem, Input& input)
 
 Outcome FieldsModel::run() {
     hm_status const status =
-        blocks_.make(error_, size_by(hm_analysis_size, &problem_.problem, &problem_.options),
+        blocks_.make(error_, size_by(fixtures::analysis_size, &problem_.problem, &problem_.options),
                      init_by(hm_analysis_init, &analysis_, &problem_.problem, &problem_.options));
     if (status < 0) return Outcome::refused;
     for (std::int32_t k = input_.from(1, 4); k > 0; --k) {

@@ -18,6 +18,7 @@
 #include <sstream>
 #include <stdlib.h>
 #include <unistd.h>
+#include <fixtures/memory.hpp>
 
 namespace fuzz {
 namespace {
@@ -219,12 +220,12 @@ struct SolvedSquare {
         auto const block = [&](int k) {
             return blocks[k].resize(bytes), static_cast<void*>(blocks[k].data());
         };
-        hm_analysis_size(&problem, nullptr, &bytes, nullptr);
-        hm_analysis_init(&analysis, block(0), bytes, &problem, nullptr, nullptr);
-        hm_plan_size(analysis, &bytes, nullptr);
-        hm_plan_init(&plan, block(1), bytes, analysis, nullptr);
-        hm_basis_size(analysis, &bytes, nullptr);
-        hm_basis_init(&basis, block(2), bytes, analysis, nullptr);
+        fixtures::analysis_size(&problem, nullptr, &bytes, nullptr);
+        hm_analysis_init(&analysis, fixtures::Memory(block(0), bytes), &problem, nullptr, nullptr);
+        fixtures::plan_size(analysis, &bytes, nullptr);
+        hm_plan_init(&plan, fixtures::Memory(block(1), bytes), analysis, nullptr);
+        fixtures::basis_size(analysis, &bytes, nullptr);
+        hm_basis_init(&basis, fixtures::Memory(block(2), bytes), analysis, nullptr);
         hm_plan_factor(plan, nullptr, nullptr);
         expect(hm_plan_solve(plan, basis, nullptr, nullptr) == HM_OK,
                "the square cannot be solved");

@@ -4,6 +4,7 @@
 #include <harmorph_bases.h>
 #include "describe.hpp"
 #include <fixtures/safe_moves.hpp>
+#include <fixtures/memory.hpp>
 #include "exceptions.hpp"
 #include "reference.hpp"
 #include "solution.hpp"
@@ -96,12 +97,12 @@ private:
         hm_points const given = wall.in();
         hm_points_out const out = to.out();
         Exceptions::clear();
-        hm_status const status =
-            its_.blocks.make(error_, size_by(hm_displace_size, its_.plan, 1),
-                             [&](void* memory, std::size_t bytes, hm_error* e) {
-                                 return hm_displace(its_.plan, count(), points_.data(), 1, &given,
-                                                    nullptr, &out, memory, bytes, nullptr, e);
-                             });
+        hm_status const status = its_.blocks.make(
+            error_, size_by(fixtures::displace_size, its_.plan, 1),
+            [&](void* memory, std::size_t bytes, hm_error* e) {
+                return hm_displace(its_.plan, count(), points_.data(), 1, &given, nullptr, &out,
+                                   fixtures::Memory(memory, bytes), nullptr, e);
+            });
         if (status < 0) expect(to == Field(n_, 7), "a refused displacement has written");
         else Exceptions::expect_none("hm_displace");
         return status;
@@ -144,10 +145,10 @@ private:
         hm_points const dj = g.in();
         hm_points_out const out = gradient.out();
         std::size_t bytes = 0;
-        expect(hm_displace_size(its_.plan, 1, &bytes, &error_) == HM_OK, "no size");
-        hm_status const status =
-            hm_displace_adjoint(its_.plan, count(), points_.data(), 1, &dj, &out,
-                                its_.blocks.take(bytes).data(), bytes, nullptr, &error_);
+        expect(fixtures::displace_size(its_.plan, 1, &bytes, &error_) == HM_OK, "no size");
+        hm_status const status = hm_displace_adjoint(
+            its_.plan, count(), points_.data(), 1, &dj, &out,
+            fixtures::Memory(its_.blocks.take(bytes).data(), bytes), nullptr, &error_);
         expect_told(status, error_);
         if (status != HM_OK) return;
         Wide left = 0, right = 0, size = 0;
@@ -175,14 +176,14 @@ private:
         modes.points = points_.data();
         modes.values = one.x.data();
         std::size_t bytes = 0;
-        hm_status status = hm_tabulate_size(its_.plan, its_.basis, &modes, &bytes, &error_);
+        hm_status status = fixtures::tabulate_size(its_.plan, its_.basis, &modes, &bytes, &error_);
         expect_told(status, error_);
         if (status < 0) return;
         hm_basis* all = nullptr;
         Block& memory = its_.blocks.take(bytes);
         auto const tabulate = [&](std::size_t room) {
-            return hm_tabulate(&all, memory.data(), room, its_.plan, its_.basis, &modes, nullptr,
-                               &error_);
+            return hm_tabulate(&all, fixtures::Memory(memory.data(), room), its_.plan, its_.basis,
+                               &modes, nullptr, &error_);
         };
         expect(tabulate(bytes - 1) < 0, "a block that is one byte too small is taken");
         status = tabulate(bytes);
@@ -233,7 +234,7 @@ private:
         list.resize(list.size() + 3, points_[0]);
         std::int32_t n = count(), fields = 1;
         std::size_t bytes = 0;
-        expect(hm_displace_size(its_.plan, 1, &bytes, &error_) == HM_OK, "no size");
+        expect(fixtures::displace_size(its_.plan, 1, &bytes, &error_) == HM_OK, "no size");
         hm_points given = wall.in();
         hm_points_out out = to.out();
         std::int32_t const what = input_.from(0, 8);
@@ -254,7 +255,7 @@ private:
         }
         hm_status const status =
             hm_displace(its_.plan, n, list.data(), fields, &given, nullptr, &out,
-                        its_.blocks.take(bytes).data(), bytes, nullptr, &error_);
+                        fixtures::Memory(its_.blocks.take(bytes).data(), bytes), nullptr, &error_);
         expect_told(status, error_);
         if (what >= 3) expect(status < 0, "a wrong argument is taken");
         if (status < 0) expect(to == Field(n_, 7), "a refused displacement has written");

@@ -12,6 +12,7 @@
 #include "target.hpp"
 
 #include <cmath>
+#include <fixtures/memory.hpp>
 
 namespace fuzz {
 namespace {
@@ -91,7 +92,7 @@ private:
     // A new basis; or again one of those that the plan knows.
     void solve() {
         hm_basis* basis = nullptr;
-        make("a basis", size_by(hm_basis_size, its_.analysis),
+        make("a basis", size_by(fixtures::basis_size, its_.analysis),
              init_by(hm_basis_init, &basis, its_.analysis));
         bool const is_solved = input_.one_in(2);
         if (is_solved) done(hm_plan_solve(its_.plan, basis, nullptr, &error_), "a solution");
@@ -128,10 +129,12 @@ private:
         std::size_t target = input_.below(static_cast<std::uint32_t>(held_.size()));
         while (!held_[target].is_whole) target = (target + 1) % held_.size();  // the first one is
         std::size_t bytes = 0;
-        done(hm_transfer_size(its_.analysis, &problem_.mesh, &bytes, &error_), "a transfer's size");
+        done(fixtures::transfer_size(its_.analysis, &problem_.mesh, &bytes, &error_),
+             "a transfer's size");
         Block const work(bytes, 0, 0x7F);
-        hm_status const status = hm_transfer(held_[target].basis, work.data(), bytes, its_.analysis,
-                                             held_[source].basis, &problem_.mesh, nullptr, &error_);
+        hm_status const status =
+            hm_transfer(held_[target].basis, fixtures::Memory(work.data(), bytes), its_.analysis,
+                        held_[source].basis, &problem_.mesh, nullptr, &error_);
         expect_told(status, error_);
         bool const is_legal = held_[source].is_whole && held_[source].is_solved && source != target;
         expect(status >= 0 || !is_legal, std::string("a transfer is refused: ") + error_.text);
@@ -165,7 +168,8 @@ private:
         std::int32_t const columns = static_cast<std::int32_t>(n);
         hm_basis* basis = nullptr;
         make(
-            "a combination", size_by(hm_combine_size, from.basis, columns, std::int32_t(numbers)),
+            "a combination",
+            size_by(fixtures::combine_size, from.basis, columns, std::int32_t(numbers)),
             init_by(hm_combine, &basis, from.basis, columns, std::int32_t(numbers), matrix.data()));
         Table values(n, Values(from.values[0].size(), 0));
         for (std::size_t j = 0; j < n; ++j)
@@ -179,7 +183,7 @@ private:
     }
     void single(Held const& from) {
         hm_basis* basis = nullptr;
-        make("a basis in single precision", size_by(hm_single_size, from.basis),
+        make("a basis in single precision", size_by(fixtures::single_size, from.basis),
              init_by(hm_single_init, &basis, from.basis));
         held_.push_back({basis, from.values, 0, false, true, true, 2e-5});
     }

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <map>
 #include <utility>
+#include <fixtures/memory.hpp>
 
 namespace fuzz {
 namespace {
@@ -224,7 +225,7 @@ Outcome run_plane(Input& input) {
     Blocks blocks(input);
     hm_error error{};
     hm_plane* plane = nullptr;
-    hm_status const status = blocks.make(error, size_by(hm_plane_size, &space.space),
+    hm_status const status = blocks.make(error, size_by(fixtures::plane_size, &space.space),
                                          init_by(hm_plane_init, &plane, &space.space));
     if (status < 0) return Outcome::refused;
     Layers layers(space, plane);

@@ -6,6 +6,7 @@
 #include "target.hpp"
 
 #include <cmath>
+#include <fixtures/memory.hpp>
 
 namespace fuzz {
 namespace {
@@ -114,7 +115,8 @@ private:
         hm_quality* quality = nullptr;
         hm_points const start = in(start_);
         bool const is_given = input_.one_in(2);
-        done(solved_.blocks.make(error_, size_by(hm_quality_size, solved_.basis, &problem_.mesh),
+        done(solved_.blocks.make(error_,
+                                 size_by(fixtures::quality_size, solved_.basis, &problem_.mesh),
                                  init_by(hm_quality_init, &quality, solved_.basis, &problem_.mesh,
                                          is_given ? &start : nullptr)),
              "a quality");

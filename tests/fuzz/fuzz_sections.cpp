@@ -7,6 +7,7 @@
 #include "target.hpp"
 
 #include <cmath>
+#include <fixtures/memory.hpp>
 
 namespace fuzz {
 namespace {
@@ -108,7 +109,8 @@ private:
         std::int32_t const count = static_cast<std::int32_t>(movements.size());
         std::int32_t n = 0;
         out.status = blocks_.make(
-            error_, size_by(hm_move_section_size, &set_, &section, count, movements.data(), &n),
+            error_,
+            size_by(fixtures::move_section_size, &set_, &section, count, movements.data(), &n),
             [&](void* memory, std::size_t bytes, hm_error* e) {
                 expect(at(n) == values.size(), "another number of values than the kinds have");
                 out.move.assign(coordinates, 7);
@@ -116,10 +118,10 @@ private:
                 out.start.assign(values.size(), 7);
                 out.difference.assign(2, 7);
                 Exceptions::clear();
-                hm_status const status =
-                    hm_move_section(&set_, &section, count, movements.data(), values.data(),
-                                    out.move.data(), out.derivatives.data(), out.start.data(),
-                                    out.difference.data(), memory, bytes, e);
+                hm_status const status = hm_move_section(
+                    &set_, &section, count, movements.data(), nullptr, values.data(),
+                    out.move.data(), out.derivatives.data(), out.start.data(),
+                    out.difference.data(), fixtures::Memory(memory, bytes), e);
                 Exceptions::expect_none("hm_move_section, " + in_words(movements, values));
                 return status;
             });
@@ -201,7 +203,7 @@ private:
         for (hm_movement const& movement : movements) {
             std::int32_t n = 0;
             std::size_t bytes = 0;
-            hm_move_section_size(&set_, &section, 1, &movement, &n, &bytes, &error_);
+            fixtures::move_section_size(&set_, &section, 1, &movement, &n, &bytes, &error_);
             is_length.insert(is_length.end(), at(n), movement.kind == HM_SHIFT);
         }
         double reach = size_;  // the largest coordinate, whose rounding the differences have
@@ -256,12 +258,12 @@ private:
         hm_points const through{&points[0].x, &points[0].y, 2};
         Numbers movement(curves_.control.size(), 7);
         hm_refit_report report = sized<hm_refit_report>();
-        hm_status const status =
-            blocks_.make(error_, size_by(hm_refit_size, &set_, curve, n),
-                         [&](void* memory, std::size_t bytes, hm_error* e) {
-                             return hm_refit(&set_, curve, &through, n, is_loop, on_chord,
-                                             movement.data(), &report, memory, bytes, e);
-                         });
+        hm_status const status = blocks_.make(
+            error_, size_by(fixtures::refit_size, &set_, curve, n),
+            [&](void* memory, std::size_t bytes, hm_error* e) {
+                return hm_refit(&set_, curve, &through, n, is_loop, on_chord, movement.data(),
+                                &report, fixtures::Memory(memory, bytes), e);
+            });
         if (status < 0) {
             expect_untouched(movement);
             return Outcome::refused;

@@ -8,6 +8,7 @@
 #include <harmorph_design.h>
 #include "private.h"
 #include <fixtures/safe_moves.hpp>
+#include <fixtures/memory.hpp>
 #include <harmorph_study.h>
 #include "solution.hpp"
 #include "target.hpp"
@@ -79,7 +80,7 @@ private:
     void add_objects(Solution& solution) {
         objects_.push_back({solution.basis, Kind::whole});
         hm_basis* made = nullptr;
-        add(solution, Kind::whole, made, size_by(hm_basis_size, solution.analysis),
+        add(solution, Kind::whole, made, size_by(fixtures::basis_size, solution.analysis),
             init_by(hm_basis_init, &made, solution.analysis));
         std::int32_t const n = solution.problem.functions();
         if (solution.status < 0 || n < 2 || !input_.one_in(2)) return;
@@ -99,9 +100,9 @@ private:
         add(solution, Kind::rows, made, size_by(hm_private_extract_size, solution.basis, 4),
             init_by(hm_private_extract_init, &made, solution.basis, 4, &list[0]));
         std::vector<double> const ones(at(n), 1.0);
-        add(solution, Kind::combined, made, size_by(hm_combine_size, solution.basis, 1, 1),
+        add(solution, Kind::combined, made, size_by(fixtures::combine_size, solution.basis, 1, 1),
             init_by(hm_combine, &made, solution.basis, 1, 1, ones.data()));
-        add(solution, Kind::single, made, size_by(hm_single_size, solution.basis),
+        add(solution, Kind::single, made, size_by(fixtures::single_size, solution.basis),
             init_by(hm_single_init, &made, solution.basis));
     }
 
@@ -172,14 +173,16 @@ private:
             case 7: {
                 Solution& fine = some();
                 if (fine.analysis == nullptr) return none;
-                hm_status const size = hm_transfer_size(fine.analysis, &mesh, &bytes, &error_);
+                hm_status const size =
+                    fixtures::transfer_size(fine.analysis, &mesh, &bytes, &error_);
                 if (size < 0) return size;
                 Block const work(bytes, 0, 0x7F);
                 Object const coarse = some_object();
                 bool const possible = coarse.can_be_transferred() && coarse.basis != basis;
                 std::vector<unsigned char> const before = object.bytes();
-                hm_status const status = hm_transfer(basis, work.data(), bytes, fine.analysis,
-                                                     coarse.basis, &mesh, nullptr, &error_);
+                hm_status const status =
+                    hm_transfer(basis, fixtures::Memory(work.data(), bytes), fine.analysis,
+                                coarse.basis, &mesh, nullptr, &error_);
                 expect(possible || status < 0, "a basis is transferred that cannot be");
                 expect(possible || object.bytes() == before,
                        "a refused transfer has written into the basis");

@@ -7,6 +7,7 @@
 #include "target.hpp"
 
 #include <cmath>
+#include <fixtures/memory.hpp>
 
 namespace fuzz {
 namespace {
@@ -94,12 +95,12 @@ private:
         Exceptions::clear();
         const hm_curves* made = nullptr;
         const double* matrix = nullptr;
-        hm_status const status =
-            blocks_.make(error_, size_by(hm_refine_size, &set_, number_, degree, n, u.data()),
-                         [&](void* memory, std::size_t bytes, hm_error* e) {
-                             return hm_refine(&made, &matrix, memory, bytes, &set_, number_, degree,
-                                              n, u.data(), e);
-                         });
+        hm_status const status = blocks_.make(
+            error_, size_by(fixtures::refine_size, &set_, number_, degree, n, u.data()),
+            [&](void* memory, std::size_t bytes, hm_error* e) {
+                return hm_refine(&made, &matrix, fixtures::Memory(memory, bytes), &set_, number_,
+                                 degree, n, u.data(), e);
+            });
         if (judged(status) == Outcome::refused) return Outcome::refused;
         expect(hm_curves_check(made, &error_) == HM_OK,
                std::string("a changed curve is refused: ") + error_.text);
@@ -229,14 +230,16 @@ private:
         std::int32_t n = 0;
         std::size_t size = 0;
         Exceptions::clear();
-        hm_status status = hm_variables_size(&set_, given, &variables, &n, &size, &error_);
+        hm_status status = fixtures::variables_size(&set_, given, &variables, &n, &size, &error_);
         if (judged(status) == Outcome::refused) return Outcome::refused;
         Numbers matrix(problem_.on_walls.control.size() * at(n), 7), error(2 * at(n), 7);
-        status = blocks_.make(error_, size_by(hm_variables_size, &set_, given, &variables, &n),
-                              [&](void* memory, std::size_t bytes, hm_error* e) {
-                                  return hm_variables_map(&set_, given, &variables, memory, bytes,
-                                                          matrix.data(), error.data(), e);
-                              });
+        status =
+            blocks_.make(error_, size_by(fixtures::variables_size, &set_, given, &variables, &n),
+                         [&](void* memory, std::size_t bytes, hm_error* e) {
+                             return hm_variables_map(&set_, given, &variables, nullptr,
+                                                     fixtures::Memory(memory, bytes), matrix.data(),
+                                                     error.data(), e);
+                         });
         if (status < 0) expect_untouched(matrix), expect_untouched(error);
         else expect_finite(matrix, "a map of variables"), expect_finite(error, "its error");
         return judged(status);

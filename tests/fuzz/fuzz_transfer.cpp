@@ -5,6 +5,7 @@
 #include <harmorph_bases.h>
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include "describe.hpp"
 #include "reference.hpp"
 #include "solution.hpp"
@@ -105,27 +106,27 @@ public:
         Options const& options = coarse_.problem.options;
         hm_analysis* analysis = nullptr;
         hm_status status =
-            coarse_.blocks.make(error_, size_by(hm_analysis_size, &problem_, &options),
+            coarse_.blocks.make(error_, size_by(fixtures::analysis_size, &problem_, &options),
                                 init_by(hm_analysis_init, &analysis, &problem_, &options));
         if (status < 0)
             return Outcome::refused;  // the curve may leave the finer wall, or rounding invert a
                                       // thin cell
-        status = coarse_.blocks.make(error_, size_by(hm_basis_size, analysis),
+        status = coarse_.blocks.make(error_, size_by(fixtures::basis_size, analysis),
                                      init_by(hm_basis_init, &basis_, analysis));
         expect(status >= 0, "no basis of an analysis");
         std::size_t bytes = 0;
         hm_mesh const& from = coarse_.problem.mesh;
-        status = hm_transfer_size(analysis, &from, &bytes, &error_);
+        status = fixtures::transfer_size(analysis, &from, &bytes, &error_);
         expect_told(status, error_);
         expect(status == HM_OK, "no size of a transfer");
         report_.struct_size = sizeof report_;
         Block& work = coarse_.blocks.take(bytes);
-        status = hm_transfer(basis_, work.data(), bytes - 1, analysis, coarse_.basis, &from,
-                             &report_, &error_);
+        status = hm_transfer(basis_, fixtures::Memory(work.data(), bytes - 1), analysis,
+                             coarse_.basis, &from, &report_, &error_);
         expect(status == HM_BLOCK_TOO_SMALL, "work space that is one byte too small is taken");
         expect(report_.points == 0, "a refused call has written its report");
-        status = hm_transfer(basis_, work.data(), bytes, analysis, coarse_.basis, &from, &report_,
-                             &error_);
+        status = hm_transfer(basis_, fixtures::Memory(work.data(), bytes), analysis, coarse_.basis,
+                             &from, &report_, &error_);
         expect_told(status, error_);
         coarse_.blocks.expect_intact();
         if (status < 0) {

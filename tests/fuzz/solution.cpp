@@ -1,4 +1,5 @@
 #include "solution.hpp"
+#include <fixtures/memory.hpp>
 
 namespace fuzz {
 
@@ -9,10 +10,10 @@ Solution::Solution(Problem const& given_problem, Input& input)
         return status >= 0;
     };
     bool const made =
-        make(size_by(hm_analysis_size, &problem.problem, &problem.options),
+        make(size_by(fixtures::analysis_size, &problem.problem, &problem.options),
              init_by(hm_analysis_init, &analysis, &problem.problem, &problem.options)) &&
-        make(size_by(hm_plan_size, analysis), init_by(hm_plan_init, &plan, analysis)) &&
-        make(size_by(hm_basis_size, analysis), init_by(hm_basis_init, &basis, analysis));
+        make(size_by(fixtures::plan_size, analysis), init_by(hm_plan_init, &plan, analysis)) &&
+        make(size_by(fixtures::basis_size, analysis), init_by(hm_basis_init, &basis, analysis));
     if (!made) return;
     status = hm_plan_factor(plan, nullptr, &error);
     expect_told(status, error);

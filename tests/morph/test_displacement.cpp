@@ -9,6 +9,7 @@
 #include <fixtures/displaced.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/half_ring.hpp>
+#include "fixtures/memory.hpp"
 
 using namespace fixtures;
 
@@ -229,7 +230,7 @@ TEST_CASE("displacements start at any coordinates, and walls that cross are refu
     auto const displace = [&] {
         return hm_displace(displaced.plan, std::int32_t(n_wall), nullptr, 1,
                            points_in(wall_x, wall_y), points_in(x, y), points_out(to_x, to_y),
-                           work.data(), work.size(), nullptr, &displaced.error);
+                           fixtures::Memory(work.data(), work.size()), nullptr, &displaced.error);
     };
     REQUIRE(displace() == HM_OK);
     CHECK(to_x == x);

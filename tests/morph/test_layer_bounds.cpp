@@ -2,6 +2,7 @@
 // measure, with derivatives that agree with differences.
 #include <fixtures/bounded.hpp>
 #include <fixtures/walls.hpp>
+#include <fixtures/memory.hpp>
 
 using namespace fixtures;
 
@@ -131,14 +132,14 @@ TEST_CASE("calls that cannot succeed are refused, and leave their outputs as the
     Field inverted = start;
     inverted[60] += 1.0;
     hm_points const wrong = pairs_in(inverted);
-    Guarded block = block_of(hm_quality_size, mesh.attempt.basis, &mesh.mesh);
+    Guarded block = block_of(fixtures::quality_size, mesh.attempt.basis, &mesh.mesh);
     std::size_t const bytes = block.size();
     hm_quality* quality = nullptr;
-    CHECK(hm_quality_init(&quality, block.data(), bytes, mesh.attempt.basis, &mesh.mesh, &wrong,
-                          &error) == HM_BAD_MESH);
+    CHECK(hm_quality_init(&quality, fixtures::Memory(block.data(), bytes), mesh.attempt.basis,
+                          &mesh.mesh, &wrong, &error) == HM_BAD_MESH);
     CHECK(says(error, "is inverted at the start"));
-    CHECK(hm_quality_init(&quality, block.data(), bytes - 1, mesh.attempt.basis, &mesh.mesh, &at,
-                          &error) == HM_BLOCK_TOO_SMALL);
+    CHECK(hm_quality_init(&quality, fixtures::Memory(block.data(), bytes - 1), mesh.attempt.basis,
+                          &mesh.mesh, &at, &error) == HM_BLOCK_TOO_SMALL);
     CHECK(quality == nullptr);
 
     // A mesh of which the wall is one layer of triangles without an edge that leaves the wall.

@@ -8,6 +8,7 @@
 #include <fixtures/displaced.hpp>
 #include <fixtures/half_ring.hpp>
 #include <fixtures/single.hpp>
+#include "fixtures/memory.hpp"
 
 #include <cstring>
 #include <string>
@@ -82,7 +83,7 @@ TEST_CASE("modes move as given displacements beside curves and bodies, with an e
                 for (std::size_t k = 0; k < points.size(); ++k)
                     wall.push_back(a * modes[0][k] + b * modes[1][k]);
                 Moved const found = displaced(tabulated.basis, move);
-                Guarded work = block_of(hm_displace_size, solved.plan, 1);
+                Guarded work = block_of(fixtures::displace_size, solved.plan, 1);
                 Moved expected = found;
                 Numbers wall_x, wall_y;
                 for (auto const& value : wall)
@@ -90,8 +91,8 @@ TEST_CASE("modes move as given displacements beside curves and bodies, with an e
                 hm_points const from{wall_x.data(), wall_y.data(), 1};
                 hm_points_out const to{expected.x.data(), expected.y.data(), 1};
                 REQUIRE(hm_displace(solved.plan, std::int32_t(points.size()), nullptr, 1, &from,
-                                    nullptr, &to, work.data(), work.size(), nullptr,
-                                    nullptr) == HM_OK);
+                                    nullptr, &to, fixtures::Memory(work.data(), work.size()),
+                                    nullptr, nullptr) == HM_OK);
                 check_near(found, expected, 1e-14);
                 for (std::size_t k = 0; k < points.size(); ++k) {
                     auto const at = std::size_t(points[k]);
@@ -146,8 +147,8 @@ TEST_CASE("modes move as given displacements beside curves and bodies, with an e
                 CHECK(report.boundary_error_point == -1);
                 Moved const again = displaced(tabulated.basis, move);
                 REQUIRE(hm_displace(solved.plan, std::int32_t(points.size()), nullptr, 1, &from,
-                                    nullptr, &to, work.data(), work.size(), nullptr,
-                                    nullptr) == HM_OK);
+                                    nullptr, &to, fixtures::Memory(work.data(), work.size()),
+                                    nullptr, nullptr) == HM_OK);
                 check_near(again, expected, 1e-14);
                 for (std::int32_t const point : points) {
                     auto const at = std::size_t(point);
@@ -238,10 +239,10 @@ TEST_CASE("modes stay behind combined functions") {
     REQUIRE(tabulated.status == HM_OK);
     std::int32_t const n = info_of(tabulated.basis).control_points;
     Numbers matrix = some_move(n, 1, 2);
-    Guarded block = block_of(hm_combine_size, tabulated.basis, 2, 1);
+    Guarded block = block_of(fixtures::combine_size, tabulated.basis, 2, 1);
     hm_basis* combined = nullptr;
-    REQUIRE(hm_combine(&combined, block.data(), block.size(), tabulated.basis, 2, 1, matrix.data(),
-                       nullptr) == HM_OK);
+    REQUIRE(hm_combine(&combined, fixtures::Memory(block.data(), block.size()), tabulated.basis, 2,
+                       1, matrix.data(), nullptr) == HM_OK);
     CHECK(info_of(combined).functions == 3);
     CHECK(info_of(combined).modes == 1);
     Numbers few(6), all(2 * std::size_t(n) + 2);

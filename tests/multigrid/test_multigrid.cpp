@@ -11,6 +11,7 @@
 #include <fixtures/parts.hpp>
 #include <fixtures/slip_channel.hpp>
 #include <fixtures/laid_out.hpp>
+#include "fixtures/memory.hpp"
 
 #include "multigrid/multigrid.hpp"
 
@@ -438,7 +439,7 @@ TEST_CASE("memory: at most 432 bytes for each point") {
         Attempt attempt;
         std::size_t bytes = 0;
         REQUIRE(attempt.analyse(setup.problem(), &options));
-        REQUIRE(hm_plan_size(attempt.analysis, &bytes, nullptr) == HM_OK);
+        REQUIRE(fixtures::plan_size(attempt.analysis, &bytes, nullptr) == HM_OK);
         INFO(bytes << " bytes for " << setup.mesh.n_points() << " points");
         CHECK(bytes <= 432 * static_cast<std::size_t>(setup.mesh.n_points()));
     }

@@ -5,6 +5,7 @@
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
 #include <fixtures/parted_agreement.hpp>
+#include "fixtures/memory.hpp"
 
 using namespace fixtures;
 
@@ -135,10 +136,10 @@ TEST_CASE("rows of a part are combined like any basis") {
     auto const combined = [&](const hm_basis* from, std::unique_ptr<Guarded>& block) {
         std::size_t bytes = 0;
         hm_basis* out = nullptr;
-        REQUIRE(hm_combine_size(from, 2, 1, &bytes, nullptr) == HM_OK);
+        REQUIRE(fixtures::combine_size(from, 2, 1, &bytes, nullptr) == HM_OK);
         block = std::make_unique<Guarded>(bytes);
-        REQUIRE(hm_combine(&out, block->data(), bytes, from, 2, 1, matrix.data(), nullptr) ==
-                HM_OK);
+        REQUIRE(hm_combine(&out, fixtures::Memory(block->data(), bytes), from, 2, 1, matrix.data(),
+                           nullptr) == HM_OK);
         return out;
     };
     std::unique_ptr<Guarded> whole_block, part_block;

@@ -174,7 +174,7 @@ void check_agreement(const reference* serial, int kind, int solver) {
     hm_petsc_report report = {sizeof report};
     hm_basis* rows = NULL;
     hm_error error = {0};
-    size_t bytes;
+    hm_memory memory;
     void* block;
     hm_status status;
     double off;
@@ -186,9 +186,9 @@ void check_agreement(const reference* serial, int kind, int solver) {
     need(hm_petsc_create(&system, &mine.part, &serial->problem, &serial->options, MPI_COMM_WORLD,
                          &error),
          &error);
-    need(hm_petsc_rows_size(system, &bytes, &error), &error);
-    block = room(bytes);
-    status = hm_petsc_solve(system, &rows, block, bytes, &report, MPI_COMM_WORLD, &error);
+    need(hm_petsc_solve(system, NULL, emptied(&memory), NULL, MPI_COMM_WORLD, &error), &error);
+    block = memory.block = room(memory.bytes);
+    status = hm_petsc_solve(system, &rows, &memory, &report, MPI_COMM_WORLD, &error);
     need(status, &error);
     compare_functions(serial, rows, &mine, &off, &wrong_on_wall);
     snprintf(what, sizeof what,

@@ -80,14 +80,12 @@ static void fit_wall(reference* serial, int32_t marker, const double* x, const d
     hm_fit_options fit = {sizeof fit};
     hm_error error;
     const hm_curves* curves = NULL;
-    size_t bytes;
+    hm_memory memory;
     fit.n_control = n_control;
     fit.closed = closed;
-    need(hm_fit_size(n, &fit, &bytes, &error), &error);
-    serial->curves_block = room(bytes);
-    need(hm_fit(&curves, serial->curves_block, bytes, &(hm_points){x, y, 1}, n, is_loop, &fit, NULL,
-                &error),
-         &error);
+    need(hm_fit(NULL, emptied(&memory), NULL, n, 0, &fit, NULL, &error), &error);
+    serial->curves_block = memory.block = room(memory.bytes);
+    need(hm_fit(&curves, &memory, &(hm_points){x, y, 1}, n, is_loop, &fit, NULL, &error), &error);
     serial->problem.curves = curves;
     add_condition(serial, marker, HM_ON_CURVE)->n_curves = curves->n_curves;
 }
@@ -216,7 +214,7 @@ void make_from_file(reference* serial, const char* file, int32_t operator_kind) 
     hm_analysis* analysis;
     hm_error error;
     char message[256];
-    size_t bytes;
+    hm_memory memory;
     void* block;
     int32_t k, n = 0, is_loop = 0, *points, wall = 0;
     double *x, *y;
@@ -233,9 +231,9 @@ void make_from_file(reference* serial, const char* file, int32_t operator_kind) 
     }
     begin_case(serial, operator_kind);
     /* The points of the airfoil in order, by an analysis of the mesh alone. */
-    need(hm_analysis_size(&serial->problem, NULL, &bytes, &error), &error);
-    block = room(bytes);
-    need(hm_analysis_init(&analysis, block, bytes, &serial->problem, NULL, &error), &error);
+    need(hm_analysis_init(NULL, emptied(&memory), &serial->problem, NULL, &error), &error);
+    block = memory.block = room(memory.bytes);
+    need(hm_analysis_init(&analysis, &memory, &serial->problem, NULL, &error), &error);
     points = room(sizeof *points * (size_t)from.n_faces);
     need(hm_analysis_boundary(analysis, 1, &wall, 0, points, from.n_faces, &n, &is_loop, &error),
          &error);
@@ -270,14 +268,14 @@ void free_case(reference* serial) {
 hm_plan* make_plan(reference* serial, void** blocks, hm_analysis** analysis) {
     hm_error error;
     hm_plan* plan;
-    size_t bytes;
-    need(hm_analysis_size(&serial->problem, &serial->options, &bytes, &error), &error);
-    blocks[0] = room(bytes);
-    need(hm_analysis_init(analysis, blocks[0], bytes, &serial->problem, &serial->options, &error),
+    hm_memory memory;
+    need(hm_analysis_init(NULL, emptied(&memory), &serial->problem, &serial->options, &error),
          &error);
-    need(hm_plan_size(*analysis, &bytes, &error), &error);
-    blocks[1] = room(bytes);
-    need(hm_plan_init(&plan, blocks[1], bytes, *analysis, &error), &error);
+    blocks[0] = memory.block = room(memory.bytes);
+    need(hm_analysis_init(analysis, &memory, &serial->problem, &serial->options, &error), &error);
+    need(hm_plan_init(NULL, emptied(&memory), *analysis, &error), &error);
+    blocks[1] = memory.block = room(memory.bytes);
+    need(hm_plan_init(&plan, &memory, *analysis, &error), &error);
     need(hm_plan_factor(plan, NULL, &error), &error);
     return plan;
 }
@@ -289,11 +287,11 @@ void solve_whole(reference* serial) {
         hm_basis_info info = {sizeof info};
         hm_analysis* analysis;
         void* blocks[2];
-        size_t bytes;
+        hm_memory memory;
         hm_plan* const plan = make_plan(serial, blocks, &analysis);
-        need(hm_basis_size(analysis, &bytes, &error), &error);
-        serial->basis_block = room(bytes);
-        need(hm_basis_init(&serial->basis, serial->basis_block, bytes, analysis, &error), &error);
+        need(hm_basis_init(NULL, emptied(&memory), analysis, &error), &error);
+        serial->basis_block = memory.block = room(memory.bytes);
+        need(hm_basis_init(&serial->basis, &memory, analysis, &error), &error);
         need(hm_plan_solve(plan, serial->basis, NULL, &error), &error);
         free(blocks[0]);
         free(blocks[1]);

@@ -27,7 +27,8 @@ static void displace_whole(reference* serial, expectation* made) {
     hm_basis *basis, *tabulated;
     hm_modes table = {sizeof table};
     void *blocks[2], *work, *block;
-    size_t bytes, k, n_wall;
+    hm_memory memory;
+    size_t k, n_wall;
     int32_t listed = 0, *list, number;
     hm_plan* const plan = make_plan(serial, blocks, &analysis);
     hm_given_points(plan, NULL, 0, &listed, &error);
@@ -41,23 +42,23 @@ static void displace_whole(reference* serial, expectation* made) {
         modes[2 * k] = wall[k] = all[list[k]];
         modes[2 * k + 1] = wall[n_wall + k] = all[n + (size_t)list[k]];
     }
-    need(hm_displace_size(plan, 1, &bytes, &error), &error);
-    work = room(bytes);
+    need(hm_displace(plan, 0, NULL, 1, NULL, NULL, NULL, emptied(&memory), NULL, &error), &error);
+    work = memory.block = room(memory.bytes);
     need(hm_displace(plan, listed, list, 1, &(hm_points){wall, wall + n_wall, 1}, NULL,
-                     &(hm_points_out){made->field, made->field + n, 1}, work, bytes, NULL, &error),
+                     &(hm_points_out){made->field, made->field + n, 1}, &memory, NULL, &error),
          &error);
     free(work);
-    need(hm_basis_size(analysis, &bytes, &error), &error);
-    serial->basis_block = room(bytes);
-    need(hm_basis_init(&basis, serial->basis_block, bytes, analysis, &error), &error);
+    need(hm_basis_init(NULL, emptied(&memory), analysis, &error), &error);
+    serial->basis_block = memory.block = room(memory.bytes);
+    need(hm_basis_init(&basis, &memory, analysis, &error), &error);
     need(hm_plan_solve(plan, basis, NULL, &error), &error);
     table.n_modes = 1;
     table.n = listed;
     table.points = list;
     table.values = modes;
-    need(hm_tabulate_size(plan, basis, &table, &bytes, &error), &error);
-    block = room(bytes);
-    need(hm_tabulate(&tabulated, block, bytes, plan, basis, &table, NULL, &error), &error);
+    need(hm_tabulate(NULL, emptied(&memory), plan, basis, &table, NULL, &error), &error);
+    block = memory.block = room(memory.bytes);
+    need(hm_tabulate(&tabulated, &memory, plan, basis, &table, NULL, &error), &error);
     for (number = 0; number < 2;
          ++number) { /* the function of the mode is the last one; x and y by amplitude (1, 0) */
         hm_basis_info info = {sizeof info};
@@ -127,12 +128,12 @@ static hm_basis* combine(const hm_basis* from, int32_t controls, void** block) {
     double* matrix = room(4 * sizeof *matrix * (size_t)controls);
     hm_basis* made = NULL;
     hm_error error;
-    size_t bytes;
+    hm_memory memory;
     int32_t k;
     for (k = 0; k < 4 * controls; ++k) matrix[k] = cos(3.0 * k);
-    need(hm_combine_size(from, 2, 2, &bytes, &error), &error);
-    *block = room(bytes);
-    need(hm_combine(&made, *block, bytes, from, 2, 2, matrix, &error), &error);
+    need(hm_combine(NULL, emptied(&memory), from, 2, 2, NULL, &error), &error);
+    *block = memory.block = room(memory.bytes);
+    need(hm_combine(&made, &memory, from, 2, 2, matrix, &error), &error);
     free(matrix);
     return made;
 }
@@ -144,7 +145,7 @@ void check_combined(const reference* serial, int kind, int solver) {
     hm_basis *rows = NULL, *all = NULL, *own;
     hm_error error;
     void *block, *all_block = NULL, *own_block;
-    size_t bytes;
+    hm_memory memory;
     double *expected = room(sizeof *expected * (size_t)serial->mesh.n_points), *values, worst = 0;
     int32_t i, number, k;
     take_part(&mine, &serial->mesh, part_of, rank, kind == GHOSTS);
@@ -153,9 +154,9 @@ void check_combined(const reference* serial, int kind, int solver) {
     need(hm_petsc_create(&system, &mine.part, &serial->problem, &serial->options, MPI_COMM_WORLD,
                          &error),
          &error);
-    need(hm_petsc_rows_size(system, &bytes, &error), &error);
-    block = room(bytes);
-    need(hm_petsc_solve(system, &rows, block, bytes, NULL, MPI_COMM_WORLD, &error), &error);
+    need(hm_petsc_solve(system, NULL, emptied(&memory), NULL, MPI_COMM_WORLD, &error), &error);
+    block = memory.block = room(memory.bytes);
+    need(hm_petsc_solve(system, &rows, &memory, NULL, MPI_COMM_WORLD, &error), &error);
     hm_petsc_free(&system); /* the rows stay */
     use_solver(ITERATIVE);
     own = combine(rows, serial->controls, &own_block);

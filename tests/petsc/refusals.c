@@ -217,43 +217,48 @@ static void check_solution(hm_petsc* system, hm_petsc* other, MPI_Comm of_one) {
         NO_ROWS,
         NO_BLOCK,
         SHORT_BLOCK,
+        ASKS,
         UNSET,
         OTHER_COMM,
         NUMBER_KINDS
     };
     static const char* const names[NUMBER_KINDS] = {
-        "solve: the system NULL",     "solve: another system", "solve: rows NULL",
-        "solve: the block NULL",      "solve: a short block",  "solve: no struct_size",
-        "solve: another communicator"};
+        "solve: the system NULL", "solve: another system",
+        "solve: rows NULL",       "solve: the block NULL",
+        "solve: a short block",   "solve: one process asks for the size",
+        "solve: no struct_size",  "solve: another communicator"};
     const int is_guilty = rank == guilty;
     hm_error error = {0};
-    size_t bytes;
+    hm_memory memory;
     void* block;
     int kind;
-    need(hm_petsc_rows_size(system, &bytes, &error), &error);
-    block = room(4 * bytes); /* enough for the functions of `other`, too */
+    need(hm_petsc_solve(system, NULL, emptied(&memory), NULL, MPI_COMM_WORLD, &error), &error);
+    memory.bytes *= 4; /* enough for the functions of `other`, too */
+    block = memory.block = room(memory.bytes);
     for (kind = 0; kind < NUMBER_KINDS; ++kind) {
         hm_basis* rows = NULL;
         hm_petsc_report report = {sizeof report};
+        hm_memory given = memory;
         hm_status status;
-        if (size == 1 && (kind == OTHER_SYSTEM || kind == OTHER_COMM)) continue;
+        if (size == 1 && (kind == OTHER_SYSTEM || kind == OTHER_COMM || kind == ASKS)) continue;
         if (kind == OTHER_COMM) {
             /* A communicator of one process: nobody else waits for this call. */
-            status = hm_petsc_solve(system, &rows, block, bytes, &report, of_one, &error);
+            status = hm_petsc_solve(system, &rows, &memory, &report, of_one, &error);
             check(status == HM_BAD_ARGUMENT, "refused", names[kind]);
             continue;
         }
         if (is_guilty && kind == UNSET) report.struct_size = 0;
+        if (is_guilty && kind == NO_BLOCK) given.block = NULL;
+        if (is_guilty && kind == ASKS) given = (hm_memory){NULL, 0};
+        if (is_guilty && kind == SHORT_BLOCK) given.bytes = given.bytes / 4 - 1;
         expect_end_of(names[kind], guilty);
         status = hm_petsc_solve(!is_guilty || kind > OTHER_SYSTEM ? system
                                 : kind == NO_SYSTEM               ? NULL
                                                                   : other,
-                                is_guilty && kind == NO_ROWS ? NULL : &rows,
-                                is_guilty && kind == NO_BLOCK ? NULL : block,
-                                is_guilty && kind == SHORT_BLOCK ? bytes - 1 : 4 * bytes, &report,
+                                is_guilty && kind == NO_ROWS ? NULL : &rows, &given, &report,
                                 MPI_COMM_WORLD, &error);
         check_refused(status, &error, kind == SHORT_BLOCK ? HM_BLOCK_TOO_SMALL : HM_BAD_ARGUMENT,
-                      kind != OTHER_SYSTEM || guilty > 0, "", names[kind]);
+                      (kind != OTHER_SYSTEM && kind != ASKS) || guilty > 0, "", names[kind]);
         check(rows == NULL, "no rows are left", names[kind]);
     }
     free(block);
@@ -350,7 +355,7 @@ void check_arguments(void) {
     hm_basis* basis = NULL;
     hm_error error;
     MPI_Comm of_one;
-    size_t bytes;
+    hm_memory memory;
     void* block;
     make_o_mesh(&serial, 25, 9, 0, HM_LAPLACE);
     part_of = partition(&serial.mesh, STRIPES_X, size);
@@ -364,15 +369,16 @@ void check_arguments(void) {
     serial.conditions[0].kind = HM_GIVEN;
     serial.conditions[0].n_curves = 0;
     given = make_system(&mine, &serial);
-    need(hm_petsc_rows_size(given, &bytes, &error), &error);
-    block = room(bytes);
-    need(hm_petsc_solve(given, &basis, block, bytes, NULL, MPI_COMM_WORLD, &error), &error);
+    need(hm_petsc_solve(given, NULL, emptied(&memory), NULL, MPI_COMM_WORLD, &error), &error);
+    block = memory.block = room(memory.bytes);
+    need(hm_petsc_solve(given, &basis, &memory, NULL, MPI_COMM_WORLD, &error), &error);
     MPI_Comm_split(MPI_COMM_WORLD, rank, 0, &of_one);
     for (guilty = 0; guilty < size; ++guilty) {
         check_solution(system, conformal, of_one);
         check_displacement_and_assessment(given, basis, &mine);
     }
-    check(hm_petsc_solve(system, NULL, NULL, 0, NULL, MPI_COMM_NULL, &error) == HM_BAD_ARGUMENT,
+    check(hm_petsc_solve(system, NULL, &(hm_memory){NULL, 0}, NULL, MPI_COMM_NULL, &error) ==
+              HM_BAD_ARGUMENT,
           "refused", "solve: MPI_COMM_NULL");
     MPI_Comm_free(&of_one);
     hm_petsc_free(&system);

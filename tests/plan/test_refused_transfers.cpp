@@ -7,6 +7,7 @@
 
 #include <fixtures/bodies.hpp>
 #include <fixtures/transferred.hpp>
+#include "fixtures/memory.hpp"
 
 using namespace fixtures;
 
@@ -75,15 +76,15 @@ TEST_CASE("blocks that are too small for a transfer are refused, at any alignmen
     REQUIRE(attempt.open(fine.problem()));
     hm_mesh const mesh = coarse.mesh_view();
     std::size_t need = 0;
-    REQUIRE(hm_transfer_size(attempt.analysis, &mesh, &need, nullptr) == HM_OK);
+    REQUIRE(fixtures::transfer_size(attempt.analysis, &mesh, &need, nullptr) == HM_OK);
     for (std::size_t const shift : {0u, 1u, 40u, 63u}) {
         for (std::size_t give = 0; give <= need;
              give += give + 200 < need || give == need ? 61 : 1) {
             Guarded block(give, shift);
             hm_error error{};
             hm_status const status =
-                hm_transfer(attempt.basis, block.data(), give, attempt.analysis, solved.basis,
-                            &mesh, nullptr, &error);
+                hm_transfer(attempt.basis, fixtures::Memory(block.data(), give), attempt.analysis,
+                            solved.basis, &mesh, nullptr, &error);
             CHECK(status == (give == need ? HM_OK : HM_BLOCK_TOO_SMALL));
             CHECK(block.guards_intact());
             if (give < need) CHECK(error.value == double(need - give));

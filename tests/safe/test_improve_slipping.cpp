@@ -4,6 +4,7 @@
 #include <fixtures/executors.hpp>
 #include <fixtures/mangle.hpp>
 #include <fixtures/safe.hpp>
+#include <fixtures/memory.hpp>
 
 using namespace fixtures;
 
@@ -47,10 +48,11 @@ struct Ring {
         Options options = options_of(operator_kind);
         if (executor != nullptr) options.executor = executor;
         Solved const solved(setup, &options);
-        Guarded work = block_of(hm_improve_size, solved.plan);
+        Guarded work = block_of(fixtures::improve_size, solved.plan);
         report.struct_size = sizeof report;
-        hm_status const status = hm_improve(solved.plan, points_in(x, y), points_out(x, y),
-                                            work.data(), work.size(), nullptr, &report, &error);
+        hm_status const status =
+            hm_improve(solved.plan, points_in(x, y), points_out(x, y),
+                       fixtures::Memory(work.data(), work.size()), nullptr, &report, &error);
         CHECK(work.guards_intact());
         return status;
     }

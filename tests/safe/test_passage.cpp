@@ -2,6 +2,7 @@
 // that stay images.
 #include <fixtures/passage.hpp>
 #include <fixtures/safe_displaced.hpp>
+#include <fixtures/memory.hpp>
 
 using namespace fixtures;
 
@@ -24,13 +25,13 @@ std::vector<double> turned_and_moved(Case const& setup, double degrees, Complex 
 }
 
 hm_improve_report improved(Solved const& solved, Mesh const& mesh, Field const& from, Field& to) {
-    Guarded work = block_of(hm_improve_size, solved.plan);
+    Guarded work = block_of(fixtures::improve_size, solved.plan);
     to.resize(from.size());
     hm_points const start = pairs_in(from);
     hm_points_out const better = pairs_out(to);
     auto report = sized<hm_improve_report>();
-    REQUIRE(hm_improve(solved.plan, &start, &better, work.data(), work.size(), nullptr, &report,
-                       nullptr) == HM_OK);
+    REQUIRE(hm_improve(solved.plan, &start, &better, fixtures::Memory(work.data(), work.size()),
+                       nullptr, &report, nullptr) == HM_OK);
     CHECK(work.guards_intact());
     CHECK(mesh.x.size() == from.size());
     return report;

@@ -5,6 +5,7 @@
 #include <fixtures/plane.hpp>
 #include <fixtures/refused.hpp>
 #include <fixtures/traps.hpp>
+#include <fixtures/memory.hpp>
 
 using namespace fixtures;
 
@@ -140,7 +141,7 @@ TEST_CASE("fields of a space mesh out of range, and bases of another mesh, are r
     check_texts({{HM_UNSUPPORTED,
                   "space contains fields that are set but unknown to this version of the library; "
                   "use the header of this version",
-                  call_by(hm_plane_size, &younger.known, &bytes)}});
+                  call_by(fixtures::plane_size, &younger.known, &bytes)}});
     static std::int32_t const no_corners[200] = {};
     refused(HM_BAD_MESH,
             "by space.face_start the faces have 0 corners, but there must be 3 to 2^31 - 2",

@@ -48,6 +48,18 @@ ExitCode exit_code(hm_status status);  // of a program that ends with this error
 // mesh/mesh_file.hpp has the same function for an error about a mesh.
 [[noreturn]] void refuse(const hm_error& error, const std::string& path);
 
+// Makes a call that takes memory: make(&memory) first asks for the size, and is made again with the
+// block. Returns the status of the last of the two.
+template <class Make>
+hm_status with_memory(Block& block, const Make& make) {
+    hm_memory memory = {};
+    const hm_status status = make(&memory);
+    if (status < 0) return status;
+    block.resize(memory.bytes);
+    memory.block = block.data();
+    return make(&memory);
+}
+
 // Calls a function of the library with its arguments, to which the hm_error is added. Returns the
 // status, which is 0 or a warning. A refusal is about `about`, a path or a mesh.
 template <class About, class Function, class... Arguments>

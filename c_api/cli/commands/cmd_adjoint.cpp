@@ -66,11 +66,11 @@ double admissible_descent(const Mesh& mesh, const Basis& basis, std::vector<doub
 }
 
 void smooth(const Mesh& mesh, const Basis& basis, double length, std::vector<double>& gradient) {
-    std::size_t bytes = 0;
-    call(mesh, hm_smooth_gradient_size, &basis.curves(), &bytes);
-    Block work(bytes);
-    call(mesh, hm_smooth_gradient, &basis.curves(), length, gradient.data(), gradient.data(),
-         static_cast<void*>(work.data()), bytes);
+    Block work;
+    with_memory(work, [&](hm_memory* memory) {
+        return call(mesh, hm_smooth_gradient, &basis.curves(), length, gradient.data(),
+                    gradient.data(), memory);
+    });
 }
 
 // The design variables of --variables, at the values of --at.

@@ -37,13 +37,13 @@ Curves fitted(const Mesh& mesh, const Section& section, std::int32_t control_poi
     options.n_control = control_points;
     options.closed = HM_CLOSED_AUTO;
     const auto n = static_cast<std::int32_t>(section.x.size());
-    std::size_t bytes = 0;
-    call(mesh, hm_fit_size, n, &options, &bytes);
-    Block block(bytes);
+    Block block;
     const hm_curves* curves = nullptr;
     const hm_points points = {section.x.data(), section.y.data(), 1};
-    call(mesh, hm_fit, &curves, static_cast<void*>(block.data()), bytes, &points, n,
-         std::int32_t{section.is_loop}, &options, nullptr);
+    with_memory(block, [&](hm_memory* memory) {
+        return call(mesh, hm_fit, &curves, memory, &points, n, std::int32_t{section.is_loop},
+                    &options, nullptr);
+    });
     return copied(*curves);
 }
 

@@ -126,12 +126,14 @@ void check_as_solve_does(const Mesh& mesh) {
     problem.mesh = &view;
     problem.n_conditions = 1;
     problem.conditions = &condition;
-    std::size_t bytes = 0;
     hm_error error = {};
-    if (one_marker.empty() || hm_analysis_size(&problem, nullptr, &bytes, &error) < 0) return;
-    Block block(bytes);
     hm_analysis* analysis = nullptr;
-    if (hm_analysis_init(&analysis, block.data(), bytes, &problem, nullptr, &error) == HM_BAD_MESH)
+    hm_memory memory = {};
+    if (one_marker.empty()) return;
+    if (hm_analysis_init(nullptr, &memory, &problem, nullptr, &error) < 0) return;
+    Block block(memory.bytes);
+    memory.block = block.data();
+    if (hm_analysis_init(&analysis, &memory, &problem, nullptr, &error) == HM_BAD_MESH)
         refuse(error, mesh);
 }
 

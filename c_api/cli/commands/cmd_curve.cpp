@@ -21,13 +21,13 @@ namespace {
 Curves refined(const std::string& path, const Curves& curves, std::int32_t curve,
                std::int32_t degree, const std::vector<double>& knots) {
     const CurvesView view(curves);
-    std::size_t bytes = 0;
     const auto n = static_cast<std::int32_t>(knots.size());
-    call(path, hm_refine_size, view.get(), curve, degree, n, knots.data(), &bytes);
-    Block block(bytes);
+    Block block;
     const hm_curves* finer = nullptr;
-    call(path, hm_refine, &finer, nullptr, block.data(), bytes, view.get(), curve, degree, n,
-         knots.data());
+    with_memory(block, [&](hm_memory* memory) {
+        return call(path, hm_refine, &finer, nullptr, memory, view.get(), curve, degree, n,
+                    knots.data());
+    });
     return copied(*finer);
 }
 

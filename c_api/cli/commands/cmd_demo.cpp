@@ -9,6 +9,7 @@
 #include "files/own_folder.hpp"
 #include "files/paths.hpp"
 #include "mesh/refine.hpp"
+#include "page/page_text.hpp"
 #include "work/basis_file.hpp"
 #include "work/morph.hpp"
 #include "work/moves_file.hpp"
@@ -134,6 +135,24 @@ void write_sign(const std::string& path) {
     files.commit();
 }
 
+// Returns false if this program has no pages.
+bool write_page(const std::string& mesh, const std::string& basis, const std::string& page) {
+    if (*page_module == '\0') {
+        print("\n# left out: %s, as this program was made without %s\n", page.c_str(),
+              no_page_module);
+        return false;
+    }
+    step("a page on which control points can be dragged", {"explore", mesh, basis, "-o", page});
+    return true;
+}
+
+void print_where_to_look(const std::string& folder, bool has_page) {
+    const auto in_folder = [&folder](const char* name) { return path_in(folder, name); };
+    const std::string page = has_page ? " and " + in_folder("page.html") : std::string();
+    print("\n# look at %s and %s, and open %s%s in a browser\n", in_folder("morph.svg").c_str(),
+          in_folder("function.svg").c_str(), in_folder("report.html").c_str(), page.c_str());
+}
+
 void run_demo(const Arguments& arguments) {
     const std::string folder = arguments.operand(0);
     const std::string shipped =
@@ -171,11 +190,7 @@ void run_demo(const Arguments& arguments) {
     write_fine_mesh(mesh, curve, fine);
     step("the same functions for a finer mesh",
          {"transfer", mesh, basis, fine, "-o", in_folder("fine.basis")});
-    step("a page on which control points can be dragged",
-         {"explore", mesh, basis, "-o", in_folder("page.html")});
-    print("\n# look at %s and %s, and open %s and %s in a browser\n",
-          in_folder("morph.svg").c_str(), in_folder("function.svg").c_str(),
-          in_folder("report.html").c_str(), in_folder("page.html").c_str());
+    print_where_to_look(folder, write_page(mesh, basis, in_folder("page.html")));
 }
 
 }  // namespace

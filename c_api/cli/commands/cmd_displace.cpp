@@ -93,11 +93,11 @@ std::string tear_of(const Mesh& mesh, const Task& task, const Solver& solver,
 }
 
 void displace(Solver& solver, const WallMovement& movement, const hm_points* from, Field& to,
-              Block& work) {
+              hm_memory& memory) {
     const hm_points given = movement.wall.read();
     const hm_points_out result = to.write();
     call(movement.path, hm_displace, solver.plan(), movement.wall.count(),
-         movement.wall.points.data(), 1, &given, from, &result, work.data(), work.size(), nullptr);
+         movement.wall.points.data(), 1, &given, from, &result, &memory, nullptr);
 }
 
 // Computes the displacements of the mesh by control points and bodies alone, if there are any.
@@ -113,9 +113,11 @@ void displace_by_moves(const Mesh& mesh, const Solver& solver, const WallMovemen
 // for crossings with all displacements.
 void at_once(const Mesh& mesh, Solver& solver, const WallMovement& movement, std::int32_t repeats,
              const Threads& threads, Displacement& found) {
-    std::size_t bytes = 0;
-    call(mesh, hm_displace_size, solver.plan(), 1, &bytes);
-    Block work(bytes);
+    hm_memory memory = {};
+    call(mesh, hm_displace, solver.plan(), 0, nullptr, 1, nullptr, nullptr, nullptr, &memory,
+         nullptr);
+    Block work(memory.bytes);
+    memory.block = work.data();
     Field by_moves(mesh.x.size()), start(mesh.x.size());
     displace_by_moves(mesh, solver, movement, threads, by_moves);
     for (std::size_t point = 0; point < mesh.x.size(); ++point) {
@@ -123,11 +125,12 @@ void at_once(const Mesh& mesh, Solver& solver, const WallMovement& movement, std
         start.y[point] = mesh.y[point] + by_moves.y[point];
     }
     const hm_points from = start.read();
-    displace(solver, movement, &from, found.moved, work);  // refuses a boundary that crosses itself
+    displace(solver, movement, &from, found.moved,
+             memory);  // refuses a boundary that crosses itself
     std::vector<double> seconds;
     for (std::int32_t i = 0; i < repeats; ++i) {
         const Stopwatch watch;
-        displace(solver, movement, nullptr, found.by, work);
+        displace(solver, movement, nullptr, found.by, memory);
         seconds.push_back(watch.seconds());
     }
     found.displace_seconds = median(seconds);
@@ -145,9 +148,7 @@ void safely(const Mesh& mesh, Solver& solver, const WallMovement& movement, hm_s
     target.n = movement.wall.count();
     target.points = movement.wall.points.data();
     target.wall = &given;
-    std::size_t bytes = 0;
-    call(mesh, hm_move_safe_size, solver.plan(), solver.basis(), &target, &bytes);
-    Block work(bytes);
+    Block work;
     found.moved.x = mesh.x;
     found.moved.y = mesh.y;
     found.safe = sized<hm_safe_report>();
@@ -156,8 +157,10 @@ void safely(const Mesh& mesh, Solver& solver, const WallMovement& movement, hm_s
     if (!found.moves.empty()) options.reached = found.moves.data();
     hm_error error = {};
     const Stopwatch watch;
-    const hm_status status = hm_move_safe(solver.plan(), solver.basis(), &target, &to, work.data(),
-                                          bytes, &options, &*found.safe, &error);
+    const hm_status status = with_memory(work, [&](hm_memory* memory) {
+        return hm_move_safe(solver.plan(), solver.basis(), &target, &to, memory, &options,
+                            &*found.safe, &error);
+    });
     found.displace_seconds = watch.seconds();
     if (status < 0) refuse(error, mesh);
     (status == HM_SHORT ? found.refusal : found.warning) = status != HM_OK ? error.text : "";

@@ -3,7 +3,7 @@
 #include "basics/print.hpp"
 #include "commands/commands.hpp"
 #include "files/output_file.hpp"
-#include "page/page_data.hpp"
+#include "page/explore_data.hpp"
 #include "page/page_text.hpp"
 #include "work/moves_file.hpp"
 #include "work/read_mesh.hpp"
@@ -29,18 +29,29 @@ void refuse_inverted_cells(const Mesh& mesh, const Basis& basis) {
                                      mesh.file.place(line));
 }
 
-// Returns the default number of points of a page. A processor without a graphics card draws 200000
-// points in 0.1 s; 8 million numbers of functions take 43 megabytes.
-std::int32_t default_points(const Basis& basis) {
-    const double per_point =
-        static_cast<double>(basis.functions()) * basis.info().numbers_per_value;
-    return static_cast<std::int32_t>(std::clamp(8e6 / per_point, 50000., 200000.));
+// A browser draws 200000 points in 0.1 s, and has 4 gigabytes for the functions of a page.
+constexpr std::int32_t most_points = 500000;
+
+void refuse_without_module() {
+    if (*page_module != '\0') return;
+    throw Failure(exit_unusable, std::string("this program was made without ") + no_page_module +
+                                     ", with which pages compute");
+}
+
+void refuse_large_mesh(const Mesh& mesh, std::int32_t most) {
+    const auto n = static_cast<std::int32_t>(mesh.x.size());
+    if (n <= most) return;
+    throw Failure(exit_usage, mesh.file.path() + " has " + plural(n, "point") +
+                                  ", more than a page is meant for; --points " + std::to_string(n) +
+                                  " makes the page all the same");
 }
 
 void run_explore(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
-    const std::int32_t wished = arguments.whole("--points", 0, 100, 2000000);
+    const std::int32_t most = arguments.whole("--points", most_points, 3, INT32_MAX);
+    refuse_without_module();
     const Mesh mesh = read_mesh(arguments, 0);
+    refuse_large_mesh(mesh, most);
     const Basis basis(arguments.operand(1), mesh);
     refuse_inverted_cells(mesh, basis);
     std::string moves;
@@ -52,26 +63,15 @@ void run_explore(const Arguments& arguments) {
         else lines << text.text();
         moves = lines.str();
     }
-    const hm_basis_info& info = basis.info();
-    const std::vector<std::int32_t> body(info.curve_point, info.curve_point + info.curve_points);
-    const PageSelection selection =
-        select_for_page(mesh, body, wished > 0 ? wished : default_points(basis));
     OutputFiles files;
     std::ostream& out = files.add(path);
-    out << page_head << explore_page.before_data << "<script>\nconst page_data = ";
-    write_page_data(out, mesh, basis, selection, moves);
-    out << ";\n</script>\n" << explore_page.after_data;
+    out << page_head << explore_page.before_data << "<script>\nconst page_module = \""
+        << page_module << "\";\nconst page_data = " << explore_data(mesh, basis, moves)
+        << ";\n</script>\n"
+        << explore_page.after_data;
     const double megabytes = static_cast<double>(out.tellp()) / 1e6;
     files.commit();
     print("%s: %s megabytes; open it in a browser\n", path.c_str(), brief(megabytes).c_str());
-    const auto n_cells = static_cast<std::int32_t>(selection.cells.size());
-    if (n_cells < mesh.cells()) {
-        print(
-            "left out: %d of %d cells, far from the moving walls, are drawn coarsened and not "
-            "judged "
-            "(see --points)\n",
-            mesh.cells() - n_cells, mesh.cells());
-    }
 }
 
 }  // namespace
@@ -85,16 +85,13 @@ const Command explore_command = {
     "inverted cells, admissible step, quality, heights and angles at the wall, and thickness and "
     "area of the section are\n"
     "updated meanwhile. It saves and loads MOVES as `harmorph morph` reads them. "
-    "Points on the page are those of\n"
-    "`harmorph morph` within 2^-24 sum |F_i| |dP_i|: functions are in single precision there, all "
-    "else in double precision.\n"
-    "Points that slip along curves (--slip) move along the tangents on the page; "
-    "`harmorph morph` puts them onto the curves.\n",
+    "The page contains the library and computes what\n"
+    "the program computes. It solves the functions when it is opened, with the bits of "
+    "`harmorph solve --kernel baseline`;\n"
+    "functions of BASIS that differ from these by more than 1e-9 are stored in the page.\n",
     {{"-o", "PAGE", "page to write, HTML (required)", FileUse::output},
      {"--points", "N",
-      "how many points nearest to the body are shown with all their cells; farther away the mesh "
-      "is coarsened\n"
-      "for drawing (default 200000, down to 50000 if there are many functions)"},
+      "the largest number of points of a mesh (default 500000): a page of more is slow"},
      {"--move", "MOVES", "movement of the control points to begin with", FileUse::input},
      format_option,
      zone_option},

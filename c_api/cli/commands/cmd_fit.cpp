@@ -122,14 +122,14 @@ hm_fit_details fit_details(const Arguments& arguments, const std::vector<double>
 Fit fit(const std::string& path, const Outline& outline, const hm_fit_options& options) {
     Fit fit;
     fit.is_asked = options.closed != HM_CLOSED_AUTO;
-    std::size_t bytes = 0;
-    call(path, hm_fit_size, outline.points(), &options, &bytes);
-    Block block(bytes);
+    Block block;
     const hm_curves* curves = nullptr;
     const hm_points points = {outline.x.data(), outline.y.data(), 1};
     const std::int32_t is_loop = outline.is_loop;
-    const hm_status status = call(path, hm_fit, &curves, block.data(), bytes, &points,
-                                  outline.points(), is_loop, &options, &fit.report);
+    const hm_status status = with_memory(block, [&](hm_memory* memory) {
+        return call(path, hm_fit, &curves, memory, &points, outline.points(), is_loop, &options,
+                    &fit.report);
+    });
     if (status == HM_FAR_FROM_POINTS) {
         throw Failure(exit_unusable, path + ": " + plural(options.n_control, "control point") +
                                          " do not reach the tolerance; the largest error is " +

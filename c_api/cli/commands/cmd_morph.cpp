@@ -8,7 +8,7 @@
 #include "formats/format.hpp"
 #include "formats/vtu.hpp"
 #include "options/window_option.hpp"
-#include "page/page_data.hpp"
+#include "page/report_data.hpp"
 #include "pictures/draw_curves.hpp"
 #include "pictures/pictures.hpp"
 #include "work/engine.hpp"
@@ -221,9 +221,7 @@ void run_morph(const Arguments& arguments) {
         }
     }
     if (strict && morph.valid()) throw Failure(exit_unusable, morph.warning);
-    if (!reached)
-        throw Failure(exit_unusable,
-                      morph.refusal.empty() ? why_not_valid(morph, mesh) : morph.refusal);
+    if (!reached) throw Failure(exit_unusable, why_not_reached(morph, mesh, asked));
     if (!morph.warning.empty()) warn(morph.warning);
 }
 

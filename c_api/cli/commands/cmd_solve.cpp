@@ -123,13 +123,11 @@ public:
         modes.n = static_cast<std::int32_t>(points_.size());
         modes.points = points_.data();
         modes.values = values_.data();
-        std::size_t bytes = 0;
-        call(paths_[0], hm_tabulate_size, solver.plan(), solver.basis(), &modes, &bytes);
-        block_.resize(bytes);
         hm_basis* basis = nullptr;
-        void* const block = block_.data();
-        call(paths_[0], hm_tabulate, &basis, block, bytes, solver.plan(), solver.basis(), &modes,
-             nullptr);
+        with_memory(block_, [&](hm_memory* memory) {
+            return call(paths_[0], hm_tabulate, &basis, memory, solver.plan(), solver.basis(),
+                        &modes, nullptr);
+        });
         return basis;
     }
 

@@ -61,20 +61,18 @@ public:
 
     void run(const Mesh& mesh) {
         const Stopwatch watch;
-        std::size_t bytes = 0;
-        call(fine_, hm_analysis_size, &problem_, &options_, &bytes);
-        analysis_block_.resize(bytes);
-        call(fine_, hm_analysis_init, &analysis_, analysis_block_.data(), bytes, &problem_,
-             &options_);
-        call(fine_, hm_basis_size, analysis_, &bytes);
-        basis_block_.resize(bytes);
-        call(fine_, hm_basis_init, &transferred_, basis_block_.data(), bytes, analysis_);
+        with_memory(analysis_block_, [&](hm_memory* memory) {
+            return call(fine_, hm_analysis_init, &analysis_, memory, &problem_, &options_);
+        });
+        with_memory(basis_block_, [&](hm_memory* memory) {
+            return call(fine_, hm_basis_init, &transferred_, memory, analysis_);
+        });
         const hm_mesh view = mesh.view();
-        call(fine_, hm_transfer_size, analysis_, &view, &bytes);
-        block_.resize(bytes);
         analysis_seconds_ = watch.seconds();
-        call(fine_, hm_transfer, transferred_, block_.data(), bytes, analysis_, basis_.get(), &view,
-             &report_);
+        with_memory(block_, [&](hm_memory* memory) {
+            return call(fine_, hm_transfer, transferred_, memory, analysis_, basis_.get(), &view,
+                        &report_);
+        });
         transfer_seconds_ = watch.seconds() - analysis_seconds_;
     }
 

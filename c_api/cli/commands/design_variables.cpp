@@ -135,15 +135,17 @@ MadeVariables make_linear(const Arguments& arguments, const std::string& path,
     const hm_section section = section_of(arguments);
     MadeVariables made;
     VariableMap& map = made.map;
-    std::size_t bytes = 0;
-    call(path, hm_variables_size, view.get(), &section, &variables, &map.variables, &bytes);
+    hm_memory memory = {};
+    call(path, hm_variables_map, view.get(), &section, &variables, &map.variables, &memory, nullptr,
+         nullptr);
     map.points = view.get()->n_control;
     map.matrix.resize(2 * static_cast<std::size_t>(map.points) *
                       static_cast<std::size_t>(map.variables));
     std::vector<double> error(2 * static_cast<std::size_t>(map.variables));
-    Block work(bytes);
-    call(path, hm_variables_map, view.get(), &section, &variables, static_cast<void*>(work.data()),
-         bytes, map.matrix.data(), error.data());
+    Block work(memory.bytes);
+    memory.block = work.data();
+    call(path, hm_variables_map, view.get(), &section, &variables, nullptr, &memory,
+         map.matrix.data(), error.data());
     made.table = "variable  error on the curve (rms, largest), per unit\n";
     for (std::size_t j = 0; j < static_cast<std::size_t>(map.variables); ++j) {
         made.table += in_column(std::to_string(j + 1), 10) + in_column(brief(error[2 * j]), 11) +
@@ -190,18 +192,17 @@ MadeVariables make_family(const Arguments& arguments, const std::string& path,
         for (const std::string& warning : section.warnings) warn(warning);
         const auto points = static_cast<std::int32_t>(section.x.size());
         const hm_points at = {section.x.data(), section.y.data(), 1};
-        std::size_t bytes = 0;
-        call(family[k], hm_refit_size, view.get(), std::int32_t{0}, points, &bytes);
-        Block work(bytes);
-        call(family[k], hm_refit, view.get(), std::int32_t{0}, &at, points,
-             std::int32_t{section.is_loop}, std::int32_t{1}, &modes[k * length], nullptr,
-             static_cast<void*>(work.data()), bytes);
+        Block work;
+        with_memory(work, [&](hm_memory* memory) {
+            return call(family[k], hm_refit, view.get(), std::int32_t{0}, &at, points,
+                        std::int32_t{section.is_loop}, std::int32_t{1}, &modes[k * length], nullptr,
+                        memory);
+        });
     }
-    std::size_t bytes = 0;
-    call(path, hm_family_modes_size, view.get(), &bytes);
-    Block work(bytes);
-    call(path, hm_family_modes, view.get(), n, modes.data(), singular.data(),
-         static_cast<void*>(work.data()), bytes);
+    Block work;
+    with_memory(work, [&](hm_memory* memory) {
+        return call(path, hm_family_modes, view.get(), n, modes.data(), singular.data(), memory);
+    });
     std::int32_t kept = 0;
     while (kept < n && singular[static_cast<std::size_t>(kept)] > 1e-12 * singular[0]) ++kept;
     const std::int32_t asked = arguments.whole("--modes", kept, 1, 1024);

@@ -3,9 +3,10 @@
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
+#include "commands/morph_report.hpp"
 #include "formats/format.hpp"
 #include "formats/vtu.hpp"
-#include "page/page_data.hpp"
+#include "page/report_data.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -108,12 +109,10 @@ std::string why_invalid(const Displacement& found, const Mesh& mesh) {
     std::string text = plural(found.quality.inverted, "inverted cell");
     if (found.step.cell >= 0) {
         const std::size_t line = mesh.cell_offset[static_cast<std::size_t>(found.step.cell)];
-        text +=
-            ": " + brief(found.step.admissible) +
-            " of this displacement is admissible, limited by cell " +
-            std::to_string(found.step.cell) + " (" + mesh.file.place(line) + ")" +
-            (found.step.admissible > 0 && found.quality.self_crossing == 0 ? "; --safe goes farther"
-                                                                           : "");
+        text += ": " + brief(found.step.admissible) +
+                " of this displacement is admissible, limited by cell " +
+                std::to_string(found.step.cell) + " (" + mesh.file.place(line) + ")" +
+                what_goes_farther(mesh, found.moved, found.step, found.quality);
     }
     return found.quality.inverted > 0
                ? text

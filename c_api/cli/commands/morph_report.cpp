@@ -3,6 +3,7 @@
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
+#include "mesh/loops.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +83,29 @@ void print_for_people(const Morph& morph, bool safe, const Companions& written) 
     }
 }
 
-std::string why_not_valid(const Morph& morph, const Mesh& mesh) {
+std::string what_goes_farther(const Mesh& mesh, const Field& moved, const hm_step_report& step,
+                              const hm_quality_report& quality) {
+    if (!(step.admissible > 0) || quality.self_crossing != 0) return {};
+    const std::string nowhere = why_bodies_cannot_be_there(mesh, moved);
+    return nowhere.empty() ? "; --safe goes farther" : "; " + nowhere;
+}
+
+namespace {
+
+// A file whose points are not in the unit of the mesh, but in per cent of the chord, say.
+std::string why_of_other_size(const AskedMoves& asked) {
+    if (!asked.airfoil) return {};
+    const double ratio = asked.airfoil->relative_size;
+    if (ratio > 0.5 && ratio < 2) return {};
+    return "; the airfoil of the file is " + brief(ratio) +
+           " times as long as that of the mesh: --on-chord gives it the chord of the mesh";
+}
+
+}  // namespace
+
+std::string why_not_reached(const Morph& morph, const Mesh& mesh, const AskedMoves& asked) {
+    const std::string other_size = why_of_other_size(asked);
+    if (!morph.refusal.empty()) return morph.refusal + other_size;
     std::string text = morph.torn;
     if (morph.quality.inverted > 0) {
         text += text.empty() ? "" : "; ";
@@ -92,8 +115,8 @@ std::string why_not_valid(const Morph& morph, const Mesh& mesh) {
             text += ": " + brief(morph.step.admissible) +
                     " of this movement is admissible, limited by cell " +
                     std::to_string(morph.step.cell) + " (" + mesh.file.place(line) + ")" +
-                    (morph.step.admissible > 0 && morph.quality.self_crossing == 0
-                         ? "; --safe goes farther"
+                    (other_size.empty()
+                         ? what_goes_farther(mesh, morph.moved, morph.step, morph.quality)
                          : "");
         }
     }
@@ -108,7 +131,7 @@ std::string why_not_valid(const Morph& morph, const Mesh& mesh) {
                     " of this movement the boundary first touches itself";
         }
     }
-    return text;
+    return text + other_size;
 }
 
 }  // namespace cli

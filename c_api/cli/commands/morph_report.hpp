@@ -21,7 +21,14 @@ void print_json(const Morph& morph, bool safe, const Companions& written, const 
 void print_for_people(const Morph& morph, bool safe, const Companions& written);
 void print_airfoil(const std::string& path, const ToAirfoil& airfoil);
 
-// Describes inverted cells and crossings, with their numbers and their places in the mesh file.
-std::string why_not_valid(const Morph& morph, const Mesh& mesh);
+// Says why the mesh does not reach the target: inverted cells and crossings, with their numbers and
+// their places in the mesh file, or the refusal of the safe morph; and that the airfoil of the file
+// has another size than that of the mesh, which is a likely reason.
+std::string why_not_reached(const Morph& morph, const Mesh& mesh, const AskedMoves& asked);
+
+// Tells what leads farther than a linear movement that inverted a cell: nothing, if `moved` has a
+// body where no mesh can have one.
+std::string what_goes_farther(const Mesh& mesh, const Field& moved, const hm_step_report& step,
+                              const hm_quality_report& quality);
 
 }  // namespace cli

@@ -68,19 +68,20 @@ bool move_section(const hm_curves& curves, const hm_section& section,
                   MovedSection& moved, hm_error& error) {
     const auto n_movements = static_cast<std::int32_t>(movements.size());
     std::int32_t n = 0;
-    std::size_t bytes = 0;
-    if (hm_move_section_size(&curves, &section, n_movements, movements.data(), &n, &bytes, &error) <
-        0)
+    hm_memory memory = {};
+    if (hm_move_section(&curves, &section, n_movements, movements.data(), &n, nullptr, nullptr,
+                        nullptr, nullptr, nullptr, &memory, &error) < 0)
         return false;
     const auto length = 2 * static_cast<std::size_t>(curves.n_control);
     moved.move.resize(length);
     moved.derivatives.resize(values.size() * length);
     moved.start.resize(values.size());
     double errors[2] = {};
-    Block work(bytes);
-    if (hm_move_section(&curves, &section, n_movements, movements.data(), values.data(),
+    Block work(memory.bytes);
+    memory.block = work.data();
+    if (hm_move_section(&curves, &section, n_movements, movements.data(), nullptr, values.data(),
                         moved.move.data(), moved.derivatives.data(), moved.start.data(), errors,
-                        work.data(), bytes, &error) < 0)
+                        &memory, &error) < 0)
         return false;
     moved.rms_error = errors[0];
     moved.max_error = errors[1];

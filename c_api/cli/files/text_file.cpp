@@ -57,6 +57,13 @@ TextFile TextFile::of_option(const std::string& option, std::string text) {
 
 std::string TextFile::place(std::size_t offset) const {
     if (name_of_place_) return path_ + ": " + name_of_place_(offset);
+    if (is_option_) {  // lines of an option are named by what they say
+        const std::size_t at = std::min(offset, text_.size());
+        const std::size_t end = std::min(text_.find('\n', at), text_.size());
+        const std::size_t before = at == 0 ? text_.npos : text_.rfind('\n', at - 1);
+        const std::size_t begin = before == text_.npos ? 0 : before + 1;
+        return path_ + " " + in_quotes(text_.substr(begin, end - begin));
+    }
     std::size_t line = 1;
     for (std::size_t i = 0; i < offset && i < text_.size(); ++i) {
         const bool lone_return =

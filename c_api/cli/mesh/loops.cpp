@@ -1,6 +1,7 @@
 #include "mesh/loops.hpp"
 
 #include "basics/geometry.hpp"
+#include "basics/text.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -109,6 +110,44 @@ BoundaryLoops::BoundaryLoops(const std::vector<std::int32_t>& ends, std::int32_t
     }
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
         of_edge.push_back(number[place(root(ends[i]))]);
+}
+
+namespace {
+
+// Counts the loops around one point of a loop, by the parity of the faces to the right of it.
+std::int32_t loops_around(const Mesh& mesh, const BoundaryLoops& loops, std::int32_t loop,
+                          std::int32_t point, const double* x, const double* y) {
+    const double px = x[place(point)], py = y[place(point)];
+    std::vector<bool> is_inside(place(loops.count));
+    for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
+        const auto a = place(mesh.face_points[2 * face]), b = place(mesh.face_points[2 * face + 1]);
+        if (loops.of_edge[face] == loop || (y[a] > py) == (y[b] > py)) continue;
+        const double crossing = x[a] + (py - y[a]) / (y[b] - y[a]) * (x[b] - x[a]);
+        const auto other = place(loops.of_edge[face]);
+        if (crossing > px) is_inside[other] = !is_inside[other];
+    }
+    return static_cast<std::int32_t>(std::count(is_inside.begin(), is_inside.end(), true));
+}
+
+}  // namespace
+
+std::string why_bodies_cannot_be_there(const Mesh& mesh, const Field& moved) {
+    const BoundaryLoops loops(mesh.face_points, mesh.points());
+    std::vector<bool> is_done(place(loops.count));
+    for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
+        const std::int32_t loop = loops.of_edge[face], point = mesh.face_points[2 * face];
+        if (is_done[place(loop)]) continue;
+        is_done[place(loop)] = true;
+        const auto around = [&](const double* x, const double* y) {
+            return loops_around(mesh, loops, loop, point, x, y);
+        };
+        const std::int32_t before = around(mesh.x.data(), mesh.y.data());
+        const std::int32_t after = around(moved.x.data(), moved.y.data());
+        if (before == after) continue;
+        return "marker " + in_quotes(mesh.markers[place(mesh.face_markers[face])]) +
+               (after < before ? " would be outside the domain" : " would be inside another body");
+    }
+    return {};
 }
 
 }  // namespace cli

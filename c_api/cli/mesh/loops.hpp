@@ -40,4 +40,9 @@ struct BoundaryLoops {
     BoundaryLoops(const std::vector<std::int32_t>& ends, std::int32_t n_points);
 };
 
+// Says how a movement changes which loops of the boundary lie inside each other, if it does: a body
+// that is outside the domain, or inside another body, crosses nothing, and no mesh can have such a
+// boundary. Returns an empty text otherwise.
+std::string why_bodies_cannot_be_there(const Mesh& mesh, const Field& moved);
+
 }  // namespace cli

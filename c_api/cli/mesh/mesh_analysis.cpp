@@ -12,10 +12,9 @@ namespace cli {
 MeshAnalysis::MeshAnalysis(const Mesh& mesh) : mesh_(mesh), view_(mesh.view()) {
     auto problem = sized<hm_problem>();
     problem.mesh = &view_;
-    std::size_t bytes = 0;
-    call(mesh_, hm_analysis_size, &problem, nullptr, &bytes);
-    block_.resize(bytes);
-    call(mesh_, hm_analysis_init, &analysis_, block_.data(), bytes, &problem, nullptr);
+    with_memory(block_, [&](hm_memory* memory) {
+        return call(mesh_, hm_analysis_init, &analysis_, memory, &problem, nullptr);
+    });
 }
 
 hm_mesh_report MeshAnalysis::report() const {

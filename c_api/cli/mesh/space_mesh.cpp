@@ -183,11 +183,10 @@ void take_plane(Mesh& mesh, const SpaceMesh& space) {
     const auto accepted = [&](hm_status status) {
         if (status < 0) refuse_space(mesh, space, error);
     };
-    std::size_t bytes = 0;
-    accepted(hm_plane_size(&given, &bytes, &error));
-    const std::unique_ptr<unsigned char[]> block(new unsigned char[bytes]);
+    Block block;
     hm_plane* plane = nullptr;
-    accepted(hm_plane_init(&plane, block.get(), bytes, &given, &error));
+    accepted(with_memory(
+        block, [&](hm_memory* memory) { return hm_plane_init(&plane, memory, &given, &error); }));
     hm_plane_info info = {};
     info.struct_size = sizeof info;
     hm_mesh found = {};

@@ -105,7 +105,7 @@ class Controls {
         if (section.control.length === 0) return;
         if (this.app.sections.length + this.app.data.bodies.length > 1) this.add_title(section.name);
         const values = () => this.app.shape.state.variables[place];
-        for (const { most, ...variable } of Section.variables)
+        for (const { most, ...variable } of section.variables)
             this.add_slider(values, { owner: section.name, low: -most, high: most, ...variable });
     }
 

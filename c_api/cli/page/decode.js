@@ -1,22 +1,19 @@
 "use strict";
-// The program writes `page_data`, one object, whose arrays are little-endian numbers in base 64.
+// The program writes `page_module`, the library for WebAssembly (gzip, in base 64), and `page_data`, one object, whose
+// arrays are little-endian numbers in base 64. Everything is counted from 0.
 //
-//   version, mesh, basis      text
-//   all_points, all_cells     numbers of points and cells of the whole mesh
-//   points, in_cells, cells   numbers of points and cells of this page; the first in_cells points belong to whole cells
-//   point [points]            the places of the points in the mesh, from 0
-//   x, y [points]             coordinates before anything moves, in double precision
-//   cell [cells]              the places of the cells in the mesh
+//   version, mesh             text
+//   operator, operator_kind   the name of the operator, and its number in harmorph.h
+//   exponent, offset_correction  as in hm_basis_info
+//   x, y [points]             coordinates before anything moves
 //   cell_start [cells+1], cell_points    rows of points
-//   has_polygons              true for a mesh of HM_CELLS_POLYGONS, where cells of four corners may be divided, too
+//   has_polygons              true for a mesh of HM_CELLS_POLYGONS
 //   face_points, face_markers the faces of the boundary
-//   markers                   name and kind, and the curves or the body of a marker, and the marker across a sliding
-//                             interface
-//   thin_edges [2*]           the lines that are drawn beyond the cells
-//   control, weights, curves  the B-spline before anything moves, see curve.js
-//   bodies                    marker and centre of each rigid body
-//   numbers                   numbers per value: 1 real, 2 complex, 4 a matrix xx, xy, yx, yy
-//   functions                 values in single precision: [function][number][point]
+//   markers                   the name of each marker
+//   curves                    [{control, weights, curves: [{degree, indices, knots}]}]
+//   conditions                as hm_condition; `along` is a place in
+//   along                     curves along which points slip, each as in `curves`
+//   basis_file                the bytes of the basis, or "": the page solves the functions
 //   moves                     the text of a file of movements to begin with, or ""
 
 function decode_base64(text, Numbers) {
@@ -26,20 +23,34 @@ function decode_base64(text, Numbers) {
     return new Numbers(bytes.buffer);
 }
 
+function decode_curves(raw) {
+    return {
+        control: decode_base64(raw.control, Float64Array),
+        weights: raw.weights === "" ? null : decode_base64(raw.weights, Float64Array),
+        curves: raw.curves.map(({ degree, indices, knots }) => ({
+            degree,
+            indices: decode_base64(indices, Int32Array),
+            knots: decode_base64(knots, Float64Array),
+        })),
+    };
+}
+
 function decode(raw) {
     const data = Object.assign({}, raw);
-    for (const name of ["x", "y", "control", "weights"]) data[name] = decode_base64(raw[name], Float64Array);
-    for (const name of ["point", "cell", "cell_start", "cell_points", "face_points", "face_markers", "thin_edges"]) {
+    for (const name of ["x", "y"]) data[name] = decode_base64(raw[name], Float64Array);
+    for (const name of ["cell_start", "cell_points", "face_points", "face_markers"])
         data[name] = decode_base64(raw[name], Int32Array);
-    }
-    data.functions = decode_base64(raw.functions, Float32Array);
-    data.curves = raw.curves.map((curve) => ({
-        degree: curve.degree,
-        indices: decode_base64(curve.indices, Int32Array),
-        knots: decode_base64(curve.knots, Float64Array),
-    }));
+    Object.assign(data, decode_curves(raw.curves[0]), { along: raw.along.map(decode_curves) });
     data.n_control = data.control.length / 2;
-    data.n_functions = data.n_control + 2 * raw.bodies.length;
-    data.pieces = new Pieces(data);
+    data.bodies = []; // marker and centre of each
+    for (const { kind, body, marker, x, y } of raw.conditions) {
+        if (kind === "rigid" && !data.bodies[body])
+            data.bodies[body] = { marker: raw.markers[marker].name, x, y };
+    }
     return data;
+}
+
+// Returns the condition of a marker, without its pieces; a marker without a condition is fixed.
+function condition_of(data, marker) {
+    return data.conditions.find((one) => one.marker === marker && one.kind !== "interface") || { kind: "fixed", marker };
 }

@@ -10,7 +10,7 @@ class Files {
         const { shape, panel } = this.app;
         this.write("moves.txt", [shape.text() + panel.design.states.text()], "text/plain");
         this.say(
-            this.app.is_valid()
+            this.app.is_valid() && this.app.reached === ""
                 ? "Saved as moves.txt for harmorph morph --move"
                 : this.app.wall.crossing.length > 0
                   ? "Saved as moves.txt; no mesh can have this wall, which crosses itself"
@@ -44,8 +44,19 @@ class Files {
         setTimeout(() => URL.revokeObjectURL(link.href), 10000);
     }
 
+    // Opens a file of any kind that the page knows: an airfoil has two numbers in a line, moves and displacements of
+    // wall points have three; the latter name a point that is no control point.
     open(file) {
-        file.text().then((text) => this.load(text, file.name));
+        file.text().then((text) => this.take(text, file.name));
+    }
+    take(text, name) {
+        const { farther, data } = this.app,
+            rows = /^\s*(rigid|# state|# control)/m.test(text) ? [] : rows_of_numbers(text);
+        if (rows.length > 3 && rows[0].length === 2)
+            farther.begin("Fitting the airfoil …", () => farther.airfoil(text, name));
+        else if (rows.some(([point]) => !(point >= 1 && point <= data.n_control)) && rows[0].length === 3)
+            farther.begin("Displacing wall points …", () => farther.displace(text, name));
+        else this.load(text, name);
     }
 
     load(text, name = "moves.txt") {
@@ -62,7 +73,7 @@ class Files {
     say(text) {
         const message = element("message");
         message.textContent = text;
-        message.hidden = false;
+        message.hidden = text === "";
         clearTimeout(this.saying);
         this.saying = setTimeout(() => {
             message.hidden = true;

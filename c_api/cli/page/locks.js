@@ -6,8 +6,6 @@ class Locks {
     constructor(app) {
         this.app = app;
         this.measures = []; // names of the locked measures: "area", "thickness"
-        this.x = new Float64Array(app.model.n);
-        this.y = new Float64Array(app.model.n);
     }
 
     toggle(name) {
@@ -21,22 +19,25 @@ class Locks {
         if (this.measures.length === 0) return;
         for (const section of this.app.sections) {
             const others = section.control.filter((i) => !held.has(i));
-            if (section.control.length > 0)
-                this.correct_section(section, start, others.length > 1 ? others : section.control);
+            this.correct_section(section, start, others.length > 1 ? others : section.control);
         }
     }
 
+    // Newton's method; the gradients are those of the first step as long as each step gains a digit.
     correct_section(section, start, free) {
         const { points } = this.app.shape.state,
-            goal = this.at(section, start),
+            goal = this.at(section, start).map(({ value }) => value),
             moves = this.app.shape.moves();
         let residual = Infinity,
             gradients = null;
         for (let turn = 0; turn < 20; ++turn) {
-            const errors = this.at(section, moves).map((value, k) => value / goal[k] - 1),
+            const found = this.at(section, moves),
+                errors = found.map(({ value }, k) => value / goal[k] - 1),
                 largest = Math.max(...errors.map(Math.abs));
             if (!(largest > 1e-13)) return;
-            if (gradients === null || !(largest < 0.1 * residual)) gradients = this.gradients(section, goal, free);
+            if (gradients === null || !(largest < 0.1 * residual))
+                gradients = found.map(({ gradient }, k) =>
+                    free.flatMap((i) => [gradient[2 * i] / goal[k], gradient[2 * i + 1] / goal[k]]));
             residual = largest;
             const factors = Locks.solve(gradients, errors);
             if (factors === null) return;
@@ -50,46 +51,22 @@ class Locks {
         }
     }
 
-    // Returns the locked measures of a section after the movements; leaves the moved wall in x and y.
+    // Returns the locked measures of a section after the movements: { value, gradient } by the control points.
     at(section, moves) {
-        const { model } = this.app;
-        for (const k of section.points) [this.x[k], this.y[k]] = [model.x0[k], model.y0[k]];
-        for (let i = 0; i < model.n_functions; ++i) {
-            if (moves[2 * i] !== 0 || moves[2 * i + 1] !== 0) this.shift(section, i, moves[2 * i], moves[2 * i + 1]);
-        }
-        return this.measured(section);
-    }
-    measured(section) {
-        const all = section.measure(this.x, this.y);
+        const { curves } = this.app.model,
+            moved = curves.moved(moves.subarray(0, 2 * curves.nControl)),
+            { values, gradients } = moved.measure(["area", "maxThickness", "chord"], section.curves),
+            n = 2 * curves.nControl,
+            [area, thickness, chord] = values,
+            row = (k) => gradients.subarray(k * n, (k + 1) * n);
+        const all = {
+            area: { value: area, gradient: row(0) },
+            thickness: {
+                value: thickness / chord,
+                gradient: row(1).map((change, k) => (change - (thickness / chord) * row(2)[k]) / chord),
+            },
+        };
         return this.measures.map((name) => all[name]);
-    }
-    shift(section, i, mx, my) {
-        for (const k of section.points) {
-            const [dx, dy] = this.app.model.displacement(i, k, mx, my);
-            this.x[k] += dx;
-            this.y[k] += dy;
-        }
-    }
-
-    // Returns the gradients of the measures, in parts of their goals, with respect to dx, dy of the free control
-    // points, by central differences round the wall in x and y.
-    gradients(section, goal, free) {
-        const step = 1e-6 * section.frame.chord,
-            rows = goal.map(() => new Float64Array(2 * free.length));
-        free.forEach((i, place) => {
-            for (let axis = 0; axis < 2; ++axis) {
-                const by = (length) => this.shift(section, i, axis === 0 ? length : 0, axis === 0 ? 0 : length);
-                by(step);
-                const ahead = this.measured(section);
-                by(-2 * step);
-                const behind = this.measured(section);
-                by(step);
-                rows.forEach((row, k) => {
-                    row[2 * place + axis] = (ahead[k] - behind[k]) / (2 * step * goal[k]);
-                });
-            }
-        });
-        return rows;
     }
 
     // Returns the factors of one or two gradients whose sum changes the measures by the errors; null if there are none.

@@ -2,15 +2,15 @@
 // The page: its parts, its buttons, and what follows when something moves.
 
 class App {
-    constructor(raw) {
+    constructor(raw, library) {
         const data = (this.data = decode(raw));
-        this.model = new Model(data);
+        this.model = new Model(data, library);
+        data.pieces = this.model.pieces();
+        data.n_functions = this.model.n_functions;
         this.cells = new Cells(data, this.model);
-        this.curves = new Curves(data);
+        this.curves = new Curves(data, this.model);
         this.wall = new Wall(data, this.model);
-        this.sections = this.wall.chains
-            .filter((chain) => chain.closed && data.markers[chain.marker].kind === "curve")
-            .map((chain) => new Section(chain, data, this.model, this.curves));
+        this.sections = this.find_sections();
         this.pairs = new Pairs(data, this.sections);
         this.shape = new Shape(data, this.sections);
         this.still_faces = this.wall.faces.filter((face) => !this.wall.moves[face.marker]);
@@ -18,6 +18,7 @@ class App {
         Object.assign(this.options, { comb: false, pressure: false, attack: 2 }); // the angle of attack is in degrees
         this.moves = this.shape.moves();
         this.still = true;
+        this.reached = ""; // how the mesh was reached, if not by the functions alone
         this.times = { morph: 0, judge: 0, draw: 0 }; // of the last frame [ms]
         this.camera = new Camera();
         this.view = new View(this);
@@ -25,13 +26,13 @@ class App {
         this.movement = new Movement(this);
         this.legend = new Legend(this);
         this.files = new Files(this);
+        this.farther = new Farther(this);
         this.picture = new Picture(data, this.model, this.cells, make_painter(element("mesh"), data.pieces.points));
         this.overlay = new Overlay(element("handles"), this);
         this.set_theme(this.options.theme);
         this.panel = new Panel(this);
         this.drag = new Drag(element("handles"), this);
         this.connect_buttons();
-        this.say_what_is_left_out();
         this.camera.is_home = true;
         this.view.resize();
         new ResizeObserver(() => this.resize()).observe(element("stage"));
@@ -76,14 +77,17 @@ class App {
         element("keys").showModal();
     }
 
-    say_what_is_left_out() {
-        const { data } = this,
-            note = element("left_out"),
-            rest = data.all_cells - data.cells;
-        note.hidden = rest === 0;
-        note.textContent =
-            `${data.cells.toLocaleString("en")} of ${data.all_cells.toLocaleString("en")} cells are shown and judged; ` +
-            "farther away the mesh is coarsened";
+    // Returns the sections: the outlines whose wall points close a chain.
+    find_sections() {
+        const { data, model, wall } = this;
+        if (model.curves === null) return [];
+        const of_point = model.curve_points();
+        return wall.chains.flatMap((chain) => {
+            const { curve } = of_point.get(chain.points[0]) ?? {},
+                outline = model.outlines.find(([first, n]) => curve >= first && curve < first + n);
+            if (!chain.closed || outline === undefined) return [];
+            return [new Section({ chain, outline, name: data.markers[chain.marker].name, model })];
+        });
     }
 
     // ---- Changes of the shape
@@ -123,16 +127,30 @@ class App {
     follow() {
         const begin = performance.now();
         this.must_follow = false;
+        this.reached = "";
         this.still = this.moves.every((move) => move === 0);
         this.curves.move(this.moves);
-        this.model.morph(this.moves);
+        this.model.move(this.moves);
         const morphed = performance.now();
-        this.cells.judge();
-        this.wall.judge(this.cells.step);
-        for (const section of this.sections) section.judge();
+        this.judge();
         if (this.is_valid()) this.shape.remember_valid();
         Object.assign(this.times, { morph: morphed - begin, judge: performance.now() - morphed });
         this.panel.update();
+    }
+    judge() {
+        const found = this.model.assess();
+        this.cells.judge(found);
+        this.wall.judge(found);
+        for (const section of this.sections) section.judge(this.curves.now);
+    }
+
+    // Shows a mesh that was not reached by the functions alone; reached says how it was reached.
+    show_reached(reached) {
+        this.reached = reached;
+        this.judge();
+        this.panel.update();
+        this.panel.speak_verdict();
+        this.draw_soon();
     }
 
     is_valid() {
@@ -196,5 +214,3 @@ class App {
 function theme_of_system() {
     return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
 }
-
-const app = new App(page_data);

@@ -1,83 +1,151 @@
 "use strict";
-// The morph itself is X = X0 + sum_i F_i dP_i. Functions are in single precision, products and sums in double
-// precision; therefore a point is within 2^-24 sum_i |F_i| |dP_i| of the place that `harmorph morph` computes, apart
-// from the rounding of sums.
+// The mesh in the memory of the library: X = X0 + sum_i F_i dP_i, and what the library says of it.
 
 class Model {
-    constructor(data) {
-        this.n = data.x.length;
-        this.x0 = data.x;
-        this.y0 = data.y;
-        this.numbers = data.numbers;
-        this.n_functions = data.n_functions;
-        this.functions = data.functions;
-        this.dx = new Float64Array(this.n);
-        this.dy = new Float64Array(this.n);
-        this.x = data.x.slice();
-        this.y = data.y.slice();
+    // library: the classes of the package (c_api/web).
+    constructor(data, library) {
+        const n = data.x.length;
+        Object.assign(this, { n, library, x0: data.x, y0: data.y, x: data.x.slice(), y: data.y.slice() });
+        this.dx = new Float64Array(n);
+        this.dy = new Float64Array(n);
+        this.n_cells = data.cell_start.length - 1;
+        this.mesh = new library.Mesh(Model.pairs(data.x, data.y), Model.cells(data), Model.boundary(data));
+        this.curves = data.n_control > 0 ? new library.Curves(data.control, data.curves, data.weights) : null;
+        this.morph = this.solved(data);
+        this.n_functions = this.morph.functions;
+        this.slips = data.conditions.some(({ kind }) => kind === "slip");
+        this.at = new library.Numbers(2 * n); // x, y of the moved points
+        this.by = new library.Numbers(2 * n); // their displacements
+        this.start = new library.Numbers(2 * n); // x, y before anything moves
+        for (const numbers of [this.start, this.at]) numbers.view.set(this.mesh.points);
+        this.areas = new library.Numbers(this.n_cells); // before anything moves
+        this.qualities = new library.Numbers(this.n_cells);
+        this.call("hm_web_areas", this.morph.basis.address, this.morph.problem.address, this.areas.address);
+        this.outlines = outlines_of(data.curves);
     }
 
-    // moves [2*functions] is the array that hm_morph takes. The mesh always moves from the start, so that rounding
-    // errors do not accumulate.
-    morph(moves) {
-        this.dx.fill(0);
-        this.dy.fill(0);
-        for (let i = 0; i < this.n_functions; ++i) {
-            if (moves[2 * i] !== 0 || moves[2 * i + 1] !== 0) this.add_function(i, moves[2 * i], moves[2 * i + 1]);
+    static pairs(x, y) {
+        const pairs = new Float64Array(2 * x.length);
+        for (let k = 0; k < x.length; ++k) [pairs[2 * k], pairs[2 * k + 1]] = [x[k], y[k]];
+        return pairs;
+    }
+    // Cells of one shape take the least time.
+    static cells({ cell_start: start, cell_points: points, has_polygons: polygons }) {
+        const all = (size) => !polygons && start.every((begin, k) => begin === size * k);
+        return all(3) ? { triangles: points } : all(4) ? { quads: points } : { start, points, polygons };
+    }
+    static boundary({ markers, face_markers, face_points }) {
+        const edges = markers.map(() => []);
+        face_markers.forEach((marker, face) => edges[marker].push(face_points[2 * face], face_points[2 * face + 1]));
+        return new Map(edges.map((list, marker) => [marker, { edges: Int32Array.from(list) }]));
+    }
+
+    solved(data) {
+        const { library } = this;
+        if (data.basis_file !== "") return library.Morph.load(decode_base64(data.basis_file, Uint8Array), this.mesh);
+        const along = data.along.map((set) => new library.Curves(set.control, set.curves, set.weights));
+        const conditions = data.conditions.map((one) => {
+            const { kind } = one, condition = { kind };
+            if (kind === "curve") condition.curves = [one.first_curve, one.n_curves];
+            if (kind === "rigid") condition.body = one.body;
+            if (["rigid", "rotation"].includes(kind)) condition.centre = [one.x, one.y];
+            if (["periodic", "rotation", "interface"].includes(kind)) condition.partner = one.partner;
+            if (one.is_piece) condition.near = [one.near_x, one.near_y];
+            if (one.along >= 0) condition.along = along[one.along];
+            return [one.marker, condition];
+        });
+        return new library.Morph(this.mesh, this.curves, conditions, {
+            operator: ["conformal", "laplace", "weighted"][data.operator_kind],
+            exponent: data.exponent,
+            offsetCorrection: data.offset_correction,
+        });
+    }
+
+    // Moves the mesh, always from the start; moves [2*functions] is the array that hm_morph takes.
+    move(moves) {
+        this.morph.displacement(moves, { out: this.by });
+        this.take_displacements();
+        if (!this.slips) return;
+        const before = this.at.view.slice();
+        this.morph.slip(this.at, { out: this.at });
+        const at = this.at.view, by = this.by.view, start = this.start.view;
+        for (let i = 0; i < at.length; ++i) if (at[i] !== before[i]) by[i] = at[i] - start[i];
+        this.take_displacements();
+    }
+    // Moves the mesh to given places x, y, x, y, ...
+    move_to(places) {
+        const by = this.by.view, start = this.start.view;
+        for (let i = 0; i < by.length; ++i) by[i] = places[i] - start[i];
+        this.take_displacements();
+        this.at.view.set(places);
+        for (let k = 0; k < this.n; ++k) [this.x[k], this.y[k]] = [places[2 * k], places[2 * k + 1]];
+    }
+    // Moves the mesh by given displacements x, y, x, y, ...
+    move_by(displacements) {
+        this.by.view.set(displacements);
+        this.take_displacements();
+    }
+    take_displacements() {
+        const { n, x0, y0, x, y, dx, dy } = this, by = this.by.view, at = this.at.view;
+        for (let k = 0; k < n; ++k) {
+            dx[k] = by[2 * k];
+            dy[k] = by[2 * k + 1];
+            at[2 * k] = x[k] = x0[k] + dx[k];
+            at[2 * k + 1] = y[k] = y0[k] + dy[k];
         }
-        for (let k = 0; k < this.n; ++k) {
-            this.x[k] = this.x0[k] + this.dx[k];
-            this.y[k] = this.y0[k] + this.dy[k];
-        }
     }
 
-    // Returns the values of one number of a function at all points.
-    values(i, number) {
-        const begin = (i * this.numbers + number) * this.n;
-        return this.functions.subarray(begin, begin + this.n);
+    // Returns what hm_assess says of the present movement: { step, quality }.
+    assess() {
+        const { basis, problem } = this.morph;
+        this.call("hm_web_cells", basis.address, problem.address, this.by, this.qualities.address);
+        return this.morph.assess(this.by);
     }
 
-    // Returns |F| at all points: the length of the first column of F, by which a movement of (1, 0) displaces a point.
+    // Calls the library: Numbers stand for points x, y, x, y, ..., which may be null.
+    call(name, ...values) {
+        const { library } = this.mesh;
+        return library.with((scope) => {
+            const given = values.map((value) =>
+                value instanceof this.library.Numbers ? scope.points(value, this.n, name) : value);
+            return library.call(name, ...given);
+        });
+    }
+
+    // Returns |F| at all points: by how much the movement (1, 0) of a function displaces them.
     size_of_function(i) {
-        const a = this.values(i, 0);
-        if (this.numbers === 1) return a;
-        const b = this.values(i, this.numbers === 2 ? 1 : 2);
-        return a.map((value, k) => Math.hypot(value, b[k]));
+        const moves = new Float64Array(2 * this.n_functions);
+        moves[2 * i] = 1;
+        const pairs = this.morph.displacement(moves);
+        return Float64Array.from({ length: this.n }, (_, k) => Math.hypot(pairs[2 * k], pairs[2 * k + 1]));
     }
 
-    // Returns the displacement of point k by the movement (mx, my) of function i.
-    displacement(i, k, mx, my) {
-        const { numbers, n, functions } = this,
-            at = i * numbers * n + k,
-            a = functions[at];
-        if (numbers === 1) return [a * mx, a * my];
-        const b = functions[at + n];
-        if (numbers === 2) return [a * mx - b * my, a * my + b * mx];
-        return [a * mx + b * my, functions[at + 2 * n] * mx + functions[at + 3 * n] * my];
+    // Returns the pieces of cells that are drawn: start [cells + 1], points [4*pieces].
+    pieces() {
+        const { library } = this.mesh, { basis, problem } = this.morph, n = this.n_cells;
+        return library.with((scope) => {
+            const start = scope.take(4 * (n + 1));
+            library.call("hm_web_pieces", basis.address, problem.address, start, 0);
+            const count = library.memory.integers(start, n + 1)[n], points = scope.take(16 * count);
+            library.call("hm_web_pieces", basis.address, problem.address, start, points);
+            const copy = (address, length) => library.memory.integers(address, length).slice();
+            return { start: copy(start, n + 1), points: copy(points, 4 * count) };
+        });
     }
 
-    add_function(i, mx, my) {
-        const { n, dx, dy } = this,
-            a = this.values(i, 0);
-        if (this.numbers === 1) {
+    // Returns the mesh points of curves, with the curve and the parameter of each: Map of {curve, u}.
+    curve_points() {
+        const { library } = this.mesh, { layout, memory } = library, found = new Map();
+        library.with((scope) => {
+            const info = scope.struct("hm_basis_info");
+            library.call("hm_basis_info_get", this.morph.basis.address, info);
+            const of = (name) => layout.get("hm_basis_info", info, name), n = of("curve_points");
+            const points = memory.integers(of("curve_point"), n), curves = memory.integers(of("point_curve"), n),
+                parameters = memory.numbers(of("point_u"), n);
             for (let k = 0; k < n; ++k) {
-                dx[k] += a[k] * mx;
-                dy[k] += a[k] * my;
+                if (curves[k] < of("curves")) found.set(points[k], { curve: curves[k], u: parameters[k] });
             }
-        } else if (this.numbers === 2) {
-            const b = this.values(i, 1);
-            for (let k = 0; k < n; ++k) {
-                dx[k] += a[k] * mx - b[k] * my;
-                dy[k] += a[k] * my + b[k] * mx;
-            }
-        } else {
-            const xy = this.values(i, 1),
-                yx = this.values(i, 2),
-                yy = this.values(i, 3);
-            for (let k = 0; k < n; ++k) {
-                dx[k] += a[k] * mx + xy[k] * my;
-                dy[k] += yx[k] * mx + yy[k] * my;
-            }
-        }
+        });
+        return found;
     }
 }

@@ -39,31 +39,33 @@ class Panel {
             { touch } = wall,
             step = app.admissible_step(),
             crosses = wall.crossing.length > 0,
-            percent = short(Math.min(1, step) * 100);
+            percent = short(Math.min(1, step) * 100),
+            { reached } = app,
+            qualities = `quality ${short(cells.min_quality)} at least, ${short(cells.mean_quality)} mean`;
         const words =
             inverted > 0
                 ? `${inverted} inverted ${inverted === 1 ? "cell" : "cells"}`
                 : crosses
                   ? "Wall crosses itself"
-                  : cells.n < app.data.all_cells
-                    ? "Valid near the body"
-                    : "Valid mesh";
+                  : "Valid mesh";
         element("verdict_word").textContent = words;
         element("verdict_detail").textContent =
-            inverted > 0 || crosses
+            reached !== ""
+                ? `${reached}; ${qualities}`
+                : inverted > 0 || crosses
                 ? `${percent} % of this movement is possible${inverted > 0 && crosses ? "; the wall crosses itself" : ""}`
                 : still
                   ? "Nothing has moved yet"
                   : touch.point >= 0 && step < 2
                     ? "The wall touches itself before a cell inverts"
-                    : `quality ${short(cells.min_quality)} at least, ${short(cells.mean_quality)} mean`;
-        element("back_to_valid").hidden = app.is_valid();
-        const used = step === Infinity ? 0 : Math.min(1, 1 / step);
+                    : qualities;
+        for (const id of ["back_to_valid", "go_safely"]) element(id).hidden = app.is_valid() || reached !== "";
+        const used = step === Infinity || reached !== "" ? 0 : Math.min(1, 1 / step);
         element("verdict").className =
             "verdict " + (inverted > 0 || crosses ? "bad" : used > 0.5 ? "warn good" : "good");
         element("gauge_fill").style.width = `${100 * used}%`;
         element("gauge").setAttribute("aria-valuenow", Math.round(100 * used));
-        element("step").textContent = still ? "–" : step === Infinity ? "unlimited" : `${short(step)} × this movement`;
+        element("step").textContent = still || reached !== "" ? "–" : step === Infinity ? "unlimited" : `${short(step)} × this movement`;
     }
 
     update_section() {

@@ -40,17 +40,24 @@ function edges_of(data) {
     };
 }
 
+// Calls visit(a, b) for each side of a closed row of points.
+function for_each_pair(row, visit) {
+    for (let k = 0; k < row.length; ++k) visit(row[k], row[k + 1 < row.length ? k + 1 : 0]);
+}
+
+
 class Picture {
     constructor(data, model, cells, painter) {
         Object.assign(this, { data, model, cells, painter });
         this.screen = new Float32Array(2 * model.n);
         this.screen_before = new Float32Array(2 * model.n);
         this.edges = data.edges = data.edges || edges_of(data);
-        // These lines are thinned already.
+        // Lines beyond the cells, which are thinned already: those of a report.
+        const thin_edges = data.thin_edges ?? [];
         this.thin_edges = {
-            pairs: new Uint32Array(data.thin_edges),
-            spacing: new Float32Array(data.thin_edges.length / 2).fill(Infinity),
-            least_scale: new Float32Array(data.thin_edges.length / 2),
+            pairs: new Uint32Array(thin_edges),
+            spacing: new Float32Array(thin_edges.length / 2).fill(Infinity),
+            least_scale: new Float32Array(thin_edges.length / 2),
         };
         this.piece_values = new Float32Array(data.pieces.points.length / 4);
         this.point_values = new Float32Array(model.n); // of the function that is shown, scaled to 0..1

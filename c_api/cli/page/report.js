@@ -1,5 +1,5 @@
 "use strict";
-// The report of one morph. Its page_data is the one that decode.js describes, without functions, and has these, too:
+// The report of one morph. Its page_data is the one that report_decode.js describes, without functions, and has these, too:
 //
 //   dx, dy [points]           the displacement of each point
 //   moved [2*functions]       the movements that hm_morph was given, as far as they were reached

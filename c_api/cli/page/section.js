@@ -1,139 +1,84 @@
 "use strict";
-// A section is a closed wall with a chord, a thickness, a camber and an area. Design variables move its control points.
+// A section is the outline of one body: curves of the library, and the wall points on them. Design variables move its
+// control points.
 
 class Section {
-    // The edges are measured if curves are given.
-    constructor(chain, data, model, curves = null) {
-        this.model = model;
-        this.curves = curves;
-        this.first_curve = data.markers[chain.marker].first_curve;
-        this.points = chain.points;
-        const marker = data.markers[chain.marker];
-        this.name = marker.name;
-        this.control = Section.control_of(marker, data);
-        this.find_ends();
-        this.start = this.measure(model.x0, model.y0);
-        if (curves !== null) Object.assign(this.start, curves.edges(this.first_curve));
-        this.now = this.start;
-        this.frame = this.chord_frame(model.x0, model.y0);
+    // chain: the wall points of the outline, in order.
+    constructor({ chain, outline, name, model }) {
+        Object.assign(this, { model, name, points: chain.points, curves: { curves: outline } });
+        const [first, n] = outline,
+            control = model.curves.curves.slice(first, first + n).flatMap(({ indices }) => [...indices]);
+        this.control = [...new Set(control)];
+        const of_point = model.curve_points();
+        this.trailing = chain.points.reduce((best, point, place) => {
+            const { curve, u } = of_point.get(point) ?? {};
+            return curve === first && (best.u === undefined || u < best.u) ? { u, place } : best;
+        }, { place: 0 }).place;
+        this.frame = this.find_frame();
+        this.start = this.now = this.measure(model.curves);
+        this.map = this.find_map();
+        const has = { thickness: this.map, camber: this.map, twist: this.frame, flap: this.frame };
+        this.variables = Section.variables.filter(({ name: variable }) => has[variable] !== null);
+        this.moved_by = { values: "", moves: null };
     }
 
-    static control_of(marker, data) {
-        const control = new Set();
-        if (marker.kind !== "curve") return [];
-        for (const curve of data.curves.slice(marker.first_curve, marker.first_curve + marker.n_curves)) {
-            for (const index of curve.indices) control.add(index);
+    // Returns the chord line: its origin at the leading edge, and (tx, ty) along the chord. Curves without ends have
+    // the line between the control points that are farthest apart.
+    find_frame() {
+        const { curves } = this.model,
+            line = (a, b) => {
+                const chord = Math.hypot(b[0] - a[0], b[1] - a[1]);
+                return { x: a[0], y: a[1], tx: (b[0] - a[0]) / chord, ty: (b[1] - a[1]) / chord, chord };
+            };
+        try {
+            const stations = [0.25, 0.75].map((station) => ({ kind: "thickness", station })),
+                [ax, ay, bx, by] = curves.measure(stations, this.curves).places;
+            return line([1.5 * ax - 0.5 * bx, 1.5 * ay - 0.5 * by], [1.5 * bx - 0.5 * ax, 1.5 * by - 0.5 * ay]);
+        } catch (error) {
+            const places = this.control.map((i) => [curves.control[2 * i], curves.control[2 * i + 1]]),
+                pairs = places.flatMap((a) => places.map((b) => line(a, b))),
+                longest = pairs.reduce((one, other) => (other.chord > one.chord ? other : one)),
+                { x, y, tx, ty, chord } = longest;
+            this.curves.chord = [[x, y], [x + chord * tx, y + chord * ty]].sort((a, b) => a[0] - b[0]);
+            return line(...this.curves.chord);
         }
-        return [...control];
+    }
+    // Returns the place of a point along the chord and across it, in chords.
+    in_chords({ x: x0, y: y0, tx, ty, chord }, x, y) {
+        const [dx, dy] = [x - x0, y - y0];
+        return [(dx * tx + dy * ty) / chord, (dy * tx - dx * ty) / chord];
     }
 
-    // Finds the two points farthest apart; round the trailing edge the section is thinner than round the leading edge.
-    find_ends() {
-        const { x0: x, y0: y } = this.model,
-            n = this.points.length,
-            distance = (i, j) =>
-                Math.hypot(x[this.points[i]] - x[this.points[j]], y[this.points[i]] - y[this.points[j]]);
-        let ends = [0, 0],
-            most = 0;
-        for (let i = 0; i < n; ++i) {
-            for (let j = 0; j < i; ++j) {
-                if (distance(i, j) <= most) continue;
-                most = distance(i, j);
-                ends = [i, j];
+    // Thickness and camber are in chords; the chord and the area are in units of the mesh. What the library cannot
+    // measure, as the leading edge of a polygon, is left out.
+    measure(curves) {
+        const of = (...kinds) => {
+            try {
+                return curves.measure(kinds, this.curves);
+            } catch (error) {
+                return { values: kinds.map(() => NaN), places: kinds.flatMap(() => [NaN, NaN]) };
             }
-        }
-        // The width of the part of the section within a twentieth of the chord from an end.
-        const width = (end) => {
-            const near = [...this.points.keys()].filter((i) => distance(i, end) < most / 20);
-            let widest = 0;
-            for (const i of near) for (const j of near) widest = Math.max(widest, distance(i, j));
-            return near.length > 2 ? Math.min(widest, this.spread(near, ends)) : Infinity;
         };
-        const [a, b] = ends;
-        [this.leading, this.trailing] = width(a) < width(b) ? [b, a] : [a, b];
-    }
-
-    spread(places, ends) {
-        const { x0: x, y0: y } = this.model,
-            a = this.points[ends[0]],
-            b = this.points[ends[1]];
-        const across = places.map(
-            (i) => (x[b] - x[a]) * (y[this.points[i]] - y[a]) - (y[b] - y[a]) * (x[this.points[i]] - x[a]),
-        );
-        return (Math.max(...across) - Math.min(...across)) / Math.hypot(x[b] - x[a], y[b] - y[a]);
-    }
-
-    // Returns a frame with its origin at the leading edge and (tx, ty) along the chord.
-    chord_frame(x, y) {
-        const a = this.points[this.leading],
-            b = this.points[this.trailing];
-        const chord = Math.hypot(x[b] - x[a], y[b] - y[a]);
-        return { x: x[a], y: y[a], tx: (x[b] - x[a]) / chord, ty: (y[b] - y[a]) / chord, chord };
-    }
-
-    // Returns the coordinates along the chord and across it, in chords.
-    in_chords(frame, x, y) {
-        const dx = x - frame.x,
-            dy = y - frame.y;
-        return [(dx * frame.tx + dy * frame.ty) / frame.chord, (dy * frame.tx - dx * frame.ty) / frame.chord];
-    }
-
-    // Thickness and camber are in chords; the chord and the area are in units of the mesh.
-    measure(x, y) {
-        const frame = this.chord_frame(x, y),
-            n = this.points.length,
-            stations = 200;
-        let twice_area = 0;
-        for (let i = 0; i < n; ++i) {
-            const a = this.points[i],
-                b = this.points[(i + 1) % n];
-            twice_area += x[a] * y[b] - x[b] * y[a];
-        }
-        // The heights of one side of the section at the stations.
-        const side = (from, to) => {
-            const heights = new Float64Array(stations + 1).fill(NaN);
-            for (let i = from; i !== to; i = (i + 1) % n) {
-                const a = this.in_chords(frame, x[this.points[i]], y[this.points[i]]);
-                const b = this.in_chords(frame, x[this.points[(i + 1) % n]], y[this.points[(i + 1) % n]]);
-                const low = Math.max(0, Math.ceil(stations * Math.min(a[0], b[0])));
-                const high = Math.min(stations, Math.floor(stations * Math.max(a[0], b[0])));
-                for (let k = low; k <= high; ++k) {
-                    const t = a[0] === b[0] ? 0 : (k / stations - a[0]) / (b[0] - a[0]);
-                    heights[k] = a[1] + t * (b[1] - a[1]);
-                }
-            }
-            return heights;
+        const { values, places } = of("chord", "maxThickness", "maxCamber", "area", "twist"),
+            [chord, thickness, camber, area, angle] = values,
+            turn = this.start ? angle - this.start.angle : 0;
+        return {
+            chord,
+            thickness: thickness / chord,
+            thickest: Math.abs(this.in_chords({ ...this.frame, chord }, places[2], places[3])[0]),
+            camber: camber / chord,
+            area,
+            angle,
+            twist: -(turn - 360 * Math.round(turn / 360)),
+            leading_edge_radius: of("leadingEdgeRadius").values[0],
+            trailing_edge_angle: of("trailingEdgeAngle").values[0],
         };
-        const one = side(this.leading, this.trailing),
-            other = side(this.trailing, this.leading);
-        const camber_line = one.map((height, k) => (Number.isNaN(height + other[k]) ? 0 : (height + other[k]) / 2));
-        let thickness = 0,
-            thickest = 0,
-            camber = 0;
-        for (let k = 0; k <= stations; ++k) {
-            const height = Math.abs(one[k] - other[k]);
-            if (height > thickness) {
-                thickness = height;
-                thickest = k / stations;
-            }
-            if (Math.abs(camber_line[k]) > Math.abs(camber)) camber = camber_line[k];
-        }
-        const twist =
-            (Math.atan2(
-                this.frame ? frame.ty * this.frame.tx - frame.tx * this.frame.ty : 0,
-                this.frame ? frame.tx * this.frame.tx + frame.ty * this.frame.ty : 1,
-            ) *
-                -180) /
-            Math.PI;
-        return { chord: frame.chord, thickness, thickest, camber, area: Math.abs(twice_area) / 2, twist, camber_line };
+    }
+    judge(curves) {
+        this.now = this.measure(curves);
     }
 
-    judge() {
-        this.now = this.measure(this.model.x, this.model.y);
-        if (this.curves !== null) Object.assign(this.now, this.curves.edges(this.first_curve));
-    }
-
-    // Returns the moved points as lines, from the trailing edge over the upper side and back.
+    // Returns the moved wall points as lines, from the trailing edge over the upper side and back.
     text() {
         const { x, y } = this.model,
             n = this.points.length,
@@ -145,34 +90,78 @@ class Section {
         return lines.join("\n") + "\n";
     }
 
-    // Returns the movement of a control point at x, y by a value of a design variable.
-    moved_by(name, value, x, y) {
-        const { frame } = this,
-            [along, across] = this.in_chords(frame, x, y);
-        const line = this.start.camber_line,
-            clamped = Math.min(Math.max(along, 0), 1);
-        const in_plane = (dt, dn) => [
-            (dt * frame.tx - dn * frame.ty) * frame.chord,
-            (dt * frame.ty + dn * frame.tx) * frame.chord,
-        ];
-        const turned = (hinge, height, degrees) => {
-            // a positive angle turns the leading edge up, or the flap down
-            const c = Math.cos((degrees * Math.PI) / 180) - 1,
-                s = Math.sin((degrees * Math.PI) / 180);
-            const dt = along - hinge,
-                dn = across - height;
-            return in_plane(c * dt + s * dn, c * dn - s * dt);
-        };
-        switch (name) {
-            case "thickness":
-                return in_plane(0, (value / 100) * (across - line[Math.round(clamped * (line.length - 1))]));
-            case "camber":
-                return in_plane(0, (value / 100) * 4 * clamped * (1 - clamped));
-            case "twist":
-                return turned(0.25, 0, value);
-            default:
-                return along > Section.hinge ? turned(Section.hinge, 0, value) : [0, 0];
+    // Returns the movements of all control points by one unit of camber and of thickness, in chords: complex numbers,
+    // two for each control point. null: this outline has none.
+    find_map() {
+        const { curves } = this.model,
+            { library } = curves;
+        try {
+            return library.with((scope) => {
+                const view = curves.describe(scope),
+                    section = this.described(scope),
+                    variables = scope.struct("hm_variables", {
+                        kind: library.constants.HM_NACA4,
+                        n_upper: 1,
+                        peaks: scope.copied(Float64Array.of(0.5)),
+                    }),
+                    n = scope.take(8),
+                    matrix = scope.take(32 * curves.nControl);
+                library.call("hm_variables_size", view, section, variables, n, n + 4);
+                const bytes = library.memory.integers(n, 2)[1],
+                    work = scope.take(bytes);
+                library.call("hm_variables_map", view, section, variables, work, bytes, matrix, 0);
+                return library.memory.numbers(matrix, 4 * curves.nControl).slice();
+            });
+        } catch (error) {
+            return null;
         }
+    }
+    described(scope) {
+        const [first_curve, n_curves] = this.curves.curves,
+            [[leading_x, leading_y], [trailing_x, trailing_y]] = this.curves.chord ?? [[0, 0], [0, 0]];
+        return scope.struct("hm_section", { first_curve, n_curves, leading_x, leading_y, trailing_x, trailing_y });
+    }
+
+    // Returns the movement of all control points, [2*n_control], by values of the design variables: first camber and
+    // thickness, then the section with these turns, and its flap.
+    moves(values) {
+        const key = JSON.stringify(values);
+        if (key === this.moved_by.values) return this.moved_by.moves;
+        const { curves } = this.model,
+            by = new Float64Array(2 * curves.nControl),
+            factors = [values.camber / 100, (values.thickness / 100) * this.start.thickness];
+        for (let i = 0; i < curves.nControl && this.map !== null; ++i) {
+            for (let axis = 0; axis < 2; ++axis)
+                by[2 * i + axis] = this.map[4 * i + axis] * factors[0] + this.map[4 * i + 2 + axis] * factors[1];
+        }
+        if (values.twist !== 0 || values.flap !== 0) {
+            const turned = this.turned(curves.moved(by), values);
+            for (let k = 0; k < by.length; ++k) by[k] += turned[k];
+        }
+        this.moved_by = { values: key, moves: by };
+        return by;
+    }
+    turned(curves, { twist, flap }) {
+        const { library } = curves,
+            { HM_ROTATE, HM_FLAP } = library.constants,
+            { x, y, tx, ty, chord } = this.frame,
+            at = (station) => ({ x: x + station * chord * tx, y: y + station * chord * ty });
+        return library.with((scope) => {
+            const view = curves.describe(scope),
+                section = this.described(scope),
+                movements = scope.structs("hm_movement", [
+                    { kind: HM_FLAP, ...at(Section.hinge) },
+                    { kind: HM_ROTATE, ...at(0.25) },
+                ]),
+                n = scope.take(8),
+                move = scope.take(16 * curves.nControl);
+            library.call("hm_move_section_size", view, section, 2, movements, n, n + 4);
+            const bytes = library.memory.integers(n, 2)[1],
+                work = scope.take(bytes),
+                angles = scope.copied(Float64Array.of(-flap, -twist)); // up, and down for a flap, at the right end
+            library.call("hm_move_section", view, section, 2, movements, angles, move, 0, 0, 0, work, bytes);
+            return library.memory.numbers(move, 2 * curves.nControl).slice();
+        });
     }
 }
 Section.hinge = 0.7; // of the flap, in chords from the leading edge

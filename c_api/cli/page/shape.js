@@ -83,20 +83,23 @@ class Shape {
         this.commit();
     }
 
+    // Gives the control points of a section the movements of a fit, [2*n_control].
+    become(section, moves) {
+        const values = this.state.variables[this.sections.indexOf(section)];
+        for (const name of Object.keys(values)) values[name] = 0;
+        for (const i of section.control) this.state.points.splice(2 * i, 2, moves[2 * i], moves[2 * i + 1]);
+        this.commit();
+    }
+
     // Returns the array that hm_morph takes: dx,dy of control points, then each body's translation and s - 1.
     moves(state = this.state) {
         const { data } = this,
             moves = new Float64Array(2 * data.n_functions);
         moves.set(state.points);
         this.sections.forEach((section, place) => {
-            for (const [name, value] of Object.entries(state.variables[place])) {
-                if (value === 0) continue;
-                for (const i of section.control) {
-                    const [dx, dy] = section.moved_by(name, value, data.control[2 * i], data.control[2 * i + 1]);
-                    moves[2 * i] += dx;
-                    moves[2 * i + 1] += dy;
-                }
-            }
+            const values = state.variables[place];
+            if (Object.values(values).every((value) => value === 0)) return;
+            section.moves(values).forEach((move, k) => (moves[k] += move));
         });
         state.bodies.forEach((body, place) => {
             const angle = (body.degrees * Math.PI) / 180,

@@ -15,10 +15,10 @@ class View {
         const { data, wall, model } = this.app;
         data.bodies.forEach((body, place) => {
             const faces = wall.faces.filter(({ marker }) => {
-                const condition = data.markers[marker];
+                const condition = condition_of(data, marker);
                 return condition.kind === "rigid" && condition.body === place;
             });
-            const box = box_of_points(model.x0, model.y0, faces.map((face) => face.a));
+            const box = box_of_points(model.x0, model.y0, faces.flatMap(({ a, b }) => [a, b]));
             body.size = Math.max(box[2] - box[0], box[3] - box[1]);
         });
     }

@@ -73,14 +73,11 @@ void DesignMorpher::morph_linearly(MorphedDesign& result) const {
 }
 
 void DesignMorpher::morph_safely(MorphedDesign& result) {
-    std::size_t bytes = 0;
     auto target = sized<hm_safe_target>();
     target.move = result.design.moves.data();
     if (!solver_) {
         solver_ = std::make_unique<Solver>(mesh_, task_, threads_);
         solver_->prepare();
-        call(mesh_, hm_move_safe_size, solver_->plan(), basis_.get(), &target, &bytes);
-        work_.resize(bytes);
     }
     Field moved(mesh_.x.size());
     const hm_points_out to = moved.write();
@@ -90,8 +87,10 @@ void DesignMorpher::morph_safely(MorphedDesign& result) {
     options.min_quality = min_quality_ > 0 ? min_quality_ : -1;
     auto report = sized<hm_safe_report>();
     hm_error error = {};
-    const hm_status status = hm_move_safe(solver_->plan(), basis_.get(), &target, &to, work_.data(),
-                                          work_.size(), &options, &report, &error);
+    const hm_status status = with_memory(work_, [&](hm_memory* memory) {
+        return hm_move_safe(solver_->plan(), basis_.get(), &target, &to, memory, &options, &report,
+                            &error);
+    });
     if (status < 0 && status != HM_CROSSING) refuse(error, mesh_);
     result.needs_safe = false;
     if (status != HM_CROSSING) {

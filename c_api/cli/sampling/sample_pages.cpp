@@ -4,6 +4,7 @@
 #include "basics/library.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
+#include "page/page_text.hpp"
 #include "pictures/svg.hpp"
 
 #include <algorithm>
@@ -132,11 +133,11 @@ void write_thumbnails(std::ostream& out, const Basis& basis, const DesignSpace& 
     const double width = box[2] - box[0], height = box[3] - box[1];
     const std::string view = brief(box[0] - .02 * width) + " " + brief(box[1] - .02 * width) + " " +
                              brief(1.04 * width) + " " + brief(height + .04 * width);
-    out << "<h2>Sections</h2>\n<div class=\"all\">\n";
+    out << "<section><h2>Sections</h2>\n<div class=\"thumbnails\">\n";
     for (const Thumbnail& one : all)
         out << "<figure><svg viewBox=\"" << view << "\"><path d=\"" << one.path
             << "\"/></svg><figcaption>" << escaped(one.text) << "</figcaption></figure>\n";
-    out << "</div>\n";
+    out << "</div></section>\n";
 }
 
 // Writes a scatter plot of two columns of the table.
@@ -147,7 +148,7 @@ void write_scatter(std::ostream& out, const SampleTable& table, const SampleSumm
     const auto share = [](double value, double low, double high) {
         return high > low ? (value - low) / (high - low) : .5;
     };
-    out << "<svg class=\"plot\" width=\"" << plot_side + 2 * plot_margin << "\" height=\""
+    out << "<svg viewBox=\"0 0 " << plot_side + 2 * plot_margin << " "
         << plot_side + 2 * plot_margin << "\"><rect x=\"" << plot_margin << "\" y=\"" << plot_margin
         << "\" width=\"" << plot_side << "\" height=\"" << plot_side << "\"/>";
     const auto text = [&](double at_x, double at_y, const char* anchor, const std::string& what) {
@@ -187,13 +188,15 @@ void write_scatters(std::ostream& out, const SampleTable& table, const SampleSum
             up.push_back(k);
     }
     if (across.empty() && !up.empty()) across = up;
-    out << "<h2>Designs, measures and quality</h2>\n<p>Blue: train; orange: test; grey: out of "
-           "range.</p>\n";
+    out << "<section><h2>Designs, measures and quality</h2>\n<p class=\"key\">"
+           "<span class=\"train\">● train</span><span class=\"test\">● test</span>"
+           "<span class=\"out\">● out of range</span></p>\n<div class=\"plots\">\n";
     for (std::size_t k = 1; k < across.size(); ++k)
         write_scatter(out, table, summary, across[0], across[k]);
     for (const std::size_t y : up)
         for (const std::size_t x : across)
             if (x != y) write_scatter(out, table, summary, x, y);
+    out << "</div></section>\n";
 }
 
 void write_counts(std::ostream& out, const char* title,
@@ -208,26 +211,17 @@ void write_counts(std::ostream& out, const char* title,
 
 void write_sample_index(std::ostream& out, const Basis& basis, const DesignSpace& space,
                         const SampleTable& table, const SampleSummary& summary) {
-    out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>Sampled "
-           "designs</title>\n<style>\n"
-           "body { font: 14px sans-serif; margin: 24px; max-width: 1200px; }\n"
-           ".all { display: flex; flex-wrap: wrap; gap: 8px; }\n"
-           "figure { margin: 0; width: 220px; } figcaption { font-size: 11px; color: #555; }\n"
-           "figure svg { width: 220px; } path { fill: #dde6f2; stroke: #1f4e8c; stroke-width: 1;\n"
-           "vector-effect: non-scaling-stroke; }\n"
-           ".plot text { font-size: 11px; } .plot rect { fill: none; stroke: #999; }\n"
-           ".train { fill: #1f6fb4; } .test { fill: #e07b00; } .out { fill: #888; }\n"
-           "</style></head>\n<body>\n<h1>Sampled designs</h1>\n<p>"
-        << escaped(space.description()) << summary.accepted << " of " << summary.designs
-        << " designs are accepted. <a href=\"designs.csv\">designs.csv</a> lists all of them, and "
-           "<a href=\"README.md\">README.md</a> describes the files.</p>\n";
-    if (summary.rows.empty()) {
-        out << "</body>\n</html>\n";
-        return;
+    out << sample_page.before_data << "<section class=\"verdict "
+        << (summary.accepted > 0 ? "good" : "bad") << "\"><b>" << summary.accepted << " of "
+        << plural(summary.designs, "design") << (summary.designs == 1 ? " is" : " are")
+        << " accepted</b><span>" << escaped(space.description())
+        << "<a href=\"designs.csv\">designs.csv</a> lists all of them, and "
+           "<a href=\"README.md\">README.md</a> describes the files.</span></section>\n";
+    if (!summary.rows.empty()) {
+        write_thumbnails(out, basis, space, summary);
+        write_scatters(out, table, summary);
     }
-    write_thumbnails(out, basis, space, summary);
-    write_scatters(out, table, summary);
-    out << "</body>\n</html>\n";
+    out << sample_page.after_data;
 }
 
 void write_sample_description(std::ostream& out, const SampleDescription& description,

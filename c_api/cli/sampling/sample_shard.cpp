@@ -104,11 +104,10 @@ WallDistances::WallDistances(const Mesh& mesh, const std::vector<std::int32_t>& 
     : mesh_(mesh), threads_(threads), faces_(mesh.x.size(), -1), distances_(mesh.x.size()) {
     const MeshAnalysis analysis(mesh);
     const auto n = static_cast<std::int32_t>(markers.size());
-    std::size_t bytes = 0;
-    call(mesh, hm_walls_size, analysis.get(), n, markers.data(), &bytes);
-    block_.resize(bytes);
-    call(mesh, hm_walls_init, &walls_, block_.data(), bytes, analysis.get(), n, markers.data(),
-         nullptr);
+    with_memory(block_, [&](hm_memory* memory) {
+        return call(mesh, hm_walls_init, &walls_, memory, analysis.get(), n, markers.data(),
+                    nullptr);
+    });
 }
 
 const std::vector<double>& WallDistances::values(const std::vector<double>& coordinates) {

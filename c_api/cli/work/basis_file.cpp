@@ -191,22 +191,21 @@ void Basis::find_slip_curves() {
 
 // Finds the curves from the movement that the mesh has made since the basis was solved.
 void Basis::find_curves(const Mesh& mesh) {
-    std::size_t bytes = 0;
-    call(path_, hm_recover_movement_size, basis_, &bytes);
-    Block work(bytes);
+    Block work;
     std::vector<double> moves(2 * static_cast<std::size_t>(info_.functions) + 1);  // never empty
     const hm_points at = mesh.coordinates();
     hm_error error = {};
-    double rotated_offset = 0;
-    const hm_status status =
-        hm_recover_movement(basis_, &at, 0, moves.data(), &distance_, &rotated_offset, nullptr,
-                            work.data(), bytes, &error);
+    auto report = sized<hm_recover_report>();
+    const hm_status status = with_memory(work, [&](hm_memory* memory) {
+        return hm_recover_movement(basis_, &at, 0, moves.data(), &report, memory, &error);
+    });
     if (status == HM_BAD_MESH) {
         why_on_no_curve_ = mesh.file.path() + ": " + error.text;
         return;
     }
     if (status < 0) refuse(error, path_);
-    distance_ = std::fabs(distance_ - rotated_offset);  // without the offsets that turned
+    distance_ =
+        std::fabs(report.residual - report.rotated_offset);  // without the offsets that turned
     moved_control_.resize(2 * static_cast<std::size_t>(n_control()) + 1);
     call(path_, hm_basis_curves, basis_, moves.data(), moved_control_.data(), &moved_curves_,
          curve_.data(), info_.curves);

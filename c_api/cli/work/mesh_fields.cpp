@@ -73,12 +73,12 @@ Interpolated interpolated(const Mesh& from, const Field& at, const std::vector<C
     const MeshAnalysis analysis(from);
     const hm_points places = {to.x.data(), to.y.data(), 1}, moved = at.read();
     Interpolated found = {{}, sized<hm_interpolation_report>()};
-    std::size_t bytes = 0;
-    call(from, hm_interpolation_size, analysis.get(), to.points(), &bytes);
-    Block block(bytes);
+    Block block;
     hm_interpolation* interpolation = nullptr;
-    call(from, hm_interpolation_init, &interpolation, static_cast<void*>(block.data()), bytes,
-         analysis.get(), &moved, to.points(), &places, nullptr, threads.executor(), &found.report);
+    with_memory(block, [&](hm_memory* memory) {
+        return call(from, hm_interpolation_init, &interpolation, memory, analysis.get(), &moved,
+                    to.points(), &places, nullptr, threads.executor(), &found.report);
+    });
     for (const Column& field : fields) {
         found.fields.push_back({field.name, std::vector<double>(to.x.size())});
         call(from, hm_interpolate, interpolation, 1, field.values.data(),

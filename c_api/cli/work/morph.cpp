@@ -101,16 +101,16 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
     const hm_basis* const functions = is_own ? basis.get() : solver.basis();
     auto to_move = sized<hm_safe_target>();
     to_move.move = target.data();
-    std::size_t bytes = 0;
-    call(mesh, hm_move_safe_size, solver.plan(), functions, &to_move, &bytes);
-    Block work(bytes);
+    Block work;
     moved.x = mesh.x;
     moved.y = mesh.y;
     options.reached = moves.data();  // all values stay 0 if the target is refused
     const hm_points_out to = moved.write();
     hm_error error = {};
-    const hm_status status = hm_move_safe(solver.plan(), functions, &to_move, &to, work.data(),
-                                          bytes, &options, &safe, &error);
+    const hm_status status = with_memory(work, [&](hm_memory* memory) {
+        return hm_move_safe(solver.plan(), functions, &to_move, &to, memory, &options, &safe,
+                            &error);
+    });
     if (status < 0 && status != HM_CROSSING) refuse(error, mesh);
     impossible = status == HM_CROSSING;
     const bool is_torn = status == HM_CROSSING && error.other_kind == HM_ITEM_CONDITION;

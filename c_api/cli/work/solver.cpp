@@ -77,19 +77,21 @@ void Solver::prepare() {
 // Makes the analysis for this kind of engine, unless the analysis alone needs more than the limit.
 std::optional<MemoryNeed> Solver::memory_with(const EngineKind& kind, double limit) {
     options_.engine = kind.engine;
-    std::size_t analysis = 0, plan = 0, basis = 0;
+    hm_memory analysis = {}, plan = {}, basis = {};
     hm_error error = {};
     const bool is_first = kind.name == choice_.kinds[0].name;  // its refusal ends the command
-    if (!is_first && hm_analysis_size(&problem_, &options_, &analysis, &error) == HM_UNSUPPORTED)
+    if (!is_first &&
+        hm_analysis_init(nullptr, &analysis, &problem_, &options_, &error) == HM_UNSUPPORTED)
         return {};
-    call(mesh_, hm_analysis_size, &problem_, &options_, &analysis);
-    MemoryNeed need = {static_cast<double>(hm_pages_room(analysis)), false};
+    analysis = {};
+    call(mesh_, hm_analysis_init, nullptr, &analysis, &problem_, &options_);
+    MemoryNeed need = {static_cast<double>(hm_pages_room(analysis.bytes)), false};
     if (need.bytes > limit) return need;
     analyse();
-    call(mesh_, hm_plan_size, analysis_, &plan);
-    call(mesh_, hm_basis_size, analysis_, &basis);
-    need.bytes +=
-        static_cast<double>(hm_pages_room(plan)) + static_cast<double>(hm_pages_room(basis));
+    call(mesh_, hm_plan_init, nullptr, &plan, analysis_);
+    call(mesh_, hm_basis_init, nullptr, &basis, analysis_);
+    need.bytes += static_cast<double>(hm_pages_room(plan.bytes)) +
+                  static_cast<double>(hm_pages_room(basis.bytes));
     need.is_of_all = true;
     return need;
 }
@@ -109,36 +111,33 @@ void Solver::put_on_curves(Field& moved, Field& displacement) {
 }
 
 void Solver::analyse() {
-    std::size_t bytes = 0;
-    call(mesh_, hm_analysis_size, &problem_, &options_, &bytes);
-    analysis_block_.resize(bytes);
     hm_error error = {};
-    const hm_status status =
-        hm_analysis_init(&analysis_, analysis_block_.data(), bytes, &problem_, &options_, &error);
+    const hm_status status = with_memory(analysis_block_, [&](hm_memory* memory) {
+        return hm_analysis_init(&analysis_, memory, &problem_, &options_, &error);
+    });
     if (status < 0) refuse_analysis(error, mesh_);
     const bool is_new = problem_.max_curve_distance != 0;  // not that of a basis
     if (status == HM_FAR_FROM_CURVE && is_new) warn(error.text);
 }
 
 void Solver::lay_out() {
-    std::size_t bytes = 0;
-    call(mesh_, hm_plan_size, analysis_, &bytes);
-    plan_block_.resize(bytes);
-    call(mesh_, hm_plan_init, &plan_, plan_block_.data(), bytes, analysis_);
-    call(mesh_, hm_basis_size, analysis_, &bytes);
-    basis_block_.resize(bytes);
-    call(mesh_, hm_basis_init, &basis_, basis_block_.data(), bytes, analysis_);
+    with_memory(plan_block_, [&](hm_memory* memory) {
+        return call(mesh_, hm_plan_init, &plan_, memory, analysis_);
+    });
+    with_memory(basis_block_, [&](hm_memory* memory) {
+        return call(mesh_, hm_basis_init, &basis_, memory, analysis_);
+    });
 }
 
 void Solver::improve(Field& moved, Field& displacement, const hm_improve_options& options) {
-    std::size_t bytes = 0;
-    call(mesh_, hm_improve_size, plan_, &bytes);
-    Block work(bytes);
+    Block work;
     // hm_improve holds slipping points on the curves. Rounded coordinates may be beside the curves.
     put_on_curves(moved, displacement);
     const hm_points from = moved.read();
     const hm_points_out to = moved.write();
-    call(mesh_, hm_improve, plan_, &from, &to, work.data(), bytes, &options, nullptr);
+    with_memory(work, [&](hm_memory* memory) {
+        return call(mesh_, hm_improve, plan_, &from, &to, memory, &options, nullptr);
+    });
     for (std::size_t point = 0; point < mesh_.x.size(); ++point) {
         displacement.x[point] = moved.x[point] - mesh_.x[point];
         displacement.y[point] = moved.y[point] - mesh_.y[point];

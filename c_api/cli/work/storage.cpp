@@ -14,11 +14,10 @@ Stored::Stored(const Arguments& arguments, const Mesh& mesh, const hm_basis* sol
     : basis_(solved) {
     if (arguments.choice("--storage", {{"double", HM_DOUBLE}, {"single", HM_SINGLE}}) == HM_DOUBLE)
         return;
-    std::size_t bytes = 0;
-    call(mesh, hm_single_size, solved, &bytes);
-    block_.resize(bytes);
     hm_basis* single = nullptr;
-    call(mesh, hm_single_init, &single, block_.data(), bytes, solved);
+    with_memory(block_, [&](hm_memory* memory) {
+        return call(mesh, hm_single_init, &single, memory, solved);
+    });
     basis_ = single;
 }
 

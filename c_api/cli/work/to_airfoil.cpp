@@ -1,5 +1,6 @@
 #include "work/to_airfoil.hpp"
 
+#include "basics/geometry.hpp"
 #include "basics/library.hpp"
 #include "basics/numbers.hpp"
 
@@ -10,6 +11,25 @@
 
 namespace cli {
 
+namespace {
+
+double extent_of(const Box& box) { return std::hypot(box.width(), box.height()); }
+
+// Returns the extent of the points in parts of that of the control points of the curve.
+double relative_size_of(const Section& section, const hm_curves& curves, const hm_curve& curve) {
+    Box points, control;
+    for (std::size_t k = 0; k < section.x.size(); ++k)
+        points.include(Point{section.x[k], section.y[k]});
+    for (std::int32_t k = 0; k < curve.n_indices; ++k) {
+        const std::int32_t i = curve.indices == nullptr ? k : curve.indices[k] - curves.index_base;
+        const double* const at = curves.control + 2 * i;
+        control.include(Point{at[0], at[1]});
+    }
+    return extent_of(points) / extent_of(control);
+}
+
+}  // namespace
+
 ToAirfoil fit_to_airfoil(const Basis& basis, std::int32_t curve, const Section& section,
                          const std::string& path, bool on_chord) {
     const auto n = static_cast<std::int32_t>(section.x.size());
@@ -17,17 +37,19 @@ ToAirfoil fit_to_airfoil(const Basis& basis, std::int32_t curve, const Section& 
     ToAirfoil result;
     result.moves.resize(2 * static_cast<std::size_t>(basis.functions()));
     auto report = sized<hm_refit_report>();
-    std::size_t bytes = 0;
-    call(path, hm_refit_size, &basis.curves(), curve, n, &bytes);
-    Block work(bytes);
-    call(path, hm_refit, &basis.curves(), curve, &points, n, std::int32_t{section.is_loop},
-         std::int32_t{on_chord}, result.moves.data(), &report, work.data(), bytes);
+    Block work;
+    with_memory(work, [&](hm_memory* memory) {
+        return call(path, hm_refit, &basis.curves(), curve, &points, n,
+                    std::int32_t{section.is_loop}, std::int32_t{on_chord}, result.moves.data(),
+                    &report, memory);
+    });
     result.closed_width = report.closed_width;
     result.points = n;
     result.max_error = report.max_error;
     result.rms_error = report.rms_error;
     result.worst_point = report.max_error_point + 1;
     result.chord = report.chord;
+    result.relative_size = relative_size_of(section, basis.curves(), basis.curves().curve[curve]);
     for (std::size_t k = 0; k < section.x.size(); ++k) {
         const double x = section.x[k], y = section.y[k];
         result.x.push_back(report.rotation_x * x - report.rotation_y * y + report.shift_x);

@@ -15,6 +15,9 @@ struct ToAirfoil {
     // Distances of the section's points from the moved curve, in the mesh's unit; the section's
     // chord in that unit.
     double max_error = 0, rms_error = 0, chord = 0;
+    // The extent of the points in the file in parts of that of the curve before the movement: 100
+    // if the file is in per cent of the chord.
+    double relative_size = 1;
     double closed_width = 0;   // width of a blunt base of the section that becomes one point, or 0
     std::string layout;        // of the section's file
     std::vector<double> x, y;  // the points of the section in their places on the curve

@@ -11,7 +11,7 @@ import numpy as np
 from ._native import ffi, lib
 from .conditions import Condition, of_basis
 from .curves import Curves
-from .errors import Error, call
+from .errors import MEMORY, Error, call, call_with_memory
 from .files import replace
 from .mesh import Mesh
 from .reports import Report, new, report
@@ -46,10 +46,8 @@ class Basis:
     @classmethod
     def empty(cls, analysis: Any) -> Tuple[Any, np.ndarray]:
         """Return a new ``hm_basis*`` to be solved, and its block."""
-        size, pointer = ffi.new("size_t*"), ffi.new("hm_basis**")
-        call(lib.hm_basis_size, analysis, size)
-        block = np.empty(size[0], np.uint8)
-        call(lib.hm_basis_init, pointer, ffi.from_buffer(block), len(block), analysis)
+        pointer = ffi.new("hm_basis**")
+        block = call_with_memory(lib.hm_basis_init, pointer, MEMORY, analysis)
         return pointer[0], block
 
     @classmethod

@@ -8,7 +8,7 @@ import numpy as np
 
 from ._native import ffi, lib
 from .arrays import int32_view, int32s
-from .errors import Error, call
+from .errors import MEMORY, Error, call, call_with_memory
 from .reports import new
 
 Marker = Union[str, int]
@@ -105,11 +105,7 @@ class Boundary:
 
     def _analysis(self) -> tuple:
         """An analysis without conditions, and the block that keeps it alive."""
-        problem, bytes_ = new("hm_problem"), ffi.new("size_t*")
+        problem, analysis = new("hm_problem"), ffi.new("hm_analysis**")
         problem.mesh = self._c
-        call(lib.hm_analysis_size, problem, ffi.NULL, bytes_, names=self.names)
-        block = np.empty(bytes_[0], np.uint8)
-        analysis = ffi.new("hm_analysis**")
-        call(lib.hm_analysis_init, analysis, ffi.from_buffer(block), len(block), problem, ffi.NULL,
-             names=self.names)
+        block = call_with_memory(lib.hm_analysis_init, analysis, MEMORY, problem, ffi.NULL, names=self.names)
         return analysis[0], block

@@ -9,7 +9,7 @@ import numpy as np
 from ._native import ffi, lib
 from .arrays import apart, doubles, int32_view, int32s, numbers, points_in, points_out
 from .basis import Basis
-from .errors import Error, call
+from .errors import MEMORY, Error, call_with_memory
 from .large import Safe, safe_options
 from .reports import fill, new, report
 
@@ -62,11 +62,9 @@ class Displacements:
             from_, _alive = (ffi.NULL, None)
             if points is not None:
                 from_, _alive = points_in(apart(points, out), self.n_points, "points")
-            work = solver.work(lib.hm_displace_size, len(fields))
-            call(lib.hm_displace, solver.plan, n, where, len(fields),
-                 ffi.new("hm_points[]", [view[0] for view, _ in views]), from_,
-                 ffi.new("hm_points_out[]", [view[0] for view, _ in targets]), ffi.from_buffer(work),
-                 len(work), ffi.NULL)
+            call_with_memory(lib.hm_displace, solver.plan, n, where, len(fields),
+                             ffi.new("hm_points[]", [view[0] for view, _ in views]), from_,
+                             ffi.new("hm_points_out[]", [view[0] for view, _ in targets]), MEMORY, ffi.NULL)
         return results if is_stack else results[0]
 
     def displace_adjoint(self, dj: Any, *, wall_points: Any = None) -> np.ndarray:
@@ -93,11 +91,9 @@ class Displacements:
             results = np.empty((len(fields), n, 2))
             views = [points_in(one, self.n_points, "dj") for one in fields]
             targets = [points_out(one, n, "out") for one in results]
-            work = solver.work(lib.hm_displace_size, len(fields))
-            call(lib.hm_displace_adjoint, solver.plan, n, where, len(fields),
-                 ffi.new("hm_points[]", [view[0] for view, _ in views]),
-                 ffi.new("hm_points_out[]", [view[0] for view, _ in targets]), ffi.from_buffer(work),
-                 len(work), ffi.NULL)
+            call_with_memory(lib.hm_displace_adjoint, solver.plan, n, where, len(fields),
+                             ffi.new("hm_points[]", [view[0] for view, _ in views]),
+                             ffi.new("hm_points_out[]", [view[0] for view, _ in targets]), MEMORY, ffi.NULL)
         return results if is_stack else results[0]
 
     def displace_safe(
@@ -148,10 +144,8 @@ class Displacements:
             if basis.shape[0]:
                 options.reached = doubles(reached, basis.shape, "reached", out=True)
             target = fill(new("hm_safe_target"), move=step, n=n, points=where, wall=view)
-            work = solver.work(lib.hm_move_safe_size, basis.pointer, target)
             try:
-                call(lib.hm_move_safe, solver.plan, basis.pointer, target, to, ffi.from_buffer(work), len(work),
-                     options, result)
+                call_with_memory(lib.hm_move_safe, solver.plan, basis.pointer, target, to, MEMORY, options, result)
             finally:
                 solver.has_factor = solver.has_factor and result.resolves == 0
         return Safe(out, report(result), reached, None)

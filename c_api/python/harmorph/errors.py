@@ -5,6 +5,8 @@ from __future__ import annotations
 import warnings
 from typing import Any, Mapping, Optional
 
+import numpy as np
+
 from ._native import ffi, lib
 
 _KINDS = {
@@ -12,6 +14,9 @@ _KINDS = {
     for name in dir(lib)
     if name.startswith("HM_ITEM_") and name != "HM_ITEM_NONE"
 }
+
+
+MEMORY = object()  # the place of the hm_memory among the arguments of call_with_memory
 
 
 class _Finding:
@@ -135,6 +140,22 @@ def call(function: Any, *arguments: Any, names: Optional[Mapping[int, str]] = No
     except (TypeError, OverflowError) as reason:
         raise Error(f"An argument has another type, or is too large: {reason}.") from None
     return check(status, error, names)
+
+
+def call_with_memory(
+    function: Any, *arguments: Any, names: Optional[Mapping[int, str]] = None
+) -> np.ndarray:
+    """Call `function` twice, with an ``hm_memory`` in the place of `MEMORY`: for its size, and with a block.
+
+    Returns the block, which keeps an object alive that the call has made.
+    """
+    memory = ffi.new("hm_memory*")
+    given = [memory if one is MEMORY else one for one in arguments]
+    call(function, *given, names=names)
+    block = np.empty(memory.bytes, np.uint8)
+    memory.block = ffi.from_buffer(block)
+    call(function, *given, names=names)
+    return block
 
 
 def _item(kind: int, item: int, base: int) -> tuple:

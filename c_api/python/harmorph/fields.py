@@ -9,7 +9,7 @@ import numpy as np
 from ._native import ffi, lib
 from .arrays import doubles, int32_view, int32s, points_in, points_out
 from .boundary import Marker
-from .errors import Error, call
+from .errors import MEMORY, Error, call, call_with_memory
 from .mesh import Mesh
 from .reports import Report, new
 
@@ -63,10 +63,8 @@ class Walls:
     def __init__(self, mesh: Mesh, markers: Sequence[Marker]) -> None:
         numbers = int32s(mesh.numbers_of(markers), "markers")
         analysis, _block = mesh._analysis()
-        size, walls, view = ffi.new("size_t*"), ffi.new("hm_walls**"), int32_view(numbers)
-        call(lib.hm_walls_size, analysis, len(numbers), view, size)
-        self._block = np.empty(size[0], np.uint8)
-        call(lib.hm_walls_init, walls, ffi.from_buffer(self._block), size[0], analysis, len(numbers), view, ffi.NULL)
+        walls, view = ffi.new("hm_walls**"), int32_view(numbers)
+        self._block = call_with_memory(lib.hm_walls_init, walls, MEMORY, analysis, len(numbers), view, ffi.NULL)
         self._walls, self._n = walls[0], mesh.n_points
         info = new("hm_walls_info")
         call(lib.hm_walls_info_get, self._walls, info)

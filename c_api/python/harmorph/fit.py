@@ -8,7 +8,7 @@ import numpy as np
 
 from ._native import ffi, lib
 from .arrays import doubles, int32_view, numbers, points_in
-from .errors import Error, call
+from .errors import MEMORY, Error, call_with_memory
 from .mesh import Mesh
 from .reports import Report, fill, new, pair, report
 
@@ -30,11 +30,9 @@ def fit_markers(
     options, _alive = _options(n_control, degree, closed, **details)
     result = new("hm_fit_report")
     wanted = np.array(mesh.numbers_of(markers), np.int32)
-    size, found = ffi.new("size_t*"), ffi.new("hm_curves**")
-    call(lib.hm_fit_marker_size, mesh._c, len(wanted), int32_view(wanted), options, size, names=mesh.names)
-    block = np.empty(size[0], np.uint8)
-    call(lib.hm_fit_marker, found, ffi.from_buffer(block), len(block), mesh._c, len(wanted),
-         int32_view(wanted), options, result, names=mesh.names)
+    found = ffi.new("hm_curves**")
+    block = call_with_memory(lib.hm_fit_marker, found, MEMORY, mesh._c, len(wanted), int32_view(wanted), options,
+                             result, names=mesh.names)
     return found[0], report(result), block
 
 
@@ -46,10 +44,8 @@ def fit_in_order(
     view, _alive = points_in(points, n, "points")
     options, _alive_too = _options(n_control, degree, closed, **details)
     result = new("hm_fit_report")
-    size, found = ffi.new("size_t*"), ffi.new("hm_curves**")
-    call(lib.hm_fit_size, n, options, size)
-    block = np.empty(size[0], np.uint8)
-    call(lib.hm_fit, found, ffi.from_buffer(block), len(block), view, n, bool(is_loop), options, result)
+    found = ffi.new("hm_curves**")
+    block = call_with_memory(lib.hm_fit, found, MEMORY, view, n, bool(is_loop), options, result)
     return found[0], report(result), block
 
 

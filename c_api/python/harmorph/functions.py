@@ -9,7 +9,7 @@ import numpy as np
 from ._native import ffi, lib
 from .arrays import apart, doubles, points_in, points_out
 from .basis import Basis
-from .errors import Error, call, check
+from .errors import MEMORY, Error, call, call_with_memory, check
 from .mesh import Mesh
 from .reports import Report, new, report
 from .threads import Executor
@@ -239,12 +239,11 @@ class Functions:
             The call refuses a mesh whose wall is farther than this from where the movement leads it,
             apart from offsets that safe morphs have turned [length]; 0 means 1e-4 of the extent of the wall.
         """
-        basis, size = self._open(), ffi.new("size_t*")
+        basis = self._open()
         view, _alive = points_in(points, basis.n_points, "points")
-        call(lib.hm_recover_movement_size, basis.pointer, size)
-        work, move = np.empty(size[0], np.uint8), np.empty(basis.shape)
-        call(lib.hm_recover_movement, basis.pointer, view, tolerance, doubles(move, basis.shape, "move", out=True),
-             ffi.NULL, ffi.NULL, ffi.NULL, ffi.from_buffer(work), len(work))
+        move = np.empty(basis.shape)
+        call_with_memory(lib.hm_recover_movement, basis.pointer, view, tolerance,
+                         doubles(move, basis.shape, "move", out=True), ffi.NULL, MEMORY)
         return move
 
     def _open(self) -> Basis:

@@ -9,7 +9,7 @@ import numpy as np
 from ._native import ffi, lib
 from .arrays import apart, doubles, points_in, points_out
 from .basis import Basis
-from .errors import Error, call
+from .errors import MEMORY, Error, call, call_with_memory
 from .reports import Report, fill, new, report
 
 _STRATEGIES = ("linear", "other", "substeps", "untangled", "improved")
@@ -116,10 +116,8 @@ class Large:
             other, block = Basis.empty(solver.analysis) if derivative else (ffi.NULL, None)
             options.derivative = other
             target = fill(new("hm_safe_target"), move=step)
-            work = solver.work(lib.hm_move_safe_size, basis.pointer, target)
             try:
-                call(lib.hm_move_safe, solver.plan, basis.pointer, target, to, ffi.from_buffer(work), len(work),
-                     options, result)
+                call_with_memory(lib.hm_move_safe, solver.plan, basis.pointer, target, to, MEMORY, options, result)
             finally:
                 solver.has_factor = solver.has_factor and result.resolves == 0
             found = self._derivative(Basis(other, block)) if derivative else None
@@ -166,8 +164,7 @@ class Large:
             if reference is not None:
                 before, _kept = points_in(apart(reference, out), n, "reference")
                 options.reference = before
-            work = solver.work(lib.hm_improve_size)
-            call(lib.hm_improve, solver.plan, from_, to, ffi.from_buffer(work), len(work), options, result)
+            call_with_memory(lib.hm_improve, solver.plan, from_, to, MEMORY, options, result)
         return out, report(result)
 
     def slip(self, points: Any, out: Any = None) -> Any:

@@ -8,7 +8,7 @@ import numpy as np
 
 from ._native import ffi, lib
 from .arrays import int32_view, int32s, numbers, points_in, points_out
-from .errors import Error, call
+from .errors import MEMORY, Error, call, call_with_memory
 from .boundary import Marker, numbered
 from .mesh import Mesh
 from .reports import Report, fill, new, report
@@ -88,11 +88,9 @@ class Plane:
             if value is not None:
                 setattr(space, name, _triple(value, name))
         fill(space, tolerance=tolerance)
-        size, plane = ffi.new("size_t*"), ffi.new("hm_plane**")
+        plane = ffi.new("hm_plane**")
         names = {number: name for name, number in markers.items() if isinstance(name, str)}
-        call(lib.hm_plane_size, space, size, names=names)
-        self._block = np.empty(size[0], np.uint8)
-        call(lib.hm_plane_init, plane, ffi.from_buffer(self._block), size[0], space, names=names)
+        self._block = call_with_memory(lib.hm_plane_init, plane, MEMORY, space, names=names)
         self._plane, self._points = plane[0], xyz
         info, view = new("hm_plane_info"), new("hm_mesh")
         call(lib.hm_plane_info_get, self._plane, info)

@@ -12,7 +12,7 @@ import numpy as np
 
 from ._native import ffi, lib
 from .arrays import points_in
-from .errors import Error, call
+from .errors import MEMORY, Error, call, call_with_memory
 from .reports import fill, new
 
 _KINDS = {
@@ -76,11 +76,9 @@ class Quality:
         if self._mesh is None:
             raise Error("This call needs the mesh; give it to Morph.load().", Error.BAD_BASIS)
         self._lock, self._n = morph._lock, morph.n_points
-        size, quality = ffi.new("size_t*"), ffi.new("hm_quality**")
-        call(lib.hm_quality_size, self._basis.pointer, self._mesh._c, size)
-        self._block = np.empty(size[0], np.uint8)
-        call(lib.hm_quality_init, quality, ffi.from_buffer(self._block), size[0], self._basis.pointer,
-             self._mesh._c, ffi.NULL)
+        quality = ffi.new("hm_quality**")
+        self._block = call_with_memory(lib.hm_quality_init, quality, MEMORY, self._basis.pointer, self._mesh._c,
+                                       ffi.NULL)
         self._quality = quality[0]
 
     def bounds(self, *kinds: Any, points: Any = None) -> Bounds:

@@ -8,7 +8,7 @@ import numpy as np
 
 from ._native import ffi, lib
 from .arrays import doubles, numbers, points_in
-from .errors import Error, call
+from .errors import MEMORY, Error, call, call_with_memory
 from .measures import Measures, measure, section_of
 from .reports import Report, fill, new, pair, report
 from .variables import Variables
@@ -92,11 +92,9 @@ class Shapes:
         ndarray of shape (n_control, 2)
             Its product with `gradient` is positive.
         """
-        size = ffi.new("size_t*")
-        call(lib.hm_smooth_gradient_size, self._c, size)
-        work, result = np.empty(size[0], np.uint8), np.empty_like(self.control)
-        call(lib.hm_smooth_gradient, self._c, length, doubles(gradient, self.control.shape, "gradient"),
-             doubles(result, result.shape, "result", out=True), ffi.from_buffer(work), len(work))
+        result = np.empty_like(self.control)
+        call_with_memory(lib.hm_smooth_gradient, self._c, length, doubles(gradient, self.control.shape, "gradient"),
+                         doubles(result, result.shape, "result", out=True), MEMORY)
         return result
 
     def move_section(
@@ -126,15 +124,14 @@ class Shapes:
             x, y = pair(wanted.centre, "centre")
             fill(ffi.addressof(struct), struct_size=ffi.sizeof("hm_movement"), kind=_MOVEMENTS[wanted.kind],
                  n_camber=wanted.n_camber, n_thickness=wanted.n_thickness, x=x, y=y, length=wanted.length)
-        section, n, size = section_of(chord, curves), ffi.new("int32_t*"), ffi.new("size_t*")
-        call(lib.hm_move_section_size, self._c, section, len(movements), structs, n, size)
+        section, n, memory = section_of(chord, curves), ffi.new("int32_t*"), ffi.new("hm_memory*")
+        call(lib.hm_move_section, self._c, section, len(movements), structs, n, *[ffi.NULL] * 5, memory)
         given = doubles(np.zeros(n[0]) if values is None else values, (n[0],), "values")
         shape = self.control.shape
         result = Moved(np.empty(shape), np.empty((n[0], *shape)), np.empty(n[0]), np.empty(2))
         move, derivatives, start, error = (doubles(one, one.shape, "result", out=True) for one in result)
-        work = np.empty(size[0], np.uint8)
-        call(lib.hm_move_section, self._c, section, len(movements), structs, given, move, derivatives, start,
-             error, ffi.from_buffer(work), len(work))
+        call_with_memory(lib.hm_move_section, self._c, section, len(movements), structs, n, given, move,
+                         derivatives, start, error, MEMORY)
         return result
 
     def refit(
@@ -161,11 +158,9 @@ class Shapes:
         """
         n = len(points[0]) if isinstance(points, tuple) else len(points)
         view, _alive = points_in(points, n, "points")
-        size, result, move = ffi.new("size_t*"), new("hm_refit_report"), np.empty_like(self.control)
-        call(lib.hm_refit_size, self._c, curve, n, size)
-        work = np.empty(size[0], np.uint8)
-        call(lib.hm_refit, self._c, curve, view, n, bool(is_loop), bool(on_chord),
-             doubles(move, move.shape, "move", out=True), result, ffi.from_buffer(work), len(work))
+        result, move = new("hm_refit_report"), np.empty_like(self.control)
+        call_with_memory(lib.hm_refit, self._c, curve, view, n, bool(is_loop), bool(on_chord),
+                         doubles(move, move.shape, "move", out=True), result, MEMORY)
         return move, report(result)
 
     def family_modes(self, movements: Any) -> Tuple[np.ndarray, np.ndarray]:
@@ -185,11 +180,9 @@ class Shapes:
         modes = np.array(numbers(movements, "movements"), np.float64, order="C")
         if modes.ndim != 3 or modes.shape[1:] != self.control.shape:
             raise Error(f"movements must have the shape (n, {len(self.control)}, 2), not {modes.shape}.")
-        singular, size = np.empty(len(modes)), ffi.new("size_t*")
-        call(lib.hm_family_modes_size, self._c, size)
-        work = np.empty(size[0], np.uint8)
-        call(lib.hm_family_modes, self._c, len(modes), ffi.from_buffer("double[]", modes),
-             ffi.from_buffer("double[]", singular), ffi.from_buffer(work), len(work))
+        singular = np.empty(len(modes))
+        call_with_memory(lib.hm_family_modes, self._c, len(modes), ffi.from_buffer("double[]", modes),
+                         ffi.from_buffer("double[]", singular), MEMORY)
         return modes, singular
 
     def refined(
@@ -214,12 +207,9 @@ class Shapes:
             derivatives by the new ones into those by the old ones.
         """
         u = numbers(knots, "knots").astype(np.float64)
-        size, finer, matrix = ffi.new("size_t*"), ffi.new("hm_curves**"), ffi.new("double**")
+        finer, matrix = ffi.new("hm_curves**"), ffi.new("double**")
         places = doubles(u, (u.size,), "knots") if u.size else ffi.NULL
-        call(lib.hm_refine_size, self._c, curve, degree, u.size, places, size)
-        block = np.empty(size[0], np.uint8)
-        call(lib.hm_refine, finer, matrix, ffi.from_buffer(block), len(block), self._c, curve, degree, u.size,
-             places)
+        _block = call_with_memory(lib.hm_refine, finer, matrix, MEMORY, self._c, curve, degree, u.size, places)
         curves = self._copied(finer[0])
         curves.markers = self.markers
         shape = (len(curves.control), len(self.control))

@@ -9,7 +9,7 @@ import numpy as np
 from ._native import ffi, lib
 from .conditions import Condition, structs
 from .curves import Curves
-from .errors import Error, call
+from .errors import MEMORY, Error, call, call_with_memory
 from .mesh import Mesh
 from .reports import fill, new
 from .threads import Executor
@@ -79,17 +79,11 @@ class Solver:
             faces, values = fluxes
             fill(problem, n_fluxes=len(faces), flux_points=ffi.from_buffer("int32_t[]", faces),
                  fluxes=ffi.from_buffer("double[]", values))
-        size = ffi.new("size_t*")
-        call(lib.hm_analysis_size, problem, struct, size, names=mesh.names)
-        self._analysis_block = np.empty(size[0], np.uint8)
-        analysis = ffi.new("hm_analysis**")
-        call(lib.hm_analysis_init, analysis, ffi.from_buffer(self._analysis_block), size[0], problem,
-             struct, names=mesh.names)
+        analysis, plan = ffi.new("hm_analysis**"), ffi.new("hm_plan**")
+        self._analysis_block = call_with_memory(lib.hm_analysis_init, analysis, MEMORY, problem, struct,
+                                                names=mesh.names)
         self.analysis = analysis[0]
-        call(lib.hm_plan_size, self.analysis, size)
-        self._plan_block = np.empty(size[0], np.uint8)
-        plan = ffi.new("hm_plan**")
-        call(lib.hm_plan_init, plan, ffi.from_buffer(self._plan_block), size[0], self.analysis)
+        self._plan_block = call_with_memory(lib.hm_plan_init, plan, MEMORY, self.analysis)
         self.plan = plan[0]
         self.has_factor = False
 
@@ -103,12 +97,6 @@ class Solver:
     def bytes(self) -> int:
         """Memory of analysis and plan."""
         return len(self._analysis_block) + len(self._plan_block)
-
-    def work(self, size_query: Any, *arguments: Any) -> Any:
-        """Return working memory as large as `size_query` says."""
-        size = ffi.new("size_t*")
-        call(size_query, self.plan, *arguments, size)
-        return np.empty(max(size[0], 1), np.uint8)
 
     def given_points(self) -> np.ndarray:
         """Return the wall points with given displacements, in the order of the library."""

@@ -8,7 +8,7 @@ import numpy as np
 
 from ._native import ffi, lib
 from .arrays import doubles, numbers, points_in
-from .errors import Error, call
+from .errors import MEMORY, Error, call, call_with_memory
 from .mesh import Mesh
 from .reports import Report, new, report
 from .threads import ONE_THREAD
@@ -36,12 +36,10 @@ class Interpolation:
         n = len(to[0]) if isinstance(to, tuple) else len(to)
         view, _alive = points_in(to, n, "to")
         analysis, _block = mesh._analysis()
-        size, made = ffi.new("size_t*"), ffi.new("hm_interpolation**")
-        call(lib.hm_interpolation_size, analysis, n, size)
-        self._block, self.distance = np.empty(size[0], np.uint8), np.empty(n)
+        made, self.distance = ffi.new("hm_interpolation**"), np.empty(n)
         result = new("hm_interpolation_report")
-        call(lib.hm_interpolation_init, made, ffi.from_buffer(self._block), size[0], analysis, ffi.NULL, n, view,
-             ffi.from_buffer("double[]", self.distance), ONE_THREAD.view, result)
+        self._block = call_with_memory(lib.hm_interpolation_init, made, MEMORY, analysis, ffi.NULL, n, view,
+                                       ffi.from_buffer("double[]", self.distance), ONE_THREAD.view, result)
         self._made, self._shape = made[0], (mesh.n_points, n)
         self.report: Report = report(result)
 

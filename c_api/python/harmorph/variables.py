@@ -8,7 +8,7 @@ import numpy as np
 
 from ._native import ffi, lib
 from .arrays import doubles, numbers
-from .errors import Error, call
+from .errors import MEMORY, Error, call, call_with_memory
 from .measures import section_of
 from .reports import fill, new, pair
 
@@ -89,15 +89,14 @@ class Variables:
             stations = numbers(peaks, "peaks")
             places = doubles(stations, (n_upper + n_lower,), "peaks")
             struct.peaks = places
-        section, n, size = section_of(chord, curves), ffi.new("int32_t*"), ffi.new("size_t*")
-        call(lib.hm_variables_size, view, section, struct, n, size)
+        section, n, memory = section_of(chord, curves), ffi.new("int32_t*"), ffi.new("hm_memory*")
+        call(lib.hm_variables_map, view, section, struct, n, memory, ffi.NULL, ffi.NULL)
         self.n: int = n[0]
         self.components = 2 if kind == "ffd" else 1
         self.matrix = np.empty((n_control, self.n), np.complex128)
         self.error = np.empty((self.n, 2))
-        work = np.empty(size[0], np.uint8)
-        call(lib.hm_variables_map, view, section, struct, ffi.from_buffer(work), len(work),
-             ffi.from_buffer("double[]", self.matrix), ffi.from_buffer("double[]", self.error))
+        call_with_memory(lib.hm_variables_map, view, section, struct, n, MEMORY,
+                         ffi.from_buffer("double[]", self.matrix), ffi.from_buffer("double[]", self.error))
 
     def move(self, values: Any) -> np.ndarray:
         """Return the movement of the control points, shape (n_control, 2), for values of the variables.

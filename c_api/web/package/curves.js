@@ -51,9 +51,8 @@ export class Curves extends Owner {
         return library.with((scope) => {
             const given = fit_options(scope, options, mesh.nPoints);
             const list = scope.integers(numbers, undefined, "markers");
-            const bytes = scope.size("hm_fit_marker_size", mesh.address, numbers.length, list, given);
             const report = scope.struct("hm_fit_report");
-            const found = scope.object("hm_fit_marker", bytes, mesh.address, numbers.length, list, given, report);
+            const found = scope.object("hm_fit_marker", mesh.address, numbers.length, list, given, report);
             return this.found(found, library.layout.read("hm_fit_report", report), names);
         });
     }
@@ -68,9 +67,8 @@ export class Curves extends Owner {
         return library.with((scope) => {
             const n = length / 2, given = fit_options(scope, options, n);
             const view = scope.points(points, n, "points");
-            const bytes = scope.size("hm_fit_size", n, given);
             const report = scope.struct("hm_fit_report");
-            const found = scope.object("hm_fit", bytes, view, n, isLoop ? 1 : 0, given, report);
+            const found = scope.object("hm_fit", view, n, isLoop ? 1 : 0, given, report);
             return this.found(found, library.layout.read("hm_fit_report", report), []);
         });
     }
@@ -178,11 +176,11 @@ export class Curves extends Owner {
         const values = floats(points, "points"), n = values.length / 2;
         whole(n, "the number of points");
         return this.library.with((scope) => {
-            const view = this.describe(scope), bytes = scope.size("hm_refit_size", view, whole(which, "curve"), n);
-            const work = scope.take(bytes), movement = scope.take(16 * this.nControl);
-            const report = scope.struct("hm_refit_report");
-            this.library.call("hm_refit", view, which, scope.points(values, n, "points"), n, isLoop ? 1 : 0,
-                onChord ? 1 : 0, movement, report, work, bytes);
+            const view = this.describe(scope), movement = scope.take(16 * this.nControl);
+            const report = scope.struct("hm_refit_report"), at = scope.points(values, n, "points");
+            whole(which, "curve");
+            scope.with_memory((memory) => this.library.call("hm_refit", view, which, at, n, isLoop ? 1 : 0,
+                onChord ? 1 : 0, movement, report, memory));
             return {
                 move: this.library.memory.numbers(movement, 2 * this.nControl).slice(),
                 report: this.library.layout.read("hm_refit_report", report),
@@ -193,10 +191,11 @@ export class Curves extends Owner {
     /** Returns a gradient by the control points, smoothed along the curves over a length. */
     smooth(gradient, length) {
         return this.library.with((scope) => {
-            const view = this.describe(scope), bytes = scope.size("hm_smooth_gradient_size", view);
-            const work = scope.take(bytes), smoothed = scope.take(16 * this.nControl);
-            this.library.call("hm_smooth_gradient", view, number(length, "length"),
-                scope.numbers(gradient, 2 * this.nControl, "gradient"), smoothed, work, bytes);
+            const view = this.describe(scope), smoothed = scope.take(16 * this.nControl);
+            const given = scope.numbers(gradient, 2 * this.nControl, "gradient");
+            number(length, "length");
+            scope.with_memory((memory) =>
+                this.library.call("hm_smooth_gradient", view, length, given, smoothed, memory));
             return this.library.memory.numbers(smoothed, 2 * this.nControl).slice();
         });
     }

@@ -1,7 +1,7 @@
 // harmorph as WebAssembly: load() instantiates the library and returns the classes of that instance.
+import { bind, warn } from "./bound.js";
 import { Curves } from "./curves.js";
 import { HarmorphError, refuse } from "./errors.js";
-import { Library } from "./library.js";
 import { Mesh } from "./mesh.js";
 import { Morph } from "./morph.js";
 import { Numbers } from "./numbers.js";
@@ -28,20 +28,6 @@ export async function load({ kernel = "auto", module, onWarning = warn } = {}) {
     return bind(await WebAssembly.instantiate(compiled), module === undefined ? chosen : "given", onWarning);
 }
 
-/** Returns the classes of an instance of the module. */
-export function bind(instance, kernel, onWarning = warn) {
-    const library = new Library(instance, kernel, onWarning);
-    const bound = { kernel, version: library.version };
-    for (const type of [Mesh, Curves, Morph, Quality, Numbers]) {
-        bound[type.name] = { [type.name]: class extends type { static library = library; } }[type.name];
-    }
-    Object.defineProperty(bound, "bytesInUse", { get: () => library.memory.bytes_in_use, enumerable: true });
-    Object.defineProperty(bound, "memory", { get: () => library.memory.memory, enumerable: true });
-    bound.HarmorphError = HarmorphError;
-    library.bound = bound;
-    return bound;
-}
-
 async function compile(url) {
     if (url.protocol === "file:" && typeof process === "object") {
         const node = "node:fs/promises"; // in a variable, so that bundlers for browsers do not look for it
@@ -51,8 +37,4 @@ async function compile(url) {
     const response = await fetch(url);
     if (!response.ok) refuse(`${url} cannot be loaded: ${response.status}.`);
     return WebAssembly.compile(await response.arrayBuffer());
-}
-
-function warn(finding) {
-    console.warn(`${finding.code}: ${finding.message}`);
 }

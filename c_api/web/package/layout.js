@@ -1,7 +1,7 @@
 // Structs and constants of the C headers by name, from the table in the module (module.cpp).
 import { refuse } from "./errors.js";
 
-const SIZES = { int32: 4, int64: 8, double: 8, char: 1, pointer: 4, function: 4 };
+const SIZES = { int32: 4, int64: 8, size: 4, double: 8, char: 1, pointer: 4, function: 4 };
 
 export class Layout {
     constructor(memory, table) {

@@ -221,26 +221,29 @@ export class Scope {
 
     // ---- Sizes and blocks ----
 
-    /** Returns the number of bytes that a size query states. */
-    size(name, ...values) {
-        const slot = this.take(4);
-        this.library.call(name, ...values, slot);
-        const bytes = this.library.memory.data.getUint32(slot, true);
-        this.drop(slot);
-        return bytes;
+    /** Makes a call twice, with an hm_memory: for its size, and with a block, which the scope keeps. */
+    with_memory(call) {
+        const { layout } = this.library, memory = this.struct("hm_memory");
+        let block = 0;
+        try {
+            call(memory);
+            block = this.take(layout.get("hm_memory", memory, "bytes"));
+            layout.write("hm_memory", memory, { block });
+            call(memory);
+        } catch (error) {
+            if (block !== 0) this.drop(block);
+            throw error;
+        } finally {
+            this.drop(memory);
+        }
     }
 
     /** Makes an object of the library in a block of its own and returns its address. */
-    object(name, bytes, ...values) {
-        const { library } = this;
-        const block = this.take(bytes);
-        const slot = this.take(4);
+    object(name, ...values) {
+        const { library } = this, slot = this.take(4);
         try {
-            library.call(name, slot, block, bytes, ...values);
+            this.with_memory((memory) => library.call(name, slot, memory, ...values));
             return library.memory.data.getUint32(slot, true);
-        } catch (error) {
-            this.drop(block);
-            throw error;
         } finally {
             this.drop(slot);
         }

@@ -80,8 +80,7 @@ export class Mesh extends Owner {
         this.open();
         return this.library.with((scope) => {
             const problem = scope.struct("hm_problem", { mesh: this.address });
-            const bytes = scope.size("hm_analysis_size", problem, 0);
-            return body(scope.object("hm_analysis_init", bytes, problem, 0), scope);
+            return body(scope.object("hm_analysis_init", problem, 0), scope);
         });
     }
 

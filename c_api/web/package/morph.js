@@ -55,8 +55,7 @@ export class Morph extends Owner {
         const solver = this.ready(), { layout } = this.library;
         const scope = this.own();
         try {
-            const bytes = scope.size("hm_basis_size", solver.analysis);
-            const address = scope.object("hm_basis_init", bytes, solver.analysis);
+            const address = scope.object("hm_basis_init", solver.analysis);
             const report = scope.struct("hm_solve_report");
             if (this.info_of(scope, address).functions > 0) {
                 this.run((_progress) => this.library.call("hm_plan_solve", solver.plan, address, report));
@@ -120,9 +119,8 @@ export class Morph extends Owner {
                 const { study, ...members } = this.solver_options;
                 const options = scope.struct("hm_options", { ...members, progress,
                     study: scope.struct("hm_study_options", study) });
-                const bytes = scope.size("hm_analysis_size", problem, options);
-                const analysis = scope.object("hm_analysis_init", bytes, problem, options);
-                const plan = scope.object("hm_plan_init", scope.size("hm_plan_size", analysis), analysis);
+                const analysis = scope.object("hm_analysis_init", problem, options);
+                const plan = scope.object("hm_plan_init", analysis);
                 return { scope, analysis, plan, has_factor: false };
             });
         } catch (error) {
@@ -230,11 +228,11 @@ export class Morph extends Owner {
     recover(points, { tolerance = 0 } = {}) {
         const basis = this.open();
         return this.library.with((scope) => {
-            const bytes = scope.size("hm_recover_movement_size", basis), work = scope.take(bytes);
             const view = scope.points(points ?? [], this.nPoints, "points");
             const to = scope.numbers_out(null, 2 * this.functions);
-            this.library.call("hm_recover_movement", basis, view, number(tolerance, "tolerance"), to.address, 0, 0, 0,
-                work, bytes);
+            number(tolerance, "tolerance");
+            scope.with_memory((memory) =>
+                this.library.call("hm_recover_movement", basis, view, tolerance, to.address, 0, memory));
             return to.done();
         });
     }
@@ -269,9 +267,8 @@ export class Morph extends Owner {
         const reached = scope.numbers_out(null, 2 * this.functions);
         const given = this.safe_options(scope, options, reached.address), report = scope.struct("hm_safe_report");
         try {
-            const bytes = scope.size("hm_move_safe_size", solver.plan, basis, target), work = scope.take(bytes);
-            this.run((_progress) => library.call("hm_move_safe", solver.plan, basis, target, to.points, work, bytes,
-                given, report));
+            this.run((_progress) => scope.with_memory((memory) =>
+                library.call("hm_move_safe", solver.plan, basis, target, to.points, memory, given, report)));
         } finally {
             if (library.layout.get("hm_safe_report", report, "resolves") !== 0) this.solver.has_factor = false;
         }
@@ -314,9 +311,8 @@ export class Morph extends Owner {
                 reference: scope.points(reference, this.nPoints, "reference"),
             });
             const report = scope.struct("hm_improve_report");
-            const bytes = scope.size("hm_improve_size", solver.plan), work = scope.take(bytes);
-            this.run((_progress) =>
-                this.library.call("hm_improve", solver.plan, from, to.points, work, bytes, options, report));
+            this.run((_progress) => scope.with_memory((memory) =>
+                this.library.call("hm_improve", solver.plan, from, to.points, memory, options, report)));
             return { points: to.done(), report: this.library.layout.read("hm_improve_report", report) };
         });
     }
@@ -362,9 +358,10 @@ export class Morph extends Owner {
             const from = points === undefined ? 0 : this.coordinates(scope, points);
             const views = fields.map((field) => scope.numbers(field ?? [], 2 * n, "wall"));
             const targets = fields.map(() => scope.numbers_out(out, 2 * this.nPoints));
-            const bytes = scope.size("hm_displace_size", solver.plan, fields.length), work = scope.take(bytes);
-            this.library.call("hm_displace", solver.plan, n, list, fields.length, stack(scope, "hm_points", views),
-                from, stack(scope, "hm_points_out", targets.map((to) => to.address)), work, bytes, 0);
+            const given = stack(scope, "hm_points", views);
+            const wanted = stack(scope, "hm_points_out", targets.map((to) => to.address));
+            scope.with_memory((memory) => this.library.call("hm_displace", solver.plan, n, list, fields.length, given,
+                from, wanted, memory, 0));
             const results = targets.map((to) => to.done());
             return is_stack ? results : results[0];
         });
@@ -379,10 +376,10 @@ export class Morph extends Owner {
             const { n, list } = this.wall_points(scope, wallPoints);
             const views = fields.map((field) => scope.numbers(field ?? [], 2 * this.nPoints, "dj"));
             const targets = fields.map(() => scope.numbers_out(null, 2 * n));
-            const bytes = scope.size("hm_displace_size", solver.plan, fields.length), work = scope.take(bytes);
-            this.library.call("hm_displace_adjoint", solver.plan, n, list, fields.length,
-                stack(scope, "hm_points", views), stack(scope, "hm_points_out", targets.map((to) => to.address)), work,
-                bytes, 0);
+            const given = stack(scope, "hm_points", views);
+            const wanted = stack(scope, "hm_points_out", targets.map((to) => to.address));
+            scope.with_memory((memory) => this.library.call("hm_displace_adjoint", solver.plan, n, list,
+                fields.length, given, wanted, memory, 0));
             const results = targets.map((to) => to.done());
             return is_stack ? results : results[0];
         });

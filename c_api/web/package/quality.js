@@ -17,8 +17,7 @@ export class Quality extends Owner {
         this.nPoints = morph.nPoints;
         this.scope = this.own();
         try {
-            const mesh = morph.problem.address, bytes = this.scope.size("hm_quality_size", basis, mesh);
-            this.address = this.scope.object("hm_quality_init", bytes, basis, mesh, 0);
+            this.address = this.scope.object("hm_quality_init", basis, morph.problem.address, 0);
             this.basis = basis;
         } catch (error) {
             this.free();

@@ -1,5 +1,6 @@
 // One displacement of the wall, as a time step has it, against factor and solution of 20 functions.
 #include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include "clock.hpp"
 #include "ours.hpp"
 #include "settings.hpp"
@@ -41,15 +42,19 @@ public:
         options.operator_kind = operator_kind;
         options.executor = settings.executor;
         std::size_t bytes = 0;
-        done(hm_analysis_size(&problem, &options, &bytes, &error_), "hm_analysis_size");
+        done(fixtures::analysis_size(&problem, &options, &bytes, &error_),
+             "fixtures::analysis_size");
         void* block = workspace_.analysis.give(bytes);
-        done(hm_analysis_init(&analysis_, block, bytes, &problem, &options, &error_),
+        done(hm_analysis_init(&analysis_, fixtures::Memory(block, bytes), &problem, &options,
+                              &error_),
              "hm_analysis_init");
-        done(hm_plan_size(analysis_, &bytes, &error_), "hm_plan_size");
+        done(fixtures::plan_size(analysis_, &bytes, &error_), "fixtures::plan_size");
         block = workspace_.plan.give(bytes);
-        done(hm_plan_init(&plan_, block, bytes, analysis_, &error_), "hm_plan_init");
-        done(hm_basis_size(analysis_, &bytes, &error_), "hm_basis_size");
-        done(hm_basis_init(&basis_, basis_block_.give(bytes), bytes, analysis_, &error_),
+        done(hm_plan_init(&plan_, fixtures::Memory(block, bytes), analysis_, &error_),
+             "hm_plan_init");
+        done(fixtures::basis_size(analysis_, &bytes, &error_), "fixtures::basis_size");
+        done(hm_basis_init(&basis_, fixtures::Memory(basis_block_.give(bytes), bytes), analysis_,
+                           &error_),
              "hm_basis_init");
     }
 
@@ -97,22 +102,23 @@ public:
 
     void displace(Index fields) {
         std::size_t bytes = 0;
-        done(hm_displace_size(plan_, fields, &bytes, &error_), "hm_displace_size");
+        done(fixtures::displace_size(plan_, fields, &bytes, &error_), "fixtures::displace_size");
         void* const block = work_.give(bytes);
         done(hm_displace(plan_, static_cast<Index>(points_.size()), nullptr, fields, given_.data(),
-                         nullptr, to_.data(), block, bytes, nullptr, &error_),
+                         nullptr, to_.data(), fixtures::Memory(block, bytes), nullptr, &error_),
              "hm_displace");
     }
     // Computes the adjoint of the fields that displace() has computed.
     void adjoint(Index fields) {
         std::size_t bytes = 0;
-        done(hm_displace_size(plan_, fields, &bytes, &error_), "hm_displace_size");
+        done(fixtures::displace_size(plan_, fields, &bytes, &error_), "fixtures::displace_size");
         void* const block = work_.give(bytes);
         std::vector<double> gradient(2 * points_.size());
         std::vector<hm_points_out> const to(at(fields),
                                             {gradient.data(), gradient.data() + points_.size(), 1});
         done(hm_displace_adjoint(plan_, static_cast<Index>(points_.size()), nullptr, fields,
-                                 dj_.data(), to.data(), block, bytes, nullptr, &error_),
+                                 dj_.data(), to.data(), fixtures::Memory(block, bytes), nullptr,
+                                 &error_),
              "hm_displace_adjoint");
     }
 

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <functional>
 #include <stdexcept>
+#include <fixtures/memory.hpp>
 
 namespace bench {
 namespace {
@@ -213,9 +214,11 @@ void add_storage(Case const& mesh_case, Settings const& settings, Limits const& 
         std::size_t bytes = 0;
         Block block;
         hm_basis* single = nullptr;
-        require(hm_single_size(ours.basis(), &bytes, &error), error, "hm_single_size");
-        require(hm_single_init(&single, block.give(bytes), bytes, ours.basis(), &error), error,
-                "hm_single_init");
+        require(fixtures::single_size(ours.basis(), &bytes, &error), error,
+                "fixtures::single_size");
+        require(hm_single_init(&single, fixtures::Memory(block.give(bytes), bytes), ours.basis(),
+                               &error),
+                error, "hm_single_init");
         Product wide(mesh_case, ours.basis(), functions, settings.executor),
             narrow(mesh_case, single, functions, settings.executor);
         auto row = [&](char const* what, double bytes_read, auto const& of_wide,

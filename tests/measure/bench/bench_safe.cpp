@@ -2,6 +2,7 @@
 // solution: analysis, plan, factor and 20 conformal functions.
 #include "fixtures/options.hpp"
 #include <fixtures/safe_moves.hpp>
+#include "fixtures/memory.hpp"
 #include "clock.hpp"
 #include "ours.hpp"
 #include "settings.hpp"
@@ -29,16 +30,20 @@ public:
     void solve() {
         Problem const problem(case_, fit_);
         std::size_t bytes = 0;
-        done(hm_analysis_size(&problem.given, &options_, &bytes, &error_), "hm_analysis_size");
+        done(fixtures::analysis_size(&problem.given, &options_, &bytes, &error_),
+             "fixtures::analysis_size");
         void* block = analysis_block_.give(bytes);
-        done(hm_analysis_init(&analysis_, block, bytes, &problem.given, &options_, &error_),
+        done(hm_analysis_init(&analysis_, fixtures::Memory(block, bytes), &problem.given, &options_,
+                              &error_),
              "hm_analysis_init");
-        done(hm_plan_size(analysis_, &bytes, &error_), "hm_plan_size");
+        done(fixtures::plan_size(analysis_, &bytes, &error_), "fixtures::plan_size");
         block = plan_block_.give(bytes);
-        done(hm_plan_init(&plan_, block, bytes, analysis_, &error_), "hm_plan_init");
-        done(hm_basis_size(analysis_, &bytes, &error_), "hm_basis_size");
+        done(hm_plan_init(&plan_, fixtures::Memory(block, bytes), analysis_, &error_),
+             "hm_plan_init");
+        done(fixtures::basis_size(analysis_, &bytes, &error_), "fixtures::basis_size");
         block = basis_block_.give(bytes);
-        done(hm_basis_init(&basis_, block, bytes, analysis_, &error_), "hm_basis_init");
+        done(hm_basis_init(&basis_, fixtures::Memory(block, bytes), analysis_, &error_),
+             "hm_basis_init");
         solve_again();
     }
     // Repeats what each step of a safe morph repeats: the numbers, not the structure.
@@ -55,7 +60,7 @@ public:
     }
     void morph() {
         std::size_t bytes = 0;
-        done(safe_move_size(plan_, basis_, &bytes, &error_), "hm_move_safe_size");
+        done(safe_move_size(plan_, basis_, &bytes, &error_), "fixtures::move_safe_size");
         void* const block = work_.give(bytes);
         hm_points_out const to{x_.data(), y_.data(), 1};
         done(safe_move(plan_, basis_, move_.data(), &to, nullptr, block, bytes, &safe_, &report_,

@@ -2,6 +2,7 @@
 
 #include <fixtures/hybrid.hpp>
 #include <fixtures/mangle.hpp>
+#include <fixtures/memory.hpp>
 
 #include <cstdio>
 #include <stdexcept>
@@ -111,11 +112,12 @@ Fit::Fit(Case const& mesh_case, Index n_control) {
     options.n_control = n_control;
     hm_error error{};
     std::size_t bytes = 0;
-    require(hm_fit_size(mesh_case.wall_points, &options, &bytes, &error), error, "hm_fit_size");
+    require(fixtures::fit_size(mesh_case.wall_points, &options, &bytes, &error), error,
+            "fixtures::fit_size");
     block_.reset(new unsigned char[bytes]);
     hm_points const wall{x.data(), y.data(), 1};
-    hm_status const status = hm_fit(&curves_, block_.get(), bytes, &wall, mesh_case.wall_points, 1,
-                                    &options, nullptr, &error);
+    hm_status const status = hm_fit(&curves_, fixtures::Memory(block_.get(), bytes), &wall,
+                                    mesh_case.wall_points, 1, &options, nullptr, &error);
     require(status, error, "hm_fit");
 }
 

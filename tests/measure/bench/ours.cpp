@@ -1,4 +1,5 @@
 #include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include "ours.hpp"
 
 #include "clock.hpp"
@@ -68,15 +69,17 @@ hm_analysis* Ours::analyse(Asked& asked) {
     hm_error error{};
     std::size_t bytes = 0;
     hm_problem const& given = asked.problem.given;
-    require(hm_analysis_size(&given, &asked.options, &bytes, &error), error, "hm_analysis_size");
+    require(fixtures::analysis_size(&given, &asked.options, &bytes, &error), error,
+            "fixtures::analysis_size");
     analysis_bytes_ = static_cast<double>(bytes);
     hm_analysis* analysis = nullptr;
     void* const block = workspace_.analysis.give(bytes);
-    require(hm_analysis_init(&analysis, block, bytes, &given, &asked.options, &error), error,
-            "hm_analysis_init");
-    require(hm_basis_size(analysis, &bytes, &error), error, "hm_basis_size");
+    require(
+        hm_analysis_init(&analysis, fixtures::Memory(block, bytes), &given, &asked.options, &error),
+        error, "hm_analysis_init");
+    require(fixtures::basis_size(analysis, &bytes, &error), error, "fixtures::basis_size");
     basis_bytes_ = static_cast<double>(bytes);
-    require(hm_plan_size(analysis, &bytes, &error), error, "hm_plan_size");
+    require(fixtures::plan_size(analysis, &bytes, &error), error, "fixtures::plan_size");
     plan_bytes_ = static_cast<double>(bytes);
     return analysis;
 }
@@ -97,12 +100,14 @@ Phases Ours::run(TimeKind kind) {
     hm_analysis* const analysis = analyse(asked);
     auto const size = [](double bytes) { return static_cast<std::size_t>(bytes); };
     void* block = basis_block_.give(size(basis_bytes_));
-    done(hm_basis_init(&basis_, block, size(basis_bytes_), analysis, &error), "hm_basis_init");
+    done(hm_basis_init(&basis_, fixtures::Memory(block, size(basis_bytes_)), analysis, &error),
+         "hm_basis_init");
 
     hm_plan* plan = nullptr;
     block = workspace_.plan.give(size(plan_bytes_));
     double const begin = clock.seconds();
-    done(hm_plan_init(&plan, block, size(plan_bytes_), analysis, &error), "hm_plan_init");
+    done(hm_plan_init(&plan, fixtures::Memory(block, size(plan_bytes_)), analysis, &error),
+         "hm_plan_init");
     // It also copies the mesh's structure, but most of it is symbolic work that no phase tells of.
     clock.phases.symbolic += clock.seconds() - begin;
 

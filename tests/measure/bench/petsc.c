@@ -80,9 +80,9 @@ int main(int argc, char** argv) {
         hm_petsc_report report = {sizeof report};
         hm_petsc* system;
         hm_basis* rows;
-        size_t bytes;
+        hm_memory memory;
         void* block;
-        double before, times[4], memory[3], *move;
+        double before, times[4], megabytes[3], *move;
         for (j = begin; j <= end; ++j) {
             for (i = 0; i < ni; ++i, ++n) {
                 place(i, j, ni, nj, first, &x[n], &y[n]);
@@ -112,9 +112,9 @@ int main(int argc, char** argv) {
         part.numbers = numbers;
         fit.n_control = functions;
         fit.closed = HM_PERIODIC;
-        need(hm_fit_size(ni - 1, &fit, &bytes, &error), &error);
-        need(hm_fit(&problem.curves, malloc(bytes), bytes, &(hm_points){wall, wall + ni, 1}, ni - 1,
-                    1, &fit, NULL, &error),
+        need(hm_fit(NULL, emptied(&memory), NULL, ni - 1, 0, &fit, NULL, &error), &error);
+        need(hm_fit(&problem.curves, &(hm_memory){malloc(memory.bytes), memory.bytes},
+                    &(hm_points){wall, wall + ni, 1}, ni - 1, 1, &fit, NULL, &error),
              &error);
         on_curve.marker = WALL;
         on_curve.n_curves = 1;
@@ -125,11 +125,11 @@ int main(int argc, char** argv) {
         times[0] = seconds();
         need(hm_petsc_create(&system, &part, &problem, &options, MPI_COMM_WORLD, &error), &error);
         times[1] = seconds();
-        need(hm_petsc_rows_size(system, &bytes, &error), &error);
-        block = malloc(bytes);
-        need(hm_petsc_solve(system, &rows, block, bytes, &report, MPI_COMM_WORLD, &error), &error);
+        need(hm_petsc_solve(system, NULL, emptied(&memory), NULL, MPI_COMM_WORLD, &error), &error);
+        block = memory.block = malloc(memory.bytes);
+        need(hm_petsc_solve(system, &rows, &memory, &report, MPI_COMM_WORLD, &error), &error);
         times[2] = seconds();
-        memory[0] = (double)report.bytes + (double)bytes;
+        megabytes[0] = (double)report.bytes + (double)memory.bytes;
         memory[1] = resident() - before - memory[0];
         memory[2] = most_resident() - before;
         move = calloc(2 * (size_t)functions, sizeof *move);

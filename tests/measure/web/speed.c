@@ -2,6 +2,8 @@
  * one line for each part; speed.mjs prints the same lines for WebAssembly. The mesh consists of
  * rings round an ellipse. */
 #define _POSIX_C_SOURCE 199309L
+#include "../../memory.h"
+
 #include <harmorph.h>
 #include <math.h>
 #include <stdio.h>
@@ -42,15 +44,18 @@ static hm_basis* basis;
 static void* blocks[3];
 
 static void prepare(const hm_problem* problem, const hm_options* options) {
-    size_t bytes;
+    hm_memory memory;
     int k;
     for (k = 0; k < 3; ++k) free(blocks[k]);
-    check(hm_analysis_size(problem, options, &bytes, &error));
-    check(hm_analysis_init(&analysis, blocks[0] = malloc(bytes), bytes, problem, options, &error));
-    check(hm_plan_size(analysis, &bytes, &error));
-    check(hm_plan_init(&plan, blocks[1] = malloc(bytes), bytes, analysis, &error));
-    check(hm_basis_size(analysis, &bytes, &error));
-    check(hm_basis_init(&basis, blocks[2] = malloc(bytes), bytes, analysis, &error));
+    check(hm_analysis_init(NULL, emptied(&memory), problem, options, &error));
+    check(hm_analysis_init(&analysis, &(hm_memory){blocks[0] = malloc(memory.bytes), memory.bytes},
+                           problem, options, &error));
+    check(hm_plan_init(NULL, emptied(&memory), analysis, &error));
+    check(hm_plan_init(&plan, &(hm_memory){blocks[1] = malloc(memory.bytes), memory.bytes},
+                       analysis, &error));
+    check(hm_basis_init(NULL, emptied(&memory), analysis, &error));
+    check(hm_basis_init(&basis, &(hm_memory){blocks[2] = malloc(memory.bytes), memory.bytes},
+                        analysis, &error));
 }
 
 int main(int count, char** arguments) {
@@ -60,7 +65,7 @@ int main(int count, char** arguments) {
            *move = calloc((size_t)n_control, 16);
     int32_t *lists = malloc(8 * (size_t)ni), start[3], markers[] = {1, 2};
     int i, j;
-    size_t bytes;
+    hm_memory memory;
     hm_mesh mesh;
     hm_fit_options fit;
     hm_condition wall;
@@ -97,8 +102,9 @@ int main(int count, char** arguments) {
     mesh.n_lists = 2, mesh.list_start = start, mesh.list_points = lists,
     mesh.list_markers = markers;
     fit.n_control = n_control, fit.closed = HM_PERIODIC;
-    check(hm_fit_size(ni - 1, &fit, &bytes, &error));
-    check(hm_fit(&curves, malloc(bytes), bytes, &points, ni - 1, 1, &fit, NULL, &error));
+    check(hm_fit(NULL, emptied(&memory), NULL, ni - 1, 0, &fit, NULL, &error));
+    check(hm_fit(&curves, &(hm_memory){malloc(memory.bytes), memory.bytes}, &points, ni - 1, 1,
+                 &fit, NULL, &error));
     wall.marker = 1, wall.n_curves = 1;
     problem.mesh = &mesh, problem.curves = curves, problem.n_conditions = 1,
     problem.conditions = &wall;

@@ -1,55 +1,24 @@
-#include "page/page_data.hpp"
+#include "page/report_data.hpp"
 
 #include "basics/json.hpp"
 #include "files/paths.hpp"
-#include "formats/base64.hpp"
 #include "options/operators.hpp"
+#include "page/numbers_as_text.hpp"
 #include "page/page_text.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <ostream>
-#include <type_traits>
 
 namespace cli {
 
 namespace {
-
-// The bytes of numbers as text, the lowest byte first on any processor.
-class Base64 {
-public:
-    template <class Number>
-    void add(Number number) {
-        using Bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
-        Bits bits;
-        std::memcpy(&bits, &number, sizeof bits);
-        for (std::size_t i = 0; i < sizeof bits; ++i)
-            bytes_ += static_cast<char>(bits >> (8 * i) & 255u);
-    }
-    std::string text() const { return encode_base64(bytes_); }
-
-private:
-    std::string bytes_;
-};
-
-template <class Number>
-std::string base64(const Number* numbers, std::size_t n) {
-    Base64 result;
-    for (std::size_t i = 0; i < n; ++i) result.add(numbers[i]);
-    return result.text();
-}
-
-template <class Number>
-std::string base64(const std::vector<Number>& numbers) {
-    return base64(numbers.data(), numbers.size());
-}
 
 class Writer {
 public:
     Writer(const Mesh& mesh, const PageSubject& subject, const PageSelection& selection)
         : mesh_(mesh), subject_(subject), selection_(selection) {}
 
-    // Adds everything except functions and displacements.
+    // Adds everything except displacements.
     JsonObject& run() {
         object_.add("version", std::string(hm_version())).add("mesh", last_name(mesh_.file.path()));
         object_.add("basis", last_name(subject_.basis));
@@ -67,20 +36,6 @@ public:
         return object_;
     }
 
-    // Adds the values at the points, function by function, and number by number of a function.
-    void add_functions(const Basis& basis) {
-        Base64 all;
-        for (std::int32_t function = 0; function < basis.functions(); ++function) {
-            for (std::int32_t number = 0; number < subject_.info.numbers_per_value; ++number) {
-                const std::vector<double> values = basis.values(function, number, mesh_);
-                for (const std::int32_t point : selection_.points) {
-                    all.add(static_cast<float>(values[static_cast<std::size_t>(point)]));
-                }
-            }
-        }
-        object_.add("functions", all.text());
-    }
-
     void add_displacement(const Field& displacement) {
         std::vector<double> dx, dy;
         for (const std::int32_t point : selection_.points) {
@@ -94,7 +49,7 @@ public:
 private:
     template <class Number>
     void add_array(const char* key, const std::vector<Number>& numbers) {
-        object_.add(key, base64(numbers));
+        object_.add(key, numbers_as_text(numbers));
     }
 
     void add_points() {
@@ -174,9 +129,9 @@ private:
     void add_curves() {
         const hm_curves& curves = subject_.curves;
         const auto n = static_cast<std::size_t>(curves.n_control);
-        object_.add("control", base64(curves.control, 2 * n));
+        object_.add("control", numbers_as_text(curves.control, 2 * n));
         object_.add("weights",
-                    curves.weights == nullptr ? std::string() : base64(curves.weights, n));
+                    curves.weights == nullptr ? std::string() : numbers_as_text(curves.weights, n));
         std::vector<JsonObject> list;
         for (std::int32_t i = 0; i < curves.n_curves && n > 0; ++i) {
             const hm_curve& curve = curves.curve[i];
@@ -186,8 +141,10 @@ private:
                                                            : curve.indices[k] - curves.index_base);
             }
             const auto n_knots = static_cast<std::size_t>(curve.n_indices + curve.degree + 1);
-            list.emplace_back().add("degree", curve.degree).add("indices", base64(indices));
-            list.back().add("knots", base64(curve.knots, n_knots));
+            list.emplace_back()
+                .add("degree", curve.degree)
+                .add("indices", numbers_as_text(indices));
+            list.back().add("knots", numbers_as_text(curve.knots, n_knots));
         }
         object_.add("curves", list);
     }
@@ -209,23 +166,7 @@ private:
     JsonObject object_;
 };
 
-// Escapes "<", because a tag in the name of a marker could end the script.
-std::string for_script(std::string json) {
-    for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;)
-        json.replace(at, 1, "\\u003c");
-    return json;
-}
-
 }  // namespace
-
-void write_page_data(std::ostream& out, const Mesh& mesh, const Basis& basis,
-                     const PageSelection& selection, const std::string& moves) {
-    const PageSubject subject = {basis.path(), basis.info(), basis.curves(), basis.conditions()};
-    Writer writer(mesh, subject, selection);
-    JsonObject& object = writer.run();
-    writer.add_functions(basis);
-    out << for_script(object.add("moves", moves).text());
-}
 
 void write_report(std::ostream& out, const Mesh& mesh, const PageSubject& subject,
                   const std::vector<std::int32_t>& body, const MovedMesh& moved) {
@@ -234,7 +175,7 @@ void write_report(std::ostream& out, const Mesh& mesh, const PageSubject& subjec
     JsonObject& object = writer.run();
     writer.add_displacement(moved.displacement);
     object.add("functions", std::string())
-        .add("moved", base64(moved.moves))
+        .add("moved", numbers_as_text(moved.moves))
         .add("refusal", moved.refusal);
     object.add("inverted", moved.quality.inverted)
         .add("self_crossing", moved.quality.self_crossing != 0);

@@ -136,11 +136,6 @@ class CellOutline {
     }
 }
 
-// Calls visit(a, b) for each side of a closed row of points.
-function for_each_pair(row, visit) {
-    for (let k = 0; k < row.length; ++k) visit(row[k], row[k + 1 < row.length ? k + 1 : 0]);
-}
-
 // Calls visit(a, b) for each side of each cell, counter-clockwise.
 function for_each_side({ cell_start, cell_points }, visit) {
     for (let cell = 0; cell + 1 < cell_start.length; ++cell)

@@ -1,5 +1,4 @@
-// The data of mesh and basis for the pages of `harmorph explore`, and of `morph` and `displace`
-// with the option --report.
+// The report of `morph` and `displace` with the option --report.
 #pragma once
 
 #include "basics/geometry.hpp"
@@ -33,12 +32,7 @@ struct MovedMesh {
     std::string refusal;
 };
 
-// Writes one JSON object, which page/decode.js describes. moves: the text of the file of movements
-// that the page begins with, or empty.
-void write_page_data(std::ostream& out, const Mesh& mesh, const Basis& basis,
-                     const PageSelection& selection, const std::string& moves);
-// Writes the report page. Its data are the same object without functions, but with the displacement
-// of each point and with `moved`; page/report.js describes these data. body: the mesh points near
+// Writes the report page. page/report.js describes its data. body: the mesh points near
 // which cells are shown.
 void write_report(std::ostream& out, const Mesh& mesh, const PageSubject& subject,
                   const std::vector<std::int32_t>& body, const MovedMesh& moved);

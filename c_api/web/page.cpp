@@ -1,0 +1,144 @@
+// Calls of the module in pages of the program (c_api/cli/page), for pictures: the values of each
+// cell and of each wall point, of which the C headers tell extremes and means.
+#include <harmorph_fields.h>
+
+#include "fields/walls.hpp"
+#include "mesh_pair.hpp"
+#include "morph/quality.hpp"
+
+using namespace harmorph;
+
+namespace harmorph {
+namespace {
+
+// Calls put(cell, quality) for the cells after the displacement, compared with those before.
+template <class Put>
+void for_each_quality(OrientedMesh const& cells, Points start, Points change, Put const& put) {
+    CellPlaces const places{start, change, {}};
+    auto const measure = [&](Index number) {
+        auto const displaced = [&](Index piece) {
+            CellShape shape = shape_of(cells, piece, start);
+            CellShape const by = shape_of(cells, piece, change);
+            for (Index k = 0; k < 4; ++k) shape.at[k] = shape.at[k] + by.at[k];
+            return shape;
+        };
+        put(number, CellMeasure(cells.mesh, number, displaced)
+                        .quality(measure_cell(cells, number, start).area));
+    };
+    if (cells.mesh.has_pieces()) {
+        for (Index i = 0; i < cells.mesh.n_given_cells(); ++i) measure(i);
+        return;
+    }
+    CellKernels const& kernels = cell_kernels(Kernel::automatic, cells.mesh.n_cells);
+    for_each_batch(cells, 0, cells.mesh.n_cells, [&](CellBatches const& batches) {
+        ListQuality triangles, quads;
+        kernels.triangles(batches.triangles, places, {}, &triangles);
+        kernels.quads(batches.quads, places, {}, &quads);
+        batches.for_each([&](Index number, bool is_triangle, Index i) {
+            Real const value = (is_triangle ? triangles : quads).quality[i];
+            if (value == ListQuality::not_in_range) measure(number);
+            else put(number, value);
+        });
+    });
+}
+
+}  // namespace
+}  // namespace harmorph
+
+extern "C" {
+
+// The area of each cell before anything moves: area [n_cells].
+HM_API hm_status hm_web_areas(const hm_basis* basis, const hm_mesh* mesh, double* area,
+                              hm_error* err);
+hm_status hm_web_areas(const hm_basis* basis, const hm_mesh* mesh, double* area, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Basis b;
+        Mesh view;
+        OrientedMesh cells;
+        HARMORPH_TRY(open_pair(basis, mesh, b, view, cells, fault));
+        for (Index i = 0; i < cells.mesh.n_given_cells(); ++i)
+            area[i] = measure_cell(cells, i, view.points).area;
+        return Status::ok;
+    });
+}
+
+// The quality of each cell after the displacement, as hm_assess judges it: quality [n_cells]; 0
+// for inverted cells.
+HM_API hm_status hm_web_cells(const hm_basis* basis, const hm_mesh* mesh,
+                              const hm_points* displacement, double* quality, hm_error* err);
+hm_status hm_web_cells(const hm_basis* basis, const hm_mesh* mesh, const hm_points* displacement,
+                       double* quality, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Basis b;
+        Mesh view;
+        OrientedMesh cells;
+        Points change;
+        HARMORPH_TRY(open_pair(basis, mesh, b, view, cells, fault));
+        HARMORPH_TRY(view_points(displacement, "displacement", change, fault));
+        for_each_quality(cells, view.points, change,
+                         [&](Index cell, Real value) { quality[cell] = value > 0 ? value : 0; });
+        return Status::ok;
+    });
+}
+
+// The triangles and quadrilaterals of which cells consist, for pictures: start [n_cells + 1], and
+// four points for each piece, counted from 0; a triangle repeats its last point. points NULL: not
+// wanted.
+HM_API hm_status hm_web_pieces(const hm_basis* basis, const hm_mesh* mesh, int32_t* start,
+                               int32_t* points, hm_error* err);
+hm_status hm_web_pieces(const hm_basis* basis, const hm_mesh* mesh, int32_t* start, int32_t* points,
+                        hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Basis b;
+        Mesh view;
+        OrientedMesh cells;
+        HARMORPH_TRY(open_pair(basis, mesh, b, view, cells, fault));
+        Index n = 0;
+        for (Index i = 0; i < cells.mesh.n_given_cells(); ++i) {
+            start[i] = n;
+            for (Index const piece : cells.mesh.pieces_of(i)) {
+                Cell const cell = cells.cell(piece);
+                Index* const to = points == nullptr ? nullptr : points + 4 * n;
+                ++n;
+                if (to == nullptr) continue;
+                for (Index k = 0; k < 4; ++k) to[k] = cell.point[k < cell.n ? k : cell.n - 1];
+            }
+        }
+        start[cells.mesh.n_given_cells()] = n;
+        return Status::ok;
+    });
+}
+
+// The points of walls, in the order of hm_walls_info: the points before and behind each of them
+// along the wall, the mesh on the left; -1 at an end. links [2*n_wall_points].
+HM_API void hm_web_links(const hm_walls* walls, int32_t* links);
+void hm_web_links(const hm_walls* walls, int32_t* links) {
+    WallPoints const& wall = reinterpret_cast<const Walls*>(walls)->layer.wall;
+    for (Index slot = 0; slot < wall.count; ++slot) {
+        links[2 * slot] = wall.previous[slot];
+        links[2 * slot + 1] = wall.next[slot];
+    }
+}
+
+// How the first layer has changed: angle [n_wall_points] in degrees, and height [n_wall_points],
+// after over before; 0 and 1 without an edge. hm_safe_report has the extremes of both.
+HM_API hm_status hm_web_layer(const hm_walls* walls, const hm_points* before, const hm_points* at,
+                              double* angle, double* height, hm_error* err);
+hm_status hm_web_layer(const hm_walls* walls, const hm_points* before, const hm_points* at,
+                       double* angle, double* height, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Points from, to;
+        HARMORPH_TRY(view_points(before, "before", from, fault));
+        HARMORPH_TRY(view_points(at, "at", to, fault));
+        FirstLayer const& layer = reinterpret_cast<const Walls*>(walls)->layer;
+        for (Index slot = 0; slot < layer.wall.count; ++slot) {
+            bool const has_edge = layer.above[slot] != none;
+            LayerChange const change = has_edge ? change_of(layer, slot, from, to) : LayerChange{};
+            angle[slot] = change.angle;
+            height[slot] = change.ratio;
+        }
+        return Status::ok;
+    });
+}
+
+}  // extern "C"
