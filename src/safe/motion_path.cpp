@@ -72,8 +72,7 @@ void MovementPath::fit_all(Basis const& basis, bool straight) noexcept {
         set_alone(i, {}, not_at_all, false);
     for (Index body = 0; body < counts.bodies; ++body) {
         Index const translation = n_shapes + 2 * body, rotation = translation + 1;
-        Vec2 const ratio =
-            Vec2{1, 0} + Vec2{target[2 * rotation], target[2 * rotation + 1]};
+        Vec2 const ratio = Vec2{1, 0} + Vec2{target[2 * rotation], target[2 * rotation + 1]};
         bool const anchored = groups[rotation].anchored;
         bool const rotates = !straight && !anchored && length(ratio) > Similarity::min_ratio;
         set_alone(translation, {}, not_at_all, anchored);
