@@ -52,7 +52,7 @@ exists() {   # a path from the top, from a folder of sources, or without what fo
     done
     return 1
 }
-is_empty "src/README.md names what does not exist" "$(awk -f tests/named.awk src/README.md | sort -u |
+is_empty "pages of src name what does not exist" "$(awk -f tests/named.awk src/*.md | sort -u |
     while read -r kind name; do
         case $kind in
         file) exists "$name" || echo "$name" ;;
