@@ -18,25 +18,48 @@ _MOVEMENTS = {name: getattr(lib, "HM_" + name.upper())
 Self = TypeVar("Self", bound="Shapes")
 
 
-class Movement(NamedTuple):
-    """A movement of a section by values; see ``hm_movement`` in ``harmorph_design.h``.
+class _Movement(NamedTuple):
+    kind: str
+    centre: Tuple[float, float] = (0.0, 0.0)
+    length: float = 0.0
+    n_camber: int = 0
+    n_thickness: int = 0
+
+
+class Movement(_Movement):
+    """A movement of a section by values v0, v1, ... Every value is a change, and 0 moves nothing.
 
     Parameters
     ----------
-    kind : {"rotate", "shift", "scale", "flap", "camber_thickness", "parsec", "blade"}
+    kind : str
+        With (x, y) the `centre`; angles are positive counter-clockwise:
+
+        {"rotate": HM_ROTATE}
+        {"shift": HM_SHIFT}
+        {"scale": HM_SCALE}
+        {"flap": HM_FLAP}
+        {"camber_thickness": HM_CAMBER_THICKNESS}
+        {"parsec": HM_PARSEC}
+        {"blade": HM_BLADE}
     centre : pair of float
         The centre of "rotate", "scale" and "blade"; the hinge of "flap" [length].
     length : float
         "flap": behind this length the section moves as a rigid body; 0 means a tenth of the chord.
     n_camber, n_thickness : int
         "camber_thickness": the numbers of values, 0 to 64.
+
+    Raises
+    ------
+    Error
+        An unknown kind, or a centre that is no pair of numbers.
     """
 
-    kind: str
-    centre: Tuple[float, float] = (0.0, 0.0)
-    length: float = 0.0
-    n_camber: int = 0
-    n_thickness: int = 0
+    def __new__(cls, kind: str, *arguments: Any, **named: Any) -> "Movement":
+        if not isinstance(kind, str) or kind not in _MOVEMENTS:
+            raise Error(f"The movement {kind!r} is unknown; known are {list(_MOVEMENTS)}.")
+        movement = super().__new__(cls, kind, *arguments, **named)
+        pair(movement.centre, "centre")
+        return movement
 
 
 class Moved(NamedTuple):
@@ -116,8 +139,6 @@ class Shapes:
         structs[0].struct_size = ffi.sizeof("hm_movement")
         for struct, one in zip(structs, movements):
             wanted = Movement(*one)
-            if wanted.kind not in _MOVEMENTS:
-                raise Error(f"The movement {wanted.kind!r} is unknown; known are {list(_MOVEMENTS)}.")
             x, y = pair(wanted.centre, "centre")
             fill(ffi.addressof(struct), struct_size=ffi.sizeof("hm_movement"), kind=_MOVEMENTS[wanted.kind],
                  n_camber=wanted.n_camber, n_thickness=wanted.n_thickness, x=x, y=y, length=wanted.length)
@@ -153,7 +174,7 @@ class Shapes:
         -------
         move : ndarray of shape (n_control, 2)
         report : Report
-            The members of ``hm_refit_report``: max_error, rms_error [length], ...
+            {members of hm_refit_report}
         """
         n = len(points[0]) if isinstance(points, tuple) else len(points)
         view, _alive = points_in(points, n, "points")
