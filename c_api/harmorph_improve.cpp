@@ -86,7 +86,7 @@ hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* 
         MeshImprovement improvement;
         HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { improvement.lay_out(arena, *p); }));
         auto const quality_of = [&](Points points) {
-            return measure_quality(p->cells(), points, reference, p->executor());
+            return measure_quality(p->equations().cells(), points, reference, p->executor());
         };
         HARMORPH_TRY(MeshImprovement::check(*p, reference, before, fault));
         Quality const given = quality_of(before);

@@ -68,7 +68,8 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
 hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before,
                          Points after) noexcept {
     Index const base = plan.mesh().index_base;
-    Quality const quality = measure_quality(plan.cells(), after, before, plan.executor());
+    Quality const quality =
+        measure_quality(plan.equations().cells(), after, before, plan.executor());
     hm_safe_report filled = {};
     filled.strategy = static_cast<std::int32_t>(safe.outcome.strategy);
     filled.other = safe.outcome.other;
@@ -77,7 +78,7 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     filled.step_fraction = safe.outcome.fraction;
     filled.admissible = safe.limit.step;
     filled.cell = numbered(plan.mesh().number(safe.limit.cell), base);
-    filled.point = numbered(limiting_point(plan.cells(), safe.limit), base);
+    filled.point = numbered(limiting_point(plan.equations().cells(), safe.limit), base);
     filled.untangled = safe.untangle.inverted_before;
     filled.iterations = safe.untangle.iterations;
     for (Index k = 0; k < 2; ++k) {

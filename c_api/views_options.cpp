@@ -7,25 +7,17 @@ namespace harmorph {
 namespace {
 
 // Checks operator, scheme and engine against the tables of basis/options.hpp, which also contain
-// the sentences for combinations that are not available.
+// the sentences for what is not available.
 Status check_combination(hm_options const& o, hm_study_options const& study,
                          Fault& fault) noexcept {
     if (!has_row(operator_traits, o.operator_kind)) {
-        return fault.refuse(
-            Status::unsupported,
-            "options.operator_kind is #, but it must be HM_CONFORMAL, HM_LAPLACE or HM_WEIGHTED",
-            plain(o.operator_kind));
+        return fault.refuse(Status::unsupported, unknown_operator, plain(o.operator_kind));
     }
     if (!has_row(scheme_traits, study.scheme)) {
-        return fault.refuse(Status::unsupported,
-                            "options.study.scheme is #, but it must be HM_COMPACT, HM_BOUNDED, "
-                            "HM_NODAL_GRADIENT or HM_NODAL_GRADIENT_PLAIN",
-                            plain(study.scheme));
+        return fault.refuse(Status::unsupported, unknown_scheme, plain(study.scheme));
     }
     if (!has_row(engine_traits, o.engine)) {
-        return fault.refuse(Status::unsupported,
-                            "options.engine is #, but it must be HM_DIRECT, HM_MULTIGRID or HM_FAS",
-                            plain(o.engine));
+        return fault.refuse(Status::unsupported, unknown_engine, plain(o.engine));
     }
     OperatorTraits const& of_operator = operator_traits[o.operator_kind];
     SchemeTraits const& of_scheme = scheme_traits[study.scheme];

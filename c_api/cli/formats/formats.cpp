@@ -6,6 +6,7 @@
 #include "formats/format.hpp"
 #include "formats/vtk_parallel.hpp"
 #include "mesh/tidy.hpp"
+#include "options/command_text.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -69,9 +70,8 @@ FileCoordinates::Store packed(const TextFile& compressed, const FileCoordinates:
 std::string format_table() {
     std::string table;
     for (const Format* format : formats) {
-        std::string name = "  " + std::string(format->name);
-        name.resize(12, ' ');
-        table += name + format->title + (format->create ? " (also written by convert)" : "") + '\n';
+        const char* const written = format->create ? " (also written by convert)" : "";
+        table += help_line(format->name, format->title + std::string(written), 12);
     }
     return table;
 }
