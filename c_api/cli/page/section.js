@@ -17,9 +17,8 @@ class Section {
         this.frame = this.find_frame();
         this.start = this.now = this.measure(model.curves);
         this.thickening = this.find_thickening();
-        this.cambering = this.find_cambering();
-        const has = { thickness: this.thickening, camber: this.cambering, twist: this.frame, flap: this.frame };
-        this.variables = Section.variables.filter(({ name: variable }) => has[variable] !== null);
+        const has = { thickness: this.thickening !== null, camber: this.can_be_cambered(), twist: true, flap: true };
+        this.variables = Section.variables.filter(({ name: variable }) => has[variable]);
         this.moved_by = { values: "", moves: null };
     }
 
@@ -116,28 +115,12 @@ class Section {
         }
     }
 
-    // Returns the movements of all control points by a camber of one chord: pairs x, y. null: this outline has none.
-    find_cambering() {
-        const { curves } = this.model,
-            { library } = curves;
+    // Returns whether the library can add camber to this outline.
+    can_be_cambered() {
         try {
-            return library.with((scope) => {
-                const view = curves.describe(scope),
-                    section = this.described(scope),
-                    variables = scope.struct("hm_variables", {
-                        kind: library.constants.HM_NACA4,
-                        n_upper: 1,
-                        peaks: scope.copied(Float64Array.of(0.5)),
-                    }),
-                    n = scope.take(4),
-                    matrix = scope.take(32 * curves.nControl);
-                scope.with_memory((memory) =>
-                    library.call("hm_variables_map", view, section, variables, n, memory, matrix, 0));
-                // Each control point has two complex numbers: those of camber and thickness.
-                return library.memory.numbers(matrix, 4 * curves.nControl).filter((_, k) => (k & 3) < 2);
-            });
+            return this.moved(this.model.curves, { camber: 1, twist: 0, flap: 0 }) !== null;
         } catch (error) {
-            return null;
+            return false;
         }
     }
     described(scope) {
@@ -146,39 +129,41 @@ class Section {
         return scope.struct("hm_section", { first_curve, n_curves, leading_x, leading_y, trailing_x, trailing_y });
     }
 
-    // Returns the movement of all control points, [2*n_control], by values of the design variables: camber and
-    // thickness, and then the flap and the twist of the section with these.
+    // Returns the movement of all control points, [2*n_control], by values of the design variables: thickness, then
+    // camber, flap and twist.
     moves(values) {
         const key = JSON.stringify(values);
         if (key === this.moved_by.values) return this.moved_by.moves;
         const { curves } = this.model,
+            { thickness, ...others } = values,
             by = new Float64Array(2 * curves.nControl);
-        for (const [map, factor] of [[this.cambering, values.camber / 100], [this.thickening, values.thickness / 100]])
-            if (factor !== 0 && map !== null) map.forEach((unit, k) => (by[k] += factor * unit));
-        if (values.twist !== 0 || values.flap !== 0) {
-            const turned = this.turned(curves.moved(by), values);
-            for (let k = 0; k < by.length; ++k) by[k] += turned[k];
-        }
+        if (thickness !== 0) this.thickening.forEach((unit, k) => (by[k] = (thickness / 100) * unit));
+        if (Object.values(others).some((value) => value !== 0))
+            this.moved(curves.moved(by), others).forEach((move, k) => (by[k] += move));
         this.moved_by = { values: key, moves: by };
         return by;
     }
-    turned(curves, { twist, flap }) {
+    // The camber line is a parabola, [% of the chord]; the leading edge turns up, the flap down [degrees].
+    moved(curves, { camber, twist, flap }) {
         const { library } = curves,
-            { HM_ROTATE, HM_FLAP } = library.constants,
+            { HM_LINEAR, HM_FLAP, HM_ROTATE, HM_NACA4 } = library.constants,
             { x, y, tx, ty, chord } = this.frame,
             at = (station) => ({ x: x + station * chord * tx, y: y + station * chord * ty });
         return library.with((scope) => {
-            const view = curves.describe(scope),
-                section = this.described(scope),
-                movements = scope.structs("hm_movement", [
-                    { kind: HM_FLAP, ...at(Section.hinge) },
-                    { kind: HM_ROTATE, ...at(0.25) },
-                ]),
-                n = scope.take(4),
+            const peaks = scope.copied(Float64Array.of(0.5)),
+                variables = scope.struct("hm_variables", { kind: HM_NACA4, n_upper: 1, peaks }),
+                all = [
+                    { movement: { kind: HM_LINEAR, variables }, values: [camber / 100, 0] },
+                    { movement: { kind: HM_FLAP, ...at(Section.hinge) }, values: [-flap] },
+                    { movement: { kind: HM_ROTATE, ...at(0.25) }, values: [-twist] },
+                ].filter(({ values }) => values[0] !== 0),
+                movements = scope.structs("hm_movement", all.map(({ movement }) => movement)),
+                values = scope.copied(Float64Array.from(all.flatMap((one) => one.values))),
                 move = scope.take(16 * curves.nControl),
-                angles = scope.copied(Float64Array.of(-flap, -twist)); // the leading edge up, the flap down
+                result = scope.struct("hm_section_move", { move }),
+                [view, section] = [curves.describe(scope), this.described(scope)];
             scope.with_memory((memory) =>
-                library.call("hm_move_section", view, section, 2, movements, n, angles, move, 0, 0, 0, memory));
+                library.call("hm_move_section", view, section, all.length, movements, values, result, memory));
             return library.memory.numbers(move, 2 * curves.nControl).slice();
         });
     }
