@@ -234,10 +234,12 @@ void take_plane(Mesh& mesh, const SpaceMesh& space) {
     const auto accepted = [&](hm_status status) {
         if (status < 0) refuse_space(mesh, space, error);
     };
-    Block block;
+    hm_memory memory = {};
     hm_plane* plane = nullptr;
-    accepted(with_memory(
-        block, [&](hm_memory* memory) { return hm_plane_init(&plane, memory, &given, &error); }));
+    accepted(hm_plane_init(&plane, &memory, &given, &error));
+    const std::unique_ptr<unsigned char[]> block(new unsigned char[memory.bytes]);
+    memory.block = block.get();
+    accepted(hm_plane_init(&plane, &memory, &given, &error));
     hm_plane_info info = {};
     info.struct_size = sizeof info;
     hm_mesh found = {};
