@@ -129,4 +129,32 @@ std::string quoted_name(std::string_view name, bool always) {
     return text + '"';
 }
 
+std::string wrapped(std::string_view text, std::size_t indent) {
+    constexpr std::size_t text_width = 80;
+    std::string out;
+    std::size_t column = indent;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find_first_of(" \n"), text.size());
+        const bool is_first = column == indent;
+        if (!is_first && column + 1 + end > text_width) {
+            out += '\n' + std::string(indent, ' ');
+            column = indent;
+        } else if (!is_first) {
+            out += ' ';
+            ++column;
+        }
+        out += text.substr(0, end);
+        column += end;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return out;
+}
+
+std::string help_line(const std::string& name, std::string_view text, std::size_t column) {
+    std::string line = "  " + name;
+    if (line.size() + 2 > column) line += '\n' + std::string(column, ' ');
+    else line.resize(column, ' ');
+    return line + wrapped(text, column) + '\n';
+}
+
 }  // namespace cli

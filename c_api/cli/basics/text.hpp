@@ -16,6 +16,12 @@ std::string in_quotes(std::string_view text);  // for messages: 'text', shortene
 // or an empty text if no name is similar.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& names);
 
+// Returns the words of the text in lines of at most 80 columns; all lines but the first one have an
+// indentation.
+std::string wrapped(std::string_view text, std::size_t indent);
+// Returns "  NAME  text" with the text, in such lines, in a column.
+std::string help_line(const std::string& name, std::string_view text, std::size_t column);
+
 // Names in quotes: "a name" or 'a name', in which a backslash or the quote itself stands before a
 // quote, a backslash before a backslash, and \n and \r stand for line ends. A quote elsewhere than
 // at the beginning of a name belongs to the name, as does a first one that is not closed.

@@ -1,12 +1,12 @@
 // The table of formats, and the steps that reading has in common for all formats.
 #include "basics/failure.hpp"
+#include "basics/text.hpp"
 #include "files/output_file.hpp"
 #include "files/paths.hpp"
 #include "formats/deflate.hpp"
 #include "formats/format.hpp"
 #include "formats/vtk_parallel.hpp"
 #include "mesh/tidy.hpp"
-#include "options/command_text.hpp"
 
 #include <algorithm>
 #include <iterator>

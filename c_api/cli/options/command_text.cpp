@@ -9,7 +9,7 @@ namespace cli {
 
 namespace {
 
-constexpr std::size_t help_width = 80, help_column = 26;
+constexpr std::size_t help_column = 26;
 constexpr std::string_view indentation = "    ", examples_heading = "Examples:";
 
 // Returns the first word, and takes it and the blanks behind it away.
@@ -116,28 +116,6 @@ void read_options(Lines& lines, std::vector<Option>& options, const CommandText&
     }
 }
 
-// Returns the lines of the paragraphs, each at most `width` wide behind `indent` blanks; the first
-// line has no indentation. Lines that begin with a blank stay as they are.
-std::string wrapped(std::string_view text, std::size_t indent) {
-    std::string out;
-    std::size_t column = indent;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find_first_of(" \n"), text.size());
-        const bool is_first = column == indent;
-        if (!is_first && column + 1 + end > help_width) {
-            out += '\n' + std::string(indent, ' ');
-            column = indent;
-        } else if (!is_first) {
-            out += ' ';
-            ++column;
-        }
-        out += text.substr(0, end);
-        column += end;
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return out;
-}
-
 std::string paragraphs(std::string_view text) {
     std::string out, paragraph;
     const auto close = [&] {
@@ -199,13 +177,6 @@ CommandText command_text(std::string_view name) {
     lines.take();
     while (lines.has()) command.examples.append(lines.take()) += '\n';
     return command;
-}
-
-std::string help_line(const std::string& name, std::string_view text, std::size_t column) {
-    std::string line = "  " + name;
-    if (line.size() + 2 > column) line += '\n' + std::string(column, ' ');
-    else line.resize(column, ' ');
-    return line + wrapped(text, column) + '\n';
 }
 
 std::string help_text(const CommandText& command) {

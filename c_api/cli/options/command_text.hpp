@@ -71,8 +71,6 @@ struct CommandText {
 
 CommandText command_text(std::string_view command);
 std::string help_text(const CommandText& command);  // at most 80 columns wide
-// Returns "  NAME  text" with the text in a column, as the help has options.
-std::string help_line(const std::string& name, std::string_view text, std::size_t column);
 
 std::string_view embedded_text(std::string_view name);
 struct EmbeddedText {
