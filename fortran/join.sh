@@ -6,7 +6,8 @@
 #
 # The lines between !@each NAME and !@end are written once for each line of the file `forms` that begins with NAME; that
 # line also gives the form, the kind and the shape. The lines !@headers and !@calls stand for what the C headers in the
-# list `headers` declare: constants and structs (declarations.awk), and functions (interfaces.awk).
+# list `headers` declare: constants and structs (declarations.awk), and functions (interfaces.awk); !@signatures for the
+# arguments of all calls of the module (signatures.awk).
 top=$(cd "$(dirname "$0")/.." && pwd)
 headers=$(cd "${HEADERS:-$top/include}" && pwd)
 cd "$top/fortran/$1" || exit 1
@@ -19,7 +20,8 @@ if [ -f headers ]; then
     calls=$({ echo "$known" | sed -n 's/^struct /known /p'; echo "$table"; } |
         awk -f ../type_of.awk -f ../interfaces.awk ../arguments -) || exit 1
 fi
-export declared calls
+signatures=$(awk -f ../signatures.awk $(cat order)) || exit 1
+export declared calls signatures
 part() {   # file, declarations or procedures
     awk -v wanted="$2" -v forms=$forms '
         FILENAME == forms { name[++n] = $1; form[n] = $2; kind[n] = $3; shape[n] = $4; next }
@@ -28,6 +30,7 @@ part() {   # file, declarations or procedures
         section != wanted { next }
         /^!@headers$/ { print ENVIRON["declared"]; next }
         /^!@calls$/ { print ENVIRON["calls"]; next }
+        /^!@signatures$/ { print ENVIRON["signatures"]; next }
         /^!@each / { each = $2; text = ""; next }
         /^!@end$/ {
             for (k = 1; k <= n; ++k) {
