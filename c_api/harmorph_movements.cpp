@@ -1,14 +1,19 @@
 // The C interface: moves a section by the values of design variables.
-#include "base/vec2.hpp"
 #include "bspline/movements.hpp"
 #include "bspline/parsec.hpp"
 #include "bspline/section_measures.hpp"
+#include "limits.hpp"
 #include "section_view.hpp"
 
 namespace harmorph {
 namespace {
 
 constexpr Index max_movements = 64;
+
+constexpr Limit<hm_movement> movement_kinds[] = {
+    {&hm_movement::kind, HM_ROTATE, HM_FAMILY,
+     "the kind of movement # is @, but it must be one of HM_ROTATE to HM_FAMILY"},
+};
 
 // Refuses the fields of linear movements in others, and the other way round.
 Status check_linear(hm_movement const& m, Index number, Fault& fault) noexcept {
@@ -37,18 +42,9 @@ Status check_linear(hm_movement const& m, Index number, Fault& fault) noexcept {
 // Reads a movement, and refuses fields that belong to another kind.
 Status view_movement(const hm_movement* array, Index number, Movement& out, Fault& fault) noexcept {
     hm_movement m;
-    if (!read_struct(array, m) || !read_struct(element(array, number), m)) {
-        return fault.refuse(
-            Status::bad_argument,
-            "struct_size of movement # is not the size of an hm_movement; begin with HM_INIT",
-            entry_item(number));
-    }
-    if (m.kind < HM_ROTATE || m.kind > HM_FAMILY) {
-        return fault.refuse(
-            Status::bad_argument,
-            "the kind of movement # is @, but it must be one of HM_ROTATE to HM_FAMILY",
-            entry_item(number), plain(m.kind));
-    }
+    Item const item = entry_item(number);
+    HARMORPH_TRY(open_element(array, number, m, item, "movement", "hm_movement", fault));
+    HARMORPH_TRY(check_limits(m, movement_kinds, fault, item));
     out = {};
     out.kind = m.kind > HM_BLADE ? MovementKind::linear : static_cast<MovementKind>(m.kind);
     HARMORPH_TRY(check_linear(m, number, fault));

@@ -1,9 +1,23 @@
 // Reads the description of linear design variables.
-#include "base/vec2.hpp"
+#include "limits.hpp"
 #include "section_view.hpp"
 
 namespace harmorph {
 namespace {
+
+using VariablesLimit = Limit<hm_variables>;
+constexpr VariablesLimit kinds_of_variables[] = {
+    {&hm_variables::kind, HM_FFD, HM_NACA4,
+     "variables.kind is #, but it must be HM_FFD, HM_CST, HM_HICKS_HENNE or HM_NACA4"},
+};
+constexpr VariablesLimit variables_limits[] = {
+    {&hm_variables::leading_exponent, 0, 10,
+     "variables.leading_exponent must be between 0 and 10, not ~"},
+    {&hm_variables::trailing_exponent, 0, 10,
+     "variables.trailing_exponent must be between 0 and 10, not ~"},
+    {&hm_variables::width, 1, 100, "variables.width must be 0 or between 1 and 100, not ~",
+     VariablesLimit::Zero::is_default},
+};
 
 // Refuses fields that belong to another kind of variable, which would otherwise be ignored
 // silently.
@@ -30,9 +44,6 @@ Status check_fields(hm_variables const& v, Fault& fault) noexcept {
 }
 
 Status check_numbers(hm_variables const& v, Fault& fault) noexcept {
-    auto const refuse = [&](const char* why, Real value = 0) {
-        return fault.refuse(Status::bad_argument, why, {}, {}, value);
-    };
     Index const min_total = v.kind == HM_FFD || v.kind == HM_NACA4 ? 0 : 1;
     if (v.n_upper < 0 || v.n_upper > Variables::max_count || v.n_lower < 0 ||
         v.n_lower > Variables::max_count || v.n_upper + v.n_lower < min_total) {
@@ -48,16 +59,7 @@ Status check_numbers(hm_variables const& v, Fault& fault) noexcept {
             "variables.degree_x is # and degree_y is @, but each must be between 0 and 63",
             plain(v.degree_x), plain(v.degree_y));
     }
-    if (!is_between(0, v.leading_exponent, 10)) {
-        return refuse("variables.leading_exponent must be between 0 and 10, not ~",
-                      v.leading_exponent);
-    }
-    if (!is_between(0, v.trailing_exponent, 10)) {
-        return refuse("variables.trailing_exponent must be between 0 and 10, not ~",
-                      v.trailing_exponent);
-    }
-    if (v.width != 0 && !is_between(1, v.width, 100))
-        return refuse("variables.width must be 0 or between 1 and 100, not ~", v.width);
+    HARMORPH_TRY(check_limits(v, variables_limits, fault));
     for (Index k = 0; v.peaks != nullptr && k < v.n_upper + v.n_lower; ++k) {
         if (is_finite(v.peaks[k]) && v.peaks[k] > 1e-6 && v.peaks[k] < 1 - 1e-6) continue;
         return fault.refuse(Status::bad_argument,
@@ -84,18 +86,9 @@ void use_box(hm_variables const& v, CurvesView const& view, Variables& out) noex
 
 Status open_variables(const hm_variables* given, CurvesView const& view, Variables& out,
                       Fault& fault) noexcept {
-    HARMORPH_TRY(require({{"variables", given}}, fault));
     hm_variables v;
-    if (!read_struct(given, v))
-        return fault.refuse(Status::bad_argument,
-                            "variables.struct_size is not the size of an hm_variables; begin with "
-                            "HM_INIT(variables)");
-    if (v.kind < HM_FFD || v.kind > HM_NACA4) {
-        return fault.refuse(
-            Status::bad_argument,
-            "variables.kind is #, but it must be HM_FFD, HM_CST, HM_HICKS_HENNE or HM_NACA4",
-            plain(v.kind));
-    }
+    HARMORPH_TRY(open_struct(given, v, "variables", "hm_variables", fault));
+    HARMORPH_TRY(check_limits(v, kinds_of_variables, fault));
     HARMORPH_TRY(check_fields(v, fault));
     HARMORPH_TRY(check_numbers(v, fault));
     out.kind = static_cast<VariableKind>(v.kind);

@@ -158,7 +158,7 @@ class SourceDistribution(sdist):
         bundled = base / "bundled"
         (bundled / "include").mkdir(parents=True, exist_ok=True)
         write_amalgamation(bundled / "harmorph.cpp")
-        for name in (*topics(HEADERS), "harmorph_pthreads"):
+        for name in (*topics(HEADERS), "harmorph_pages", "harmorph_pthreads"):
             shutil.copy(HEADERS / f"{name}.h", bundled / "include")
         for path in reader_sources(READERS):
             place = bundled / "cli" / path.relative_to(READERS)

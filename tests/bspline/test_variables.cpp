@@ -416,7 +416,8 @@ TEST_CASE("values of linear variables move the control points as their matrix do
     for (bool const is_box : {false, true}) {
         auto variables = kind(is_box ? HM_FFD : HM_CST, is_box ? 0 : 3, is_box ? 0 : 2);
         if (is_box) variables.degree_x = 2, variables.degree_y = 1;
-        Map const map = mapped(set, variables);
+        hm_section const chord = unit_chord();
+        Map const map = mapped(set, variables, &chord);
         std::vector<double> values(std::size_t(is_box ? 2 * map.n : map.n));
         for (std::size_t k = 0; k < values.size(); ++k)
             values[k] = 0.01 * std::cos(3.0 * double(k));

@@ -103,6 +103,7 @@ TEST_CASE("curves and fits") {
     Guarded moved(bytes);
     hm_section_move result = sized<hm_section_move>();
     result.move = map.data();
+    result.n_values = 1;
     check_arguments("curves, ?section, -, movements, ?values, result, memory", hm_move_section,
                     &curves, &section, 1, &turn, values, &result,
                     fixtures::Memory(moved.data(), bytes));

@@ -50,8 +50,11 @@ contains
             all(abs(dy(hole) - (0.2_dp + s * (cx(hole) - 10) + c * (cy(hole) - 5))) < 1e-14_dp), &
             "the body moves rigidly")
         call own%matrix(dense)
-        call check(maxval(abs(matmul(move(1, :), dense(:, :, 1)) + matmul(move(2, :), dense(:, :, 2)) - dx)) < 1e-14_dp &
-            .and. maxval(abs(matmul(move(1, :), dense(:, :, 3)) + matmul(move(2, :), dense(:, :, 4)) - dy)) < 1e-14_dp, &
+        call check(maxval(abs(matmul(move(1, :), dense(:, :, 1)) + &
+                   matmul(move(2, :), dense(:, :, 2)) - dx)) < 1e-14_dp, &
+            "the x of the movement are products with the dense functions")
+        call check(maxval(abs(matmul(move(1, :), dense(:, :, 3)) + &
+                   matmul(move(2, :), dense(:, :, 4)) - dy)) < 1e-14_dp, &
             "products with the dense functions are the displacements")
         call own%matrix(dense(:, :, :3), stat)
         call check(stat == hm_bad_argument, "a dense array of another shape")

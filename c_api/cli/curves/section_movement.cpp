@@ -24,9 +24,11 @@ void take_place(LineReader& lines, std::size_t word, hm_movement& movement) {
 }  // namespace
 
 bool parse_place(std::string_view word, double& x, double& y) {
-    const std::size_t comma = word.find(',');
-    return comma != std::string_view::npos && parse(word.substr(0, comma), x) &&
-           parse(word.substr(comma + 1), y);
+    std::vector<double> place;
+    if (!parse_list(word, place) || place.size() != 2) return false;
+    x = place[0];
+    y = place[1];
+    return true;
 }
 
 bool is_section_movement(std::string_view word) {

@@ -16,9 +16,9 @@ class Section {
         }, { place: 0 }).place;
         this.frame = this.find_frame();
         this.start = this.now = this.measure(model.curves);
-        this.map = this.find_map();
-        const has = { thickness: this.map, camber: this.map, twist: this.frame, flap: this.frame };
-        this.variables = Section.variables.filter(({ name: variable }) => has[variable] !== null);
+        this.thickening = this.find_thickening();
+        const has = { thickness: this.thickening !== null, camber: this.can_be_cambered(), twist: true, flap: true };
+        this.variables = Section.variables.filter(({ name: variable }) => has[variable]);
         this.moved_by = { values: "", moves: null };
     }
 
@@ -94,28 +94,33 @@ class Section {
         return lines.join("\n") + "\n";
     }
 
-    // Returns the movements of all control points by one unit of camber and of thickness, in chords: complex numbers,
-    // two for each control point. null: this outline has none.
-    find_map() {
+    // Returns the distances of the control points of this section from its camber line, normal to the chord: pairs x, y
+    // for all control points. null: this outline has no camber line.
+    find_thickening() {
         const { curves } = this.model,
-            { library } = curves;
+            { tx, ty, chord } = this.frame,
+            places = this.control.map((i) =>
+                this.in_chords(this.frame, curves.control[2 * i], curves.control[2 * i + 1])),
+            stations = places.map(([along]) => ({ kind: "camber", station: Math.min(Math.max(along, 1e-3), 0.999) }));
         try {
-            return library.with((scope) => {
-                const view = curves.describe(scope),
-                    section = this.described(scope),
-                    variables = scope.struct("hm_variables", {
-                        kind: library.constants.HM_NACA4,
-                        n_upper: 1,
-                        peaks: scope.copied(Float64Array.of(0.5)),
-                    }),
-                    n = scope.take(4),
-                    matrix = scope.take(32 * curves.nControl);
-                scope.with_memory((memory) =>
-                    library.call("hm_variables_map", view, section, variables, n, memory, matrix, 0));
-                return library.memory.numbers(matrix, 4 * curves.nControl).slice();
+            const camber = curves.measure(stations, this.curves).values,
+                by = new Float64Array(2 * curves.nControl);
+            this.control.forEach((i, k) => {
+                const distance = chord * places[k][1] - camber[k];
+                by.set([-distance * ty, distance * tx], 2 * i);
             });
+            return by;
         } catch (error) {
             return null;
+        }
+    }
+
+    // Returns whether the library can add camber to this outline.
+    can_be_cambered() {
+        try {
+            return this.moved(this.model.curves, { camber: 1, twist: 0, flap: 0 }) !== null;
+        } catch (error) {
+            return false;
         }
     }
     described(scope) {
@@ -124,42 +129,41 @@ class Section {
         return scope.struct("hm_section", { first_curve, n_curves, leading_x, leading_y, trailing_x, trailing_y });
     }
 
-    // Returns the movement of all control points, [2*n_control], by values of the design variables: first camber and
-    // thickness, then the section with these turns, and its flap.
+    // Returns the movement of all control points, [2*n_control], by values of the design variables: thickness, then
+    // camber, flap and twist.
     moves(values) {
         const key = JSON.stringify(values);
         if (key === this.moved_by.values) return this.moved_by.moves;
         const { curves } = this.model,
-            by = new Float64Array(2 * curves.nControl),
-            factors = [values.camber / 100, (values.thickness / 100) * this.start.thickness];
-        for (let i = 0; i < curves.nControl && this.map !== null; ++i) {
-            for (let axis = 0; axis < 2; ++axis)
-                by[2 * i + axis] = this.map[4 * i + axis] * factors[0] + this.map[4 * i + 2 + axis] * factors[1];
-        }
-        if (values.twist !== 0 || values.flap !== 0) {
-            const turned = this.turned(curves.moved(by), values);
-            for (let k = 0; k < by.length; ++k) by[k] += turned[k];
-        }
+            { thickness, ...others } = values,
+            by = new Float64Array(2 * curves.nControl);
+        if (thickness !== 0) this.thickening.forEach((unit, k) => (by[k] = (thickness / 100) * unit));
+        if (Object.values(others).some((value) => value !== 0))
+            this.moved(curves.moved(by), others).forEach((move, k) => (by[k] += move));
         this.moved_by = { values: key, moves: by };
         return by;
     }
-    turned(curves, { twist, flap }) {
+    // The camber line is a parabola, [% of the chord]; the leading edge turns up, the flap down [degrees].
+    moved(curves, { camber, twist, flap }) {
         const { library } = curves,
-            { HM_ROTATE, HM_FLAP } = library.constants,
+            { HM_LINEAR, HM_FLAP, HM_ROTATE, HM_NACA4 } = library.constants,
             { x, y, tx, ty, chord } = this.frame,
             at = (station) => ({ x: x + station * chord * tx, y: y + station * chord * ty });
         return library.with((scope) => {
-            const view = curves.describe(scope),
-                section = this.described(scope),
-                movements = scope.structs("hm_movement", [
-                    { kind: HM_FLAP, ...at(Section.hinge) },
-                    { kind: HM_ROTATE, ...at(0.25) },
-                ]),
-                n = scope.take(4),
+            const peaks = scope.copied(Float64Array.of(0.5)),
+                variables = scope.struct("hm_variables", { kind: HM_NACA4, n_upper: 1, peaks }),
+                all = [
+                    { movement: { kind: HM_LINEAR, variables }, values: [camber / 100, 0] },
+                    { movement: { kind: HM_FLAP, ...at(Section.hinge) }, values: [-flap] },
+                    { movement: { kind: HM_ROTATE, ...at(0.25) }, values: [-twist] },
+                ].filter(({ values }) => values[0] !== 0),
+                movements = scope.structs("hm_movement", all.map(({ movement }) => movement)),
+                values = scope.copied(Float64Array.from(all.flatMap((one) => one.values))),
                 move = scope.take(16 * curves.nControl),
-                angles = scope.copied(Float64Array.of(-flap, -twist)); // the leading edge up, the flap down
+                result = scope.struct("hm_section_move", { move }),
+                [view, section] = [curves.describe(scope), this.described(scope)];
             scope.with_memory((memory) =>
-                library.call("hm_move_section", view, section, 2, movements, n, angles, move, 0, 0, 0, memory));
+                library.call("hm_move_section", view, section, all.length, movements, values, result, memory));
             return library.memory.numbers(move, 2 * curves.nControl).slice();
         });
     }

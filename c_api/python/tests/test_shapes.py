@@ -122,7 +122,7 @@ def test_smallest_values_and_other_bodies():
     (lambda a: a.refined([2.0]), ""),
     (lambda a: a.refined([0.5], degree=4), ""),
     (lambda a: a.measure(("min_thickness", 0.2)), "written"),
-    (lambda a: harmorph.Movement("roll"), "'roll' is unknown; known are .*'turn'"),
+    (lambda a: harmorph.Movement("roll"), "'roll' is unknown; known are .*'rotate'"),
     (lambda a: harmorph.Movement(["rotate"]), "unknown"),
     (lambda a: harmorph.Movement("rotate", 0.25), "centre must have two entries"),
     (lambda a: harmorph.Movement("flap", centre=(0, 0, 0)), "centre must have two entries"),

@@ -138,8 +138,8 @@ solve airfoil-conformal diffuser_airfoil $airfoil --operator conformal
 equally 1 14 0.8 0.65 >"$out/airfoil.moves"
 morph airfoil-conformal "$out/airfoil.moves" -1,-1,2.6,1.8
 awk -v laplace="$reach" -v step="$(number admissible_step)" 'BEGIN {
-    printf "  (cells at the trailing edge invert at a movement of %.2g, the paper'"'"'s open problem; the conformal", laplace
-    printf " functions go %.0f times as far)\n", .8 * step / laplace }'
+    print "  (cells at the trailing edge invert at a movement of " laplace ", the open problem of the paper;"
+    printf "  the conformal functions go %.0f times as far)\n", .8 * step / laplace }'
 text="$shape conformal functions, all control points move by (.8, .65)."
 mesh_figure airfoil-conformal "Figure E"
 

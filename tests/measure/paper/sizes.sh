@@ -2,8 +2,8 @@
 # run.sh. SINGLE=100000: the single grid on the largest mesh, too, which takes an hour.
 : "${SINGLE:=11000}"
 echo "== Large problems: five levels (compact scheme, four functions of an ellipse)"
-echo "O-meshes with cells that are nearly as long as high. Gain: the work of Runge-Kutta on a single grid, divided by the"
-echo "work of the row. The single grid is left out on the largest mesh, unless SINGLE=100000."
+echo "O-meshes with cells that are nearly as long as high. Gain: the work of Runge-Kutta on a single grid, divided by"
+echo "the work of the row. The single grid is left out on the largest mesh, unless SINGLE=100000."
 size_columns='%-10s  %-18s  %7s  %7s  %9s  %6s  %9s\n'
 echo "table Meshes of several sizes, five levels: cycles that hardly depend on the number of points, and the gain"
 printf "$size_columns" points engine levels cycles work gain residual
