@@ -5,16 +5,11 @@
 # declarations, a line `contains`, and procedures; the first parts are the manual and the beginning of the module.
 #
 # The lines between !@each NAME and !@end are written once for each line of the file `forms` that begins with NAME; that
-<<<<<<< HEAD
-# line also gives the form, the kind and the shape. The lines !@headers and !@calls stand for what the C headers in the
-# list `headers` declare: constants and structs (declarations.awk), and functions (interfaces.awk); !@signatures for the
-# arguments of all calls of the module (signatures.awk).
-=======
 # line also gives the form, the kind and the shape. Between !@forms NAME and !@end are procedures that have one body for
 # all forms (forms.awk). The line !@outcome declares stat, err and the outcome of a call of the module, !@call what all
 # calls of FORTRAN 77 declare. The lines !@headers and !@calls stand for what the C headers in the list `headers`
-# declare: constants and structs (declarations.awk), and functions (interfaces.awk).
->>>>>>> main
+# declare: constants and structs (declarations.awk), and functions (interfaces.awk); !@signatures for the arguments of all
+# calls of the module (signatures.awk).
 top=$(cd "$(dirname "$0")/.." && pwd)
 headers=$(cd "${HEADERS:-$top/include}" && pwd)
 cd "$top/fortran/$1" || exit 1
@@ -27,38 +22,9 @@ if [ -f headers ]; then
     calls=$({ echo "$known" | sed -n 's/^struct /known /p'; echo "$table"; } |
         awk -f ../type_of.awk -f ../interfaces.awk ../arguments -) || exit 1
 fi
-<<<<<<< HEAD
 signatures=$(awk -f ../signatures.awk $(cat order)) || exit 1
 export declared calls signatures
-part() {   # file, declarations or procedures
-    awk -v wanted="$2" -v forms=$forms '
-        FILENAME == forms { name[++n] = $1; form[n] = $2; kind[n] = $3; shape[n] = $4; next }
-        FNR == 1 { section = "declarations" }
-        /^contains$/ { section = "procedures"; next }
-        section != wanted { next }
-        /^!@headers$/ { print ENVIRON["declared"]; next }
-        /^!@calls$/ { print ENVIRON["calls"]; next }
-        /^!@signatures$/ { print ENVIRON["signatures"]; next }
-        /^!@each / { each = $2; text = ""; next }
-        /^!@end$/ {
-            for (k = 1; k <= n; ++k) {
-                if (name[k] != each) continue
-                copy = text
-                gsub(/@FORM@/, form[k], copy)
-                gsub(/@KIND@/, kind[k], copy)
-                gsub(/@SHAPE@/, shape[k], copy)
-                printf "%s", copy
-            }
-            each = ""
-            next
-        }
-        each { text = text $0 "\n"; next }
-        { print }' $forms "$1" || exit 1
-}
-=======
-export declared calls
 part() { awk -v wanted="$2" -f ../forms.awk $forms "$1" || exit 1; }   # file, declarations or procedures
->>>>>>> main
 for file in $(cat order); do part $file declarations; done
 echo contains
 for file in $(cat order); do part $file procedures; done
