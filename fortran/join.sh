@@ -8,8 +8,8 @@
 # line also gives the form, the kind and the shape. Between !@forms NAME and !@end are procedures that have one body for
 # all forms (forms.awk). The line !@outcome declares stat, err and the outcome of a call of the module, !@call what all
 # calls of FORTRAN 77 declare. The lines !@headers and !@calls stand for what the C headers in the list `headers`
-# declare: constants and structs (declarations.awk), and functions (interfaces.awk); !@signatures for the arguments of all
-# calls of the module (signatures.awk).
+# declare: constants and structs (declarations.awk), and functions (interfaces.awk); the line !@signatures for the
+# arguments of all calls of the module (signatures.awk).
 top=$(cd "$(dirname "$0")/.." && pwd)
 headers=$(cd "${HEADERS:-$top/include}" && pwd)
 cd "$top/fortran/$1" || exit 1
