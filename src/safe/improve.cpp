@@ -18,7 +18,7 @@ constexpr Index max_halvings = 40, max_doublings = 3;
 // after whole steps.
 constexpr Real log_of_weight = 5;
 constexpr Real min_sharpness = 4, max_natural_sharpness = 40, max_sharpness = 400;
-constexpr Real small_part_of_gap = 0.1, fast_growth = 2.5, slow_growth = 1.4;
+constexpr Real small_part_of_gap = 0.1, fast_growth = 1.8, slow_growth = 1.4;
 constexpr Real blur_per_sharpness = 2, min_blur = 0.01, max_blur = 0.3;
 // The least curvature and the damping in parts of the slope of the mean cell.
 constexpr Real least_curvature = 0.1, first_damping = 3;
