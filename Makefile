@@ -43,14 +43,15 @@
 #   make bench-mpi        solve and morph on 1 and 2 processes
 #   make demo             fits, solves and morphs the shipped airfoil mesh; leaves pictures and a page
 #   make paper            the paper's cases: figures and a table of engines on a page; MESHES=directory: of its SU2 files, too
-#   make manual           build/harmorph.1, the manual page of the program
+#   make manual           build/harmorph.1, the manual page of the program, and build/harmorph.bash, the completion of its
+#                         commands and options for bash
 #   make html             the browsable manual of all pages and headers in build/html; PYTHON needs Sphinx and MyST
 #   make fpm              build/fpm, a package for the Fortran package manager
 #   make test-packages    the Debian packages and the fpm package: built, checked and used, where Debian's tools are installed
 #   make test-release     builds all that a release gives away, and uses each of them from its files alone, in fresh systems,
 #                         too: hours; PARTS="wheel projects": some parts; see tests/release.sh
 #   make dist             build/harmorph-VERSION.tar.gz, the same bytes wherever it is made
-#   make install          headers, library, program, manual page, Fortran source, harmorph.pc, CMake config
+#   make install          headers, library, program, manual page, completion, Fortran source, harmorph.pc, CMake config
 #   make install-library  headers, library, harmorph.pc and CMake config alone; the program is not built
 #   make install-shared   the shared library and its symbolic link
 #   make uninstall        takes the same files away
@@ -247,6 +248,7 @@ abi: all
 
 manual: all
 	@new=$(BUILD)/harmorph.1.$$$$; sh c_api/cli/manual.sh $(PROGRAM) $(VERSION) $$new && mv -f $$new $(BUILD)/harmorph.1
+	@sh c_api/cli/completion.sh >$(BUILD)/harmorph.bash
 
 html: checked
 	@PYTHON='$(PYTHON)' sh c_api/packaging/html.sh $(BUILD)
@@ -337,7 +339,7 @@ demo: all meshes
 	@ls $(BUILD)/demo/*.svg $(BUILD)/demo/*.html
 
 # What lies where after an installation; uninstall takes the same list away.
-INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/harmorph.h include/harmorph_design.h \
+INSTALLED = bin/harmorph share/man/man1/harmorph.1 share/bash-completion/completions/harmorph lib/libharmorph.so* include/harmorph.h include/harmorph_design.h \
 	include/harmorph_space.h include/harmorph_study.h include/harmorph_openmp.h \
 	include/harmorph_quality.h include/harmorph_bases.h \
 	include/harmorph_pthreads.h include/harmorph_mpi.h include/harmorph_petsc.h include/harmorph_pages.h \
@@ -367,9 +369,11 @@ INSTALL_LIBRARY = to=$(INSTALLATION); set -e; umask 022; \
 
 install: manual meshes
 	@$(INSTALL_LIBRARY); \
-	mkdir -p "$$to/bin" "$$to/share/man/man1" "$$to/share/harmorph/openfoam" "$$to/share/harmorph/code_saturne"; \
+	mkdir -p "$$to/bin" "$$to/share/man/man1" "$$to/share/bash-completion/completions" \
+	    "$$to/share/harmorph/openfoam" "$$to/share/harmorph/code_saturne"; \
 	cp $(PROGRAM) "$$to/bin/"; \
 	cp $(BUILD)/harmorph.1 "$$to/share/man/man1/"; \
+	cp $(BUILD)/harmorph.bash "$$to/share/bash-completion/completions/harmorph"; \
 	cp $(BUILD)/harmorph*.f90 $(BUILD)/harmorph_mpi.c $(BUILD)/harmorph_petsc.c fortran/*.f90 \
 	    c_api/examples/read_su2.c c_api/examples/read_su2.h $(MESH) "$$to/share/harmorph/"; \
 	cp c_api/openfoam/*.cpp c_api/openfoam/*.hpp c_api/openfoam/Makefile "$$to/share/harmorph/openfoam/"; \

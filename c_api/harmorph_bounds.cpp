@@ -1,6 +1,7 @@
 // The C interface: smooth bounds of the quality of a mesh, and the derivative of the admissible
 // step.
 #include "apart.hpp"
+#include "limits.hpp"
 #include "mesh_pair.hpp"
 #include "morph/admissible_step.hpp"
 #include "morph/cell_bounds.hpp"
@@ -10,7 +11,16 @@
 namespace harmorph {
 namespace {
 
-constexpr Real default_sharpness = 200, largest_sharpness = 1e6;
+constexpr Real default_sharpness = 200;
+
+using BoundLimit = Limit<hm_bound>;
+constexpr BoundLimit bound_limits[] = {
+    {&hm_bound::kind, HM_BOUND_QUALITY, HM_BOUND_ANGLE,
+     "the kind of bound # is @, but it must be one of HM_BOUND_QUALITY to HM_BOUND_ANGLE"},
+    {&hm_bound::sharpness, 1, 1e6,
+     "the sharpness of bound # is ~, but it must be 0 or between 1 and 1e6",
+     BoundLimit::Zero::is_default},
+};
 
 using MeshQualityBlock = InBlock<MeshQuality>;
 
@@ -34,24 +44,9 @@ struct BoundAsked {
 Status view_bound(const hm_bound* array, Index number, const hm_points_out* gradients,
                   BoundAsked& asked, Fault& fault) noexcept {
     hm_bound bound;
-    if (!read_struct(array, bound) || !read_struct(element(array, number), bound)) {
-        return fault.refuse(
-            Status::bad_argument,
-            "struct_size of bound # is not the size of an hm_bound; begin with HM_INIT",
-            entry_item(number));
-    }
-    if (bound.kind < HM_BOUND_QUALITY || bound.kind > HM_BOUND_ANGLE) {
-        return fault.refuse(
-            Status::bad_argument,
-            "the kind of bound # is @, but it must be one of HM_BOUND_QUALITY to HM_BOUND_ANGLE",
-            entry_item(number), plain(bound.kind));
-    }
-    if (!is_finite(bound.sharpness) ||
-        (bound.sharpness != 0 && !(bound.sharpness >= 1 && bound.sharpness <= largest_sharpness))) {
-        return fault.refuse(Status::bad_argument,
-                            "the sharpness of bound # is ~, but it must be 0 or between 1 and 1e6",
-                            entry_item(number), {}, bound.sharpness);
-    }
+    Item const item = entry_item(number);
+    HARMORPH_TRY(open_element(array, number, bound, item, "bound", "hm_bound", fault));
+    HARMORPH_TRY(check_limits(bound, bound_limits, fault, item));
     asked = {bound.kind, bound.sharpness == 0 ? default_sharpness : bound.sharpness, {}};
     if (gradients == nullptr || (gradients[number].x == nullptr && gradients[number].y == nullptr))
         return Status::ok;

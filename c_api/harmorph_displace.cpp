@@ -3,10 +3,16 @@
 #include <type_traits>
 
 #include "given_list.hpp"
+#include "limits.hpp"
 #include "morph/displacement.hpp"
 
 namespace harmorph {
 namespace {
+
+constexpr Limit<hm_modes> modes_limits[] = {
+    {&hm_modes::numbers, 1, 2,
+     "modes.numbers must be 1 (real values) or 2 (complex values), not #"},
+};
 
 constexpr Index max_fields = Index{1} << 20;
 
@@ -92,19 +98,11 @@ struct TableCall {
         HARMORPH_TRY(open_basis(given, basis, fault));
         if (basis.header->counts.functions() > 0) HARMORPH_TRY(open_complete(given, basis, fault));
         HARMORPH_TRY(open_plan(handle, plan, fault));
-        HARMORPH_TRY(require({{"modes", table}}, fault));
-        if (!read_struct(table, modes)) {
-            return fault.refuse(
-                Status::bad_argument,
-                "modes.struct_size is not the size of an hm_modes; begin with HM_INIT(modes)");
-        }
+        HARMORPH_TRY(open_struct(table, modes, "modes", "hm_modes", fault));
         if (modes.numbers == 0) modes.numbers = 2;
         HARMORPH_TRY(check_fields(*plan, modes.n_modes, fault));
         HARMORPH_TRY(plan->check_fit(basis, fault));
-        if (modes.numbers == 1 || modes.numbers == 2) return Status::ok;
-        return fault.refuse(Status::bad_argument,
-                            "modes.numbers must be 1 (real values) or 2 (complex values), not #",
-                            plain(modes.numbers));
+        return check_limits(modes, modes_limits, fault);
     }
     // The new basis begins the block.
     void lay_out(Arena& arena, Plan const& plan, Basis& made, ModeWork& work) const noexcept {

@@ -1,8 +1,7 @@
 // The C interface: forms the cells of a mesh that is given as edges.
 #include <limits>
 
-#include "call.hpp"
-#include "views.hpp"
+#include "limits.hpp"
 
 namespace harmorph {
 namespace {
@@ -54,24 +53,19 @@ private:
     void list_faces() const noexcept;
 };
 
+constexpr Index largest_list = Index{1} << 30;
+constexpr Limit<hm_edge_mesh> edge_limits[] = {
+    {&hm_edge_mesh::index_base, 0, 1, "edges.index_base must be 0 or 1, not #"},
+    {&hm_edge_mesh::n_points, 3, largest_list, "edges.n_points must be between 3 and 2^30, not #",
+     Status::bad_mesh},
+    {&hm_edge_mesh::n_cells, 1, largest_list / 2, "edges.n_cells must be between 1 and 2^29, not #",
+     Status::bad_mesh},
+    {&hm_edge_mesh::n_edges, 3, largest_list, "edges.n_edges must be between 3 and 2^30, not #",
+     Status::bad_mesh},
+};
+
 Status EdgeCells::check_sizes(Fault& fault) const noexcept {
-    constexpr Index max_points = Index{1} << 30, max_cells = Index{1} << 29;
-    if (given.index_base != 0 && given.index_base != 1) {
-        return fault.refuse(Status::bad_argument, "edges.index_base must be 0 or 1, not #",
-                            plain(given.index_base));
-    }
-    if (given.n_points < 3 || given.n_points > max_points) {
-        return fault.refuse(Status::bad_mesh, "edges.n_points must be between 3 and 2^30, not #",
-                            plain(given.n_points));
-    }
-    if (given.n_cells < 1 || given.n_cells > max_cells) {
-        return fault.refuse(Status::bad_mesh, "edges.n_cells must be between 1 and 2^29, not #",
-                            plain(given.n_cells));
-    }
-    if (given.n_edges < 3 || given.n_edges > max_points) {
-        return fault.refuse(Status::bad_mesh, "edges.n_edges must be between 3 and 2^30, not #",
-                            plain(given.n_edges));
-    }
+    HARMORPH_TRY(check_limits(given, edge_limits, fault));
     return require({{"edges.edge_points", given.edge_points},
                     {"edges.edge_cells", given.edge_cells},
                     {"edges.points.x", given.points.x},
@@ -98,12 +92,7 @@ Status EdgeCells::check_edge(Index e, Fault& fault) const noexcept {
 }
 
 Status EdgeCells::read(const hm_edge_mesh* from, CallFault& fault) noexcept {
-    HARMORPH_TRY(require({{"edges", from}}, fault));
-    if (!read_struct(from, given)) {
-        return fault.refuse(
-            Status::bad_argument,
-            "edges.struct_size is not the size of an hm_edge_mesh; begin with HM_INIT(edges)");
-    }
+    HARMORPH_TRY(open_struct(from, given, "edges", "hm_edge_mesh", fault));
     fault.bases.mesh = given.index_base;
     HARMORPH_TRY(check_sizes(fault));
     Offset sides = 0;

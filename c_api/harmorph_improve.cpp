@@ -1,5 +1,6 @@
 // The C interface: improves the cells of a valid mesh.
 #include "handles.hpp"
+#include "limits.hpp"
 #include "morph/quality.hpp"
 #include "safe/mesh_improvement.hpp"
 
@@ -18,31 +19,19 @@ Status check_own_reference(Plan const& plan, Fault& fault) noexcept {
                         "movement as options.reference");
 }
 
+constexpr Limit<hm_improve_options> improve_limits[] = {
+    {&hm_improve_options::max_solutions, 0, 10000,
+     "options.max_solutions must be between 0 and 10000, not #"},
+    {&hm_improve_options::reserved, 0, 0, "options.reserved must be 0, not #"},
+};
+
 // Without a given reference, `reference` becomes the mesh's own coordinates.
 Status view_improve_options(const hm_improve_options* given, Plan const& plan,
                             ImproveOptions& options, Points& reference, Fault& fault) noexcept {
-    constexpr Index max_solutions = 10000;
-    hm_improve_options o = {};
+    hm_improve_options o;
+    HARMORPH_TRY(open_options(given, o, "options", "hm_improve_options", fault));
+    HARMORPH_TRY(check_limits(o, improve_limits, fault));
     reference = plan.mesh().points;
-    if (given == nullptr) return check_own_reference(plan, fault);
-    if (!read_struct(given, o))
-        return fault.refuse(Status::bad_argument,
-                            "options.struct_size is not the size of an hm_improve_options; begin "
-                            "with HM_INIT(options)");
-    if (asks_for_more(given)) {
-        return fault.refuse(Status::unsupported,
-                            "options contains fields that are set but unknown to this version of "
-                            "the library; use the header of this version");
-    }
-    if (o.max_solutions < 0 || o.max_solutions > max_solutions) {
-        return fault.refuse(Status::bad_argument,
-                            "options.max_solutions must be between 0 and 10000, not #",
-                            plain(o.max_solutions));
-    }
-    if (o.reserved != 0) {
-        return fault.refuse(Status::bad_argument, "options.reserved must be 0, not #",
-                            plain(o.reserved));
-    }
     if (o.max_solutions != 0) options.max_solutions = o.max_solutions;
     if (o.reference == nullptr) return check_own_reference(plan, fault);
     return view_points(o.reference, "reference", reference, fault);
@@ -97,7 +86,7 @@ hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* 
         MeshImprovement improvement;
         HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { improvement.lay_out(arena, *p); }));
         auto const quality_of = [&](Points points) {
-            return measure_quality(p->cells(), points, reference, p->executor());
+            return measure_quality(p->equations().cells(), points, reference, p->executor());
         };
         HARMORPH_TRY(MeshImprovement::check(*p, reference, before, fault));
         Quality const given = quality_of(before);

@@ -1,10 +1,21 @@
 // The C interface: measures a section.
-#include "base/vec2.hpp"
 #include "bspline/section_measures.hpp"
+#include "limits.hpp"
 #include "section_view.hpp"
 
 namespace harmorph {
 namespace {
+
+// Of the sharpness: products with lengths, and quotients of logarithms, neither overflow nor
+// underflow.
+using QuantityLimit = Limit<hm_quantity>;
+constexpr QuantityLimit quantity_limits[] = {
+    {&hm_quantity::kind, HM_AREA, HM_DISTANCE,
+     "the kind of quantity # is @, but it must be one of HM_AREA to HM_DISTANCE"},
+    {&hm_quantity::sharpness, 1e-100, 1e100,
+     "the sharpness of quantity # is ~, but it must be 0 or between 1e-100 and 1e100",
+     QuantityLimit::Zero::is_default},
+};
 
 // Reads the stations of a quantity.
 Status view_stations(hm_quantity const& q, Index number, Quantity& out, Fault& fault) noexcept {
@@ -63,35 +74,19 @@ Status view_quantity(const hm_curves* curves, const hm_quantity* array, Index nu
                      Section const& section, Quantity& out, Section& other,
                      CallFault& fault) noexcept {
     hm_quantity q;
-    if (!read_struct(array, q) || !read_struct(element(array, number), q)) {
-        return fault.refuse(
-            Status::bad_argument,
-            "struct_size of quantity # is not the size of an hm_quantity; begin with HM_INIT",
-            quantity_item(number));
-    }
-    if (q.kind < HM_AREA || q.kind > HM_DISTANCE) {
-        return fault.refuse(
-            Status::bad_argument,
-            "the kind of quantity # is @, but it must be one of HM_AREA to HM_DISTANCE",
-            quantity_item(number), plain(q.kind));
-    }
+    Item const item = quantity_item(number);
+    HARMORPH_TRY(open_element(array, number, q, item, "quantity", "hm_quantity", fault));
+    HARMORPH_TRY(check_limits(q, quantity_limits, fault, item));
     out.kind = static_cast<QuantityKind>(q.kind);
     HARMORPH_TRY(view_stations(q, number, out, fault));
     bool const may_be_smooth = out.kind == QuantityKind::clearance ||
                                out.kind == QuantityKind::min_thickness ||
                                out.kind == QuantityKind::distance;
-    // The products with lengths, and the quotients of logarithms, neither overflow nor underflow.
-    constexpr Real smallest = 1e-100, largest = 1e100;
-    bool const is_in_bounds =
-        is_finite(q.sharpness) &&
-        (q.sharpness == 0 || (q.sharpness >= smallest && q.sharpness <= largest));
-    if (!is_in_bounds || (q.sharpness != 0 && !may_be_smooth)) {
-        const char* const text =
-            may_be_smooth || !is_in_bounds
-                ? "the sharpness of quantity # is ~, but it must be 0 or between 1e-100 and 1e100"
-                : "quantity # has the sharpness ~, but only HM_CLEARANCE, HM_MIN_THICKNESS and "
-                  "HM_DISTANCE use one";
-        return fault.refuse(Status::bad_argument, text, quantity_item(number), {}, q.sharpness);
+    if (q.sharpness != 0 && !may_be_smooth) {
+        return fault.refuse(Status::bad_argument,
+                            "quantity # has the sharpness ~, but only HM_CLEARANCE, "
+                            "HM_MIN_THICKNESS and HM_DISTANCE use one",
+                            item, {}, q.sharpness);
     }
     out.sharpness = q.sharpness;
     bool const has_polygon = out.kind == QuantityKind::clearance;

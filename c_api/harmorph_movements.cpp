@@ -1,8 +1,8 @@
-// The C interface: moves a section by values, and finds the modes of a family of movements.
-#include "base/vec2.hpp"
+// The C interface: moves a section by the values of design variables.
 #include "bspline/movements.hpp"
 #include "bspline/parsec.hpp"
 #include "bspline/section_measures.hpp"
+#include "limits.hpp"
 #include "section_view.hpp"
 
 namespace harmorph {
@@ -10,23 +10,44 @@ namespace {
 
 constexpr Index max_movements = 64;
 
+constexpr Limit<hm_movement> movement_kinds[] = {
+    {&hm_movement::kind, HM_ROTATE, HM_FAMILY,
+     "the kind of movement # is @, but it must be one of HM_ROTATE to HM_FAMILY"},
+};
+
+// Refuses the fields of linear movements in others, and the other way round.
+Status check_linear(hm_movement const& m, Index number, Fault& fault) noexcept {
+    bool const is_family = m.kind == HM_FAMILY;
+    if ((m.kind == HM_LINEAR) != (m.variables != nullptr)) {
+        return fault.refuse(Status::bad_argument,
+                            m.variables == nullptr ? "variables of movement # is NULL"
+                                                   : "variables of movement # must be NULL unless "
+                                                     "the kind is HM_LINEAR",
+                            entry_item(number));
+    }
+    if (!is_family && (m.n_members != 0 || m.members != nullptr || m.singular != nullptr)) {
+        return fault.refuse(Status::bad_argument,
+                            "members, n_members and singular of movement # must be 0 unless the "
+                            "kind is HM_FAMILY",
+                            entry_item(number));
+    }
+    if (is_family && (m.members == nullptr || m.n_members < 1 || m.n_members > 1024)) {
+        return fault.refuse(Status::bad_argument,
+                            "members of movement # is NULL, or n_members is not between 1 and 1024",
+                            entry_item(number));
+    }
+    return Status::ok;
+}
+
 // Reads a movement, and refuses fields that belong to another kind.
 Status view_movement(const hm_movement* array, Index number, Movement& out, Fault& fault) noexcept {
     hm_movement m;
-    if (!read_struct(array, m) || !read_struct(element(array, number), m)) {
-        return fault.refuse(
-            Status::bad_argument,
-            "struct_size of movement # is not the size of an hm_movement; begin with HM_INIT",
-            entry_item(number));
-    }
-    if (m.kind < HM_ROTATE || m.kind > HM_BLADE) {
-        return fault.refuse(
-            Status::bad_argument,
-            "the kind of movement # is @, but it must be one of HM_ROTATE to HM_BLADE",
-            entry_item(number), plain(m.kind));
-    }
+    Item const item = entry_item(number);
+    HARMORPH_TRY(open_element(array, number, m, item, "movement", "hm_movement", fault));
+    HARMORPH_TRY(check_limits(m, movement_kinds, fault, item));
     out = {};
-    out.kind = static_cast<MovementKind>(m.kind);
+    out.kind = m.kind > HM_BLADE ? MovementKind::linear : static_cast<MovementKind>(m.kind);
+    HARMORPH_TRY(check_linear(m, number, fault));
     out.n_camber = m.n_camber;
     out.n_thickness = m.n_thickness;
     out.centre = {m.x, m.y};
@@ -66,6 +87,8 @@ Status view_movement(const hm_movement* array, Index number, Movement& out, Faul
 struct MovementTask {
     CurvesView view;
     Section section;
+    Variables variables;      // of HM_LINEAR
+    hm_movement family = {};  // of HM_FAMILY; otherwise without members
     Movement movement[max_movements];
     Index n_movements = 0, n_values = 0;
 
@@ -76,7 +99,13 @@ struct MovementTask {
             return fault.refuse(Status::bad_argument, "n_movements must be between 1 and 64, not #",
                                 plain(n));
         }
-        HARMORPH_TRY(open_section(curves, given_section, view, section, fault));
+        Movement first;
+        HARMORPH_TRY(view_movement(given, 0, first, fault));
+        hm_movement m;
+        read_struct(given, m);
+        bool const needs_section = n > 1 || m.kind != HM_FAMILY;
+        HARMORPH_TRY(needs_section ? open_section(curves, given_section, view, section, fault)
+                                   : view_curves(curves, view, fault));
         bool needs_chord = false;
         for (n_movements = 0; n_movements < n; ++n_movements) {
             Movement& own = movement[n_movements];
@@ -86,12 +115,25 @@ struct MovementTask {
                                     "movement # changes the outline and must come first",
                                     entry_item(n_movements));
             }
-            needs_chord = needs_chord || own.needs_chord();
+            if (own.kind == MovementKind::linear) HARMORPH_TRY(open_linear(*given, own, fault));
+            needs_chord =
+                needs_chord || own.needs_chord() || (has_variables() && variables.needs_chord());
             n_values += own.count();
         }
         return needs_chord ? find_chord(fault) : Status::ok;
     }
-    bool changes_outline() const noexcept { return !movement[0].maps_points(); }
+    bool changes_outline() const noexcept {
+        return !movement[0].maps_points() && family.members == nullptr;
+    }
+    bool is_linear() const noexcept { return movement[0].kind == MovementKind::linear; }
+    bool has_variables() const noexcept { return is_linear() && family.members == nullptr; }
+    // The nodes of free-form deformation have two values.
+    bool has_pairs() const noexcept {
+        return has_variables() && variables.kind == VariableKind::ffd;
+    }
+    Index n_variables() const noexcept {
+        return is_linear() ? movement[0].count() / (has_pairs() ? 2 : 1) : 0;
+    }
     // Tells whether a movement maps the control points otherwise than by an affine map, so that the
     // curve does not move as the map of its points.
     bool bends() const noexcept {
@@ -102,6 +144,18 @@ struct MovementTask {
     }
 
 private:
+    Status open_linear(hm_movement const& given, Movement& own, Fault& fault) noexcept {
+        hm_movement m;
+        read_struct(&given, m);
+        if (m.kind == HM_FAMILY) {
+            family = m;
+            own.n_linear = m.n_members;
+            return Status::ok;
+        }
+        HARMORPH_TRY(open_variables(m.variables, view, variables, fault));
+        own.n_linear = variables.count() * (variables.kind == VariableKind::ffd ? 2 : 1);
+        return Status::ok;
+    }
     Status find_chord(CallFault& fault) noexcept {
         AreaMoments moments;
         HARMORPH_TRY(area_moments(section, moments, fault));  // finds the orientation
@@ -116,34 +170,49 @@ private:
 };
 
 struct MovementWork {
-    VariableMap map;              // of a change of the outline
+    VariableMap map;  // of a change of the outline
+    FamilyModes modes;
+    Span<Real> member;            // [n_members * 2 * n_control] then the modes
+    Span<Real> singular;          // [n_members]
     Span<Vec2> place;             // [n_control] where the control points are
     Span<Vec2> unmapped;          // [n_control] where they were before the maps; if the task bends
     Span<Vec2> move;              // [n_control]
     Span<Vec2> derivative;        // [values * n_control]
     Span<Real> start;             // [values]
+    Span<Real> zero;              // [values] for a caller who gives none
     Span<unsigned char> is_used;  // [n_control] whether a curve of the section uses the point
     Real error[2] = {};
 
     void lay_out(Arena& arena, MovementTask const& task) noexcept {
         Offset const n = task.view.set.n_control;
-        if (task.changes_outline())
-            map.lay_out(arena, task.view.set.n_control, 1 + task.movement[0].count());
+        if (task.changes_outline()) {
+            map.lay_out(arena, task.view.set.n_control,
+                        task.is_linear() ? task.n_variables() : 1 + task.movement[0].count());
+        }
+        if (task.family.members != nullptr) {
+            modes.lay_out(arena, task.view.set.n_control);
+            arena.take(member, 2 * n * task.family.n_members);
+            arena.take(singular, task.family.n_members);
+        }
         arena.take(place, n);
         arena.take(unmapped, task.bends() ? n : 0);
         arena.take(move, n);
         arena.take(derivative, n * task.n_values);
         arena.take(start, task.n_values);
+        arena.take(zero, task.n_values);
         arena.take(is_used, n);
     }
-    Status run(MovementTask const& task, const Real* values, Fault& fault) noexcept {
+    Status run(MovementTask const& task, const Real* given, CallFault& fault) noexcept {
         begin(task);
+        const Real* const values = given != nullptr ? given : zero.data();
         Index first = 0;
         for (Index k = 0; k < task.n_movements; ++k) {
             Movement const& movement = task.movement[k];
             Index const bad = movement.find_bad_value(values + first);
             if (bad != none) return refuse_value(first + bad, values, fault);
-            if (!movement.maps_points())
+            if (movement.kind == MovementKind::linear)
+                HARMORPH_TRY(add_linear(task, values, fault));
+            else if (!movement.maps_points())
                 HARMORPH_TRY(change_outline(task.section, movement, values, fault));
             if (k == 0 && !unmapped.empty()) copy(unmapped, Span<const Vec2>(place));
             if (movement.maps_points()) map_points(movement, values + first, first);
@@ -159,12 +228,21 @@ struct MovementWork {
         return Status::ok;
     }
 
+    // The pair (x, y) by which one unit of linear variable j moves control point i.
+    Vec2 unit_move(MovementTask const& task, Index i, Index j) const noexcept {
+        const Real* const at = task.has_variables()
+                                   ? map.wanted.data() + 2 * (Offset{i} * task.n_variables() + j)
+                                   : member.data() + 2 * (Offset{j} * place.count() + i);
+        return {at[0], at[1]};
+    }
+
 private:
     void begin(MovementTask const& task) noexcept {
         const Real* const control = task.view.set.control;
         fill(is_used, static_cast<unsigned char>(0));
         fill(derivative, Vec2{});
         fill(start, Real(0));
+        fill(zero, Real(0));
         for (Index i = 0; i < place.count(); ++i) {
             place[i] = {control[2 * i], control[2 * i + 1]};
             move[i] = {};
@@ -237,6 +315,44 @@ private:
         }
         return point;
     }
+    Status add_linear(MovementTask const& task, const Real* values, CallFault& fault) noexcept {
+        HARMORPH_TRY(task.has_variables() ? find_map(task, fault) : find_modes(task, fault));
+        Index const n = task.n_variables();
+        Offset const n_control = place.count();
+        for (Index i = 0; i < place.count(); ++i) {
+            for (Index j = 0; j < n; ++j) {
+                Vec2 const by_x = unit_move(task, i, j), by_y{-by_x.y, by_x.x};
+                Offset const row = task.has_pairs() ? 2 * Offset{j} : j;
+                derivative[row * n_control + i] = by_x;
+                move[i] = move[i] + values[row] * by_x;
+                if (!task.has_pairs()) continue;
+                derivative[(row + 1) * n_control + i] = by_y;
+                move[i] = move[i] + values[row + 1] * by_y;
+            }
+            place[i] = place[i] + move[i];
+        }
+        for (Index j = 0; j < n && task.has_variables(); ++j) {
+            const Real* const v = values + (task.has_pairs() ? 2 * j : j);
+            Real const size = task.has_pairs() ? length(Vec2{v[0], v[1]}) : abs(v[0]);
+            for (Index k = 0; k < 2; ++k) error[k] += size * map.error[2 * j + k];
+        }
+        return Status::ok;
+    }
+    Status find_map(MovementTask const& task, Fault& fault) noexcept {
+        VariablesOfSection const wanted{task.section, task.variables};
+        HARMORPH_TRY(map.run(task.section, wanted.movements(), fault));
+        return map.check_independence(fault);
+    }
+    Status find_modes(MovementTask const& task, CallFault& fault) noexcept {
+        copy(member, Span<const Real>(task.family.members, member.size()));
+        modes.start();
+        for (Index number = 0; number < task.view.count(); ++number) {
+            Curve curve;
+            HARMORPH_TRY(task.view.checked_curve(number, curve, fault));
+            modes.add(curve);
+        }
+        return modes.run(task.family.n_members, member.data(), singular.data(), fault);
+    }
     Status change_outline(Section const& section, Movement const& movement, const Real* values,
                           Fault& fault) noexcept {
         ParsecChange parsec;
@@ -269,26 +385,51 @@ void write_pairs(Span<const Vec2> from, double* to) noexcept {
     }
 }
 
+void write_result(MovementTask const& task, MovementWork const& arrays,
+                  hm_section_move const& to) noexcept {
+    write_pairs(arrays.move, to.move);
+    write_pairs(arrays.derivative, to.derivatives);
+    for (Index j = 0; to.start != nullptr && j < task.n_values; ++j) to.start[j] = arrays.start[j];
+    Offset at = 0;
+    for (Index i = 0; to.matrix != nullptr && i < arrays.place.count(); ++i) {
+        for (Index j = 0; j < task.n_variables(); ++j) {
+            Vec2 const by = arrays.unit_move(task, i, j);
+            to.matrix[at++] = by.x;
+            to.matrix[at++] = by.y;
+        }
+    }
+    for (Index j = 0;
+         to.unit_errors != nullptr && task.has_variables() && j < 2 * task.n_variables(); ++j)
+        to.unit_errors[j] = arrays.map.error[j];
+    for (Index k = 0; task.family.singular != nullptr && k < task.family.n_members; ++k)
+        task.family.singular[k] = arrays.singular[k];
+}
+
+Status count_section_move(MovementTask const& task, hm_section_move& to, Fault& fault) noexcept {
+    to.n_values = task.n_values;
+    to.n_variables = task.n_movements == 1 ? task.n_variables() : 0;
+    if (to.n_variables > 0 || to.matrix == nullptr) return Status::ok;
+    return fault.refuse(Status::bad_argument,
+                        "result.matrix must be NULL unless the only movement is HM_LINEAR or "
+                        "HM_FAMILY");
+}
+
 hm_status move_section_bytes(const hm_curves* curves, const hm_section* section,
-                             int32_t n_movements, const hm_movement* movements, int32_t* n,
-                             size_t* bytes, hm_error* err) {
+                             int32_t n_movements, const hm_movement* movements,
+                             hm_section_move* result, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         MovementTask task;
         MovementWork arrays;
+        HARMORPH_TRY(check_report_if(result, "result", fault));
         HARMORPH_TRY(task.open(curves, section, n_movements, movements, fault));
+        hm_section_move counted = {};
+        HARMORPH_TRY(count_section_move(task, counted, fault));
         HARMORPH_TRY(count_bytes(bytes, fault, [&](Arena& arena) { arrays.lay_out(arena, task); }));
-        if (n != nullptr) *n = task.n_values;
+        if (result == nullptr) return Status::ok;
+        read_struct(result, counted);
+        HARMORPH_TRY(count_section_move(task, counted, fault));
+        write_struct(counted, result);
         return Status::ok;
-    });
-}
-
-hm_status family_modes_bytes(const hm_curves* curves, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        CurvesView view;
-        FamilyModes modes;
-        HARMORPH_TRY(view_curves(curves, view, fault));
-        return count_bytes(bytes, fault,
-                           [&](Arena& arena) { modes.lay_out(arena, view.set.n_control); });
     });
 }
 
@@ -300,48 +441,27 @@ using namespace harmorph;
 extern "C" {
 
 hm_status hm_move_section(const hm_curves* curves, const hm_section* section, int32_t n_movements,
-                          const hm_movement* movements, int32_t* n, const double* values,
-                          double* move, double* derivatives, double* start, double* error,
-                          hm_memory* memory, hm_error* err) {
-    if (asks(memory))
-        return move_section_bytes(curves, section, n_movements, movements, n, &memory->bytes, err);
+                          const hm_movement* movements, const double* values,
+                          hm_section_move* result, hm_memory* memory, hm_error* err) {
+    if (asks(memory)) {
+        return move_section_bytes(curves, section, n_movements, movements, result, &memory->bytes,
+                                  err);
+    }
     return guarded(err, [&](CallFault& fault) {
         MovementTask task;
         MovementWork arrays;
-        HARMORPH_TRY(require({{"values", values}, {"move", move}, {"memory", memory}}, fault));
+        hm_section_move to;
+        HARMORPH_TRY(require({{"result", result}, {"memory", memory}}, fault));
+        HARMORPH_TRY(check_report(result, "result", fault));
+        read_struct(result, to);
         HARMORPH_TRY(task.open(curves, section, n_movements, movements, fault));
+        HARMORPH_TRY(count_section_move(task, to, fault));
         HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { arrays.lay_out(arena, task); }));
         HARMORPH_TRY(arrays.run(task, values, fault));
-        write_pairs(arrays.move, move);
-        write_pairs(arrays.derivative, derivatives);
-        for (Index j = 0; start != nullptr && j < task.n_values; ++j) start[j] = arrays.start[j];
-        for (Index k = 0; error != nullptr && k < 2; ++k) error[k] = arrays.error[k];
-        if (n != nullptr) *n = task.n_values;
+        for (Index k = 0; k < 2; ++k) to.error[k] = arrays.error[k];
+        write_result(task, arrays, to);
+        write_struct(to, result);
         return Status::ok;
-    });
-}
-
-hm_status hm_family_modes(const hm_curves* curves, int32_t n, double* movements, double* singular,
-                          hm_memory* memory, hm_error* err) {
-    if (asks(memory)) return family_modes_bytes(curves, &memory->bytes, err);
-    return guarded(err, [&](CallFault& fault) {
-        CurvesView view;
-        FamilyModes modes;
-        HARMORPH_TRY(
-            require({{"movements", movements}, {"singular", singular}, {"memory", memory}}, fault));
-        if (n < 1 || n > 1024)
-            return fault.refuse(Status::bad_argument, "n must be between 1 and 1024, not #",
-                                plain(n));
-        HARMORPH_TRY(view_curves(curves, view, fault));
-        HARMORPH_TRY(
-            place(memory, fault, [&](Arena& arena) { modes.lay_out(arena, view.set.n_control); }));
-        modes.start();
-        for (Index number = 0; number < view.count(); ++number) {
-            Curve curve;
-            HARMORPH_TRY(view.checked_curve(number, curve, fault));
-            modes.add(curve);
-        }
-        return modes.run(n, movements, singular, fault);
     });
 }
 

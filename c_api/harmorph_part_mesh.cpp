@@ -2,7 +2,7 @@
 // where parts end.
 #include "parts/shared_boundary.hpp"
 #include "part_handles.hpp"
-#include "views.hpp"
+#include "limits.hpp"
 
 namespace harmorph {
 namespace {
@@ -12,12 +12,8 @@ static_assert(sizeof(hm_private_edge) == sizeof(OpenEdge) && sizeof(hm_private_e
 
 Status view_part_mesh(const hm_private_part_mesh* given, PartMesh& part,
                       CallFault& fault) noexcept {
-    HARMORPH_TRY(require({{"mesh", given}}, fault));
     hm_private_part_mesh p;
-    if (!read_struct(given, p))
-        return fault.refuse(Status::bad_argument,
-                            "mesh.struct_size is not the size of an hm_private_part_mesh; begin "
-                            "with HM_INIT(mesh)");
+    HARMORPH_TRY(open_struct(given, p, "mesh", "hm_private_part_mesh", fault));
     HARMORPH_TRY(require({{"mesh.numbers", p.numbers}}, fault));
     HARMORPH_TRY(view_mesh(p.mesh, part.mesh, fault));
     part.number = p.numbers;

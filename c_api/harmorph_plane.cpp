@@ -1,5 +1,6 @@
 // The C interface: finds and moves the plane of a mesh that is one cell thick.
 #include "handles.hpp"
+#include "limits.hpp"
 #include "morph/adjoint.hpp"
 #include "morph/morph.hpp"
 #include "space/plane.hpp"
@@ -7,23 +8,16 @@
 namespace harmorph {
 namespace {
 
+constexpr Limit<hm_space_mesh> space_limits[] = {
+    {&hm_space_mesh::kind, HM_SPACE_AUTO, HM_WEDGE,
+     "space.kind is #, but it must be HM_SPACE_AUTO, HM_PLANES or HM_WEDGE"},
+};
+
 Status view_space(const hm_space_mesh* given, SpaceMesh& mesh, CallFault& fault) noexcept {
-    HARMORPH_TRY(require({{"space", given}}, fault));
     hm_space_mesh m;
-    if (!read_struct(given, m))
-        return fault.refuse(
-            Status::bad_argument,
-            "space.struct_size is not the size of an hm_space_mesh; begin with HM_INIT(space)");
-    if (asks_for_more(given)) {
-        return fault.refuse(Status::unsupported,
-                            "space contains fields that are set but unknown to this version of the "
-                            "library; use the header of this version");
-    }
-    if (m.kind < HM_SPACE_AUTO || m.kind > HM_WEDGE) {
-        return fault.refuse(Status::bad_argument,
-                            "space.kind is #, but it must be HM_SPACE_AUTO, HM_PLANES or HM_WEDGE",
-                            plain(m.kind));
-    }
+    HARMORPH_TRY(require({{"space", given}}, fault));
+    HARMORPH_TRY(open_options(given, m, "space", "hm_space_mesh", fault));
+    HARMORPH_TRY(check_limits(m, space_limits, fault));
     mesh.index_base = fault.bases.mesh = m.index_base;
     mesh.n_points = m.n_points;
     mesh.points = {m.points.x, m.points.y, m.points.z, stride_of(m.points.stride)};

@@ -2,37 +2,35 @@
 // on the way.
 #include "base/vec2.hpp"
 #include "given_list.hpp"
+#include "limits.hpp"
 #include "morph/quality.hpp"
 #include "safe/safe_displacement.hpp"
 
 namespace harmorph {
 namespace {
 
-constexpr Index max_others = 64, max_improve_work = 10000;
+constexpr Index max_others = 64;
+
+using SafeLimit = Limit<hm_safe_options>;
+constexpr SafeLimit safe_limits[] = {
+    {&hm_safe_options::skipped_strategies, 0, (2 << HM_STRATEGY_IMPROVED) - 1,
+     "options.skipped_strategies is #, but it must be a sum of 1 << HM_STRATEGY_..., that is "
+     "between 0 and 31"},
+    {&hm_safe_options::improve, 0, 1, "options.improve must be 0 or 1, not #"},
+    {&hm_safe_options::improve_work, 0, 10000,
+     "options.improve_work must be between 0 and 10000, not #"},
+    {&hm_safe_options::reserved, 0, 0, "options.reserved must be 0, not #"},
+    {&hm_safe_options::heights, 0, 1, "options.heights must be between 0 and 1, not ~"},
+    {&hm_safe_options::min_quality, -infinity, 1, "options.min_quality must be at most 1, not ~"},
+    {&hm_safe_options::max_height_change, 1 + 0x1p-52, infinity,
+     "options.max_height_change must be 0 or above 1, not ~", SafeLimit::Zero::is_default},
+};
 
 Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeOptions& options,
                          double*& reached, Fault& fault) noexcept {
-    hm_safe_options o = {};
-    if (given != nullptr && !read_struct(given, o)) {
-        return fault.refuse(Status::bad_argument,
-                            "options.struct_size is not the size of an hm_safe_options; begin with "
-                            "HM_INIT(options)");
-    }
-    if (given != nullptr && asks_for_more(given)) {
-        return fault.refuse(Status::unsupported,
-                            "options contains fields that are set but unknown to this version of "
-                            "the library; use the header of this version");
-    }
-    if (o.skipped_strategies < 0 || o.skipped_strategies >= 2 << HM_STRATEGY_IMPROVED) {
-        return fault.refuse(Status::bad_argument,
-                            "options.skipped_strategies is #, but it must be a sum of 1 << "
-                            "HM_STRATEGY_..., that is between 0 and 31",
-                            plain(o.skipped_strategies));
-    }
-    if (o.improve < 0 || o.improve > 1) {
-        return fault.refuse(Status::bad_argument, "options.improve must be 0 or 1, not #",
-                            plain(o.improve));
-    }
+    hm_safe_options o;
+    HARMORPH_TRY(open_options(given, o, "options", "hm_safe_options", fault));
+    HARMORPH_TRY(check_limits(o, safe_limits, fault));
     if (o.n_others < 0 || o.n_others > others.count()) {
         return fault.refuse(Status::bad_argument,
                             others.empty()
@@ -44,37 +42,14 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
         return fault.refuse(Status::bad_argument, "options.others is NULL, but n_others is #",
                             plain(o.n_others));
     }
-    if (o.improve_work < 0 || o.improve_work > max_improve_work) {
-        return fault.refuse(Status::bad_argument,
-                            "options.improve_work must be between 0 and 10000, not #",
-                            plain(o.improve_work));
-    }
     if (o.improve_work != 0) options.improve.max_solutions = o.improve_work;
-    if (o.reserved != 0) {
-        return fault.refuse(Status::bad_argument, "options.reserved must be 0, not #",
-                            plain(o.reserved));
-    }
     if (o.max_resolves != 0) {
         options.max_resolves = max(o.max_resolves, Index{0});
         options.searches = false;
     }
-    if (!is_between(0, o.heights, 1)) {
-        return fault.refuse(Status::bad_argument, "options.heights must be between 0 and 1, not ~",
-                            {}, {}, o.heights);
-    }
     options.heights = o.heights;
-    if (o.min_quality != o.min_quality || o.min_quality > 1) {
-        return fault.refuse(Status::bad_argument, "options.min_quality must be at most 1, not ~",
-                            {}, {}, o.min_quality);
-    }
     if (o.min_quality != 0) options.min_quality = max(o.min_quality, 0.0);
     if (o.min_quality < 0) options.fair_quality = options.fine_quality = 0;
-    if (o.max_height_change != o.max_height_change ||
-        (o.max_height_change != 0 && o.max_height_change <= 1)) {
-        return fault.refuse(Status::bad_argument,
-                            "options.max_height_change must be 0 or above 1, not ~", {}, {},
-                            o.max_height_change);
-    }
     if (o.max_height_change != 0) options.max_height_change = o.max_height_change;
     options.improves = o.improve == 1;
     reached = o.reached;
@@ -93,7 +68,8 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
 hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before,
                          Points after) noexcept {
     Index const base = plan.mesh().index_base;
-    Quality const quality = measure_quality(plan.cells(), after, before, plan.executor());
+    Quality const quality =
+        measure_quality(plan.equations().cells(), after, before, plan.executor());
     hm_safe_report filled = {};
     filled.strategy = static_cast<std::int32_t>(safe.outcome.strategy);
     filled.other = safe.outcome.other;
@@ -102,7 +78,7 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     filled.step_fraction = safe.outcome.fraction;
     filled.admissible = safe.limit.step;
     filled.cell = numbered(plan.mesh().number(safe.limit.cell), base);
-    filled.point = numbered(limiting_point(plan.cells(), safe.limit), base);
+    filled.point = numbered(limiting_point(plan.equations().cells(), safe.limit), base);
     filled.untangled = safe.untangle.inverted_before;
     filled.iterations = safe.untangle.iterations;
     for (Index k = 0; k < 2; ++k) {
@@ -217,12 +193,7 @@ Status open_plan_of_given(Handle* handle, Object*& plan, const hm_basis* given, 
 }
 
 Status read_target(const hm_safe_target* given, hm_safe_target& target, CallFault& fault) noexcept {
-    HARMORPH_TRY(require({{"target", given}}, fault));
-    if (!read_struct(given, target)) {
-        return fault.refuse(
-            Status::bad_argument,
-            "target.struct_size is not the size of an hm_safe_target; begin with HM_INIT(target)");
-    }
+    HARMORPH_TRY(open_struct(given, target, "target", "hm_safe_target", fault));
     if (target.wall != nullptr || (target.n == 0 && target.points == nullptr)) return Status::ok;
     return fault.refuse(Status::bad_argument,
                         "target.wall is NULL, but target.n is # or target.points is not NULL",

@@ -1,5 +1,6 @@
 // The C interface: an analysis, a plan and a basis in two blocks, as most programs need them.
 #include "handles.hpp"
+#include "limits.hpp"
 
 namespace harmorph {
 namespace {
@@ -16,18 +17,10 @@ struct SolveBlock {
     }
 };
 
-Status read_setup(const hm_setup* given, hm_setup& setup, CallFault& fault) noexcept {
-    HARMORPH_TRY(require({{"setup", given}}, fault));
-    if (read_struct(given, setup)) return Status::ok;
-    return fault.refuse(
-        Status::bad_argument,
-        "setup.struct_size is not the size of an hm_setup; begin with HM_INIT(setup)");
-}
-
 // Reads the setup, and opens the analysis in it.
 Status open_setup(const hm_setup* given, hm_setup& setup, const Analysis*& analysis,
                   CallFault& fault) noexcept {
-    HARMORPH_TRY(read_setup(given, setup, fault));
+    HARMORPH_TRY(open_struct(given, setup, "setup", "hm_setup", fault));
     if (setup.analysis != nullptr) return open_complete(setup.analysis, analysis, fault);
     return fault.refuse(Status::bad_argument, "setup.analysis is NULL; call hm_setup_init first");
 }
@@ -55,7 +48,7 @@ hm_status hm_setup_init(hm_setup* setup, hm_memory* memory, const hm_problem* pr
     hm_setup made = {};
     hm_status const refused = guarded(err, [&](CallFault& fault) {
         hm_setup old;
-        return read_setup(setup, old, fault);
+        return open_struct(setup, old, "setup", "hm_setup", fault);
     });
     if (refused < 0) return refused;
     hm_status const status = hm_analysis_init(&made.analysis, memory, problem, options, err);

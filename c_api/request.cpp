@@ -1,24 +1,25 @@
-#include "base/vec2.hpp"
+#include "limits.hpp"
 #include "request.hpp"
 
 namespace harmorph {
 
 namespace {
 
-Status view_problem(const hm_problem* given, hm_problem& p, Fault& fault) noexcept {
-    HARMORPH_TRY(require({{"problem", given}}, fault));
-    if (read_struct(given, p)) return Status::ok;
-    return fault.refuse(
-        Status::bad_argument,
-        "problem.struct_size is not the size of an hm_problem; begin with HM_INIT(problem)");
-}
+constexpr Limit<hm_problem> problem_limits[] = {
+    {&hm_problem::n_conditions, 0, infinity, "problem.n_conditions must be at least 0, not #"},
+    {&hm_problem::n_known, 0, infinity, "problem.n_known must be at least 0, not #"},
+    {&hm_problem::n_fluxes, 0, Mesh::max_points / 2,
+     "problem.n_fluxes must be between 0 and 2^29, not #"},
+    {&hm_problem::max_curve_distance, 0, largest_coordinate,
+     "problem.max_curve_distance must be between 0 and 1e100, not ~"},
+};
 
 }  // namespace
 
 Status Request::read(const hm_problem* given, const hm_options* options,
                      CallFault& fault) noexcept {
     hm_problem p;
-    HARMORPH_TRY(view_problem(given, p, fault));
+    HARMORPH_TRY(open_struct(given, p, "problem", "hm_problem", fault));
     HARMORPH_TRY(view_mesh(p.mesh, problem.mesh, fault));
     return read_rest(p, options, fault);
 }
@@ -26,12 +27,13 @@ Status Request::read(const hm_problem* given, const hm_options* options,
 Status Request::read_without_mesh(const hm_problem* given, const hm_options* options,
                                   CallFault& fault) noexcept {
     hm_problem p;
-    HARMORPH_TRY(view_problem(given, p, fault));
+    HARMORPH_TRY(open_struct(given, p, "problem", "hm_problem", fault));
     return read_rest(p, options, fault);
 }
 
 Status Request::read_rest(hm_problem const& p, const hm_options* options,
                           CallFault& fault) noexcept {
+    HARMORPH_TRY(check_limits(p, problem_limits, fault));
     HARMORPH_TRY(view_options(options, problem, fault));
     if (p.curves != nullptr) {
         HARMORPH_TRY(view_curves(p.curves, curves, fault));
@@ -39,20 +41,11 @@ Status Request::read_rest(hm_problem const& p, const hm_options* options,
     }
     HARMORPH_TRY(read_fluxes(p, fault));
     HARMORPH_TRY(read_conditions(p, fault));
-    if (p.n_known < 0) {
-        return fault.refuse(Status::bad_argument, "problem.n_known must be at least 0, not #",
-                            plain(p.n_known));
-    }
     if (p.n_known > 0 && (!p.known_points || !p.known_curves || !p.known_u)) {
         return fault.refuse(
             Status::bad_argument,
             "problem.known_points, known_curves or known_u is NULL, but problem.n_known is #",
             plain(p.n_known));
-    }
-    if (!is_between(0, p.max_curve_distance, largest_coordinate)) {
-        return fault.refuse(Status::bad_argument,
-                            "problem.max_curve_distance must be between 0 and 1e100, not ~", {}, {},
-                            p.max_curve_distance);
     }
     if (p.max_curve_distance > 0) problem.max_curve_distance = p.max_curve_distance;
     Size const n = static_cast<Size>(p.n_known);
@@ -62,11 +55,6 @@ Status Request::read_rest(hm_problem const& p, const hm_options* options,
 }
 
 Status Request::read_fluxes(hm_problem const& p, Fault& fault) noexcept {
-    if (p.n_fluxes < 0 || p.n_fluxes > Mesh::max_points / 2) {
-        return fault.refuse(Status::bad_argument,
-                            "problem.n_fluxes must be between 0 and 2^29, not #",
-                            plain(p.n_fluxes));
-    }
     if (p.n_fluxes == 0) return Status::ok;
     if (p.flux_points == nullptr || p.fluxes == nullptr) {
         return fault.refuse(Status::bad_argument,
@@ -137,10 +125,6 @@ Status Request::check_rotation(Fault& fault) const noexcept {
 // Reads the conditions. If no wall moves, there is nothing to solve, and the conditions are
 // ignored.
 Status Request::read_conditions(hm_problem const& p, Fault& fault) noexcept {
-    if (p.n_conditions < 0) {
-        return fault.refuse(Status::bad_argument, "problem.n_conditions must be at least 0, not #",
-                            plain(p.n_conditions));
-    }
     if (p.n_conditions > 0 && p.conditions == nullptr) {
         return fault.refuse(Status::bad_argument,
                             "problem.conditions is NULL, but problem.n_conditions is #",

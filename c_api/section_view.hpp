@@ -1,9 +1,9 @@
 // Reads a section of the caller's curves, checks it, and joins the curves to an outline.
 #pragma once
 
-#include "base/vec2.hpp"
 #include "bspline/section.hpp"
-#include "views.hpp"
+#include "bspline/variables.hpp"
+#include "limits.hpp"
 
 namespace harmorph {
 
@@ -27,11 +27,7 @@ inline Status open_section(const hm_curves* curves, const hm_section* given, Cur
                            Section& section, CallFault& fault) noexcept {
     hm_section asked = {};
     HARMORPH_TRY(view_curves(curves, view, fault));
-    if (given != nullptr && !read_struct(given, asked)) {
-        return fault.refuse(
-            Status::bad_argument,
-            "section.struct_size is not the size of an hm_section; begin with HM_INIT(section)");
-    }
+    if (given != nullptr) HARMORPH_TRY(open_struct(given, asked, "section", "hm_section", fault));
     if (asked.first_curve == 0 && asked.n_curves == 0) asked.n_curves = view.count();
     if (asked.first_curve < 0 || asked.n_curves < 1 ||
         asked.n_curves > view.count() - asked.first_curve) {
@@ -62,5 +58,9 @@ inline Status open_section(const hm_curves* curves, const hm_section* given, Cur
     }
     return section.connect(fault);
 }
+
+// Reads linear variables, whose box may be that of the control points.
+Status open_variables(const hm_variables* given, CurvesView const& view, Variables& out,
+                      Fault& fault) noexcept;
 
 }  // namespace harmorph

@@ -1,7 +1,20 @@
-#include "views.hpp"
+#include "limits.hpp"
 
 namespace harmorph {
 namespace {
+
+constexpr Limit<hm_mesh> mesh_limits[] = {
+    {&hm_mesh::cell_layout, HM_CELLS_ROWS, HM_CELLS_POLYGONS,
+     "mesh.cell_layout is #, but it must be one of HM_CELLS_ROWS to HM_CELLS_POLYGONS"},
+};
+
+constexpr Limit<hm_executor> executor_limits[] = {
+    {&hm_executor::n_threads, 1, Executor::max_threads,
+     "executor.n_threads must be between 1 and 256, not #"},
+    {&hm_executor::kernel, HM_KERNEL_AUTO, HM_KERNEL_NEON,
+     "executor.kernel is #, but it must be one of HM_KERNEL_AUTO to HM_KERNEL_NEON",
+     Status::unsupported},
+};
 
 // Counts the cells of all blocks. Returns 0 if a size or the sum is out of range.
 Index cells_of_blocks(hm_mesh const& mesh) noexcept {
@@ -19,18 +32,9 @@ Index cells_of_blocks(hm_mesh const& mesh) noexcept {
 }  // namespace
 
 Status view_mesh(const hm_mesh* given, Mesh& mesh, CallFault& fault) noexcept {
-    HARMORPH_TRY(require({{"mesh", given}}, fault));
     hm_mesh m;
-    if (!read_struct(given, m))
-        return fault.refuse(
-            Status::bad_argument,
-            "mesh.struct_size is not the size of an hm_mesh; begin with HM_INIT(mesh)");
-    if (m.cell_layout < HM_CELLS_ROWS || m.cell_layout > HM_CELLS_POLYGONS) {
-        return fault.refuse(
-            Status::bad_argument,
-            "mesh.cell_layout is #, but it must be one of HM_CELLS_ROWS to HM_CELLS_POLYGONS",
-            plain(m.cell_layout));
-    }
+    HARMORPH_TRY(open_struct(given, m, "mesh", "hm_mesh", fault));
+    HARMORPH_TRY(check_limits(m, mesh_limits, fault));
     mesh = Mesh{};
     mesh.index_base = fault.bases.mesh = m.index_base;
     mesh.n_points = m.n_points;
@@ -67,22 +71,9 @@ Status view_executor(const hm_executor* given, Executor& executor, Fault& fault)
     executor = Executor{};
     if (given == nullptr) return Status::ok;
     hm_executor e;
-    if (!read_struct(given, e))
-        return fault.refuse(
-            Status::bad_argument,
-            "executor.struct_size is not the size of an hm_executor; begin with HM_INIT(executor)");
+    HARMORPH_TRY(open_struct(given, e, "executor", "hm_executor", fault));
     if (e.n_threads == 0) e.n_threads = 1;
-    if (e.n_threads < 1 || e.n_threads > Executor::max_threads) {
-        return fault.refuse(Status::bad_argument,
-                            "executor.n_threads must be between 1 and 256, not #",
-                            plain(e.n_threads));
-    }
-    if (e.kernel < HM_KERNEL_AUTO || e.kernel > HM_KERNEL_NEON) {
-        return fault.refuse(
-            Status::unsupported,
-            "executor.kernel is #, but it must be one of HM_KERNEL_AUTO to HM_KERNEL_NEON",
-            plain(e.kernel));
-    }
+    HARMORPH_TRY(check_limits(e, executor_limits, fault));
     executor = {e.run, e.user, e.n_threads, static_cast<Kernel>(e.kernel)};
     return Status::ok;
 }

@@ -1,23 +1,27 @@
 // Reads the options of fits from the caller's structs.
-#include "base/vec2.hpp"
-#include "views.hpp"
+#include "limits.hpp"
 
 namespace harmorph {
 namespace {
 
+constexpr const char* of_lengths =
+    "details.smoothing and details.tolerance must be lengths of 0 or above";
+constexpr Limit<hm_fit_details> details_limits[] = {
+    {&hm_fit_details::smoothing, 0, largest_coordinate, of_lengths},
+    {&hm_fit_details::tolerance, 0, largest_coordinate, of_lengths},
+};
+
+constexpr Limit<hm_fit_options> fit_limits[] = {
+    {&hm_fit_options::closed, HM_CLOSED_AUTO, HM_PERIODIC,
+     "options.closed is #, but it must be HM_CLOSED_AUTO, HM_OPEN, HM_TIED or HM_PERIODIC"},
+    {&hm_fit_options::index_base, 0, 1, "options.index_base must be 0 or 1, not #"},
+};
+
 Status view_fit_details(const hm_fit_details* given, FitOptions& options,
                         CallFault& fault) noexcept {
     hm_fit_details d;
-    if (!read_struct(given, d))
-        return fault.refuse(Status::bad_argument,
-                            "details.struct_size is not the size of an hm_fit_details; begin with "
-                            "HM_INIT(details)");
-    if (!is_between(0, d.smoothing, largest_coordinate) ||
-        !is_between(0, d.tolerance, largest_coordinate)) {
-        return fault.refuse(
-            Status::bad_argument,
-            "details.smoothing and details.tolerance must be lengths of 0 or above");
-    }
+    HARMORPH_TRY(open_struct(given, d, "details", "hm_fit_details", fault));
+    HARMORPH_TRY(check_limits(d, details_limits, fault));
     if (d.smoothing > 0 && options.degree < 2)
         return fault.refuse(Status::bad_argument,
                             "details.smoothing needs a curve of degree 2 or above");
@@ -62,20 +66,8 @@ Status view_fit_options(const hm_fit_options* given, FitOptions& options,
     options = FitOptions{};
     if (given == nullptr) return Status::ok;
     hm_fit_options o;
-    if (!read_struct(given, o))
-        return fault.refuse(Status::bad_argument,
-                            "options.struct_size is not the size of an hm_fit_options; begin with "
-                            "HM_INIT(options)");
-    if (o.closed < HM_CLOSED_AUTO || o.closed > HM_PERIODIC) {
-        return fault.refuse(
-            Status::bad_argument,
-            "options.closed is #, but it must be HM_CLOSED_AUTO, HM_OPEN, HM_TIED or HM_PERIODIC",
-            plain(o.closed));
-    }
-    if (o.index_base != 0 && o.index_base != 1) {
-        return fault.refuse(Status::bad_argument, "options.index_base must be 0 or 1, not #",
-                            plain(o.index_base));
-    }
+    HARMORPH_TRY(open_struct(given, o, "options", "hm_fit_options", fault));
+    HARMORPH_TRY(check_limits(o, fit_limits, fault));
     fault.bases.curves = o.index_base;
     if (o.degree != 0) options.degree = o.degree;
     if (o.n_control != 0) options.n_control = o.n_control;

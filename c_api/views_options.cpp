@@ -1,31 +1,23 @@
 // Views of options. They are apart from the other views so that a program that only moves meshes
 // does not link them.
 #include "base/vec2.hpp"
-#include "views.hpp"
+#include "limits.hpp"
 
 namespace harmorph {
 namespace {
 
 // Checks operator, scheme and engine against the tables of basis/options.hpp, which also contain
-// the sentences for combinations that are not available.
+// the sentences for what is not available.
 Status check_combination(hm_options const& o, hm_study_options const& study,
                          Fault& fault) noexcept {
     if (!has_row(operator_traits, o.operator_kind)) {
-        return fault.refuse(
-            Status::unsupported,
-            "options.operator_kind is #, but it must be HM_CONFORMAL, HM_LAPLACE or HM_WEIGHTED",
-            plain(o.operator_kind));
+        return fault.refuse(Status::unsupported, unknown_operator, plain(o.operator_kind));
     }
     if (!has_row(scheme_traits, study.scheme)) {
-        return fault.refuse(Status::unsupported,
-                            "options.study.scheme is #, but it must be HM_COMPACT, HM_BOUNDED, "
-                            "HM_NODAL_GRADIENT or HM_NODAL_GRADIENT_PLAIN",
-                            plain(study.scheme));
+        return fault.refuse(Status::unsupported, unknown_scheme, plain(study.scheme));
     }
     if (!has_row(engine_traits, o.engine)) {
-        return fault.refuse(Status::unsupported,
-                            "options.engine is #, but it must be HM_DIRECT, HM_MULTIGRID or HM_FAS",
-                            plain(o.engine));
+        return fault.refuse(Status::unsupported, unknown_engine, plain(o.engine));
     }
     OperatorTraits const& of_operator = operator_traits[o.operator_kind];
     SchemeTraits const& of_scheme = scheme_traits[study.scheme];
@@ -36,6 +28,12 @@ Status check_combination(hm_options const& o, hm_study_options const& study,
                                                                          : nullptr;
     return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
 }
+
+constexpr Limit<hm_options> option_limits[] = {
+    {&hm_options::offset_correction, 0, 1, "options.offset_correction must be 0 or 1, not #"},
+    {&hm_options::tolerance, 0, 1 - 0x1p-53,
+     "options.tolerance must be at least 0 and below 1, not ~"},
+};
 
 // Reads operator, weight, scheme and engine.
 Status view_operator(hm_options const& o, hm_study_options const& study, Method& method,
@@ -57,10 +55,6 @@ Status view_operator(hm_options const& o, hm_study_options const& study, Method&
         return fault.refuse(Status::unsupported,
                             "options.exponent must not be positive for HM_LAPLACE, which has no "
                             "weight; HM_WEIGHTED has one");
-    }
-    if (o.offset_correction < 0 || o.offset_correction > 1) {
-        return fault.refuse(Status::bad_argument, "options.offset_correction must be 0 or 1, not #",
-                            plain(o.offset_correction));
     }
     if (o.offset_correction != 0 && !method.operator_row().takes_offset_correction) {
         return fault.refuse(
@@ -100,50 +94,33 @@ Status check_engine(hm_options const& o, hm_study_options const& study, Fault& f
     return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
 }
 
+using StudyLimit = Limit<hm_study_options>;
+constexpr StudyLimit study_limits[] = {
+    {&hm_study_options::levels, 0, Agglomeration::max_levels,
+     "options.study.levels must be between 0 and 20, not #"},
+    {&hm_study_options::agglomeration, HM_AGGLOMERATE_AUTO, HM_AGGLOMERATE_DIRECTIONAL,
+     "options.study.agglomeration is #, but it must be one of the constants HM_AGGLOMERATE_..."},
+    {&hm_study_options::max_iterations, 0, infinity,
+     "options.study.max_iterations must be at least 0, not #"},
+    {&hm_study_options::history_length, 0, infinity,
+     "options.study.history_length must be at least 0, not #"},
+    {&hm_study_options::start, HM_START_COARSEST, HM_START_ZERO,
+     "options.study.start is #, but it must be HM_START_COARSEST or HM_START_ZERO"},
+    {&hm_study_options::cycle, HM_CYCLE_PAPER, HM_CYCLE_IMPROVED,
+     "options.study.cycle is #, but it must be HM_CYCLE_PAPER or HM_CYCLE_IMPROVED"},
+};
+
 Status view_iteration(hm_study_options const& study, Iteration& iteration, Fault& fault) noexcept {
-    if (study.levels < 0 || study.levels > Agglomeration::max_levels) {
-        return fault.refuse(Status::bad_argument,
-                            "options.study.levels must be between 0 and 20, not #",
-                            plain(study.levels));
-    }
-    if (study.agglomeration < HM_AGGLOMERATE_AUTO ||
-        study.agglomeration > HM_AGGLOMERATE_DIRECTIONAL) {
-        return fault.refuse(Status::bad_argument,
-                            "options.study.agglomeration is #, but it must be one of the constants "
-                            "HM_AGGLOMERATE_...",
-                            plain(study.agglomeration));
-    }
+    HARMORPH_TRY(check_limits(study, study_limits, fault));
     if (study.block_width != 0 && !Iteration::has_width(study.block_width)) {
         return fault.refuse(Status::bad_argument,
                             "options.study.block_width must be 0, 4, 8 or 16, not #",
                             plain(study.block_width));
     }
-    if (study.max_iterations < 0) {
-        return fault.refuse(Status::bad_argument,
-                            "options.study.max_iterations must be at least 0, not #",
-                            plain(study.max_iterations));
-    }
-    if (study.history_length < 0) {
-        return fault.refuse(Status::bad_argument,
-                            "options.study.history_length must be at least 0, not #",
-                            plain(study.history_length));
-    }
     if (study.history_length > 0 && study.history == nullptr) {
         return fault.refuse(Status::bad_argument,
                             "options.study.history is NULL, but history_length is #",
                             plain(study.history_length));
-    }
-    if (study.start < HM_START_COARSEST || study.start > HM_START_ZERO) {
-        return fault.refuse(
-            Status::bad_argument,
-            "options.study.start is #, but it must be HM_START_COARSEST or HM_START_ZERO",
-            plain(study.start));
-    }
-    if (study.cycle < HM_CYCLE_PAPER || study.cycle > HM_CYCLE_IMPROVED) {
-        return fault.refuse(
-            Status::bad_argument,
-            "options.study.cycle is #, but it must be HM_CYCLE_PAPER or HM_CYCLE_IMPROVED",
-            plain(study.cycle));
     }
     iteration.has_improved_cycle = study.cycle == HM_CYCLE_IMPROVED;
     iteration.starts_from_zero = study.start == HM_START_ZERO;
@@ -162,35 +139,13 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
     problem.iteration = Iteration{};
     problem.executor = Executor{};
     problem.progress = Progress{};
-    hm_options o = {};
-    if (given != nullptr && !read_struct(given, o)) {
-        return fault.refuse(
-            Status::bad_argument,
-            "options.struct_size is not the size of an hm_options; begin with HM_INIT(options)");
-    }
-    if (given != nullptr && asks_for_more(given)) {
-        return fault.refuse(Status::unsupported,
-                            "options contains fields that are set but unknown to this version of "
-                            "the library; use the header of this version");
-    }
-    hm_study_options study = {};
-    if (o.study != nullptr && !read_struct(o.study, study)) {
-        return fault.refuse(
-            Status::bad_argument,
-            "options.study.struct_size is not the size of an hm_study_options; begin with HM_INIT");
-    }
-    if (o.study != nullptr && asks_for_more(o.study)) {
-        return fault.refuse(Status::unsupported,
-                            "options.study contains fields that are set but unknown to this "
-                            "version of the library; use the header of this version");
-    }
+    hm_options o;
+    hm_study_options study;
+    HARMORPH_TRY(open_options(given, o, "options", "hm_options", fault));
+    HARMORPH_TRY(open_options(o.study, study, "options.study", "hm_study_options", fault));
+    HARMORPH_TRY(check_limits(o, option_limits, fault));
     HARMORPH_TRY(view_operator(o, study, method, fault));
     HARMORPH_TRY(view_iteration(study, problem.iteration, fault));
-    if (!is_finite(o.tolerance) || o.tolerance < 0 || o.tolerance >= 1) {
-        return fault.refuse(Status::bad_argument,
-                            "options.tolerance must be at least 0 and below 1, not ~", {}, {},
-                            o.tolerance);
-    }
     HARMORPH_TRY(check_engine(o, study, fault));
     if (o.tolerance > 0) method.tolerance = o.tolerance;
     problem.iteration.tolerance = method.tolerance;

@@ -1,35 +1,30 @@
 // Views of curves and conditions. They are apart from the other views so that a program that only
 // moves meshes does not link them.
 #include "base/vec2.hpp"
-#include "views.hpp"
+#include "limits.hpp"
 
 namespace harmorph {
+namespace {
+
+constexpr Index max_count = Index{1} << 24;
+constexpr Limit<hm_curves> curves_limits[] = {
+    {&hm_curves::index_base, 0, 1, "curves.index_base must be 0 or 1, not #"},
+    {&hm_curves::n_control, 2, max_count, "curves.n_control must be between 2 and 2^24, not #",
+     Status::bad_curve},
+    {&hm_curves::n_curves, 1, max_count, "curves.n_curves must be between 1 and 2^24, not #",
+     Status::bad_curve},
+};
+
+}  // namespace
 
 Status view_curves(const hm_curves* given, CurvesView& view, CallFault& fault) noexcept {
-    HARMORPH_TRY(require({{"curves", given}}, fault));
-    if (!read_struct(given, view.set))
-        return fault.refuse(
-            Status::bad_argument,
-            "curves.struct_size is not the size of an hm_curves; begin with HM_INIT(curves)");
+    HARMORPH_TRY(open_struct(given, view.set, "curves", "hm_curves", fault));
     hm_curves const& set = view.set;
     fault.bases.curves = set.index_base;
-    if (set.index_base != 0 && set.index_base != 1) {
-        return fault.refuse(Status::bad_argument, "curves.index_base must be 0 or 1, not #",
-                            plain(set.index_base));
-    }
     if (set.control == nullptr || set.curve == nullptr) {
         return fault.refuse(Status::bad_argument, "curves.control or curves.curve is NULL");
     }
-    constexpr Index max_count = Index{1} << 24;
-    if (set.n_control < 2 || set.n_control > max_count) {
-        return fault.refuse(Status::bad_curve, "curves.n_control must be between 2 and 2^24, not #",
-                            plain(set.n_control));
-    }
-    if (set.n_curves < 1 || set.n_curves > max_count) {
-        return fault.refuse(Status::bad_curve, "curves.n_curves must be between 1 and 2^24, not #",
-                            plain(set.n_curves));
-    }
-    return Status::ok;
+    return check_limits(set, curves_limits, fault);
 }
 
 Status CurvesView::checked_curve(Index number, Curve& out, Fault& fault) const noexcept {
@@ -43,12 +38,8 @@ Status CurvesView::checked_curve(Index number, Curve& out, Fault& fault) const n
 
 Status CurvesView::curve(Index number, Curve& out, Fault& fault) const noexcept {
     hm_curve c;
-    if (!read_struct(set.curve, c) || !read_struct(element(set.curve, number), c)) {
-        return fault.refuse(
-            Status::bad_argument,
-            "struct_size of curve # is not the size of an hm_curve; begin with HM_INIT",
-            curve_item(number));
-    }
+    HARMORPH_TRY(
+        open_element(set.curve, number, c, curve_item(number), "curve", "hm_curve", fault));
     if (c.knots == nullptr) {
         return fault.refuse(Status::bad_argument, "the array of knots of curve # is NULL",
                             curve_item(number));
@@ -127,12 +118,8 @@ Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept 
 Status view_condition(const hm_condition* array, Index number, Condition& out,
                       Fault& fault) noexcept {
     hm_condition c;
-    if (!read_struct(array, c) || !read_struct(element(array, number), c)) {
-        return fault.refuse(
-            Status::bad_argument,
-            "struct_size of condition # is not the size of an hm_condition; begin with HM_INIT",
-            condition_item(number));
-    }
+    HARMORPH_TRY(
+        open_element(array, number, c, condition_item(number), "condition", "hm_condition", fault));
     if (!has_row(condition_traits, c.kind)) {
         return fault.refuse(
             Status::bad_argument,

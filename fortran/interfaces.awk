@@ -1,6 +1,6 @@
 # usage: awk -f type_of.awk -f interfaces.awk arguments TABLE
-# Writes an interface, with the comment of the header, for each call in TABLE, which c_api/packaging/table.awk makes from
-# the C headers. The function hm_morph of C becomes hm_c_morph. TABLE says what is a number and what is a pointer; the
+# Writes an interface, with the comment of the header, for each call in TABLE, which c_api/packaging/table.awk makes
+# from the C headers. The function hm_morph of C becomes hm_c_morph. TABLE says what is a number and what is a pointer; the
 # file `arguments` says which pointers are arrays, and which may be null. Calls for MPI and PETSc are private.
 function form_of(call, argument, type, stars) {
     if (type == "hm_error" || type == "size_t" || type == "int64_t") return "one"

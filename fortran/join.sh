@@ -1,12 +1,14 @@
 #!/bin/sh
 # usage: join.sh MODULE >MODULE.f90   (HEADERS: the folder of the C headers, include/ if not set)
 # Joins the parts in the folder MODULE to one source file, which users compile: a module of the parts that the file
-# `order` names, and behind the module the parts that the file `after` names, unchanged. Each part of a module has
+# `order` names, and behind the module the parts that the file `after` names. Each part of a module has
 # declarations, a line `contains`, and procedures; the first parts are the manual and the beginning of the module.
 #
 # The lines between !@each NAME and !@end are written once for each line of the file `forms` that begins with NAME; that
-# line also gives the form, the kind and the shape. The lines !@headers and !@calls stand for what the C headers in the
-# list `headers` declare: constants and structs (declarations.awk), and functions (interfaces.awk).
+# line also gives the form, the kind and the shape. Between !@forms NAME and !@end are procedures that have one body for
+# all forms (forms.awk). The line !@outcome declares stat, err and the outcome of a call of the module, !@call what all
+# calls of FORTRAN 77 declare. The lines !@headers and !@calls stand for what the C headers in the list `headers`
+# declare: constants and structs (declarations.awk), and functions (interfaces.awk).
 top=$(cd "$(dirname "$0")/.." && pwd)
 headers=$(cd "${HEADERS:-$top/include}" && pwd)
 cd "$top/fortran/$1" || exit 1
@@ -20,32 +22,9 @@ if [ -f headers ]; then
         awk -f ../type_of.awk -f ../interfaces.awk ../arguments -) || exit 1
 fi
 export declared calls
-part() {   # file, declarations or procedures
-    awk -v wanted="$2" -v forms=$forms '
-        FILENAME == forms { name[++n] = $1; form[n] = $2; kind[n] = $3; shape[n] = $4; next }
-        FNR == 1 { section = "declarations" }
-        /^contains$/ { section = "procedures"; next }
-        section != wanted { next }
-        /^!@headers$/ { print ENVIRON["declared"]; next }
-        /^!@calls$/ { print ENVIRON["calls"]; next }
-        /^!@each / { each = $2; text = ""; next }
-        /^!@end$/ {
-            for (k = 1; k <= n; ++k) {
-                if (name[k] != each) continue
-                copy = text
-                gsub(/@FORM@/, form[k], copy)
-                gsub(/@KIND@/, kind[k], copy)
-                gsub(/@SHAPE@/, shape[k], copy)
-                printf "%s", copy
-            }
-            each = ""
-            next
-        }
-        each { text = text $0 "\n"; next }
-        { print }' $forms "$1" || exit 1
-}
+part() { awk -v wanted="$2" -f ../forms.awk $forms "$1" || exit 1; }   # file, declarations or procedures
 for file in $(cat order); do part $file declarations; done
 echo contains
 for file in $(cat order); do part $file procedures; done
 echo "end module"
-[ ! -f after ] || cat $(cat after)
+[ ! -f after ] || for file in $(cat after); do part $file declarations; done

@@ -50,7 +50,7 @@ HM_API hm_status hm_single_init(hm_basis** single, hm_memory* memory, const hm_b
 /* Makes a second basis with n functions F M, n >= 1: function j carries variable j, which moves
  * control point i by M_ij times itself. matrix [controls * n * numbers] with the n values of
  * control point 0 first; controls = functions - 2 * bodies - modes of the given basis; numbers 1:
- * real values, 2: pairs x,y, complex numbers (those of hm_variables_map). Rigid bodies and modes
+ * real values, 2: pairs x,y, complex numbers (hm_section_move.matrix). Rigid bodies and modes
  * keep their functions after the n. Points are moved, gradients formed, and curves moved
  * (hm_basis_curves) by variables instead of control points; the basis has the memory of n
  * functions, and the first basis is no longer needed. Values are real if those of the first basis

@@ -261,7 +261,7 @@ HM_API hm_status hm_measure(const hm_curves* curves, const hm_section* section, 
                             const hm_quantity* quantities, double* values, double* at,
                             double* gradients, hm_error* err);
 
-/* ---- Design variables: maps to the control points ---- */
+/* ---- Linear design variables of an outline ---- */
 
 /* hm_variables.kind: how one unit of each variable moves the outline */
 enum {
@@ -299,23 +299,7 @@ typedef struct hm_variables {
     double width; /* Hicks-Henne: exponent of the sine, 1 .. 100; 0: 3 */
 } hm_variables;
 
-/* Computes d(control) / d(variable) for the *n variables; the size query, too, writes *n. section
- * as in hm_measure. matrix [n_control * n * 2] contains for each control point the
- * pairs (x, y) by which one unit of each variable moves this point, as complex numbers: the
- * variables v, also complex, move control point i by sum_j matrix_ij v_j. The variables of FFD have
- * two components; those of the other kinds are real. The matrix makes the B-spline follow the
- * wanted movement of the outline in the least-squares sense over the parameters of the curves, with
- * the free ends of curves exact. error [2*n], or NULL, receives the root mean square and the
- * largest difference that remains [length], per unit of each variable. hm_combine takes the matrix
- * unchanged. Control points that no curve of the section uses do not move. Refused with
- * HM_BAD_CONDITION (error.item: the variable, from 0), outputs unchanged: a variable that moves
- * nothing, or that is a combination of those before. Bytes: curves, section, variables. */
-HM_API hm_status hm_variables_map(const hm_curves* curves, const hm_section* section,
-                                  const hm_variables* variables, int32_t* n, hm_memory* memory,
-                                  double* matrix, double* error, hm_error* err);
-
-/* ---- Movements of a section by values: rotations, flaps, and variables that are not linear ----
- */
+/* ---- Movements of a section by values: design variables, rotations, flaps, families ---- */
 
 /* hm_movement.kind, with the values v of the movement. Every value is a change, and 0 moves
  * nothing. Angles are positive counter-clockwise. */
@@ -345,7 +329,21 @@ enum {
      * edge, and of the stagger. Metal angles are those of the camber line, stagger that of the
      * chord, all counted from the x axis. A cubic with these angles is added to the camber line,
      * the thickness rotates with the camber line, and the section rotates about (x, y) by v2. */
-    HM_BLADE = 6
+    HM_BLADE = 6,
+    /* One value for each of the linear `variables`; HM_FFD: two, dx and dy of each node [length].
+     * The map to the control points makes the B-spline follow the wanted movement of the outline in
+     * the least-squares sense over the parameters of the curves, with the free ends of curves
+     * exact. */
+    HM_LINEAR = 7,
+    /* The modes of a family: movements of the control points, such as those that hm_refit finds for
+     * several airfoils, as design variables. One value [length] for each member, in the order of
+     * importance. The inner product of movements a and b is sum_i D_i a_i . b_i / sum_i D_i, D_i
+     * the integral of N_i by the arc length of the curves. The modes are orthonormal: the root mean
+     * square of each is 1 unit of length, to 1e-12. A combination of the first k modes is the
+     * nearest one to all members, in the sum of squares. The largest component of each mode is
+     * positive. Control points that no curve uses have weight 0 and stay. (One-sided Jacobi:
+     * Hestenes, J. SIAM 6 (1958) 51.) */
+    HM_FAMILY = 8
 };
 
 /* Fields that belong to another kind must be 0. */
@@ -355,49 +353,65 @@ typedef struct hm_movement {
     int32_t n_camber, n_thickness; /* HM_CAMBER_THICKNESS: 0 .. 64, together at least 1 */
     double x, y;                   /* rotate, scale, blade: the centre; flap: the hinge */
     double length;                 /* flap: > 0; 0 means a tenth of the chord */
+    const hm_variables* variables; /* HM_LINEAR */
+    int32_t n_members, reserved;   /* HM_FAMILY: 1 .. 1024 */
+    const double* members;         /* [n_members * 2*n_control] HM_FAMILY: movements, one by one */
+    /* [n_members] HM_FAMILY: receives the singular values [length], descending; the modes of values
+     * below 1e-12 times the first one are 0. NULL: not wanted */
+    double* singular;
 } hm_movement;
 
-/* Applies 1 .. 64 movements to a section, in their order, with values [*n] one movement after the
- * other; the size query, too, writes *n. HM_CAMBER_THICKNESS, HM_PARSEC and HM_BLADE may only come
- * first. move [2*n_control] receives the movement of the control points, for hm_morph; control
- * points that no curve of the section uses do not move. derivatives [n * 2*n_control], or NULL: row
- * j contains the exact derivatives of x and y of each control point with respect to value j at
- * these values; their products with a gradient of hm_adjoint are the derivatives with respect to
- * the values.
+/* What hm_move_section computes. The arrays are the caller's; those that are NULL are not wanted.
+ * A call that is refused leaves the struct and its arrays as they were. */
+typedef struct hm_section_move {
+    uint64_t struct_size;
+    int32_t n_values;    /* receives the number of values of all movements */
+    int32_t n_variables; /* receives the number of columns of `matrix`; 0: not linear */
+    double* move;        /* [2*n_control] the movement of the control points, for hm_morph */
+    /* [n_values * 2*n_control] row j: the exact derivatives of x and y of each control point with
+     * respect to value j at these values; their products with a gradient of hm_adjoint are the
+     * derivatives with respect to the values. */
+    double* derivatives;
+    /* [n_values] the values that the given curves have: the parameters for HM_PARSEC, the angles
+     * for HM_BLADE, otherwise 0 */
+    double* start;
+    /* [n_control * n_variables * 2] where HM_LINEAR or HM_FAMILY is the only movement: for each
+     * control point the pairs (x, y) by which one unit of each variable moves this point, as
+     * complex numbers, for hm_combine. The node of HM_FFD is one complex variable. Other movements
+     * are refused with HM_BAD_ARGUMENT if this is not NULL. */
+    double* matrix;
+    double* unit_errors; /* [2*n_variables] HM_LINEAR: as `error`, per unit of each variable */
+    /* [length] root mean square and largest difference that remain on the outline at these values:
+     * of a flap between the moved curve and the map of its points; of HM_LINEAR at most, the
+     * sums of the unit errors; 0 for rotate, shift, scale and a family */
+    double error[2];
+} hm_section_move;
+
+/* Turns values into a movement of a section and its derivatives: applies 1 .. 64 movements, in
+ * their order, with values [n_values] one movement after the other; NULL: all 0. Only rotate,
+ * shift, scale and flap may come after another movement. Control points that no curve of the
+ * section uses do not move.
  *
  * Rotate, shift and scale map control points, and so move the curves exactly. A flap maps control
  * points, too: the curve moves as the map of its points except near the transition, where control
- * points that are dense compared with `length` make the difference small (hm_refine). The other
- * three move the outline in the least-squares sense of hm_variables_map. error [2], or NULL: root
- * mean square and largest difference [length] that remains on the outline, at these values; of a
- * flap between the moved curve and the map of its points; 0 for rotate, shift and scale. start [n],
- * or NULL: the values that the given curves have: the parameters for HM_PARSEC, the angles for
- * HM_BLADE, otherwise 0. The camber line is the polynomial s (1-s) p(s), p of degree 5, that is
- * nearest to the middles of the thickness normal to this line, at 33 stations. section as in
- * hm_measure; only rotate, shift and scale do without a chord. Refused, outputs unchanged: values
- * that are not finite, degrees beyond 360, a factor that is not > 0, a metal angle beyond 85
- * degrees from the chord, a PARSEC crest outside the chord or radius below 0 (HM_BAD_ARGUMENT,
- * error.item: the value, from 0); a section without a round leading edge, without a crest on both
- * sides, or without ends at the trailing edge for HM_PARSEC (HM_BAD_CURVE). Bytes: curves, section,
- * n_movements, movements. */
+ * points that are dense compared with `length` make the difference small (hm_refine). All others
+ * but a family move the outline in the least-squares sense of HM_LINEAR. The camber line is the
+ * polynomial s (1-s) p(s), p of degree 5, that is nearest to the middles of the thickness normal to
+ * this line, at 33 stations. section as in hm_measure; rotate, shift, scale, HM_FFD and families do
+ * without a chord, and a family alone without a section.
+ *
+ * Refused, outputs unchanged: values that are not finite, degrees beyond 360, a factor that is not
+ * > 0, a metal angle beyond 85 degrees from the chord, a PARSEC crest outside the chord or radius
+ * below 0 (HM_BAD_ARGUMENT, error.item: the value, from 0); a section without a round leading edge,
+ * without a crest on both sides, or without ends at the trailing edge for HM_PARSEC (HM_BAD_CURVE);
+ * a variable that moves nothing, or that is a combination of those before (HM_BAD_CONDITION,
+ * error.item: the variable, from 0); members that are not finite, or all 0 (HM_BAD_ARGUMENT).
+ * Bytes: curves, section, n_movements, movements; the query, too, writes result->n_values and
+ * n_variables, unless result is NULL. */
 HM_API hm_status hm_move_section(const hm_curves* curves, const hm_section* section,
-                                 int32_t n_movements, const hm_movement* movements, int32_t* n,
-                                 const double* values, double* move, double* derivatives,
-                                 double* start, double* error, hm_memory* memory, hm_error* err);
-
-/* Replaces n movements of control points, such as those that hm_refit finds for the airfoils of a
- * family, by their modes: movements [n * 2*n_control] receives the modes, the most important one
- * first, as design variables (they are linear: hm_morph takes sums of modes times values). The
- * inner product of movements a and b is sum_i D_i a_i . b_i / sum_i D_i, D_i the integral of N_i by
- * the arc length of the curves. The modes are orthonormal: the root mean square of each is 1 unit
- * of length, to 1e-12. singular [n]: singular values [length], descending; the modes of values
- * below 1e-12 times the first one are 0. A combination of the first k modes is the nearest one to
- * all movements, in the sum of squares. The largest component of each mode is positive. 1 <= n <=
- * 1024. Control points that no curve uses have weight 0 and receive 0. Refused with
- * HM_BAD_ARGUMENT: movements that are not finite, or all 0 (outputs unchanged). (One-sided Jacobi:
- * Hestenes, J. SIAM 6 (1958) 51.) Bytes: curves. */
-HM_API hm_status hm_family_modes(const hm_curves* curves, int32_t n, double* movements,
-                                 double* singular, hm_memory* memory, hm_error* err);
+                                 int32_t n_movements, const hm_movement* movements,
+                                 const double* values, hm_section_move* result, hm_memory* memory,
+                                 hm_error* err);
 
 /* ---- Points that slip along curves ---- */
 

@@ -97,6 +97,7 @@ int main(void) {
     BEGINS(hm_recover_report);
     BEGINS(hm_refit_report);
     BEGINS(hm_section);
+    BEGINS(hm_section_move);
     BEGINS(hm_quantity);
     BEGINS(hm_variables);
     BEGINS(hm_transfer_report);

@@ -49,6 +49,25 @@ options_missing() {   # every word that begins an option's line in the help of a
 }
 nothing_missing() { ! options_missing | grep .; }
 check "commands and options in the manual page" nothing_missing
+completed() {   # WORD...: what bash offers for the last word
+    bash -c '. "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _harmorph
+        printf "%s\n" "${COMPREPLY[@]}"' bash "$build/harmorph.bash" harmorph "$@"
+}
+not_completed() {   # the words of every help, of which the completion offers others
+    "$build/harmorph" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p' | sort >"$dir/words"
+    completed '' | sed '/^-/d; /^help$/d' | sort | diff "$dir/words" - || echo "names of commands"
+    while read -r command; do
+        "$build/harmorph" "$command" --help | sed -n 's/^  \(-[-a-z]*\).*/\1/p' | sort >"$dir/options"
+        completed "$command" - | sort | diff "$dir/options" - || echo "options of $command"
+    done <"$dir/words"
+}
+nothing_differs() { ! not_completed | grep .; }
+if command -v bash >/dev/null; then
+    check "commands and options in the completion" nothing_differs
+    check "completion of a name of a file" test "$(completed check c_api/cli/completion.s)" = c_api/cli/completion.sh
+else
+    skip "the completion" "bash is not installed"
+fi
 quietly() { ! "$@" 2>&1 | grep .; }
 if command -v groff >/dev/null; then
     check "groff's judgement of the manual page" quietly groff -man -ww -z "$build/harmorph.1"

@@ -71,10 +71,30 @@ check "plain.su2: morph" "$harmorph" morph "$tmp/ring.su2" "$tmp/basis" --move "
 points_of() { sed '1,/^NPOIN/d; /^NMARK/,$d' "$1" | awk '{ print $1, $2 }'; }
 points_of "$tmp/moved-plain.su2" >"$tmp/points-of-all"
 
+# The program may take 256 MiB, most of which is the program itself, and no more than 60 s of the processor, of which it
+# needs a thousandth.
+claims() { # claims NAME FILE: the program refuses the file, or reads it, within these bounds
+    (ulimit -v 262144 && ulimit -t 60 && exec "$harmorph" check "$2") >"$tmp/out" 2>&1
+    code=$?
+    case $code in 0 | 1 | 3)
+        if grep -e 'bad_alloc' -e 'length_error' -e 'out of memory' "$tmp/out" >/dev/null || {
+            [ $code -ne 0 ] && ! grep -F -e "$tmp" "$tmp/out" >/dev/null; }; then
+            fail "claims: $1: $(head -n 1 "$tmp/out")"
+        else ok "claims: $1"; fi ;;
+    *) fail "claims: $1: exit code $code: $(head -n 1 "$tmp/out")" ;;
+    esac
+}
+# claim FILE SED NEW: a small change of a file that is read otherwise
+big=2147483647
+claim() {
+    mkdir -p "$tmp/claim"
+    sed "$2" "$tmp/$1" >"$tmp/claim/$1"
+    if cmp -s "$tmp/$1" "$tmp/claim/$1"; then fail "claims: $1: '$2' changes nothing"; else
+        claims "$1: $2" "$tmp/claim/$1"; fi
+}
+
 shift 2
-parts="kinds su2 large gmsh plot3d thick ugrid cgns vtk fluent openfoam"
-parts="$parts meshio dialects second_order claims broken"
-for part in ${*:-$parts}; do
+for part in ${*:-$(ls tests/formats/*.sh | sed 's|.*/||; s|\.sh$||')}; do
     . "tests/formats/$part.sh"
 done
 finish

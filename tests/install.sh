@@ -44,7 +44,7 @@ done >"$dir/shared"
     for file in fortran/examples/code_saturne/*.[fpa]*; do echo "./share/harmorph/code_saturne/${file##*/}"; done
 } | sort >>"$dir/expected"
 rm "$dir/shared"
-echo ./share/man/man1/harmorph.1 >>"$dir/expected"
+printf "./share/%s\n" man/man1/harmorph.1 bash-completion/completions/harmorph >>"$dir/expected"
 
 cat >"$dir/project/CMakeLists.txt" <<END
 cmake_minimum_required(VERSION 3.16)

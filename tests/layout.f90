@@ -1,6 +1,7 @@
 ! Compares the types and constants of the Fortran module with the structs and constants of C (layout.c): the size of
-! each struct, the offset of each member, and the value of each constant. fortran.sh makes layout_f.inc from the
-! headers: it compares every struct and every constant that the headers declare.
+! each struct, the offset of each member, and the value of each constant; and that struct_size says the size from the
+! beginning. fortran.sh makes layout_f.inc from the headers: it compares every struct and every constant that the
+! headers declare.
 program layout
     use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t, c_loc, c_ptr, c_size_t, c_sizeof
     use harmorph
@@ -38,6 +39,18 @@ contains
             ours(1 + k) = transfer(members(k), 0_c_int64_t) - transfer(start, 0_c_int64_t)
         end do
         call compare_numbers(what, number, ours)
+    end subroutine
+
+    subroutine compare_size(what, struct_size, bytes)
+        character(len=*), intent(in) :: what
+        integer(c_int64_t), intent(in) :: struct_size
+        integer(c_size_t), intent(in) :: bytes
+        if (struct_size == int(bytes, c_int64_t)) then
+            passed = passed + 1
+        else
+            failed = failed + 1
+            print "(3a, i0, a, i0)", "layout: struct_size of ", what, " is ", struct_size, ", not ", bytes
+        end if
     end subroutine
 
     subroutine compare_numbers(what, number, ours)

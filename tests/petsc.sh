@@ -19,7 +19,7 @@ topic=PETSc log=$dir/log
 . "$(dirname "$0")/count.sh"
 c() {
     $MPICC -std=c99 -D_XOPEN_SOURCE=700 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers \
-        -Wno-unused-function $CFLAGS $petsc_flags -Iinclude -Ic_api -Ic_api/examples "$@"
+        -Wno-unused-function $CFLAGS $petsc_flags "$@" -Iinclude -Ic_api -Ic_api/examples
 }
 compile_tests() {   # directory, what pkg-config knows PETSc by
     # PETSc's headers as those of the system: their warnings are not ours.
@@ -36,7 +36,17 @@ run() {   # directory, processes, arguments: the program prints its counts
     start "$n" "$program" "$@" 2>&1 || fail "$program on $n processes $*"
 }
 
+# A module that was compiled with the headers of another version refuses this library.
+of_another_version() {
+    mkdir -p "$dir/other" && cp include/*.h "$dir/other/" &&
+        sed 's/^#define HM_VERSION ".*/#define HM_VERSION "0.9.9"/' include/harmorph.h >"$dir/other/harmorph.h" &&
+        c -I"$dir/other" -o "$dir/version" tests/petsc_version.c c_api/petsc/harmorph_petsc.c \
+            "$build/libharmorph.a" $petsc_libs -lm
+}
+
 compile_tests "$dir" petsc
+check "a module of another version" of_another_version
+start 2 "$dir/version" 2>&1 || fail "a module of another version on 2 processes"
 # The module is not optimised, which would take most of the time.
 check "harmorph.f90" $MPIFC -std=f2018 $FFLAGS -O0 -J"$dir" -c "$build/harmorph.f90" -o "$dir/harmorph_f.o"
 for source in "$build/harmorph_mpi.f90" "$build/harmorph_petsc.f90" fortran/read_su2.f90 fortran/examples/bfgs.f90 \

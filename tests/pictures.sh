@@ -42,6 +42,15 @@ is_picture() { # is_picture FILE TITLE PANELS
 }
 check "check: mesh" "$harmorph" check "$bodies" --svg "$tmp/mesh.svg"
 check "the mesh is a picture" is_picture "$tmp/mesh.svg" "The mesh" 1
+# Bodies are small in the mesh: the picture shows them, and the whole mesh in a corner. Without a body, with a large
+# one, or with a window there is no corner.
+insets() { grep -c 'class="inset"' "$1"; }
+check "check: an airfoil" "$harmorph" check "$meshes/naca0012.su2" --svg "$tmp/airfoil.svg"
+check "the airfoil fills the picture" test "$(insets "$tmp/airfoil.svg")" = 1
+check "the airfoil: the scale is that of the airfoil" grep -q 'text-anchor="middle".*>0\.5</text>' "$tmp/airfoil.svg"
+check "check: a window" "$harmorph" check "$meshes/naca0012.su2" --window=-9,-9,9,9 --svg "$tmp/far.svg"
+check "a window has no corner" test "$(insets "$tmp/far.svg")" = 0
+check "two bodies are not small in their mesh" test "$(insets "$tmp/mesh.svg")" = 0
 check "the mesh: each marker is in the legend" \
     sh -c "grep -q '>left</text>' '$tmp/mesh.svg' && grep -q '>right</text>' '$tmp/mesh.svg'"
 check "check: boundaries and curves" "$harmorph" check "$bodies" --boundaries --curve "$meshes/two_bodies_left.curve" \
@@ -200,11 +209,54 @@ printf 'degree 1\nclosed tied\npoints 4\n.4 .4\n.6 .4\n.6 .6\n.4 .6\nknots 7\n0 
 printf '1 -.01 -.005\n' >"$tmp/large.moves"
 check "large: solve" "$harmorph" solve "$tmp/large.su2" --curve body="$tmp/large.curve" --operator laplace \
     -o "$tmp/large.basis"
-check "large: mesh" "$harmorph" check "$tmp/large.su2" --svg "$tmp/large-mesh.svg"
+check "large: mesh" "$harmorph" check "$tmp/large.su2" --window 0,0,1,1 --svg "$tmp/large-mesh.svg"
 check "large: morph" "$harmorph" morph "$tmp/large.su2" "$tmp/large.basis" --move "$tmp/large.moves" \
     --svg "$tmp/large-morph.svg" --window 0,0,1,1
 check "large: function" "$harmorph" export "$tmp/large.su2" "$tmp/large.basis" --function 1 \
     --svg "$tmp/large-function.svg" --window 0,0,1,1
+# Lines that are close to each other are faint: the ink of an area is bounded, although the distances of lines differ.
+ink() { # ink FILE: length of lines times width and opacity, by the area of the frame; paths are steps "dx dy"
+    awk '/^<rect/ && /fill="none" stroke="#444"/ { match($0, / width="[0-9.]*/); w = substr($0, RSTART + 8, RLENGTH - 8)
+            match($0, / height="[0-9.]*/); h = substr($0, RSTART + 9, RLENGTH - 9); if (w * h > area) area = w * h }
+        /<path/ && /stroke="#5c6b78"/ {
+            opacity = 1
+            if (match($0, / opacity="[0-9.]*/)) opacity = substr($0, RSTART + 10, RLENGTH - 10)
+            ++shades
+            match($0, / d="[^"]*/); d = substr($0, RSTART + 4, RLENGTH - 4)
+            gsub(/[lm]/, " &", d); gsub(/-/, " -", d); gsub(/[ML]/, " & ", d)
+            n = split(d, part, /[ ,]+/); moving = 0; k = 1
+            while (k <= n) {
+                if (part[k] == "") { ++k; continue }
+                if (part[k] == "M") { moving = 1; ++k; continue }
+                if (part[k] ~ /^[a-z]/) sub(/^[a-z]/, "", part[k])
+                if (moving) { moving = 0; k += 2; continue }
+                total += .6 * opacity * sqrt(part[k] ^ 2 + part[k + 1] ^ 2); k += 2
+            }
+        }
+        END { print shades, total / area }' "$1"
+}
+graded() { # graded COLUMNS ROWS RATIO: a square whose rows grow from the bottom to the top by this ratio of heights
+    awk -v m="$1" -v n="$2" -v ratio="$3" 'BEGIN {
+        print "NDIME= 2\nNELEM= " m * n
+        for (j = 0; j < n; j++) for (i = 0; i < m; i++) {
+            k = j * (m + 1) + i
+            print 9, k, k + 1, k + m + 2, k + m + 1
+        }
+        print "NPOIN= " (m + 1) * (n + 1)
+        for (j = 0; j <= n; j++) for (i = 0; i <= m; i++) print i / m, (exp(log(ratio) * j / n) - 1) / (ratio - 1)
+        print "NMARK= 1\nMARKER_TAG= all\nMARKER_ELEMS= " 2 * (m + n)
+        for (i = 0; i < m; i++) print 3, i, i + 1 "\n" 3, n * (m + 1) + i, n * (m + 1) + i + 1
+        for (j = 0; j < n; j++)
+            print 3, j * (m + 1), (j + 1) * (m + 1) "\n" 3, j * (m + 1) + m, (j + 1) * (m + 1) + m
+    }'
+}
+for case in "190 190 200" "80 450 1000"; do
+    graded $case >"$tmp/graded.su2"
+    check "graded, $case: picture" "$harmorph" check "$tmp/graded.su2" --svg "$tmp/graded.svg"
+    check "graded, $case: lines in at least three shades, and paper between them" sh -c '
+        set -- $(cat "$1"); [ "$1" -ge 3 ] && awk -v ink="$2" "BEGIN { print ink; exit !(ink > .04 && ink < .3) }"' \
+        sh "$(ink "$tmp/graded.svg" >"$tmp/ink"; cat "$tmp/ink" >>"$log"; echo "$tmp/ink")"
+done
 is_thinned() { # is_thinned FILE VISIBLE: says so, of so many edges
     sed -n 's/.*Thinned: \([0-9]*\) of \([0-9]*\) visible edges.*/\1 \2/p' "$1" |
         awk -v all="$2" '{ print; good = $1 > 20000 && $1 <= 80000 && (all == 0 || $2 == all) } END { exit !good }'

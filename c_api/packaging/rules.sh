@@ -33,6 +33,7 @@ for module in harmorph harmorph77 harmorph_mpi harmorph_petsc; do
 done
 for part in mpi petsc; do put harmorph_$part.c sh c_api/packaging/join.sh $part; done
 put page_text.cpp sh c_api/cli/page/embed.sh
+put command_text.cpp sh c_api/cli/commands/embed.sh
 
 # The module of pages, where clang and lld are installed: without them the program has no pages, and says why.
 module=$build/web/page.wasm without_module=
@@ -131,7 +132,8 @@ page_module() {
 node_program() {
     library=$(echo "$list" | tr ' ' '\n' | grep -v web-module)
     compiler='$(EMXX)' own=-O2 flags='$(NODE)' list= stamp=$build/web/node_flags
-    objects node $build/page_text.cpp $build/page_module.cpp c_api/cli/formats/cgns*.cpp c_api/cli/main.cpp
+    objects node $build/page_text.cpp $build/page_module.cpp $build/command_text.cpp c_api/cli/formats/cgns*.cpp
+    objects node c_api/cli/main.cpp
     groups node $in_program in_turn $(ls c_api/cli/*/*.cpp | grep -v /cgns)
     printf '%s/web/program.js:%s %s c_api/web/program_before.js\n\techo $(EMXX) $@\n' $build "$list" "$(echo $library)"
     printf '\tNODE_PATH="$${NODE_PATH:-/usr/share/nodejs}" $(EMXX) $(NODE_LINK) -o $@%s %s\n' "$list" "$(echo $library)"
@@ -171,7 +173,7 @@ all_rules() {
     put objects/tests.list echo $list
 
     flags='$(CLI)' own='$(PROGRAM_LEVEL) $(CXXFLAGS)' list=
-    objects cli $build/page_text.cpp $build/page_module.cpp c_api/cli/formats/cgns*.cpp
+    objects cli $build/page_text.cpp $build/page_module.cpp $build/command_text.cpp c_api/cli/formats/cgns*.cpp
     for room in c_api/cli/*/; do
         groups cli $in_program in_turn $(ls $room*.cpp | grep -v /cgns)
     done

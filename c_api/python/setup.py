@@ -26,6 +26,7 @@ OLDEST = (3, 9)  # as requires-python of pyproject.toml says
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "native"))
 from declarations import declarations, topics, version  # noqa: E402
+from manual import manual  # noqa: E402
 from reader_sources import reader_sources  # noqa: E402
 
 BUNDLED = HERE / "bundled"
@@ -94,6 +95,7 @@ class BuildNative(build_ext):
             objects.append(self._compiled(source, [*CORE_FLAGS, *includes]))
         target = Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
+        (target.parent / "_manual.py").write_text(manual(HEADERS), encoding="utf-8")
         shared = self._shared(folder)
         flags = shlex.split(os.environ.get("LDFLAGS", ""))
         self._run([*self._cxx(), *shared, *flags, "-o", str(target), *objects, *zlib["link"], "-pthread"])
@@ -156,7 +158,7 @@ class SourceDistribution(sdist):
         bundled = base / "bundled"
         (bundled / "include").mkdir(parents=True, exist_ok=True)
         write_amalgamation(bundled / "harmorph.cpp")
-        for name in (*topics(HEADERS), "harmorph_pthreads"):
+        for name in (*topics(HEADERS), "harmorph_pages", "harmorph_pthreads"):
             shutil.copy(HEADERS / f"{name}.h", bundled / "include")
         for path in reader_sources(READERS):
             place = bundled / "cli" / path.relative_to(READERS)

@@ -65,7 +65,6 @@ static void prepare(void) {
     static const int32_t airfoil = AIRFOIL;
     hm_memory of_curve = {NULL, 0}, first = {NULL, 0}, second = {NULL, 0}, work = {NULL, 0},
               combined = {NULL, 0}, compared = {NULL, 0};
-    int32_t n;
     const hm_curves* curves;
     hm_setup setup = {sizeof setup};
     hm_fit_options fit = {sizeof fit, 0, CONTROL};
@@ -73,6 +72,8 @@ static void prepare(void) {
     hm_condition on_curve = {sizeof on_curve, AIRFOIL, HM_ON_CURVE, 0, 1};
     hm_problem problem = {sizeof problem, &mesh, NULL, 1, &on_curve};
     hm_variables variables = {sizeof variables, HM_CST, N / 2, N / 2};
+    hm_movement movement = {sizeof movement, HM_LINEAR};
+    hm_section_move linear = {sizeof linear};
     HM_INIT(mesh);
     mesh.index_base = 1;
     mesh.n_points = flow.points;
@@ -93,11 +94,13 @@ static void prepare(void) {
     check(hm_setup_solve(&setup, &second, NULL, &error));
     second.block = reserve(second.bytes);
     check(hm_setup_solve(&setup, &second, NULL, &error));
-    check(hm_variables_map(curves, NULL, &variables, &n, &work, NULL, NULL, &error));
+    movement.variables = &variables;
+    check(hm_move_section(curves, NULL, 1, &movement, NULL, &linear, &work, &error));
     work.block = reserve(work.bytes);
     control_points = curves->n_control;
     map = reserve(2 * N * (size_t)control_points * sizeof(double));
-    check(hm_variables_map(curves, NULL, &variables, &n, &work, map, NULL, &error));
+    linear.matrix = map;
+    check(hm_move_section(curves, NULL, 1, &movement, NULL, &linear, &work, &error));
     check(hm_combine(&few, &combined, setup.basis, N, 2, map, &error));
     combined.block = reserve(combined.bytes);
     check(hm_combine(&few, &combined, setup.basis, N, 2, map, &error));

@@ -115,6 +115,15 @@ inline constexpr OperatorTraits operator_traits[] = {
      set_of(Engine::direct, Engine::multigrid, Engine::fas), ""},
 };
 
+// The sentences for numbers without a row name all constants of the C header.
+inline constexpr const char* unknown_operator =
+    "options.operator_kind is #, but it must be HM_CONFORMAL, HM_LAPLACE or HM_WEIGHTED";
+inline constexpr const char* unknown_scheme =
+    "options.study.scheme is #, but it must be HM_COMPACT, HM_BOUNDED, HM_NODAL_GRADIENT or "
+    "HM_NODAL_GRADIENT_PLAIN";
+inline constexpr const char* unknown_engine =
+    "options.engine is #, but it must be HM_DIRECT, HM_MULTIGRID or HM_FAS";
+
 struct Method {
     Operator operator_kind = Operator::conformal;
     Scheme scheme = Scheme::compact;

@@ -39,6 +39,7 @@ Index Movement::count() const noexcept {
         case MovementKind::camber_thickness: return n_camber + n_thickness;
         case MovementKind::parsec: return 11;
         case MovementKind::blade: return 3;
+        case MovementKind::linear: return n_linear;
         default: return 1;
     }
 }

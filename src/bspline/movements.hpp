@@ -68,7 +68,8 @@ enum class MovementKind : std::int32_t {
     flap = 3,
     camber_thickness = 4,
     parsec = 5,
-    blade = 6
+    blade = 6,
+    linear = 7  // HM_LINEAR and HM_FAMILY of the C header: a matrix
 };
 
 struct Movement {
@@ -76,11 +77,14 @@ struct Movement {
     Index n_camber = 0, n_thickness = 0;
     Vec2 centre;  // or the hinge
     Real length = 0;
-    Vec2 behind;  // flap: the unit vector from the leading to the trailing edge
+    Vec2 behind;         // flap: the unit vector from the leading to the trailing edge
+    Index n_linear = 0;  // the number of values of the kind linear
 
     Index count() const noexcept;  // the number of values
     bool maps_points() const noexcept { return kind <= MovementKind::flap; }
-    bool needs_chord() const noexcept { return kind >= MovementKind::flap; }
+    bool needs_chord() const noexcept {
+        return kind >= MovementKind::flap && kind != MovementKind::linear;
+    }
     // Returns the first value that is out of its range, or none. NaN is out of range.
     Index find_bad_value(const Real* values) const noexcept;
 };

@@ -56,11 +56,6 @@ public:
     void forget_factor() noexcept { factored_ = false; }
     // Returns the fingerprint of the coordinates of the factor.
     std::uint64_t coordinates() const noexcept { return coordinates_; }
-    // Selects another operator until the next change; returns false and changes nothing if the plan
-    // cannot solve for it. The factor has to be computed again.
-    bool change_operator(Operator operator_kind, Index exponent_quarters) noexcept {
-        return equations_.change_operator(operator_kind, exponent_quarters);
-    }
 
     // Solves for the functions. Combined functions and modes are solved already: their values on
     // the wall stay, and the values inside are solved for again.
@@ -94,9 +89,7 @@ public:
 
     // The functions below tell about the mesh and its points.
     Mesh const& mesh() const noexcept { return mesh_; }
-    OrientedMesh const& cells() const noexcept { return equations_.cells(); }
     RegionCounts const& region_counts() const noexcept { return region_counts_; }
-    PointKind kind(Index point) const noexcept { return equations_.kind(point); }
     // Which points are unknown, where they slip, and how they are rotated.
     Unknowns const& unknowns() const noexcept { return equations_.matrix(); }
     // Returns the point that stands in the equations for all points with the same unknown; a point
@@ -119,12 +112,9 @@ public:
     // Returns the place of a point among the given ones (GivenWall::point), or none.
     Index given_index(Index point) const noexcept;
 
-    // The faces that move.
-    FaceDistance const& walls() const noexcept { return equations_.walls(); }
-    FaceDistance& walls() noexcept { return equations_.walls(); }
-    FaceDistance& walls_at(Points points) noexcept { return equations_.walls_at(points); }
-
     Executor const& executor() const noexcept { return executor_; }
+    // The factor has to be computed again after a change of the operator.
+    Equations& equations() noexcept { return equations_; }
     Equations const& equations() const noexcept { return equations_; }
     AnyEngine const& engine() const noexcept { return engine_; }
     Refinement const& refinement() const noexcept { return refinement_; }

@@ -8,7 +8,7 @@ namespace {
 Status check_points(Plan const& plan, Points points, const char* inverted_cell,
                     Fault& fault) noexcept {
     HARMORPH_TRY(check_range(points, plan.mesh().n_points, fault));
-    OrientedMesh const& cells = plan.cells();
+    OrientedMesh const& cells = plan.equations().cells();
     Index const inverted =
         plan.mesh().find_cell(0, plan.mesh().n_checked(), [&](Index i, Cell const&) {
             CellShape const shape = shape_of(cells, i, points);
@@ -29,11 +29,11 @@ bool is_same(Points one, Points other, Index n) noexcept {
 
 void MeshImprovement::lay_out(Arena& arena, Plan const& plan) noexcept {
     mobility.lay_out(arena, plan);
-    first_layer.lay_out(arena, plan.mesh(), static_cast<Size>(plan.walls().count));
+    first_layer.lay_out(arena, plan.mesh(), static_cast<Size>(plan.equations().walls().count));
     improvement.lay_out(arena, plan);
-    improvement.anchors.lay_out(arena, plan.mesh().n_points < 2 * plan.walls().count
+    improvement.anchors.lay_out(arena, plan.mesh().n_points < 2 * plan.equations().walls().count
                                            ? plan.mesh().n_points
-                                           : 2 * plan.walls().count);
+                                           : 2 * plan.equations().walls().count);
     arena.take(result, plan.mesh().n_points);
 }
 
@@ -44,7 +44,7 @@ Status MeshImprovement::check(Plan const& plan, Points reference, Points from,
 }
 
 void MeshImprovement::begin(Plan& plan, Points reference, Points from) noexcept {
-    FaceDistance const& walls = plan.walls_at(reference);
+    FaceDistance const& walls = plan.equations().walls_at(reference);
     mobility.find(plan, from);
     first_layer.find(plan.mesh(), reference, mobility.representative, walls.chosen());
     find_layer(reference, from);

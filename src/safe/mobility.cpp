@@ -41,12 +41,13 @@ void Mobility::lay_out(Arena& arena, Plan const& plan) noexcept {
 
 void Mobility::find(Plan const& plan, Points now) noexcept {
     for (Index k = 0; k < plan.mesh().n_points; ++k) {
-        bool const is_free = plan.kind(k) == PointKind::free;
+        bool const is_free = plan.equations().kind(k) == PointKind::free;
         representative[k] = plan.representative(k);
         held[k] = !plan.unknowns().is_unknown(k) || is_free ? 1 : 0;
         if (!line.empty())
-            line[k] = plan.kind(k) == PointKind::slip ? plan.unknowns().direction(representative[k])
-                                                      : Vec2{};
+            line[k] = plan.equations().kind(k) == PointKind::slip
+                          ? plan.unknowns().direction(representative[k])
+                          : Vec2{};
         if (!rotation.empty()) rotation[k] = plan.unknowns().rotation(k);
     }
     slipping.line = line;

@@ -52,7 +52,7 @@ struct Mobility {
     // The points are at `now`.
     void find(Plan const& plan, Points now) noexcept;
     Tangle tangle(Plan const& plan, Points reference) const noexcept {
-        return {plan.mesh(), reference, plan.cells().reversed, representative, held,
+        return {plan.mesh(), reference, plan.equations().cells().reversed, representative, held,
                 line,        rotation};
     }
 };

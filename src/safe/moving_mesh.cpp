@@ -164,8 +164,8 @@ AdmissibleStep MovingMesh::look_ahead(Plan& plan, Basis const& basis, Basis cons
     path.at(to, aimed);
     for (Index i = 0; i < difference.count(); ++i) difference[i] = aimed[i] - reached[i];
     morph(by, difference.data(), {}, to_ahead(), executor);
-    carried.find_groups(basis, path, plan.mesh().points, plan.walls(), representative, held,
-                        executor);
+    carried.find_groups(basis, path, plan.mesh().points, plan.equations().walls(), representative,
+                        held, executor);
     carried.find(by, reached, now(), representative, executor);
     carried.add(path, time, to, to_ahead(), executor);
     if (carried.reach > 0)
@@ -173,7 +173,8 @@ AdmissibleStep MovingMesh::look_ahead(Plan& plan, Basis const& basis, Basis cons
             to_ahead().set(k, start + moved - now()[k]);
         });
     put_on_slip_curves(plan);
-    AdmissibleStep const limit = admissible_step(plan.cells(), now(), ahead(), executor);
+    AdmissibleStep const limit =
+        admissible_step(plan.equations().cells(), now(), ahead(), executor);
     for (Index k = 0; k < x.count(); ++k) {
         ahead_x[k] = ahead_x[k] == 0 ? x[k] : x[k] + ahead_x[k];
         ahead_y[k] = ahead_y[k] == 0 ? y[k] : y[k] + ahead_y[k];

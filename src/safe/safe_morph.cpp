@@ -77,8 +77,8 @@ void SafeMorph::lay_out(Arena& arena, Plan const& plan, BasisCounts const& count
     arena.take(reached, 2 * Offset{n_functions});
     arena.take(weight, n_functions);
     arena.take(block, Basis::bytes(counts));
-    first_layer.lay_out(arena, plan.mesh(), static_cast<Size>(plan.walls().count));
-    wall_heights.lay_out(arena, plan.mesh(), static_cast<Size>(plan.walls().count));
+    first_layer.lay_out(arena, plan.mesh(), static_cast<Size>(plan.equations().walls().count));
+    wall_heights.lay_out(arena, plan.mesh(), static_cast<Size>(plan.equations().walls().count));
     arena.take(kinds, n);
     mobility.lay_out(arena, plan);
     auto const shared = arena.mark();
@@ -106,7 +106,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     report.limit = look_ahead(work, basis, 1);
     find_end_that_leaves(work);
     Target const target{work.cells(),       basis.faces(), mesh.ends,
-                        plan.mesh().points, mesh.ahead(),  &plan.walls()};
+                        plan.mesh().points, mesh.ahead(),  &plan.equations().walls()};
     for (Index k = 0; k < mesh.ends.count(); ++k) {
         if (mesh.ends[k] == KnownEnd::on_line) mesh.to_ahead().set(k, plan.mesh().points[k]);
     }
@@ -118,12 +118,12 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     report.start_mean = start.mean_quality();
     report.outcome.min_quality = report.start_quality;
     first_layer.find(plan.mesh(), plan.mesh().points, mesh.representative,
-                     plan.walls_at(plan.mesh().points).chosen());
+                     plan.equations().walls_at(plan.mesh().points).chosen());
     Method const method = plan.equations().method();
     Status status = climb(work);
     if (!failed(status) && !work.arrives(work.best()) && options.searches)
         status = search_farthest(work);
-    plan.change_operator(method.operator_kind, method.exponent_quarters);
+    plan.equations().change_operator(method.operator_kind, method.exponent_quarters);
     if (work.factored_again)
         plan.forget_factor();  // the factor is that of another mesh or operator
     HARMORPH_TRY(status);
@@ -358,9 +358,9 @@ void SafeMorph::restore_heights(Work& work) noexcept {
     Points const before = work.mesh().points;
     for (Index k = 0; k < kinds.count(); ++k)
         kinds[k] = mesh.held[k] != 0 ? PointKind::fixed : PointKind::inside;
-    work.plan.walls_at(before);
-    wall_heights.find(work.mesh(), before, kinds, mesh.representative, work.plan.walls(),
-                      work.executor());
+    work.plan.equations().walls_at(before);
+    wall_heights.find(work.mesh(), before, kinds, mesh.representative,
+                      work.plan.equations().walls(), work.executor());
     bool const is_asked_for = work.options.heights > 0;
     Real const quality = work.best().min_quality;
     Real const permitted = min(quality, max(work.goal(), min_kept_quality * quality));
@@ -369,8 +369,8 @@ void SafeMorph::restore_heights(Work& work) noexcept {
     auto const accepts = [&](Real amount) {
         copy(mesh.ahead_x, Span<const Real>(best_x));
         copy(mesh.ahead_y, Span<const Real>(best_y));
-        wall_heights.restore(work.plan.walls(), before, mesh.to_ahead(), mesh.representative,
-                             amount, work.executor());
+        wall_heights.restore(work.plan.equations().walls(), before, mesh.to_ahead(),
+                             mesh.representative, amount, work.executor());
         if (!is_valid(work, mesh.ahead())) return false;
         outcome = work.best();
         measure(work, mesh.ahead(), outcome);
@@ -446,8 +446,10 @@ void SafeMorph::find_end_that_leaves(Work& work) const noexcept {
         return abs(cross(along, p - start[end])) / length(along);
     };
     auto const look_at = [&](Index end, Index beside) {
-        if (plan.kind(end) != PointKind::on_wall) return;
-        if (plan.kind(beside) != PointKind::slip && plan.kind(beside) != PointKind::fixed) return;
+        if (plan.equations().kind(end) != PointKind::on_wall) return;
+        if (plan.equations().kind(beside) != PointKind::slip &&
+            plan.equations().kind(beside) != PointKind::fixed)
+            return;
         Real const leaves =
             abs(distance(target[end], end, beside) - distance(start[end], end, beside));
         if (!(leaves > min_share * length(target[end] - start[end]))) return;

@@ -24,7 +24,7 @@ struct SafeMorph::Work {
     bool searches = false;
 
     Mesh const& mesh() const noexcept { return plan.mesh(); }
-    OrientedMesh const& cells() const noexcept { return plan.cells(); }
+    OrientedMesh const& cells() const noexcept { return plan.equations().cells(); }
     Executor const& executor() const noexcept { return plan.executor(); }
     Outcome& best() const noexcept { return report.outcome; }
 

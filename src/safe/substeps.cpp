@@ -179,7 +179,7 @@ Status SafeMorph::solve_by(Work& work, Basis const& here, OperatorChoice const& 
     Method& method = here.header->method;
     bool const is_new =
         method.operator_kind != choice.kind || method.exponent_quarters != choice.exponent_quarters;
-    if (!work.plan.change_operator(choice.kind, choice.exponent_quarters) && is_new)
+    if (!work.plan.equations().change_operator(choice.kind, choice.exponent_quarters) && is_new)
         return Status::unsupported;
     method.operator_kind = choice.kind;
     method.exponent_quarters = choice.exponent_quarters;
@@ -255,7 +255,7 @@ bool SafeMorph::keep_order_of_slipping(Work const& work) noexcept {
     BoundaryFaces const faces = work.basis.faces();
     auto const slips = [&](Index point) {
         return mobility.held[mobility.representative[point]] == 0 &&
-               work.plan.kind(point) == PointKind::slip;
+               work.plan.equations().kind(point) == PointKind::slip;
     };
     bool any = false;
     for (Index k = 0; k < work.mesh().n_points && !any; ++k) any = slips(k);

@@ -1,6 +1,8 @@
 #include <harmorph_design.h>
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include <fixtures/curves.hpp>
 #include <fixtures/guarded.hpp>
 #include <fixtures/memory.hpp>
@@ -20,10 +22,10 @@ struct Modes {
 Modes modes_of(CurveSet& set, std::vector<double> const& movements, int n) {
     Modes out{HM_OK, movements, std::vector<double>(std::size_t(n), -7)};
     std::size_t bytes = 0;
-    REQUIRE(fixtures::family_modes_size(&set.view(), &bytes, nullptr) == HM_OK);
+    REQUIRE(fixtures::family_modes_size(&set.view(), std::max(n, 1), &bytes, nullptr) == HM_OK);
     fixtures::Guarded work(bytes);
-    out.status = hm_family_modes(&set.view(), n, out.modes.data(), out.singular.data(),
-                                 fixtures::Memory(work.data(), bytes), nullptr);
+    out.status = fixtures::family_modes(&set.view(), n, out.modes.data(), out.singular.data(),
+                                        fixtures::Memory(work.data(), bytes), nullptr);
     CHECK(work.guards_intact());
     return out;
 }

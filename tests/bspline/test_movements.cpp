@@ -56,10 +56,10 @@ Moved moved(CurveSet& set, std::vector<hm_movement> const& movements,
     out.start.assign(values.size(), -7);
     out.difference.assign(2, -7);
     fixtures::Guarded work(bytes);
-    out.status =
-        hm_move_section(&set.view(), section, n, movements.data(), nullptr, values.data(),
-                        out.move.data(), out.derivatives.data(), out.start.data(),
-                        out.difference.data(), fixtures::Memory(work.data(), bytes), &out.error);
+    out.status = fixtures::move_section(&set.view(), section, n, movements.data(), nullptr,
+                                        values.data(), out.move.data(), out.derivatives.data(),
+                                        out.start.data(), out.difference.data(),
+                                        fixtures::Memory(work.data(), bytes), &out.error);
     CHECK(work.guards_intact());
     return out;
 }
@@ -362,15 +362,19 @@ TEST_CASE("movements that cannot be made are refused, and the outputs stay") {
         hm_status status;
         const char* text;
     };
-    hm_movement unknown = movement(7), spoiled = movement(HM_SHIFT),
+    hm_movement unknown = movement(9), spoiled = movement(HM_SHIFT),
                 long_turn = movement(HM_ROTATE);
     spoiled.struct_size = 1;
     long_turn.length = 1;
+    hm_variables const linear = fixtures::sized<hm_variables>();
+    hm_movement with_variables = movement(HM_FLAP), with_members = movement(HM_SHIFT);
+    with_variables.variables = &linear;
+    with_members.n_members = 1;
     std::vector<double> back(11), flat(11);
     back[1] = 1;
     flat[0] = -1;
     std::vector<Refused> const table = {
-        {set, {unknown}, {0}, HM_BAD_ARGUMENT, "must be one of HM_ROTATE to HM_BLADE"},
+        {set, {unknown}, {0}, HM_BAD_ARGUMENT, "must be one of HM_ROTATE to HM_FAMILY"},
         {set, {spoiled}, {0, 0}, HM_BAD_ARGUMENT, "not the size of an hm_movement"},
         {set, {long_turn}, {0}, HM_BAD_ARGUMENT, "must be 0 unless the kind is HM_FLAP"},
         {set, {movement(HM_SHIFT, 1, 0)}, {0, 0}, HM_BAD_ARGUMENT, "and 0 if the kind"},
@@ -379,6 +383,10 @@ TEST_CASE("movements that cannot be made are refused, and the outputs stay") {
         {set, {camber_thickness(65, 0)}, {}, HM_BAD_ARGUMENT, "between 0 and 64"},
         {set, {movement(HM_SHIFT), movement(HM_PARSEC)}, {}, HM_BAD_ARGUMENT, "must come first"},
         {set, {movement(HM_SHIFT), movement(HM_SCALE)}, {0, 0, -1}, HM_BAD_ARGUMENT, "value 2"},
+        {set, {movement(HM_LINEAR)}, {}, HM_BAD_ARGUMENT, "variables of movement 0 is NULL"},
+        {set, {with_variables}, {}, HM_BAD_ARGUMENT, "variables of movement 0 must be NULL unless"},
+        {set, {movement(HM_FAMILY)}, {}, HM_BAD_ARGUMENT, "members of movement 0 is NULL"},
+        {set, {with_members}, {}, HM_BAD_ARGUMENT, "must be 0 unless the kind is HM_FAMILY"},
         {set, {movement(HM_ROTATE)}, {361}, HM_BAD_ARGUMENT, "value 0 of the movements is 361"},
         {set, {movement(HM_ROTATE)}, {std::nan("")}, HM_BAD_ARGUMENT, "out of range"},
         {set, {movement(HM_BLADE)}, {0, 90, 0}, HM_BAD_ARGUMENT, "value 1 of the movements is 90"},

@@ -38,9 +38,9 @@ Map mapped(CurveSet& set, hm_variables const& variables, hm_section const* secti
     out.matrix.assign(std::size_t(2 * set.n_control() * out.n), -7);
     out.errors.assign(std::size_t(2 * out.n), -7);
     fixtures::Guarded work(bytes);
-    out.status = hm_variables_map(&set.view(), section, &variables, nullptr,
-                                  fixtures::Memory(work.data(), bytes), out.matrix.data(),
-                                  out.errors.data(), &out.error);
+    out.status = fixtures::variables_map(&set.view(), section, &variables, nullptr,
+                                         fixtures::Memory(work.data(), bytes), out.matrix.data(),
+                                         out.errors.data(), &out.error);
     CHECK(work.guards_intact());
     return out;
 }
@@ -369,4 +369,111 @@ TEST_CASE("the residual of each shape is orthogonal to all free basis functions"
             }
         }
     }
+}
+
+namespace {
+
+struct SectionMove {
+    hm_status status;
+    hm_error error{};
+    hm_section_move found = fixtures::sized<hm_section_move>();
+    std::vector<double> move, derivatives, matrix;
+
+    SectionMove(CurveSet& set, std::vector<hm_movement> const& movements,
+                std::vector<double> const& values, bool wants_matrix = false) {
+        std::int32_t const n = std::int32_t(movements.size());
+        hm_section const chord = unit_chord();
+        hm_memory memory{};
+        status = hm_move_section(&set.view(), &chord, n, movements.data(), nullptr, &found, &memory,
+                                 &error);
+        if (status < 0) return;
+        fixtures::Guarded work(memory.bytes);
+        memory.block = work.data();
+        std::size_t const length = std::size_t(2 * set.n_control());
+        move.assign(length, 7);
+        derivatives.assign(length * std::size_t(found.n_values), 7);
+        matrix.assign(length * std::size_t(std::max(found.n_variables, 1)), 7);
+        found.move = move.data();
+        found.derivatives = derivatives.data();
+        if (wants_matrix) found.matrix = matrix.data();
+        status = hm_move_section(&set.view(), &chord, n, movements.data(),
+                                 values.empty() ? nullptr : values.data(), &found, &memory, &error);
+        CHECK(work.guards_intact());
+    }
+};
+
+hm_movement linear(hm_variables const& variables) {
+    auto out = fixtures::sized<hm_movement>();
+    out.kind = HM_LINEAR;
+    out.variables = &variables;
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("values of linear variables move the control points as their matrix does") {
+    CurveSet set = naca_section(false, 20);
+    for (bool const is_box : {false, true}) {
+        auto variables = kind(is_box ? HM_FFD : HM_CST, is_box ? 0 : 3, is_box ? 0 : 2);
+        if (is_box) variables.degree_x = 2, variables.degree_y = 1;
+        hm_section const chord = unit_chord();
+        Map const map = mapped(set, variables, &chord);
+        std::vector<double> values(std::size_t(is_box ? 2 * map.n : map.n));
+        for (std::size_t k = 0; k < values.size(); ++k)
+            values[k] = 0.01 * std::cos(3.0 * double(k));
+        SectionMove const moved(set, {linear(variables)}, values, true);
+        REQUIRE(moved.status == HM_OK);
+        CHECK(moved.found.n_values == std::int32_t(values.size()));
+        CHECK(moved.found.n_variables == map.n);
+        CHECK(moved.matrix == map.matrix);
+        double bound = 0;
+        for (int j = 0; j < map.n; ++j) {
+            double const size =
+                is_box ? std::hypot(values[std::size_t(2 * j)], values[std::size_t(2 * j + 1)])
+                       : std::fabs(values[std::size_t(j)]);
+            bound += size * map.errors[std::size_t(2 * j + 1)];
+        }
+        CHECK(moved.found.error[1] == doctest::Approx(bound));
+        for (int i = 0; i < set.n_control(); ++i) {
+            double x = 0, y = 0;
+            for (int j = 0; j < map.n; ++j) {
+                double const a = values[std::size_t(is_box ? 2 * j : j)],
+                             b = is_box ? values[std::size_t(2 * j + 1)] : 0;
+                x += map.x(i, j) * a - map.y(i, j) * b;
+                y += map.y(i, j) * a + map.x(i, j) * b;
+            }
+            CHECK(std::fabs(moved.move[std::size_t(2 * i)] - x) < 1e-15);
+            CHECK(std::fabs(moved.move[std::size_t(2 * i + 1)] - y) < 1e-15);
+        }
+        for (double const number : SectionMove(set, {linear(variables)}, {}).move)
+            CHECK(number == 0);
+    }
+}
+
+TEST_CASE("a flap behind linear variables has the derivatives of both") {
+    CurveSet set = naca_section(true, 24);
+    auto const variables = kind(HM_HICKS_HENNE, 2, 2);
+    auto flap = fixtures::sized<hm_movement>();
+    flap.kind = HM_FLAP;
+    flap.x = 0.7;
+    std::vector<hm_movement> const movements = {linear(variables), flap};
+    std::vector<double> const values = {0.01, -0.006, 0.004, 0.003, 12};
+    SectionMove const at(set, movements, values);
+    REQUIRE(at.status == HM_OK);
+    CHECK(at.found.n_variables == 0);
+    std::size_t const length = at.move.size();
+    for (std::size_t j = 0; j < values.size(); ++j) {
+        double const h = j < 4 ? 1e-5 : 1e-2;
+        std::vector<double> more = values, less = values;
+        more[j] += h;
+        less[j] -= h;
+        SectionMove const up(set, movements, more), down(set, movements, less);
+        for (std::size_t k = 0; k < length; ++k) {
+            double const slope = (up.move[k] - down.move[k]) / (2 * h);
+            CHECK(std::fabs(at.derivatives[j * length + k] - slope) < 1e-7);
+        }
+    }
+    SectionMove const refused(set, movements, values, true);
+    CHECK(refused.status == HM_BAD_ARGUMENT);
+    CHECK(std::string(refused.error.text).find("result.matrix must be NULL") != std::string::npos);
 }

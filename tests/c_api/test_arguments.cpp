@@ -91,25 +91,31 @@ TEST_CASE("curves and fits") {
     variables.kind = HM_FFD;
     variables.degree_x = variables.degree_y = 1;
     std::int32_t n = 0;
-    check_arguments("curves, ?section, variables, ?n, ?bytes", fixtures::variables_size, &curves,
-                    &section, &variables, &n, &bytes);
+    check_arguments("curves, ?section, variables of movement 0, ?n, ?bytes",
+                    fixtures::variables_size, &curves, &section, &variables, &n, &bytes);
     Guarded work(bytes);
-    check_arguments("curves, ?section, variables, ?n, memory, matrix, ?error", hm_variables_map,
-                    &curves, &section, &variables, &n, fixtures::Memory(work.data(), bytes),
-                    map.data(), values);
+    check_arguments("curves, ?section, variables of movement 0, ?n, memory, ?matrix, ?error",
+                    fixtures::variables_map, &curves, &section, &variables, &n,
+                    fixtures::Memory(work.data(), bytes), map.data(), values);
     hm_movement turn = sized<hm_movement>();
     check_arguments("curves, ?section, -, movements, ?n, ?bytes", fixtures::move_section_size,
                     &curves, &section, 1, &turn, &n, &bytes);
     Guarded moved(bytes);
+    hm_section_move result = sized<hm_section_move>();
+    result.move = map.data();
+    result.n_values = 1;
+    check_arguments("curves, ?section, -, movements, ?values, result, memory", hm_move_section,
+                    &curves, &section, 1, &turn, values, &result,
+                    fixtures::Memory(moved.data(), bytes));
     check_arguments(
-        "curves, ?section, -, movements, ?n, values, move, ?derivatives, ?start, ?error, memory",
-        hm_move_section, &curves, &section, 1, &turn, &n, values, map.data(), map.data() + 32,
-        values, values, fixtures::Memory(moved.data(), bytes));
-    check_arguments("curves, ?bytes", fixtures::family_modes_size, &curves, &bytes);
+        "curves, ?section, -, movements, ?n, ?values, ?move, ?derivatives, ?start, ?error, memory",
+        fixtures::move_section, &curves, &section, 1, &turn, &n, values, map.data(),
+        map.data() + 32, values, values, fixtures::Memory(moved.data(), bytes));
+    check_arguments("curves, -, ?bytes", fixtures::family_modes_size, &curves, 1, &bytes);
     Guarded modes(bytes);
     map.assign(map.size(), 1);
-    check_arguments("curves, -, movements, singular, memory", hm_family_modes, &curves, 1,
-                    map.data(), values, fixtures::Memory(modes.data(), bytes));
+    check_arguments("curves, -, members of movement 0, ?singular, memory", fixtures::family_modes,
+                    &curves, 1, map.data(), values, fixtures::Memory(modes.data(), bytes));
 }
 
 TEST_CASE("from the problem to the basis") {

@@ -236,19 +236,19 @@ TEST_CASE("what else a call finds wrong in its numbers") {
     naca.kind = HM_NACA4;
     std::int32_t n = 0;
     Guarded work = block_of(fixtures::variables_size, &set.view(), nullptr, &naca, &n);
-    CHECK(hm_variables_map(&set.view(), nullptr, &naca, nullptr,
-                           fixtures::Memory(work.data(), work.size()), values.data(), nullptr,
-                           &error) == HM_OK);
+    CHECK(fixtures::variables_map(&set.view(), nullptr, &naca, nullptr,
+                                  fixtures::Memory(work.data(), work.size()), values.data(),
+                                  nullptr, &error) == HM_OK);
     // A chord that ends at the origin is a chord.
     hm_section chord = sized<hm_section>();
     chord.trailing_y = -1;
-    CHECK(hm_variables_map(&set.view(), &chord, &naca, nullptr,
-                           fixtures::Memory(work.data(), work.size()), values.data(), nullptr,
-                           &error) == HM_OK);
+    CHECK(fixtures::variables_map(&set.view(), &chord, &naca, nullptr,
+                                  fixtures::Memory(work.data(), work.size()), values.data(),
+                                  nullptr, &error) == HM_OK);
     chord.trailing_y = 0, chord.leading_y = -1;
-    CHECK(hm_variables_map(&set.view(), &chord, &naca, nullptr,
-                           fixtures::Memory(work.data(), work.size()), values.data(), nullptr,
-                           &error) == HM_OK);
+    CHECK(fixtures::variables_map(&set.view(), &chord, &naca, nullptr,
+                                  fixtures::Memory(work.data(), work.size()), values.data(),
+                                  nullptr, &error) == HM_OK);
 
     std::int32_t const point = 0;
     says(hm_private_extract_size(solved.basis, -1, &bytes, &error), HM_BAD_ARGUMENT, "-1");

@@ -5,6 +5,8 @@
 #include "private.h"
 #include <fixtures/safe_moves.hpp>
 #include <harmorph_study.h>
+
+#include "basis/options.hpp"
 #include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
@@ -94,30 +96,26 @@ struct Way {
     Options options;
 };
 
-// Every row of the header's table of operators, schemes and engines, with what an option adds to
-// it.
+// Every operator with every scheme and engine that the tables of basis/options.hpp have for it,
+// with what an option adds to it.
 std::vector<Way> ways() {
-    auto const way = [](std::string const& name, std::int32_t operator_kind, std::int32_t scheme,
-                        std::int32_t engine) {
-        Way out{name, options_of(operator_kind)};
-        out.options.scheme = scheme;
-        out.options.engine = engine;
-        return out;
-    };
-    std::vector<Way> out = {
-        way("conformal", HM_CONFORMAL, HM_COMPACT, HM_DIRECT),
-        way("Laplace", HM_LAPLACE, HM_COMPACT, HM_DIRECT),
-        way("weighted", HM_WEIGHTED, HM_COMPACT, HM_DIRECT),
-        way("Laplace, bounded", HM_LAPLACE, HM_BOUNDED, HM_DIRECT),
-        way("weighted, bounded", HM_WEIGHTED, HM_BOUNDED, HM_DIRECT),
-        way("conformal, multigrid", HM_CONFORMAL, HM_COMPACT, HM_MULTIGRID),
-        way("Laplace, multigrid", HM_LAPLACE, HM_COMPACT, HM_MULTIGRID),
-        way("weighted, multigrid", HM_WEIGHTED, HM_COMPACT, HM_MULTIGRID),
-        way("Laplace, FAS", HM_LAPLACE, HM_COMPACT, HM_FAS),
-        way("weighted, FAS", HM_WEIGHTED, HM_COMPACT, HM_FAS),
-        way("nodal gradients", HM_LAPLACE, HM_NODAL_GRADIENT, HM_DIRECT),
-        way("nodal gradients, FAS", HM_LAPLACE, HM_NODAL_GRADIENT, HM_FAS),
-        way("plain nodal gradients, FAS", HM_LAPLACE, HM_NODAL_GRADIENT_PLAIN, HM_FAS)};
+    using namespace harmorph;
+    std::vector<Way> out;
+    for (std::int32_t kind = 0; has_row(operator_traits, kind); ++kind)
+        for (std::int32_t scheme = 0; has_row(scheme_traits, scheme); ++scheme)
+            for (std::int32_t engine = 0; has_row(engine_traits, engine); ++engine) {
+                if (!contains(operator_traits[kind].schemes, scheme) ||
+                    !contains(operator_traits[kind].engines, engine) ||
+                    !contains(scheme_traits[scheme].engines, engine))
+                    continue;
+                Way way{"operator " + std::to_string(kind) + ", scheme " + std::to_string(scheme) +
+                            ", engine " + std::to_string(engine),
+                        options_of(kind)};
+                way.options.scheme = scheme;
+                way.options.engine = engine;
+                out.push_back(way);
+            }
+    REQUIRE(out.size() >= 13);
     Way offset = out[0];
     offset.name = "conformal, offset correction";
     offset.options.offset_correction = 1;

@@ -1,6 +1,8 @@
 // The range of coordinates: what is outside is refused by name, and inside, at any scale and far
 // from the origin, a call that succeeds keeps what the header promises, by measures taken here.
 #include <harmorph_study.h>
+
+#include "basis/options.hpp"
 #include "fixtures/options.hpp"
 #include <fixtures/safe_moves.hpp>
 #include <doctest/doctest.h>
@@ -173,7 +175,8 @@ TEST_CASE("heights below 1e-100 are refused") {
 }
 
 TEST_CASE("a unit of length that is a power of two changes no bit of functions and steps") {
-    for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE, HM_WEIGHTED})
+    for (std::int32_t operator_kind = 0;
+         harmorph::has_row(harmorph::operator_traits, operator_kind); ++operator_kind)
         for (double const degrees : {20.0, 100.0}) {
             Case setup = block(Cells::hybrid);
             Options const options = options_of(operator_kind);

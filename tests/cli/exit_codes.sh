@@ -4,10 +4,21 @@ runs "--help" 0 --help
 check "--help names the commands" says 'harmorph help COMMAND'
 for command in morph interpolate; do check "--help: the name $command stands alone" says "  $command  "; done
 runs "--version" 0 --version
-for command in fit solve morph displace export check transfer explore demo; do
+# Every page of the help fits 80 columns, and has all options once: a command reads each of them.
+"$harmorph" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p' >"$tmp/commands"
+check "--help: all commands" test "$(wc -l <"$tmp/commands")" -eq \
+    "$(ls "$here"/../../c_api/cli/commands/cmd_*.cpp | wc -l)"
+check "--help: at most 80 columns" sh -c '! "$1" --help | awk "length(\$0) > 80" | grep .' sh "$harmorph"
+while read -r command; do
     runs "$command --help" 0 $command --help
     check "$command --help has an example" says "  harmorph $command "
-done
+    check "$command --help: at most 80 columns" sh -c '! awk "length(\$0) > 80" "$1" | grep .' sh "$tmp/out"
+    check "$command --help: each option once" test -z "$(sed -n 's/^  \(-[-a-z]*\).*/\1/p' "$tmp/out" | sort | uniq -d)"
+    for option in $(sed -n 's/^  \(--[-a-z]*\).*/\1/p' "$tmp/out"); do
+        if [ "$option" = --paper ]; then continue; fi # sets others
+        check "$command: its sources read $option" grep -qr "\"$option\"" "$here/../../c_api/cli"
+    done
+done <"$tmp/commands"
 refuses "no command" 2 'command is missing'
 refuses "unknown command" 2 "'frobnicate'" frobnicate
 refuses "unknown option" 2 "'--colour'" check --colour "$ring"

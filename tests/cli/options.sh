@@ -138,6 +138,38 @@ awk -f "$here/../../c_api/packaging/table.awk" $(sed "s|^|$include/|" "$here/../
 check "fields are declared" [ -s "$tmp/declared" ]
 check "every field of the options has a line here" sh -c 'sort -u "$0" | diff "$1" -' "$fields" "$tmp/declared"
 
+# --paper stands for the options of the paper that are not given: the line that it prints makes the same file.
+solve_paper() { "$harmorph" solve "$ring" --curve body="$curve" "$@" -o "$tmp/paper.basis"; }
+settings() { awk '/^Options of the paper:/ { paper = 1; next } /^[A-Z]/ { paper = 0 } paper' "$tmp/help"; }
+"$harmorph" solve --help >"$tmp/help"
+settings >"$tmp/settings"
+for option in --paper --scheme --agglomeration --start --cycle; do
+    check "the options of the paper are one group: $option" grep -q "^  $option\b" "$tmp/settings"
+done
+for given in "" "--scheme compact" "--start=zero --tol 1e-8" "--cycle improved --agglomeration directional"; do
+    runs "--paper $given" 0 solve "$ring" --curve body="$curve" --paper $given -o "$tmp/paper.basis"
+    sed -n 's/^harmorph solve //p' "$tmp/out" >"$tmp/line"
+    check "--paper $given: the line names operator and engine" \
+        grep -q -e '--operator laplace.* --engine fas' "$tmp/line"
+    check "--paper $given: the line has no --paper" sh -c '! grep -q -e --paper "$1"' sh "$tmp/line"
+    for word in $(echo "$given" | tr = ' '); do
+        check "--paper $given: the line keeps $word once" test "$(grep -o -e " $word " "$tmp/line" | wc -l)" = 1
+    done
+    mv "$tmp/paper.basis" "$tmp/by_paper.basis"
+    check "--paper $given: the line runs" eval "\"\$harmorph\" solve $(cat "$tmp/line") >\"\$tmp/out\" 2>&1"
+    check "--paper $given: the line prints no line" sh -c '! grep -q "^harmorph solve" "$1"' sh "$tmp/out"
+    check "--paper $given: the same basis as by the line" cmp "$tmp/paper.basis" "$tmp/by_paper.basis"
+done
+solve_paper --paper --start zero >"$tmp/out" && cp "$tmp/paper.basis" "$tmp/zero.basis"
+solve_paper --operator laplace --engine fas --scheme nodal-gradient --agglomeration isotropic >"$tmp/out"
+check "--paper: a start from zero is another iteration" \
+    sh -c '! cmp -s "$1" "$2"' sh "$tmp/paper.basis" "$tmp/zero.basis"
+runs "--paper --json" 0 solve "$ring" --curve body="$curve" --paper --json -o "$tmp/paper.basis"
+check "--paper --json: one object on standard output" test "$(wc -l <"$tmp/out")" -eq 1
+check "--paper --json: the line is a message" grep -q '^harmorph: the same as: harmorph solve' "$tmp/err"
+refuses "--paper by another engine" 2 '--agglomeration needs --engine fas' solve "$ring" --curve body="$curve" --paper \
+    --engine direct -o "$tmp/x"
+
 # The choice of the engine: the first one whose bytes fit. The bytes are those that a limit of 16 MB is refused with.
 make_ring 256 80 >"$tmp/many.su2"
 solve_many() { "$harmorph" solve "$tmp/many.su2" --curve body="$curve" -o "$tmp/many.basis" --json "$@"; }

@@ -89,7 +89,8 @@ tests_there() {
     check "unit tests" $emulator "$here/tests$suffix"
 }
 program_sources() {   # in the groups of `make`
-    ls c_api/cli/main.cpp c_api/cli/formats/cgns*.cpp "$build/page_text.cpp"
+    ls c_api/cli/main.cpp c_api/cli/formats/cgns*.cpp "$build/page_text.cpp" "$build/page_module.cpp" \
+        "$build/command_text.cpp"
     for object in $(cat "$build/objects/program.list"); do ls "${object%.o}.cpp" 2>/dev/null; done | grep _and_
 }
 demo_there() {

@@ -19,15 +19,7 @@ for kind in $("$make_mesh" list); do
     check "$kind: zero move: the same file" cmp "$mesh" "$moved"
     check "$kind: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved" $zone
     check "$kind: morph: the mesh moved" sh -c "! cmp -s '$mesh' '$moved'"
-    case $kind in
-    *.su2) format=su2 ;;
-    fluent*) format=fluent ;;
-    *.msh) format=gmsh ;;
-    *.ugrid) format=ugrid ;;
-    *.vtk) format=vtk ;;
-    *.vtu) format=vtu ;;
-    *) format=plot3d ;;
-    esac
+    format=$("$make_mesh" format $kind)
     [ $kind = zones.su2 ] || check "$kind: the format is forced" "$harmorph" check "$mesh" --format $format
     check "$kind: convert the morphed" "$harmorph" convert "$moved" "$after" $zone
     # Points of two blocks have another order.

@@ -4,17 +4,26 @@ here with those coordinates.
 
     make_mesh.py KIND FILE [COORDINATES]   COORDINATES: an SU2 file of the ring, from which x and y are taken
     make_mesh.py list                      all kinds
+    make_mesh.py format KIND               the name of its format for --format
+
+Each file of the folder ring has the kinds of the format of its name, or of the format that its format_of() says.
 """
+import importlib
+import pkgutil
 import sys
 
 import ring
-from ring import fluent, gmsh, plot3d, su2, ugrid, vtk
 
-kinds = {name: write for family in (su2, gmsh, plot3d, ugrid, vtk, fluent) for name, write in family.KINDS.items()}
+families = {name: importlib.import_module(f"ring.{name}") for _, name, _ in pkgutil.iter_modules(ring.__path__)}
+kinds = {kind: write for family in families.values() for kind, write in family.KINDS.items()}
 if sys.argv[1:] == ["list"]:
     print("\n".join(sorted(kinds)))
     sys.exit()
-kinds["fluent-polygons.msh"] = lambda: fluent.solid("", 2)  # convert cannot write these cells
+if sys.argv[1] == "format":
+    name, family = next((name, family) for name, family in families.items() if sys.argv[2] in family.KINDS)
+    print(family.format_of(sys.argv[2]) if hasattr(family, "format_of") else name)
+    sys.exit()
+kinds["fluent-polygons.msh"] = lambda: families["fluent"].solid("", 2)  # convert cannot write these cells
 kind, path, *coordinates = sys.argv[1:]
 if coordinates:
     ring.read_coordinates(*coordinates)

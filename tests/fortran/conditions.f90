@@ -18,7 +18,7 @@ contains
         type(hm_basis_info) :: info
         type(hm_condition), allocatable :: known(:)
         type(hm_curves) :: none
-        real(dp) :: move(2, 2), dx(231), dy(231), c, s, value(231), angle
+        real(dp) :: move(2, 2), dx(231), dy(231), c, s, value(231), angle, dense(2, 231, 4)
         integer :: cell_count, face_count, k
         integer, allocatable :: hole(:), below(:), above(:), left(:), right(:)
         integer :: stat
@@ -49,6 +49,15 @@ contains
         call check(all(abs(dx(hole) - (0.4_dp + c * (cx(hole) - 10) - s * (cy(hole) - 5))) < 1e-14_dp) .and. &
             all(abs(dy(hole) - (0.2_dp + s * (cx(hole) - 10) + c * (cy(hole) - 5))) < 1e-14_dp), &
             "the body moves rigidly")
+        call own%matrix(dense)
+        call check(maxval(abs(matmul(move(1, :), dense(:, :, 1)) + &
+                   matmul(move(2, :), dense(:, :, 2)) - dx)) < 1e-14_dp, &
+            "the x of the movement are products with the dense functions")
+        call check(maxval(abs(matmul(move(1, :), dense(:, :, 3)) + &
+                   matmul(move(2, :), dense(:, :, 4)) - dy)) < 1e-14_dp, &
+            "products with the dense functions are the displacements")
+        call own%matrix(dense(:, :, :3), stat)
+        call check(stat == hm_bad_argument, "a dense array of another shape")
         call check(all(abs(dx(below)) <= 0) .and. all(abs(dy(below)) <= 0), "the floor stays")
         call check(all(abs(dy(above)) <= 0) .and. maxval(abs(dx(above))) > 1e-3_dp, "the ceiling slips")
         call check(same(dx(left), dx(right(size(right):1:-1))) .and. same(dy(left), dy(right(size(right):1:-1))) .and. &

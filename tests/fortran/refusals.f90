@@ -130,7 +130,7 @@ contains
         call check(stat == hm_bad_argument .and. same(a, x), "a movement that is not finite: " // err%text)
         call basis%adjoint(a, b(2:), gradient, stat=stat, err=err)
         call check(stat == hm_bad_argument .and. &
-            err%text == "x and y have different lengths, or one of them is not allocated", "a gradient: " // err%text)
+            err%text == "x and y have different shapes, or one of them is not allocated", "a gradient: " // err%text)
         call basis%boundary_error(some_move(), x, y, a(2:), b(2:), error, stat=stat)
         call check(stat == hm_bad_argument, "another length")
         call basis%assess(mesh, quality, x(2:), y(2:), stat=stat)

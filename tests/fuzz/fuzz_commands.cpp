@@ -6,8 +6,8 @@
 // leaves no other files than those that it may write, and a folder with files of somebody else as
 // it is. In some cases another process shortens the mesh while the command runs.
 #include "commands/commands.hpp"
-#include "curves/curve_file.hpp"
-#include "files/csv_cells.hpp"
+#include "curves/curves.hpp"
+#include "files/text_file.hpp"
 #include "target.hpp"
 #include "work/basis_file.hpp"
 #include "work/moves_file.hpp"

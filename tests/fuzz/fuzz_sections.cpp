@@ -118,11 +118,11 @@ private:
                 out.start.assign(values.size(), 7);
                 out.difference.assign(2, 7);
                 Exceptions::clear();
-                hm_status const status = hm_move_section(
+                hm_status const status = fixtures::move_section(
                     &set_, &section, count, movements.data(), nullptr, values.data(),
                     out.move.data(), out.derivatives.data(), out.start.data(),
                     out.difference.data(), fixtures::Memory(memory, bytes), e);
-                Exceptions::expect_none("hm_move_section, " + in_words(movements, values));
+                Exceptions::expect_none("fixtures::move_section, " + in_words(movements, values));
                 return status;
             });
         return out;

@@ -236,9 +236,9 @@ private:
         status =
             blocks_.make(error_, size_by(fixtures::variables_size, &set_, given, &variables, &n),
                          [&](void* memory, std::size_t bytes, hm_error* e) {
-                             return hm_variables_map(&set_, given, &variables, nullptr,
-                                                     fixtures::Memory(memory, bytes), matrix.data(),
-                                                     error.data(), e);
+                             return fixtures::variables_map(&set_, given, &variables, nullptr,
+                                                            fixtures::Memory(memory, bytes),
+                                                            matrix.data(), error.data(), e);
                          });
         if (status < 0) expect_untouched(matrix), expect_untouched(error);
         else expect_finite(matrix, "a map of variables"), expect_finite(error, "its error");

@@ -22,7 +22,8 @@ export ASAN_OPTIONS="quarantine_size_mb=8:malloc_context_size=8${ASAN_OPTIONS:+:
 
 # Kernels are unrolled for each set of registers: clang takes many minutes to optimise them with their checks.
 build() {   # compiler, flags to compile, flags to link, flags of files whose branches are followed
-    $MAKE -s JOBS="$JOBS" BUILD="$dir" LEVEL="-O2 ${4-}" KERNEL_LEVEL=-O1 PROGRAM_LEVEL="-O2 ${4-}" CXX="$1" \
+    $MAKE -s JOBS="$JOBS" BUILD="$dir" WASM_CXX=none CXX="$1" \
+        LEVEL="-O2 ${4-}" KERNEL_LEVEL=-O1 PROGRAM_LEVEL="-O2 ${4-}" \
         CXXFLAGS="$flags $2" LDFLAGS="$3" fuzzer || exit 1
 }
 run_libfuzzer() {   # target

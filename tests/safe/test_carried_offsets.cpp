@@ -109,8 +109,8 @@ TEST_CASE("the similarity is carried near the wall and fades inside with the dis
     for (std::int32_t const marker : {std::int32_t{body}, std::int32_t{far_field}})
         for (std::int32_t const k : points_on(setup.mesh, marker)) held[std::size_t(k)] = 1;
     harmorph::Points const start = move.plan.mesh().points;
-    move.carried.find_groups(move.basis, move.path, start, move.plan.walls(), span(representative),
-                             span(held), {});
+    move.carried.find_groups(move.basis, move.path, start, move.plan.equations().walls(),
+                             span(representative), span(held), {});
     move.carried.find(move.basis, span(reached), start, span(representative), {});
     move.carried.add(move.path, 0, 1, {dx.data(), dy.data(), 1}, {});
     Field const of_control = displacement(move.solved, setup.curves.control);  // sum of F_i P_i

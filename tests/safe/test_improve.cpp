@@ -61,7 +61,7 @@ struct Sheared {
     }
     harmorph::Points at() const { return {now.x.data(), now.y.data(), 1}; }
     harmorph::Quality quality() const {
-        return harmorph::measure_quality(plan.cells(), at(), plan.mesh().points, {});
+        return harmorph::measure_quality(plan.equations().cells(), at(), plan.mesh().points, {});
     }
     harmorph::ImproveReport run(Index max_solutions = 20) {
         harmorph::ImproveReport report;
@@ -100,8 +100,8 @@ TEST_CASE("each step lowers the energy and leaves no cell inverted; more solutio
         bool const moved = task.improvement.step();
         CHECK(task.improvement.energy() <= before);
         steps += moved ? 1 : 0;
-        CHECK(harmorph::count_inverted(task.plan.cells(), harmorph::as_points(task.improvement.now),
-                                       {}) == 0);
+        CHECK(harmorph::count_inverted(task.plan.equations().cells(),
+                                       harmorph::as_points(task.improvement.now), {}) == 0);
         task.improvement.sharpen(true);
     }
     CHECK(steps > 4);

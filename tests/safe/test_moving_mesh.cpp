@@ -18,7 +18,7 @@ struct Moving {
           plan(*reinterpret_cast<harmorph::Plan*>(solved.plan)),
           basis(harmorph::Basis::view(static_cast<void*>(solved.basis))) {
         block = laid_out_part(mesh, plan, basis.header->counts);
-        plan.walls_at(plan.mesh().points);
+        plan.equations().walls_at(plan.mesh().points);
         mesh.init(plan, basis, move.data());
         CHECK(block->guards_intact());
     }

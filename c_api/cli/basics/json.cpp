@@ -4,7 +4,6 @@
 #include "basics/print.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 namespace cli {
 
@@ -17,9 +16,7 @@ std::string json_string(std::string_view text) {
         const std::size_t bytes = readable_character(text);
         if (c == '"' || c == '\\') result += '\\';
         if (static_cast<unsigned char>(c) < ' ') {
-            char escaped[8];
-            std::snprintf(escaped, sizeof escaped, "\\u%04x", static_cast<unsigned>(c));
-            result += escaped;
+            result += "\\u" + hexadecimal(static_cast<unsigned char>(c), 4);
         } else if (bytes == 0) {
             result += '\\' + byte_in_hexadecimal(c);
         }

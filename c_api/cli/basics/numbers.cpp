@@ -249,6 +249,11 @@ bool parse(std::string_view word, std::int64_t& value) {
     return result.ec == std::errc() && result.ptr == end;
 }
 
+std::size_t parse_front(std::string_view text, std::int64_t& value, int base) {
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), value, base);
+    return result.ec == std::errc() ? static_cast<std::size_t>(result.ptr - text.data()) : 0;
+}
+
 // Writes e for the D of Fortran and removes a plus sign, which std::from_chars does not know.
 // Returns false if the word is too long for a number in such a notation.
 static bool in_notation_of_c(std::string_view word, char (&text)[64], std::size_t& length) {
@@ -276,6 +281,12 @@ static bool parse_as(std::string_view word, double& value) {
     return is_tiny;
 }
 
+std::size_t parse_front(std::string_view text, double& value) {
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool is_number = result.ec == std::errc() && std::isfinite(value);
+    return is_number ? static_cast<std::size_t>(result.ptr - text.data()) : 0;
+}
+
 bool parse(std::string_view word, double& value) {
     char text[64];
     std::size_t length = 0;
@@ -298,7 +309,48 @@ bool parse(std::string_view word, double& value) {
     return end == found.c_str() + found.size() && std::isfinite(value);
 }
 
+std::size_t parse_front(std::string_view text, double& value) {
+    const std::size_t end = std::min(text.find_first_not_of("0123456789.+-eE"), text.size());
+    return parse(text.substr(0, end), value) ? end : 0;
+}
+
 #endif
+
+namespace {
+
+template <class Number>
+bool parse_numbers(std::string_view text, char separator, std::vector<Number>& values) {
+    values.clear();
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(separator, begin), text.size());
+        Number value = 0;
+        if (!parse(text.substr(begin, end - begin), value)) return false;
+        values.push_back(value);
+        begin = end + 1;
+    }
+    return true;
+}
+
+}  // namespace
+
+bool parse_list(std::string_view text, std::vector<double>& values, char separator) {
+    return parse_numbers(text, separator, values);
+}
+
+bool parse_list(std::string_view text, std::vector<std::int32_t>& values) {
+    return parse_numbers(text, ',', values);
+}
+
+std::string padded(std::int64_t number, std::size_t width, char fill) {
+    const std::string digits = std::to_string(number);
+    return std::string(width - std::min(width, digits.size()), fill) + digits;
+}
+
+std::string hexadecimal(std::uint32_t number, std::size_t digits) {
+    std::string text(digits, '0');
+    for (std::size_t k = digits; k-- > 0; number >>= 4) text[k] = "0123456789abcdef"[number & 15];
+    return text;
+}
 
 std::string exact(double value) { return formatted('g', 17, value); }
 std::string scientific(double value) {

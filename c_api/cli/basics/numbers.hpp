@@ -1,9 +1,10 @@
-// Conversions between numbers and text.
+// Conversions between numbers and text. No other file of the program has any.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cli {
 
@@ -28,6 +29,15 @@ bool parse(std::string_view word, std::int32_t& value);
 bool parse(std::string_view word, std::int64_t& value);
 bool parse(std::string_view word, double& value);
 
+// The text must be a list of numbers, "1,2.5".
+bool parse_list(std::string_view text, std::vector<double>& values, char separator = ',');
+bool parse_list(std::string_view text, std::vector<std::int32_t>& values);
+
+// Reads the number with which the text begins, in the notation of C. Returns the number of its
+// characters; 0 if the text begins with no number.
+std::size_t parse_front(std::string_view text, std::int64_t& value, int base = 10);
+std::size_t parse_front(std::string_view text, double& value);
+
 // Appends a number as printf does by "%.*e", "%.*f" or "%.*g" (style e, f, g) with this precision.
 // For the numbers of a mesh this is several times as fast.
 void append_number(std::string& text, char style, int precision, double value);
@@ -35,6 +45,8 @@ void append_number(std::string& text, char style, int precision, double value);
 std::string exact(double value);  // 17 significant digits, which are read back as the same bits
 std::string scientific(double value);  // 17 digits with a decimal point and an exponent: 1.5E+00
 std::string brief(double value);       // 4 significant digits, for people
+std::string padded(std::int64_t number, std::size_t width, char fill = ' ');  // on the left
+std::string hexadecimal(std::uint32_t number, std::size_t digits);
 std::string plural(std::int64_t count, std::string_view noun);  // "1 point", "2 points"
 
 }  // namespace cli

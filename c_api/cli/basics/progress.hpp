@@ -1,13 +1,32 @@
 // Listens to the library's progress: seconds of each phase, and a bar.
 #pragma once
 
-#include "basics/stopwatch.hpp"
-
 #include <harmorph_study.h>
 
+#include <algorithm>
 #include <array>
+#include <chrono>
+#include <vector>
 
 namespace cli {
+
+// Time measurement.
+
+class Stopwatch {
+public:
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
+};
+
+// There must be at least one value.
+inline double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
 
 // A progress bar on standard error, drawn if standard error is a terminal.
 

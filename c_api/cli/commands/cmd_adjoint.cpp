@@ -7,10 +7,9 @@
 #include "curves/variables_file.hpp"
 #include "files/output_file.hpp"
 #include "files/threads.hpp"
-#include "work/gradient_file.hpp"
+#include "work/sensitivity.hpp"
 #include "work/mesh_fields.hpp"
 #include "work/read_mesh.hpp"
-#include "work/sensitivity.hpp"
 
 #include <harmorph_design.h>
 
@@ -122,6 +121,8 @@ Gradient gradient_of(const Arguments& arguments, const std::string& path, const 
     return found;
 }
 
+}  // namespace
+
 void run_adjoint(const Arguments& arguments) {
     const std::vector<std::string> paths = arguments.all("--sensitivity");
     if (paths.empty()) arguments.refuse("--sensitivity is required");
@@ -154,73 +155,5 @@ void run_adjoint(const Arguments& arguments) {
                                       .c_str());
     }
 }
-
-}  // namespace
-
-const Command adjoint_command = {
-    "adjoint",
-    {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}},
-    "Derivatives by control points from derivatives by mesh points",
-    "An adjoint flow solver writes the derivatives of an objective by the coordinates of all mesh "
-    "points. This command\n"
-    "multiplies them by the transpose of the morph: the result is the gradient by the control "
-    "points, rigid bodies and modes\n"
-    "of BASIS, exact to rounding.\n"
-    "FILE is a table \"point dJ/dx dJ/dy\" (points from 0, in the order of MESH), a CSV file with "
-    "the names of columns in\n"
-    "its first line (SU2's volume and surface files), a binary restart file of SU2, a file .vtk or "
-    ".vtu with vectors at\n"
-    "the points, a pointVectorField of OpenFOAM, or a CGNS file with arrays at the vertices "
-    "(NAMEX is read as NAME_x; programs\n"
-    "made with CGNS=1). Rows are matched by the numbers of points (PointID, Point ID, "
-    "Global_Index, "
-    "GlobalPointIds, ...), or\n"
-    "by their coordinates (x and y, x_coord, CoordinateX, Points_0, X:0, x [m], ...); where a file "
-    "has both, they must agree.\n"
-    "Points without a row have derivative 0. Where the rows are the points of MESH itself, and "
-    "MESH is "
-    "one cell thick, the derivatives\n"
-    "by both planes are added. Derivatives by points at the same place, as at a cut or between "
-    "zones, are added, too.\n"
-    "The output has the lines of a file of moves: \"index dJ/dx dJ/dy\", \"rigid MARKER dJ/dx "
-    "dJ/dy dJ/ddegrees dJ/dscale\",\n"
-    "\"mode K dJ/damplitude dJ/damplitude-y\"; with --variables \"variable dJ/dvalue "
-    "dJ/dvalue-y\". Morphs are linear in\n"
-    "the control points: second derivatives by control points are F^T H F, where H are the second "
-    "derivatives by mesh points.\n",
-    std::vector<Option>{
-        {"--sensitivity", "FILE",
-         "derivatives by mesh points; may be repeated, once for each objective", FileUse::input},
-        {"--x", "NAME", "the column of dJ/dx (default: Sensitivity_x)"},
-        {"--y", "NAME", "the column of dJ/dy (default: Sensitivity_y)"},
-        {"--vector", "NAME",
-         "the array of vectors in a file of VTK or CGNS (default: Sensitivity), in place of --x "
-         "and --y"},
-        in_order_option,
-        {"--normal", "NAME",
-         "the column of derivatives along the normals of the boundary, instead of --x and --y"},
-        {"--into", "SIDE", "for --normal: fluid or body, into which the normals point"},
-        {"--per-length", nullptr,
-         "for --normal: the values are per length of the wall (default: per point)"},
-        {"--variables", "MAP",
-         "derivatives by the design variables in MAP, a file of `harmorph variables`",
-         FileUse::input},
-        {"--at", "VALUES",
-         "for --variables that are movements (turn, flap, PARSEC, ...): the values at which the "
-         "derivatives are\n"
-         "taken, by which the mesh has moved since BASIS was solved (default: 0)",
-         FileUse::input},
-        {"--smooth", "LENGTH",
-         "smooth the gradient along the curves: changes along less than LENGTH are damped"},
-        {"-o", "FILE", "file of the gradient; the ending selects .csv, .json, or else text",
-         FileUse::output},
-        {"--json", nullptr, "print one JSON object with all gradients"},
-        format_option,
-        zone_option,
-        threads_option},
-    "  harmorph adjoint mesh.su2 airfoil.basis --sensitivity vol_sens.csv -o drag.gradient\n"
-    "  harmorph adjoint mesh.su2 airfoil.basis --sensitivity drag.csv --sensitivity lift.csv "
-    "--variables cst.map -o g.csv\n",
-    run_adjoint};
 
 }  // namespace cli

@@ -85,6 +85,8 @@ void report(const Arguments& arguments, const Morph& morph, const ToAirfoil& air
           brief(airfoil.max_error / airfoil.chord).c_str());
 }
 
+}  // namespace
+
 void run_align(const Arguments& arguments) {
     const std::string &to = arguments.text("--to"), &marker = arguments.text("--marker");
     if (arguments.has("--fields") && !arguments.has("--fields-out"))
@@ -121,45 +123,5 @@ void run_align(const Arguments& arguments) {
     files.commit();
     report(arguments, morph, airfoil);
 }
-
-}  // namespace
-
-const Command align_command = {
-    "align",
-    {{"MESH", FileUse::mesh}},
-    "Moves a mesh to the shape of a reference mesh, and brings its fields there",
-    "Fits a B-spline to the marker of MESH, solves, and moves the mesh until the curve is as near "
-    "as possible (least\n"
-    "squares) to the points of the marker of REFERENCE, in several steps if one is not enough. "
-    "Then the fields of MESH\n"
-    "are interpolated from the moved mesh to the points of REFERENCE, so that all shapes of a set "
-    "have their fields on one\n"
-    "mesh. The columns from_x and from_y say where each point of REFERENCE lies in MESH before the "
-    "movement. Values that a\n"
-    "model predicts on REFERENCE are brought back by `harmorph interpolate REFERENCE VALUES "
-    "ALIGNED`, where ALIGNED is the\n"
-    "file of -o, whose points have the numbers of MESH.\n",
-    {{"--to", "REFERENCE", "the reference mesh (required)", FileUse::mesh},
-     {"--marker", "A[,B..]", "markers of the body (required)"},
-     {"--to-marker", "A[,B..]", "markers of the body in REFERENCE (default: as --marker)"},
-     {"--points", "N", "number of control points (default 20)"},
-     {"--fields", "FILE", "fields at the points of MESH, as `harmorph interpolate` reads them",
-      FileUse::input},
-     {"--field", "NAME", "a column of --fields; may be repeated (default: all columns)"},
-     in_order_option,
-     {"-o", "MESH", "the moved mesh, a file like MESH", FileUse::output},
-     {"--fields-out", "FILE",
-      "the fields at the points of REFERENCE, with from_x and from_y: .vtu, or else a CSV table",
-      FileUse::output},
-     max_outside_option,
-     format_option,
-     zone_option,
-     threads_option,
-     {"--json", nullptr,
-      "print one JSON object: steps, min_quality, max_distance, rms_distance (in the mesh's "
-      "unit)"}},
-    "  harmorph align design7.su2 --to reference.su2 --marker airfoil --fields flow7.csv "
-    "--fields-out aligned7.csv\n",
-    run_align};
 
 }  // namespace cli

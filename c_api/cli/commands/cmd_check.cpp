@@ -4,11 +4,11 @@
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
 #include "commands/commands.hpp"
-#include "curves/curve_file.hpp"
+#include "curves/curves.hpp"
 #include "files/output_file.hpp"
 #include "mesh/loops.hpp"
 #include "mesh/mesh_analysis.hpp"
-#include "options/window_option.hpp"
+#include "options/place_options.hpp"
 #include "pictures/pictures.hpp"
 #include "work/read_mesh.hpp"
 
@@ -137,6 +137,8 @@ void check_as_solve_does(const Mesh& mesh) {
         refuse(error, mesh);
 }
 
+}  // namespace
+
 void run_check(const Arguments& arguments) {
     const Mesh mesh = read_mesh(arguments, 0);
     const hm_mesh_report report = MeshAnalysis(mesh).report();
@@ -152,37 +154,5 @@ void run_check(const Arguments& arguments) {
                   mesh.file.place(first) + ": cell " + std::to_string(report.first_inverted) +
                       " is inverted, the first of " + std::to_string(report.inverted));
 }
-
-}  // namespace
-
-const Command check_command = {
-    "check",
-    {{"MESH", FileUse::mesh}},
-    "Checks a mesh and reports its size and quality",
-    "The command refuses wrong indices, points repeated in a cell, edges of more than two cells, "
-    "faces that are not boundary\n"
-    "edges, and boundary edges without a marker, and names the line of the first such error. "
-    "Inverted cells are counted (exit\n"
-    "code 1). Cells that are too thin for the size of their coordinates are refused, too, as "
-    "`harmorph solve` does.\n",
-    {format_option,
-     zone_option,
-     {"--svg", "FILE", "picture of the mesh, its markers in colours", FileUse::output},
-     {"--boundaries", nullptr, "--svg shows the boundaries alone"},
-     {"--curve", "CURVE",
-      "--svg also shows these B-splines with their control points (may be repeated)",
-      FileUse::input},
-     {"--window", "X,Y,X,Y",
-      "lower left and upper right corner of what --svg shows (default: all of the mesh)"},
-     {"--dual-volumes", "P[,Q..]",
-      "--svg shows the control volumes (median dual) around these points, numbered from 0 as in "
-      "the file"},
-     {"--gradient-volumes", "P[,Q..]",
-      "--svg shows the cells around these points, over which nodal gradients are formed"},
-     {"--json", nullptr,
-      "print one JSON object: points, cells, triangles, quads, polygons, inverted, min_area,\n"
-      "min_quality, mean_quality, markers (name, faces)"}},
-    "  harmorph check naca0012.su2\n",
-    run_check};
 
 }  // namespace cli

@@ -4,10 +4,9 @@
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
 #include "commands/commands.hpp"
-#include "curves/curve_file.hpp"
+#include "curves/curves.hpp"
 #include "files/output_file.hpp"
-#include "options/number_list.hpp"
-#include "options/section_option.hpp"
+#include "options/place_options.hpp"
 
 #include <harmorph_design.h>
 
@@ -54,7 +53,7 @@ Curves changed(const Arguments& arguments, Curves curves) {
         curves = refined(path, curves, number, 0,
                          middles(curves.curves[static_cast<std::size_t>(number)]));
     if (arguments.has("--insert"))
-        curves = refined(path, curves, number, 0, number_list(arguments, "--insert"));
+        curves = refined(path, curves, number, 0, arguments.number_list("--insert"));
     return curves;
 }
 
@@ -88,7 +87,7 @@ std::vector<Wanted> wanted_of(const Arguments& arguments, const std::vector<doub
         {"min_radius", "smallest radius", quantity_of(HM_MIN_RADIUS)},
         {"curvature_variation", "curvature variation", quantity_of(HM_CURVATURE_VARIATION)}};
     if (arguments.has("--stations")) {
-        for (const double station : number_list(arguments, "--stations")) {
+        for (const double station : arguments.number_list("--stations")) {
             all.push_back({"thickness_" + brief(station), "thickness at " + brief(station),
                            quantity_of(HM_THICKNESS, station)});
             all.push_back({"camber_" + brief(station), "camber at " + brief(station),
@@ -107,7 +106,7 @@ void print_measures(const Arguments& arguments, const Curves& curves) {
     const hm_section section = section_of(arguments);
     const CurvesView view(curves);
     std::vector<double> box;
-    if (arguments.has("--box")) box = number_list(arguments, "--box");
+    if (arguments.has("--box")) box = arguments.number_list("--box");
     if (box.size() % 2 != 0) arguments.refuse("--box expects pairs x,y of numbers");
     JsonObject object;
     object.add("points", curves.points())
@@ -130,6 +129,8 @@ void print_measures(const Arguments& arguments, const Curves& curves) {
     if (arguments.has("--json")) print("%s\n", object.text().c_str());
 }
 
+}  // namespace
+
 void run_curve(const Arguments& arguments) {
     const Curves curves = changed(arguments, read_curves(arguments.operand(0)));
     if (arguments.has("-o")) {
@@ -139,37 +140,5 @@ void run_curve(const Arguments& arguments) {
     }
     print_measures(arguments, curves);
 }
-
-}  // namespace
-
-const Command curve_command = {
-    "curve",
-    {{"CURVE", FileUse::input}},
-    "Measures a section; inserts knots into its curve, or raises the degree",
-    "Prints area, centroid, second moments, chord, thickness, camber, "
-    "radii of curvature, and the angle and gap of the\n"
-    "trailing edge, with the place of each. Lengths are in the unit of the file, "
-    "angles in degrees. For a quantity that the\n"
-    "section does not have, `none` and the reason are printed; --json omits the quantity.\n"
-    "--elevate, --halve and --insert give the curve more control points without changing its "
-    "shape; "
-    "they are applied in\n"
-    "this order.\n",
-    {{"--stations", "S[,S..]",
-      "also thickness and camber at these stations, 0 to 1 along the chord"},
-     {"--box", "X,Y,X,Y,..",
-      "also the distance between the outline and this polygon, which must fit inside"},
-     chord_option,
-     {"--curve", "K", "the curve that changes, from 1 (default 1)"},
-     {"--elevate", nullptr, "raise the degree by 1"},
-     {"--halve", nullptr, "insert a knot in the middle of each knot span"},
-     {"--insert", "U[,U..]", "insert these knots"},
-     {"-o", "CURVE", "file to write\n" CURVE_FORMATS, FileUse::output},
-     {"--json", nullptr,
-      "print one JSON object: points, curves, area, centroid_x, .., thickness_S, camber_S, "
-      "clearance"}},
-    "  harmorph curve airfoil.curve --stations 0.25,0.5\n"
-    "  harmorph curve airfoil.curve --halve -o fine.curve\n",
-    run_curve};
 
 }  // namespace cli

@@ -3,8 +3,7 @@
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
 #include "commands/commands.hpp"
-#include "commands/used_files.hpp"
-#include "curves/curve_file.hpp"
+#include "curves/curves.hpp"
 #include "files/output_file.hpp"
 #include "files/own_folder.hpp"
 #include "files/paths.hpp"
@@ -153,6 +152,8 @@ void print_where_to_look(const std::string& folder, bool has_page) {
           in_folder("function.svg").c_str(), in_folder("report.html").c_str(), page.c_str());
 }
 
+}  // namespace
+
 void run_demo(const Arguments& arguments) {
     const std::string folder = arguments.operand(0);
     const std::string shipped =
@@ -192,24 +193,5 @@ void run_demo(const Arguments& arguments) {
          {"transfer", mesh, basis, fine, "-o", in_folder("fine.basis")});
     print_where_to_look(folder, write_page(mesh, basis, in_folder("page.html")));
 }
-
-}  // namespace
-
-const Command demo_command = {
-    "demo",
-    {{"DIR", FileUse::none}},
-    "Runs all steps on the shipped mesh and leaves the files in DIR",
-    "Each step is printed as a command that can be repeated. DIR then contains, among others: "
-    "mesh.su2, airfoil.curve,\n"
-    "airfoil.basis; moves.txt, a movement for one step, and far.txt, a movement for --safe; "
-    "fine.su2, the mesh with each\n"
-    "cell divided in four. The examples of the other commands can be run on these files. A folder "
-    "that is not empty is refused,\n"
-    "unless an earlier demo made it.\n",
-    {{"--mesh", "FILE",
-      "mesh with a marker `airfoil` of chord 1 (default build/meshes/naca0012.su2)",
-      FileUse::input}},
-    "  harmorph demo demo-output\n",
-    run_demo};
 
 }  // namespace cli

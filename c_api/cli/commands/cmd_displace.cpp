@@ -2,16 +2,14 @@
 // are needed.
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "commands/asked_moves.hpp"
+#include "work/moves_file.hpp"
 #include "commands/commands.hpp"
 #include "commands/displacement.hpp"
 #include "files/output_file.hpp"
 #include "formats/format.hpp"
 #include "work/engine.hpp"
 #include "work/mesh_fields.hpp"
-#include "work/moves_file.hpp"
 #include "work/read_mesh.hpp"
-#include "work/shared_points.hpp"
 #include "work/solver.hpp"
 
 #include <algorithm>
@@ -262,6 +260,8 @@ Displacement best_displacement(const Arguments& arguments, const Mesh& mesh, con
     return best;
 }
 
+}  // namespace
+
 void run_displace(const Arguments& arguments) {
     if (!arguments.has("--given")) arguments.refuse("--given is missing");
     check_safe_options(arguments);
@@ -288,66 +288,5 @@ void run_displace(const Arguments& arguments) {
         throw Failure(exit_unusable, found.refusal.empty() ? found.warning : found.refusal);
     if (!found.warning.empty()) warn(found.warning);
 }
-
-}  // namespace
-
-const Command displace_command = {
-    "displace",
-    {{"MESH", FileUse::mesh}},
-    "Moves the points of a wall as a file says, and the mesh with them",
-    "FIELD is a text file with lines \"point dx dy\": all points of the markers of --given, "
-    "each with its displacement. Points\n"
-    "are counted from 0 in the order of the mesh file, as SU2 files count them; "
-    "`#` starts a comment. FIELD may also\n"
-    "be a table as `harmorph adjoint` reads tables, with the columns dx and dy, or displacement_x "
-    "and displacement_y; a table of\n"
-    "all points of MESH gives those of the markers. They move by exactly these displacements; the "
-    "other points follow as they follow a curve in `harmorph morph`. "
-    "Markers on curves (--curve) and\n"
-    "of rigid bodies (--rigid) move as the file of --move says; "
-    "markers that are not named are fixed. A mesh with inverted\n"
-    "cells is not written, and a wall that would cross itself is refused. With `--operator auto` "
-    "the mesh is moved by conformal and\n"
-    "by Laplace functions; the better mesh is taken, and the results and times of both are "
-    "reported.\n",
-    std::vector<Option>{
-        {"--given", "A[,B..]", "markers whose displacements FIELD has (required; may be repeated)"},
-        {"--wall", "FIELD", "their displacements (required)", FileUse::input},
-        in_order_option,
-        {"--move", "MOVES",
-         "with --curve or --rigid: the movements of control points and bodies, see `harmorph "
-         "morph`",
-         FileUse::input},
-        by_option,
-        {"-o", "MESH", "moved mesh to write; the ending chooses the format, as in `morph`",
-         FileUse::moved_mesh},
-        {"--vtu", "FILE", "moved mesh and its displacement for ParaView", FileUse::output},
-        {"--report", "FILE",
-         "HTML page for any browser, as of `harmorph morph`; written even if the moved mesh is not "
-         "valid",
-         FileUse::output}} +
-        task_options() + engine_options() + safe_options() +
-        std::vector<Option>{
-            {"--repeat", "N",
-             "displace N times, in memory, and report the median time (default 1)"},
-            threads_option,
-            kernel_option,
-            {"--force", nullptr,
-             "write the files even if cells are inverted (the exit code is still 1)"},
-            format_option,
-            zone_option,
-            {"--json", nullptr,
-             "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing, "
-             "min_quality,\n"
-             "mean_quality, boundary_error (largest distance of wall points from where the "
-             "movement takes them), engine\n"
-             "(with the reason), factor_seconds (analysis included), "
-             "displace_seconds; with --safe no\n"
-             "admissible_step but the keys of `harmorph morph --safe`; with --operator auto "
-             "operators (operator,\n"
-             "step_fraction, min_quality, seconds, refusal; the better one first)"}},
-    "  harmorph displace mesh.su2 --given airfoil --wall field.txt -o moved.su2\n"
-    "  harmorph displace mesh.su2 --given airfoil --wall large.txt --safe -o moved.su2\n",
-    run_displace};
 
 }  // namespace cli

@@ -46,6 +46,8 @@ void refuse_large_mesh(const Mesh& mesh, std::int32_t most) {
                                   " makes the page all the same");
 }
 
+}  // namespace
+
 void run_explore(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
     const std::int32_t most = arguments.whole("--points", most_points, 3, INT32_MAX);
@@ -73,29 +75,5 @@ void run_explore(const Arguments& arguments) {
     files.commit();
     print("%s: %s megabytes; open it in a browser\n", path.c_str(), brief(megabytes).c_str());
 }
-
-}  // namespace
-
-const Command explore_command = {
-    "explore",
-    {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}},
-    "Writes a page on which control points can be dragged, and the mesh follows",
-    "One self-contained file for any browser, without a network: control points, "
-    "rigid bodies and design variables to drag;\n"
-    "inverted cells, admissible step, quality, heights and angles at the wall, and thickness and "
-    "area of the section are\n"
-    "updated meanwhile. It saves and loads MOVES as `harmorph morph` reads them. "
-    "The page contains the library and computes what\n"
-    "the program computes. It solves the functions when it is opened, with the bits of "
-    "`harmorph solve --kernel baseline`;\n"
-    "functions of BASIS that differ from these by more than 1e-9 are stored in the page.\n",
-    {{"-o", "PAGE", "page to write, HTML (required)", FileUse::output},
-     {"--points", "N",
-      "the largest number of points of a mesh (default 500000): a page of more is slow"},
-     {"--move", "MOVES", "movement of the control points to begin with", FileUse::input},
-     format_option,
-     zone_option},
-    "  harmorph explore naca0012.su2 airfoil.basis -o page.html\n",
-    run_explore};
 
 }  // namespace cli

@@ -3,7 +3,7 @@
 #include "commands/commands.hpp"
 #include "files/output_file.hpp"
 #include "formats/vtu.hpp"
-#include "options/window_option.hpp"
+#include "options/place_options.hpp"
 #include "pictures/contour_lines.hpp"
 #include "pictures/pictures.hpp"
 #include "work/basis_file.hpp"
@@ -136,6 +136,8 @@ void write_pictures(const Arguments& arguments, const Mesh& mesh, const Basis& b
         files.add(arguments.text("--svg")) << function_picture(mesh, std::move(panels), window);
 }
 
+}  // namespace
+
 void run_export(const Arguments& arguments) {
     if (arguments.has("--level")) return export_levels(arguments);
     arguments.text("--function");  // refuses a missing option
@@ -172,41 +174,5 @@ void run_export(const Arguments& arguments) {
         write_pictures(arguments, mesh, basis, files);
     files.commit();
 }
-
-}  // namespace
-
-const Command export_command = {
-    "export",
-    {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}},
-    "Writes one function of a basis for other programs and as a picture",
-    "Functions are numbered from 1 as their control points are. With --level, the picture shows "
-    "the volumes that\n"
-    "agglomeration merges, for a basis solved with --engine fas. Lists make pictures of several "
-    "panels with one scale.\n",
-    {format_option,
-     zone_option,
-     {"--function", "I[,J..]", "which functions (required without --level)"},
-     {"--csv", "FILE",
-      "table with the columns point,x,y and value (real), value,imaginary (complex: conformal) or\n"
-      "xx,xy,yx,yy (matrix: with slip); points as numbered in the mesh file",
-      FileUse::output},
-     {"--vtu", "FILE", "mesh and function for ParaView, its numbers as components",
-      FileUse::output},
-     {"--svg", "FILE", "picture: colours and labelled contour lines, a panel for each function",
-      FileUse::output},
-     {"--contour-csv", "FILE", "these contour lines as a table: panel, value, line, x, y",
-      FileUse::output},
-     window_option,
-     {"--number", "K[,L..]",
-      "which numbers the picture shows, in the order of the table (default 1)"},
-     {"--beside", "BASIS",
-      "the picture also shows the functions of this basis of the same mesh (may be repeated)",
-      FileUse::input},
-     {"--level", "L[,M..]",
-      "picture of levels of agglomeration; 0: the mesh's own control volumes"},
-     agglomeration_option},
-    "  harmorph export naca0012.su2 airfoil.basis --function 7 --svg function.svg\n"
-    "  harmorph export naca0012.su2 airfoil.basis --function 5,7,9,11 --svg functions.svg\n",
-    run_export};
 
 }  // namespace cli

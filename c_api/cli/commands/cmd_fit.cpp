@@ -3,12 +3,11 @@
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
 #include "commands/commands.hpp"
-#include "curves/curve_file.hpp"
+#include "curves/curves.hpp"
 #include "curves/section.hpp"
 #include "files/output_file.hpp"
 #include "files/paths.hpp"
 #include "mesh/mesh_analysis.hpp"
-#include "options/number_list.hpp"
 #include "work/read_mesh.hpp"
 
 #include <harmorph_design.h>
@@ -98,7 +97,7 @@ std::vector<double> read_weights(const std::string& path, const Outline& outline
 
 void take_direction(const Arguments& arguments, const std::string& option, double& x, double& y) {
     if (!arguments.has(option)) return;
-    const std::vector<double> numbers = number_list(arguments, option);
+    const std::vector<double> numbers = arguments.number_list(option);
     if (numbers.size() != 2 || (numbers[0] == 0 && numbers[1] == 0))
         arguments.refuse(option + " expects a direction X,Y");
     x = numbers[0];
@@ -278,6 +277,8 @@ Fit fit_of(const Arguments& arguments, const std::string& from, const Outline& o
     return fit(from, outline, options);
 }
 
+}  // namespace
+
 void run_fit(const Arguments& arguments) {
     const std::string path = arguments.text("-o"), from = arguments.operand(0);
     const std::vector<Outline> outlines = outlines_of(arguments, from);
@@ -298,60 +299,5 @@ void run_fit(const Arguments& arguments) {
     for (std::size_t k = 0; k < fits.size(); ++k)
         print_for_people(fits[k], outlines[k], from, path);
 }
-
-}  // namespace
-
-const Command fit_command = {
-    "fit",
-    {{"MESH", FileUse::mesh}},
-    "Fits a B-spline to a boundary of a mesh, or to an airfoil's coordinates",
-    "The points of the markers, which must form one piece of boundary, are approximated by least "
-    "squares. The curve\n"
-    "and its control points go to a small text file that `harmorph solve` reads. Errors are "
-    "distances of the mesh's\n"
-    "points from the curve, in chords (the largest extent of the boundary); with --json in the "
-    "unit of the mesh.\n"
-    "MESH may also be a file with the coordinates of an airfoil (Selig, Lednicer, MSES, XFOIL, "
-    "Tecplot, OpenFAST, CSV),\n"
-    "or a curve file of fit or morph, from which points are sampled; the content decides. `layout` "
-    "says how the\n"
-    "coordinates were understood.\n",
-    {{"--marker", "A[,B..]",
-      "markers of the boundary (required with a mesh); A@X:Y: its piece nearest to (X, Y)"},
-     {"--element", "K",
-      "the element of a file with several sections, from 1 (default: one curve for each)"},
-     {"--degree", "P", "degree of the curve, 1 to 5 (default 3)"},
-     {"--points", "N",
-      "number of control points (default 20); with --tolerance the largest number (default 100)"},
-     {"--tolerance", "LENGTH",
-      "insert control points until no point is farther from the curve than LENGTH (in the mesh's "
-      "unit)"},
-     {"--smooth", "LENGTH", "damp waves much shorter than LENGTH; corners stay"},
-     {"--weights", "FILE",
-      "lines \"point weight\", points as the mesh counts them (from 0); others have weight 1; a "
-      "point with\n"
-      "weight 0 does not count",
-      FileUse::input},
-     {"--begin", "X,Y", "direction of the curve at its first end"},
-     {"--end", "X,Y", "direction of the curve at its last end"},
-     {"--closed", "HOW",
-      "periodic: smooth all round; tied: both ends are one control point, for a sharp trailing "
-      "edge;\n"
-      "open: clamped at the first and the last point of the outline, which stay apart;\n"
-      "auto (default): no corner: periodic; a straight blunt base between two corners at the end\n"
-      "away from the leading edge: open, with a second curve over the base; else tied at the "
-      "sharpest corner"},
-     {"-o", "CURVE", "file to write (required)\n" CURVE_FORMATS, FileUse::output},
-     format_option,
-     zone_option,
-     {"--json", nullptr,
-      "print one JSON object: points, degree, closed (open, tied, periodic), corners, "
-      "base_points,\n"
-      "backtracks (the curve runs back between two points), max_error, rms_error, max_departure "
-      "(of the\n"
-      "curve from the polygon of the points), elements, layout"}},
-    "  harmorph fit naca0012.su2 --marker airfoil --points 20 -o airfoil.curve\n"
-    "  harmorph fit rae2822.dat -o rae2822.curve\n",
-    run_fit};
 
 }  // namespace cli

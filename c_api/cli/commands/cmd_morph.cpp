@@ -1,19 +1,18 @@
 // harmorph morph: moves control points and with them the mesh, and judges the result.
 #include "basics/numbers.hpp"
-#include "commands/asked_moves.hpp"
+#include "work/moves_file.hpp"
 #include "commands/commands.hpp"
 #include "commands/morph_report.hpp"
-#include "curves/curve_file.hpp"
+#include "curves/curves.hpp"
 #include "files/output_file.hpp"
 #include "formats/format.hpp"
 #include "formats/vtu.hpp"
-#include "options/window_option.hpp"
+#include "options/place_options.hpp"
 #include "page/report_data.hpp"
 #include "pictures/draw_curves.hpp"
 #include "pictures/pictures.hpp"
 #include "work/engine.hpp"
 #include "work/morph.hpp"
-#include "work/moves_file.hpp"
 #include "work/read_mesh.hpp"
 
 #include <harmorph_design.h>
@@ -173,6 +172,8 @@ void measure_wall_of(const Arguments& arguments, const Mesh& mesh, const Basis& 
          "on its way");
 }
 
+}  // namespace
+
 void run_morph(const Arguments& arguments) {
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
     const Mesh mesh = read_mesh(arguments, 0);
@@ -224,143 +225,5 @@ void run_morph(const Arguments& arguments) {
     if (!reached) throw Failure(exit_unusable, why_not_reached(morph, mesh, asked));
     if (!morph.warning.empty()) warn(morph.warning);
 }
-
-}  // namespace
-
-const Command morph_command = {
-    "morph",
-    {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}},
-    "Moves control points, and the mesh with them",
-    "MOVES is a text file with lines \"index dx dy\": control point (from 1) and its movement; "
-    "for bodies of solve --rigid\n"
-    "\"rigid MARKER dx dy degrees [scale]\", for tables of solve --mode \"mode "
-    "K amplitude [amplitude y]\". A section moves as\n"
-    "a whole by \"turn MARKER degrees [X,Y]\" (counter-clockwise, about X,Y or the quarter chord), "
-    "\"shift MARKER dx dy\",\n"
-    "\"scale MARKER factor [X,Y]\" and \"flap MARKER X,Y degrees [length]\", a smooth "
-    "deflection behind the hinge X,Y, over a\n"
-    "tenth of the chord or `length`. MARKER may be a piece A@X:Y, or a name in quotes, \"a "
-    "name\". Lines are applied in their order.\n"
-    "Control points and bodies without a line do not move; `#` starts a comment. Points of the "
-    "mesh on the curve move exactly as\n"
-    "the B-spline does. A movement that takes a point away from one of two moving conditions is "
-    "refused. A mesh with inverted cells or a boundary that crosses itself is not written.\n"
-    "The file of the morphed mesh has the text of MESH with other coordinates. The moved B-spline "
-    "is written beside the\n"
-    "file, with .curve appended to its name. With --safe --force the mesh may stop before the "
-    "target; the movement that the\n"
-    "mesh then has is not a fraction of MOVES where bodies turn, and is written to a file with "
-    ".reached appended.\n",
-    std::vector<Option>{
-        {"--move", "MOVES",
-         "movement of the control points (this, --by or --to-airfoil is required)", FileUse::input},
-        by_option,
-        {"--variables", "MAP",
-         "MOVES has lines \"variable value\" (or \"variable x y\") of the design variables in MAP, "
-         "a file of\n"
-         "`harmorph variables`; bodies stay",
-         FileUse::input},
-        {"--to-airfoil", "DAT",
-         "morph the airfoil of the mesh to this one (see `harmorph fit`): the "
-         "control points\n"
-         "are fitted by least squares, the knots stay; the distances of the points of DAT from the "
-         "curve, and of\n"
-         "the moved wall from the section are reported",
-         FileUse::input},
-        {"--on-chord", nullptr,
-         "for --to-airfoil: scale, turn and shift the points of DAT so that their leading and "
-         "trailing edges\n"
-         "are those of the curve (default: DAT has the coordinates of the mesh)"},
-        {"--element", "K", "for --to-airfoil: the element of a DAT with several sections, from 1"},
-        {"--airfoil-curve", "N",
-         "for --to-airfoil: which curve of the basis is the airfoil (default 1)"},
-        {"--moves-out", "MOVES",
-         "for --to-airfoil: where to write the movement, for --move; written even if the morphed "
-         "mesh is not valid",
-         FileUse::output},
-        {"-o", "MESH",
-         "morphed mesh to write: the file MESH with other coordinates, or, by another ending\n"
-         "(.su2, .msh, .vtk, .vtu), a new file as of `convert`",
-         FileUse::moved_mesh},
-        {"--curve-out", "CURVE",
-         "where to write the moved curve (default: the file of -o with .curve "
-         "appended)\n" CURVE_FORMATS,
-         FileUse::output, ".curve"},
-        {"--vtu", "FILE", "morphed mesh and its displacement for ParaView", FileUse::output},
-        {"--svg", "FILE", "picture: mesh before in blue, after in red, with the control points",
-         FileUse::output},
-        window_option,
-        {"--boundary-svg", "FILE", "picture: the moved B-spline, and the mesh's points on it",
-         FileUse::output},
-        {"--csv", "FILE",
-         "the curves of these pictures as a table: what (curve, control, mesh), curve, number (of "
-         "the control\n"
-         "point, from 1, or of the mesh point), u (where it has one), x, y, moved_x, moved_y",
-         FileUse::output},
-        {"--report", "FILE",
-         "HTML page for any browser: what moved, quality before and after, the worst cells, angles "
-         "and heights\n"
-         "along the wall; written even if the morphed mesh is not valid",
-         FileUse::output}} +
-        safe_options() +
-        std::vector<Option>{
-            {"--other", "BASIS",
-             "for --safe: a basis of the same problem, solved with another operator or exponent\n"
-             "(may be repeated)",
-             FileUse::input},
-            {"--flux", "FLUXES", "for --safe: the file of --flux with which the basis was solved",
-             FileUse::input},
-            {"--operator", "auto",
-             "for --safe: laplace and conformal functions are both tried, and the mesh with the "
-             "larger smallest\n"
-             "quality is taken; the quality and the time of both are reported"},
-            {"--reached", "MOVES",
-             "for --safe: where to write the movement that the mesh has (default, if the mesh does "
-             "not reach the\n"
-             "target: the file of -o with .reached appended)",
-             FileUse::output, ".reached", "--force"},
-            {"--repeat", "N",
-             "morph N times after a warm-up, in memory, and report the median time (default 1, no "
-             "warm-up)"},
-            threads_option,
-            kernel_option,
-            {"--force", nullptr,
-             "write the files even if the morphed mesh is not valid, with --safe the last valid "
-             "mesh\n"
-             "(the exit code is still 1)"},
-            format_option,
-            zone_option,
-            {"--json", nullptr,
-             "print one JSON object: inverted, admissible_step (null: unlimited), boundary_step "
-             "(where the boundary\n"
-             "first touches itself, in parts of the movement; null: not before a cell inverts), "
-             "self_crossing,\n"
-             "boundary_error (from the B-spline as far as it went), min_quality, mean_quality,\n"
-             "morph_seconds, moved_curve (its file, or empty); with --safe no admissible_step but "
-             "step_fraction\n"
-             "(1: all of the movement), steps, resolves, strategy (linear, other, substeps, "
-             "untangled, improved),\n"
-             "last_step_admissible (the admissible multiple of the last step that was tried), "
-             "heights (the part of\n"
-             "the change of the distances from the wall that was undone), reached_moves (the "
-             "file),\n"
-             "rotated_offset (the largest change of a wall point's offset from the curve, because "
-             "the body turned),\n"
-             "start_quality, end_point (the end of a wall that leaves the line of the neighbouring "
-             "boundary;\n"
-             "-1: none), end_distance, warning, worst_cells (cell, quality, start_quality, x, y); "
-             "with movements of\n"
-             "sections movement_error (the largest distance of the curve from the movement, as the "
-             "control points do\n"
-             "not follow it); with --to-airfoil\n"
-             "airfoil_max_error, airfoil_rms_error (distances of the points of DAT from the curve) "
-             "and\n"
-             "airfoil_wall_error (distance of the moved wall from the polygon of DAT; below 0: not "
-             "known)"}},
-    "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg "
-    "morphed.svg\n"
-    "  harmorph morph naca0012.su2 airfoil.basis --to-airfoil naca2412.dat --safe -o "
-    "naca2412.su2\n",
-    run_morph};
 
 }  // namespace cli

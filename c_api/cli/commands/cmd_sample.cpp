@@ -1,15 +1,13 @@
 // harmorph sample: many designs of one mesh, for surrogate models.
 #include "basics/print.hpp"
 #include "basics/progress.hpp"
-#include "basics/stopwatch.hpp"
 #include "commands/commands.hpp"
-#include "commands/used_files.hpp"
 #include "files/output_file.hpp"
 #include "formats/format.hpp"
-#include "sampling/design_files.hpp"
+#include "sampling/sample_folder.hpp"
 #include "sampling/sample_pages.hpp"
 #include "sampling/sample_shard.hpp"
-#include "sampling/sample_splits.hpp"
+#include "sampling/sample_table.hpp"
 #include "work/read_mesh.hpp"
 
 #include <algorithm>
@@ -24,10 +22,10 @@ constexpr const char* final_files[] = {"set.txt", "designs.csv", "index.html", "
 
 class Sampling {
 public:
-    Sampling(const Arguments& arguments, const std::vector<Option>& options)
+    explicit Sampling(const Arguments& arguments)
         : arguments_(arguments),
           folder_(arguments.text("-o")),
-          settings_(settings_of_set(arguments, options)),
+          settings_(settings_of_set(arguments)),
           mesh_(read_mesh(arguments, 0)),
           basis_(arguments.operand(1), mesh_),
           space_(arguments, basis_),
@@ -240,59 +238,8 @@ private:
     Stopwatch watch_;
 };
 
-void run_sample(const Arguments& arguments) { Sampling(arguments, sample_command.options).run(); }
-
 }  // namespace
 
-const Command sample_command = {
-    "sample",
-    {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}},
-    "Makes many designs of a mesh, for surrogate models",
-    "All meshes have the points and cells of MESH in the same order. A linear step makes the mesh "
-    "of a design; where this\n"
-    "step leaves a poor mesh, the safe morph makes the mesh. Designs beyond --min and --max, and "
-    "designs that the mesh\n"
-    "cannot follow, are rejected and listed with the reason. DIR/designs.csv has a line for each "
-    "design. The files\n"
-    "DIR/shards/*.npz (for numpy.load) have 1000 accepted designs each: coordinates, parameters, "
-    "control points, measures,\n"
-    "quality and connectivity. DIR/README.md describes all arrays, and DIR/index.html shows some "
-    "sections and scatter plots.\n"
-    "The same command on the same DIR continues after the last complete shard; the bits do not "
-    "depend on interruptions and\n"
-    "--threads.\n",
-    DesignSpace::options() + measure_options() + SampleSplits::options() +
-        std::vector<Option>{
-            {"--min-quality", "Q",
-             "the smallest quality that a linear step and the safe morph must leave, relative to "
-             "that of\n"
-             "MESH, 0 to 1 (default 0.05)"},
-            {"--linear", nullptr, "reject designs that one linear step does not reach"},
-            {"--step", nullptr,
-             "also the column admissible_step: the multiple of the movement at which the first "
-             "cell\n"
-             "inverts or the boundary first touches itself"},
-            {"--wall", nullptr,
-             "also the points of the moving walls in order, their unit normals and arc lengths"},
-            {"--wall-distance", nullptr,
-             "also the distances of all points to the moving walls, in shards/*.distance.npz"},
-            {"--meshes", nullptr, "also each accepted mesh in the format of MESH, in DIR/meshes"},
-            {"--vtk", nullptr,
-             "also each accepted mesh as .vtu with its displacement, and DIR/vtk/series.pvd for\n"
-             "ParaView"},
-            {"--shard", "N", "accepted designs of a shard (default 1000)"},
-            {"-o", "DIR", "folder to fill (required)"},
-            threads_option,
-            format_option,
-            zone_option,
-            {"--json", nullptr,
-             "print one JSON object: designs, accepted, shards, continued_at, seconds, linear, "
-             "other, substeps,\n"
-             "untangled, improved"}},
-    "  harmorph sample naca0012.su2 airfoil.basis --naca --count 1000 -o naca\n"
-    "  harmorph sample naca0012.su2 airfoil.basis --variables map --range=-0.01,0.01 --count 5000 "
-    "\\\n"
-    "      --min area=0.07 --min leading_edge_radius=0.005 --wall -o set\n",
-    run_sample};
+void run_sample(const Arguments& arguments) { Sampling(arguments).run(); }
 
 }  // namespace cli

@@ -9,9 +9,7 @@
 #include "work/mesh_fields.hpp"
 #include "work/read_mesh.hpp"
 #include "work/safe_way.hpp"
-#include "work/shared_points.hpp"
 #include "work/solver.hpp"
-#include "work/storage.hpp"
 #include "work/task.hpp"
 #include "work/wall_field.hpp"
 
@@ -167,6 +165,8 @@ std::string why_not_converged(const Solver& solver, const hm_options& options) {
     return "values may still be off by " + brief(solver.found()) + ", as cells are very thin";
 }
 
+}  // namespace
+
 void run_solve(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
@@ -204,70 +204,5 @@ void run_solve(const Arguments& arguments) {
         throw Failure(exit_unusable,
                       "the solution has not converged: " + why_not_converged(solver, task.options));
 }
-
-}  // namespace
-
-const Command solve_command = {
-    "solve",
-    {{"MESH", FileUse::mesh}},
-    "Solves the functions by which control points move the mesh",
-    "Each control point's function has the values of its B-spline basis function on the curve and "
-    "0 on fixed boundaries.\n"
-    "In between, --operator selects the function: conformal (the default), the complex function "
-    "that changes angles least,\n"
-    "above all near the wall; laplace, the harmonic function of the paper; weighted, a harmonic "
-    "function with a conductivity\n"
-    "that is large near the wall. Together the functions are the basis, with which `harmorph "
-    "morph` moves the mesh. A rigid\n"
-    "body has two functions, and a table (--mode) has one. Markers that are not named are fixed. "
-    "Control points are counted\n"
-    "from 1, and those of a second --curve after those of the first; points and cells of the mesh "
-    "are counted from 0.\n"
-    "\n"
-    "CURVE is a text file: `degree P`, `closed periodic|tied|open`, `points N` and N lines `x y`, "
-    "`knots K` and K numbers\n"
-    "(K: P + 1 more than the curve has control points, counted with their repeats: periodic N + P, "
-    "tied N + 1, open N);\n"
-    "where needed `indices M` and the M control points the curve uses in turn (from 1), `weights "
-    "N` and N numbers, and\n"
-    "`curve` before degree, closed, indices and knots of another curve over the same points. `#` "
-    "starts a comment.\n",
-    task_options() + engine_options() +
-        std::vector<Option>{
-            history_option,
-            {"--given", "A[,B..]",
-             "markers whose points move by the tables of --mode (may be repeated)"},
-            {"--mode", "FIELD",
-             "a function whose values at the points of --given are a table: lines \"point x y\", "
-             "points counted\n"
-             "from 0 (may be repeated; `morph` moves it by lines \"mode K amplitude [amplitude "
-             "y]\"), or one as `harmorph displace` reads it",
-             FileUse::input},
-            in_order_option,
-            {"--repeat", "N",
-             "solve N times after a warm-up, in memory, and report median times (default 1, no "
-             "warm-up)"},
-            storage_option,
-            threads_option,
-            kernel_option,
-            {"-o", "BASIS", "file to write (required)", FileUse::output},
-            {"--force", nullptr,
-             "write the basis even if it has not converged (the exit code is still 1)"},
-            format_option,
-            zone_option,
-            {"--json", nullptr,
-             "print one JSON object: points, cells, functions, boundary_error, partition_defect, "
-             "min_value,\n"
-             "max_value, residual, iterations, work (in sweeps over the finest level), levels, "
-             "engine "
-             "(with the reason),\n"
-             "setup_seconds, "
-             "factor_seconds (of the agglomeration for engines that iterate), solve_seconds, "
-             "plan_bytes,\n"
-             "basis_bytes, storage"}},
-    "  harmorph solve naca0012.su2 --curve airfoil=airfoil.curve -o airfoil.basis\n"
-    "  harmorph solve wing.su2 --curve upper,lower=wing.curve --curve flap=flap.curve --slip "
-    "symmetry -o wing.basis\n",
-    run_solve};
 
 }  // namespace cli

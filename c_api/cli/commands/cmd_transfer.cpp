@@ -2,13 +2,12 @@
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "basics/stopwatch.hpp"
+#include "basics/progress.hpp"
 #include "commands/commands.hpp"
 #include "files/output_file.hpp"
 #include "files/threads.hpp"
 #include "work/basis_file.hpp"
 #include "work/read_mesh.hpp"
-#include "work/storage.hpp"
 #include "work/task.hpp"
 
 #include <harmorph_bases.h>
@@ -127,6 +126,8 @@ void print_for_people(const Transfer& transfer, const Mesh& fine, const Basis& b
           brief(transfer.analysis_seconds()).c_str(), brief(transfer.transfer_seconds()).c_str());
 }
 
+}  // namespace
+
 void run_transfer(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
     const Mesh mesh = read_mesh(arguments, 0);
@@ -152,30 +153,5 @@ void run_transfer(const Arguments& arguments) {
         print_for_people(transfer, fine, basis);
     }
 }
-
-}  // namespace
-
-const Command transfer_command = {
-    "transfer",
-    {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}, {"FINE_MESH", FileUse::mesh}},
-    "Interpolates solved functions to a finer mesh of the same domain",
-    "Both meshes have the same markers; curves, conditions and operator are those of BASIS. "
-    "Points on curves get the values of\n"
-    "the B-spline basis functions, so the walls of the fine mesh follow the B-spline as exactly as "
-    "those of the coarse mesh;\n"
-    "this correction is carried to the points near them. Points outside of MESH, as near a curved "
-    "boundary, take the\n"
-    "functions of the nearest cell. A point that is farther outside than half a side of that cell "
-    "is refused.\n",
-    {{"-o", "BASIS", "file to write, for FINE_MESH (required)", FileUse::output},
-     storage_option,
-     threads_option,
-     format_option,
-     zone_option,
-     {"--json", nullptr,
-      "print one JSON object: points, cells, functions, interpolated, outside, max_distance,\n"
-      "boundary_error, wall_correction, analysis_seconds, transfer_seconds"}},
-    "  harmorph transfer coarse.su2 coarse.basis fine.su2 -o fine.basis\n",
-    run_transfer};
 
 }  // namespace cli

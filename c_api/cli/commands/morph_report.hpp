@@ -1,7 +1,7 @@
 // The report of `harmorph morph` about a morphed mesh, for people and as JSON.
 #pragma once
 
-#include "commands/asked_moves.hpp"
+#include "work/moves_file.hpp"
 #include "work/morph.hpp"
 #include "work/safe_way.hpp"
 #include "work/to_airfoil.hpp"

@@ -3,7 +3,6 @@
 #include "basics/numbers.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -12,21 +11,15 @@ namespace cli {
 
 namespace {
 
-std::string padded(std::string text, std::size_t width) {
+std::string filled(std::string text, std::size_t width) {
     text.resize(width, ' ');
-    return text;
-}
-
-std::string right(std::int64_t number, int width) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%*lld", width, static_cast<long long>(number));
     return text;
 }
 
 // Writes a line of 80 columns, which ends with the letter of the section and the number of the
 // line.
 void put_line(std::ostream& out, const std::string& text, char section, std::int64_t number) {
-    out << padded(text, 72) << section << right(number, 7) << '\n';
+    out << filled(text, 72) << section << padded(number, 7) << '\n';
 }
 
 // Divides parameters with commas between them into lines of at most `width` columns.
@@ -122,28 +115,29 @@ void write_iges(std::ostream& out, const Curves& curves) {
     for (const Curve& curve : curves.curves) {
         entities.push_back(lines_of(parameters_of(curves, curve), parameter_columns));
         const auto n_lines = static_cast<std::int64_t>(entities.back().size());
-        const std::string zeros = right(0, 8);
-        const std::string type = right(126, 8), four_zeros = zeros + zeros + zeros + zeros;
+        const std::string zeros = padded(0, 8);
+        const std::string type = padded(126, 8), four_zeros = zeros + zeros + zeros + zeros;
         const std::int32_t form = is_straight(curve) ? 1 : 0;  // 1: a line; 0: any form
         put_line(out,
-                 type + right(parameter_line, 8) + zeros + right(1, 8) + four_zeros + "00000000",
+                 type + padded(parameter_line, 8) + zeros + padded(1, 8) + four_zeros + "00000000",
                  'D', directory_line);
-        put_line(out,
-                 type + zeros + zeros + right(n_lines, 8) + right(form, 8) + padded("", 24) + zeros,
-                 'D', directory_line + 1);
+        put_line(
+            out,
+            type + zeros + zeros + padded(n_lines, 8) + padded(form, 8) + filled("", 24) + zeros,
+            'D', directory_line + 1);
         parameter_line += n_lines;
         directory_line += 2;
     }
     std::int64_t number = 1;
     for (std::size_t entity = 0; entity < entities.size(); ++entity) {
         for (const std::string& line : entities[entity]) {
-            const std::string directory = right(static_cast<std::int64_t>(2 * entity + 1), 8);
-            put_line(out, padded(line, parameter_columns) + directory, 'P', number++);
+            const std::string directory = padded(static_cast<std::int64_t>(2 * entity + 1), 8);
+            put_line(out, filled(line, parameter_columns) + directory, 'P', number++);
         }
     }
     put_line(out,
-             "S" + right(1, 7) + "G" + right(static_cast<std::int64_t>(globals.size()), 7) + "D" +
-                 right(directory_line - 1, 7) + "P" + right(number - 1, 7),
+             "S" + padded(1, 7) + "G" + padded(static_cast<std::int64_t>(globals.size()), 7) + "D" +
+                 padded(directory_line - 1, 7) + "P" + padded(number - 1, 7),
              'T', 1);
 }
 

@@ -24,9 +24,11 @@ void take_place(LineReader& lines, std::size_t word, hm_movement& movement) {
 }  // namespace
 
 bool parse_place(std::string_view word, double& x, double& y) {
-    const std::size_t comma = word.find(',');
-    return comma != std::string_view::npos && parse(word.substr(0, comma), x) &&
-           parse(word.substr(comma + 1), y);
+    std::vector<double> place;
+    if (!parse_list(word, place) || place.size() != 2) return false;
+    x = place[0];
+    y = place[1];
+    return true;
 }
 
 bool is_section_movement(std::string_view word) {
@@ -67,24 +69,22 @@ bool move_section(const hm_curves& curves, const hm_section& section,
                   const std::vector<hm_movement>& movements, const std::vector<double>& values,
                   MovedSection& moved, hm_error& error) {
     const auto n_movements = static_cast<std::int32_t>(movements.size());
-    std::int32_t n = 0;
-    hm_memory memory = {};
-    if (hm_move_section(&curves, &section, n_movements, movements.data(), &n, nullptr, nullptr,
-                        nullptr, nullptr, nullptr, &memory, &error) < 0)
-        return false;
     const auto length = 2 * static_cast<std::size_t>(curves.n_control);
     moved.move.resize(length);
     moved.derivatives.resize(values.size() * length);
     moved.start.resize(values.size());
-    double errors[2] = {};
-    Block work(memory.bytes);
-    memory.block = work.data();
-    if (hm_move_section(&curves, &section, n_movements, movements.data(), nullptr, values.data(),
-                        moved.move.data(), moved.derivatives.data(), moved.start.data(), errors,
-                        &memory, &error) < 0)
-        return false;
-    moved.rms_error = errors[0];
-    moved.max_error = errors[1];
+    auto result = sized<hm_section_move>();
+    result.move = moved.move.data();
+    result.derivatives = moved.derivatives.data();
+    result.start = moved.start.data();
+    Block work;
+    const hm_status status = with_memory(work, [&](hm_memory* memory) {
+        return hm_move_section(&curves, &section, n_movements, movements.data(), values.data(),
+                               &result, memory, &error);
+    });
+    if (status < 0) return false;
+    moved.rms_error = result.error[0];
+    moved.max_error = result.error[1];
     return true;
 }
 

@@ -29,7 +29,7 @@ namespace cli {
 
 struct VariableMap {
     std::int32_t points = 0, variables = 0;
-    std::vector<double> matrix;          // [points * variables * 2], as hm_variables_map fills it
+    std::vector<double> matrix;          // [points * variables * 2], as hm_move_section fills it
     std::vector<hm_movement> movements;  // if not empty, used instead of the matrix
     hm_section section;
 

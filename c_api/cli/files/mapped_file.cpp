@@ -1,7 +1,7 @@
 #include "files/mapped_file.hpp"
 
 #include "basics/failure.hpp"
-#include "files/temporary_files.hpp"
+#include "files/output_file.hpp"
 
 #include <algorithm>
 #include <array>

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <map>
 
@@ -106,13 +105,14 @@ std::size_t FluentSections::end_of_binary(std::size_t begin) const {
 // Reads the number of a section. Returns false if the first word is none: the word may also begin
 // with a digit.
 bool FluentSections::read_number() {
-    const char *const from = text_.data() + at_, *const end = text_.data() + text_.size();
-    const auto [after, error] = std::from_chars(from, end, section_.number);
+    std::int64_t number = 0;
+    const std::size_t n = parse_front(text_.substr(at_), number), after = at_ + n;
     const std::string_view breaks = " \t\v\f\r\n()\"";
-    if (error != std::errc() || section_.number < 0 ||
-        (after != end && breaks.find(*after) == breaks.npos))
+    if (n == 0 || number < 0 || number > INT32_MAX ||
+        (after < text_.size() && breaks.find(text_[after]) == breaks.npos))
         return false;
-    at_ += static_cast<std::size_t>(after - from);
+    section_.number = static_cast<std::int32_t>(number);
+    at_ = after;
     return true;
 }
 
@@ -281,10 +281,8 @@ std::int64_t FluentReader::hexadecimal(const char* what) {
     if (numbers_.is_binary) return numbers_.whole(what);
     const std::string_view word = numbers_.word();
     std::int64_t value = 0;
-    const auto [after, error] = std::from_chars(word.data(), word.data() + word.size(), value, 16);
-    if (error != std::errc() || after != word.data() + word.size()) {
-        numbers_.expected(std::string(what) + " (hexadecimal)");
-    }
+    const std::size_t n = parse_front(word, value, 16);
+    if (n == 0 || n < word.size()) numbers_.expected(std::string(what) + " (hexadecimal)");
     return value;
 }
 

@@ -1,5 +1,6 @@
 // The table of formats, and the steps that reading has in common for all formats.
 #include "basics/failure.hpp"
+#include "basics/text.hpp"
 #include "files/output_file.hpp"
 #include "files/paths.hpp"
 #include "formats/deflate.hpp"
@@ -69,9 +70,8 @@ FileCoordinates::Store packed(const TextFile& compressed, const FileCoordinates:
 std::string format_table() {
     std::string table;
     for (const Format* format : formats) {
-        std::string name = "  " + std::string(format->name);
-        name.resize(12, ' ');
-        table += name + format->title + (format->create ? " (also written by convert)" : "") + '\n';
+        const char* const written = format->create ? " (also written by convert)" : "";
+        table += help_line(format->name, format->title + std::string(written), 12);
     }
     return table;
 }

@@ -4,7 +4,7 @@
 // Markers are the physical groups of curves, or of surfaces in meshes one cell thick, by name if
 // there is one; a curve or surface without a group is "curve:TAG" or "surface:TAG".
 #include "basics/text_out.hpp"
-#include "files/ordered_output.hpp"
+#include "files/threads.hpp"
 #include "formats/element_mesh.hpp"
 #include "formats/format.hpp"
 #include "formats/number_reader.hpp"

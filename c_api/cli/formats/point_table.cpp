@@ -2,7 +2,7 @@
 
 #include "basics/failure.hpp"
 #include "basics/numbers.hpp"
-#include "files/csv_cells.hpp"
+#include "files/text_file.hpp"
 #include "formats/bytes.hpp"
 #include "formats/cgns.hpp"
 #include "formats/cgns_fields.hpp"

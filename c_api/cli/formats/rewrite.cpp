@@ -1,6 +1,5 @@
 // Writes the file of a mesh, of any format, with other coordinates.
 #include "basics/numbers.hpp"
-#include "files/ordered_output.hpp"
 #include "files/threads.hpp"
 #include "formats/bytes.hpp"
 #include "formats/format.hpp"
@@ -8,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -55,10 +53,10 @@ std::string with_leading_zero(const std::string& text) {
     std::string digits =
         text.substr(first, 1) + (first + 2 < e ? text.substr(first + 2, e - first - 2) : "");
     const bool zero = digits.find_first_not_of('0') == std::string::npos;
-    char exponent[16];
-    std::snprintf(exponent, sizeof exponent, "e%+03d",
-                  zero ? 0 : std::atoi(text.c_str() + e + 1) + 1);
-    return text.substr(0, first) + "0." + digits + exponent;
+    std::int32_t exponent = 0;
+    if (!zero && parse(text.substr(e + (text[e + 1] == '+' ? 2 : 1)), exponent)) ++exponent;
+    return text.substr(0, first) + "0." + digits + (exponent < 0 ? "e-" : "e+") +
+           padded(std::abs(exponent), 2, '0');
 }
 
 void NumberStyle::see(std::string_view word) {

@@ -6,10 +6,10 @@
 #include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
 #include "basics/text_out.hpp"
-#include "files/large_arrays.hpp"
-#include "files/ordered_output.hpp"
+#include "files/memory.hpp"
+#include "files/threads.hpp"
 #include "files/text_file.hpp"
-#include "formats/plain_rows.hpp"
+#include "formats/number_reader.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -3,7 +3,7 @@
 // one cell thick.
 #include "basics/numbers.hpp"
 #include "basics/text_out.hpp"
-#include "files/ordered_output.hpp"
+#include "files/threads.hpp"
 #include "formats/bytes.hpp"
 #include "formats/format.hpp"
 #include "formats/number_reader.hpp"

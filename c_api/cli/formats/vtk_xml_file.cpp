@@ -1,7 +1,6 @@
 #include "formats/vtk_xml_file.hpp"
 
 #include "basics/numbers.hpp"
-#include "formats/base64.hpp"
 #include "formats/bytes.hpp"
 #include "formats/deflate.hpp"
 

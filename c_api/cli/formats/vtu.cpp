@@ -1,7 +1,7 @@
 #include "formats/vtu.hpp"
 
 #include "basics/text_out.hpp"
-#include "files/ordered_output.hpp"
+#include "files/threads.hpp"
 #include "formats/vtk_cells.hpp"
 #include "formats/xml.hpp"
 

@@ -1,7 +1,8 @@
 #include "formats/xml.hpp"
 
+#include "basics/numbers.hpp"
+
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <iterator>
 
@@ -25,11 +26,11 @@ bool append_entity(std::string_view name, std::string& to) {
     }
     if (name.substr(0, 1) != "#") return false;
     const bool is_hexadecimal = name.size() > 1 && (name[1] == 'x' || name[1] == 'X');
-    const char* const from = name.data() + (is_hexadecimal ? 2 : 1);
-    const char* const end = name.data() + name.size();
-    std::uint32_t code = 0;
-    const auto [after, error] = std::from_chars(from, end, code, is_hexadecimal ? 16 : 10);
-    if (error != std::errc() || after != end || code == 0 || code > 0x10ffff) return false;
+    const std::string_view digits = name.substr(is_hexadecimal ? 2 : 1);
+    std::int64_t number = 0;
+    const std::size_t n = parse_front(digits, number, is_hexadecimal ? 16 : 10);
+    if (n == 0 || n < digits.size() || number <= 0 || number > 0x10ffff) return false;
+    const auto code = static_cast<std::uint32_t>(number);
     if (code >= 0xd800 && code < 0xe000) return false;  // half of a pair of UTF-16
     const auto add = [&to](std::uint32_t byte) { to += static_cast<char>(byte); };
     const auto tail = [&](int shift) { add(0x80 | (code >> shift & 0x3f)); };

@@ -62,15 +62,10 @@ void remove_repeats(std::vector<Edge>& edges) {
 
 std::vector<Edge> mesh_edges(const Mesh& mesh, const std::function<bool(Edge)>& visible) {
     std::vector<Edge> edges;
-    for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
-        const std::int32_t* points = mesh.cell_points.data() + mesh.cell_start[cell];
-        const std::int32_t n = mesh.cell_start[cell + 1] - mesh.cell_start[cell];
-        for (std::int32_t i = 0; i < n; ++i) {
-            const auto ends = std::minmax(points[i], points[(i + 1) % n]);
-            const Edge edge = {ends.first, ends.second};
-            if (visible(edge)) edges.push_back(edge);
-        }
-    }
+    for_each_side(mesh, 0, mesh.cell_start.size() - 1, [&](std::int32_t a, std::int32_t b) {
+        const Edge edge = {std::min(a, b), std::max(a, b)};
+        if (visible(edge)) edges.push_back(edge);
+    });
     remove_repeats(edges);
     return edges;
 }

@@ -21,6 +21,17 @@ inline bool precedes(Edge one, Edge other) {
     return one.a != other.a ? one.a < other.a : one.b < other.b;
 }
 
+// Calls visit(from, to) for each side of the cells from begin on, before end, in the sense in which
+// the cell runs.
+template <class Visit>
+void for_each_side(const Mesh& mesh, std::size_t begin, std::size_t end, const Visit& visit) {
+    for (std::size_t cell = begin; cell < end; ++cell) {
+        const std::int32_t* points = mesh.cell_points.data() + mesh.cell_start[cell];
+        const std::int32_t n = mesh.cell_start[cell + 1] - mesh.cell_start[cell];
+        for (std::int32_t i = 0; i < n; ++i) visit(points[i], points[i + 1 < n ? i + 1 : 0]);
+    }
+}
+
 // Sorts edges and removes repeated ones.
 void remove_repeats(std::vector<Edge>& edges);
 

@@ -2,12 +2,14 @@
 
 #include "basics/failure.hpp"
 #include "basics/geometry.hpp"
+#include "basics/library.hpp"
 #include "basics/numbers.hpp"
-#include "basics/quoted_name.hpp"
+#include "basics/text.hpp"
 #include "mesh/loops.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 namespace cli {
@@ -230,9 +232,9 @@ struct Entry {
 };
 
 bool read_place(std::string_view text, MarkerPiece& piece) {
-    const std::size_t colon = text.find(':');
-    piece.is_piece = colon != text.npos && parse(text.substr(0, colon), piece.x) &&
-                     parse(text.substr(colon + 1), piece.y);
+    std::vector<double> place;
+    piece.is_piece = parse_list(text, place, ':') && place.size() == 2;
+    if (piece.is_piece) piece.x = place[0], piece.y = place[1];
     return piece.is_piece;
 }
 
@@ -325,6 +327,78 @@ std::string Mesh::name_of(const hm_condition& condition) const {
     // Another marker may have the name of this piece.
     const bool is_taken = std::find(markers.begin(), markers.end(), name + near) != markers.end();
     return quoted_name(name, is_taken) + near;
+}
+
+void number_by_name(Mesh& mesh) {
+    std::vector<std::size_t> order(mesh.markers.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return mesh.markers[a] < mesh.markers[b]; });
+    std::vector<std::int32_t> number(order.size());
+    std::vector<std::string> names;
+    for (const std::size_t marker : order) {
+        number[marker] = static_cast<std::int32_t>(names.size());
+        names.push_back(mesh.markers[marker]);
+    }
+    for (std::int32_t& marker : mesh.face_markers)
+        marker = number[static_cast<std::size_t>(marker)];
+    mesh.markers = names;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + in_quotes(name);
+    return text.empty() ? "no markers" : text;
+}
+
+// Errors of the library about a mesh, as sentences with the line of the mesh file.
+
+namespace {
+
+// Returns the offset of an item in the file of the mesh, or nullptr if the item is not in the file.
+const std::size_t* offset_of(std::int32_t kind, std::int32_t item, const Mesh& mesh) {
+    const std::vector<std::size_t>* offsets = nullptr;
+    if (kind == HM_ITEM_CELL) offsets = &mesh.cell_offset;
+    if (kind == HM_ITEM_SIDE) offsets = &mesh.face_offset;
+    if (kind == HM_ITEM_POINT) offsets = &mesh.point_offset;
+    if (offsets == nullptr || item < 0) return nullptr;
+    const auto number = static_cast<std::size_t>(item);
+    return number < offsets->size() ? &(*offsets)[number] : nullptr;
+}
+
+// Returns the line of the first of the error's items that is in the file, or the path alone.
+std::string place_of(const hm_error& error, const Mesh& mesh) {
+    const std::size_t* offset = offset_of(error.item_kind, error.item - error.item_base, mesh);
+    if (offset == nullptr)
+        offset = offset_of(error.other_kind, error.other - error.other_base, mesh);
+    return offset != nullptr ? mesh.file.place(*offset) : mesh.file.path();
+}
+
+// The library knows the numbers of markers only; returns text such as " (marker 4 is 'axis')".
+std::string names_of_markers(const hm_error& error, const Mesh& mesh) {
+    std::string text;
+    const auto add = [&](std::int32_t kind, std::int32_t number) {
+        if (kind != HM_ITEM_MARKER || number < 0) return;
+        const auto marker = static_cast<std::size_t>(number);
+        if (marker >= mesh.markers.size()) return;
+        text += (text.empty() ? " (marker " : ", marker ") + std::to_string(number) + " is " +
+                in_quotes(mesh.markers[marker]);
+    };
+    add(error.item_kind, error.item);
+    add(error.other_kind, error.other);
+    return text.empty() ? text : text + ")";
+}
+
+}  // namespace
+
+void refuse(const hm_error& error, const Mesh& mesh) {
+    const bool of_the_mesh = error.code == HM_BAD_MESH || error.code == HM_NOT_POSITIVE ||
+                             error.code == HM_BAD_CONDITION;
+    const std::string place = of_the_mesh ? place_of(error, mesh) + ": " : std::string();
+    const bool is_likely = error.code == HM_BAD_MESH && !mesh.likely_fault.empty();
+    const std::string fault = is_likely ? "; " + mesh.likely_fault : std::string();
+    throw Failure(exit_code(error.code),
+                  place + error.text + names_of_markers(error, mesh) + fault);
 }
 
 }  // namespace cli

@@ -157,4 +157,12 @@ private:
 // error is about an item that the file has, and with the names of markers.
 [[noreturn]] void refuse(const hm_error& error, const Mesh& mesh);
 
+// Markers have names in files, and numbers in the library.
+
+// Gives markers their numbers in the order of their names, so that the numbers do not depend on
+// the order in the file.
+void number_by_name(Mesh& mesh);
+
+std::string listed(const std::vector<std::string>& names);  // "'a', 'b'", or "no markers"
+
 }  // namespace cli

@@ -166,7 +166,9 @@ void take_flat(Mesh& mesh, const SpacePoints& points, const std::vector<SpaceCop
     }
 }
 
-void take_plane(Mesh& mesh, const SpaceMesh& space) {
+namespace {
+
+hm_space_mesh view_of(const SpaceMesh& space) {
     hm_space_mesh given = {};
     given.struct_size = sizeof given;
     given.n_points = space.points.points();
@@ -179,21 +181,12 @@ void take_plane(Mesh& mesh, const SpaceMesh& space) {
     given.n_sides = static_cast<std::int32_t>(space.side_markers.size());
     given.side_points = space.side_points.data();
     given.side_markers = space.side_markers.data();
-    hm_error error = {};
-    const auto accepted = [&](hm_status status) {
-        if (status < 0) refuse_space(mesh, space, error);
-    };
-    Block block;
-    hm_plane* plane = nullptr;
-    accepted(with_memory(
-        block, [&](hm_memory* memory) { return hm_plane_init(&plane, memory, &given, &error); }));
-    hm_plane_info info = {};
-    info.struct_size = sizeof info;
-    hm_mesh found = {};
-    found.struct_size = sizeof found;
-    accepted(hm_plane_info_get(plane, &info, &error));
-    accepted(hm_plane_mesh(plane, &found, &error));
+    return given;
+}
 
+// Copies points, cells and faces of the plane, with their places in the file.
+void copy_plane(Mesh& mesh, const SpaceMesh& space, const hm_mesh& found,
+                const hm_plane_info& info) {
     mesh.x.assign(found.points.x, found.points.x + found.n_points);
     mesh.y.assign(found.points.y, found.points.y + found.n_points);
     for (std::int32_t p = 0; p < found.n_points; ++p) {
@@ -206,26 +199,14 @@ void take_plane(Mesh& mesh, const SpaceMesh& space) {
     mesh.face_points.assign(found.face_points, found.face_points + 2 * found.n_faces);
     mesh.face_markers.assign(found.face_markers, found.face_markers + found.n_faces);
     mesh.face_offset = space.side_offset;
-
     if (info.kind == HM_WEDGE) add_axis(mesh);
+}
 
-    // The movement of each point of space for unit steps of its point in the plane, along x and
-    // along y.
-    const auto n = static_cast<std::size_t>(info.n_space_points),
-               m = static_cast<std::size_t>(info.n_points);
-    std::vector<double> steps[2], ones(m, 1.0), zeros(m, 0.0);
-    for (const int along : {0, 1}) {
-        std::vector<double>& step = steps[along];
-        step.resize(3 * n);
-        const hm_points unit = {along == 0 ? ones.data() : zeros.data(),
-                                along == 1 ? ones.data() : zeros.data(), 1};
-        const hm_space_points_out to = {step.data(), step.data() + n, step.data() + 2 * n, 1};
-        accepted(hm_plane_spread(plane, &unit, nullptr, &to, nullptr, &error));
-    }
-    for (const double* direction : {info.x_direction, info.y_direction}) {
-        const bool is_axis = direction[0] == 1 || direction[1] == 1 || direction[2] == 1;
-        mesh.in_file.is_computed = mesh.in_file.is_computed || !is_axis;
-    }
+// Adds the coordinates of the file that move with the plane. steps: the movement of each point of
+// space for unit steps of its point in the plane, along x and along y.
+void add_slots(Mesh& mesh, const SpaceMesh& space, const hm_plane_info& info,
+               const std::vector<double> (&steps)[2]) {
+    const auto n = static_cast<std::size_t>(info.n_space_points);
     Slots slots(mesh);
     const auto add = [&](std::size_t k, std::size_t d, std::size_t offset, double value,
                          std::int64_t number) {
@@ -243,6 +224,46 @@ void take_plane(Mesh& mesh, const SpaceMesh& space) {
         for (std::size_t d = 0; d < 3; ++d)
             add(static_cast<std::size_t>(copy.original), d, copy.offset[d], copy.x[d], -1);
     }
+}
+
+}  // namespace
+
+void take_plane(Mesh& mesh, const SpaceMesh& space) {
+    const hm_space_mesh given = view_of(space);
+    hm_error error = {};
+    const auto accepted = [&](hm_status status) {
+        if (status < 0) refuse_space(mesh, space, error);
+    };
+    hm_memory memory = {};
+    hm_plane* plane = nullptr;
+    accepted(hm_plane_init(&plane, &memory, &given, &error));
+    const std::unique_ptr<unsigned char[]> block(new unsigned char[memory.bytes]);
+    memory.block = block.get();
+    accepted(hm_plane_init(&plane, &memory, &given, &error));
+    hm_plane_info info = {};
+    info.struct_size = sizeof info;
+    hm_mesh found = {};
+    found.struct_size = sizeof found;
+    accepted(hm_plane_info_get(plane, &info, &error));
+    accepted(hm_plane_mesh(plane, &found, &error));
+    copy_plane(mesh, space, found, info);
+
+    const auto n = static_cast<std::size_t>(info.n_space_points),
+               m = static_cast<std::size_t>(info.n_points);
+    std::vector<double> steps[2], ones(m, 1.0), zeros(m, 0.0);
+    for (const int along : {0, 1}) {
+        std::vector<double>& step = steps[along];
+        step.resize(3 * n);
+        const hm_points unit = {along == 0 ? ones.data() : zeros.data(),
+                                along == 1 ? ones.data() : zeros.data(), 1};
+        const hm_space_points_out to = {step.data(), step.data() + n, step.data() + 2 * n, 1};
+        accepted(hm_plane_spread(plane, &unit, nullptr, &to, nullptr, &error));
+    }
+    for (const double* direction : {info.x_direction, info.y_direction}) {
+        const bool is_axis = direction[0] == 1 || direction[1] == 1 || direction[2] == 1;
+        mesh.in_file.is_computed = mesh.in_file.is_computed || !is_axis;
+    }
+    add_slots(mesh, space, info, steps);
 }
 
 }  // namespace cli

@@ -23,16 +23,6 @@ EdgeKey edge_of(std::int32_t a, std::int32_t b) {
     return std::uint64_t{high} << 32 | low;
 }
 
-// Calls visit(from, to) for each edge of the cells from begin on, before end.
-template <class Visit>
-void for_each_edge(const Mesh& mesh, std::size_t begin, std::size_t end, Visit visit) {
-    for (std::size_t cell = begin; cell < end; ++cell) {
-        const std::int32_t* points = mesh.cell_points.data() + mesh.cell_start[cell];
-        const std::int32_t n = mesh.cell_start[cell + 1] - mesh.cell_start[cell];
-        for (std::int32_t i = 0; i < n; ++i) visit(points[i], points[i + 1 < n ? i + 1 : 0]);
-    }
-}
-
 // Returns for each point of the edges one point at its place: the first one in an order along a
 // direction to which hardly any cut is normal. Places may differ by the rounding that the library
 // accepts in cuts (hm_mesh).
@@ -162,7 +152,7 @@ void drop_interior_faces(Mesh& mesh, bool remark) {
     run_ranges(
         mesh.cell_start.size() - 1, mesh.threads,
         [&](std::size_t begin, std::size_t end, std::size_t range) {
-            for_each_edge(mesh, begin, end, [&](std::int32_t a, std::int32_t b) {
+            for_each_side(mesh, begin, end, [&](std::int32_t a, std::int32_t b) {
                 if (on_face[static_cast<std::size_t>(a)] && on_face[static_cast<std::size_t>(b)])
                     near[range].push_back(edge_of(a, b));
             });
@@ -280,8 +270,8 @@ void name_open_boundary(Mesh& mesh, const std::string& name) {
         return a >= 0 && b >= 0 && a < n && b < n;
     };
     // Also visits faces, which count as a second cell beside an edge.
-    const auto for_each_side = [&](auto visit) {
-        for_each_edge(mesh, 0, mesh.cell_start.size() - 1, [&](std::int32_t a, std::int32_t b) {
+    const auto for_each_end = [&](auto visit) {
+        for_each_side(mesh, 0, mesh.cell_start.size() - 1, [&](std::int32_t a, std::int32_t b) {
             if (exists(a, b)) visit(a, b);
         });
         for (std::size_t i = 0; i < mesh.face_points.size(); i += 2) {
@@ -289,11 +279,11 @@ void name_open_boundary(Mesh& mesh, const std::string& name) {
                 visit(mesh.face_points[i], mesh.face_points[i + 1]);
         }
     };
-    for_each_side([&](std::int32_t a, std::int32_t b) { ++start[low(a, b) + 1]; });
+    for_each_end([&](std::int32_t a, std::int32_t b) { ++start[low(a, b) + 1]; });
     std::partial_sum(start.begin(), start.end(), start.begin());
     std::vector<std::pair<std::int32_t, std::int32_t>> sides(start.back());
     std::vector<std::size_t> next(start.begin(), start.end() - 1);
-    for_each_side([&](std::int32_t a, std::int32_t b) { sides[next[low(a, b)]++] = {a, b}; });
+    for_each_end([&](std::int32_t a, std::int32_t b) { sides[next[low(a, b)]++] = {a, b}; });
 
     std::vector<std::int32_t> open;  // two points of each edge
     for (std::size_t point = 0; point < mesh.x.size(); ++point) {

@@ -1,35 +1,16 @@
 #include "options/arguments.hpp"
 
 #include "basics/numbers.hpp"
-#include "basics/quoted_name.hpp"
 #include "basics/text.hpp"
 #include "files/output_file.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 
 namespace cli {
 
-namespace {
-
-// The help has two columns; further lines begin in the second column.
-std::string help_line(const Option& option) {
-    constexpr std::size_t column = 26;
-    std::string text =
-        std::string("  ") + option.name + (option.value ? std::string(" ") + option.value : "");
-    text.resize(std::max(column, text.size() + 2), ' ');
-    for (const char* c = option.help; *c; ++c)
-        text += *c == '\n' ? "\n" + std::string(column, ' ') : std::string(1, *c);
-    return text + '\n';
-}
-
-}  // namespace
-
-std::vector<Option> operator+(std::vector<Option> some, const std::vector<Option>& others) {
-    some.insert(some.end(), others.begin(), others.end());
-    return some;
-}
-
-Arguments::Arguments(const Command& command, const std::vector<std::string>& words)
+Arguments::Arguments(const CommandText& command, const std::vector<std::string>& words)
     : command_(command) {
     bool options_ended = false;
     for (std::size_t at = 0; at < words.size(); ++at) {
@@ -43,10 +24,49 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
         }
     }
     const std::size_t wanted = command_.operands.size();
-    if (operands_.size() < wanted)
-        refuse(std::string(command_.operands[operands_.size()].name) + " is missing");
+    if (operands_.size() < wanted) refuse(command_.operands[operands_.size()].name + " is missing");
     if (operands_.size() > wanted)
         refuse(in_quotes(operands_[wanted]) + " is one argument too many");
+    apply_settings();
+}
+
+void Arguments::apply_settings() {
+    for (const Option& option : command_.options) {
+        if (option.sets.empty() || !has(option.name)) continue;
+        for (const Setting& setting : option.sets) {
+            if (!has(setting.option)) given_.push_back({setting.option, setting.value});
+        }
+    }
+}
+
+namespace {
+
+// Returns the word as a shell takes it.
+std::string word_of_shell(const std::string& word) {
+    const auto is_plain = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) ||
+               std::strchr("-_./,:=+@%", c) != nullptr;
+    };
+    if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    return quoted + "'";
+}
+
+}  // namespace
+
+std::string Arguments::written_out() const {
+    std::string line = "harmorph " + command_.name;
+    for (const std::string& operand : operands_) line += ' ' + word_of_shell(operand);
+    bool is_set = false;
+    for (const Given& given : given_) {
+        const Option& option = *command_.find(given.option);
+        is_set = is_set || !option.sets.empty();
+        if (!option.sets.empty()) continue;
+        line += ' ' + given.option;
+        if (!option.value.empty()) line += ' ' + word_of_shell(given.value);
+    }
+    return is_set ? line : "";
 }
 
 // Returns the index of the last word of the option: its value, if the value is a word of its own.
@@ -54,17 +74,17 @@ std::size_t Arguments::take_option(const std::vector<std::string>& words, std::s
     const std::string& word = words[at];
     const std::size_t equals = word.compare(0, 2, "--") == 0 ? word.find('=') : std::string::npos;
     const std::string name = word.substr(0, equals);
-    const Option* const known = find(name);
+    const Option* const known = command_.find(name);
     if (known == nullptr) {
         std::vector<std::string> names;
-        for (const Option& option : command_.options) names.emplace_back(option.name);
+        for (const Option& option : command_.options) names.push_back(option.name);
         refuse("the option " + in_quotes(name) + " is unknown" + did_you_mean(name, names));
     }
     std::string value;
     if (equals != std::string::npos) {
-        if (!known->value) refuse(name + " takes no value");
+        if (known->value.empty()) refuse(name + " takes no value");
         value = word.substr(equals + 1);
-    } else if (known->value) {
+    } else if (!known->value.empty()) {
         if (++at == words.size()) refuse(name + " needs a value: " + known->value);
         value = words[at];
     }
@@ -72,24 +92,20 @@ std::size_t Arguments::take_option(const std::vector<std::string>& words, std::s
     return at;
 }
 
-const Option* Arguments::find(std::string_view option) const {
-    const auto known = std::find_if(command_.options.begin(), command_.options.end(),
-                                    [option](const Option& one) { return option == one.name; });
-    return known == command_.options.end() ? nullptr : &*known;
-}
-
 std::string Arguments::output(const Option& option) const {
     if (has(option.name)) return text(option.name);
-    const bool is_implied = option.ending != nullptr && has("-o") &&
-                            (option.with == nullptr || has(option.with)) && !is_device(text("-o"));
+    const bool is_implied = !option.ending.empty() && has("-o") &&
+                            (option.with.empty() || has(option.with)) && !is_device(text("-o"));
     return is_implied ? text("-o") + option.ending : "";
 }
 
-std::string Arguments::output(std::string_view option) const { return output(*find(option)); }
+std::string Arguments::output(std::string_view option) const {
+    return output(*command_.find(option));
+}
 
 std::vector<NamedFile> Arguments::files() const {
     std::vector<NamedFile> files;
-    const auto add = [&files](FileUse use, const char* name, const std::string& path) {
+    const auto add = [&files](FileUse use, const std::string& name, const std::string& path) {
         if (use != FileUse::none && !path.empty()) files.push_back({use, name, path});
     };
     for (std::size_t k = 0; k < operands_.size(); ++k)
@@ -142,19 +158,34 @@ std::vector<std::int32_t> Arguments::whole_list(std::string_view option, std::in
                                                 std::int32_t high) const {
     const std::string list = text(option);
     std::vector<std::int32_t> values;
-    for (std::size_t begin = 0; begin <= list.size();) {
-        const std::size_t end = std::min(list.find(',', begin), list.size());
-        std::int32_t value = 0;
-        if (!parse(std::string_view(list).substr(begin, end - begin), value) || value < low ||
-            value > high) {
-            refuse(std::string(option) + " expects whole numbers between " + std::to_string(low) +
-                   " and " + std::to_string(high) + " with commas between them, not " +
-                   in_quotes(list));
-        }
-        values.push_back(value);
-        begin = end + 1;
+    const bool is_list = parse_list(list, values);
+    const auto is_outside = [=](std::int32_t value) { return value < low || value > high; };
+    if (!is_list || std::any_of(values.begin(), values.end(), is_outside)) {
+        refuse(std::string(option) + " expects whole numbers between " + std::to_string(low) +
+               " and " + std::to_string(high) + " with commas between them, not " +
+               in_quotes(list));
     }
     return values;
+}
+
+std::vector<double> Arguments::number_list(std::string_view option) const {
+    const std::string list = text(option);
+    std::vector<double> values;
+    if (!parse_list(list, values))
+        refuse(std::string(option) + " expects numbers with commas between them, not '" + list +
+               "'");
+    return values;
+}
+
+NamedNumbers Arguments::named_numbers(std::string_view option, const std::string& value,
+                                      std::size_t count, const char* form) const {
+    const std::size_t equals = value.find('=');
+    NamedNumbers found = {value.substr(0, equals), {}};
+    if (equals == std::string::npos ||
+        !parse_list(std::string_view(value).substr(equals + 1), found.numbers) ||
+        found.numbers.size() != count)
+        refuse(std::string(option) + " expects " + form + ", found " + in_quotes(value));
+    return found;
 }
 
 double Arguments::positive(std::string_view option, double fallback) const {
@@ -192,26 +223,12 @@ std::int32_t Arguments::choice(std::string_view option, const std::string& given
 }
 
 void Arguments::refuse(std::string_view message) const {
-    const std::string name = command_.name;
-    throw Failure(exit_usage,
-                  (name + ": ").append(message) + "\nTry: harmorph " + name + " --help");
+    throw Failure(exit_usage, (command_.name + ": ").append(message) + "\nTry: harmorph " +
+                                  command_.name + " --help");
 }
-
-const Option threads_option = {
-    "--threads", "N",
-    "threads to compute, read and write with (default 1); no bit of the results depends on it"};
 
 std::int32_t threads_of(const Arguments& arguments) {
     return arguments.whole("--threads", 1, 1, 256);
-}
-
-std::string help_text(const Command& command) {
-    std::string text = "Usage: harmorph " + std::string(command.name);
-    for (const Operand& operand : command.operands) text += std::string(" ") + operand.name;
-    text += std::string(" [options]\n\n") + command.summary + ".\n\n" + command.details +
-            "\nOptions:\n";
-    for (const Option& option : command.options) text += help_line(option);
-    return text + help_line({"--help", nullptr, "this text"}) + "\nExamples:\n" + command.examples;
 }
 
 }  // namespace cli

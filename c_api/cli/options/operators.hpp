@@ -1,5 +1,5 @@
-// Names of the operators of the library. Each operator has a row, from which options, help,
-// pictures and pages take their words.
+// Names of the operators of the library. Each operator has a row, from which options, pictures and
+// pages take their words.
 #pragma once
 
 #include "options/arguments.hpp"
@@ -7,14 +7,12 @@
 namespace cli {
 
 struct OperatorName {
-    Choice choice;             // value of --operator; the first row is the default
-    const char* functions;     // adjective of the functions, in pictures and pages
-    const char* help;          // ends without a full stop
-    const char* usual_weight;  // default of --exponent, or NULL: the operator has no exponent
+    Choice choice;          // value of --operator; the first row is the default
+    const char* functions;  // adjective of the functions, in pictures and pages
+    bool has_exponent;
 };
 
 std::int32_t operator_of(const Arguments& arguments);
 const OperatorName& operator_named(std::int32_t kind);
-std::vector<Option> operator_options();  // --operator and --exponent
 
 }  // namespace cli

@@ -33,10 +33,10 @@ class Farther {
     safe() {
         const { app } = this,
             { points, report } = app.model.morph.safe(app.moves),
-            ways = ["one step", "another basis", "several steps", "steps and untangling", "steps and better cells"];
+            ways = ["one step", "another basis", ...["", " and untangling", " and better cells"].map((more) => `several steps${more}`)];
         app.model.move_to(points);
         app.show_reached(
-            `${ways[report.strategy]}, ${plural(report.solutions, "solution")}` +
+            `Reached by ${ways[report.strategy]}, ${plural(report.solutions, "solution")}` +
                 (report.stepFraction < 1 ? `; ${brief(100 * report.stepFraction)} % of this movement was reached` : ""),
         );
     }
@@ -89,6 +89,6 @@ class Farther {
         } finally {
             given.free();
         }
-        app.show_reached(`the wall points of ${name} are displaced`);
+        app.show_reached(`The wall points of ${name} are displaced`);
     }
 }

@@ -1,7 +1,7 @@
 // The bytes of numbers as text, the lowest byte first on any processor, for the scripts of pages.
 #pragma once
 
-#include "formats/base64.hpp"
+#include "formats/bytes.hpp"
 
 #include <cstdint>
 #include <cstring>

@@ -239,7 +239,7 @@ class Overlay {
         const { cells, model } = this.app,
             { touch } = this.app.wall,
             step = this.app.admissible_step();
-        if (!(step < 2) || (cells.limiting < 0 && touch.point < 0)) return;
+        if (this.app.reached !== "" || !(step < 2) || (cells.limiting < 0 && touch.point < 0)) return;
         const [x, y] = touch.point >= 0
                 ? [model.x[touch.point], model.y[touch.point]]
                 : cells.centre(cells.limiting, model.x, model.y),

@@ -16,9 +16,9 @@ class Section {
         }, { place: 0 }).place;
         this.frame = this.find_frame();
         this.start = this.now = this.measure(model.curves);
-        this.map = this.find_map();
-        const has = { thickness: this.map, camber: this.map, twist: this.frame, flap: this.frame };
-        this.variables = Section.variables.filter(({ name: variable }) => has[variable] !== null);
+        this.thickening = this.find_thickening();
+        const has = { thickness: this.thickening !== null, camber: this.can_be_cambered(), twist: true, flap: true };
+        this.variables = Section.variables.filter(({ name: variable }) => has[variable]);
         this.moved_by = { values: "", moves: null };
     }
 
@@ -26,14 +26,9 @@ class Section {
     // the line between the control points that are farthest apart.
     find_frame() {
         const { curves } = this.model,
-            line = (a, b) => {
-                const chord = Math.hypot(b[0] - a[0], b[1] - a[1]);
-                return { x: a[0], y: a[1], tx: (b[0] - a[0]) / chord, ty: (b[1] - a[1]) / chord, chord };
-            };
+            { line } = Section;
         try {
-            const stations = [0.25, 0.75].map((station) => ({ kind: "thickness", station })),
-                [ax, ay, bx, by] = curves.measure(stations, this.curves).places;
-            return line([1.5 * ax - 0.5 * bx, 1.5 * ay - 0.5 * by], [1.5 * bx - 0.5 * ax, 1.5 * by - 0.5 * ay]);
+            return Section.frame_of(curves.measure(Section.stations, this.curves).places);
         } catch (error) {
             const places = this.control.map((i) => [curves.control[2 * i], curves.control[2 * i + 1]]),
                 pairs = places.flatMap((a) => places.map((b) => line(a, b))),
@@ -42,6 +37,14 @@ class Section {
             this.curves.chord = [[x, y], [x + chord * tx, y + chord * ty]].sort((a, b) => a[0] - b[0]);
             return line(...this.curves.chord);
         }
+    }
+    static line(a, b) {
+        const chord = Math.hypot(b[0] - a[0], b[1] - a[1]);
+        return { x: a[0], y: a[1], tx: (b[0] - a[0]) / chord, ty: (b[1] - a[1]) / chord, chord };
+    }
+    // Returns the chord line through the places of its two stations.
+    static frame_of([ax, ay, bx, by]) {
+        return Section.line([1.5 * ax - 0.5 * bx, 1.5 * ay - 0.5 * by], [1.5 * bx - 0.5 * ax, 1.5 * by - 0.5 * ay]);
     }
     // Returns the place of a point along the chord and across it, in chords.
     in_chords({ x: x0, y: y0, tx, ty, chord }, x, y) {
@@ -59,13 +62,14 @@ class Section {
                 return { values: kinds.map(() => NaN), places: kinds.flatMap(() => [NaN, NaN]) };
             }
         };
-        const { values, places } = of("chord", "maxThickness", "maxCamber", "area", "twist"),
+        const { values, places } = of("chord", "maxThickness", "maxCamber", "area", "twist", ...Section.stations),
             [chord, thickness, camber, area, angle] = values,
+            frame = Section.frame_of(places.slice(-4)),
             turn = this.start ? angle - this.start.angle : 0;
         return {
             chord,
             thickness: thickness / chord,
-            thickest: Math.abs(this.in_chords({ ...this.frame, chord }, places[2], places[3])[0]),
+            thickest: this.in_chords(frame, places[2], places[3])[0],
             camber: camber / chord,
             area,
             angle,
@@ -90,30 +94,33 @@ class Section {
         return lines.join("\n") + "\n";
     }
 
-    // Returns the movements of all control points by one unit of camber and of thickness, in chords: complex numbers,
-    // two for each control point. null: this outline has none.
-    find_map() {
+    // Returns the distances of the control points of this section from its camber line, normal to the chord: pairs x, y
+    // for all control points. null: this outline has no camber line.
+    find_thickening() {
         const { curves } = this.model,
-            { library } = curves;
+            { tx, ty, chord } = this.frame,
+            places = this.control.map((i) =>
+                this.in_chords(this.frame, curves.control[2 * i], curves.control[2 * i + 1])),
+            stations = places.map(([along]) => ({ kind: "camber", station: Math.min(Math.max(along, 1e-3), 0.999) }));
         try {
-            return library.with((scope) => {
-                const view = curves.describe(scope),
-                    section = this.described(scope),
-                    variables = scope.struct("hm_variables", {
-                        kind: library.constants.HM_NACA4,
-                        n_upper: 1,
-                        peaks: scope.copied(Float64Array.of(0.5)),
-                    }),
-                    n = scope.take(8),
-                    matrix = scope.take(32 * curves.nControl);
-                library.call("hm_variables_size", view, section, variables, n, n + 4);
-                const bytes = library.memory.integers(n, 2)[1],
-                    work = scope.take(bytes);
-                library.call("hm_variables_map", view, section, variables, work, bytes, matrix, 0);
-                return library.memory.numbers(matrix, 4 * curves.nControl).slice();
+            const camber = curves.measure(stations, this.curves).values,
+                by = new Float64Array(2 * curves.nControl);
+            this.control.forEach((i, k) => {
+                const distance = chord * places[k][1] - camber[k];
+                by.set([-distance * ty, distance * tx], 2 * i);
             });
+            return by;
         } catch (error) {
             return null;
+        }
+    }
+
+    // Returns whether the library can add camber to this outline.
+    can_be_cambered() {
+        try {
+            return this.moved(this.model.curves, { camber: 1, twist: 0, flap: 0 }) !== null;
+        } catch (error) {
+            return false;
         }
     }
     described(scope) {
@@ -122,48 +129,46 @@ class Section {
         return scope.struct("hm_section", { first_curve, n_curves, leading_x, leading_y, trailing_x, trailing_y });
     }
 
-    // Returns the movement of all control points, [2*n_control], by values of the design variables: first camber and
-    // thickness, then the section with these turns, and its flap.
+    // Returns the movement of all control points, [2*n_control], by values of the design variables: thickness, then
+    // camber, flap and twist.
     moves(values) {
         const key = JSON.stringify(values);
         if (key === this.moved_by.values) return this.moved_by.moves;
         const { curves } = this.model,
-            by = new Float64Array(2 * curves.nControl),
-            factors = [values.camber / 100, (values.thickness / 100) * this.start.thickness];
-        for (let i = 0; i < curves.nControl && this.map !== null; ++i) {
-            for (let axis = 0; axis < 2; ++axis)
-                by[2 * i + axis] = this.map[4 * i + axis] * factors[0] + this.map[4 * i + 2 + axis] * factors[1];
-        }
-        if (values.twist !== 0 || values.flap !== 0) {
-            const turned = this.turned(curves.moved(by), values);
-            for (let k = 0; k < by.length; ++k) by[k] += turned[k];
-        }
+            { thickness, ...others } = values,
+            by = new Float64Array(2 * curves.nControl);
+        if (thickness !== 0) this.thickening.forEach((unit, k) => (by[k] = (thickness / 100) * unit));
+        if (Object.values(others).some((value) => value !== 0))
+            this.moved(curves.moved(by), others).forEach((move, k) => (by[k] += move));
         this.moved_by = { values: key, moves: by };
         return by;
     }
-    turned(curves, { twist, flap }) {
+    // The camber line is a parabola, [% of the chord]; the leading edge turns up, the flap down [degrees].
+    moved(curves, { camber, twist, flap }) {
         const { library } = curves,
-            { HM_ROTATE, HM_FLAP } = library.constants,
+            { HM_LINEAR, HM_FLAP, HM_ROTATE, HM_NACA4 } = library.constants,
             { x, y, tx, ty, chord } = this.frame,
             at = (station) => ({ x: x + station * chord * tx, y: y + station * chord * ty });
         return library.with((scope) => {
-            const view = curves.describe(scope),
-                section = this.described(scope),
-                movements = scope.structs("hm_movement", [
-                    { kind: HM_FLAP, ...at(Section.hinge) },
-                    { kind: HM_ROTATE, ...at(0.25) },
-                ]),
-                n = scope.take(8),
-                move = scope.take(16 * curves.nControl);
-            library.call("hm_move_section_size", view, section, 2, movements, n, n + 4);
-            const bytes = library.memory.integers(n, 2)[1],
-                work = scope.take(bytes),
-                angles = scope.copied(Float64Array.of(-flap, -twist)); // up, and down for a flap, at the right end
-            library.call("hm_move_section", view, section, 2, movements, angles, move, 0, 0, 0, work, bytes);
+            const peaks = scope.copied(Float64Array.of(0.5)),
+                variables = scope.struct("hm_variables", { kind: HM_NACA4, n_upper: 1, peaks }),
+                all = [
+                    { movement: { kind: HM_LINEAR, variables }, values: [camber / 100, 0] },
+                    { movement: { kind: HM_FLAP, ...at(Section.hinge) }, values: [-flap] },
+                    { movement: { kind: HM_ROTATE, ...at(0.25) }, values: [-twist] },
+                ].filter(({ values }) => values[0] !== 0),
+                movements = scope.structs("hm_movement", all.map(({ movement }) => movement)),
+                values = scope.copied(Float64Array.from(all.flatMap((one) => one.values))),
+                move = scope.take(16 * curves.nControl),
+                result = scope.struct("hm_section_move", { move }),
+                [view, section] = [curves.describe(scope), this.described(scope)];
+            scope.with_memory((memory) =>
+                library.call("hm_move_section", view, section, all.length, movements, values, result, memory));
             return library.memory.numbers(move, 2 * curves.nControl).slice();
         });
     }
 }
+Section.stations = [0.25, 0.75].map((station) => ({ kind: "thickness", station })); // which tell where the chord is
 Section.hinge = 0.7; // of the flap, in chords from the leading edge
 Section.variables = [
     { name: "thickness", label: "Thickness", unit: "%", most: 60, step: 0.5 },

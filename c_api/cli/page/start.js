@@ -20,6 +20,7 @@ const page_started = (async () => {
     app = new App(page_data, library);
     say_at_start("");
 })().catch((error) => {
-    say_at_start(`This page cannot compute: ${error.message} A browser of 2023 or newer is needed.`);
+    const is_old = typeof DecompressionStream === "undefined" || error instanceof WebAssembly.CompileError;
+    say_at_start(is_old ? "This page needs a browser of 2023 or newer." : `This page cannot compute: ${error.message}`);
     throw error;
 });

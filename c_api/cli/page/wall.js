@@ -27,9 +27,8 @@ class Wall {
             { layout, memory } = library;
         this.scope = mesh.own();
         this.address = mesh.analysed((analysis, scope) => {
-            const list = scope.integers(Int32Array.from(markers), undefined, "markers"),
-                bytes = scope.size("hm_walls_size", analysis, markers.length, list);
-            return this.scope.object("hm_walls_init", bytes, analysis, markers.length, list, 0);
+            const list = scope.integers(Int32Array.from(markers), undefined, "markers");
+            return this.scope.object("hm_walls_init", analysis, markers.length, list, 0);
         });
         library.with((scope) => {
             const info = scope.struct("hm_walls_info");

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 namespace cli {
@@ -29,12 +28,10 @@ constexpr Colour downwards[] = {{250, 252, 247}, {254, 226, 190}, {252, 187, 120
                                 {204, 90, 20},   {150, 56, 8},    {92, 30, 4}};
 constexpr int n_intervals = sizeof upwards / sizeof upwards[0] - 1;
 
-std::string hexadecimal(const Colour& colour) {
-    char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x",
-                  static_cast<unsigned>(std::lround(colour.red)) & 255u,
-                  static_cast<unsigned>(std::lround(colour.green)) & 255u,
-                  static_cast<unsigned>(std::lround(colour.blue)) & 255u);
+std::string colour_text(const Colour& colour) {
+    std::string text = "#";
+    for (const double part : {colour.red, colour.green, colour.blue})
+        text += hexadecimal(static_cast<std::uint32_t>(std::lround(part)), 2);
     return text;
 }
 
@@ -46,7 +43,7 @@ std::string colour(double value) {
     const Colour& a = anchors[interval];
     const Colour& b = anchors[interval + 1];
     const double t = position - interval;
-    return hexadecimal({a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
+    return colour_text({a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
                         a.blue + t * (b.blue - a.blue)});
 }
 

@@ -152,7 +152,7 @@ const OperatorName& operator_of(const FunctionPanel& panel) {
 std::string functions_of(const FunctionPanel& panel) { return operator_of(panel).functions; }
 
 std::string exponent(const FunctionPanel& panel) {
-    if (operator_of(panel).usual_weight == nullptr) return "";
+    if (!operator_of(panel).has_exponent) return "";
     return "exponent " + brief(panel.basis->info().exponent);
 }
 

@@ -1,6 +1,6 @@
 #include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
-#include "pictures/cell_parts.hpp"
+#include "pictures/triangles.hpp"
 #include "pictures/draw_curves.hpp"
 #include "pictures/pictures.hpp"
 #include "pictures/raster.hpp"

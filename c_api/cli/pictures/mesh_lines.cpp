@@ -5,6 +5,7 @@
 #include "mesh/loops.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_map>
 
@@ -13,6 +14,47 @@ namespace cli {
 namespace {
 
 constexpr std::size_t max_edges = 80000;
+
+// Edges that are nearer to the next ones than this are faint [pixels].
+constexpr double clear_distance = 4;
+constexpr std::array<double, 5> line_shades = {1, .6, .36, .22, .13};
+
+// Returns about how far each edge is from the next one beside it: the area of the cells at the
+// edge, by its length. `edges` are in order.
+std::vector<double> distances_of(const std::vector<Edge>& edges, const Mesh& mesh,
+                                 const std::vector<Point>& pixels) {
+    std::vector<double> area(edges.size()), cells(edges.size());
+    for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
+        const std::int32_t* const points = mesh.cell_points.data() + mesh.cell_start[cell];
+        const std::int32_t n = mesh.cell_start[cell + 1] - mesh.cell_start[cell];
+        double twice = 0;
+        for (std::int32_t i = 0; i < n; ++i) {
+            const Point a = pixels[place(points[i])], b = pixels[place(points[(i + 1) % n])];
+            twice += a.x * b.y - b.x * a.y;
+        }
+        for (std::int32_t i = 0; i < n; ++i) {
+            const auto ends = std::minmax(points[i], points[(i + 1) % n]);
+            const Edge edge = {ends.first, ends.second};
+            const auto found = std::lower_bound(edges.begin(), edges.end(), edge, precedes);
+            if (found == edges.end() || precedes(edge, *found)) continue;
+            area[static_cast<std::size_t>(found - edges.begin())] += std::abs(twice) / 2;
+            cells[static_cast<std::size_t>(found - edges.begin())] += 1;
+        }
+    }
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+        const double length = distance(pixels[place(edges[k].a)], pixels[place(edges[k].b)]);
+        area[k] /= std::max(1e-300, length * std::max(1.0, cells[k]));
+    }
+    return area;
+}
+
+std::size_t shade_of(double distance) {
+    std::size_t shade = 0;
+    while (shade + 1 < line_shades.size() &&
+           distance < clear_distance * std::sqrt(line_shades[shade] * line_shades[shade + 1]))
+        ++shade;
+    return shade;
+}
 
 // Replaces each point by the first point in the same square of `side` pixels. Returns the edges
 // between different squares.
@@ -53,16 +95,96 @@ std::string draw_mesh(Plot& plot, const Mesh& mesh, const std::vector<double>& x
     std::vector<Edge> edges = all;
     double side = 1;
     while (edges.size() > max_edges) edges = thinned(all, pixels, side *= 1.5);
-    SvgPath path;
-    for (const std::vector<std::int32_t>& chain : edge_chains(edges, mesh.points())) {
-        path.move_to(pixels[place(chain[0])]);
-        for (std::size_t i = 1; i < chain.size(); ++i) path.line_to(pixels[place(chain[i])]);
+    const bool is_thinned = edges.size() < all.size();
+    const std::vector<double> apart =
+        is_thinned ? std::vector<double>(edges.size(), side) : distances_of(edges, mesh, pixels);
+    for (std::size_t shade = line_shades.size(); shade-- > 0;) {
+        std::vector<Edge> alike;
+        for (std::size_t k = 0; k < edges.size(); ++k) {
+            if (shade_of(apart[k]) == shade) alike.push_back(edges[k]);
+        }
+        SvgPath path;
+        for (const std::vector<std::int32_t>& chain : edge_chains(alike, mesh.points())) {
+            path.move_to(pixels[place(chain[0])]);
+            for (std::size_t i = 1; i < chain.size(); ++i) path.line_to(pixels[place(chain[i])]);
+        }
+        const std::string opacity =
+            shade == 0 ? "" : " opacity=\"" + brief(line_shades[shade]) + "\"";
+        if (!alike.empty()) plot.svg().path(path, "fill=\"none\" " + attributes + opacity);
     }
-    plot.svg().path(path, "fill=\"none\" " + attributes);
     if (edges.size() == all.size()) return "";
     return "Thinned: " + std::to_string(edges.size()) + " of " +
            plural(static_cast<std::int64_t>(all.size()), "visible edge") +
            " are drawn, with points in one square of " + brief(side) + " pixels as one.";
+}
+
+namespace {
+
+constexpr double margin_of_bodies = .6;  // in parts of their extent
+constexpr double small_share = .6;       // of the bodies and their margin, in parts of the mesh
+constexpr double inset_share = .24;      // of the frame's shorter side
+
+double extent_of(const Box& box) { return std::max(box.width(), box.height()); }
+
+Box box_of_faces(const Mesh& mesh) {
+    Box box;
+    for (const std::int32_t point : mesh.face_points)
+        box.include(Point{mesh.x[place(point)], mesh.y[place(point)]});
+    return box;
+}
+
+}  // namespace
+
+std::optional<Box> window_of_bodies(const Mesh& mesh) {
+    const BoundaryLoops loops(mesh.face_points, mesh.points());
+    if (loops.count < 2) return {};
+    std::vector<Box> boxes(place(loops.count));
+    for (std::size_t end = 0; end < mesh.face_points.size(); ++end) {
+        const std::int32_t point = mesh.face_points[end];
+        boxes[place(loops.of_edge[end / 2])].include(
+            Point{mesh.x[place(point)], mesh.y[place(point)]});
+    }
+    const auto outer = std::max_element(
+        boxes.begin(), boxes.end(),
+        [](const Box& one, const Box& other) { return extent_of(one) < extent_of(other); });
+    Box bodies;
+    for (auto box = boxes.begin(); box != boxes.end(); ++box) {
+        if (box != outer) bodies.include(*box);
+    }
+    const Box window = bodies.widened(margin_of_bodies * extent_of(bodies));
+    if (extent_of(window) > small_share * extent_of(*outer)) return {};
+    return window;
+}
+
+void draw_inset(Plot& plot, const Mesh& mesh) {
+    const Box whole = box_of_faces(mesh), frame = plot.frame();
+    const double scale = inset_share * std::min(frame.width(), frame.height()) / extent_of(whole);
+    const double width = scale * whole.width(), height = scale * whole.height(), gap = 8;
+    const Point corner = {frame.high.x - width - gap, frame.low.y + gap};
+    const auto pixel = [&](Point point) {
+        return Point{corner.x + scale * (point.x - whole.low.x),
+                     corner.y + scale * (whole.high.y - point.y)};
+    };
+    const Box around = {corner, {corner.x + width, corner.y + height}};
+    plot.svg().rectangle(around.widened(4),
+                         "fill=\"white\" fill-opacity=\".9\" stroke=\"#999\" class=\"inset\"");
+    SvgPath path;
+    for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
+        for (const std::size_t end : {2 * face, 2 * face + 1}) {
+            const auto point = place(mesh.face_points[end]);
+            const Point at = pixel({mesh.x[point], mesh.y[point]});
+            if (end == 2 * face) path.move_to(at);
+            else path.line_to(at);
+        }
+    }
+    plot.svg().path(path, "fill=\"none\" stroke=\"#111\" stroke-width=\".8\"");
+    const Box window = plot.window();
+    const Point low = pixel(
+                    {std::max(window.low.x, whole.low.x), std::min(window.high.y, whole.high.y)}),
+                high = pixel(
+                    {std::min(window.high.x, whole.high.x), std::max(window.low.y, whole.low.y)});
+    plot.svg().rectangle({low, {std::max(high.x, low.x + 2), std::max(high.y, low.y + 2)}},
+                         "fill=\"none\" stroke=\"#d55e00\" stroke-width=\"1.4\"");
 }
 
 void draw_boundary(Plot& plot, const Mesh& mesh, std::int32_t marker,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 namespace cli {
+
 namespace {
 
 class Polygon {

@@ -3,8 +3,7 @@
 #include "basics/library.hpp"
 #include "basics/numbers.hpp"
 #include "files/text_file.hpp"
-#include "options/number_list.hpp"
-#include "options/section_option.hpp"
+#include "options/place_options.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +39,7 @@ SectionMeasures::SectionMeasures(const Arguments& arguments, const hm_curves& cu
     add("leading_edge_radius", HM_LEADING_EDGE_RADIUS);
     add("trailing_edge_angle", HM_TRAILING_EDGE_ANGLE);
     if (!arguments.has("--stations")) return;
-    for (const double station : number_list(arguments, "--stations")) {
+    for (const double station : arguments.number_list("--stations")) {
         if (!(station > 0 && station < 1))
             arguments.refuse("--stations: a station must lie between 0 and 1, not " +
                              brief(station));
@@ -77,18 +76,13 @@ Limits::Limits(const Arguments& arguments, const std::vector<std::string>& names
 
 void Limits::take(const Arguments& arguments, const char* option, bool is_min) {
     for (const std::string& text : arguments.all(option)) {
-        const std::size_t equals = text.find('=');
-        Limit limit = {0, is_min, 0};
-        if (equals == std::string::npos ||
-            !parse(std::string_view(text).substr(equals + 1), limit.value))
-            arguments.refuse(std::string(option) + " expects NAME=NUMBER, found " +
-                             in_quotes(text));
-        const auto found = std::find(names_.begin(), names_.end(), text.substr(0, equals));
+        const auto [name, number] = arguments.named_numbers(option, text, 1, "NAME=NUMBER");
+        Limit limit = {0, is_min, number[0]};
+        const auto found = std::find(names_.begin(), names_.end(), name);
         if (found == names_.end()) {
             std::string known;
-            for (const std::string& name : names_) known += (known.empty() ? "" : ", ") + name;
-            arguments.refuse(std::string(option) + ": " + in_quotes(text.substr(0, equals)) +
-                             " is none of " + known);
+            for (const std::string& one : names_) known += (known.empty() ? "" : ", ") + one;
+            arguments.refuse(std::string(option) + ": " + in_quotes(name) + " is none of " + known);
         }
         limit.column = static_cast<std::size_t>(found - names_.begin());
         limits_.push_back(limit);
@@ -107,19 +101,6 @@ std::string Limits::refusal_from(const std::vector<double>& values, std::size_t 
             return name + " " + brief(value) + " is above " + brief(limit.value);
     }
     return "";
-}
-
-std::vector<Option> measure_options() {
-    return {chord_option,
-            {"--stations", "S[,S..]",
-             "also the columns thickness_S and camber_S at these stations, 0 to 1 along the chord"},
-            {"--min", "NAME=NUMBER",
-             "rejects designs of which a column is smaller: area, chord, max_thickness, "
-             "max_camber,\n"
-             "leading_edge_radius, trailing_edge_angle, thickness_S, camber_S, min_quality,\n"
-             "mean_quality, fit_error (of sections), admissible_step (with --step); may be "
-             "repeated"},
-            {"--max", "NAME=NUMBER", "rejects designs of which a column is larger"}};
 }
 
 }  // namespace cli

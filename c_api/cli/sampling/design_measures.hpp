@@ -57,6 +57,4 @@ private:
     std::vector<Limit> limits_;
 };
 
-std::vector<Option> measure_options();
-
 }  // namespace cli

@@ -5,7 +5,6 @@
 #include "curves/section.hpp"
 #include "files/paths.hpp"
 #include "files/text_file.hpp"
-#include "options/number_list.hpp"
 #include "work/to_airfoil.hpp"
 
 #include <cmath>
@@ -177,7 +176,7 @@ std::vector<DesignParameter> DesignSpace::parameters_of(const Arguments& argumen
     }
     double low = 0, high = 0;
     if (arguments.has("--range")) {
-        const std::vector<double> range = number_list(arguments, "--range");
+        const std::vector<double> range = arguments.number_list("--range");
         if (range.size() != 2 || range[0] > range[1])
             arguments.refuse("--range expects two numbers LOW,HIGH");
         if (!all.empty())
@@ -243,38 +242,6 @@ Design DesignSpace::design(std::int64_t number) const {
                     : out.values;
     out.moves.resize(2 * static_cast<std::size_t>(basis_.functions()));
     return out;
-}
-
-std::vector<Option> DesignSpace::options() {
-    return {
-        {"--variables", "MAP",
-         "the designs move the design variables of MAP, a file of `harmorph variables`; the\n"
-         "parameters are 1, 1y, 2, 2y, ..",
-         FileUse::input},
-        {"--naca", nullptr,
-         "the designs are NACA four-digit sections; the parameters are camber (0 to .07 chords),\n"
-         "position (of the largest camber, .2 to .6) and thickness (.05 to .2)"},
-        {"--cst", "N,M",
-         "the designs are sections by class-shape transformation; the parameters are upper1 ..\n"
-         "upperN (.1 to .25), lower1 .. lowerM (-.25 to -.05) and base (0), in chords"},
-        {"--sections", "LIST",
-         "the designs are the airfoil files that LIST names, one a line, relative to the folder "
-         "of\n"
-         "LIST. Without these four options the parameters are 1x, 1y, 2x, .. of the control "
-         "points",
-         FileUse::input},
-        {"--range", "LOW,HIGH",
-         "the range of each design variable, or of y of each control point (default 0,0)"},
-        {"--ranges", "FILE", "lines \"NAME LOW HIGH\": ranges of parameters", FileUse::input},
-        {"--designs", "TABLE",
-         "a line with names of parameters, then a line of numbers for each design, separated by\n"
-         "commas or blanks; parameters without a column are 0",
-         FileUse::input},
-        {"--count", "N", "the number of designs; of a table or list, at most the first N"},
-        {"--sequence", "NAME", "sobol (default) or latin: a Latin hypercube of N designs"},
-        {"--seed", "S", "seed of the sequence and of the splits (default 1)"},
-        {"--on-chord", nullptr, "for --sections: see `harmorph morph`"},
-        {"--airfoil-curve", "K", "which curve of the basis is the airfoil (default 1)"}};
 }
 
 }  // namespace cli

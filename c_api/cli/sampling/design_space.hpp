@@ -41,8 +41,6 @@ public:
     // number of threads may call this at once. Designs are counted from 0.
     Design design(std::int64_t number) const;
 
-    static std::vector<Option> options();
-
 private:
     enum class Kind { variables, control, naca, cst, files };
 

@@ -2,7 +2,6 @@
 
 #include "basics/numbers.hpp"
 #include "files/text_file.hpp"
-#include "sampling/mixed_bits.hpp"
 
 #include <algorithm>
 

@@ -1,23 +1,17 @@
 #include "sampling/sample_folder.hpp"
 
 #include "basics/failure.hpp"
+#include "basics/numbers.hpp"
 #include "files/output_file.hpp"
 #include "files/paths.hpp"
 #include "files/text_file.hpp"
 #include "formats/format.hpp"
-#include "sampling/crc32.hpp"
-
-#include <cstdio>
+#include "formats/vtu.hpp"
+#include "sampling/npz.hpp"
 
 namespace cli {
 
 namespace {
-
-std::string numbered(std::int64_t number, int digits) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%0*lld", digits, static_cast<long long>(number));
-    return text;
-}
 
 // Tells whether an option does not change the files of the set.
 bool is_incidental(const std::string& option) {
@@ -26,31 +20,31 @@ bool is_incidental(const std::string& option) {
 
 }  // namespace
 
-std::string settings_of_set(const Arguments& arguments, const std::vector<Option>& options) {
+std::string settings_of_set(const Arguments& arguments) {
     std::string text = std::string("harmorph ") + hm_version() + " sample\n";
     for (const NamedFile& file : arguments.files()) {
         const TextFile content(mesh_file(file.path));
         text += "file " + file.name + " " + std::to_string(content.text().size()) + " bytes " +
                 std::to_string(crc32_of(0, content.text().data(), content.text().size())) + "\n";
     }
-    for (const Option& option : options) {
+    for (const Option& option : arguments.options()) {
         if (is_incidental(option.name) || option.use != FileUse::none) continue;
         for (const std::string& value : arguments.all(option.name))
-            text += std::string("option ") + option.name + (option.value ? " " + value : "") + "\n";
+            text += "option " + option.name + (option.value.empty() ? "" : " " + value) + "\n";
     }
     return text;
 }
 
 std::string SampleFolder::shard_file(std::int64_t shard, const char* ending) const {
-    return file("shards/" + numbered(shard, 5) + ending);
+    return file("shards/" + padded(shard, 5, '0') + ending);
 }
 
 std::string SampleFolder::mesh_of(std::int64_t design, const std::string& ending) const {
-    return file("meshes/" + numbered(design + 1, 7) + ending);
+    return file("meshes/" + padded(design + 1, 7, '0') + ending);
 }
 
 std::string SampleFolder::vtk_of(std::int64_t design) const {
-    return file("vtk/" + numbered(design + 1, 7) + ".vtu");
+    return file("vtk/" + padded(design + 1, 7, '0') + ".vtu");
 }
 
 namespace {
@@ -116,6 +110,49 @@ std::int64_t SampleFolder::complete_shards() const {
     std::int64_t n = 0;
     while (exists(arrays_of(n + 1)) && exists(table_of(n + 1))) ++n;
     return n;
+}
+
+namespace {
+
+std::string all_endings_of(const std::string& path) {
+    const std::size_t name = path.find_last_of('/') + 1, dot = path.find('.', name);
+    return dot == std::string::npos ? "" : path.substr(dot);
+}
+
+}  // namespace
+
+DesignFiles::DesignFiles(const Arguments& arguments, const Mesh& mesh)
+    : mesh_(mesh),
+      ending_(all_endings_of(arguments.operand(0))),
+      has_meshes_(arguments.has("--meshes")),
+      has_vtk_(arguments.has("--vtk")) {
+    const bool is_folder = mesh_file(arguments.operand(0)) != arguments.operand(0);
+    if (has_meshes_ && is_folder)
+        arguments.refuse("--meshes: a mesh in a folder cannot be written many times");
+}
+
+void DesignFiles::write(const SampleFolder& folder, const MorphedDesign& design,
+                        std::int64_t number) const {
+    if (!has_meshes_ && !has_vtk_) return;
+    Field moved(mesh_.x.size());
+    for (std::size_t k = 0; k < mesh_.x.size(); ++k) {
+        moved.x[k] = design.coordinates[2 * k];
+        moved.y[k] = design.coordinates[2 * k + 1];
+    }
+    OutputFiles files;
+    if (has_meshes_)
+        write_moved(files.add(folder.mesh_of(number, ending_)), mesh_, moved.x.data(),
+                    moved.y.data());
+    if (has_vtk_) {
+        Field displacement(mesh_.x.size());
+        for (std::size_t k = 0; k < mesh_.x.size(); ++k) {
+            displacement.x[k] = moved.x[k] - mesh_.x[k];
+            displacement.y[k] = moved.y[k] - mesh_.y[k];
+        }
+        write_vtu(files.add(folder.vtk_of(number)), mesh_, moved.x, moved.y,
+                  {displacement_data(displacement)});
+    }
+    files.commit();
 }
 
 }  // namespace cli

@@ -11,7 +11,9 @@
 #pragma once
 
 #include "files/own_folder.hpp"
+#include "mesh/mesh_file.hpp"
 #include "options/arguments.hpp"
+#include "sampling/design_morph.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -21,7 +23,7 @@
 namespace cli {
 
 // Returns the text of set.txt: two calls with the same text make the same files.
-std::string settings_of_set(const Arguments& arguments, const std::vector<Option>& options);
+std::string settings_of_set(const Arguments& arguments);
 
 class SampleFolder {
 public:
@@ -48,6 +50,24 @@ private:
 
     std::string path_;
     std::optional<OwnFolder> owned_;
+};
+
+// The mesh files of single designs: one in the format of the given mesh, one for ParaView.
+
+class DesignFiles {
+public:
+    // Refuses --meshes for a mesh that is a folder. The mesh must outlive this object.
+    DesignFiles(const Arguments& arguments, const Mesh& mesh);
+
+    bool has_meshes() const { return has_meshes_; }
+    bool has_vtk() const { return has_vtk_; }
+    // Writes the files of one accepted design, counted from 0.
+    void write(const SampleFolder& folder, const MorphedDesign& design, std::int64_t number) const;
+
+private:
+    const Mesh& mesh_;
+    std::string ending_;  // the extension of the given mesh
+    bool has_meshes_, has_vtk_;
 };
 
 }  // namespace cli

@@ -2,9 +2,10 @@
 
 #include "basics/failure.hpp"
 #include "basics/numbers.hpp"
-#include "curves/curve_file.hpp"
-#include "mesh/marker_names.hpp"
+#include "curves/curves.hpp"
+#include "mesh/mesh_file.hpp"
 
+#include <harmorph_bases.h>
 #include <harmorph_design.h>
 #include <harmorph_study.h>
 
@@ -228,6 +229,23 @@ void write_basis(std::ostream& out, const hm_basis* basis, const Mesh& mesh) {
     out.write(reinterpret_cast<const char*>(basis), static_cast<std::streamsize>(info.bytes));
     out << '\n' << title_of_names << mesh.markers.size() << '\n';
     for (const std::string& name : mesh.markers) out << name << '\n';
+}
+
+Stored::Stored(const Arguments& arguments, const Mesh& mesh, const hm_basis* solved)
+    : basis_(solved) {
+    if (arguments.choice("--storage", {{"double", HM_DOUBLE}, {"single", HM_SINGLE}}) == HM_DOUBLE)
+        return;
+    hm_basis* single = nullptr;
+    with_memory(block_, [&](hm_memory* memory) {
+        return call(mesh, hm_single_init, &single, memory, solved);
+    });
+    basis_ = single;
+}
+
+std::size_t Stored::bytes() const {
+    auto info = sized<hm_basis_info>();
+    hm_basis_info_get(basis_, &info, nullptr);
+    return static_cast<std::size_t>(info.bytes);
 }
 
 }  // namespace cli

@@ -10,6 +10,7 @@
 #include "curves/curves.hpp"
 #include "files/text_file.hpp"
 #include "mesh/mesh_file.hpp"
+#include "options/arguments.hpp"
 
 #include <iosfwd>
 #include <memory>
@@ -82,5 +83,22 @@ void for_each_body(const std::vector<hm_condition>& conditions, std::int32_t n_b
 }
 
 void write_basis(std::ostream& out, const hm_basis* basis, const Mesh& mesh);
+
+// The option of all commands that make a basis for the precision of the functions in the file.
+
+// A basis as it was solved, or a copy in single precision in a separate block.
+class Stored {
+public:
+    Stored(const Arguments& arguments, const Mesh& mesh,
+           const hm_basis* solved);  // the basis must outlive this object
+
+    const hm_basis* basis() const { return basis_; }
+    std::size_t bytes() const;
+    bool in_single() const { return block_.size() > 0; }
+
+private:
+    Block block_;
+    const hm_basis* basis_;
+};
 
 }  // namespace cli

@@ -2,7 +2,7 @@
 
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
-#include "files/free_memory.hpp"
+#include "files/memory.hpp"
 #include "work/task.hpp"
 
 #include <harmorph_study.h>
@@ -30,12 +30,6 @@ std::string named_limit(const EngineChoice& choice) {
 }
 
 }  // namespace
-
-const Option memory_option = {
-    "--memory", "MB",
-    "memory for analysis, plan and functions, in 10^6 bytes (default: what the system has left); "
-    "an engine\n"
-    "that needs more is not taken"};
 
 EngineChoice engine_choice_of(const Arguments& arguments) {
     EngineChoice choice;
@@ -107,47 +101,6 @@ const EngineOption engine_option_list[] = {
 };
 
 }  // namespace
-
-const Option agglomeration_option = {"--agglomeration", "RULE",
-                                     "of fas: auto (default), along strong couplings where cells "
-                                     "are stretched; isotropic; directional"};
-
-std::vector<Option> engine_options() {
-    return {
-        {"--engine", "ENGINE",
-         "auto (default): the first of direct and multigrid that fits into the memory;\n"
-         "direct: the fastest; multigrid: conjugate gradients; fas: the iteration of the paper, "
-         "slow,\n"
-         "for laplace and weighted"},
-        memory_option,
-        {"--levels", "N",
-         "multigrid and fas: levels at most (default: down to the coarsest, 5 or 6 levels at 10k "
-         "points)"},
-        {"--block-width", "N",
-         "multigrid and fas: functions that are solved at a time, 4 (default of multigrid), 8 "
-         "(default of fas)\n"
-         "or 16"},
-        {"--max-iterations", "N",
-         "multigrid and fas: iterations at most (default: 200 of multigrid; fas 2000 cycles, or "
-         "200000 steps on\n"
-         "one level)"},
-        agglomeration_option,
-        {"--start", "START", "of fas: fmg (default), level by level from the coarsest, or zero"},
-        {"--cycle", "CYCLE",
-         "of fas: paper (default), V-cycles with plain corrections; improved, W-cycles with "
-         "smoothed\n"
-         "corrections of optimal length"}};
-}
-
-const Option history_option = {
-    "--history", "F.csv",
-    "multigrid and fas: the largest residual of all functions, cycle by cycle", FileUse::output};
-
-const Option kernel_option = {
-    "--kernel", "KERNEL",
-    "vector instructions: baseline, avx2, avx512 or neon (default: the best that the processor "
-    "has). Functions\n"
-    "that are solved with one kernel have the same bits on all processors"};
 
 std::int32_t kernel_of(const Arguments& arguments) {
     const std::int32_t best = hm_best_kernel();

@@ -33,7 +33,6 @@ struct EngineChoice {
     bool is_asked = false;             // the limit is that of --memory
 };
 
-extern const Option memory_option;
 EngineChoice engine_choice_of(const Arguments& arguments);
 
 // The memory of analysis, plan and functions; or of the analysis alone, if that exceeds the limit.
@@ -64,8 +63,6 @@ struct SolveOptions : hm_options, hm_study_options {
 
 struct Task;
 
-std::vector<Option> engine_options();
-extern const Option agglomeration_option, history_option, kernel_option;
 void set_engine(const Arguments& arguments, Task& task);
 void set_agglomeration(const Arguments& arguments, SolveOptions& options);
 std::int32_t kernel_of(const Arguments& arguments);  // HM_KERNEL_..., which the processor has

@@ -2,7 +2,7 @@
 
 #include "basics/library.hpp"
 #include "basics/numbers.hpp"
-#include "files/csv_cells.hpp"
+#include "files/text_file.hpp"
 #include "formats/point_table.hpp"
 #include "formats/vtu.hpp"
 #include "mesh/mesh_analysis.hpp"
@@ -86,16 +86,6 @@ Interpolated interpolated(const Mesh& from, const Field& at, const std::vector<C
     }
     return found;
 }
-
-const Option in_order_option = {
-    "--in-order", nullptr,
-    "the rows of a table without numbers and coordinates of points are all points of the mesh, in "
-    "the order of\nits file (default: such a table is refused)"};
-
-const Option max_outside_option = {
-    "--max-outside", "LENGTH",
-    "refuse points farther than LENGTH outside the mesh with the fields (default: no limit; the "
-    "value is\nthat of the nearest place of the boundary, and a warning counts the points)"};
 
 void judge_outside(const Arguments& arguments, const Interpolated& found, const std::string& from,
                    const std::string& to) {

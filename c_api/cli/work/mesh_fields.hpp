@@ -26,7 +26,6 @@ struct Column {
 // points_of().
 std::vector<Column> read_fields(const std::string& path, const std::vector<std::string>& names,
                                 const Mesh& mesh, bool in_order);
-extern const Option in_order_option;  // for commands that read tables
 
 // Writes a table with commas: the columns point (the number in the mesh file), x, y, and the named
 // columns.
@@ -50,6 +49,5 @@ Interpolated interpolated(const Mesh& from, const Field& at, const std::vector<C
 // of points outside.
 void judge_outside(const Arguments& arguments, const Interpolated& found, const std::string& from,
                    const std::string& to);
-extern const Option max_outside_option;
 
 }  // namespace cli

@@ -1,9 +1,8 @@
 #include "work/morph.hpp"
 
 #include "basics/numbers.hpp"
-#include "basics/stopwatch.hpp"
+#include "basics/progress.hpp"
 #include "formats/format.hpp"
-#include "work/shared_points.hpp"
 #include "work/solver.hpp"
 
 #include <harmorph_study.h>

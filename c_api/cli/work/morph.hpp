@@ -5,7 +5,7 @@
 #include "curves/curves.hpp"
 #include "files/threads.hpp"
 #include "work/basis_file.hpp"
-#include "work/flux_file.hpp"
+#include "work/wall_field.hpp"
 #include "work/safe_way.hpp"
 
 #include <string>

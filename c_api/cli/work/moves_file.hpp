@@ -9,10 +9,12 @@
 #include "curves/section_movement.hpp"
 #include "options/arguments.hpp"
 #include "work/basis_file.hpp"
+#include "work/to_airfoil.hpp"
 
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,7 +32,6 @@ struct Movable {
 };
 
 // The option `--by LINE`, and the texts of `--move` and of all options `--by`, in this order.
-extern const Option by_option;
 std::vector<TextFile> texts_of_moves(const Arguments& arguments);
 TextFile text_of_moves(const std::string& path);  // refuses an empty file
 
@@ -44,5 +45,20 @@ void write_body(std::ostream& out, const Mesh& mesh, const hm_condition& conditi
                 const double* function);
 void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis,
                  const Mesh& mesh);
+
+// The movement that the options of `harmorph morph` ask for: a file of moves or of variables, or
+// another airfoil.
+
+struct AskedMoves {
+    std::vector<double> moves;         // pairs [2*functions] for hm_morph
+    std::optional<ToAirfoil> airfoil;  // the distances of --to-airfoil
+    std::vector<MovementError> errors;
+};
+AskedMoves asked_moves(const Arguments& arguments, const Mesh& mesh, const Basis& basis);
+
+// Warns of movements that the control points do not follow within a ten thousandth of the chord.
+void warn_of_errors(const std::vector<MovementError>& errors);
+// Prints the error of each movement that does not only turn, shift or scale the section.
+void print_errors(const std::vector<MovementError>& errors);
 
 }  // namespace cli

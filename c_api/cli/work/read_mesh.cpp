@@ -2,7 +2,7 @@
 
 #include "basics/print.hpp"
 #include "basics/progress.hpp"
-#include "mesh/marker_names.hpp"
+#include "mesh/mesh_file.hpp"
 
 namespace cli {
 
@@ -16,13 +16,6 @@ Mesh read_mesh(const std::string& path, const ReadOptions& options) {
     for (const std::string& remark : mesh.remarks) warn(path + ": " + remark);
     return mesh;
 }
-
-const Option format_option = {
-    "--format", "NAME",
-    "format of the mesh, if its content does not show it: `harmorph --help` lists the formats"};
-const Option zone_option = {"--zone", "Z",
-                            "the zone to use of a file with several zones; the other zones stay "
-                            "as they are"};
 
 Mesh read_mesh(const Arguments& arguments, std::size_t operand) {
     ReadOptions options;

@@ -10,7 +10,6 @@ namespace cli {
 
 // Reads a mesh, and warns of all parts of the file that were ignored. Commands that read meshes
 // have both options.
-extern const Option format_option, zone_option;
 Mesh read_mesh(const Arguments& arguments, std::size_t operand);
 Mesh read_mesh(const std::string& path, const ReadOptions& options = {});
 

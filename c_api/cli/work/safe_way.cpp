@@ -112,46 +112,6 @@ void print_worst_cells(const hm_safe_report& safe) {
     }
 }
 
-std::vector<Option> safe_options() {
-    return {
-        {"--safe", nullptr,
-         "reach the target with good cells where one linear step does not: by other operators, by "
-         "several steps,\n"
-         "each solved on the mesh as it has moved, and by untangling. The offsets of wall points "
-         "from their curve\n"
-         "turn with a body that turns"},
-        {"--min-quality", "Q",
-         "for --safe: smallest quality, relative to the smallest of MESH, 0 to 1 (default 0.05); "
-         "if no strategy\n"
-         "attains this quality, the best mesh is written with a warning"},
-        {"--max-height-change", "F",
-         "for --safe: first-layer heights may grow and shrink by this factor at most (default: "
-         "any)"},
-        {"--strict", nullptr,
-         "for --safe: a mesh with a quality below --min-quality is not written, and the exit code "
-         "is 1"},
-        {"--heights", nullptr,
-         "for --safe: restore the distances of points near the wall from the wall, as far as the "
-         "smallest\n"
-         "quality is neither halved nor below --min-quality; a warning says if only a part was "
-         "restored"},
-        {"--heights-part", "F",
-         "for --safe: as --heights, but only this part of the change of the distances is undone, 0 "
-         "to 1"},
-        {"--max-resolves", "N", "for --safe: new solutions of the functions at most (default 10)"},
-        {"--skip", "STRATEGY",
-         "for --safe: do not try linear, other, substeps, untangled or improved (may be "
-         "repeated)"},
-        {"--improve", nullptr,
-         "improve the moved mesh, if it is valid: inner points move so that cells are more like "
-         "those of MESH,\n"
-         "and so that the worst cells are better; heights and angles of the first layer at walls "
-         "are restored"},
-        {"--improve-work", "SOLUTIONS",
-         "for --improve and --safe: the largest number of solutions of each improvement "
-         "(default 20)"}};
-}
-
 void check_safe_options(const Arguments& arguments) {
     for (const char* const option : {"--min-quality", "--max-height-change", "--strict",
                                      "--heights", "--heights-part", "--max-resolves", "--skip"}) {

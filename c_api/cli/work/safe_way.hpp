@@ -4,7 +4,7 @@
 #include "basics/failure.hpp"
 #include "basics/json.hpp"
 #include "basics/library.hpp"
-#include "basics/stopwatch.hpp"
+#include "basics/progress.hpp"
 #include "options/arguments.hpp"
 
 #include <exception>
@@ -69,7 +69,6 @@ auto best_of_operators(const std::vector<std::int32_t>& kinds, bool all,
 }
 
 const char* strategy_name(std::int32_t strategy);  // HM_STRATEGY_...; the name in --skip
-std::vector<Option> safe_options();                // all but --other
 hm_safe_options safe_options_of(const Arguments& arguments);
 // Refuses options of --safe and --improve without these.
 void check_safe_options(const Arguments& arguments);

@@ -2,7 +2,7 @@
 
 #include "basics/failure.hpp"
 #include "basics/numbers.hpp"
-#include "curves/curve_file.hpp"
+#include "curves/curves.hpp"
 #include "curves/section_movement.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "mesh/mesh_file.hpp"
@@ -40,24 +40,6 @@ double exponent_of(const Arguments& arguments) {
 bool Task::slips() const {
     return std::any_of(conditions.begin(), conditions.end(),
                        [](const hm_condition& condition) { return condition.kind == HM_SLIP; });
-}
-
-std::vector<Option> task_options() {
-    const std::vector<Option> scheme_options = {
-        {"--scheme", "SCHEME",
-         "compact (default): on the mesh's cells; bounded: on Delaunay triangles of its points, so "
-         "that\n"
-         "laplace and weighted functions stay between 0 and 1; nodal-gradient: laplace by "
-         "averaged\n"
-         "gradients, engines direct and fas; nodal-gradient-plain: the paper's text, engine fas"},
-        {"--offset-correction", nullptr,
-         "conformal: the offsets of wall points from their curve turn with the curve"},
-        {"--far-from-curve", nullptr,
-         "accept points that are farther from their curve than .01 of the diagonal of the box "
-         "around the curve;\n"
-         "they keep their distance in every movement. From .001 on there is a warning"},
-        {"--tol", "T", "largest relative residual that counts as converged (default 1e-10)"}};
-    return condition_options() + operator_options() + scheme_options;
 }
 
 Task task_of(const Arguments& arguments, const Mesh& mesh) {
@@ -373,58 +355,12 @@ void add_interfaces(const Arguments& arguments, const Mesh& mesh, Task& task) {
 }
 
 // Conditions that are given by markers alone.
-struct PlainCondition {
-    Option option;
+constexpr struct {
+    const char* option;
     std::int32_t kind;
-    bool
-        is_common;  // all commands that solve have this option; otherwise each command describes it
-};
-const PlainCondition plain_conditions[] = {
-    {{"--given", nullptr, nullptr}, HM_GIVEN, false},
-    {{"--free", "G[,H..]",
-      "markers whose points may move off their line (may be repeated; not with conformal)"},
-     HM_FREE,
-     true},
-};
+} plain_conditions[] = {{"--given", HM_GIVEN}, {"--free", HM_FREE}};
 
 }  // namespace
-
-std::vector<Option> condition_options() {
-    std::vector<Option> of_conditions = {
-        {"--curve", "A[,B..]=CURVE",
-         "markers, and the file with the curves they lie on (may be repeated). A@X:Y is the piece\n"
-         "of marker A nearest to (X, Y): one of several bodies or sides, here and below. A name "
-         "with blanks,\n"
-         "commas, quotes or = may stand in quotes: \"a name\"@X:Y",
-         FileUse::input_after_equals},
-        {"--rigid", "A[,B..][=X,Y]",
-         "markers of a body that only moves, turns about X,Y (default: the centre of its bounding "
-         "box; of a\n"
-         "piece, the point after the @) and scales (may be repeated)"},
-        {"--slip", "C[,D..][=CURVE]",
-         "markers along which points slip, straight or curved without corners, or along the\n"
-         "curves of a file, which BASIS keeps (may be repeated)",
-         FileUse::input_after_equals},
-        {"--periodic", "E:F",
-         "a pair of markers, one a translation of the other: their points move alike; or one a "
-         "rotation of the\n"
-         "other, as the sides of a passage of an annulus: their movements are rotated too (may be "
-         "repeated)"},
-        {"--interface", "E:F",
-         "a pair of markers that slide along each other, as those of a rotor and a stator: their "
-         "faces may\n"
-         "cross (may be repeated). Interfaces of OpenFOAM (cyclicAMI) are found in the mesh"}};
-    for (const PlainCondition& plain : plain_conditions) {
-        if (plain.is_common) of_conditions.push_back(plain.option);
-    }
-    of_conditions.push_back(
-        {"--flux", "FLUXES",
-         "Neumann values on faces of --free: lines \"point point control-point value\", points "
-         "from 0;\n"
-         "morph --safe needs the file again",
-         FileUse::input});
-    return of_conditions;
-}
 
 void add_conditions(const Arguments& arguments, const Mesh& mesh, Task& task) {
     for (const std::string& binding : arguments.all("--curve"))
@@ -434,8 +370,8 @@ void add_conditions(const Arguments& arguments, const Mesh& mesh, Task& task) {
         make_rigid(arguments, mesh, task, binding, body++);
     for (const std::string& binding : arguments.all("--periodic"))
         make_periodic(arguments, mesh, task, binding);
-    for (const PlainCondition& plain : plain_conditions) {
-        for (const std::string& tags : arguments.all(plain.option.name)) {
+    for (const auto& plain : plain_conditions) {
+        for (const std::string& tags : arguments.all(plain.option)) {
             for (const MarkerPiece& piece : mesh.find_pieces(tags)) {
                 add_condition(arguments, mesh, task, condition_on(piece, plain.kind));
             }

@@ -6,7 +6,7 @@
 #include "options/arguments.hpp"
 #include "work/basis_file.hpp"
 #include "work/engine.hpp"
-#include "work/flux_file.hpp"
+#include "work/wall_field.hpp"
 
 #include <memory>
 #include <vector>
@@ -28,11 +28,9 @@ struct Task {
     bool slips() const;  // tells whether points of a marker slip
 };
 
-std::vector<Option> condition_options();
 // Adds the conditions of the command line, with their curves.
 void add_conditions(const Arguments& arguments, const Mesh& mesh, Task& task);
 
-std::vector<Option> task_options();  // those of the conditions included
 Task task_of(const Arguments& arguments, const Mesh& mesh);
 Task task_of(const Basis& basis);
 

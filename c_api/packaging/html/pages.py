@@ -30,7 +30,7 @@ GROUPS = [
     ("Reference", ["include/*.h", "fortran/*/manual.f90.in"]),
     ("Examples and other codes", ["c_api/*/README.md", "fortran/**/README.md"]),
     ("Releases and packages", ["c_api/packaging/*.md"]),
-    ("Mathematics and design", ["src/README.md", "src/*/README.md"]),
+    ("Mathematics and design", ["src/README.md", "src/METHODS.md", "src/RECIPES.md", "src/*/README.md"]),
     ("Tests and measurements", ["tests/**/README.md"]),
 ]
 LANGUAGES = {".c": "c", ".h": "c", ".cpp": "cpp", ".hpp": "cpp", ".py": "python", ".sh": "sh",

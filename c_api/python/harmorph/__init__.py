@@ -16,6 +16,7 @@ with a reservation is a :class:`harmorph.HarmorphWarning`. Adapters for other co
 import importlib as _importlib
 from typing import Any as _Any
 
+from . import documents as _documents, measures as _measures
 from ._native import ffi as _ffi, lib as _lib
 from .conditions import Condition
 from .curve import Curve
@@ -60,6 +61,9 @@ __all__ = [
     "swept_areas",
     "__version__",
 ]
+
+for _one in (*(globals()[_name] for _name in __all__ if _name != "__version__"), _measures.measure):
+    _documents.complete(_one)
 
 
 def __getattr__(name: str) -> _Any:

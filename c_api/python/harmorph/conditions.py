@@ -25,6 +25,7 @@ KINDS = {
     "rotation": lib.HM_ROTATION_PAIR,
     "interface": lib.HM_INTERFACE,
 }
+_WITH_PARTNER = ("periodic", "rotation", "interface")
 
 
 @dataclass(frozen=True)
@@ -57,6 +58,11 @@ class Condition:
         The condition is for one piece of the marker, the one nearest to this point [length].
     along : Curves, optional
         "slip": the curves along which the points move.
+
+    Raises
+    ------
+    Error
+        ``BAD_CONDITION``: an unknown kind, a partner that is missing or has no meaning.
     """
 
     kind: str
@@ -66,6 +72,21 @@ class Condition:
     centre: Tuple[float, float] = (0.0, 0.0)
     near: Optional[Tuple[float, float]] = None
     along: Optional[Curves] = None
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.kind, str) or self.kind not in KINDS:
+            raise Error(f"The kind {self.kind!r} of a condition is unknown; known are {list(KINDS)}.",
+                        Error.BAD_CONDITION)
+        if (self.kind in _WITH_PARTNER) != (self.partner is not None):
+            needs = "needs a `partner`" if self.partner is None else "has no `partner`"
+            raise Error(f"A condition of the kind {self.kind!r} {needs}.", Error.BAD_CONDITION)
+        if self.along is not None and (self.kind != "slip" or not isinstance(self.along, Curves)):
+            raise Error("`along` must be Curves, of a condition of the kind 'slip'.", Error.BAD_CONDITION)
+        pair(self.centre, "centre")
+        if self.near is not None:
+            pair(self.near, "near")
+        if self.curves is not None:
+            pair(self.curves, "curves")
 
 
 Given = Union[Mapping[Marker, Any], Iterable[Tuple[Marker, Any]], None]
@@ -86,8 +107,9 @@ def listed(mesh: Mesh, curves: Optional[Curves], given: Given) -> List[Tuple[int
     pairs = [(name, "curve") for name in fitted if name not in named] + pairs
     result: List[Tuple[int, Condition]] = []
     for name, wanted in pairs:
-        condition = Condition(wanted) if isinstance(wanted, str) else wanted
-        if not isinstance(condition, Condition) or condition.kind not in KINDS:
+        is_kind = isinstance(wanted, str) and wanted in KINDS
+        condition = Condition(wanted) if is_kind else wanted
+        if not isinstance(condition, Condition):
             raise Error(f"The condition of marker {name!r} must be one of {list(KINDS)}, or a "
                         f"harmorph.Condition; it is {condition!r}.", Error.BAD_CONDITION)
         result.append((mesh.marker(name), condition))
@@ -140,7 +162,7 @@ def of_basis(mesh: Mesh, basis: Any, found: Any, n: int) -> List[Tuple[int, Cond
     sets: Dict[Any, Curves] = {}  # conditions that had the same curves get the same ones again
     for number, struct in enumerate(found[0:n]):
         kind = names[struct.kind]
-        has_partner = kind in ("periodic", "rotation", "interface")
+        has_partner = kind in _WITH_PARTNER
         pairs.append((struct.marker, Condition(
             kind,
             curves=(struct.first_curve, struct.n_curves) if kind == "curve" else None,

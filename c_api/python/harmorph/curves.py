@@ -7,6 +7,7 @@ from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from . import airfoil_file
+from . import pictures as _pictures
 from .arrays import doubles, int32_view, int32s, numbers
 from .curve import Curve, frozen, uniform
 from .errors import Error, call
@@ -45,7 +46,9 @@ class Curves(Shapes):
     markers : tuple of marker
         The markers that :meth:`fit` was given; :class:`harmorph.Morph` puts them onto the curves.
     fit_report : Report or None
-        The members of ``hm_fit_report``: max_error and rms_error [length], max_error_point, ...
+        Of curves that were fitted:
+
+        {members of hm_fit_report}
 
     Raises
     ------
@@ -120,9 +123,14 @@ class Curves(Shapes):
             "auto": periodic without corners; open with a second curve along a blunt base; otherwise
             tied at the sharpest corner.
         **details
-            `weights`, one for each point of the mesh; `smoothing` [length]; `tolerance` [length], up to
-            which control points are inserted, at most `n_control`; directions `begin` and `end` of the
-            curve at its ends: see ``hm_fit_details``.
+            - `weights` : array of shape (n_points,), >= 0. Factors of the points in the sum of squares,
+              besides the share of the arc length; the default is 1. A point with weight 0 only tells
+              where the curve runs.
+            - `smoothing` : float [length]. Waves much shorter than this are damped; corners stay.
+            - `tolerance` : float [length]. Control points are inserted, at most `n_control`, until no
+              point is farther from the curve.
+            - `begin`, `end` : pairs of float. Directions of the curve where it begins and ends, of any
+              length; (0, 0): free. Not for periodic curves.
 
         Warns
         -----
@@ -262,6 +270,26 @@ class Curves(Shapes):
         call(lib.hm_curve_project, self._c, curve, x, y, u, distance)
         return u[0], distance[0]
 
+    # ---- Pictures, copies ----
+
+    def _repr_svg_(self) -> str:
+        return _pictures.curves_svg(self)
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draw the curves and their control points by matplotlib.
+
+        Parameters
+        ----------
+        ax : matplotlib axes, optional
+        **style
+            Passed to ``plot`` of the axes for the curves.
+
+        Returns
+        -------
+        matplotlib axes
+        """
+        return _pictures.plot_curves(self, ax, style)
+
     def __copy__(self) -> "Curves":
         other = Curves.__new__(Curves)
         other.__setstate__(self.__getstate__())
@@ -279,4 +307,5 @@ class Curves(Shapes):
         self._view()
 
     def __repr__(self) -> str:
-        return f"Curves({len(self.control)} control points, {len(self.curves)} curve(s))"
+        shown = f", fitted to {list(self.markers)}" if self.markers else ""
+        return f"Curves({len(self.control)} control points, {len(self.curves)} curve(s){shown})"

@@ -81,6 +81,9 @@ class DVGeo:
 
     # ---- The protocol ----
 
+    def __repr__(self) -> str:
+        return f"DVGeo({self.getNDV()} design variables)"
+
     def addPointSet(self, points: Any, ptName: str, **_ignored: Any) -> None:
         """Add a set of points on the section.
 

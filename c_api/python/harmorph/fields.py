@@ -72,6 +72,9 @@ class Walls:
         self.points = _copy(info.wall_points, info.n_wall_points)
         self.layer_points = _copy(info.layer_points, info.n_wall_points)
 
+    def __repr__(self) -> str:
+        return f"Walls({len(self.faces)} faces, {len(self.points)} points)"
+
     def move(self, points: Any) -> None:
         """Move the walls to the mesh points `points` [n_points, 2], after a morph for instance."""
         view, _alive = points_in(points, self._n, "points")

@@ -24,11 +24,11 @@ class Assessment(NamedTuple):
     Attributes
     ----------
     step : Report or None
-        The members of ``hm_step_report``: `admissible`, the factor by which the displacement can be
-        multiplied before the first cell inverts, `boundary`, `cell`, `point`, ...
+        How far the displacement can be multiplied before the first cell inverts; None without one:
+
+        {members of hm_step_report}
     quality : Report
-        The members of ``hm_quality_report``: `inverted`, `min_area` [length^2], `min_quality` and
-        `mean_quality` [0..1], `self_crossing`, ...
+        {members of hm_quality_report}
     """
 
     step: Optional[Report]

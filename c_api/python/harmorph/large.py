@@ -23,13 +23,13 @@ class Safe(NamedTuple):
     points : ndarray of shape (n_points, 2), or `out`
         The mesh; no cell is inverted.
     report : Report
-        The members of ``hm_safe_report``: `step_fraction` (1: the whole movement), `strategy`,
-        `min_quality`, `worst`, ...
+        {members of hm_safe_report}
+        - `worst` : tuple of Report. The `n_worst` worst cells: their number, and their angles.
     reached : ndarray of shape (functions, 2)
         The movement that `points` has.
     derivative : Morph or None
         `displacement` and `adjoint` of this object are the derivative of `points` by `move` and its
-        transpose; see ``hm_move_safe``.
+        transpose.
     """
 
     points: Any
@@ -151,7 +151,7 @@ class Large:
         -------
         points : ndarray of shape (n_points, 2), or `out`
         report : Report
-            The members of ``hm_improve_report``: `min_quality_before`, `min_quality`, ...
+            {members of hm_improve_report}
         """
         options, result, n = new("hm_improve_options"), new("hm_improve_report"), self.n_points
         fill(options, max_solutions=max_solutions)

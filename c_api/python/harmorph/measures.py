@@ -63,21 +63,43 @@ def section_of(chord: Any, curves: Any) -> Any:
     return section
 
 
+def _written(name: str) -> str:
+    members, least = _MEMBERS.get(name, ((), 0))
+    if not members:
+        return repr(name)
+    rest = "".join(f" [, {member}]" for member in members[least:])
+    return f"({name!r}, {', '.join(members[:least])}{rest})"
+
+
 def measure(view: Any, n_control: int, quantities: Sequence[Any], chord: Any, curves: Any) -> Measures:
     """Measure the section that curves enclose.
 
     Parameters
     ----------
     quantities : str or tuple
-        "area" [length^2], "centroid_x", "centroid_y" [length], "moment_xx", "moment_yy",
-        "moment_xy" [length^4], "chord", ("thickness", t), ("camber", t) at the station t between 0
-        and 1 of the chord line, "max_thickness", "max_camber", "leading_edge_radius" [length],
-        "trailing_edge_angle" [degrees], "trailing_edge_gap", "min_radius" [length],
-        "curvature_variation" [1/length^3], "twist" [degrees], ("clearance", polygon) with a polygon of
-        shape (m, 2) that should fit inside [length], ("min_thickness", first, last) over these
-        stations, ("distance", curve, n) from the outline of another body. The last three may have a
-        sharpness [1/length] as their last entry, and are then smooth lower bounds.
-        ``harmorph_design.h`` defines all quantities.
+        A station is the part of the chord line from the leading edge, 0 < t < 1:
+
+        {"area": HM_AREA}
+        {"centroid_x", "centroid_y": HM_CENTROID_Y}
+        {"moment_xx", "moment_yy", "moment_xy": HM_MOMENT_XX}
+        {"chord": HM_CHORD}
+        {("thickness", t): HM_THICKNESS}
+        {("camber", t): HM_CAMBER}
+        {"max_thickness": HM_MAX_THICKNESS}
+        {"max_camber": HM_MAX_CAMBER}
+        {"leading_edge_radius": HM_LEADING_EDGE_RADIUS}
+        {"trailing_edge_angle": HM_TRAILING_EDGE_ANGLE}
+        {"trailing_edge_gap": HM_TRAILING_EDGE_GAP}
+        {"min_radius": HM_MIN_RADIUS}
+        {"curvature_variation": HM_CURVATURE_VARIATION}
+        {"twist": HM_TWIST}
+        {("clearance", polygon), polygon of shape (m, 2): HM_CLEARANCE}
+        {("min_thickness", station, last_station): HM_MIN_THICKNESS}
+        {("distance", curve, n), the first curve of the other body and their number: HM_DISTANCE}
+
+        The last three may have a sharpness [1/length] as their last entry, 1e-100 to 1e100, and are
+        then smooth lower bounds of the values v_k: m - ln(sum_k exp(-sharpness (v_k - m))) / sharpness,
+        m the smallest one.
     chord : pair of points, optional
         A chord line (leading edge, trailing edge) that does not move. Periodic curves need one for
         the quantities that refer to the chord.
@@ -99,11 +121,11 @@ def measure(view: Any, n_control: int, quantities: Sequence[Any], chord: Any, cu
     structs, alive = ffi.new("hm_quantity[]", n), []
     for struct, wanted in zip(structs, quantities):
         name, *values = wanted if isinstance(wanted, tuple) and wanted else (wanted,)
+        if not isinstance(name, str) or name not in _KINDS:
+            raise Error(f"The quantity {wanted!r} is unknown; known are {', '.join(_KINDS)}.")
         members, least = _MEMBERS.get(name, ((), 0))
-        if name not in _KINDS or not least <= len(values) <= len(members):
-            raise Error(f"The quantity {wanted!r} is unknown; known are {', '.join(_KINDS)}. Thickness and "
-                        "camber need a station, min_thickness two, clearance a polygon, and distance the "
-                        "first curve of another body and their number.")
+        if not least <= len(values) <= len(members):
+            raise Error(f"The quantity {name!r} is written {_written(name)}, not {wanted!r}.")
         struct.struct_size, struct.kind = ffi.sizeof("hm_quantity"), _KINDS[name]
         given = dict(zip(members, values))
         if "polygon" in given:

@@ -245,7 +245,7 @@ class Mesh(Boundary):
         Returns
         -------
         Report
-            The members of ``hm_mesh_report``: points, cells, triangles, inverted, min_quality, ...
+            {members of hm_mesh_report}
 
         Raises
         ------
@@ -262,14 +262,16 @@ class Mesh(Boundary):
     def _repr_svg_(self) -> str:
         return _pictures.svg(self)
 
-    def plot(self, points: Any = None, ax: Any = None, **style: Any) -> Any:
-        """Draw the edges of the mesh by matplotlib.
+    def plot(self, points: Any = None, ax: Any = None, *, whole: bool = False, **style: Any) -> Any:
+        """Draw the edges of the mesh by matplotlib: those around the bodies, and the whole as an inset.
 
         Parameters
         ----------
         points : array of shape (n_points, 2) or pair of arrays, optional
             Coordinates, for instance after a morph; the default is `points` of the mesh.
         ax : matplotlib axes, optional
+        whole : bool
+            The axes show the whole mesh, and there is no inset.
         **style
             Passed to ``matplotlib.collections.LineCollection``.
 
@@ -277,7 +279,7 @@ class Mesh(Boundary):
         -------
         matplotlib axes
         """
-        return _pictures.plot(self, points, ax, style)
+        return _pictures.plot(self, points, ax, whole, style)
 
     def with_points(self, points: Any) -> "Mesh":
         """Return a mesh with the same cells and markers and with other coordinates."""

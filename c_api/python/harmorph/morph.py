@@ -70,12 +70,14 @@ class Morph(Functions, Large, Displacements, Stored):
         Rows of `move`: control points, then two rows for each rigid body (:func:`harmorph.rigid`).
     n_points : int
     info : Report
-        The members of ``hm_basis_info``.
+        {members of hm_basis_info}
     shared_points : ndarray of shape (n, 3)
         Points that two conditions move differently, and the positions of the first and of the
         second of them in the list of conditions.
     solve_report : Report or None
-        The members of ``hm_solve_report``; None after :meth:`load`.
+        None after :meth:`load`:
+
+        {members of hm_solve_report}
 
     Raises
     ------

@@ -41,7 +41,7 @@ class Plane:
     follows : int32 ndarray of shape (n_space_points,)
         The plane point that each point follows.
     info : Report
-        The members of ``hm_plane_info``: `kind`, `layers`, `normal`, ...
+        {members of hm_plane_info}
 
     Raises
     ------
@@ -98,6 +98,9 @@ class Plane:
         self.info: Report = report(info)
         self.follows = np.frombuffer(ffi.buffer(info.follows, 4 * len(xyz)), np.int32).copy()
         self.mesh = self._mesh(view, markers)
+
+    def __repr__(self) -> str:
+        return f"Plane({len(self.follows)} points, of which {self.mesh.n_points} in the plane)"
 
     @staticmethod
     def _view(xyz: np.ndarray) -> tuple:

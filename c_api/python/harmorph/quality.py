@@ -81,15 +81,24 @@ class Quality:
                                        ffi.NULL)
         self._quality = quality[0]
 
+    def __repr__(self) -> str:
+        return f"Quality({self._n} points)"
+
     def bounds(self, *kinds: Any, points: Any = None) -> Bounds:
         """Compute smooth bounds of the quality of the mesh, and their derivatives.
 
         Parameters
         ----------
         *kinds : str or tuple
-            "quality", "kept_quality", "area", "height" and "angle" are lower bounds of the smallest
-            value, "stretch" is an upper bound of the largest one; ``harmorph_quality.h`` defines the
-            values. A tuple such as ("area", 500.0) names the sharpness, 1 to 1e6; the default is 200.
+            {"quality": HM_BOUND_QUALITY}
+            {"kept_quality": HM_BOUND_KEPT_QUALITY}
+            {"area": HM_BOUND_AREA}
+            {"height": HM_BOUND_HEIGHT}
+            {"stretch": HM_BOUND_STRETCH}
+            {"angle": HM_BOUND_ANGLE}
+
+            A tuple such as ("area", 500.0) names the sharpness rho, 1 to 1e6; the default is 200. The
+            lower bound of values v_k is m - ln(sum_k exp(-rho (v_k - m))) / rho, m the smallest one.
         points : array of shape (n_points, 2), or pair of arrays, optional
             The mesh to judge; the default is the start.
 

@@ -13,33 +13,53 @@ from .measures import Measures, measure, section_of
 from .reports import Report, fill, new, pair, report
 from .variables import Variables
 
-_MOVEMENTS = {
-    "turn": lib.HM_ROTATE,  # the verb of files of moves
-    **{name: getattr(lib, "HM_" + name.upper())
-       for name in ("shift", "scale", "flap", "camber_thickness", "parsec", "blade")},
-}
+_MOVEMENTS = {name: getattr(lib, "HM_" + name.upper())
+              for name in ("rotate", "shift", "scale", "flap", "camber_thickness", "parsec", "blade")}
 Self = TypeVar("Self", bound="Shapes")
 
 
-class Movement(NamedTuple):
-    """A movement of a section by values; see ``hm_movement`` in ``harmorph_design.h``.
-
-    Parameters
-    ----------
-    kind : {"turn", "shift", "scale", "flap", "camber_thickness", "parsec", "blade"}
-    centre : pair of float
-        The centre of "turn", "scale" and "blade"; the hinge of "flap" [length].
-    length : float
-        "flap": behind this length the section moves as a rigid body; 0 means a tenth of the chord.
-    n_camber, n_thickness : int
-        "camber_thickness": the numbers of values, 0 to 64.
-    """
-
+class _Movement(NamedTuple):
     kind: str
     centre: Tuple[float, float] = (0.0, 0.0)
     length: float = 0.0
     n_camber: int = 0
     n_thickness: int = 0
+
+
+class Movement(_Movement):
+    """A movement of a section by values v0, v1, ... Every value is a change, and 0 moves nothing.
+
+    Parameters
+    ----------
+    kind : str
+        With (x, y) the `centre`; angles are positive counter-clockwise:
+
+        {"rotate": HM_ROTATE}
+        {"shift": HM_SHIFT}
+        {"scale": HM_SCALE}
+        {"flap": HM_FLAP}
+        {"camber_thickness": HM_CAMBER_THICKNESS}
+        {"parsec": HM_PARSEC}
+        {"blade": HM_BLADE}
+    centre : pair of float
+        The centre of "rotate", "scale" and "blade"; the hinge of "flap" [length].
+    length : float
+        "flap": behind this length the section moves as a rigid body; 0 means a tenth of the chord.
+    n_camber, n_thickness : int
+        "camber_thickness": the numbers of values, 0 to 64.
+
+    Raises
+    ------
+    Error
+        An unknown kind, or a centre that is no pair of numbers.
+    """
+
+    def __new__(cls, kind: str, *arguments: Any, **named: Any) -> "Movement":
+        if not isinstance(kind, str) or kind not in _MOVEMENTS:
+            raise Error(f"The movement {kind!r} is unknown; known are {list(_MOVEMENTS)}.")
+        movement = super().__new__(cls, kind, *arguments, **named)
+        pair(movement.centre, "centre")
+        return movement
 
 
 class Moved(NamedTuple):
@@ -100,7 +120,7 @@ class Shapes:
     def move_section(
         self, movements: Sequence[Movement], values: Any = None, *, chord: Any = None, curves: Any = None
     ) -> Moved:
-        """Turn, shift or scale a section, deflect a flap, change PARSEC parameters or metal angles.
+        """Rotate, shift or scale a section, deflect a flap, change PARSEC parameters or metal angles.
 
         Parameters
         ----------
@@ -119,19 +139,19 @@ class Shapes:
         structs[0].struct_size = ffi.sizeof("hm_movement")
         for struct, one in zip(structs, movements):
             wanted = Movement(*one)
-            if wanted.kind not in _MOVEMENTS:
-                raise Error(f"The movement {wanted.kind!r} is unknown; known are {list(_MOVEMENTS)}.")
             x, y = pair(wanted.centre, "centre")
             fill(ffi.addressof(struct), struct_size=ffi.sizeof("hm_movement"), kind=_MOVEMENTS[wanted.kind],
                  n_camber=wanted.n_camber, n_thickness=wanted.n_thickness, x=x, y=y, length=wanted.length)
-        section, n, memory = section_of(chord, curves), ffi.new("int32_t*"), ffi.new("hm_memory*")
-        call(lib.hm_move_section, self._c, section, len(movements), structs, n, *[ffi.NULL] * 5, memory)
-        given = doubles(np.zeros(n[0]) if values is None else values, (n[0],), "values")
+        section, found, memory = section_of(chord, curves), new("hm_section_move"), ffi.new("hm_memory*")
+        call(lib.hm_move_section, self._c, section, len(movements), structs, ffi.NULL, found, memory)
+        n = found.n_values
+        given = doubles(np.zeros(n) if values is None else values, (n,), "values")
         shape = self.control.shape
-        result = Moved(np.empty(shape), np.empty((n[0], *shape)), np.empty(n[0]), np.empty(2))
-        move, derivatives, start, error = (doubles(one, one.shape, "result", out=True) for one in result)
-        call_with_memory(lib.hm_move_section, self._c, section, len(movements), structs, n, given, move,
-                         derivatives, start, error, MEMORY)
+        result = Moved(np.empty(shape), np.empty((n, *shape)), np.empty(n), np.empty(2))
+        found.move, found.derivatives, found.start, _error = (
+            doubles(one, one.shape, "result", out=True) for one in result)
+        call_with_memory(lib.hm_move_section, self._c, section, len(movements), structs, given, found, MEMORY)
+        result.error[:] = found.error[0], found.error[1]
         return result
 
     def refit(
@@ -154,7 +174,7 @@ class Shapes:
         -------
         move : ndarray of shape (n_control, 2)
         report : Report
-            The members of ``hm_refit_report``: max_error, rms_error [length], ...
+            {members of hm_refit_report}
         """
         n = len(points[0]) if isinstance(points, tuple) else len(points)
         view, _alive = points_in(points, n, "points")
@@ -180,9 +200,11 @@ class Shapes:
         modes = np.array(numbers(movements, "movements"), np.float64, order="C")
         if modes.ndim != 3 or modes.shape[1:] != self.control.shape:
             raise Error(f"movements must have the shape (n, {len(self.control)}, 2), not {modes.shape}.")
-        singular = np.empty(len(modes))
-        call_with_memory(lib.hm_family_modes, self._c, len(modes), ffi.from_buffer("double[]", modes),
-                         ffi.from_buffer("double[]", singular), MEMORY)
+        members, singular = modes.copy(), np.empty(len(modes))
+        found = fill(new("hm_section_move"), derivatives=ffi.from_buffer("double[]", modes))
+        family = fill(new("hm_movement"), kind=lib.HM_FAMILY, n_members=len(members),
+                      members=ffi.from_buffer("double[]", members), singular=ffi.from_buffer("double[]", singular))
+        call_with_memory(lib.hm_move_section, self._c, ffi.NULL, 1, family, ffi.NULL, found, MEMORY)
         return modes, singular
 
     def refined(

@@ -29,7 +29,7 @@ class Interpolation:
     distance : ndarray of shape (n,)
         How far each point is outside the mesh [length]; 0 inside.
     report : Report
-        The members of ``hm_interpolation_report``: `outside`, `max_distance`, ...
+        {members of hm_interpolation_report}
     """
 
     def __init__(self, mesh: Mesh, to: Any) -> None:
@@ -42,6 +42,9 @@ class Interpolation:
                                        ffi.from_buffer("double[]", self.distance), ONE_THREAD.view, result)
         self._made, self._shape = made[0], (mesh.n_points, n)
         self.report: Report = report(result)
+
+    def __repr__(self) -> str:
+        return f"Interpolation({self._shape[0]} points to {self._shape[1]})"
 
     def __call__(self, fields: Any) -> np.ndarray:
         """Return the values at the points.

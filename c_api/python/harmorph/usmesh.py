@@ -83,6 +83,9 @@ class USMesh(Surface):
 
     # ---- The protocol ----
 
+    def __repr__(self) -> str:
+        return f"USMesh({self._morph!r})"
+
     def setExternalMeshIndices(self, ind: Any) -> None:
         """Name the points of the common grid that this process needs.
 

@@ -22,9 +22,11 @@ class Variables:
 
     Parameters
     ----------
-    kind : {"ffd", "cst", "hicks_henne", "naca4"}
-        Free-form deformation of a box, class and shape functions, bumps, or the camber and
-        thickness of NACA's four-digit sections; see ``hm_variables`` in ``harmorph_design.h``.
+    kind : str
+        {"ffd": HM_FFD}
+        {"cst": HM_CST}
+        {"hicks_henne": HM_HICKS_HENNE}
+        {"naca4": HM_NACA4}
     n_upper, n_lower : int
         Variables of the upper and the lower side, 0 to 64.
     degrees : pair of int
@@ -45,6 +47,7 @@ class Variables:
     ----------
     matrix : complex ndarray of shape (n_control, n)
         One unit of variable j moves control point i by ``matrix[i, j]``, x + i y [length].
+    kind : str
     n : int
         The number of variables.
     components : int
@@ -89,14 +92,20 @@ class Variables:
             stations = numbers(peaks, "peaks")
             places = doubles(stations, (n_upper + n_lower,), "peaks")
             struct.peaks = places
-        section, n, memory = section_of(chord, curves), ffi.new("int32_t*"), ffi.new("hm_memory*")
-        call(lib.hm_variables_map, view, section, struct, n, memory, ffi.NULL, ffi.NULL)
-        self.n: int = n[0]
+        section, found, memory = section_of(chord, curves), new("hm_section_move"), ffi.new("hm_memory*")
+        movement = fill(new("hm_movement"), kind=lib.HM_LINEAR, variables=struct)
+        call(lib.hm_move_section, view, section, 1, movement, ffi.NULL, found, memory)
+        self.kind = kind
+        self.n: int = found.n_variables
         self.components = 2 if kind == "ffd" else 1
         self.matrix = np.empty((n_control, self.n), np.complex128)
         self.error = np.empty((self.n, 2))
-        call_with_memory(lib.hm_variables_map, view, section, struct, n, MEMORY,
-                         ffi.from_buffer("double[]", self.matrix), ffi.from_buffer("double[]", self.error))
+        fill(found, matrix=ffi.from_buffer("double[]", self.matrix),
+             unit_errors=ffi.from_buffer("double[]", self.error))
+        call_with_memory(lib.hm_move_section, view, section, 1, movement, ffi.NULL, found, MEMORY)
+
+    def __repr__(self) -> str:
+        return f"Variables({self.kind!r}, n={self.n})"
 
     def move(self, values: Any) -> np.ndarray:
         """Return the movement of the control points, shape (n_control, 2), for values of the variables.

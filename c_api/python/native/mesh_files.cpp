@@ -1,8 +1,8 @@
 // The readers of the program behind a C interface. Exceptions end here.
 #include "mesh_files.h"
 
-#include "mesh/marker_names.hpp"
-#include "curves/section_read.hpp"
+#include "mesh/mesh_file.hpp"
+#include "curves/section.hpp"
 #include "formats/format.hpp"
 
 #include <cstring>

@@ -11,8 +11,8 @@ from pathlib import Path
 def reader_sources(folder):
     """Return all files below `folder` (c_api/cli) that the readers need, as sorted paths."""
     folder = Path(folder)
-    waiting = [*folder.glob("formats/*.[ch]pp"), folder / "mesh/marker_names.hpp",
-               folder / "curves/section_read.hpp"]
+    waiting = [*folder.glob("formats/*.[ch]pp"), folder / "mesh/mesh_file.hpp",
+               folder / "curves/section.hpp"]
     found = set()
     while waiting:
         path = waiting.pop()

@@ -172,8 +172,11 @@ def test_measures_and_their_derivatives():
 @pytest.mark.parametrize("wrong, words", [
     ((), "at least one"),
     (("volume",), "unknown"),
-    (("thickness",), "unknown"),
-    ((("area", 0.5),), "unknown"),
+    (("thickness",), r"'thickness' is written \('thickness', station\), not"),
+    ((("camber",),), r"'camber' is written \('camber', station\), not"),
+    ((("area", 0.5),), "'area' is written 'area', not"),
+    ((("distance", 1),), r"written \('distance', other_curve, n_other \[, sharpness\]\), not"),
+    (((["area"],),), "unknown"),
     ((("thickness", 1.5),), ""),
     ((("clearance", [0.0, 1.0]),), "shape"),
 ])

@@ -326,3 +326,17 @@ def test_functions_as_a_dense_array(curves, move, operator, planes):
     assert morph.matrix(out=again) is again and np.array_equal(again, f)
     with pytest.raises(harmorph.Error):
         morph.matrix(out=np.empty((1, 2, 3)))
+
+
+@pytest.mark.parametrize("arguments, words", [
+    (dict(kind="sticky"), "'sticky' of a condition is unknown; known are"),
+    (dict(kind=3), "unknown"),
+    (dict(kind="periodic"), "needs a `partner`"),
+    (dict(kind="slip", partner="far"), "has no `partner`"),
+    (dict(kind="fixed", along=3), "`along` must be Curves"),
+    (dict(kind="rigid", centre=3), "centre must have two entries"),
+    (dict(kind="slip", near="here"), "near must have two entries"),
+])
+def test_wrong_conditions_are_refused_when_they_are_made(arguments, words):
+    with pytest.raises(harmorph.Error, match=words):
+        harmorph.Condition(**arguments)

@@ -2,6 +2,7 @@
 
 import importlib
 import inspect
+import re
 import subprocess
 import sys
 import typing
@@ -9,6 +10,7 @@ from pathlib import Path
 
 import harmorph
 import pytest
+from harmorph._native import ffi
 
 MODULES = ["arrays", "measures", "usmesh", "dvgeo", "openmdao", "torch", "jax"]
 HERE = Path(__file__)
@@ -57,6 +59,57 @@ def test_arguments_are_documented(one):
     for name in list(inspect.signature(one).parameters):
         if not name.startswith("_") and name not in ("view", "n_control"):
             assert name in text, f"{one.__name__}: {name}"
+
+
+@pytest.mark.parametrize("one", [*CLASSES, harmorph.measures.measure, harmorph.rigid, harmorph.swept_areas],
+                         ids=lambda one: one.__name__)
+def test_docstrings_need_no_header(one):
+    """They name no call, struct or file of C, and leave no line to fill in."""
+    things = [one, *(members(one).values() if inspect.isclass(one) else ())]
+    for thing in things:
+        text = inspect.getdoc(thing) or ""
+        assert not re.search(r"\bhm_\w+|harmorph_?\w*\.h\b|\{members of|\bHM_", text), f"{thing}: {text}"
+
+
+@pytest.mark.parametrize("struct, thing", [
+    ("hm_step_report", harmorph.Assessment), ("hm_quality_report", harmorph.Assessment),
+    ("hm_safe_report", harmorph.Safe), ("hm_fit_report", harmorph.Curves), ("hm_mesh_report", harmorph.Mesh.report),
+    ("hm_solve_report", harmorph.Morph), ("hm_basis_info", harmorph.Morph), ("hm_plane_info", harmorph.Plane),
+    ("hm_improve_report", harmorph.Morph.improve), ("hm_refit_report", harmorph.Curves.refit),
+])
+def test_docstrings_name_the_members_of_reports(struct, thing):
+    text = inspect.getdoc(thing)
+    names = [name for name, field in ffi.typeof(struct).fields if field.type.kind == "primitive"
+             and name not in ("struct_size", "bytes", "index_base") and not name.startswith("reserved")]
+    assert len(names) > 5 or struct == "hm_step_report"
+    for name in names:
+        assert f"`{name}`" in text, name
+
+
+def test_docstrings_explain_the_kinds():
+    from harmorph.measures import _KINDS as quantities
+    from harmorph.shapes import _MOVEMENTS as movements
+    from harmorph.variables import _KINDS as variables
+
+    for kinds, thing in ((quantities, harmorph.measures.measure), (movements, harmorph.Movement),
+                         (variables, harmorph.Variables), (harmorph.quality._KINDS, harmorph.Quality.bounds)):
+        for kind in kinds:
+            assert f'"{kind}"' in inspect.getdoc(thing), kind
+
+
+def test_representations(curves, morph):
+    mesh = morph.mesh
+    assert "12 control points" in repr(curves) and "'wall'" in repr(curves)
+    for one, words in ((mesh, "1105 points"), (morph, "12 functions"), (harmorph.Quality(morph), "1105 points"),
+                       (harmorph.Walls(mesh, ["wall"]), "64 faces"),
+                       (harmorph.Interpolation(mesh, mesh.points[:7]), "1105 points to 7"),
+                       (curves.variables("ffd", degrees=(2, 1)), "'ffd', n=6")):
+        assert repr(one).startswith(type(one).__name__ + "(") and words in repr(one)
+
+
+@pytest.mark.parametrize("one", CLASSES, ids=lambda one: one.__name__)
+def test_every_class_has_a_representation(one):
+    assert any("__repr__" in vars(base) for base in one.__mro__ if base is not object)
 
 
 @pytest.mark.parametrize("name", MODULES)

@@ -13,7 +13,7 @@ def turned(points, degrees):
 
 def test_maps_of_the_section():
     airfoil = section()
-    found = airfoil.move_section([harmorph.Movement("turn"), harmorph.Movement("shift")], [10, 0.3, -0.2])
+    found = airfoil.move_section([harmorph.Movement("rotate"), harmorph.Movement("shift")], [10, 0.3, -0.2])
     assert isinstance(found, harmorph.Moved) and not found.error.any() and not found.start.any()
     after = airfoil.control + found.move
     assert abs(after - turned(airfoil.control, 10) - [0.3, -0.2]).max() < 1e-14
@@ -113,15 +113,19 @@ def test_smallest_values_and_other_bodies():
 
 @pytest.mark.parametrize("call, words", [
     (lambda a: a.move_section([("roll",)], [1]), "unknown"),
-    (lambda a: a.move_section([("turn",)], [1, 2]), "values must have the shape"),
+    (lambda a: a.move_section([("rotate",)], [1, 2]), "values must have the shape"),
     (lambda a: a.move_section([]), ""),
-    (lambda a: a.move_section([("turn",)], [np.nan]), ""),
+    (lambda a: a.move_section([("rotate",)], [np.nan]), ""),
     (lambda a: a.refit(np.zeros((9, 2))), ""),
     (lambda a: a.refit(np.zeros((9, 3))), "shape"),
     (lambda a: a.family_modes(np.zeros((2, 5, 2))), "shape"),
     (lambda a: a.refined([2.0]), ""),
     (lambda a: a.refined([0.5], degree=4), ""),
-    (lambda a: a.measure(("min_thickness", 0.2)), "unknown"),
+    (lambda a: a.measure(("min_thickness", 0.2)), "written"),
+    (lambda a: harmorph.Movement("roll"), "'roll' is unknown; known are .*'rotate'"),
+    (lambda a: harmorph.Movement(["rotate"]), "unknown"),
+    (lambda a: harmorph.Movement("rotate", 0.25), "centre must have two entries"),
+    (lambda a: harmorph.Movement("flap", centre=(0, 0, 0)), "centre must have two entries"),
     (lambda a: a.measure(("distance", 5, 1)), ""),
     (lambda a: harmorph.Curves.fit_points(naca(), True, weights=[1.0]), ""),
     (lambda a: harmorph.Curves.fit_points(naca(), True, smoothing=-1.0), ""),
@@ -129,3 +133,36 @@ def test_smallest_values_and_other_bodies():
 def test_refusals(call, words):
     with pytest.raises(harmorph.Error, match=words):
         call(section())
+
+
+def test_a_movement_is_a_tuple():
+    """Tuples and movements mean the same, and both are checked."""
+    flap = harmorph.Movement("flap", (0.7, 0.0), length=0.1)
+    assert flap == ("flap", (0.7, 0.0), 0.1, 0, 0) and "flap" in repr(flap)
+    one = section()
+    assert (one.move_section([flap], [3]).move == one.move_section([("flap", (0.7, 0.0), 0.1)], [3]).move).all()
+
+
+@pytest.mark.parametrize("markers", [0, 1])
+def test_pictures_of_curves(markers):
+    import xml.etree.ElementTree as tree
+
+    one = section() if markers == 0 else harmorph.Curves(np.array([[0.0, 0.0], [1, 2], [3, -1], [4, 0]]))
+    root = tree.fromstring(one._repr_svg_())
+    space = "{http://www.w3.org/2000/svg}"
+    assert len(list(root.iter(f"{space}circle"))) == len(one.control)
+    outline = next(each for each in root.iter(f"{space}path") if each.get("class") == "curve").get("d")[1:].split("L")
+    # The picture shows points of the curve, to the scale of the picture.
+    places = np.array([[float(x) for x in place.split()] for place in (outline[0], outline[len(outline) // 2])])
+    first, last = one.range()
+    knots = np.unique(one.curves[0].knots)
+    assert len(outline) == 12 * (np.count_nonzero((knots >= first) & (knots <= last)) - 1) + 1
+    scale = 600 / np.ptp(np.concatenate([one.control, one.points(np.linspace(first, last, 400))]), axis=0).max()
+    spans = knots[(knots >= first) & (knots <= last)]
+    u = np.concatenate([np.linspace(a, b, 12, endpoint=False) for a, b in zip(spans[:-1], spans[1:])] + [spans[-1:]])
+    step = np.diff(one.points([u[0], u[len(u) // 2]]), axis=0) * [scale, -scale]
+    assert abs(np.diff(places, axis=0) - step).max() < 0.02 * 600 / 100
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    pyplot.switch_backend("agg")
+    assert len(one.plot().lines) == 2 * len(one.curves)
+    pyplot.close("all")

@@ -96,6 +96,10 @@ def vtu(header, swapped=False, real="d", coding="raw"):
     return out
 
 
+def format_of(kind):
+    return "vtu" if kind.endswith(".vtu") else "vtk"
+
+
 KINDS = {"text.vtk": lambda: legacy(True, "float", False), "text-5.vtk": lambda: legacy(True, "double", True),
          "binary.vtk": lambda: legacy(False, "double", True),
          "binary-single.vtk": lambda: legacy(False, "float", False),

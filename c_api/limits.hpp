@@ -1,0 +1,90 @@
+// Reads a struct of the caller, and compares its numbers with a table of what they may be.
+#pragma once
+
+#include "views.hpp"
+
+namespace harmorph {
+
+// What one number of a struct may be, and the sentence if it is not. In the sentence, # stands for
+// an integer and ~ for a real number. In sentences about an element of an array, # is the element,
+// and an integer is @.
+template <class Struct>
+struct Limit {
+    enum class Zero { in_range, is_default };  // is_default: 0 is allowed, too, outside the range
+
+    std::int32_t Struct::*integer = nullptr;
+    double Struct::*real = nullptr;
+    Real low, high;
+    const char* sentence;
+    Status status = Status::bad_argument;
+    Zero zero = Zero::in_range;
+
+    constexpr Limit(std::int32_t Struct::*member, Real smallest, Real largest, const char* text,
+                    Status refused = Status::bad_argument) noexcept
+        : integer(member), low(smallest), high(largest), sentence(text), status(refused) {}
+    constexpr Limit(double Struct::*member, Real smallest, Real largest, const char* text,
+                    Zero of_zero = Zero::in_range) noexcept
+        : real(member), low(smallest), high(largest), sentence(text), zero(of_zero) {}
+
+    bool allows(Struct const& given) const noexcept {
+        Real const number = real != nullptr ? given.*real : Real(given.*integer);
+        if (number != number) return false;  // NaN; < would raise a floating-point exception
+        return (low <= number && number <= high) || (zero == Zero::is_default && number == 0);
+    }
+    Status refuse(Struct const& given, Item element, Fault& fault) const noexcept {
+        if (real != nullptr) return fault.refuse(status, sentence, element, {}, given.*real);
+        Item const number = plain(given.*integer);
+        if (element.kind == ItemKind::nothing) return fault.refuse(status, sentence, number);
+        return fault.refuse(status, sentence, element, number);
+    }
+};
+
+// Refuses the first number that is not within its limits. `element` is the struct, if it is one of
+// several.
+template <class Struct, Size n>
+Status check_limits(Struct const& given, const Limit<Struct> (&limits)[n], Fault& fault,
+                    Item element = {}) noexcept {
+    for (Limit<Struct> const& limit : limits) {
+        if (!limit.allows(given)) return limit.refuse(given, element, fault);
+    }
+    return Status::ok;
+}
+
+// Reads a struct that must not be NULL. `name` is the name of the argument or field, `type` that of
+// the struct in the header.
+template <class Struct>
+Status open_struct(const Struct* given, Struct& out, const char* name, const char* type,
+                   Fault& fault) noexcept {
+    if (given == nullptr) return fault.refuse_argument(name, "% is NULL");
+    if (read_struct(given, out)) return Status::ok;
+    return fault.refuse_arguments(name, type,
+                                  "%.struct_size is not the size of an &; begin with HM_INIT(%)");
+}
+
+// Reads options, which are defaults if `given` is NULL. A newer header may have more options.
+template <class Struct>
+Status open_options(const Struct* given, Struct& out, const char* name, const char* type,
+                    Fault& fault) noexcept {
+    out = Struct{};
+    if (given == nullptr) return Status::ok;
+    HARMORPH_TRY(open_struct(given, out, name, type, fault));
+    if (!asks_for_more(given)) return Status::ok;
+    fault.refuse_argument(name,
+                          "% contains fields that are set but unknown to this version of the "
+                          "library; use the header of this version");
+    return fault.status = Status::unsupported;
+}
+
+// Reads an element of an array of structs. `what` is what the sentence calls the element.
+template <class Struct>
+Status open_element(const Struct* array, Index number, Struct& out, Item item, const char* what,
+                    const char* type, Fault& fault) noexcept {
+    if (read_struct(array, out) && read_struct(element(array, number), out)) return Status::ok;
+    fault.refuse(Status::bad_argument,
+                 "struct_size of % # is not the size of an &; begin with HM_INIT", item);
+    fault.argument = what;
+    fault.other_argument = type;
+    return fault.status;
+}
+
+}  // namespace harmorph
