@@ -111,7 +111,8 @@ kernels=$(grep -l '^#define HARMORPH_KERNELS' src/*/*.cpp)
 others=$(grep -L '^#define HARMORPH_KERNELS' src/*/*.cpp c_api/*.cpp)
 module() {
     flags="\$(WASM) $2" list= own=-Oz
-    rare='^c_api/|^src/(basis|boundary|bspline|fields|multigrid|parts|safe|space)/'
+    rare='^c_api/|^src/(basis|boundary|bspline|fields|multigrid|parts|plan|safe|space)/'
+    rare="$rare|^src/mesh/(boundary|delaunay|division|locate|pieces)"
     fast=$(echo "$kernels" | grep -vE "$rare"; ls src/morph/crossing.cpp)
     objects $1 $(printf '%s\n' $kernels $others | grep -E "$rare") c_api/web/module.cpp
     if [ -n "$2" ]; then own=-O2; fi
