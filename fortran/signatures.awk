@@ -71,7 +71,7 @@ END {
     for (k = 1; k <= bounds; ++k) {
         split(bound[k], part, SUBSEP)
         if (part[1] && !(part[1] in shown) || part[2] == "assignment(=)" || !(part[3] in dummy)) continue
-        if (part[2] ~ /address$|^room$|^take$|^drop_analysis$|^prepare$/) continue   # for other modules of harmorph
+        if (part[2] ~ /address$|^room$|^take$/) continue   # for other modules of harmorph
         object = part[1] ? part[1] "%" : ""; sub(/^hm_/, "", object)
         text = (function_of[part[3]] ? "n = " : "call ") object part[2] "("
         n = split(dummy[part[3]], argument, ","); more = ""; closing = ""
