@@ -58,8 +58,8 @@ constexpr Limit<hm_edge_mesh> edge_limits[] = {
     {&hm_edge_mesh::index_base, 0, 1, "edges.index_base must be 0 or 1, not #"},
     {&hm_edge_mesh::n_points, 3, largest_list, "edges.n_points must be between 3 and 2^30, not #",
      Status::bad_mesh},
-    {&hm_edge_mesh::n_cells, 1, largest_list / 2, "edges.n_cells must be between 1 and 2^29, not #",
-     Status::bad_mesh},
+    {&hm_edge_mesh::n_cells, 1, 0.5 * largest_list,
+     "edges.n_cells must be between 1 and 2^29, not #", Status::bad_mesh},
     {&hm_edge_mesh::n_edges, 3, largest_list, "edges.n_edges must be between 3 and 2^30, not #",
      Status::bad_mesh},
 };

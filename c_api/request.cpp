@@ -8,7 +8,7 @@ namespace {
 constexpr Limit<hm_problem> problem_limits[] = {
     {&hm_problem::n_conditions, 0, infinity, "problem.n_conditions must be at least 0, not #"},
     {&hm_problem::n_known, 0, infinity, "problem.n_known must be at least 0, not #"},
-    {&hm_problem::n_fluxes, 0, Mesh::max_points / 2,
+    {&hm_problem::n_fluxes, 0, 0.5 * Mesh::max_points,
      "problem.n_fluxes must be between 0 and 2^29, not #"},
     {&hm_problem::max_curve_distance, 0, largest_coordinate,
      "problem.max_curve_distance must be between 0 and 1e100, not ~"},

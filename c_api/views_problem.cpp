@@ -6,12 +6,12 @@
 namespace harmorph {
 namespace {
 
-constexpr Index max_count = Index{1} << 24;
+constexpr Index max_curves = Index{1} << 24;
 constexpr Limit<hm_curves> curves_limits[] = {
     {&hm_curves::index_base, 0, 1, "curves.index_base must be 0 or 1, not #"},
-    {&hm_curves::n_control, 2, max_count, "curves.n_control must be between 2 and 2^24, not #",
+    {&hm_curves::n_control, 2, max_curves, "curves.n_control must be between 2 and 2^24, not #",
      Status::bad_curve},
-    {&hm_curves::n_curves, 1, max_count, "curves.n_curves must be between 1 and 2^24, not #",
+    {&hm_curves::n_curves, 1, max_curves, "curves.n_curves must be between 1 and 2^24, not #",
      Status::bad_curve},
 };
 

@@ -330,7 +330,7 @@ enum {
      * chord, all counted from the x axis. A cubic with these angles is added to the camber line,
      * the thickness rotates with the camber line, and the section rotates about (x, y) by v2. */
     HM_BLADE = 6,
-    /* One value for each of the linear `variables`; HM_FFD: two, dx and dy of each node [length].
+    /* One value for each of the linear `variables`; HM_FFD: dx, dy of each lattice point [length].
      * The map to the control points makes the B-spline follow the wanted movement of the outline in
      * the least-squares sense over the parameters of the curves, with the free ends of curves
      * exact. */
@@ -377,7 +377,7 @@ typedef struct hm_section_move {
     double* start;
     /* [n_control * n_variables * 2] where HM_LINEAR or HM_FAMILY is the only movement: for each
      * control point the pairs (x, y) by which one unit of each variable moves this point, as
-     * complex numbers, for hm_combine. The node of HM_FFD is one complex variable. Other movements
+     * complex numbers, for hm_combine. A lattice point of HM_FFD is one variable. Other movements
      * are refused with HM_BAD_ARGUMENT if this is not NULL. */
     double* matrix;
     double* unit_errors; /* [2*n_variables] HM_LINEAR: as `error`, per unit of each variable */
@@ -387,7 +387,7 @@ typedef struct hm_section_move {
     double error[2];
 } hm_section_move;
 
-/* Turns values into a movement of a section and its derivatives: applies 1 .. 64 movements, in
+/* Converts values into a movement of a section and its derivatives: applies 1 .. 64 movements, in
  * their order, with values [n_values] one movement after the other; NULL: all 0. Only rotate,
  * shift, scale and flap may come after another movement. Control points that no curve of the
  * section uses do not move.
