@@ -99,7 +99,7 @@ Prepared MeshImprovement::pull_layer(ImproveOptions const& options, Index soluti
                                      Points from) noexcept {
     // Parts of the smallest quality before: what must be left if tops are put in their places at
     // once, while anchors pull them, and when they have been put there.
-    constexpr Real at_once = 0.9, meanwhile = 0.8, afterwards = 0.3;
+    constexpr Real at_once = 0.9, meanwhile = 0.8, afterwards = 0.7;
     Real const smallest = improvement.smallest();
     if (improvement.anchors.count == 0) {
         bool const is_last_chance = solutions == options.max_solutions * 3 / 5;
