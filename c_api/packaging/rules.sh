@@ -168,7 +168,9 @@ all_rules() {
 
     compiler='$(CXX)' stamp=$build/flags flags='$(CORE)' list=
     own='$(KERNEL_LEVEL) $(CXXFLAGS)'
-    objects core $kernels
+    objects core $(echo "$kernels" | grep -vxF src/dense/dense.cpp)
+    own='$(DENSE_LEVEL) $(CXXFLAGS)'
+    objects core src/dense/dense.cpp
     own='$(LEVEL) $(CXXFLAGS)'
     objects core $others
     printf '%s/libharmorph.a:%s\n\techo $(AR) $@\n\trm -f $@\n\t$(AR) rcs $@%s\n' $build "$list" "$list"
