@@ -96,12 +96,37 @@ struct NumberedItem {
     }
 };
 
+// Writes the number of an item; of a point of a structured block "17 (i=5, j=2)" or "17 (i=5, j=2
+// of block 3)". All of them count from the base.
+void put_item(NumberedItem const& item, Bases const& bases, Sentence& sentence) noexcept {
+    sentence.put_integer(item.number);
+    if (item.kind != ItemKind::point || (bases.ni < 1 && bases.n_blocks < 1)) return;
+    Offset point = item.number - item.base, ni = bases.ni, block = 0;
+    while (block < bases.n_blocks) {
+        ni = bases.block_sizes[2 * block];
+        Offset const points = ni * bases.block_sizes[2 * block + 1];
+        if (point < points) break;
+        point -= points;
+        ++block;
+    }
+    if (point < 0 || ni < 1 || (bases.n_blocks > 0 && block == bases.n_blocks)) return;
+    sentence.put(" (i=");
+    sentence.put_integer(point % ni + item.base);
+    sentence.put(", j=");
+    sentence.put_integer(point / ni + item.base);
+    if (bases.n_blocks > 1) {
+        sentence.put(" of block ");
+        sentence.put_integer(block + item.base);
+    }
+    sentence.put(')');
+}
+
 void put_sentence(Fault const& fault, NumberedItem const& item, NumberedItem const& other,
-                  Sentence& sentence) noexcept {
+                  Bases const& bases, Sentence& sentence) noexcept {
     for (const char* c = fault.sentence; *c != '\0'; ++c) {
         switch (*c) {
-            case '#': sentence.put_integer(item.number); break;
-            case '@': sentence.put_integer(other.number); break;
+            case '#': put_item(item, bases, sentence); break;
+            case '@': put_item(other, bases, sentence); break;
             case '~': sentence.put_real(fault.value); break;
             case '$':
                 sentence.put('(');
@@ -138,7 +163,7 @@ hm_status tell(hm_error* err, Fault const& fault, Bases bases) noexcept {
         err->y = fault.place[1];
     }
     Sentence sentence(err->text, sizeof err->text);
-    if (fault.sentence != nullptr) put_sentence(fault, item, other, sentence);
+    if (fault.sentence != nullptr) put_sentence(fault, item, other, bases, sentence);
     return status;
 }
 

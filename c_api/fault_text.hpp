@@ -4,14 +4,25 @@
 
 #include "harmorph.h"
 #include "base/types.hpp"
+#include "mesh/mesh.hpp"
 
 namespace harmorph {
 
 // The index bases of the caller. `mesh` holds for all items except curves, control points and
 // knots, for which `curves` holds. Where only one of the two is known, it holds for all items.
+// The sentences name points of structured blocks by i and j, too.
 struct Bases {
     Index mesh = none;
     Index curves = none;
+    Index ni = 0, n_blocks = 0;          // 0: the mesh has no blocks
+    const Index* block_sizes = nullptr;  // [2 * n_blocks] ni and nj
+
+    void set(Mesh const& of) noexcept {
+        mesh = of.index_base;
+        ni = of.layout == CellLayout::structured ? of.ni : 0;
+        n_blocks = of.layout == CellLayout::blocks ? of.n_blocks : 0;
+        block_sizes = of.block_sizes;
+    }
 };
 
 // Fills *err, which may be null, and returns the status. A fault with Status::ok clears the error.

@@ -13,7 +13,7 @@ inline Status open_analysis(const hm_analysis* handle, const Analysis*& analysis
                             CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"analysis", handle}}, fault));
     analysis = reinterpret_cast<const Analysis*>(handle);
-    fault.bases.mesh = analysis->problem().mesh.index_base;
+    fault.bases.set(analysis->problem().mesh);
     return Status::ok;
 }
 
@@ -32,7 +32,7 @@ template <class Handle, class Object>
 Status open_plan(Handle* handle, Object*& plan, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"plan", handle}}, fault));
     plan = reinterpret_cast<Object*>(handle);
-    fault.bases.mesh = plan->mesh().index_base;
+    fault.bases.set(plan->mesh());
     return Status::ok;
 }
 

@@ -216,7 +216,7 @@ hm_status hm_quality_bounds(const hm_quality* quality, const hm_points* at, int3
             require({{"quality", quality}, {"bounds", bounds}, {"values", values}}, fault));
         MeshQuality const& opened = *reinterpret_cast<const MeshQuality*>(quality);
         Mesh const& mesh = opened.cells.mesh;
-        fault.bases.mesh = mesh.index_base;
+        fault.bases.set(mesh);
         if (n < 1)
             return fault.refuse(Status::bad_argument, "n must be at least 1, not #", plain(n));
         HARMORPH_TRY(check_report(values, "values", fault));

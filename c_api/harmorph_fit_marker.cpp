@@ -1,6 +1,7 @@
 // The C interface: fits B-splines to the walls of a mesh.
 #include <limits>
 
+#include "base/vec2.hpp"
 #include "fitted_set.hpp"
 #include "request.hpp"
 
@@ -104,8 +105,27 @@ private:
     void name_point(Item& item) const noexcept {
         if (item.kind == ItemKind::point) item = point_item(work_.point[item.number]);
     }
+    // Refuses a piece that begins and ends with the two sides of a cut, as the line of a C-mesh
+    // that contains the airfoil and its wake.
+    Status check_cut(CallFault& fault) const noexcept {
+        constexpr Real rounding = 1e-9;  // of the face
+        Points const points = wall_.request.problem.mesh.points;
+        Index n = 0;
+        while (2 * (n + 2) < n_points_) {
+            Vec2 const one = points[work_.point[n]], other = points[work_.point[n_points_ - 1 - n]];
+            Real const face = length(points[work_.point[n + 1]] - one);
+            if (length(other - one) > rounding * face) break;
+            ++n;
+        }
+        if (n < 2) return Status::ok;
+        return fault.refuse(Status::bad_condition,
+                            "the marker has both sides of a cut, which meet the body at points # "
+                            "and @; leave the faces of the cut without a marker",
+                            point_item(work_.point[n - 1]), point_item(work_.point[n_points_ - n]));
+    }
     void fit_piece(bool is_loop, CallFault& fault) noexcept {
         Points const points = wall_.request.problem.mesh.points;
+        if (!is_loop && failed(check_cut(fault))) return;
         for (Index k = 0; k < n_points_; ++k) {
             work_.x[k] = points[work_.point[k]].x;
             work_.y[k] = points[work_.point[k]].y;

@@ -5,6 +5,13 @@
 
 namespace harmorph {
 
+// The refusals are not in the templates, so that the library has each of them once.
+Status refuse_integer(Status why, const char* sentence, Index number, Item element,
+                      Fault& fault) noexcept;
+Status refuse_size(const char* name, const char* type, Fault& fault) noexcept;
+Status refuse_unknown_options(const char* name, Fault& fault) noexcept;
+Status refuse_size_of_element(Item item, const char* what, const char* type, Fault& fault) noexcept;
+
 // What one number of a struct may be, and the sentence if it is not. In the sentence, # stands for
 // an integer and ~ for a real number. In sentences about an element of an array, # is the element,
 // and an integer is @.
@@ -33,9 +40,7 @@ struct Limit {
     }
     Status refuse(Struct const& given, Item element, Fault& fault) const noexcept {
         if (real != nullptr) return fault.refuse(status, sentence, element, {}, given.*real);
-        Item const number = plain(given.*integer);
-        if (element.kind == ItemKind::nothing) return fault.refuse(status, sentence, number);
-        return fault.refuse(status, sentence, element, number);
+        return refuse_integer(status, sentence, given.*integer, element, fault);
     }
 };
 
@@ -69,10 +74,7 @@ Status open_options(const Struct* given, Struct& out, const char* name, const ch
     if (given == nullptr) return Status::ok;
     HARMORPH_TRY(open_struct(given, out, name, type, fault));
     if (!asks_for_more(given)) return Status::ok;
-    fault.refuse_argument(name,
-                          "% contains fields that are set but unknown to this version of the "
-                          "library; use the header of this version");
-    return fault.status = Status::unsupported;
+    return refuse_unknown_options(name, fault);
 }
 
 // Reads an element of an array of structs. `what` is what the sentence calls the element.
@@ -80,11 +82,7 @@ template <class Struct>
 Status open_element(const Struct* array, Index number, Struct& out, Item item, const char* what,
                     const char* type, Fault& fault) noexcept {
     if (read_struct(array, out) && read_struct(element(array, number), out)) return Status::ok;
-    fault.refuse(Status::bad_argument,
-                 "struct_size of % # is not the size of an &; begin with HM_INIT", item);
-    fault.argument = what;
-    fault.other_argument = type;
-    return fault.status;
+    return refuse_size_of_element(item, what, type, fault);
 }
 
 }  // namespace harmorph

@@ -64,7 +64,9 @@ Status view_mesh(const hm_mesh* given, Mesh& mesh, CallFault& fault) noexcept {
     mesh.list_points = m.list_points;
     mesh.list_markers = m.list_markers;
     HARMORPH_TRY(check_counts(mesh, fault));
-    return check_polygons(mesh, fault);
+    HARMORPH_TRY(check_polygons(mesh, fault));
+    fault.bases.set(mesh);
+    return Status::ok;
 }
 
 Status view_executor(const hm_executor* given, Executor& executor, Fault& fault) noexcept {

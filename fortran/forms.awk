@@ -73,6 +73,7 @@ FNR == 1 { section = "declarations" }
 section != wanted { next }
 /^!@headers$/ { print ENVIRON["declared"]; next }
 /^!@calls$/ { print ENVIRON["calls"]; next }
+/^!@signatures$/ { print ENVIRON["signatures"]; next }
 /^!@each / { each = $2; text = ""; next }
 /^!@forms / { each = $2; in_forms = 1; next }
 /^!@end$/ && !in_forms {

@@ -8,7 +8,8 @@
 # line also gives the form, the kind and the shape. Between !@forms NAME and !@end are procedures that have one body for
 # all forms (forms.awk). The line !@outcome declares stat, err and the outcome of a call of the module, !@call what all
 # calls of FORTRAN 77 declare. The lines !@headers and !@calls stand for what the C headers in the list `headers`
-# declare: constants and structs (declarations.awk), and functions (interfaces.awk).
+# declare: constants and structs (declarations.awk), and functions (interfaces.awk); the line !@signatures for the
+# arguments of all calls of the module (signatures.awk).
 top=$(cd "$(dirname "$0")/.." && pwd)
 headers=$(cd "${HEADERS:-$top/include}" && pwd)
 cd "$top/fortran/$1" || exit 1
@@ -21,7 +22,8 @@ if [ -f headers ]; then
     calls=$({ echo "$known" | sed -n 's/^struct /known /p'; echo "$table"; } |
         awk -f ../type_of.awk -f ../interfaces.awk ../arguments -) || exit 1
 fi
-export declared calls
+signatures=$(awk -f ../signatures.awk $(cat order)) || exit 1
+export declared calls signatures
 part() { awk -v wanted="$2" -f ../forms.awk $forms "$1" || exit 1; }   # file, declarations or procedures
 for file in $(cat order); do part $file declarations; done
 echo contains

@@ -225,5 +225,23 @@ unknown_calls() {
 }
 all_calls_known() { ! unknown_calls | grep .; }
 check "legacy calls are in their manual and in the tests" all_calls_known
+# The head of the module lists every call that examples and tests make, with the keywords that they use.
+signatures() { sed -n '/^! ALL CALLS/,/^! THE MESH/p' "$build/harmorph.f90" | sed 's/^! *//'; }
+unlisted_calls() {
+    signatures | tr -d '\n' | sed 's/call /\ncall /g; s/n = /\nn = /g' >"$dir/signatures"
+    cat fortran/examples/*.f90 tests/fortran/*.f90 tests/readme_*.f90 |
+        grep -o 'call \(mesh\|curves\|plan\|basis\|quality\|plane\|walls\|interpolation\)%[a-z_]*(' | sort -u |
+        while read -r call; do
+            grep -qF -e "$call" "$dir/signatures" || echo "$call"
+        done
+}
+all_calls_listed() { [ "$(signatures | grep -c '^call ')" -gt 90 ] && ! unlisted_calls | grep .; }
+check "the head of the module lists all calls" all_calls_listed
+arguments_are_listed() {   # with those that are optional in brackets, and ranks
+    grep -qxF -e 'call curves%project(curve, x, y, u, distance)' "$dir/signatures" &&
+        grep -qxF -e 'call mesh%points(x(..), y(..) [, first])' "$dir/signatures" &&
+        grep -q '^call plan%analyse(mesh \[, curves, conditions(:), .*options' "$dir/signatures"
+}
+check "calls are listed with their arguments" arguments_are_listed
 
 finish "$dir"

@@ -38,13 +38,14 @@ for file in fortran/*.f90 harmorph.f90 harmorph77.f90 harmorph_mpi.f90 harmorph_
     harmorph_petsc.c read_su2.c read_su2.h naca0012.su2; do
     echo "./share/harmorph/$(basename "$file")"
 done >"$dir/shared"
+echo ./share/bash-completion/completions/harmorph >>"$dir/expected"
 {
     cat "$dir/shared"
     for file in c_api/openfoam/*.[ch]pp c_api/openfoam/Makefile; do echo "./share/harmorph/openfoam/${file##*/}"; done
     for file in fortran/examples/code_saturne/*.[fpa]*; do echo "./share/harmorph/code_saturne/${file##*/}"; done
 } | sort >>"$dir/expected"
 rm "$dir/shared"
-printf "./share/%s\n" man/man1/harmorph.1 bash-completion/completions/harmorph >>"$dir/expected"
+echo ./share/man/man1/harmorph.1 >>"$dir/expected"
 
 cat >"$dir/project/CMakeLists.txt" <<END
 cmake_minimum_required(VERSION 3.16)

@@ -140,6 +140,11 @@ judged_alike
 cp "$tmp/conformal.moved" "$tmp/again.su2"
 page again "$tmp/again.su2" "$tmp/conformal.basis" 20
 judged_alike
+# A curve without ends, on which the library needs a chord.
+"$harmorph" fit "$naca" --marker airfoil --closed periodic --points 12 -o "$tmp/periodic.curve" >/dev/null || fail "fit"
+solve "$naca" --curve "airfoil=$tmp/periodic.curve" --operator weighted -o "$tmp/periodic.basis"
+page periodic "$naca" "$tmp/periodic.basis" 20
+judged_alike
 page crossing "$naca" "$tmp/conformal.basis" -150
 judged_alike
 if [ "$(value self_crossing)" = true ]; then ok; else fail "no wall crosses another"; fi

@@ -35,11 +35,17 @@ for part in mpi petsc; do put harmorph_$part.c sh c_api/packaging/join.sh $part;
 put page_text.cpp sh c_api/cli/page/embed.sh
 put command_text.cpp sh c_api/cli/commands/embed.sh
 
-# The module of pages, where clang and lld are installed: without them the program has no pages, and says why.
+# The module of pages, where clang and lld make one: otherwise the program has no pages, and says why.
+makes_modules() {
+    sh c_api/web/pack.sh tools && echo 'extern "C" int one() { return 1; }' |
+        $WASM_CXX --target=wasm32 -msimd128 -mbulk-memory -nostdlib -Wl,--no-entry,--export=one -x c++ - \
+            -o "$build/module.$$"
+}
 module=$build/web/page.wasm without_module=
-if ! sh c_api/web/pack.sh tools >/dev/null 2>&1; then
+if ! makes_modules >"$build/module.$$.log" 2>&1; then
     module= without_module="clang and lld (Debian's packages clang and lld)"
 fi
+rm -f "$build/module.$$"*
 put page_reason echo "$without_module"
 
 # Programs without zlib refuse compressed files, and say why: nobody needs to know of zlib before.
@@ -105,7 +111,8 @@ kernels=$(grep -l '^#define HARMORPH_KERNELS' src/*/*.cpp)
 others=$(grep -L '^#define HARMORPH_KERNELS' src/*/*.cpp c_api/*.cpp)
 module() {
     flags="\$(WASM) $2" list= own=-Oz
-    rare='^c_api/|^src/(basis|boundary|bspline|fields|multigrid|parts|safe|space)/'
+    rare='^c_api/|^src/(basis|boundary|bspline|fields|multigrid|parts|plan|safe|space)/'
+    rare="$rare|^src/mesh/(boundary|delaunay|division|locate|pieces)"
     fast=$(echo "$kernels" | grep -vE "$rare"; ls src/morph/crossing.cpp)
     objects $1 $(printf '%s\n' $kernels $others | grep -E "$rare") c_api/web/module.cpp
     if [ -n "$2" ]; then own=-O2; fi

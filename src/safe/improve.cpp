@@ -12,26 +12,30 @@ constexpr Real min_slope = 1e-4;
 constexpr Index max_halvings = 40, max_doublings = 3;
 // The natural sharpness makes cells of the smallest quality exp(log_of_weight) times as heavy as
 // cells of the mean quality, so that a few of the former are as heavy as all others together in a
-// mesh of some thousand cells. It does not depend on the number of cells, so that a passage is
-// improved as the annulus of all passages is. It is multiplied by a factor
-// that grows when a step lowers J, or gains little beside the gap between the smooth and the exact
-// maximum; it grows fast after whole steps.
-constexpr Real log_of_weight = 7.5;
+// mesh of some hundred cells. It does not depend on the number of cells, so that a passage is
+// improved as the annulus of all passages is. It is multiplied by a factor that grows when a step
+// lowers J, or gains little beside the gap between the smooth and the exact maximum; it grows fast
+// after whole steps.
+constexpr Real log_of_weight = 5;
 constexpr Real min_sharpness = 4, max_natural_sharpness = 40, max_sharpness = 400;
-constexpr Real small_part_of_gap = 0.1, fast_growth = 2.5, slow_growth = 1.4;
+constexpr Real small_part_of_gap = 0.1, fast_growth = 1.8, slow_growth = 1.4;
 constexpr Real blur_per_sharpness = 2, min_blur = 0.01, max_blur = 0.3;
 // The least curvature and the damping in parts of the slope of the mean cell.
-constexpr Real least_curvature = 0.1, first_damping = 10;
-// After a step that is shorter than short_step, the damping grows so much that the next one should
-// not be.
-constexpr Real short_step = 0.3, min_growth = 4, max_growth = 64, fall_of_damping = 3;
+constexpr Real least_curvature = 0.1, first_damping = 3;
+// After a step that is shorter than this part of the possible length, all dampings grow so much
+// that the next one should not be. After another step they fall.
+constexpr Real short_step = 0.3, min_growth = 4, max_growth = 64, fall_of_damping = 5;
+// The damping of a cell grows if the change of the last step deforms the cell by more than this,
+// in proportion to the deformation up to a limit.
+constexpr Real max_strain = 0.5, max_growth_of_cell = 16, max_damping = 1e12;
 // No y of a step is larger than the largest before the step plus this number.
 constexpr Real max_rise = 0.3;
 // The rest of the curvature of the smooth maximum along its gradient, in parts of the curvature.
 constexpr Real min_rest = 1e-3;
-// The steps end when J gains less than this in three steps, or when the gain of the last step and
-// the gap, which is the most that a sharper maximum can bring, are less together.
-constexpr Real small_gain = 0.015;
+// The steps end when the gain of the last step and the gap, which is the most that a sharper
+// maximum can bring, are less than small_rest together, or when J gains less than small_gain in
+// three steps. After `patience` solutions small_gain grows with the square of their number.
+constexpr Real small_rest = 0.02, small_gain = 0.018, patience = 16;
 // A step that lowers the energy by less is slow, while anchors pull.
 constexpr Real slow_gain = 0.02;
 
@@ -61,6 +65,7 @@ void Improvement::lay_out(Arena& arena, Plan const& of_plan) noexcept {
     arena.take(best, counts.points);
     arena.take(area, of_plan.mesh().n_given_cells());
     arena.take(y, of_plan.mesh().n_given_cells());
+    arena.take(damping, of_plan.mesh().n_given_cells());
 }
 
 void Improvement::begin(Plan const& of_plan, Points points) noexcept {
@@ -107,7 +112,7 @@ void Improvement::restart() noexcept {
     fill(change, Vec2{});
     region.grow(tangle, Region::whole);
     blur = max_blur;
-    damping = first_damping;
+    fill(damping, first_damping);
     sharpness = min_sharpness;
     factor_of_sharpness = 1;
     set_sharpness(sums_of(now));
@@ -127,9 +132,16 @@ void Improvement::sharpen(bool raises) noexcept {
     set_sharpness(sums_of(now));
 }
 
-bool Improvement::is_at_rest(Real const (&gains)[3]) const noexcept {
-    bool const is_near = last_length >= 0.5 && last_gain + gap < small_gain;
-    return is_near || gains[0] + gains[1] + gains[2] < small_gain;
+bool Improvement::is_at_rest(Real const (&gains)[3], Index solutions) const noexcept {
+    Real const spent = max(static_cast<Real>(solutions) / patience, 1.0);
+    bool const is_near = last_length >= 0.5 && last_gain + gap < small_rest;
+    return is_near || gains[0] + gains[1] + gains[2] < spent * spent * small_gain;
+}
+
+void Improvement::keep_if_better(Score const& found, Real lowest, Score& highest) const noexcept {
+    if (!found.is_better_than(highest, lowest)) return;
+    highest = found;
+    copy(best, Span<const Vec2>(now));
 }
 
 Improvement::Score Improvement::score(Points points) const noexcept {
@@ -203,7 +215,7 @@ LogarithmWeights Improvement::weights_of(Sums const& sums, Index number) const n
     Real const share = exponential(sharpness * (y[number] - sums.largest)) / sums.exponentials,
                part = exponential(-y[number]) / sums.qualities;
     return {share + part, sharpness * share - part, least_curvature * (share + part),
-            damping * of_mean, blur};
+            damping[number] * of_mean, blur};
 }
 
 PolygonMeasures Improvement::measure_polygon(Index number) const noexcept {
@@ -284,16 +296,52 @@ bool Improvement::step() noexcept {
     system.assemble_cells(tangle, region, executor,
                           [&](Index i, auto& form) { differentiate(sums, i, form); });
     pull_anchors();
+    possible_length = 1;
     Real const length = solve() ? descend(before, sums.largest + max_rise) : 0;
     Sums const found = sums_of(now);
     last_length = length;
     last_gain = length > 0 ? before - energy_of(found) - energy_of_anchors(now) : 1;
     gap = found.gap;
-    if (length < short_step)
-        damping *= length > 0 ? clamp(short_step / length, min_growth, max_growth) : max_growth;
-    else if (length >= 1) damping /= fall_of_damping * length;
-
+    adapt_damping();
     return length > 0;
+}
+
+// The size of dE E^-1, where E = (a, b) are the sides at a corner, which change by dE = (da, db).
+Real Improvement::strain_of(Index number) const noexcept {
+    Real largest = 0;
+    for (Index const piece : tangle.mesh.pieces_of(number)) {
+        CellShape const shape = tangle.shape(piece, as_points(now));
+        CellCorners const here(shape), changes(tangle.shape(piece, as_points(change)));
+        for (Index k = 0; k < (shape.n == 3 ? 1 : 4); ++k) {
+            Index const before = k == 0 ? shape.n - 1 : k - 1;
+            Vec2 const a = here.side[before], b = here.side[k];
+            Vec2 const da = changes.side[before], db = changes.side[k];
+            Real const per_area = 1 / here.twice_area[k];
+            Real const all = per_area * square(da) * (per_area * square(b)) +
+                             per_area * square(db) * (per_area * square(a)) -
+                             2 * (per_area * dot(da, db)) * (per_area * dot(a, b));
+            largest = max(largest, all);
+        }
+    }
+    return sqrt(largest);
+}
+
+void Improvement::adapt_damping() const noexcept {
+    Real growth = 1;
+    if (!(last_length >= short_step * possible_length)) {
+        growth = last_length > 0
+                     ? clamp(short_step * possible_length / last_length, min_growth, max_growth)
+                     : max_growth;
+    }
+    Real const fall = growth == 1 ? 1 / (fall_of_damping * max(last_length, 1.0)) : growth;
+    executor.for_ranges(damping.count(), 1024, [&](Index begin, Index end) {
+        for (Index k = begin; k < end; ++k) {
+            Real const strain = strain_of(k);
+            Real const by =
+                strain > max_strain ? growth * min(strain / max_strain, max_growth_of_cell) : fall;
+            damping[k] = min(by * damping[k], max_damping);
+        }
+    });
 }
 
 // Returns the length of the step, 0 if no step lowers the energy.
@@ -305,6 +353,7 @@ Real Improvement::descend(Real before, Real max_largest) noexcept {
         share_of_admissible *
         admissible_step(cells, as_points(now), as_points(change), executor).step;
     Real length = min(1.0, max_length), after = infinity;
+    possible_length = length;
     auto const falls_enough = [&] {
         look_ahead(length);
         after = energy_of(ahead, max_largest);

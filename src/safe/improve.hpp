@@ -11,6 +11,9 @@ namespace harmorph {
 struct ImproveOptions {
     // The largest number of solutions: of factorisations, each with its substitution.
     Index max_solutions = 20;
+    // The solutions that the caller has spent on this mesh before. The more there are, the more
+    // further ones have to bring; see Improvement::is_at_rest().
+    Index spent = 0;
 };
 
 struct ImproveReport {
@@ -51,11 +54,12 @@ struct Anchors {
 //
 // Each step is one of Newton's method with the Hessians of LogarithmWeights. The smooth maximum
 // also contributes minus the square of its gradient, a negative term of rank one, which two
-// substitutions take into account (Sherman and Morrison). `damping` penalises relative deformations
-// of all cells alike. It grows if a step was cut short, and falls after a whole step (Levenberg and
-// Marquardt). No step is longer than a part of the exact admissible step, so that no cell is
-// inverted on the way, and every step lowers the energy. Walls do not move; points that slip stay
-// on their lines and curves.
+// substitutions take into account (Sherman and Morrison). Relative deformations of cells are damped
+// (Levenberg and Marquardt). Each cell has its own damping, which grows where a step deforms the
+// cell much, so that a few poor cells do not shorten the steps of all others; all dampings grow if
+// the energy does not fall along the step, and fall after a whole step. No step is longer than a
+// part of the exact admissible step, so that no cell is inverted on the way, and every step lowers
+// the energy. Walls do not move; points that slip stay on their lines and curves.
 struct Improvement {
     Tangle tangle;  // set by the caller, with the reference
     // Set by the caller: the points that slip along curves; their lines are those of the tangle.
@@ -68,6 +72,7 @@ struct Improvement {
     Span<Vec2> now, change, ahead, best;  // [n_points]
     Span<Real> area;                      // [given cells] at the reference, in square units
     Span<Real> y;                         // [given cells]
+    Span<Real> damping;                   // [given cells] in parts of the slope of the mean cell
     Anchors anchors;                      // laid out by the caller
     // Cells are measured, and the system is solved, in units of a power of two of the extent of the
     // mesh, so that no bit depends on the unit of length.
@@ -84,8 +89,8 @@ struct Improvement {
              MutablePoints to, ImproveReport& report, Prepare const& prepare) noexcept;
 
     // These are the parts of run(). begin() sets `now` to `points`. restart() takes changes of held
-    // points into account. step() makes a step of Newton's
-    // method and returns whether the mesh has changed.
+    // points into account. step() makes a step of Newton's method and returns whether the mesh has
+    // changed.
     void begin(Plan const& of_plan, Points points) noexcept;
     void restart() noexcept;
     bool step() noexcept;
@@ -120,11 +125,14 @@ private:
     };
 
     Real factor_of_sharpness = 1;
-    // Of the last step: its length, the gain of energy, and the gap that remains (see Sums).
-    Real last_length = 0, last_gain = 0, gap = 0;
-    Real sharpness = 0, blur = 0, damping = 0;
+    // Of the last step: its length, the length up to which no cell is inverted (at most 1), the
+    // gain of energy, and the gap that remains (see Sums).
+    Real last_length = 0, possible_length = 0, last_gain = 0, gap = 0;
+    Real sharpness = 0, blur = 0;
 
-    bool is_at_rest(Real const (&gains)[3]) const noexcept;
+    // Returns whether further solutions would bring little, after `solutions` of them. The gains
+    // are those of J in the last three steps.
+    bool is_at_rest(Real const (&gains)[3], Index solutions) const noexcept;
     Score score(Points points) const noexcept;
     void choose_unit() noexcept;
     CellShape shape_in_units(Index i, Points points) const noexcept;
@@ -144,6 +152,10 @@ private:
     Real descend(Real before, Real max_largest) noexcept;
     bool is_valid(Span<const Vec2> points) const noexcept;
     void look_ahead(Real length) const noexcept;
+    void adapt_damping() const noexcept;
+    // Returns the size of the relative deformation of a cell by the last change.
+    Real strain_of(Index number) const noexcept;
+    void keep_if_better(Score const& found, Real lowest, Score& highest) const noexcept;
 };
 
 template <class Prepare>
@@ -158,23 +170,19 @@ void Improvement::run(Plan const& of_plan, ImproveOptions const& options, Real l
     while (region.n > 0 && report.solutions < options.max_solutions && !report.converged) {
         Prepared const prepared = prepare();
         if (prepared == Prepared::end) break;
-        bool const is_prepared = prepared == Prepared::mesh;
-        if (is_prepared) {
+        bool const is_new = prepared == Prepared::mesh;
+        if (is_new) {
             highest = found = score(as_points(now));
             copy(best, Span<const Vec2>(now));
         }
-        Real const before = highest.value();
+        Real const before = highest.value(), last = found.value();
         ++report.solutions;
         step();
-        Real const last = found.value();
         found = score(as_points(now));
         if (anchors.count == 0) sharpen(found.value() > last);
-        if (found.is_better_than(highest, lowest)) {
-            highest = found;
-            copy(best, Span<const Vec2>(now));
-        }
-        gains[report.solutions % 3] = is_prepared ? infinity : highest.value() - before;
-        report.converged = is_at_rest(gains);
+        keep_if_better(found, lowest, highest);
+        gains[report.solutions % 3] = is_new ? infinity : highest.value() - before;
+        report.converged = is_at_rest(gains, options.spent + report.solutions);
     }
     for (Index k = 0; k < now.count(); ++k) to.set(k, best[k]);
 }

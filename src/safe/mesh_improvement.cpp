@@ -43,61 +43,93 @@ Status MeshImprovement::check(Plan const& plan, Points reference, Points from,
     return check_points(plan, from, "cell # is inverted: only a valid mesh can be improved", fault);
 }
 
-void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points reference, Points from,
-                          MutablePoints to, ImproveReport& report) noexcept {
+void MeshImprovement::begin(Plan& plan, Points reference, Points from) noexcept {
     FaceDistance const& walls = plan.equations().walls_at(reference);
-    report = {};
-    if (is_same(reference, from, result.count())) {
-        report.converged = true;
-        for (Index k = 0; k < result.count(); ++k) to.set(k, from[k]);
-        return;
-    }
     mobility.find(plan, from);
     first_layer.find(plan.mesh(), reference, mobility.representative, walls.chosen());
     find_layer(reference, from);
     improvement.executor = plan.executor();
     improvement.tangle = mobility.tangle(plan, reference);
     improvement.slipping = mobility.slipping;
-    constexpr Real min_kept = 0.9;  // of the smallest quality, if tops are put there at once
-    MutablePoints const found{&result.data()->x, &result.data()->y, 2};
-    // If the smallest quality falls below this part with the tops in their places, they go back.
-    constexpr Real hopeless = 0.3;
-    constexpr Real rounding = 1e-9;  // the difference of one quality that is found in two ways
     improvement.measure_reference();
-    auto const smallest = [&](Points points) { return improvement.smallest_of(points); };
-    Real const given = smallest(from);
-    Anchors& anchors = improvement.anchors;
-    Index const n_anchors = anchors.count;
-    bool is_in_vain = false;
-    improvement.run(plan, options, given, from, found, report, [&] {
-        if (anchors.count == 0) {
-            bool const is_last_chance = report.solutions == options.max_solutions * 3 / 5;
-            is_in_vain = n_anchors > 0 && is_last_chance && improvement.smallest() < given;
-            return is_in_vain ? Prepared::end : Prepared::nothing;
-        }
-        bool const is_late = 3 * report.solutions >= options.max_solutions;
-        bool const is_first = report.solutions == 0;
-        if (!is_first && !is_late && farthest_top() > near_place && !improvement.is_slow())
-            return Prepared::mesh;
-        place_first_layer(is_first ? min_kept * given : 0, from);
-        is_in_vain = anchors.count == 0 && improvement.smallest() < hopeless * given;
-        return is_in_vain ? Prepared::end : Prepared::mesh;
-    });
-    anchors.count = n_anchors;
-    if (n_anchors > 0 && (is_in_vain || smallest(found) < (1 - rounding) * given)) {
-        // The gain of the first layer is not worth that loss.
-        ImproveReport const in_vain = report;
-        for (Index k = 0; k < result.count(); ++k) improvement.now[k] = from[k];
-        drop_poor_tops();
-        hold_first_layer();
-        anchors.count = 0;
-        ImproveOptions rest = options;
-        rest.max_solutions -= report.solutions;
-        improvement.run(plan, rest, given, from, found, report, [] { return Prepared::nothing; });
-        report.solutions += in_vain.solutions;
+    given_quality = improvement.smallest_of(from);
+}
+
+void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points reference, Points from,
+                          MutablePoints to, ImproveReport& report) noexcept {
+    report = {};
+    bool is_better = false;
+    if (is_same(reference, from, result.count())) {
+        report.converged = true;
+    } else {
+        begin(plan, reference, from);
+        if (!improve_with_layer(plan, options, from, report))
+            improve_without_layer(plan, options, from, report);
+        is_better = is_at_least(found(), given_quality);
     }
-    bool const is_better = smallest(found) >= (1 - rounding) * given;
-    for (Index k = 0; k < result.count(); ++k) to.set(k, is_better ? found[k] : from[k]);
+    for (Index k = 0; k < result.count(); ++k) to.set(k, is_better ? result[k] : from[k]);
+}
+
+// Returns whether the smallest quality is not less, except by rounding: one quality may be found in
+// two ways.
+bool MeshImprovement::is_at_least(Points points, Real smallest) const noexcept {
+    constexpr Real rounding = 1e-9;
+    return improvement.smallest_of(points) >= (1 - rounding) * smallest;
+}
+
+// Puts the first layer in its place and improves the other points. Returns false if the smallest
+// quality suffers; the anchors are then those of the whole layer again.
+bool MeshImprovement::improve_with_layer(Plan const& plan, ImproveOptions const& options,
+                                         Points from, ImproveReport& report) noexcept {
+    Index const n_anchors = improvement.anchors.count;
+    bool is_in_vain = false;
+    improvement.run(plan, options, given_quality, from, found(), report, [&] {
+        if (n_anchors == 0) return Prepared::nothing;
+        Prepared const prepared = pull_layer(options, report.solutions, from);
+        is_in_vain = prepared == Prepared::end;
+        return prepared;
+    });
+    improvement.anchors.count = n_anchors;
+    return n_anchors == 0 || (!is_in_vain && is_at_least(found(), given_quality));
+}
+
+// Decides before each step what becomes of the anchors. Prepared::end: the layer is not worth the
+// loss of quality.
+Prepared MeshImprovement::pull_layer(ImproveOptions const& options, Index solutions,
+                                     Points from) noexcept {
+    // Parts of the smallest quality before: what must be left if tops are put in their places at
+    // once, while anchors pull them, and when they have been put there.
+    constexpr Real at_once = 0.9, meanwhile = 0.8, afterwards = 0.7;
+    Real const smallest = improvement.smallest();
+    if (improvement.anchors.count == 0) {
+        bool const is_last_chance = solutions == options.max_solutions * 3 / 5;
+        return is_last_chance && smallest < given_quality ? Prepared::end : Prepared::nothing;
+    }
+    bool const is_first = solutions == 0, is_late = 3 * solutions >= options.max_solutions;
+    if (smallest < meanwhile * given_quality) return Prepared::end;
+    if (!is_first && !is_late && farthest_top() > near_place && !improvement.is_slow())
+        return Prepared::mesh;
+    place_first_layer(is_first ? at_once * given_quality : 0, from);
+    bool const is_poor =
+        improvement.anchors.count == 0 && improvement.smallest() < afterwards * given_quality;
+    return is_poor ? Prepared::end : Prepared::mesh;
+}
+
+// Begins again, with those tops held where they are in `from` whose cells are not poor there.
+void MeshImprovement::improve_without_layer(Plan const& plan, ImproveOptions const& options,
+                                            Points from, ImproveReport& report) noexcept {
+    Index const spent = report.solutions;
+    for (Index k = 0; k < result.count(); ++k) improvement.now[k] = from[k];
+    hold_first_layer(false);
+    drop_poor_tops();
+    hold_first_layer(true);
+    improvement.anchors.count = 0;
+    ImproveOptions rest = options;
+    rest.max_solutions -= spent;
+    rest.spent += spent;
+    improvement.run(plan, rest, given_quality, from, found(), report,
+                    [] { return Prepared::nothing; });
+    report.solutions += spent;
 }
 
 // Returns whether the mesh has a layer at a wall point with an edge into the mesh.
@@ -122,8 +154,8 @@ bool MeshImprovement::has_layer(Index slot, Points reference) const noexcept {
 
 // Makes anchors of the tops where the mesh has a layer.
 void MeshImprovement::find_layer(Points reference, Points from) noexcept {
-    constexpr Real rounding =
-        1e-10;  // in parts of the height; a top that is nearer to its place stays
+    // A top that is nearer to its place than this part of the height stays.
+    constexpr Real rounding = 1e-10;
     WallPoints const& wall = first_layer.wall;
     Anchors& anchors = improvement.anchors;
     anchors.count = 0;
@@ -151,9 +183,9 @@ Real MeshImprovement::farthest_top() const noexcept {
     return sqrt(largest);
 }
 
-void MeshImprovement::hold_first_layer() noexcept {
+void MeshImprovement::hold_first_layer(bool holds) noexcept {
     Anchors const& anchors = improvement.anchors;
-    for (Index const top : anchors.point.first(anchors.count)) mobility.held[top] = 1;
+    for (Index const top : anchors.point.first(anchors.count)) mobility.held[top] = holds ? 1 : 0;
 }
 
 // Puts the tops in their places, as far as no cell is inverted, and holds them there. If the
@@ -178,12 +210,13 @@ void MeshImprovement::place_first_layer(Real lowest, Points from) noexcept {
         return;
     }
     drop_poor_tops();
-    hold_first_layer();
+    hold_first_layer(true);
     anchors.count = 0;
     improvement.restart();
 }
 
-// Lets tops go whose cells have less than this part of their former quality.
+// Lets tops go whose cells have less than this part of their former quality: they follow behind
+// the anchors that are kept.
 void MeshImprovement::drop_poor_tops() noexcept {
     constexpr Real part_of_own = 0.5;
     Tangle const& tangle = improvement.tangle;
@@ -200,7 +233,10 @@ void MeshImprovement::drop_poor_tops() noexcept {
         bool has_poor_cell = false;
         for (Index const i : improvement.region.cells_of(anchors.point[k]))
             has_poor_cell = has_poor_cell || is_poor(i);
-        if (!has_poor_cell) anchors.point[kept++] = anchors.point[k];
+        if (has_poor_cell) continue;
+        Index const top = anchors.point[k];
+        anchors.point[k] = anchors.point[kept];
+        anchors.point[kept++] = top;
     }
     anchors.count = kept;
 }

@@ -26,7 +26,7 @@ struct SafeOptions {
     static constexpr Index max_solutions = 200, max_in_search = 60;
     // An improvement that multiplies smallest and mean quality together by less is not worth a
     // change.
-    static constexpr Real clear_gain = 1.05;
+    static constexpr Real clear_gain = 1.02;
     std::uint32_t skipped = 0;  // bit k: strategy k is skipped
     Span<const Basis> others;   // solved with other operators or exponents
     // If true, the morph solves functions of other operators at the start where they are needed;

@@ -344,6 +344,7 @@ bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
 bool SafeMorph::run_improvement(Work& work, Index max_solutions, Points from) noexcept {
     ImproveOptions options = work.options.improve;
     options.max_solutions = min(max_solutions, work.solutions_left());
+    options.spent = work.report.solutions();
     ImproveReport report;
     improvement.run(work.plan, options, work.mesh().points, from, mesh.to_ahead(), report);
     work.report.improvements += report.solutions;
@@ -378,7 +379,7 @@ bool SafeMorph::improve(Work& work, Points from) noexcept {
 // solved on a better mesh carry the mesh farther, and to better cells.
 void SafeMorph::improve_on_the_way(Work& work) noexcept {
     constexpr Real poor = 0.5;  // in parts of the smallest quality of the start
-    constexpr Index max_solutions = 4;
+    constexpr Index max_solutions = 2;
     if (work.derivative != nullptr || !work.options.tries(Strategy::improved)) return;
     Outcome here;
     Fault why;

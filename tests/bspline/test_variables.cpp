@@ -1,6 +1,7 @@
 #include <harmorph_design.h>
 #include <doctest/doctest.h>
 
+#include <fixtures/airfoil.hpp>
 #include <fixtures/sections.hpp>
 #include <fixtures/memory.hpp>
 
@@ -172,8 +173,7 @@ TEST_CASE("CST, bumps and NACA modes move the curve by their formulas within the
             return t < 0.4 ? t * (0.8 - t) / 0.16 : (0.2 + 0.8 * t - t * t) / 0.36;
         });
         check_shape(set, naca, 1, [](double t, bool upper) {
-            return (upper ? 5 : -5) * (0.2969 * std::sqrt(t) -
-                                       t * (0.1260 + t * (0.3516 - t * (0.2843 - 0.1036 * t))));
+            return fixtures::naca_half(upper ? 1 : -1, false, t);
         });
         CHECK(naca.errors[0] < 1e-3);
         CHECK(naca.errors[2] < 5e-3);
@@ -322,8 +322,7 @@ TEST_CASE("the residual of each shape is orthogonal to all free basis functions"
         {"NACA", kind(HM_NACA4, 1),
          [](int v, double t, bool upper) {
              if (v == 0) return t < 0.4 ? t * (0.8 - t) / 0.16 : (0.2 + 0.8 * t - t * t) / 0.36;
-             double const polynomial = t * (0.1260 + t * (0.3516 - t * (0.2843 - 0.1036 * t)));
-             return (upper ? 5 : -5) * (0.2969 * std::sqrt(t) - polynomial);
+             return fixtures::naca_half(upper ? 1 : -1, false, t);
          }},
     };
     hm_section const chord = unit_chord();

@@ -52,7 +52,7 @@ check "movements: displace: the wall is that of morph" awk -f "$tmp/same_wall.aw
 
 refuses "movements: a marker without a curve" 3 'a marker on a curve' morph "$mesh" "$basis" \
     --by 'turn farfield 3' -o "$tmp/x"
-refuses "movements: no number" 3 '--by:2: the option needs a finite number' morph "$mesh" "$basis" \
+refuses "movements: no number" 3 "--by 'turn airfoil x': the option needs a finite number" morph "$mesh" "$basis" \
     --by 'shift airfoil 0 0' --by 'turn airfoil x' -o "$tmp/x"
 refuses "movements: too few words" 3 'flap MARKER X,Y degrees' morph "$mesh" "$basis" --by 'flap airfoil 3' -o "$tmp/x"
 refuses "movements: a factor of 0" 3 'a factor above 0' morph "$mesh" "$basis" --by 'scale airfoil 0' -o "$tmp/x"

@@ -7,6 +7,7 @@
 #include "target.hpp"
 
 #include <cmath>
+#include <fixtures/airfoil.hpp>
 #include <fixtures/memory.hpp>
 
 namespace fuzz {
@@ -38,13 +39,11 @@ public:
 private:
     // From the trailing edge over the upper side to the leading edge, and back below.
     std::vector<Point> outline(std::int32_t n, double camber, double thickness) const {
-        double const pi = std::acos(-1.0), last = is_blunt_ ? 0.1015 : 0.1036;
+        double const pi = std::acos(-1.0);
         std::vector<Point> out;
         for (std::int32_t k = 0; k <= n; ++k) {
             double const angle = 2 * pi * k / n, x = 0.5 * (1 + std::cos(angle));
-            double const half = 5 * thickness *
-                                (0.2969 * std::sqrt(x) -
-                                 x * (0.126 + x * (0.3516 - x * (0.2843 - x * last)))),
+            double const half = fixtures::naca_half(thickness, is_blunt_, x),
                          middle = 4 * camber * x * (1 - x);
             out.push_back({size_ * x, size_ * (middle + (2 * k < n ? half : -half))});
         }

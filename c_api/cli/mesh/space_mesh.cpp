@@ -1,5 +1,6 @@
 #include "mesh/space_mesh.hpp"
 
+#include "basics/library.hpp"
 #include "basics/numbers.hpp"
 
 #include <harmorph.h>

@@ -22,15 +22,17 @@ class Section {
         this.moved_by = { values: "", moves: null };
     }
 
-    // Returns the chord line: its origin at the leading edge, and (tx, ty) along the chord. Curves without ends have
-    // the line between the control points that are farthest apart.
+    // Returns the chord line: its origin at the leading edge, and (tx, ty) along the chord. An outline without ends has
+    // the line between the two of its points that are farthest apart, the one on the left first.
     find_frame() {
         const { curves } = this.model,
             { line } = Section;
         try {
             return Section.frame_of(curves.measure(Section.stations, this.curves).places);
         } catch (error) {
-            const places = this.control.map((i) => [curves.control[2 * i], curves.control[2 * i + 1]]),
+            const [first] = this.curves.curves,
+                points = curves.points(Curves.parameters(curves.curves[first], 6), { curve: first }),
+                places = Array.from({ length: points.length / 2 }, (_, i) => points.subarray(2 * i, 2 * i + 2)),
                 pairs = places.flatMap((a) => places.map((b) => line(a, b))),
                 longest = pairs.reduce((one, other) => (other.chord > one.chord ? other : one)),
                 { x, y, tx, ty, chord } = longest;
@@ -137,7 +139,7 @@ class Section {
         const { curves } = this.model,
             { thickness, ...others } = values,
             by = new Float64Array(2 * curves.nControl);
-        if (thickness !== 0) this.thickening.forEach((unit, k) => (by[k] = (thickness / 100) * unit));
+        if (thickness !== 0 && this.thickening !== null) this.thickening.forEach((unit, k) => (by[k] = (thickness / 100) * unit));
         if (Object.values(others).some((value) => value !== 0))
             this.moved(curves.moved(by), others).forEach((move, k) => (by[k] += move));
         this.moved_by = { values: key, moves: by };

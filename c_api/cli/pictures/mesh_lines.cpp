@@ -124,7 +124,7 @@ constexpr double margin_of_bodies = .6;  // in parts of their extent
 constexpr double small_share = .6;       // of the bodies and their margin, in parts of the mesh
 constexpr double inset_share = .24;      // of the frame's shorter side
 
-double extent_of(const Box& box) { return std::max(box.width(), box.height()); }
+double larger_side(const Box& box) { return std::max(box.width(), box.height()); }
 
 Box box_of_faces(const Mesh& mesh) {
     Box box;
@@ -146,19 +146,19 @@ std::optional<Box> window_of_bodies(const Mesh& mesh) {
     }
     const auto outer = std::max_element(
         boxes.begin(), boxes.end(),
-        [](const Box& one, const Box& other) { return extent_of(one) < extent_of(other); });
+        [](const Box& one, const Box& other) { return larger_side(one) < larger_side(other); });
     Box bodies;
     for (auto box = boxes.begin(); box != boxes.end(); ++box) {
         if (box != outer) bodies.include(*box);
     }
-    const Box window = bodies.widened(margin_of_bodies * extent_of(bodies));
-    if (extent_of(window) > small_share * extent_of(*outer)) return {};
+    const Box window = bodies.widened(margin_of_bodies * larger_side(bodies));
+    if (larger_side(window) > small_share * larger_side(*outer)) return {};
     return window;
 }
 
 void draw_inset(Plot& plot, const Mesh& mesh) {
     const Box whole = box_of_faces(mesh), frame = plot.frame();
-    const double scale = inset_share * std::min(frame.width(), frame.height()) / extent_of(whole);
+    const double scale = inset_share * std::min(frame.width(), frame.height()) / larger_side(whole);
     const double width = scale * whole.width(), height = scale * whole.height(), gap = 8;
     const Point corner = {frame.high.x - width - gap, frame.low.y + gap};
     const auto pixel = [&](Point point) {

@@ -105,9 +105,12 @@ def text(found):
 
 
 def show(judged, programs):
+    """Print each row as soon as its job is done, and return all jobs."""
+    done = []
     head = [f"{who} {mode}" for who in programs for mode in MODES]
     print(f"{'job':28} " + " ".join(f"{h:>13}" for h in head) + f" {'L-BFGS':>13} {'layer':>6} {'cost':>6}")
     for one in judged:
+        done.append(one)
         mine = one.found["new", "improve"] or {"layer": np.nan, "cost": np.nan}
         cells = [text(one.found[who, mode]) for who in programs for mode in MODES] + [text(one.reference)]
         mark = "*" if one.reference and one.reference["layer"] > 1e-6 else ""
@@ -117,6 +120,7 @@ def show(judged, programs):
     print("layer: the largest distance of an outer end of the first layer from its place, in parts of its edge, with\n"
           "--safe --improve of `new`; cost: in solutions; a number behind the mean: the part of the movement; a star:\n"
           "the reference did not find a valid mesh with the whole layer in its place")
+    return done
 
 
 def share(flags):
@@ -161,8 +165,7 @@ def main(build, seed=jobs.SEED):
     programs = {who: program for who, program in programs.items() if program}
     wanted = [job for job in jobs.write(folder, seed) if os.environ.get("ONLY", "") in job.name]
     with ProcessPoolExecutor(int(os.environ.get("JOBS") or 1)) as pool:
-        judged = list(pool.map(judge, [(programs, folder, job) for job in wanted]))
-    show(judged, programs)
+        judged = show(pool.map(judge, [(programs, folder, job) for job in wanted]), programs)
     summary(judged, programs)
     return any(one.problems for one in judged)
 

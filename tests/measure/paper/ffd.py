@@ -54,7 +54,7 @@ def row(method, morph, wall, wanted, found):
     return off.max()
 
 
-def compare(folder, laplace, conformal, marker, name, what, move):
+def compare(folder, laplace, conformal, marker, letter, name, what, move):
     mesh = laplace.mesh
     wall = np.unique(mesh._faces[mesh._face_markers == mesh.markers[marker]])
     print(f"table {what}: largest distance of wall points from where the B-spline has them, and of those that it "
@@ -75,13 +75,14 @@ def compare(folder, laplace, conformal, marker, name, what, move):
             best, shown = off, field
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5), sharex=True, sharey=True)
     control = laplace.curves.control + move
-    for axes, field in zip(panels, (wanted, shown)):
-        mesh.plot(mesh.points, axes, colors="#0072b2")
-        mesh.plot(mesh.points + field, axes, colors="#d55e00")
-        axes.plot(*control.T, "k.-", linewidth=0.5)
-        axes.set(xlim=(-0.3, 1.45), ylim=(-0.35, 0.85))
+    for axes, field, method in zip(panels, (wanted, shown), ("harmonic functions", "free-form deformation")):
+        mesh.plot(mesh.points, axes, whole=True, colors="#0072b2", label="mesh before")
+        mesh.plot(mesh.points + field, axes, whole=True, colors="#d55e00", label="mesh after")
+        axes.plot(*control.T, "k.-", linewidth=0.5, label="control polygon of the moved B-spline")
+        axes.set(xlim=(-0.3, 1.45), ylim=(-0.35, 0.85), xlabel="x [chords]", ylabel="y [chords]", title=method)
+    panels[0].legend(fontsize="small", loc="upper left")
     figure.savefig(f"{folder}/ffd-{name}.svg", bbox_inches="tight")
-    print(f"\nfigure ffd-{name}.svg Free-form deformation | {what}, by harmonic functions on the left, by the box of "
+    print(f"\nfigure ffd-{name}.svg Figure {letter} | {what}, by harmonic functions on the left, by the box of "
           "free-form deformation that fits the wall best on the right. The mesh before is blue and the mesh after is "
           f"red, with the control polygon of the moved B-spline. The wall of the box is off by {best:.3g} of the "
           "movement.")
@@ -94,5 +95,5 @@ if __name__ == "__main__":
     every, one = np.zeros((2, laplace.functions, 2))
     every[:] = 0.08, 0.065
     one[3, 1] = 0.05
-    compare(folder, laplace, conformal, marker, "all", "All control points move by (.08, .065)", every)
-    compare(folder, laplace, conformal, marker, "one", "Control point 4 alone moves up by .05", one)
+    compare(folder, laplace, conformal, marker, "O", "all", "All control points move by (.08, .065)", every)
+    compare(folder, laplace, conformal, marker, "P", "one", "Control point 4 alone moves up by .05", one)

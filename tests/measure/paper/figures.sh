@@ -133,11 +133,13 @@ morph airfoil "$out/airfoil.moves" -0.6,-0.5,1.6,1
 text="$shape all control points move by (.16, .13)."
 mesh_figure airfoil "Figure 11"
 boundary_figure airfoil "Figure D"
-echo "  (more inverts cells at the trailing edge, the paper's open problem;" \
-    "the conformal functions go five times as far)"
+reach=$(awk -v step="$(number admissible_step)" 'BEGIN { print .16 * step }')
 solve airfoil-conformal diffuser_airfoil $airfoil --operator conformal
 equally 1 14 0.8 0.65 >"$out/airfoil.moves"
 morph airfoil-conformal "$out/airfoil.moves" -1,-1,2.6,1.8
+awk -v laplace="$reach" -v step="$(number admissible_step)" 'BEGIN {
+    print "  (cells at the trailing edge invert at a movement of " laplace ", the open problem of the paper;"
+    printf "  the conformal functions go %.0f times as far)\n", .8 * step / laplace }'
 text="$shape conformal functions, all control points move by (.8, .65)."
 mesh_figure airfoil-conformal "Figure E"
 

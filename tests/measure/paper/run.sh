@@ -26,6 +26,7 @@ diffuser="--curve diffuser=$meshes/axisymmetric_diffuser.curve"
 . "$here/schemes.sh"
 . "$here/engines.sh"
 . "$here/histories.sh"
+. "$here/sizes.sh"
 . "$here/coarse.sh"
 
 rm -f "$out"/json "$out"/log "$out"/*.basis "$out"/*.csv "$out"/*.su2 "$out"/*.curve "$out"/*.moves
