@@ -6,10 +6,10 @@
 enum { WALL = 1 };
 
 hm_status given(hm_plan* plan, int32_t n, const int32_t* points, hm_points wall, hm_points start,
-                hm_points_out moved, hm_points force, hm_points_out force_on_wall, void* work,
+                hm_points_out moved, hm_points force, hm_points_out force_on_wall, hm_memory work,
                 size_t bytes);
 hm_status given(hm_plan* plan, int32_t n, const int32_t* points, hm_points wall, hm_points start,
-                hm_points_out moved, hm_points force, hm_points_out force_on_wall, void* work,
+                hm_points_out moved, hm_points force, hm_points_out force_on_wall, hm_memory work,
                 size_t bytes) {
     hm_error error;
 #include "readme_given.inc"
