@@ -89,8 +89,9 @@ if command -v $EMXX >/dev/null; then
     check "the native program" commands native "$build/harmorph"
     check "the program in node" commands node "$dir/installed/node_modules/.bin/harmorph"
     check "writes the same bytes" diff -r "$dir/native" "$dir/node"
-    program_is_small() { [ "$(gzip -9 -c "$build/web/program.wasm" | wc -c)" -le 1200000 ]; }
-    check "the program has at most 1.2 MB with gzip" program_is_small
+    # A third of a megabyte is the module that pages contain, which gzip cannot make smaller again.
+    program_is_small() { [ "$(gzip -9 -c "$build/web/program.wasm" | wc -c)" -le 1500000 ]; }
+    check "the program has at most 1.5 MB with gzip" program_is_small
 else
     without_program() { ! "$dir/installed/node_modules/.bin/harmorph"; }
     check "without emscripten the program says that it is not there" without_program

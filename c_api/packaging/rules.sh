@@ -112,7 +112,8 @@ others=$(grep -L '^#define HARMORPH_KERNELS' src/*/*.cpp c_api/*.cpp)
 module() {
     flags="\$(WASM) $2" list= own=-Oz
     rare='^c_api/|^src/(basis|boundary|bspline|fields|multigrid|parts|plan|safe|space)/'
-    rare="$rare|^src/mesh/(boundary|delaunay|division|locate|pieces)"
+    rare="$rare|^src/mesh/(boundary|delaunay|division|locate|median_dual|orientation|pieces)"
+    rare="$rare|^src/(base|morph/(adjoint|displacement|slip_projection)|ordering/(cut_coordinates|subtrees))"
     fast=$(echo "$kernels" | grep -vE "$rare"; ls src/morph/crossing.cpp)
     objects $1 $(printf '%s\n' $kernels $others | grep -E "$rare") c_api/web/module.cpp
     if [ -n "$2" ]; then own=-O2; fi
