@@ -5,13 +5,12 @@
 #include <stdlib.h>
 
 enum { NI = 129, NJ = 49, WALL = 1, FAR = 2 };
-static double x[NI * NJ], y[NI * NJ], dx[NI * NJ], dy[NI * NJ];
+static double x[NI * NJ], y[NI * NJ], dx[NI * NJ], dy[NI * NJ], move[2 * 12];
 static int32_t lists[2 * NI], start[] = {0, NI, 2 * NI}, markers[] = {WALL, FAR};
 static hm_error error;
 static void check(hm_status status) {
     if (status < 0) exit((fprintf(stderr, "%s: %s\n", hm_status_name(status), error.text), 1));
 }
-
 int main(void) {
     for (int k = 0; k < NI * NJ; ++k) {
         double angle = 6.283185307179586 * (k % NI % (NI - 1)) / (NI - 1),
@@ -20,13 +19,11 @@ int main(void) {
         y[k] = (r - 0.6 / r) * sin(angle);
     }
     for (int i = 0; i < NI; ++i) lists[i] = i, lists[NI + i] = i + NI * (NJ - 1);
-    double move[2 * 12] = {0};
     const hm_curves* curves;
     hm_points displacement = {dx, dy, 1};
     hm_points_out to_displacement = {dx, dy, 1}, to_mesh = {x, y, 1};
     hm_step_report step = {.struct_size = sizeof step};
     hm_quality_report quality = {.struct_size = sizeof quality};
-
     /* README: the kernel of this program */
     hm_mesh mesh = {sizeof mesh, .n_points = NI * NJ, .points = {x, y, 1}};
     mesh.cell_layout = HM_CELLS_STRUCTURED, mesh.ni = NI, mesh.nj = NJ, mesh.n_lists = 2;
