@@ -79,7 +79,7 @@ Companions companions_of(const Arguments& arguments, const Basis& basis, const M
 void write_report(std::ostream& out, const Mesh& mesh, const Basis& basis, const Morph& morph,
                   bool safe) {
     const hm_basis_info& info = basis.info();
-    write_report(out, mesh, {basis.path(), info, basis.curves(), basis.conditions()},
+    write_report(out, mesh, {info, basis.curves(), basis.conditions()},
                  {info.curve_point, info.curve_point + info.curve_points},
                  {morph.displacement, morph.moves, morph.step, morph.quality, morph.boundary_error,
                   "largest distance from the B-spline", safe, morph.safe, morph.refusal});

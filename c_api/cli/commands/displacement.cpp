@@ -50,7 +50,7 @@ void write_displacement_page(std::ostream& out, const Mesh& mesh, const Task& ta
     std::vector<std::int32_t> body = found.curve_points;
     body.insert(body.end(), movement.wall.points.begin(), movement.wall.points.end());
     const auto empty = sized<hm_safe_report>();
-    write_report(out, mesh, {"", found.info, *curves.get(), task.conditions}, body,
+    write_report(out, mesh, {found.info, *curves.get(), task.conditions}, body,
                  {found.by, movement.moves, found.step, found.quality,
                   distance_from_targets(mesh, movement, found),
                   "largest distance of given points from their targets", found.safe.has_value(),

@@ -16,13 +16,6 @@
 //   basis_file                the bytes of the basis, or "": the page solves the functions
 //   moves                     the text of a file of movements to begin with, or ""
 
-function decode_base64(text, Numbers) {
-    const characters = atob(text);
-    const bytes = new Uint8Array(characters.length);
-    for (let i = 0; i < bytes.length; ++i) bytes[i] = characters.charCodeAt(i);
-    return new Numbers(bytes.buffer);
-}
-
 function decode_curves(raw) {
     return {
         control: decode_base64(raw.control, Float64Array),

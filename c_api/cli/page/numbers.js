@@ -1,5 +1,12 @@
 "use strict";
-// Numbers as text.
+// Numbers as text, and the little-endian numbers in base 64 of the data that the program writes.
+
+function decode_base64(text, Numbers) {
+    const characters = atob(text);
+    const bytes = new Uint8Array(characters.length);
+    for (let i = 0; i < bytes.length; ++i) bytes[i] = characters.charCodeAt(i);
+    return new Numbers(bytes.buffer);
+}
 
 // Returns the number that a user has typed, with a decimal point or comma and any minus, or NaN for another text.
 function number_of(text) {

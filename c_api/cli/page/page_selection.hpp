@@ -1,6 +1,5 @@
-// The part of a mesh that the page of `harmorph explore` shows. The page is small enough for any
-// browser: it has all cells near the moving body, and a selection of the other points and edges,
-// which is only drawn.
+// The part of a mesh that a report shows, so that the report is small enough for any browser: all
+// cells near the moving body, and a selection of the other points and edges, which is only drawn.
 #pragma once
 
 #include "mesh/loops.hpp"
@@ -12,10 +11,10 @@ namespace cli {
 
 struct PageSelection {
     std::vector<std::int32_t> points;  // places in the mesh; points of whole cells come first
-    std::int32_t in_cells = 0;        // number of points of cells, or of faces between these points
-    std::vector<std::int32_t> cells;  // all cells with no other points
-    std::vector<Edge> edges;          // lines beyond the cells: places in `points`
-    std::vector<std::int32_t> faces;  // faces of the boundary between two of the points
+    std::int32_t in_cells = 0;         // number of points of whole cells
+    std::vector<std::int32_t> cells;   // all cells with no other points
+    std::vector<Edge> edges;           // lines beyond the cells: places in `points`
+    std::vector<std::int32_t> faces;   // faces of the boundary between two of the points
 };
 
 // Selects the cells all of whose points are among the max_points points nearest to the body. body:

@@ -1,10 +1,10 @@
 "use strict";
-// The report of one morph. Its page_data is the one that report_decode.js describes, without functions, and has these, too:
+// The report of one morph. Its page_data is the one that report_decode.js describes, and has these, too:
 //
 //   dx, dy [points]           the displacement of each point
 //   moved [2*functions]       the movements that hm_morph was given, as far as they were reached
-//   inverted, self_crossing, admissible_step, min_quality, mean_quality, worst_cell, limiting_cell, boundary_error,
-//   boundary_error_note       the program's findings on the whole mesh
+//   inverted, self_crossing, admissible_step, min_quality, mean_quality, boundary_error, boundary_error_note
+//                             the program's findings on the whole mesh
 //   safe, strategy, steps, resolves, step_fraction, untangled, refusal
 //                             the way that hm_move_safe went
 
@@ -32,11 +32,10 @@ class Report {
         this.cells = new Cells(data, this.after);
         this.wall = new Wall(data, this.after);
         for (const part of [this.cells_before, this.cells]) part.judge();
-        this.wall.judge(this.cells.step);
+        this.wall.judge();
         this.sections = this.wall.chains
             .filter((chain) => chain.closed)
             .map((chain) => new Section(chain, data, this.after));
-        for (const section of this.sections) section.judge();
         this.home = box_of_points(
             this.after.x,
             this.after.y,

@@ -21,17 +21,13 @@ public:
     // Adds everything except displacements.
     JsonObject& run() {
         object_.add("version", std::string(hm_version())).add("mesh", last_name(mesh_.file.path()));
-        object_.add("basis", last_name(subject_.basis));
-        object_.add("all_points", mesh_.points()).add("all_cells", mesh_.cells());
-        object_.add("points", static_cast<std::int64_t>(selection_.points.size()))
-            .add("in_cells", selection_.in_cells);
-        object_.add("cells", static_cast<std::int64_t>(selection_.cells.size()));
+        object_.add("all_cells", mesh_.cells())
+            .add("cells", static_cast<std::int64_t>(selection_.cells.size()));
         object_.add("operator", std::string(operator_named(subject_.info.operator_kind).functions))
-            .add("numbers", subject_.info.numbers_per_value);
+            .add("n_control", subject_.curves.n_control);
         add_points();
         add_cells();
         add_boundary();
-        add_curves();
         add_bodies();
         return object_;
     }
@@ -58,7 +54,6 @@ private:
             x.push_back(mesh_.x[static_cast<std::size_t>(point)]);
             y.push_back(mesh_.y[static_cast<std::size_t>(point)]);
         }
-        add_array("point", selection_.points);
         add_array("x", x);
         add_array("y", y);
     }
@@ -95,66 +90,29 @@ private:
         add_array("thin_edges", edges);
     }
 
-    // Adds the condition on each marker, in the numbering of the faces.
+    // Adds the name of each marker, in the numbering of the faces, and the kind of its condition.
     void add_boundary() {
         static const char* const kinds[] = {"curve", "rigid",    "fixed", "slip",
                                             "free",  "periodic", "given", "rotation"};
-        std::vector<hm_condition> conditions(mesh_.markers.size());
-        std::vector<std::int32_t> across(mesh_.markers.size(), -1);  // of sliding interfaces
-        for (hm_condition& condition : conditions) condition.kind = HM_FIXED;
+        std::vector<std::int32_t> kind(mesh_.markers.size(), HM_FIXED);
         for (const hm_condition& condition : subject_.conditions) {
-            const auto marker = static_cast<std::size_t>(condition.marker);
-            if (condition.kind != HM_INTERFACE) {
-                conditions[marker] = condition;
-                continue;
-            }
-            across[marker] = condition.partner;
-            across[static_cast<std::size_t>(condition.partner)] = condition.marker;
+            if (condition.kind != HM_INTERFACE)
+                kind[static_cast<std::size_t>(condition.marker)] = condition.kind;
         }
         std::vector<JsonObject> markers;
-        for (std::size_t i = 0; i < conditions.size(); ++i) {
-            const hm_condition& condition = conditions[i];
+        for (std::size_t i = 0; i < kind.size(); ++i) {
             markers.emplace_back()
                 .add("name", mesh_.markers[i])
-                .add("kind", std::string(kinds[condition.kind]));
-            markers.back()
-                .add("first_curve", condition.first_curve)
-                .add("n_curves", condition.n_curves)
-                .add("body", condition.body)
-                .add("across", across[i]);
+                .add("kind", std::string(kinds[kind[i]]));
         }
         object_.add("markers", markers);
-    }
-
-    void add_curves() {
-        const hm_curves& curves = subject_.curves;
-        const auto n = static_cast<std::size_t>(curves.n_control);
-        object_.add("control", numbers_as_text(curves.control, 2 * n));
-        object_.add("weights",
-                    curves.weights == nullptr ? std::string() : numbers_as_text(curves.weights, n));
-        std::vector<JsonObject> list;
-        for (std::int32_t i = 0; i < curves.n_curves && n > 0; ++i) {
-            const hm_curve& curve = curves.curve[i];
-            std::vector<std::int32_t> indices;
-            for (std::int32_t k = 0; k < curve.n_indices; ++k) {
-                indices.push_back(curve.indices == nullptr ? k
-                                                           : curve.indices[k] - curves.index_base);
-            }
-            const auto n_knots = static_cast<std::size_t>(curve.n_indices + curve.degree + 1);
-            list.emplace_back()
-                .add("degree", curve.degree)
-                .add("indices", numbers_as_text(indices));
-            list.back().add("knots", numbers_as_text(curve.knots, n_knots));
-        }
-        object_.add("curves", list);
     }
 
     void add_bodies() {
         std::vector<JsonObject> bodies(static_cast<std::size_t>(subject_.info.bodies));
         const auto add_body = [&](const hm_condition& condition) {
-            JsonObject& body = bodies[static_cast<std::size_t>(condition.body)];
-            body.add("marker", mesh_.name_of(condition));
-            body.add("x", condition.x).add("y", condition.y);
+            bodies[static_cast<std::size_t>(condition.body)].add("marker",
+                                                                 mesh_.name_of(condition));
         };
         for_each_body(subject_.conditions, subject_.info.bodies, add_body);
         object_.add("bodies", bodies);
@@ -174,17 +132,13 @@ void write_report(std::ostream& out, const Mesh& mesh, const PageSubject& subjec
     Writer writer(mesh, subject, selection);
     JsonObject& object = writer.run();
     writer.add_displacement(moved.displacement);
-    object.add("functions", std::string())
-        .add("moved", numbers_as_text(moved.moves))
-        .add("refusal", moved.refusal);
+    object.add("moved", numbers_as_text(moved.moves)).add("refusal", moved.refusal);
     object.add("inverted", moved.quality.inverted)
         .add("self_crossing", moved.quality.self_crossing != 0);
-    object.add("admissible_step", std::min(moved.step.admissible, moved.step.boundary))
-        .add("limiting_cell", moved.step.cell);
+    object.add("admissible_step", std::min(moved.step.admissible, moved.step.boundary));
     object.add("min_quality", moved.quality.min_quality)
         .add("mean_quality", moved.quality.mean_quality);
-    object.add("worst_cell", moved.quality.min_quality_cell)
-        .add("boundary_error", moved.boundary_error)
+    object.add("boundary_error", moved.boundary_error)
         .add("boundary_error_note", moved.boundary_error_note);
     object.add("safe", moved.is_safe)
         .add("strategy", moved.safe.strategy)

@@ -11,9 +11,8 @@
 
 namespace cli {
 
-// The basis, the curves and the conditions of the mesh on a page.
+// The basis, the curves and the conditions of the mesh in a report.
 struct PageSubject {
-    std::string basis;  // the file, or empty
     hm_basis_info info;
     const hm_curves& curves;
     const std::vector<hm_condition>& conditions;
@@ -32,8 +31,8 @@ struct MovedMesh {
     std::string refusal;
 };
 
-// Writes the report page. page/report.js describes its data. body: the mesh points near
-// which cells are shown.
+// Writes the report, whose data page/report.js describes. body: the mesh points near which cells
+// are shown.
 void write_report(std::ostream& out, const Mesh& mesh, const PageSubject& subject,
                   const std::vector<std::int32_t>& body, const MovedMesh& moved);
 

@@ -1,5 +1,5 @@
 "use strict";
-// A cell that is divided into triangles (see polygons.js) is valid while its triangles, and its corners with the angle
+// A cell that is divided into triangles (see report_polygons.js) is valid while its triangles, and its corners with the angle
 // that each corner may bend, have positive areas. harmorph.h gives the formulas at HM_CELLS_POLYGONS.
 
 class DividedCell {
@@ -10,11 +10,9 @@ class DividedCell {
         this.length_product = 0;
     }
 
-    // Sets smallest (twice the area of the worst corner after the movement), area, quality, and step, the fraction of
-    // the movement at which the first triangle loses its area, if that is less than the given step.
-    judge(cell, step) {
+    // Sets smallest (twice the area of the worst corner), area and quality.
+    judge(cell) {
         const { start, points, guard_start, guards, kinds } = this.pieces;
-        this.step = step;
         this.smallest = Infinity;
         this.area = 0;
         let convex = 0,
@@ -36,23 +34,13 @@ class DividedCell {
         this.quality = convex < 3 ? 1 : Math.min(1, convex / (sum * Math.sin((2 * Math.PI) / convex)));
     }
 
-    // Returns twice the area between the side from a to b, turned back, and the side from b to c, after the movement.
-    // The step becomes smaller where this area vanishes earlier.
+    // Returns twice the area between the side from a to b, turned back, and the side from b to c.
     triangle(a, b, c, [cosine, sine]) {
-        const { x0, y0, dx, dy } = this.model,
-            [ux, uy] = [x0[b] - x0[a], y0[b] - y0[a]],
-            [mx, my] = [dx[b] - dx[a], dy[b] - dy[a]],
+        const { x, y } = this.model,
+            [ux, uy] = [x[b] - x[a], y[b] - y[a]],
             [px, py] = [cosine * ux + sine * uy, cosine * uy - sine * ux],
-            [qx, qy] = [cosine * mx + sine * my, cosine * my - sine * mx],
-            [vx, vy] = [x0[c] - x0[b], y0[c] - y0[b]],
-            [nx, ny] = [dx[c] - dx[b], dy[c] - dy[b]];
-        const area = px * vy - py * vx,
-            slope = px * ny - py * nx + qx * vy - qy * vx,
-            curvature = qx * ny - qy * nx;
-        this.step = Math.min(this.step, smallest_positive_root(curvature, slope, area));
-        const [sx, sy] = [px + qx, py + qy],
-            [tx, ty] = [vx + nx, vy + ny];
-        this.length_product = Math.hypot(sx, sy) * Math.hypot(tx, ty);
-        return sx * ty - sy * tx;
+            [qx, qy] = [x[c] - x[b], y[c] - y[b]];
+        this.length_product = Math.hypot(px, py) * Math.hypot(qx, qy);
+        return px * qy - py * qx;
     }
 }

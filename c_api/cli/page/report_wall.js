@@ -1,11 +1,10 @@
 "use strict";
-// The boundary: faces with the mesh on their left, crossings of the boundary with itself, and the first layer on the
-// walls that move.
+// The boundary: faces with the mesh on their left, and the first layer on the walls that move.
 
 class Wall {
     constructor(data, model) {
         this.model = model;
-        this.faces = Wall.directed_faces(data); // of all markers: {a, b, marker, across}
+        this.faces = Wall.directed_faces(data); // of all markers: {a, b, marker}
         this.moves = data.markers.map((marker) => ["curve", "rigid", "given"].includes(marker.kind));
         this.points = []; // of walls that move: {point, previous, next, above}
         this.slot = new Int32Array(model.n).fill(-1);
@@ -19,8 +18,6 @@ class Wall {
         this.layer = this.points.filter((point) => point.above >= 0);
         this.angle = new Float32Array(this.layer.length); // [degrees] by which the edge turned more than the wall
         this.height = new Float32Array(this.layer.length); // [-] height after over before
-        this.crossing = []; // pairs of faces
-        this.touch = new FirstTouch(this.faces, model);
     }
 
     static directed_faces(data) {
@@ -34,9 +31,7 @@ class Wall {
         });
         for_each_side(data, (a, b) => {
             const marker = markers.get(key(Math.min(a, b), Math.max(a, b)));
-            if (marker === undefined) return;
-            const across = data.markers[marker].across; // the marker on the other side of a sliding interface, or -1
-            faces.push({ a, b, marker, across });
+            if (marker !== undefined) faces.push({ a, b, marker });
         });
         return faces;
     }
@@ -121,8 +116,7 @@ class Wall {
         );
     }
 
-    // limit is the admissible step of the cells.
-    judge(limit) {
+    judge() {
         const { x0, y0, x, y } = this.model;
         this.layer.forEach((wall, i) => {
             const a = wall.point,
@@ -140,35 +134,6 @@ class Wall {
             this.angle[i] = (Math.abs(turn_between(wx, wy, ix, iy)) * 180) / Math.PI;
             this.height[i] = (tx * iy - ty * ix) / (tx * wy - ty * wx);
         });
-        this.find_crossings();
-        this.touch.judge(limit, this.crossing.length > 0);
-    }
-
-    // Finds pairs of faces whose ends lie strictly on both sides of each other, from left to right. Faces that cross
-    // each other before the movement do not count.
-    find_crossings() {
-        const { x, y, x0, y0 } = this.model;
-        const left = (face) => Math.min(x[face.a], x[face.b]),
-            right = (face) => Math.max(x[face.a], x[face.b]);
-        const cross = (x, y, a, b, c, d) => {
-            const side = (a, b, c) => (x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a]);
-            return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
-        };
-        this.crossing = [];
-        let open = [];
-        for (const face of this.faces.slice().sort((one, other) => left(one) - left(other))) {
-            const begin = left(face),
-                { a, b } = face;
-            open = open.filter((other) => right(other) >= begin);
-            for (const other of open) {
-                const { a: c, b: d } = other;
-                if (face.across === other.marker) continue;
-                if (Math.max(y[a], y[b]) < Math.min(y[c], y[d]) || Math.max(y[c], y[d]) < Math.min(y[a], y[b]))
-                    continue;
-                if (cross(x, y, a, b, c, d) && !cross(x0, y0, a, b, c, d)) this.crossing.push([face, other]);
-            }
-            open.push(face);
-        }
     }
 }
 
