@@ -17,11 +17,11 @@ struct Bases {
     Index ni = 0, n_blocks = 0;          // 0: the mesh has no blocks
     const Index* block_sizes = nullptr;  // [2 * n_blocks] ni and nj
 
-    void set(Mesh const& of) noexcept {
-        mesh = of.index_base;
-        ni = of.layout == CellLayout::structured ? of.ni : 0;
-        n_blocks = of.layout == CellLayout::blocks ? of.n_blocks : 0;
-        block_sizes = of.block_sizes;
+    void set(Mesh const& view) noexcept {
+        mesh = view.index_base;
+        ni = view.layout == CellLayout::structured ? view.ni : 0;
+        n_blocks = view.layout == CellLayout::blocks ? view.n_blocks : 0;
+        block_sizes = view.block_sizes;
     }
 };
 

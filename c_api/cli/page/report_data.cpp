@@ -15,7 +15,7 @@ namespace {
 
 class Writer {
 public:
-    Writer(const Mesh& mesh, const PageSubject& subject, const PageSelection& selection)
+    Writer(const Mesh& mesh, const ReportSubject& subject, const ReportSelection& selection)
         : mesh_(mesh), subject_(subject), selection_(selection) {}
 
     // Adds everything except displacements.
@@ -119,16 +119,16 @@ private:
     }
 
     const Mesh& mesh_;
-    const PageSubject& subject_;
-    const PageSelection& selection_;
+    const ReportSubject& subject_;
+    const ReportSelection& selection_;
     JsonObject object_;
 };
 
 }  // namespace
 
-void write_report(std::ostream& out, const Mesh& mesh, const PageSubject& subject,
+void write_report(std::ostream& out, const Mesh& mesh, const ReportSubject& subject,
                   const std::vector<std::int32_t>& body, const MovedMesh& moved) {
-    const PageSelection selection = select_for_page(mesh, body, 20000);
+    const ReportSelection selection = select_for_report(mesh, body, 20000);
     Writer writer(mesh, subject, selection);
     JsonObject& object = writer.run();
     writer.add_displacement(moved.displacement);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "basics/geometry.hpp"
-#include "page/page_selection.hpp"
+#include "page/report_selection.hpp"
 #include "work/basis_file.hpp"
 
 #include <iosfwd>
@@ -12,7 +12,7 @@
 namespace cli {
 
 // The basis, the curves and the conditions of the mesh in a report.
-struct PageSubject {
+struct ReportSubject {
     hm_basis_info info;
     const hm_curves& curves;
     const std::vector<hm_condition>& conditions;
@@ -33,7 +33,7 @@ struct MovedMesh {
 
 // Writes the report, whose data page/report.js describes. body: the mesh points near which cells
 // are shown.
-void write_report(std::ostream& out, const Mesh& mesh, const PageSubject& subject,
+void write_report(std::ostream& out, const Mesh& mesh, const ReportSubject& subject,
                   const std::vector<std::int32_t>& body, const MovedMesh& moved);
 
 }  // namespace cli

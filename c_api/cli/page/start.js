@@ -18,6 +18,7 @@ const page_started = (async () => {
     const library = await load_library();
     await new Promise((then) => setTimeout(then, 0)); // the browser shows the message meanwhile
     app = new App(page_data, library);
+    element("hint").classList.remove("gone");
     say_at_start("");
 })().catch((error) => {
     const is_old = typeof DecompressionStream === "undefined" || error instanceof WebAssembly.CompileError;

@@ -9,7 +9,7 @@
 
 namespace cli {
 
-struct PageSelection {
+struct ReportSelection {
     std::vector<std::int32_t> points;  // places in the mesh; points of whole cells come first
     std::int32_t in_cells = 0;         // number of points of whole cells
     std::vector<std::int32_t> cells;   // all cells with no other points
@@ -19,7 +19,7 @@ struct PageSelection {
 
 // Selects the cells all of whose points are among the max_points points nearest to the body. body:
 // its mesh points.
-PageSelection select_for_page(const Mesh& mesh, const std::vector<std::int32_t>& body,
-                              std::int32_t max_points);
+ReportSelection select_for_report(const Mesh& mesh, const std::vector<std::int32_t>& body,
+                                  std::int32_t max_points);
 
 }  // namespace cli

@@ -1,4 +1,4 @@
-#include "page/page_selection.hpp"
+#include "page/report_selection.hpp"
 
 #include "basics/geometry.hpp"
 
@@ -80,7 +80,7 @@ public:
         reach_ = sorted[place(max_points)];
     }
 
-    PageSelection select() {
+    ReportSelection select() {
         select_cells();
         selection_.in_cells = static_cast<std::int32_t>(selection_.points.size());
         if (selection_.cells.size() < place(mesh_.cells())) thin_the_rest();
@@ -171,13 +171,13 @@ private:
     std::vector<std::int32_t> slot_;   // place of each point in the selection
     std::vector<std::int32_t> group_;  // the selected point in the square of each other point
     std::vector<std::int32_t> stand_ins_;
-    PageSelection selection_;
+    ReportSelection selection_;
 };
 
 }  // namespace
 
-PageSelection select_for_page(const Mesh& mesh, const std::vector<std::int32_t>& body,
-                              std::int32_t max_points) {
+ReportSelection select_for_report(const Mesh& mesh, const std::vector<std::int32_t>& body,
+                                  std::int32_t max_points) {
     return Selector(mesh, body, max_points).select();
 }
 
