@@ -1,7 +1,7 @@
 # usage: awk [-v layout=c|fortran] -f type_of.awk -f declarations.awk TABLE
 # Writes what Fortran declares of the constants and structs in TABLE, which c_api/packaging/table.awk makes from the C
-# headers: parameters with the names of the constants, and a bind(C) type for each struct (type_of.awk has the names),
-# whose component struct_size has the right value from the beginning.
+# headers: parameters with the names of the constants, and a bind(C) type for each struct (type_of.awk has the names)
+# with the comments of the header, whose component struct_size has the right value from the beginning.
 # With layout=c and layout=fortran: the two sides of the comparison in tests/layout.c and tests/layout.f90.
 # The bytes of a struct, with pointers of 8 and of 4 bytes, as compilers of C place the members.
 function begin_struct(pointer) {
@@ -44,6 +44,10 @@ layout == "" && $1 == "constant" && $3 == "INT32_MIN" {
     print "    integer(c_int32_t), parameter, public :: " tolower($2) " = -huge(0_c_int32_t) - 1_c_int32_t"
 }
 layout == "" && $1 == "struct" { lines = "\n    type, bind(c), public :: " type_of($2) "\n"; begin_struct() }
+layout == "" && $1 == "about" {
+    sub(/^about [a-z_]+ /, "")
+    lines = lines "        ! " $0 "\n"
+}
 layout == "" && $1 == "member" {
     line = $4 in declaration ? declaration[$4] : "type(" type_of($4) ") :: #@"
     sub(/#/, $3, line)

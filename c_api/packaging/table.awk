@@ -3,6 +3,7 @@
 #     constant NAME VALUE          an enumerator with its value, and HM_ABI
 #     text NAME "TEXT"             HM_VERSION
 #     struct NAME
+#     about STRUCT TEXT            a line of the comment in front of the struct, or of the members that follow
 #     member STRUCT NAME TYPE N    TYPE: int32, int64, size, double, char, pointer, function or a struct; N: array length
 #     end STRUCT
 #     comment TEXT                 a line of the comment in front of the next call
@@ -37,7 +38,8 @@ function without_comments(line, start, text) {
     }
     return text
 }
-# Keeps a line of a comment, which belongs to the next call unless an empty line comes first.
+# Keeps a line of a comment, which belongs to the next call or struct unless an empty line comes first, or to the
+# members in front of the comment and on its line.
 function said_line(text) {
     gsub(/^[ *]+|[ *]+$/, "", text)
     if (text != "") said[++n_said] = text
@@ -52,6 +54,25 @@ function constants(text, n, k, one, pair) {
             fail("the constant " one[k] " has no value that is a plain number")
         print "constant", pair[1], pair[2]
     }
+}
+function about(struct, k) {
+    for (k = 1; k <= n_said; ++k) print "about", struct, said[k]
+    n_said = 0
+}
+# Takes a line of the body of a struct. The members and their comments are written once both have ended.
+function struct_line(text, n, k, one) {
+    declared = declared " " text
+    if (in_comment || declared !~ /[;}]/) return
+    gsub(/[ \t]+/, " ", declared)
+    n = split(declared, one, ";")
+    about(struct)
+    for (k = 1; k <= n && one[k] !~ /[}]/; ++k) members(struct, one[k])
+    if (k <= n) {
+        print "end", struct
+        struct_type[struct] = 1
+        struct = ""
+    }
+    declared = ""
 }
 # Members of one type: "const double *x, *y", "int32_t worst[5]".
 function members(struct, declaration, n, k, name, type, length_of) {
@@ -113,6 +134,18 @@ function kind_of(declaration, type) {
 /^#define HM_VERSION / { print "text HM_VERSION", $3 }
 /^#/ || (/^ *$/ && statement !~ /[^ ]/) { n_said = 0 }
 /^#/ || /^extern "C" [{]/ || /^[}]$/ { next }
+struct != "" {
+    struct_line(without_comments($0))
+    next
+}
+/^typedef struct [a-z_]+ [{]/ {
+    struct = $3
+    print "struct", struct
+    about(struct)
+    sub(/^[^{]*[{]/, "")
+    struct_line(without_comments($0))
+    next
+}
 {
     statement = statement " " without_comments($0)
     if (statement !~ /;/ || (statement ~ /[{]/ && statement !~ /[}]/)) next     # it goes on in the next line
@@ -121,17 +154,6 @@ function kind_of(declaration, type) {
     if (statement ~ /^enum [a-z_]*[{]|^enum [{]/) {
         sub(/[}].*/, "", statement)
         constants(statement)
-    } else if (statement ~ /^typedef struct [a-z_]+ [{]/) {
-        struct = statement
-        sub(/^typedef struct /, "", struct)
-        sub(/ .*/, "", struct)
-        print "struct", struct
-        sub(/^[^{]*[{]/, "", statement)
-        sub(/[}].*/, "", statement)
-        n_members = split(statement, one_member, ";")
-        for (m = 1; m <= n_members; ++m) members(struct, one_member[m])
-        print "end", struct
-        struct_type[struct] = 1
     } else if (statement ~ /^typedef [a-z0-9_]+ ?\(\*[a-z_]+\)/) {
         sub(/^[^*]*\*/, "", statement)
         sub(/\).*/, "", statement)
@@ -142,4 +164,4 @@ function kind_of(declaration, type) {
     statement = ""
     n_said = 0
 }
-END { if (!failed && (in_comment || statement ~ /[^ ]/)) fail("the header ends inside a declaration") }
+END { if (!failed && (in_comment || struct != "" || statement ~ /[^ ]/)) fail("the header ends inside a declaration") }
