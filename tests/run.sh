@@ -102,6 +102,7 @@ steps() {
     step 1 "page of the program" sh tests/page.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/page-test"
     step 2 "page of figures" sh tests/figures_test.sh "$BUILD/figures-test" "$BUILD"
     step 2 "includes point downwards" sh tests/includes.sh
+    step 1 "benchmarks compile" sh tests/benchmarks.sh "$BUILD"
     step 2 "checks of clang-tidy" sh tests/tidy.sh
 }
 

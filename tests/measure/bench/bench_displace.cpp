@@ -42,17 +42,16 @@ public:
         options.operator_kind = operator_kind;
         options.executor = settings.executor;
         std::size_t bytes = 0;
-        done(fixtures::analysis_size(&problem, &options, &bytes, &error_),
-             "fixtures::analysis_size");
+        done(fixtures::analysis_size(&problem, &options, &bytes, &error_), "hm_analysis");
         void* block = workspace_.analysis.give(bytes);
         done(hm_analysis_init(&analysis_, fixtures::Memory(block, bytes), &problem, &options,
                               &error_),
              "hm_analysis_init");
-        done(fixtures::plan_size(analysis_, &bytes, &error_), "fixtures::plan_size");
+        done(fixtures::plan_size(analysis_, &bytes, &error_), "hm_plan");
         block = workspace_.plan.give(bytes);
         done(hm_plan_init(&plan_, fixtures::Memory(block, bytes), analysis_, &error_),
              "hm_plan_init");
-        done(fixtures::basis_size(analysis_, &bytes, &error_), "fixtures::basis_size");
+        done(fixtures::basis_size(analysis_, &bytes, &error_), "hm_basis");
         done(hm_basis_init(&basis_, fixtures::Memory(basis_block_.give(bytes), bytes), analysis_,
                            &error_),
              "hm_basis_init");
@@ -84,8 +83,9 @@ private:
 class Movement {
 public:
     Movement(Case const& mesh_case, Plan& plan)
-        : plan_(plan.get()),
-          points_(plan.known_points()),
+        : mesh_(mesh_case.mesh),
+          plan_(plan.get()),
+          points_(plan.given_points()),
           n_(mesh_case.mesh.x.size()),
           fields_(2 * n_ * several) {
         for (Index const point : points_) {
@@ -102,7 +102,7 @@ public:
 
     void displace(Index fields) {
         std::size_t bytes = 0;
-        done(fixtures::displace_size(plan_, fields, &bytes, &error_), "fixtures::displace_size");
+        done(fixtures::displace_size(plan_, fields, &bytes, &error_), "hm_displace");
         void* const block = work_.give(bytes);
         done(hm_displace(plan_, static_cast<Index>(points_.size()), nullptr, fields, given_.data(),
                          nullptr, to_.data(), fixtures::Memory(block, bytes), nullptr, &error_),
@@ -111,7 +111,7 @@ public:
     // Computes the adjoint of the fields that displace() has computed.
     void adjoint(Index fields) {
         std::size_t bytes = 0;
-        done(fixtures::displace_size(plan_, fields, &bytes, &error_), "fixtures::displace_size");
+        done(fixtures::displace_size(plan_, fields, &bytes, &error_), "hm_displace");
         void* const block = work_.give(bytes);
         std::vector<double> gradient(2 * points_.size());
         std::vector<hm_points_out> const to(at(fields),
@@ -122,11 +122,25 @@ public:
              "hm_displace_adjoint");
     }
 
+    // Computes the areas that sides of cells, faces of the median dual and halves of sides sweep
+    // from the mesh as it is to the place of the first field of displace().
+    void sweep(hm_executor const* executor) {
+        hm_mesh const mesh = mesh_.view();
+        hm_points const to{&fields_[0], &fields_[n_], 1};
+        std::int64_t n = 0;
+        done(hm_swept_count(&mesh, &n, &error_), "hm_swept_count");
+        areas_.resize(4 * static_cast<std::size_t>(n));
+        done(hm_swept_areas(&mesh, nullptr, &to, &areas_[0], &areas_[static_cast<std::size_t>(n)],
+                            &areas_[2 * static_cast<std::size_t>(n)], executor, &error_),
+             "hm_swept_areas");
+    }
+
 private:
+    fixtures::Mesh const& mesh_;
     hm_plan* plan_;
     std::vector<Index> points_;
     std::size_t n_;
-    std::vector<double> wall_, fields_;
+    std::vector<double> wall_, fields_, areas_;
     std::vector<hm_points> given_, dj_;
     std::vector<hm_points_out> to_;
     Block work_;
@@ -141,7 +155,7 @@ void bench_displace(Settings const& settings, Report& report) {
     std::string const threads = " (threads: " + std::to_string(settings.threads) + ")";
     Table ours{"One displacement of the wall [s]" + threads,
                {"mesh", "operator", "factor", "20 functions", "displacement", "% of both",
-                "allowed %", "adjoint", "12 fields", "us/node", "growth"},
+                "allowed %", "adjoint", "12 fields", "swept areas", "of one", "us/node", "growth"},
                {},
                {}};
     ours.begin();
@@ -166,6 +180,7 @@ void bench_displace(Settings const& settings, Report& report) {
                 Movement movement(mesh_case, plan);
                 double const one = time_of([&] { movement.displace(1); });
                 double const adjoint = time_of([&] { movement.adjoint(1); });
+                double const swept = time_of([&] { movement.sweep(settings.executor); });
                 double const many = time_of([&] { movement.displace(several); });
                 double& per_node = first[kind + chosen.name];
                 if (per_node == 0) per_node = one / nodes;
@@ -178,13 +193,17 @@ void bench_displace(Settings const& settings, Report& report) {
                           percent(chosen.largest_share),
                           seconds(adjoint),
                           seconds(many),
+                          seconds(swept),
+                          ratio(swept / one),
                           {1e6 * one / nodes, "%.3f"},
                           ratio(one / nodes / per_node)});
             }
         }
     ours.notes.push_back(
-        "Medians, warm. 20 functions: hm_plan_solve. growth: us/node against the smallest mesh of "
-        "the kind.");
+        "Medians, warm. 20 functions: hm_plan_solve. swept areas: all three arrays of "
+        "hm_swept_areas; of one: in displacements. growth: us/node against the smallest mesh of "
+        "the "
+        "kind.");
     ours.notes.push_back(others.text());
     report.finish(ours);
 }

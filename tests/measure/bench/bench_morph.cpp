@@ -177,8 +177,7 @@ void add_products(Case const& mesh_case, Operator const& chosen, Settings const&
                   Limits const& limits, Table& table) {
     for (Index const functions : settings.functions) {
         Workspace workspace;
-        Ours ours(mesh_case, workspace, functions, settings.executor, HM_DIRECT, HM_DOUBLE,
-                  chosen.kind);
+        Ours ours(mesh_case, workspace, functions, settings.executor, HM_DIRECT, chosen.kind);
         ours.run();
         for (Pages const pages : {Pages::plain, Pages::huge}) {
             hm_error error{};
@@ -214,8 +213,7 @@ void add_storage(Case const& mesh_case, Settings const& settings, Limits const& 
         std::size_t bytes = 0;
         Block block;
         hm_basis* single = nullptr;
-        require(fixtures::single_size(ours.basis(), &bytes, &error), error,
-                "fixtures::single_size");
+        require(fixtures::single_size(ours.basis(), &bytes, &error), error, "hm_single");
         require(hm_single_init(&single, fixtures::Memory(block.give(bytes), bytes), ours.basis(),
                                &error),
                 error, "hm_single_init");

@@ -30,17 +30,16 @@ public:
     void solve() {
         Problem const problem(case_, fit_);
         std::size_t bytes = 0;
-        done(fixtures::analysis_size(&problem.given, &options_, &bytes, &error_),
-             "fixtures::analysis_size");
+        done(fixtures::analysis_size(&problem.given, &options_, &bytes, &error_), "hm_analysis");
         void* block = analysis_block_.give(bytes);
         done(hm_analysis_init(&analysis_, fixtures::Memory(block, bytes), &problem.given, &options_,
                               &error_),
              "hm_analysis_init");
-        done(fixtures::plan_size(analysis_, &bytes, &error_), "fixtures::plan_size");
+        done(fixtures::plan_size(analysis_, &bytes, &error_), "hm_plan");
         block = plan_block_.give(bytes);
         done(hm_plan_init(&plan_, fixtures::Memory(block, bytes), analysis_, &error_),
              "hm_plan_init");
-        done(fixtures::basis_size(analysis_, &bytes, &error_), "fixtures::basis_size");
+        done(fixtures::basis_size(analysis_, &bytes, &error_), "hm_basis");
         block = basis_block_.give(bytes);
         done(hm_basis_init(&basis_, fixtures::Memory(block, bytes), analysis_, &error_),
              "hm_basis_init");
@@ -60,11 +59,11 @@ public:
     }
     void morph() {
         std::size_t bytes = 0;
-        done(safe_move_size(plan_, basis_, &bytes, &error_), "fixtures::move_safe_size");
+        done(fixtures::safe_move_size(plan_, basis_, &bytes, &error_), "hm_move_safe");
         void* const block = work_.give(bytes);
         hm_points_out const to{x_.data(), y_.data(), 1};
-        done(safe_move(plan_, basis_, move_.data(), &to, nullptr, block, bytes, &safe_, &report_,
-                       &error_),
+        done(fixtures::safe_move(plan_, basis_, move_.data(), &to, nullptr, block, bytes, &safe_,
+                                 &report_, &error_),
              "hm_move_safe");
     }
     bool has_wanted_resolves() const {

@@ -4,7 +4,7 @@
 #include "ours.hpp"
 #include "settings.hpp"
 
-#include <cli/basics/threads.hpp>
+#include <cli/files/threads.hpp>
 
 #include <stdexcept>
 

@@ -112,8 +112,7 @@ Fit::Fit(Case const& mesh_case, Index n_control) {
     options.n_control = n_control;
     hm_error error{};
     std::size_t bytes = 0;
-    require(fixtures::fit_size(mesh_case.wall_points, &options, &bytes, &error), error,
-            "fixtures::fit_size");
+    require(fixtures::fit_size(mesh_case.wall_points, &options, &bytes, &error), error, "hm_fit");
     block_.reset(new unsigned char[bytes]);
     hm_points const wall{x.data(), y.data(), 1};
     hm_status const status = hm_fit(&curves_, fixtures::Memory(block_.get(), bytes), &wall,

@@ -29,19 +29,17 @@ struct DenseFront::Inside {
     harmorph::Kernel kernel;
     Numbers original, panel_data, update_data, sums, sides;
     double min_pivot_ratio = 1;
-    dense::Panel<double> panel;
-    dense::UpdateMatrix<double> update;
+    dense::Panel panel;
+    dense::UpdateMatrix update;
 
-    dense::Workers<double> workers() {
-        return {harmorph::Executor{}, sums.data(), &min_pivot_ratio};
-    }
+    dense::Workers workers() { return {harmorph::Executor{}, sums.data(), &min_pivot_ratio}; }
 };
 
 DenseFront::DenseFront(int kernel, int pivots, int front) : inside_(new Inside) {
     Inside& in = *inside_;
     in.kernel = chosen(kernel);
     in.original = numbers(dense::panel_entries(pivots, front - pivots));
-    dense::Panel<double> const panel{in.original.data(), pivots, front - pivots};
+    dense::Panel const panel{in.original.data(), pivots, front - pivots};
     for (int i = 0; i < pivots; ++i)
         for (int j = 0; j < front; ++j) {  // in the diagonal's place, the row's sum
             double const value = j < i ? entry(front, j, i) : entry(front, i, j);

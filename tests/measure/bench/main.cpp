@@ -3,7 +3,7 @@
 #include "peers.hpp"
 #include "settings.hpp"
 
-#include <cli/basics/threads.hpp>
+#include <cli/files/threads.hpp>
 
 #include <unistd.h>
 

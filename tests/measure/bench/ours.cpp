@@ -69,17 +69,16 @@ hm_analysis* Ours::analyse(Asked& asked) {
     hm_error error{};
     std::size_t bytes = 0;
     hm_problem const& given = asked.problem.given;
-    require(fixtures::analysis_size(&given, &asked.options, &bytes, &error), error,
-            "fixtures::analysis_size");
+    require(fixtures::analysis_size(&given, &asked.options, &bytes, &error), error, "hm_analysis");
     analysis_bytes_ = static_cast<double>(bytes);
     hm_analysis* analysis = nullptr;
     void* const block = workspace_.analysis.give(bytes);
     require(
         hm_analysis_init(&analysis, fixtures::Memory(block, bytes), &given, &asked.options, &error),
         error, "hm_analysis_init");
-    require(fixtures::basis_size(analysis, &bytes, &error), error, "fixtures::basis_size");
+    require(fixtures::basis_size(analysis, &bytes, &error), error, "hm_basis");
     basis_bytes_ = static_cast<double>(bytes);
-    require(fixtures::plan_size(analysis, &bytes, &error), error, "fixtures::plan_size");
+    require(fixtures::plan_size(analysis, &bytes, &error), error, "hm_plan");
     plan_bytes_ = static_cast<double>(bytes);
     return analysis;
 }

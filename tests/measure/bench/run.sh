@@ -20,7 +20,7 @@ case " $PARTS " in *" files "*)
 esac
 here=tests/measure/bench out=$BUILD/bench
 mkdir -p "$out"
-flags="-std=c++17 -Wall -Wextra -Wconversion -Wshadow -ffp-contract=fast -pthread -Iinclude -Isrc -Ic_api -Itests"
+flags="-std=c++17 -Wall -Wextra -Wconversion -Wshadow -ffp-contract=fast -pthread -Iinclude -Isrc -Ic_api -Ic_api/cli -Itests"
 sources=$(ls $here/*.cpp | grep -v /peer_)
 
 # A peer is there if a program that calls it can be built. The order on the link line matters: OpenBLAS first, so that
