@@ -175,6 +175,31 @@ hm_status quality_bytes(const hm_basis* basis, const hm_mesh* mesh, size_t* byte
     });
 }
 
+// The corners that a caller wants, in the order of steps.
+struct StepCornerList {
+    OrientedMesh const& cells;
+    Index index_base;
+    hm_step_corner* corners;  // [capacity]
+    Index capacity;
+    Index count = 0;  // includes those corners for which there is no room
+
+    void insert(StepCorner const& found) noexcept {
+        Index to = min(count++, capacity);
+        for (; to > 0 && found.step < corners[to - 1].step; --to) {
+            if (to < capacity) corners[to] = corners[to - 1];
+        }
+        if (to == capacity) return;
+        hm_step_corner& corner = corners[to];
+        corner.step = found.step;
+        corner.cell = numbered(cells.mesh.number(found.cell), index_base);
+        for (Index k = 0; k < 3; ++k) {
+            corner.points[k] = numbered(found.point[k], index_base);
+            corner.by_from[2 * k] = found.by_position[k].x;
+            corner.by_from[2 * k + 1] = found.by_position[k].y;
+        }
+    }
+};
+
 }  // namespace
 }  // namespace harmorph
 
@@ -285,25 +310,10 @@ hm_status hm_step_gradient(const hm_basis* basis, const hm_mesh* mesh, const hm_
                     cell_item(cells.mesh.number(found.cell)));
             });
         HARMORPH_TRY(fault.status);
-        // The list is kept in the order of steps.
-        Index count = 0;
-        find_step_corners(
-            cells, start, change, limit, max_step, threads, [&](StepCorner const& found) {
-                Index to = min(count++, capacity);
-                for (; to > 0 && found.step < corners[to - 1].step; --to) {
-                    if (to < capacity) corners[to] = corners[to - 1];
-                }
-                if (to == capacity) return;
-                hm_step_corner& corner = corners[to];
-                corner.step = found.step;
-                corner.cell = numbered(cells.mesh.number(found.cell), view.index_base);
-                for (Index k = 0; k < 3; ++k) {
-                    corner.points[k] = numbered(found.point[k], view.index_base);
-                    corner.by_from[2 * k] = found.by_position[k].x;
-                    corner.by_from[2 * k + 1] = found.by_position[k].y;
-                }
-            });
-        *n = count;
+        StepCornerList list{cells, view.index_base, corners, capacity};
+        find_step_corners(cells, start, change, limit, max_step, threads,
+                          [&](StepCorner const& found) { list.insert(found); });
+        *n = list.count;
         return Status::ok;
     });
 }

@@ -79,7 +79,6 @@ hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* 
         ImproveOptions asked;
         HARMORPH_TRY(open_plan(plan, p, fault));
         HARMORPH_TRY(check_report_if(report, "report", fault));
-
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(to, "to", after, fault));
         HARMORPH_TRY(view_improve_options(options, *p, asked, reference, fault));

@@ -62,7 +62,7 @@ Status view_movement(const hm_movement* array, Index number, Movement& out, Faul
                                      "64, and their sum at least 1"
                                    : "n_camber and n_thickness of movement # must be 0 unless the "
                                      "kind is HM_CAMBER_THICKNESS",
-                            entry_item(number));
+                            item);
     }
     bool const has_place = out.kind == MovementKind::rotate || out.kind == MovementKind::scale ||
                            out.kind == MovementKind::flap || out.kind == MovementKind::blade;
@@ -70,7 +70,7 @@ Status view_movement(const hm_movement* array, Index number, Movement& out, Faul
         return fault.refuse(Status::bad_argument,
                             "x and y of movement # must be finite and at most 1e100, and 0 if the "
                             "kind of the movement has no centre",
-                            entry_item(number));
+                            item);
     }
     bool const is_flap = out.kind == MovementKind::flap;
     if (is_flap ? !is_between(0, m.length, largest_coordinate) : m.length != 0) {
@@ -78,7 +78,7 @@ Status view_movement(const hm_movement* array, Index number, Movement& out, Faul
                             is_flap ? "the length of movement # must be 0 or above, not ~"
                                     : "the length of movement # must be 0 unless the kind is "
                                       "HM_FLAP",
-                            entry_item(number), {}, m.length);
+                            item, {}, m.length);
     }
     return Status::ok;
 }
@@ -99,8 +99,7 @@ struct MovementTask {
             return fault.refuse(Status::bad_argument, "n_movements must be between 1 and 64, not #",
                                 plain(n));
         }
-        Movement first;
-        HARMORPH_TRY(view_movement(given, 0, first, fault));
+        HARMORPH_TRY(view_movement(given, 0, movement[0], fault));
         hm_movement m;
         read_struct(given, m);
         bool const needs_section = n > 1 || m.kind != HM_FAMILY;
@@ -109,13 +108,13 @@ struct MovementTask {
         bool needs_chord = false;
         for (n_movements = 0; n_movements < n; ++n_movements) {
             Movement& own = movement[n_movements];
-            HARMORPH_TRY(view_movement(given, n_movements, own, fault));
+            if (n_movements > 0) HARMORPH_TRY(view_movement(given, n_movements, own, fault));
             if (n_movements > 0 && !own.maps_points()) {
                 return fault.refuse(Status::bad_argument,
                                     "movement # changes the outline and must come first",
                                     entry_item(n_movements));
             }
-            if (own.kind == MovementKind::linear) HARMORPH_TRY(open_linear(*given, own, fault));
+            if (own.kind == MovementKind::linear) HARMORPH_TRY(open_linear(m, own, fault));
             needs_chord =
                 needs_chord || own.needs_chord() || (has_variables() && variables.needs_chord());
             n_values += own.count();
@@ -127,7 +126,7 @@ struct MovementTask {
     }
     bool is_linear() const noexcept { return movement[0].kind == MovementKind::linear; }
     bool has_variables() const noexcept { return is_linear() && family.members == nullptr; }
-    // The nodes of free-form deformation have two values.
+    // The lattice points of free-form deformation have two values.
     bool has_pairs() const noexcept {
         return has_variables() && variables.kind == VariableKind::ffd;
     }
@@ -144,9 +143,7 @@ struct MovementTask {
     }
 
 private:
-    Status open_linear(hm_movement const& given, Movement& own, Fault& fault) noexcept {
-        hm_movement m;
-        read_struct(&given, m);
+    Status open_linear(hm_movement const& m, Movement& own, Fault& fault) noexcept {
         if (m.kind == HM_FAMILY) {
             family = m;
             own.n_linear = m.n_members;

@@ -62,8 +62,7 @@ Status open_struct(const Struct* given, Struct& out, const char* name, const cha
                    Fault& fault) noexcept {
     if (given == nullptr) return fault.refuse_argument(name, "% is NULL");
     if (read_struct(given, out)) return Status::ok;
-    return fault.refuse_arguments(name, type,
-                                  "%.struct_size is not the size of an &; begin with HM_INIT(%)");
+    return refuse_size(name, type, fault);
 }
 
 // Reads options, which are defaults if `given` is NULL. A newer header may have more options.

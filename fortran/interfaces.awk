@@ -1,21 +1,21 @@
 # usage: awk -f type_of.awk -f interfaces.awk arguments TABLE
 # Writes an interface, with the comment of the header, for each call in TABLE, which c_api/packaging/table.awk makes
-# from the C headers. The function hm_morph of C becomes hm_c_morph. TABLE says what is a number and what is a pointer; the
-# file `arguments` says which pointers are arrays, and which may be null. Calls for MPI and PETSc are private.
-function form_of(call, argument, type, stars) {
+# from the C headers. The function hm_morph of C becomes hm_c_morph. TABLE says what is a number and what is a pointer;
+# the file `arguments` says which pointers are arrays, and which may be null. Calls for MPI and PETSc are private.
+function form_of(call, argument, type) {
     if (type == "hm_error" || type == "size_t" || type == "int64_t") return "one"
     if (type == "hm_executor" || type == "void" || !(type in number || type in is_struct)) return "address"
     if ((call, argument) in form) return form[call, argument]
     if (("*", argument) in form) return form["*", argument]
     return type in is_struct ? "one" : "many"
 }
-function declaration_of(call, argument, type, stars, is_const, is) {
+function declaration_of(call, argument, type, stars, is_const, passed) {
     if (stars == 2) return "type(c_ptr), intent(inout) :: " argument
     if (stars == 0) return number[type] ", value, intent(in) :: " argument
-    is = form_of(call, argument, type)
-    if (is == "address") return "type(c_ptr), value, intent(in) :: " argument
+    passed = form_of(call, argument, type)
+    if (passed == "address") return "type(c_ptr), value, intent(in) :: " argument
     type = type in number ? number[type] : "type(" type_of(type) ")"
-    return type ", intent(" (is_const ? "in" : "inout") ") :: " argument (is == "many" ? "(*)" : "")
+    return type ", intent(" (is_const ? "in" : "inout") ") :: " argument (passed == "many" ? "(*)" : "")
 }
 # The text in lines of at most 120 columns.
 function wrapped(text, line, n, k, word, lines) {

@@ -1,6 +1,6 @@
 # usage: awk -f signatures.awk PARTS   (by join.sh)
-# Writes comment lines with the arguments of every public call of the module, optional ones in brackets, with the ranks of
-# arrays. Forms of one call that have the same arguments are one line; (..) stands for the ranks of several forms.
+# Writes comment lines with the arguments of every public call of the module, optional ones in brackets, with the ranks
+# of arrays. Forms of one call that have the same arguments are one line; (..) stands for the ranks of several forms.
 function trim(text) { gsub(/^[ \t]+|[ \t]+$/, "", text); return text }
 function statement(    line, more) {   # the next statement without comment, its continuations joined
     line = $0

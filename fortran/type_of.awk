@@ -1,5 +1,5 @@
-# The type in Fortran of a struct of the C headers, for declarations.awk and interfaces.awk. The struct hm_mesh becomes the
-# type hm_c_mesh; only reports, which users of the module read as they are, keep their names. Structs for output, as
+# The type in Fortran of a struct of the C headers, for declarations.awk and interfaces.awk. The struct hm_mesh becomes
+# the type hm_c_mesh; only reports, which users of the module read as they are, keep their names. Structs for output, as
 # hm_points_out, have the type of those for input, hm_c_points.
 function type_of(struct, name) {
     name = struct

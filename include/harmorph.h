@@ -40,8 +40,7 @@
  *     hm_morph, hm_adjoint, hm_assess   any number of times
  *
  * hm_morph and hm_adjoint need only the basis, hm_assess also the mesh. Keep the plan if you call
- * hm_displace, hm_move_safe or hm_improve later, and the analysis if you call
- * hm_slip later.
+ * hm_displace, hm_move_safe or hm_improve later, and the analysis if you call hm_slip later.
  *
  * HEADERS. This header suffices for a solver on one process. The other headers, by topic:
  *
@@ -209,6 +208,10 @@ typedef struct hm_error {
     char text[200];   /* one sentence, NUL-terminated */
 } hm_error;
 
+HM_API int32_t hm_abi_version(void);
+HM_API const char* hm_version(void);                 /* "major.minor.patch" of the library */
+HM_API const char* hm_status_name(hm_status status); /* "HM_OK", ...; "unknown status" otherwise */
+
 /* ---- Memory of the caller ---- */
 
 /* Memory for an object that a call makes, or for the work of a call until it returns.
@@ -231,10 +234,6 @@ typedef struct hm_memory {
     void* block;
     size_t bytes; /* of the block */
 } hm_memory;
-
-HM_API int32_t hm_abi_version(void);
-HM_API const char* hm_version(void);                 /* "major.minor.patch" of the library */
-HM_API const char* hm_status_name(hm_status status); /* "HM_OK", ...; "unknown status" otherwise */
 
 /* ---- Vector instructions and threads of the caller ---- */
 

@@ -235,8 +235,7 @@ typedef struct hm_quantity {
     /* [1/length] clearance, min thickness, distance. 0: the smallest value itself, with the
      * derivative at one place. 1e-100 .. 1e100: the smooth lower bound m - ln(sum_k exp(-sharpness
      * (v_k - m))) / sharpness of the values v_1 .. v_N, m the smallest one: at most ln(N) /
-     * sharpness below m.
-     */
+     * sharpness below m. */
     double sharpness;
     /* Distance: the curves other_curve .. other_curve+n_other-1 are the outline of the other body,
      * as in hm_section; none of them is a curve of the section. */
@@ -265,9 +264,9 @@ HM_API hm_status hm_measure(const hm_curves* curves, const hm_section* section, 
 
 /* hm_variables.kind: how one unit of each variable moves the outline */
 enum {
-    /* Free-form deformation: variable i + (degree_x+1) j is the node i, j of a box. A movement
-     * (dx, dy) of the node moves the points inside the box by B_i(x) B_j(y) (dx, dy), Bernstein
-     * polynomials; points outside do not move. (Sederberg, Parry 1986) */
+    /* Free-form deformation: variable i + (degree_x+1) j is the lattice point i, j of a box. A
+     * movement (dx, dy) of a lattice point moves the points inside the box by B_i(x) B_j(y)
+     * (dx, dy), Bernstein polynomials; points outside do not move. (Sederberg, Parry 1986) */
     HM_FFD = 0,
     /* Class and shape functions: chord * t^leading_exponent (1-t)^trailing_exponent B_k(t) normal
      * to the chord, n_upper Bernstein polynomials of degree n_upper-1 of the upper side, then

@@ -83,8 +83,8 @@ static hm_status agree_on_query(const hm_memory* memory, MPI_Comm comm, hm_error
     return agree(status, comm, err);
 }
 
-/* At the begin of each call: the reason has a place also where the caller wants none, since other
- * processes may want it. */
+/* Begins each call: the reason has a place also where the caller wants none, since other processes
+ * may want the reason. */
 #define BEGIN_CALL(comm, err)           \
     hm_error unread;                    \
     if ((err) == NULL) (err) = &unread; \

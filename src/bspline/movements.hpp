@@ -12,8 +12,6 @@
 
 namespace harmorph {
 
-// Solves a few linear equations with several right-hand sides.
-
 // Solves matrix [n * n] times x = right [n * width] by Gaussian elimination with the largest pivot
 // of each column; x replaces `right`, and the matrix is destroyed. Returns false if a pivot is 0.
 inline bool solve_small(Index n, Real* matrix, Index width, Real* right) noexcept {
@@ -43,8 +41,7 @@ inline bool solve_small(Index n, Real* matrix, Index width, Real* right) noexcep
     return true;
 }
 
-// Computes rotations by angles in degrees.
-inline constexpr Real per_degree = pi / 180;
+inline constexpr Real per_degree = pi / 180;  // [radians]
 
 // Returns the rotation by an angle of at most a million degrees. Multiples of 90 degrees are exact.
 inline Vec2 rotation_by(Real degrees) noexcept {

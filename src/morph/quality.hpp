@@ -73,10 +73,6 @@ inline Fraction skew_fraction(Index n, CellCorners const& corners) noexcept {
     for (Index k = 0; k < 4; ++k) sum += length[(k + 3) & 3] * length[k] / area[k];
     return {4 / sum, 1};
 }
-inline Real skew_quality(Index n, CellCorners const& corners) noexcept {
-    Fraction const skew = skew_fraction(n, corners);
-    return skew.numerator / skew.denominator;
-}
 
 // The measures of one of the caller's cells; a polygon is measured with all its pieces and guards.
 struct CellMeasure {

@@ -44,11 +44,11 @@ struct Largest {
     void merge(Largest const& later) noexcept { value = max(value, later.value); }
 };
 struct ThreeSums {
-    Real first = 0, second = 0, third = 0;
+    Real exponentials = 0, qualities = 0, gaps = 0;
     void merge(ThreeSums const& later) noexcept {
-        first += later.first;
-        second += later.second;
-        third += later.third;
+        exponentials += later.exponentials;
+        qualities += later.qualities;
+        gaps += later.gaps;
     }
 };
 
@@ -162,13 +162,13 @@ Improvement::Sums Improvement::sums_of(Span<const Vec2> points) noexcept {
     ThreeSums const all =
         reduce_cells<ThreeSums>(y.count(), executor, [&](Index k, ThreeSums& sum) {
             Real const below = sums.largest - y[k], weight = exponential(-sharpness * below);
-            sum.first += weight;
-            sum.second += exponential(-y[k]);
-            sum.third += weight * below;
+            sum.exponentials += weight;
+            sum.qualities += exponential(-y[k]);
+            sum.gaps += weight * below;
         });
-    sums.exponentials = all.first;
-    sums.qualities = all.second;
-    sums.gap = all.third / all.first;
+    sums.exponentials = all.exponentials;
+    sums.qualities = all.qualities;
+    sums.gap = all.gaps / all.exponentials;
     return sums;
 }
 

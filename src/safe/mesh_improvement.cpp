@@ -31,9 +31,8 @@ void MeshImprovement::lay_out(Arena& arena, Plan const& plan) noexcept {
     mobility.lay_out(arena, plan);
     first_layer.lay_out(arena, plan.mesh(), static_cast<Size>(plan.equations().walls().count));
     improvement.lay_out(arena, plan);
-    improvement.anchors.lay_out(arena, plan.mesh().n_points < 2 * plan.equations().walls().count
-                                           ? plan.mesh().n_points
-                                           : 2 * plan.equations().walls().count);
+    improvement.anchors.lay_out(arena,
+                                min(plan.mesh().n_points, 2 * plan.equations().walls().count));
     arena.take(result, plan.mesh().n_points);
 }
 
@@ -189,7 +188,7 @@ void MeshImprovement::hold_first_layer(bool holds) noexcept {
 }
 
 // Puts the tops in their places, as far as no cell is inverted, and holds them there. If the
-// smallest quality would then be below `lowest`, nothing changes. Returns true.
+// smallest quality would then be below `lowest`, nothing changes.
 void MeshImprovement::place_first_layer(Real lowest, Points from) noexcept {
     Anchors& anchors = improvement.anchors;
     Span<Vec2> const now = improvement.now;

@@ -20,8 +20,9 @@ double skew(std::vector<Point> const& corners, bool reversed = false) {
         cell.point[cell.n] = cell.n;
         ++cell.n;
     }
-    return skew_quality(cell.n,
-                        harmorph::CellCorners({cell, {xy.data(), xy.data() + 1, 2}, reversed}));
+    harmorph::CellShape const shape(cell, {xy.data(), xy.data() + 1, 2}, reversed);
+    harmorph::Fraction const quality = skew_fraction(cell.n, harmorph::CellCorners(shape));
+    return quality.numerator / quality.denominator;
 }
 
 Quality measure(Mesh const& mesh, Mesh const* reference = nullptr, bool reversed = false) {
