@@ -7,14 +7,13 @@
 // it is. In some cases another process shortens the mesh while the command runs.
 #include "commands/commands.hpp"
 #include "curves/curves.hpp"
+#include "failure.hpp"
 #include "files/text_file.hpp"
+#include "scratch_folder.hpp"
 #include "target.hpp"
 #include "work/basis_file.hpp"
 #include "work/moves_file.hpp"
 #include "work/read_mesh.hpp"
-
-#include "failure.hpp"
-#include "scratch_folder.hpp"
 
 #include "basis/basis.hpp"
 
@@ -50,8 +49,8 @@ private:
     int kept_;
 };
 
-// That mesh, and bases of it: of a curve with sliding sides, and of a rigid body between periodic
-// sides.
+// The mesh box(), and bases of it: of a curve with slipping sides, and of a rigid body between
+// periodic sides.
 struct Files {
     ScratchFolder folder;
     std::string mesh, moves[2], airfoil, damaged, fields, basis_text[2], fields_text;
@@ -72,9 +71,7 @@ struct Files {
                 if (i != 3 || j != 3)
                     table << n++ << ',' << i << ',' << j << ',' << i - j << ',' << 0.5 * j << '\n';
         fields_text = table.str();
-        std::string const curve = folder.write(
-            "c.curve",
-            "degree 1\nclosed tied\npoints 4\n2 2\n4 2\n4 4\n2 4\nknots 7\n0 0 2 4 6 8 8\n");
+        std::string const curve = folder.write("c.curve", block_curve);
         std::string const line = folder.write(
             "l.curve", "degree 1\nclosed open\npoints 2\n0 6\n6 6\nknots 4\n0 0 6 6\n");
         cli::run_command({"solve", mesh, "--curve", "block=" + curve, "--slip", "low", "--slip",
@@ -88,19 +85,21 @@ struct Files {
     std::vector<std::string> command(std::uint32_t which, std::uint32_t basis) const {
         auto const out = [&](const char* name) { return folder.file(name); };
         std::vector<std::string> const morph = {"morph", mesh, damaged, "--move", moves[basis]};
-        auto const with = [](std::vector<std::string> words, std::vector<std::string> const& more) {
+        auto const joined = [](std::vector<std::string> words,
+                               std::vector<std::string> const& more) {
             words.insert(words.end(), more.begin(), more.end());
             return words;
         };
         switch (which) {
-            case 0: return with(morph, {"-o", out("o.su2"), "--report", out("o.html"), "--force"});
+            case 0:
+                return joined(morph, {"-o", out("o.su2"), "--report", out("o.html"), "--force"});
             case 1:
-                return with(morph, {"--svg", out("o.svg"), "--boundary-svg", out("b.svg"), "--csv",
-                                    out("o.csv")});
+                return joined(morph, {"--svg", out("o.svg"), "--boundary-svg", out("b.svg"),
+                                      "--csv", out("o.csv")});
             case 2:
-                return with(morph,
-                            {"--safe", "-o", out("o.su2"), "--reached", out("r.txt"), "--json"});
-            case 3: return with(morph, {"--improve", "--vtu", out("o.vtu")});
+                return joined(morph,
+                              {"--safe", "-o", out("o.su2"), "--reached", out("r.txt"), "--json"});
+            case 3: return joined(morph, {"--improve", "--vtu", out("o.vtu")});
             case 4:
                 return {"morph", mesh,          damaged,     "--to-airfoil",
                         airfoil, "--moves-out", out("r.txt")};
@@ -122,24 +121,6 @@ struct Files {
         }
     }
 };
-
-// Some bytes of a text change, or a piece of the text goes, or stands there twice.
-void damage_table(std::string& text, Input& input) {
-    for (std::int32_t k = input.from(0, 3); k > 0; --k) {
-        std::size_t const at = input.below(static_cast<std::uint32_t>(text.size())),
-                          length = input.below(40);
-        switch (input.below(4)) {
-            case 0: text.erase(at, length); break;
-            case 1: text.insert(at, text.substr(at, length)); break;
-            case 2:
-                text.insert(at, input.any_of({"nan", "inf", "-", "1e999", "2147483648", ",,", "\n",
-                                              "\"", "1e-400", " 7 "}));
-                break;
-            default: text[at] = static_cast<char>(input.below(256));
-        }
-        if (text.empty()) return;
-    }
-}
 
 // Numbers in the conditions, in the header or anywhere in the block; or text behind the block.
 void damage(std::string& text, Input& input) {
@@ -266,7 +247,7 @@ Outcome run_commands(Input& input) {
     bool const has_fields = command >= adjoint && command <= last_with_fields;
     std::string text = files.basis_text[basis], table = files.fields_text;
     if (!has_fields || (command == adjoint && input.one_in(2))) damage(text, input);
-    if (has_fields) damage_table(table, input);
+    if (has_fields) damage_text(table, input);
     files.folder.write("b.basis", text);
     files.folder.write("f.csv", table);
     std::string const designs = files.folder.file("designs");

@@ -1,7 +1,9 @@
-// A folder for the files of cases, and a small mesh with five markers, for commands and readers.
+// A folder for the files of cases, a small mesh with five markers, and damage to texts, for
+// commands and readers.
 #pragma once
 
 #include "failure.hpp"
+#include "input.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -50,6 +52,10 @@ inline std::string text_of(std::string const& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+// The curve of the block of box().
+inline constexpr char block_curve[] =
+    "degree 1\nclosed tied\npoints 4\n2 2\n4 2\n4 4\n2 4\nknots 7\n0 0 2 4 6 8 8\n";
+
 // 6 x 6 cells round a block of 2 x 2, each side and the block with a marker.
 inline std::string box() {
     constexpr int n = 6;
@@ -88,6 +94,27 @@ inline std::string box() {
         << points.str() << "NMARK= 5\n"
         << faces.str();
     return all.str();
+}
+
+// Pieces of a text go or come twice, or the text gets words that a table rarely has, or other
+// bytes.
+inline void damage_text(std::string& text, Input& input) {
+    for (std::int32_t k = input.from(0, 3); k > 0 && !text.empty(); --k) {
+        std::size_t const at = input.below(std::uint32_t(text.size())), length = input.below(40);
+        switch (input.below(4)) {
+            case 0: text.erase(at, length); break;
+            case 1: text.insert(at, text.substr(at, length)); break;
+            case 2:
+                text.insert(at,
+                            input.any_of({"nan",        "inf",        "-",          "+",   "1e999",
+                                          "1e-400",     "0x1p3",      "D2",         " 7 ", "1,5",
+                                          "2147483648", "2147483649", "4294967297", ",",   ",,",
+                                          "\"",         ".",          "#",          "\n",  "\r",
+                                          "\r\n",       " ",          "\t",         "\v",  "\f"}));
+                break;
+            default: text[at] = static_cast<char>(input.below(256));
+        }
+    }
 }
 
 }  // namespace fuzz

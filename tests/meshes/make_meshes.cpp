@@ -5,10 +5,13 @@
 #include <fixtures/hybrid.hpp>
 #include <fixtures/square.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -119,8 +122,8 @@ private:
 
 // Chord 1, a sharp trailing edge, the far field 20 chords away.
 Mesh naca0012() {
-    HybridOptions
-        options;  // the triangles just outside the layers come out as high as the last quads are
+    // With these numbers the triangles just outside the layers are as high as the last quads.
+    HybridOptions options;
     options.layers = 15;
     options.layer_growth = 1.22;
     options.ring_growth = 1.15;

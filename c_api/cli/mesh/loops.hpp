@@ -1,5 +1,4 @@
-// Finds edges that are connected by their ends. Edges of a closed boundary form loops; edges of a
-// part of a boundary may form open chains. Both are called loops here.
+// The edges of a mesh, chains of edges, and loops of the boundary.
 #pragma once
 
 #include "basics/geometry.hpp"
@@ -10,8 +9,6 @@
 #include <vector>
 
 namespace cli {
-
-// The edges of a mesh, and chains of edges: a chain takes half the space of separate edges.
 
 struct Edge {
     std::int32_t a, b;  // a < b
@@ -38,10 +35,13 @@ void remove_repeats(std::vector<Edge>& edges);
 // Returns each edge once, in order, without those for which visible() returns false.
 std::vector<Edge> mesh_edges(const Mesh& mesh, const std::function<bool(Edge)>& visible);
 
-// Returns chains of points that contain each edge once.
+// Returns chains of points that contain each edge once: a chain takes half the space of separate
+// edges.
 std::vector<std::vector<std::int32_t>> edge_chains(const std::vector<Edge>& edges,
                                                    std::int32_t n_points);
 
+// Edges that are connected by their ends. Edges of a closed boundary form loops; edges of a part of
+// a boundary may form open chains. Both are called loops here.
 struct BoundaryLoops {
     std::int32_t count = 0;
     // The loop of each edge, from 0. Loops are in the order of their smallest points.

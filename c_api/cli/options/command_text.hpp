@@ -4,8 +4,7 @@
 //     solve MESH (mesh)                    the name, and the operands with the use of their files
 //     Solves the functions ...             the summary
 //
-//     Each control point's function ...    paragraphs; a line that begins with a blank stays as it
-//     is
+//     Each control point's function ...    paragraphs; lines that begin with a blank stay unchanged
 //
 //     Options:                             or another heading of a group of options
 //     --mode FIELD  (input)                an option, its value, and marks
@@ -13,7 +12,7 @@
 //     --curve --rigid                      options whose help is in shared.txt
 //
 //     Examples:
-//       harmorph solve ...                 lines that stay as they are
+//       harmorph solve ...                 lines that stay unchanged
 //
 // Marks are the use of a file, `mesh`, `input`, `input behind =` (of NAME=FILE), `output` or `moved
 // mesh`; `output .ENDING with --OPTION`: see Option::ending; `sets --OPTION VALUE ...`: see

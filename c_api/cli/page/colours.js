@@ -40,7 +40,8 @@ class Scale {
     pixels() {
         if (!this.pixel_table) {
             const { table } = this;
-            this.pixel_table = Uint32Array.from({ length: 256 }, (_, i) => pixel_of(...table.subarray(3 * i, 3 * i + 3)));
+            this.pixel_table = Uint32Array.from({ length: 256 }, (_, i) =>
+                pixel_of(...table.subarray(3 * i, 3 * i + 3)));
         }
         return this.pixel_table;
     }

@@ -45,5 +45,6 @@ function decode(raw) {
 
 // Returns the condition of a marker, without its pieces; a marker without a condition is fixed.
 function condition_of(data, marker) {
-    return data.conditions.find((one) => one.marker === marker && one.kind !== "interface") || { kind: "fixed", marker };
+    const known = data.conditions.find((one) => one.marker === marker && one.kind !== "interface");
+    return known || { kind: "fixed", marker };
 }

@@ -33,7 +33,8 @@ class Farther {
     safe() {
         const { app } = this,
             { points, report } = app.model.morph.safe(app.moves),
-            ways = ["one step", "another basis", ...["", " and untangling", " and better cells"].map((more) => `several steps${more}`)];
+            several = "several steps",
+            ways = ["one step", "another basis", several, `${several} and untangling`, `${several} and better cells`];
         app.model.move_to(points);
         app.show_reached(
             `Reached by ${ways[report.strategy]}, ${plural(report.solutions, "solution")}` +
@@ -79,12 +80,12 @@ class Farther {
             });
         if (markers.length === 0)
             throw new Error(`${name}: the file must have the displacements of all points of a marker`);
-        const given = new model.library.Morph(model.mesh, null, markers.map((marker) => [marker, "given"])),
+        const given = new model.classes.Morph(model.mesh, null, markers.map((marker) => [marker, "given"])),
             wallPoints = Int32Array.from(rows, ([point]) => point),
             wall = Float64Array.from(rows.flatMap(([, dx, dy]) => [dx, dy]));
         try {
-            const by = given.displace(wall, { wallPoints });
-            if (given.assess(by).quality.inverted === 0) model.move_by(by);
+            const displacements = given.displace(wall, { wallPoints });
+            if (given.assess(displacements).quality.inverted === 0) model.move_by(displacements);
             else model.move_to(given.displaceSafe(wall, { wallPoints }).points);
         } finally {
             given.free();

@@ -61,7 +61,9 @@ class Legend {
                     high_text: "2",
                     name: "first-layer height, after over before",
                     colour_at: (value) => scale.change.css(value),
-                    summary: `${brief(least(wall.height))} to ${brief(most(wall.height))}, ${brief(mean(wall.height))} on average`,
+                    summary:
+                        `${brief(least(wall.height))} to ${brief(most(wall.height))}, ` +
+                        `${brief(mean(wall.height))} on average`,
                 };
             default: {
                 const [low, high] = picture.value_range,

@@ -2,9 +2,9 @@
 // The page: its parts, its buttons, and what follows when something moves.
 
 class App {
-    constructor(raw, library) {
+    constructor(raw, classes) {
         const data = (this.data = decode(raw));
-        this.model = new Model(data, library);
+        this.model = new Model(data, classes);
         data.pieces = this.model.pieces();
         data.n_functions = this.model.n_functions;
         this.cells = new Cells(data, this.model);

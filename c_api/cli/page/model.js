@@ -2,24 +2,24 @@
 // The mesh in the memory of the library: X = X0 + sum_i F_i dP_i, and what the library says of it.
 
 class Model {
-    // library: the classes of the package (c_api/web).
-    constructor(data, library) {
+    // classes: those of the package (c_api/web).
+    constructor(data, classes) {
         const n = data.x.length;
-        Object.assign(this, { n, library, x0: data.x, y0: data.y, x: data.x.slice(), y: data.y.slice() });
+        Object.assign(this, { n, classes, x0: data.x, y0: data.y, x: data.x.slice(), y: data.y.slice() });
         this.dx = new Float64Array(n);
         this.dy = new Float64Array(n);
         this.n_cells = data.cell_start.length - 1;
-        this.mesh = new library.Mesh(Model.pairs(data.x, data.y), Model.cells(data), Model.boundary(data));
-        this.curves = data.n_control > 0 ? new library.Curves(data.control, data.curves, data.weights) : null;
+        this.mesh = new classes.Mesh(Model.pairs(data.x, data.y), Model.cells(data), Model.boundary(data));
+        this.curves = data.n_control > 0 ? new classes.Curves(data.control, data.curves, data.weights) : null;
         this.morph = this.solved(data);
         this.n_functions = this.morph.functions;
         this.slips = data.conditions.some(({ kind }) => kind === "slip");
-        this.at = new library.Numbers(2 * n); // x, y of the moved points
-        this.by = new library.Numbers(2 * n); // their displacements
-        this.start = new library.Numbers(2 * n); // x, y before anything moves
+        this.at = new classes.Numbers(2 * n); // x, y of the moved points
+        this.by = new classes.Numbers(2 * n); // their displacements
+        this.start = new classes.Numbers(2 * n); // x, y before anything moves
         for (const numbers of [this.start, this.at]) numbers.view.set(this.mesh.points);
-        this.areas = new library.Numbers(this.n_cells); // before anything moves
-        this.qualities = new library.Numbers(this.n_cells);
+        this.areas = new classes.Numbers(this.n_cells); // before anything moves
+        this.qualities = new classes.Numbers(this.n_cells);
         this.call("hm_web_areas", this.morph.basis.address, this.morph.problem.address, this.areas.address);
         this.outlines = outlines_of(data.curves);
     }
@@ -41,9 +41,9 @@ class Model {
     }
 
     solved(data) {
-        const { library } = this;
-        if (data.basis_file !== "") return library.Morph.load(decode_base64(data.basis_file, Uint8Array), this.mesh);
-        const along = data.along.map((set) => new library.Curves(set.control, set.curves, set.weights));
+        const { classes } = this;
+        if (data.basis_file !== "") return classes.Morph.load(decode_base64(data.basis_file, Uint8Array), this.mesh);
+        const along = data.along.map((set) => new classes.Curves(set.control, set.curves, set.weights));
         const conditions = data.conditions.map((one) => {
             const { kind } = one, condition = { kind };
             if (kind === "curve") condition.curves = [one.first_curve, one.n_curves];
@@ -54,7 +54,7 @@ class Model {
             if (one.along >= 0) condition.along = along[one.along];
             return [one.marker, condition];
         });
-        return new library.Morph(this.mesh, this.curves, conditions, {
+        return new classes.Morph(this.mesh, this.curves, conditions, {
             operator: ["conformal", "laplace", "weighted"][data.operator_kind],
             exponent: data.exponent,
             offsetCorrection: data.offset_correction,
@@ -107,7 +107,7 @@ class Model {
         const { library } = this.mesh;
         return library.with((scope) => {
             const given = values.map((value) =>
-                value instanceof this.library.Numbers ? scope.points(value, this.n, name) : value);
+                value instanceof this.classes.Numbers ? scope.points(value, this.n, name) : value);
             return library.call(name, ...given);
         });
     }
@@ -139,11 +139,12 @@ class Model {
         library.with((scope) => {
             const info = scope.struct("hm_basis_info");
             library.call("hm_basis_info_get", this.morph.basis.address, info);
-            const of = (name) => layout.get("hm_basis_info", info, name), n = of("curve_points");
-            const points = memory.integers(of("curve_point"), n), curves = memory.integers(of("point_curve"), n),
-                parameters = memory.numbers(of("point_u"), n);
+            const member = (name) => layout.get("hm_basis_info", info, name), n = member("curve_points");
+            const points = memory.integers(member("curve_point"), n),
+                curves = memory.integers(member("point_curve"), n),
+                parameters = memory.numbers(member("point_u"), n);
             for (let k = 0; k < n; ++k) {
-                if (curves[k] < of("curves")) found.set(points[k], { curve: curves[k], u: parameters[k] });
+                if (curves[k] < member("curves")) found.set(points[k], { curve: curves[k], u: parameters[k] });
             }
         });
         return found;

@@ -65,7 +65,8 @@ class Panel {
             "verdict " + (inverted > 0 || crosses ? "bad" : used > 0.5 ? "warn good" : "good");
         element("gauge_fill").style.width = `${100 * used}%`;
         element("gauge").setAttribute("aria-valuenow", Math.round(100 * used));
-        element("step").textContent = still || reached !== "" ? "–" : step === Infinity ? "unlimited" : `${short(step)} × this movement`;
+        element("step").textContent =
+            still || reached !== "" ? "–" : step === Infinity ? "unlimited" : `${short(step)} × this movement`;
     }
 
     update_section() {

@@ -64,7 +64,8 @@ class Raster {
             ay = at[a + 1],
             bx = at[b],
             by = at[b + 1];
-        if ((ax < 0 && bx < 0) || (ay < 0 && by < 0) || (ax > width && bx > width) || (ay > height && by > height)) return;
+        if ((ax < 0 && bx < 0) || (ay < 0 && by < 0)) return;
+        if ((ax > width && bx > width) || (ay > height && by > height)) return;
         if (Math.abs(bx - ax) >= Math.abs(by - ay))
             this.flat_line(ax, ay, bx, by, strength, { columns: width, across: 1, rows: height, down: width });
         else this.flat_line(ay, ax, by, bx, strength, { columns: height, across: width, rows: width, down: 1 });

@@ -1,6 +1,6 @@
 "use strict";
-// A cell that is divided into triangles (see report_polygons.js) is valid while its triangles, and its corners with the angle
-// that each corner may bend, have positive areas. harmorph.h gives the formulas at HM_CELLS_POLYGONS.
+// A cell that is divided into triangles (see report_polygons.js) is valid while its triangles, and its corners with the
+// angle that each corner may bend, have positive areas. harmorph.h gives the formulas at HM_CELLS_POLYGONS.
 
 class DividedCell {
     constructor(pieces, model) {

@@ -9,9 +9,9 @@ class Section {
         const [first, n] = outline,
             control = model.curves.curves.slice(first, first + n).flatMap(({ indices }) => [...indices]);
         this.control = [...new Set(control)];
-        const of_point = model.curve_points();
+        const curve_points = model.curve_points();
         this.trailing = chain.points.reduce((best, point, place) => {
-            const { curve, u } = of_point.get(point) ?? {};
+            const { curve, u } = curve_points.get(point) ?? {};
             return curve === first && (best.u === undefined || u < best.u) ? { u, place } : best;
         }, { place: 0 }).place;
         this.frame = this.find_frame();
@@ -57,14 +57,14 @@ class Section {
     // Thickness and camber are in chords; the chord and the area are in units of the mesh. What the library cannot
     // measure, as the leading edge of a polygon, is left out.
     measure(curves) {
-        const of = (...kinds) => {
+        const measured = (...kinds) => {
             try {
                 return curves.measure(kinds, this.curves);
             } catch (error) {
                 return { values: kinds.map(() => NaN), places: kinds.flatMap(() => [NaN, NaN]) };
             }
         };
-        const { values, places } = of("chord", "maxThickness", "maxCamber", "area", "twist", ...Section.stations),
+        const { values, places } = measured("chord", "maxThickness", "maxCamber", "area", "twist", ...Section.stations),
             [chord, thickness, camber, area, angle] = values,
             frame = Section.frame_of(places.slice(-4)),
             turn = this.start ? angle - this.start.angle : 0;
@@ -76,8 +76,8 @@ class Section {
             area,
             angle,
             twist: -(turn - 360 * Math.round(turn / 360)),
-            leading_edge_radius: of("leadingEdgeRadius").values[0],
-            trailing_edge_angle: of("trailingEdgeAngle").values[0],
+            leading_edge_radius: measured("leadingEdgeRadius").values[0],
+            trailing_edge_angle: measured("trailingEdgeAngle").values[0],
         };
     }
     judge(curves) {
@@ -139,7 +139,8 @@ class Section {
         const { curves } = this.model,
             { thickness, ...others } = values,
             by = new Float64Array(2 * curves.nControl);
-        if (thickness !== 0 && this.thickening !== null) this.thickening.forEach((unit, k) => (by[k] = (thickness / 100) * unit));
+        if (thickness !== 0 && this.thickening !== null)
+            this.thickening.forEach((unit, k) => (by[k] = (thickness / 100) * unit));
         if (Object.values(others).some((value) => value !== 0))
             this.moved(curves.moved(by), others).forEach((move, k) => (by[k] += move));
         this.moved_by = { values: key, moves: by };

@@ -1,7 +1,7 @@
 "use strict";
 // Begins with the page: the module is instantiated, then the application is made.
 
-async function load_library() {
+async function load_classes() {
     const compressed = Uint8Array.from(atob(page_module), (character) => character.charCodeAt(0)),
         stream = new Blob([compressed]).stream().pipeThrough(new DecompressionStream("gzip")),
         { instance } = await WebAssembly.instantiate(await new Response(stream).arrayBuffer());
@@ -15,9 +15,9 @@ function say_at_start(text) {
 let app = null;
 const page_started = (async () => {
     say_at_start("Computing the functions of the mesh …");
-    const library = await load_library();
+    const classes = await load_classes();
     await new Promise((then) => setTimeout(then, 0)); // the browser shows the message meanwhile
-    app = new App(page_data, library);
+    app = new App(page_data, classes);
     element("hint").classList.remove("gone");
     say_at_start("");
 })().catch((error) => {

@@ -33,14 +33,13 @@ class Wall {
         library.with((scope) => {
             const info = scope.struct("hm_walls_info");
             library.call("hm_walls_info_get", this.address, info);
-            const of = (name) => layout.get("hm_walls_info", info, name),
-                n = of("n_wall_points"),
+            const member = (name) => layout.get("hm_walls_info", info, name),
+                n = member("n_wall_points"),
                 links = scope.take(8 * n);
             library.exports.hm_web_links(this.address, links);
-            const numbers = (address, count) => memory.integers(address, count),
-                neighbours = numbers(links, 2 * n),
-                above = numbers(of("layer_points"), n);
-            numbers(of("wall_points"), n).forEach((point, k) =>
+            const neighbours = memory.integers(links, 2 * n),
+                above = memory.integers(member("layer_points"), n);
+            memory.integers(member("wall_points"), n).forEach((point, k) =>
                 this.points.push({ point, previous: neighbours[2 * k], next: neighbours[2 * k + 1], above: above[k] }));
             this.angles = this.scope.take(8 * n);
             this.heights = this.scope.take(8 * n);

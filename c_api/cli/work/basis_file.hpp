@@ -84,13 +84,12 @@ void for_each_body(const std::vector<hm_condition>& conditions, std::int32_t n_b
 
 void write_basis(std::ostream& out, const hm_basis* basis, const Mesh& mesh);
 
-// The option of all commands that make a basis for the precision of the functions in the file.
-
-// A basis as it was solved, or a copy in single precision in a separate block.
+// What --storage writes: the basis as it was solved, or a copy in single precision in a separate
+// block.
 class Stored {
 public:
-    Stored(const Arguments& arguments, const Mesh& mesh,
-           const hm_basis* solved);  // the basis must outlive this object
+    // The basis must outlive this object.
+    Stored(const Arguments& arguments, const Mesh& mesh, const hm_basis* solved);
 
     const hm_basis* basis() const { return basis_; }
     std::size_t bytes() const;

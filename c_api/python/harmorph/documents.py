@@ -16,12 +16,11 @@ from ._manual import MEANINGS, MEMBERS
 
 _MEMBERS = re.compile(r"^( *)\{members of (hm_\w+)\}$", flags=re.M)
 _MEANING = re.compile(r"^( *)\{(.+): (HM_\w+)\}$", flags=re.M)
-# What calls of the library, its headers and its constants are called here.
+# The names that calls and reports of the library have in this package.
 _WORDS = {
-    "hm_assess": "Morph.assess", "hm_morph": "Morph.morph", "hm_move_safe": "Morph.safe",
-    "hm_boundary_error": "Morph.boundary_error", "hm_displace": "Morph.displace", "hm_fit_marker": "Curves.fit",
-    "hm_fit": "Curves.fit_points", "hm_quality_report": "Morph.assess", "hm_measure": "Curves.measure",
-    "HM_ROTATE": "rotate",
+    "hm_assess": "Morph.assess", "hm_move_safe": "Morph.safe", "hm_boundary_error": "Morph.boundary_error",
+    "hm_displace": "Morph.displace", "hm_fit_marker": "Curves.fit", "hm_fit": "Curves.fit_points",
+    "hm_quality_report": "Morph.assess",
 }
 # Members that C programs need, or that mean something else here.
 _HIDDEN = ("bytes", "index_base")
