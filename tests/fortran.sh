@@ -161,7 +161,9 @@ END
     grep -B 1 'hm_c_added(plan' "$dir/edited/harmorph.f90" | grep 'The comment of the call'
 }
 check "the new call has an interface with the comment of the header" new_call
-about_member() { grep -B 1 ':: min_area = 0' "$build/harmorph.f90" | grep '! \[length^2\] smallest signed corner area'; }
+about_member() {
+    grep -B 1 ':: min_area = 0' "$build/harmorph.f90" | grep '! \[length^2\] smallest signed corner area'
+}
 check "components have the comments of the header" about_member
 
 # Every function of the headers must have an interface in the module, but for hm_init, which sets the fields of C

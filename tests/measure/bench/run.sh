@@ -20,7 +20,8 @@ case " $PARTS " in *" files "*)
 esac
 here=tests/measure/bench out=$BUILD/bench
 mkdir -p "$out"
-flags="-std=c++17 -Wall -Wextra -Wconversion -Wshadow -ffp-contract=fast -pthread -Iinclude -Isrc -Ic_api -Ic_api/cli -Itests"
+flags="-std=c++17 -Wall -Wextra -Wconversion -Wshadow -ffp-contract=fast -pthread"
+paths="-Iinclude -Isrc -Ic_api -Ic_api/cli -Itests"
 sources=$(ls $here/*.cpp | grep -v /peer_)
 
 # A peer is there if a program that calls it can be built. The order on the link line matters: OpenBLAS first, so that
@@ -50,7 +51,7 @@ if [ -n "$petsc" ]; then
 fi
 
 # Objects are old when a source, any header or the command is newer.
-command="$CXX $CXXFLAGS $flags $defines"
+command="$CXX $CXXFLAGS $flags $paths $defines"
 echo "$command" >"$out/flags.new"
 cmp -s "$out/flags.new" "$out/flags" || cp "$out/flags.new" "$out/flags"
 objects=
