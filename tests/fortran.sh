@@ -192,8 +192,9 @@ legacy_calls() {   # place, flags...
     check "harmorph77.f90 with $*" quietly $FC $strict $FFLAGS "$@" -I"$place" -J"$place" -c "$build/harmorph77.f90" \
         -o "$place/harmorph77.o"
     check "legacy_tools.f with $*" $FC $legacy $FFLAGS "$@" -c tests/legacy_tools.f -o "$place/legacy_tools.o"
-    for test in legacy legacy_cells legacy_design legacy_fields; do
-        check "$test.f with $*" $FC $legacy $FFLAGS "$@" -c tests/$test.f -o "$place/$test.o"
+    sed -n '/^```fortran/,/^```$/p' fortran/harmorph77/README.md | grep -v '^```' >"$place/legacy_page.inc"
+    for test in legacy legacy_cells legacy_design legacy_fields legacy_refused legacy_page; do
+        check "$test.f with $*" $FC $legacy $FFLAGS "$@" -I"$place" -c tests/$test.f -o "$place/$test.o"
         check "link of $test with $*" $FC $FFLAGS "$place/$test.o" "$place/legacy_tools.o" "$place/harmorph77.o" \
             "$place/harmorph.o" "$build/libharmorph.a" -o "$place/$test"
         "$place/$test" || fail "$place/$test"
@@ -227,6 +228,23 @@ unknown_calls() {
         grep -q "^!.*\b$name\b" "$build/harmorph77.f90" && grep -q "CALL $name " tests/legacy*.f || echo "$name"
     done
 }
+# The calls in the manual, whose arguments are in columns 7 to 63, have as many arguments as the subroutines; the example
+# at the head is that of README.md.
+legacy_heads() { awk '{ print $1, gsub(/,/, "") + 1 }' | tr a-z A-Z | sort -u; }
+manual_agrees() {
+    sed -n '1,/^! BEGIN/p' "$build/harmorph77.f90" | sed -n 's/^!  *\(IF (S [^)]*) \)*\(CALL .*\)/\2/p' >"$dir/example"
+    grep -o 'CALL .*' fortran/harmorph77/README.md | diff - "$dir/example" || return 1
+    sed '1,/^! BEGIN/d' "$build/harmorph77.f90" |
+        awk '/^!     CALL HM/ { inside = 1; text = "" }
+            inside { text = text substr($0, 7, 57) }
+            inside && text ~ /[)]/ { sub(/[)].*/, "", text); sub(/^CALL */, "", text); print text; inside = 0 }' |
+        legacy_heads >"$dir/in_manual"
+    awk '/^subroutine hm/ { text = $0; while (text ~ /&$/) { getline; sub(/&$/, "", text); text = text $0 }
+        sub(/subroutine /, "", text); sub(/[(]/, " (", text); print text }' "$build/harmorph77.f90" |
+        legacy_heads >"$dir/in_source"
+    test -s "$dir/in_source" && diff "$dir/in_source" "$dir/in_manual"
+}
+check "the manual of legacy calls has their arguments" manual_agrees
 all_calls_known() { ! unknown_calls | grep .; }
 check "legacy calls are in their manual and in the tests" all_calls_known
 # The head of the module lists every call that examples and tests make, with the keywords that they use.
