@@ -57,52 +57,54 @@ compile_and_run() {   # program, compiler with flags...
 }
 strict="-pedantic -Wall -Wextra -Werror -Iinclude"
 
-stands_alone() { sh tests/check_link.sh "$BUILD" && sh tests/cortex.sh "$BUILD"; }
+stands_alone() { sh tests/release/check_link.sh "$BUILD" && sh tests/release/cortex.sh "$BUILD"; }
 steps() {
     step 2 "C++ tests" "$BUILD/tests"
-    step 2 "sentences of refusals" sh tests/refusals.sh
+    step 2 "sentences of refusals" sh tests/c_api/refusals.sh
     step 2 "random problems" sh tests/fuzz/quick.sh "$BUILD"
     step 2 "the library stands alone" stands_alone
-    step 2 "headers in C and C++" sh tests/headers.sh "$BUILD"
-    step 2 "used from C" compile_and_run "$BUILD/use" $CC -std=c99 $strict $CFLAGS tests/use.c tests/traps.c \
-        "$BUILD/libharmorph.a" -lm
-    step 1 "one file" sh tests/amalgamation.sh "$BUILD"
-    step 1 "binary interface" sh tests/abi/run.sh "$BUILD" quick
-    step 1 "distribution" sh tests/dist.sh "$BUILD"
-    step 1 "installation" sh tests/install.sh "$BUILD"
-    step 1 "folders with odd names" sh tests/odd_paths.sh "$BUILD"
-    step 1 "examples" sh tests/examples.sh "$BUILD"
-    step 1 "README" sh tests/readme.sh "$BUILD"
-    step 2 "Fortran" sh tests/fortran.sh "$BUILD"
-    step 1 "readers of SU2 files" sh tests/read_su2.sh "$BUILD"
-    step 1 "MPI" sh tests/mpi.sh "$BUILD"
-    if pkg-config --exists petsc; then step 1 "PETSc" sh tests/petsc.sh "$BUILD"
+    step 2 "headers in C and C++" sh tests/c_api/headers.sh "$BUILD"
+    step 2 "used from C" compile_and_run "$BUILD/use" $CC -std=c99 $strict $CFLAGS tests/c_api/use.c \
+        tests/c_api/traps.c "$BUILD/libharmorph.a" -lm
+    step 1 "one file" sh tests/release/amalgamation.sh "$BUILD"
+    step 1 "binary interface" sh tests/release/abi/run.sh "$BUILD" quick
+    step 1 "distribution" sh tests/release/dist.sh "$BUILD"
+    step 1 "installation" sh tests/release/install.sh "$BUILD"
+    step 1 "folders with odd names" sh tests/release/odd_paths.sh "$BUILD"
+    step 1 "examples" sh tests/release/examples.sh "$BUILD"
+    step 1 "README" sh tests/release/readme.sh "$BUILD"
+    step 2 "Fortran" sh tests/fortran/run.sh "$BUILD"
+    step 1 "readers of SU2 files" sh tests/fortran/read_su2.sh "$BUILD"
+    step 1 "MPI" sh tests/hosts/mpi.sh "$BUILD"
+    if pkg-config --exists petsc; then step 1 "PETSc" sh tests/hosts/petsc.sh "$BUILD"
     elif [ $doing = telling ]; then echo "== PETSc: not installed (Debian's petsc-dev), its tests are SKIPPED"; fi
     if $PYTHON -c 'import numpy, cffi, pytest, setuptools, wheel, venv, ensurepip' 2>/dev/null; then
-        step 2 "Python" sh tests/python.sh "$BUILD"
+        step 2 "Python" sh tests/hosts/python.sh "$BUILD"
         step 2 "given displacements on meshes" env MESHES="$MESHES" sh tests/measure/given/run.sh "$BUILD"
     elif [ $doing = telling ]; then
         echo "== Python: $PYTHON lacks numpy, cffi, pytest, setuptools, wheel or venv: its tests are SKIPPED"
     fi
-    if $PYTHON -c 'import sphinx, myst_parser' 2>/dev/null; then step 2 "browsable manual" sh tests/html.sh "$BUILD"
+    if $PYTHON -c 'import sphinx, myst_parser' 2>/dev/null; then
+        step 2 "browsable manual" sh tests/release/html.sh "$BUILD"
     elif [ $doing = telling ]; then
         echo "== browsable manual: python3-sphinx or python3-myst-parser is not installed, its tests are SKIPPED"
     fi
     without=
     for tool in clang++ wasm-ld node npm; do command -v $tool >/dev/null || without="$without $tool"; done
-    if [ -z "$without" ]; then step 1 "package for npm" sh tests/web.sh "$BUILD"
+    if [ -z "$without" ]; then step 1 "package for npm" sh tests/hosts/web.sh "$BUILD"
     elif [ $doing = telling ]; then
         echo "== package for npm: not installed:$without (Debian's clang, lld, nodejs, npm), its tests are SKIPPED"
     fi
-    step 2 "program" sh tests/cli/run.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/cli"
-    step 2 "faults of files" sh tests/faults.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/faults"
-    step 1 "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"
-    step 2 "moved shapes" sh tests/airfoils.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/airfoils-test"
-    step 2 "pictures of the program" sh tests/pictures.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/pictures-test"
-    step 1 "page of the program" sh tests/page.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/page-test"
-    step 2 "page of figures" sh tests/figures_test.sh "$BUILD/figures-test" "$BUILD"
+    step 2 "program" sh tests/program/cli/run.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/cli"
+    step 2 "faults of files" sh tests/program/faults.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/faults"
+    step 1 "mesh files" env CXX="$CXX" sh tests/program/formats.sh "$BUILD/harmorph" "$BUILD/formats"
+    step 2 "moved shapes" sh tests/program/airfoils.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/airfoils-test"
+    step 2 "pictures of the program" sh tests/program/pictures.sh "$BUILD/harmorph" "$BUILD/meshes" \
+        "$BUILD/pictures-test"
+    step 1 "page of the program" sh tests/program/page.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/page-test"
+    step 2 "page of figures" sh tests/measure/figures_test.sh "$BUILD/figures-test" "$BUILD"
     step 2 "includes point downwards" sh tests/includes.sh
-    step 1 "benchmarks compile" sh tests/benchmarks.sh "$BUILD"
+    step 1 "benchmarks compile" sh tests/measure/benchmarks.sh "$BUILD"
     step 2 "checks of clang-tidy" sh tests/tidy.sh
 }
 
