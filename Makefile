@@ -1,7 +1,8 @@
 # harmorph. POSIX make and any C++17 compiler; there is no configure step.
 #
 #   make                  library and program; harmorph.f90, harmorph77.f90 and harmorph_mpi.f90, each of one piece
-#   make test             all tests; the last line counts them
+#   make test             all tests; the last line counts them. ONLY=formats: those of one folder of tests (or of one
+#                         script), with a count of their own; a name that does not exist is refused with all names
 #   make unit             the C++ tests alone; UNITS='tests/safe/test_*.cpp': those of these files only
 #   make fuzz             random problems, damaged bases, calls in any order and damaged files, under sanitizers;
 #                         SECONDS=600; see tests/fuzz/run.sh
@@ -285,9 +286,9 @@ amalgamation:
 check-link: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/release/check_link.sh $(BUILD)
 
-test: all meshes
+test: checked
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' \
-	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' sh tests/run.sh
+	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' ONLY='$(ONLY)' sh tests/run.sh
 
 test-python: all meshes
 	@CXX='$(CXX)' PYTHON='$(PYTHON)' sh tests/hosts/python.sh $(BUILD)

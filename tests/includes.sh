@@ -63,7 +63,14 @@ is_empty "pages of src name what does not exist" "$(awk -f tests/named.awk src/*
         esac
     done)"
 
-# Tests lie in the rooms of what they test.
+# Tests lie in the rooms of what they test. The page of tests says of each folder what it proves, and `make test`
+# refuses to run a folder that does not exist.
+is_empty "folders without a row in tests/README.md" "$(for folder in tests/*/; do
+        folder=$(basename "$folder")
+        grep -q "^|.*\`$folder\`.*|.*|$" tests/README.md || echo "$folder"
+    done)"
+is_empty "make test ONLY=no_such_folder" "$(ONLY=no_such_folder sh tests/run.sh | tr '\n' ' ' | grep -v \
+    '^ONLY=no_such_folder: there is no such .* base .* formats .* web 0 passed, 1 failed $')"
 for directory in tests/*/; do
     room=$(basename "$directory")
     ls "$directory" | grep -q '^test_' || continue
