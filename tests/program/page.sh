@@ -30,7 +30,7 @@ solve "$naca" --curve "airfoil=$tmp/airfoil.curve" -o "$tmp/conformal.basis"
 solve "$naca" --curve "airfoil=$tmp/airfoil.curve" --operator laplace -o "$tmp/laplace.basis"
 solve "$naca" --rigid airfoil=.25,0 -o "$tmp/rigid.basis"
 solve "$meshes/block.su2" --rigid block --slip outer -o "$tmp/slip.basis"
-awk -f "${0%/*}/meshes/merge_cells.awk" "$naca" >"$tmp/merged.vtk"
+awk -f "${0%/*}/../meshes/merge_cells.awk" "$naca" >"$tmp/merged.vtk"
 solve "$tmp/merged.vtk" --curve "boundary1=$tmp/airfoil.curve" -o "$tmp/merged.basis"
 if explore "$naca" "$tmp/conformal.basis" -o "$tmp/whole.html"; then ok; else fail "explore"; fi
 if grep -E '(src|href)=|https?:' "$tmp/whole.html" | grep -v 'link.href = URL' >/dev/null; then

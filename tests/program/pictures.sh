@@ -153,7 +153,7 @@ check "morph: a picture" "$harmorph" morph "$bodies" "$tmp/conformal.basis" --mo
 check "morph: two bodies cover old lines" test "$(grep -c '<path fill="white" stroke="none"' "$tmp/morph.svg")" -eq 2
 
 # Cells that are not convex are painted without overlaps: their triangles run the same way round.
-awk -f "${0%/*}/meshes/l_cells.awk" >"$tmp/l_cells.vtk"
+awk -f "${0%/*}/../meshes/l_cells.awk" >"$tmp/l_cells.vtk"
 check "solve on reflex cells" "$harmorph" solve "$tmp/l_cells.vtk" --rigid boundary2=.5,.5 --operator laplace \
     -o "$tmp/l_cells.basis"
 check "picture of reflex cells" "$harmorph" export "$tmp/l_cells.vtk" "$tmp/l_cells.basis" --function 1 \

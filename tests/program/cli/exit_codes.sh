@@ -7,7 +7,7 @@ runs "--version" 0 --version
 # Every page of the help fits 80 columns, and has all options once: a command reads each of them.
 "$harmorph" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p' >"$tmp/commands"
 check "--help: all commands" test "$(wc -l <"$tmp/commands")" -eq \
-    "$(ls "$here"/../../c_api/cli/commands/cmd_*.cpp | wc -l)"
+    "$(ls "$here"/../../../c_api/cli/commands/cmd_*.cpp | wc -l)"
 check "--help: at most 80 columns" sh -c '! "$1" --help | awk "length(\$0) > 80" | grep .' sh "$harmorph"
 while read -r command; do
     runs "$command --help" 0 $command --help
