@@ -34,39 +34,4 @@ awk '/^typedef struct [a-z_]* \{/ { name = $3 } /^    uint64_t struct_size;/ { p
 sed -n 's/^    BEGINS(\(hm_[a-z_]*\));$/\1/p' tests/c_api/c_header.c | sort >"$dir/begun"
 check "every struct with a size is begun" sh -c '[ -s "$0/declared" ] && diff "$0/declared" "$0/begun"' "$dir"
 
-# One word for one thing: include/README.md says which. Terms of other fields that contain such a word are allowed.
-banned='buffer|deform(ations?|ed|s)?|elements?|facets?|grids?|mode shapes?|nodes?|patch(es)?|poles?|profiles?'
-banned="$banned|scratch|sensitivit(y|ies)|tags?|turn(s|ed|ing)?|vert(ex|ices)|workspace|work_bytes|zones?"
-allowed='free-form deformation|hanging nodes?|the node i, j|of the node|major\.minor\.patch|pthreads_turns'
-allowed="$allowed|others deform"
-allowed="$allowed|turned inside out|in turn|turn threads on|int32_t turn|turn = 0|turn <|\+\+turn"
-other_words() {
-    grep -niE "(^|[^a-z_])($banned)([^a-z_]|\$)" include/*.h | grep -viE "$allowed" | tee "$dir/words"
-    test ! -s "$dir/words"
-}
-check "headers use the words of include/README.md" other_words
-sees_another_word() {   # the check fails where a header has another word
-    mkdir -p "$dir/include" && cp include/*.h "$dir/include/" &&
-        echo '/* the vertex of a grid */' >>"$dir/include/harmorph.h" &&
-        ! (dir=$(cd "$dir" && pwd) && cd "$dir" && other_words)
-}
-check "another word is found" sees_another_word
-
-# The core rotates, too: a name or sentence with the other word is found, but not "in turn", "turned inside out", nor
-# the turning angle between two edges of a polygon.
-other_rotations() {
-    grep -rnE '(^|[^A-Za-z])([Tt]urn(s|ed|)|unturned)([^a-z]|$)' "$@" |
-        grep -vE 'in turn([^a-z]|$)|turn(s|ed) inside out' | tee "$dir/words"
-    test ! -s "$dir/words"
-}
-check "the core rotates" other_rotations src c_api/*.cpp c_api/*.hpp
-sees_a_turn() {
-    for line in 'Vec2 turn_of(Mesh const& mesh);' 'struct TurnAt {' '// The body is turned.' \
-        'bool is_turned();'; do
-        echo "$line" >"$dir/turn.hpp"
-        if other_rotations "$dir/turn.hpp"; then return 1; fi
-    done
-}
-check "a turn is found" sees_a_turn
-
 finish "$dir"
