@@ -7,8 +7,8 @@
 #   make fuzz             random problems, damaged bases, calls in any order and damaged files, under sanitizers;
 #                         SECONDS=600; see tests/fuzz/run.sh
 #   make coverage         branches of the library that the C++ tests take, by gcov; see tests/fuzz/coverage.sh
-#   make mutate           small errors put into the library, and how many the tests find: MUTANTS=200 SEED=1 LIMIT=3600; see
-#                         tests/fuzz/mutate.sh
+#   make mutate           small errors put into the library, and how many the tests find: MUTANTS=200 SEED=1
+#                         LIMIT=3600; CARRY=LIST: those of a former run; see tests/fuzz/mutate.sh
 #   make sanitize         memory read before it is written, races between threads; see tests/fuzz/sanitize.sh
 #   make test-python      the Python package of c_api/python, by PYTHON=/usr/bin/python3; see tests/hosts/python.sh
 #   make wheel            build/wheel/*.whl: the Python package in one file for every CPython from 3.9 on
@@ -32,7 +32,7 @@
 #   make amalgamation     the library in one source with its headers, in build/amalgamation
 #   make test-systems     both commands of README.md in fresh systems, as the superuser: SYSTEMS="bookworm trixie", in the
 #                         folder ROOTS; see tests/release/systems.sh
-#   make bench            against CHOLMOD, MUMPS, SuperLU, Eigen and OpenBLAS, PETSc (PARTS=iterative) and gmsh
+#   make bench            against CHOLMOD, MUMPS and OpenBLAS, PETSc with BoomerAMG (PARTS=iterative) and gmsh
 #                         (PARTS=files), as far as they are there; see tests/measure/bench/run.sh
 #   make bench-rows       measures what tests/measure/bench/README.md says about speed, and prints the rows of its tables
 #   make deform           how far meshes follow large movements: tables and figures on a page; see tests/measure/deform/run.sh
@@ -209,7 +209,7 @@ coverage:
 
 mutate:
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' MUTANTS='$(MUTANTS)' SEED='$(SEED)' FILES='$(FILES)' \
-	    LIMIT='$(LIMIT)' sh tests/fuzz/mutate.sh
+	    LIMIT='$(LIMIT)' CARRY='$(CARRY)' TIMES='$(TIMES)' sh tests/fuzz/mutate.sh
 
 sanitize:
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' sh tests/fuzz/sanitize.sh
