@@ -1,15 +1,17 @@
 #!/bin/sh
 # Called by `make mutate`: how many small errors in the library the C++ tests find. Each mutant differs from the library
 # in one operator or one word of one source file; MUTANTS of these are drawn by SEED. Only that file is compiled; a
-# mutant that compiles to the same instructions is none. A mutant is caught if a check fails or the program crashes: in
-# the tests of its file, of its room, in random problems, or in the tests of other rooms. What takes long comes last.
-# Processor time is limited to twice what the library itself takes; a mutant that needs more is mostly an endless loop,
-# and is counted apart. Those that survive are listed with the reason that mutants.txt gives for the line; the
-# last line counts. At least 95 % of the mutants that end must be caught or have a reason. JOBS mutants are judged at a
-# time. FILES='src/safe/*.cpp': of these files. LIMIT=3600: seconds after which no further mutant is begun; the next run
-# goes on from there, as build/mutants remembers what became of each mutant of an unchanged file (of those that survive,
-# as long as the tests are the same, too).
+# mutant that compiles to the same instructions is none. Each is judged by all C++ tests, those of its file first, then
+# those of its folder, then the others; it is caught if a check fails, the program crashes, or the tests take more than
+# three times the time that they take without it, which is an endless loop. Those that survive are listed with the
+# reason that mutants.txt gives for the line; the last line counts. At least 90 % of the mutants that change the library
+# in a way that tests can see must be caught. JOBS mutants are judged at a time. FILES='src/safe/*.cpp': of these files.
+# CARRY=FILE: the mutants of this list (build/mutants/list.SEED of another state of the sources) at the lines where they
+# are now, instead of those drawn. LIMIT=3600: seconds after which no further mutant is begun; the next run goes on from
+# there, as build/mutants remembers what became of each mutant of an unchanged file (of those that survive, as long as
+# the tests are the same, too). TIMES=FILE: what `build/tests -d` has said, which otherwise is run first.
 : "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${MUTANTS:=200}" "${SEED:=1}" "${LIMIT:=1000000}" "${JOBS:=2}"
+: "${CARRY=}" "${TIMES=}"
 dir=$BUILD/mutants
 known=tests/fuzz/mutants.txt
 mkdir -p "$dir"
@@ -55,10 +57,29 @@ candidates | LC_ALL=C awk -F'\t' -v seed="$SEED" '
         for (k = 1; k <= length(key); ++k) hash = (hash * 65599 + code[substr(key, k, 1)]) % 2147483647
         for (k = 0; k < 4; ++k) hash = hash * 48271 % 2147483647
         printf "%d\t%s\n", hash, $0
-    }' | sort -n | head -n "$MUTANTS" | cut -f 2-6 >"$list"
+    }' | sort -n | head -n "$MUTANTS" | cut -f 2- >"$list.drawn"
+# Where the mutants of another list are now: of equal lines, the one that is nearest to where it was. Lines that no
+# longer exist are named.
+carried() {
+    while IFS='	' read -r file line column from to text; do
+        now=$(LC_ALL=C awk -v was="$line" -v text="$(printf '%s' "$text" | sed 's/\\/\\\\/g')" '
+            $0 == text {
+                away = FNR > was ? FNR - was : was - FNR
+                if (!best || away < least) { best = FNR; least = away }
+            }
+            END { print best + 0 }' "$file" 2>/dev/null)
+        if [ "${now:-0}" = 0 ]; then echo "gone: $file:$line: '$from' becomes '$to': $text" >&2; continue; fi
+        printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$file" "$now" "$column" "$from" "$to" "$text"
+    done <"$CARRY"
+}
+if [ -n "$CARRY" ]; then
+    list=$dir/list.carried
+    carried >"$list.drawn"
+fi
+mv "$list.drawn" "$list"
 
-# The tests and the random problems themselves, and the flags of the core, as make has them.
-$MAKE -s BUILD="$BUILD" JOBS="$JOBS" all fuzzer tests-only || exit 1
+# The tests themselves, and the flags of the core, as make has them.
+$MAKE -s BUILD="$BUILD" JOBS="$JOBS" all meshes tests-only || exit 1
 flags="-O1 -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off -fno-threadsafe-statics -fPIC"
 flags="$flags -w -Iinclude -Isrc -Ic_api"
 link="$CXX -pthread"
@@ -68,23 +89,20 @@ compile() {   # source, folder: what stands in `mutant.cpp` there, so that names
     $CXX $flags -I"$(dirname "$1")" -c -o "$2/mutant.o" "$2/mutant.cpp" 2>/dev/null
 }
 link_tests() { $link -o "$1/tests" $(cat "$BUILD/objects/tests.list") "$1/mutant.o" "$BUILD/libharmorph.a"; }
-link_fuzzer() {
-    $link -o "$1/fuzzer" "$BUILD"/objects/fuzz/*.o "$1/mutant.o" $(cat "$BUILD/objects/program.list") \
-        "$BUILD/libharmorph.a"
-}
 
 # All test cases, in lines of room, seconds, name; those that take more than half a second wait until all others are
 # done.
-"$BUILD/tests" -d=1 >"$dir/out" || { cat "$dir/out"; echo "the tests fail without a mutant"; exit 1; }
+if [ -n "$TIMES" ]; then cp "$TIMES" "$dir/times"
+else "$BUILD/tests" -d=1 >"$dir/times" || { cat "$dir/times"; echo "the tests fail without a mutant"; exit 1; }; fi
 LC_ALL=C awk '
     /^(\.\/)?tests\/.*:$/ { room = $0; sub(/.*tests\//, "", room); sub(/\/.*/, "", room) }
-    /^[0-9.]+ s: / { seconds = $1 + 0; sub(/^[^:]*: /, ""); print room "\t" seconds "\t" $0 }' "$dir/out" >"$dir/cases"
+    /^[0-9.]+ s: / { seconds = $1 + 0; sub(/^[^:]*: /, ""); print room "\t" seconds "\t" $0 }' "$dir/times" >"$dir/cases"
 # A comma begins another pattern.
 slow=$(LC_ALL=C awk -F'\t' '$2 > 0.5 { gsub(/,/, "?"); printf "%s,", $3 }' "$dir/cases")
 
 # The tests that may find a mutant, the likeliest and quickest first. Tests of any room may find it, as they use the C
 # interface.
-until_failure() { timeout 1800 "$@" -aa=1; }   # what waits for ever uses no processor time
+until_failure() { timeout 7200 "$@" -aa=1; }   # what waits for ever uses no processor time
 step() {   # which, folder of the programs, room, file
     case $1 in
     file) until_failure "$2/tests" -tce="$slow" -sf="*tests/$3/test_${4#harmorph_}.cpp" ;;
@@ -92,28 +110,14 @@ step() {   # which, folder of the programs, room, file
     slow) until_failure "$2/tests" -tc="$slow" -sf="*tests/$3/*" ;;
     others) until_failure "$2/tests" -tce="$slow" -sfe="*tests/$3/*" ;;
     slow_others) until_failure "$2/tests" -tc="$slow" -sfe="*tests/$3/*" ;;
-    random)
-        for run in "plane 400" "given 600" "parts 400" "basis 1000" "polygons 600" "sequence 1000" "problem 1000" \
-            "shape 600"; do
-            timeout 1800 "$2/fuzzer" $run 1 || return
-        done ;;
     esac
 }
-(step random "$BUILD" && times) >"$dir/out" 2>&1 || {
-    cat "$dir/out"
-    echo "random problems fail without a mutant"
-    exit 1
-}
-seconds_of_random=$(tail -n 1 "$dir/out" | LC_ALL=C awk -F'[ms ]+' '{ print int(60 * $1 + $2) }')
 
-# Seconds of processor time that a step may take: twice what it takes without a mutant, and three.
+# Seconds of processor time that a step may take: three times what it takes without a mutant, and five.
 limit() {   # which, room
-    case $1 in
-    random) echo $((3 + 2 * seconds_of_random)) ;;
-    *) LC_ALL=C awk -F'\t' -v which="$1" -v room="$2" '
+    LC_ALL=C awk -F'\t' -v which="$1" -v room="$2" '
         ($1 == room) == (which !~ /others/) && ($2 > 0.5) == (which ~ /slow/) { sum += $2 }
-        END { print 3 + int(2 * sum) }' "$dir/cases" ;;
-    esac
+        END { print 5 + int(3 * sum) }' "$dir/cases"
 }
 # Prints the result of a step for the mutant: "caught", "out of time", or nothing.
 outcome() {   # which, folder of the programs, room, file
@@ -141,10 +145,7 @@ fate() {   # folder, file, line, column, from, to, steps, otherwise: what become
     if cmp -s "$1/mutant.o" "$original"; then echo "the same instructions"; return; fi
     room=$(basename "$(dirname "$2")") file=$(basename "$2" .cpp)
     for which in $7; do
-        case $which in
-        file | slow) link_tests "$1" || exit 1 ;;
-        random) link_fuzzer "$1" || exit 1 ;;
-        esac
+        case $which in file | slow) link_tests "$1" || exit 1 ;; esac
         found=$(outcome $which "$1" "$room" "$file")
         if [ -n "$found" ]; then echo "$found"; return; fi
     done
@@ -154,7 +155,7 @@ fate() {   # folder, file, line, column, from, to, steps, otherwise: what become
 remembered=$dir/fates
 touch "$remembered"
 begun=$(date +%s)
-tests=$(cat tests/*/test_*.cpp tests/fixtures/*.hpp tests/fuzz/*.cpp | cksum | tr ' ' -)
+tests=$(cat tests/*/test_*.cpp tests/fixtures/*.hpp | cksum | tr ' ' -)
 remember() {   # what became of $mutant, if that is known; of survivors, with these tests
     known_fate=$(awk -F'\t' -v mutant="$mutant" -v tests="$tests" '
         index($0, mutant "\t") == 1 && ($(NF - 1) !~ /survives|hidden/ || $NF == tests) { fate = $(NF - 1) }
@@ -164,15 +165,15 @@ remember() {   # what became of $mutant, if that is known; of survivors, with th
 judge() {   # share of the list, from 0
     share=$dir/share.$1
     mkdir -p "$share"
-    for round in "file room random:hidden" "slow others slow_others:survives"; do
+    for round in "file room:hidden" "slow others slow_others:survives"; do
         number=0
-        while IFS='	' read -r file line column from to; do
+        while IFS='	' read -r file line column from to text; do
             number=$((number + 1))
             if [ $((number % JOBS)) != "$1" ] || [ $(($(date +%s) - begun)) -ge "$LIMIT" ]; then continue; fi
             mutant="$file	$(cksum <"$file")	$line	$column	$from	$to"
             remember
             case "$round $known_fate" in
-            "file room random:hidden " | "slow others slow_others:survives hidden") ;;
+            "file room:hidden " | "slow others slow_others:survives hidden") ;;
             *) continue ;;
             esac
             known_fate=$(fate "$share" "$file" "$line" "$column" "$from" "$to" "${round%:*}" "${round#*:}") || exit 1
@@ -185,7 +186,7 @@ while [ $share -lt "$JOBS" ]; do judge $share & share=$((share + 1)); done
 wait
 
 caught=0 endless=0 explained=0 survived=0 built=0 left=0
-while IFS='	' read -r file line column from to; do
+while IFS='	' read -r file line column from to text; do
     mutant="$file	$(cksum <"$file")	$line	$column	$from	$to"
     remember
     case $known_fate in
@@ -207,4 +208,4 @@ while IFS='	' read -r file line column from to; do
 done <"$list"
 if [ $left -gt 0 ]; then echo "$left mutants of this list have not been judged"; fi
 echo "$built mutants: $caught caught, $endless out of time, $explained survive with a reason, $survived without one"
-[ $((100 * (caught + explained))) -ge $((95 * (built - endless))) ]
+[ $((100 * (caught + endless))) -ge $((90 * (built - explained))) ]
