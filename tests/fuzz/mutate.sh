@@ -96,7 +96,8 @@ if [ -n "$TIMES" ]; then cp "$TIMES" "$dir/times"
 else "$BUILD/tests" -d=1 >"$dir/times" || { cat "$dir/times"; echo "the tests fail without a mutant"; exit 1; }; fi
 LC_ALL=C awk '
     /^(\.\/)?tests\/.*:$/ { room = $0; sub(/.*tests\//, "", room); sub(/\/.*/, "", room) }
-    /^[0-9.]+ s: / { seconds = $1 + 0; sub(/^[^:]*: /, ""); print room "\t" seconds "\t" $0 }' "$dir/times" >"$dir/cases"
+    /^[0-9.]+ s: / { seconds = $1 + 0; sub(/^[^:]*: /, ""); print room "\t" seconds "\t" $0 }' \
+    "$dir/times" >"$dir/cases"
 # A comma begins another pattern.
 slow=$(LC_ALL=C awk -F'\t' '$2 > 0.5 { gsub(/,/, "?"); printf "%s,", $3 }' "$dir/cases")
 
