@@ -45,9 +45,9 @@
  *     hm_adjoint(setup.basis, &dj, gradient, NULL, &error);
  *
  * The library needs no other one: cc -Iinclude program.c libharmorph.a. In the source distribution,
- * c_api/examples/morph.c is a complete program of 60 lines. The library reads no files; the program
- * `harmorph` reads and writes those of many codes. The cells of a file that has triangles and
- * quadrilaterals in any order (SU2) are HM_CELLS_QUADS whose triangles repeat their last point.
+ * c_api/examples/morph.c is a complete program of 60 lines. The library reads no files; read_su2.c,
+ * which is installed in share/harmorph, reads those of SU2. Triangles and quadrilaterals in any
+ * order are HM_CELLS_ROWS, or HM_CELLS_QUADS whose triangles repeat their last point.
  *
  * ORDER OF CALLS.
  *
@@ -112,7 +112,8 @@
  *                  given for a new object may have been written.
  * Threads          There is no hidden state. Only one thread at a time may write an object (plan,
  *                  basis) or make other objects from one (analysis); any number may read (morph,
- *                  adjoint, assess). The library uses the threads of an hm_executor, if given.
+ *                  adjoint, assess). The library uses the threads of an hm_executor; executor NULL
+ *                  is allowed in every call, and means one thread.
  * Stack            hm_morph: 17 KiB; hm_adjoint: 40 KiB; other calls: 56 KiB.
  * Exceptions       A call that succeeds on finite numbers raises only inexact and underflow.
  * Repeatability    The same input and the same kernel give bitwise identical results: from run to
@@ -592,7 +593,8 @@ enum {
     HM_DIRECT = 0,
     /* Conjugate gradients, preconditioned by algebraic multigrid. The iterations hardly depend on
      * the number of points nor on the thickness of cells along the wall; with triangles that are
-     * stretched otherwise there are more (c_api/README.md). Plan: 455 to 500 bytes per point. */
+     * stretched otherwise there are more (c_api/README.md of the sources). Plan: 455 to 500 bytes
+     * per point. */
     HM_MULTIGRID = 1
 };
 /* hm_basis_info.storage: the precision of the stored functions */
@@ -758,9 +760,8 @@ HM_API hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, h
  * `from` with the same stride; otherwise `to` and `from` must have no number in common (refused
  * where the strides are equal). Points with a displacement of 0 keep their coordinates bit by bit.
  * from NULL: taken as 0 (not the coordinates of the mesh, as in hm_assess), so that `to` receives
- * displacements, or velocities if `move` contains velocities of the control points. executor NULL:
- * one thread. Coordinates are not checked: one that is not finite stays so, and hm_assess counts
- * its cells as inverted.
+ * displacements, or velocities if `move` contains velocities of the control points. Coordinates are
+ * not checked: one that is not finite stays so, and hm_assess counts its cells as inverted.
  *
  * The functions do not change when the mesh moves: but for rounding, a sum of movements gives the
  * same mesh in one morph or in many. The basis serves as long as hm_assess finds the next movement
@@ -770,13 +771,12 @@ HM_API hm_status hm_morph(const hm_basis* basis, const double* move, const hm_po
                           const hm_points_out* to, const hm_executor* executor, hm_error* err);
 /* The transpose of hm_morph. dj: derivatives of an objective J with respect to the mesh points
  * after the morph (x: dJ/dx_k, y: dJ/dy_k); gradient [2*functions], which is overwritten:
- * derivatives with respect to `move`. executor NULL: one thread. The result does not depend on the
- * numbering of the mesh points: products are rounded once and added as integers, in units of 2^-63
- * of a power of two up to 2 max|F| max|dj|. The error is at most 2^-51 sum|F dj| + N 2^-63 max|F|
- * max|dj| for N points. If a number is not finite or a product could overflow, the whole gradient
- * is NaN. The morph F is linear, so the product of the Hessian F^T H F of J and a vector v of
- * movements is hm_adjoint of H times hm_morph of v; H has the second derivatives of J with respect
- * to the mesh points. */
+ * derivatives with respect to `move`. The result does not depend on the numbering of the mesh
+ * points: products are rounded once and added as integers, in units of 2^-63 of a power of two up
+ * to 2 max|F| max|dj|. The error is at most 2^-51 sum|F dj| + N 2^-63 max|F| max|dj| for N points.
+ * If a number is not finite or a product could overflow, the whole gradient is NaN. The morph F is
+ * linear, so the product of the Hessian F^T H F of J and a vector v of movements is hm_adjoint of H
+ * times hm_morph of v; H has the second derivatives of J with respect to the mesh points. */
 HM_API hm_status hm_adjoint(const hm_basis* basis, const hm_points* dj, double* gradient,
                             const hm_executor* executor, hm_error* err);
 
@@ -823,7 +823,8 @@ typedef struct hm_quality_report {
  * The mesh must be that of the basis: the same cells with their points in the same order, in any
  * layout, but HM_CELLS_POLYGONS only if the basis is of polygons. Refused (HM_BAD_BASIS): other
  * counts, or other points in one of 64 cells that are compared; hm_basis_attach compares all.
- * executor NULL: one thread.
+ * A number that is not finite in `from` or `displacement` makes the cells there inverted and the
+ * step 0; one in `reference` is not noticed.
  *
  * Whether the wall is where the curves are: hm_basis_curves gives the curves after `move`, and
  * hm_curve_point their points at hm_basis_info.point_u (harmorph_design.h). A wall point keeps its

@@ -96,6 +96,20 @@ check "an array with TARGET is taken" refused_by_compiler "double precision, tar
 check "an array without TARGET is refused" is_refused_by_compiler "double precision" x
 check "an expression is refused" is_refused_by_compiler "double precision, target" "2 * x"
 check "a copy in parentheses is refused" is_refused_by_compiler "double precision, target" "(x)"
+# The shortest use at the head of the module compiles.
+shortest_use() {
+    { echo "subroutine page(n, cells, face_points, markers, wing, dx, dy, dj_dx, dj_dy)"
+      echo "use, intrinsic :: iso_c_binding, only: c_double"
+      echo "use harmorph"
+      echo "implicit none"
+      echo "integer, intent(in) :: n, cells(:, :), face_points(:, :), markers(:), wing"
+      echo "real(c_double), intent(inout), target :: dx(:), dy(:), dj_dx(:), dj_dy(:)"
+      sed -n '/^! THE SHORTEST USE/,/^! ORDER OF CALLS/s/^!     //p' "$build/harmorph.f90"
+      echo "end subroutine"; } >"$dir/page.f90"
+    grep -q 'call basis%adjoint' "$dir/page.f90" &&
+        $FC -std=f2008 -I"$dir/checked" -J"$dir" -fsyntax-only "$dir/page.f90"
+}
+check "the shortest use at the head of the module" shortest_use
 stat_and_err_last() { ! tr '\n' '~' <"$build/harmorph.f90" | sed 's/&~ *//g' | tr '~' '\n' |
     grep -E '^ *subroutine .*\bstat\b' | grep -v 'stat, err)$'; }
 check "stat and err are the last arguments of every call" stat_and_err_last
@@ -229,8 +243,8 @@ unknown_calls() {
         grep -q "^!.*\b$name\b" "$build/harmorph77.f90" && grep -q "CALL $name " tests/fortran/legacy*.f || echo "$name"
     done
 }
-# The calls in the manual, whose arguments are in columns 7 to 63, have as many arguments as the subroutines; the example
-# at the head is that of README.md.
+# The calls of the manual, whose arguments are in columns 7 to 63, have as many as the subroutines. The example at the
+# head is that of README.md.
 legacy_heads() { awk '{ print $1, gsub(/,/, "") + 1 }' | tr a-z A-Z | sort -u; }
 manual_agrees() {
     sed -n '1,/^! BEGIN/p' "$build/harmorph77.f90" | sed -n 's/^!  *\(IF (S [^)]*) \)*\(CALL .*\)/\2/p' >"$dir/example"
