@@ -122,6 +122,10 @@ EMXX = em++
 NODE = -std=c++17 -fexceptions -I. -Iinclude -Ic_api/cli
 NODE_LINK = -O1 -fexceptions -sENVIRONMENT=node -sNODERAWFS=1 -sWASM_ASYNC_COMPILATION=0 -sALLOW_MEMORY_GROWTH=1 \
 	-sMAXIMUM_MEMORY=4GB -sEXIT_RUNTIME=1 --pre-js c_api/web/program_before.js
+# The same program for a worker of the workbench, which gives the program files in memory (c_api/web/workbench).
+WORKBENCH_LINK = -O1 -fexceptions -sENVIRONMENT=worker,node -sMODULARIZE=1 -sEXPORT_NAME=make_program -sINVOKE_RUN=0 \
+	-sFORCE_FILESYSTEM=1 -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sEXIT_RUNTIME=1 \
+	-sEXPORTED_RUNTIME_METHODS=FS,callMain
 CLI = -std=c++17 -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) $(WITH_ZLIB) -I. -Iinclude -Ic_api/cli
 # CGNS=1: the program reads and writes CGNS files; it needs libcgns (Debian's libcgns-dev), the library does not.
 CGNS =
@@ -157,7 +161,7 @@ rules: checked
 	@UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
 	    WASM_CXX='$(WASM_CXX)' \
 	    FLAGS='$(CXX) $(LEVEL) $(KERNEL_LEVEL) $(DENSE_LEVEL) $(PROGRAM_LEVEL) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' \
-	    WASM_FLAGS='$(WASM_CXX) $(WASM) $(WASM_LINK)' NODE_FLAGS='$(EMXX) $(NODE) $(NODE_LINK)' \
+	    WASM_FLAGS='$(WASM_CXX) $(WASM) $(WASM_LINK)' NODE_FLAGS='$(EMXX) $(NODE) $(NODE_LINK) $(WORKBENCH_LINK)' \
 	    sh c_api/packaging/rules.sh $(BUILD)
 
 # The random movements of `make deform`; `make test` compiles them, too.
