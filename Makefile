@@ -12,6 +12,7 @@
 #   make test-python      the Python package of c_api/python, by PYTHON=/usr/bin/python3; see tests/python.sh
 #   make wheel            build/wheel/*.whl: the Python package in one file for every CPython from 3.9 on
 #   make web              build/web/harmorph-VERSION.tgz, the library as WebAssembly in a package for npm (c_api/web)
+#   make workbench        build/web/workbench.html, the whole program as a page for any browser
 #   make test-web         this package in node, and in Chromium where Chromium is installed
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make test-petsc       harmorph_petsc.c on 1 to 4 processes, where petsc-dev is installed; MESHES=directory of SU2
@@ -69,7 +70,7 @@
 	bench-petsc deform paper demo install uninstall clean \
 	test-openfoam test-saturne test-systems \
 	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist \
-	compile-commands tidy wheel test-release web-tools web-modules page-module web test-web
+	compile-commands tidy wheel test-release web-tools web-modules page-module web workbench test-web
 
 BUILD = build
 # PREFIX is /usr/local if it is not given; DESTDIR is empty. Both come from the environment of the recipes, where make
@@ -222,9 +223,14 @@ WEB = $(BUILD)/web/harmorph.wasm $(BUILD)/web/harmorph_simd128.wasm
 web-tools: checked
 	@WASM_CXX='$(WASM_CXX)' sh c_api/web/pack.sh tools
 web-modules: web-tools rules
-	+@program=; if command -v $(EMXX) >/dev/null; then program=$(BUILD)/web/program.js; \
-	else echo "$(EMXX) not found: the package has no program; install Debian's emscripten and node-acorn"; fi; \
+	+@program=; if command -v $(EMXX) >/dev/null; then program='$(BUILD)/web/program.js $(WORKBENCH)'; \
+	else echo "left out: the program of the package, and $(WORKBENCH):"; $(WORKBENCH_TOOLS); fi; \
 	$(MAKE_BY_RULES) $(WEB) $$program
+# The whole program as one page.
+WORKBENCH = $(BUILD)/web/workbench.html
+WORKBENCH_TOOLS = WASM_CXX='$(WASM_CXX)' EMXX='$(EMXX)' sh c_api/web/pack.sh workbench 2>&1
+workbench: checked rules
+	+@$(WORKBENCH_TOOLS) && $(MAKE_BY_RULES) $(WORKBENCH)
 # What the program has of pages, for CMake.
 page-module: rules
 	+@$(MAKE_BY_RULES) $(BUILD)/page_module.cpp
@@ -342,6 +348,8 @@ bench-mpi: all
 
 demo: all meshes
 	$(PROGRAM) demo $(BUILD)/demo --mesh $(MESH)
+	+@if missing=`$(WORKBENCH_TOOLS)`; then $(MAKE_BY_RULES) $(WORKBENCH) && cp $(WORKBENCH) $(BUILD)/demo/; \
+	else echo "left out: $(BUILD)/demo/workbench.html, as $$missing"; fi
 	@ls $(BUILD)/demo/*.svg $(BUILD)/demo/*.html
 
 # What lies where after an installation; uninstall takes the same list away.

@@ -60,7 +60,7 @@ class Boundary {
         says.textContent = `${faces}, ${shape}x ${brief(piece.low_x)} to ${brief(piece.high_x)}`;
         role.setAttribute("aria-label", `What ${name.textContent} does`);
         for (const [value, text] of ROLES) {
-            const option = new Option(value === "curve" && this.guessed.has(piece) ? `${text} (guess)` : text, value);
+            const option = new Option(text, value);
             option.selected = value === piece.role;
             role.append(option);
         }
@@ -71,6 +71,11 @@ class Boundary {
             this.changed();
         };
         row.classList.toggle("moves", piece.role !== "fixed");
+        if (this.guessed.has(piece)) {
+            const mark = document.createElement("em");
+            mark.textContent = "guess";
+            name.append(" ", mark);
+        }
         row.append(colour, name, role, says);
         return row;
     }

@@ -23,6 +23,7 @@ class Drag {
     }
     close() {
         this.page = null;
+        this.is_ready = false;
         this.frame = null;
         element("page_box").replaceChildren();
     }
@@ -34,9 +35,15 @@ class Drag {
         this.bench.view.show("page_box");
     }
 
-    // Asks the page what has moved; returns { moves, reached, valid }, or null where there is no page.
+    set_theme() {
+        const dark = document.documentElement.classList.contains("dark");
+        this.frame?.contentWindow?.postMessage({ harmorph: "theme", dark }, "*");
+    }
+
+    // Asks the page what has moved; returns { moves, reached, valid }, or null where there is no page, or one that
+    // is not ready.
     ask() {
-        if (this.frame === null || !this.frame.isConnected) return Promise.resolve(null);
+        if (this.frame === null || !this.is_ready) return Promise.resolve(null);
         return new Promise((done) => {
             this.asked = done;
             this.frame.contentWindow.postMessage({ harmorph: "tell" }, "*");
@@ -45,6 +52,10 @@ class Drag {
     }
     hear({ source, data }) {
         if (this.frame === null || source !== this.frame.contentWindow) return;
+        if (data?.harmorph === "ready") {
+            this.is_ready = true;
+            this.set_theme();
+        }
         if (data?.harmorph === "moves" && typeof data.moves === "string" && this.asked !== null) {
             const answer = this.asked;
             this.asked = null;

@@ -12,26 +12,34 @@ function save_file(path, blob) {
     setTimeout(() => URL.revokeObjectURL(link.href), 60000);
 }
 
-// Returns [path, File] of all files of a drop, also of those in folders.
+// Returns [path, File] of all files of a drop, also of those in folders, which not every browser gives to a page that
+// was opened as a file.
 async function dropped_files(transfer) {
-    const items = [...transfer.items].filter(({ kind }) => kind === "file"),
-        entries = items.map((item) => item.webkitGetAsEntry?.() ?? item.getAsFile());
-    const found = [];
+    const found = [],
+        items = [...transfer.items].filter(({ kind }) => kind === "file"),
+        given = items.map((item) => ({ entry: item.webkitGetAsEntry?.() ?? null, file: item.getAsFile() }));
     const visit = async (entry, folder) => {
-        if (entry instanceof File) found.push([folder + entry.name, entry]);
-        else if (entry.isFile) {
+        if (entry.isFile) {
             const file = await new Promise((done, fail) => entry.file(done, fail));
             found.push([folder + entry.name, file]);
-        } else {
-            const reader = entry.createReader();
-            for (;;) {
-                const some = await new Promise((done, fail) => reader.readEntries(done, fail));
-                if (some.length === 0) break;
-                for (const inner of some) await visit(inner, `${folder}${entry.name}/`);
-            }
+            return;
+        }
+        const reader = entry.createReader();
+        for (;;) {
+            const some = await new Promise((done, fail) => reader.readEntries(done, fail));
+            if (some.length === 0) break;
+            for (const inner of some) await visit(inner, `${folder}${entry.name}/`);
         }
     };
-    for (const entry of entries) if (entry !== null) await visit(entry, "");
+    for (const { entry, file } of given) {
+        if (entry?.isDirectory) {
+            await visit(entry, "").catch(() => {
+                throw new Error("This browser does not give a dropped folder to a page: open the folder instead.");
+            });
+        } else if (file !== null) {
+            found.push([file.name, file]);
+        }
+    }
     return found;
 }
 

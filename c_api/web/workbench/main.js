@@ -169,6 +169,7 @@ class Bench {
 
     set_theme(is_dark) {
         document.documentElement.classList.toggle("dark", is_dark);
+        this.drag.set_theme();
     }
 }
 

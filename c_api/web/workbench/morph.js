@@ -23,7 +23,6 @@ class Morph {
         for (const [id, kind] of [["open_airfoil", "airfoil"], ["open_table", "table"], ["open_moves", "moves"]])
             element(id).onclick = () => bench.ask_file((file) => this.take(kind, file));
         element("save_curve").onclick = () => bench.attempt("curve", () => this.save_curve());
-        element("moves").oninput = () => (this.typed = true);
         this.name_fields();
     }
 
@@ -111,7 +110,7 @@ class Morph {
         if (this.how !== "moves" && this.tables[this.how] === null)
             throw new Error(`Open ${this.how === "table" ? "a table of displacements" : "an airfoil file"} first.`);
         this.moves_path = free_path(bench.inputs, "moves.txt");
-        if (this.how === "moves") bench.files.set(this.moves_path, new Blob([element("moves").value]));
+        if (this.how === "moves") bench.files.set(this.moves_path, new Blob([element("moves").value.trim() === "" ? "# nothing moves\n" : element("moves").value]));
         for (const path of [picture, report, out, `${out}.curve`]) bench.files.delete(path);
         this.result = { picture, report, out };
         let result;

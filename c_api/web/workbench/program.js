@@ -21,7 +21,7 @@ class Refused extends Error {
 }
 
 const is_warning = (line) => /^harmorph: (warning|the same as): /.test(line);
-const plain = (line) => line.replace(/^harmorph: (warning: )?/, "").replace(/^./, (letter) => letter.toUpperCase());
+const plain = (line) => line.replace(/^harmorph: (warning: )?/, "");
 
 class Program {
     // report(what, fraction) is called while a command runs; fraction is -1 where none is known.
