@@ -100,6 +100,7 @@ steps() {
     step 2 "moved shapes" sh tests/airfoils.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/airfoils-test"
     step 2 "pictures of the program" sh tests/pictures.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/pictures-test"
     step 1 "page of the program" sh tests/page.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/page-test"
+    step 1 "workbench" sh tests/workbench.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/workbench-test" "$BUILD"
     step 2 "page of figures" sh tests/figures_test.sh "$BUILD/figures-test" "$BUILD"
     step 2 "includes point downwards" sh tests/includes.sh
     step 1 "benchmarks compile" sh tests/benchmarks.sh "$BUILD"

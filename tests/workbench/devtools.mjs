@@ -10,8 +10,8 @@ export class Browser {
         const browser = new Browser();
         browser.profile = fs.mkdtempSync(path.join(os.tmpdir(), "harmorph-workbench-"));
         browser.child = spawn(chromium, ["--headless", "--no-sandbox", "--no-first-run", "--disable-quic",
-            "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage",
-            "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--remote-debugging-pipe",
+            "--disable-gpu", "--disable-background-networking", "--disable-component-update",
+            "--disable-sync", "--disable-dev-shm-usage", "--remote-debugging-pipe",
             `--window-size=${width},${height}`, `--user-data-dir=${browser.profile}`, ...flags, "about:blank"],
         { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
         browser.listen();
@@ -105,7 +105,8 @@ export class Session {
     async value(expression) {
         const { result, exceptionDetails } = await this.send("Runtime.evaluate",
             { expression, awaitPromise: true, returnByValue: true, userGesture: true });
-        if (exceptionDetails) throw new Error(`${exceptionDetails.exception?.description ?? exceptionDetails.text}\n${expression}`);
+        if (exceptionDetails)
+            throw new Error(`${exceptionDetails.exception?.description ?? exceptionDetails.text}\n${expression}`);
         return result.value;
     }
     // Waits until an expression is true.
@@ -128,14 +129,16 @@ export class Session {
     async click(selector) {
         const [x, y] = await this.value(`(() => { const node = document.querySelector(${JSON.stringify(selector)});
             node.scrollIntoView({ block: "nearest" });
-            const box = node.getBoundingClientRect(); return [box.left + box.width / 2, box.top + box.height / 2]; })()`);
+            const box = node.getBoundingClientRect();
+            return [box.left + box.width / 2, box.top + box.height / 2]; })()`);
         await this.mouse("mousePressed", x, y);
         await this.mouse("mouseReleased", x, y);
     }
     // Drops files of the disk at a place of the page.
     async drop(files, x = 400, y = 300) {
         const data = { items: [], files, dragOperationsMask: 1 };
-        for (const type of ["dragEnter", "dragOver", "drop"]) await this.send("Input.dispatchDragEvent", { type, x, y, data });
+        for (const type of ["dragEnter", "dragOver", "drop"])
+            await this.send("Input.dispatchDragEvent", { type, x, y, data });
     }
     async picture(file) {
         const { data } = await this.send("Page.captureScreenshot", { format: "png" });

@@ -64,10 +64,12 @@ export const steps = (page) => {
 
 // Runs in the page: returns the controls without a name, and those whose role needs a state that is missing.
 export const labels = `() => {
-    const name = (node) => (node.getAttribute("aria-label") ?? "") + [...(node.labels ?? [])].map((one) => one.textContent).join("") +
+    const name = (node) => (node.getAttribute("aria-label") ?? "") +
+        [...(node.labels ?? [])].map((one) => one.textContent).join("") +
         (/^(BUTTON|SUMMARY)$/.test(node.tagName) ? node.textContent : "") + (node.alt ?? "") + (node.title ?? "");
     const wrong = [];
-    for (const node of document.querySelectorAll("button, input, select, textarea, summary, iframe, [tabindex], [role]")) {
+    const controls = "button, input, select, textarea, summary, iframe, [tabindex], [role]";
+    for (const node of document.querySelectorAll(controls)) {
         if (node.closest("[hidden]") !== null || node.type === "file") continue;
         const has_role = /^(status|alert)$/.test(node.getAttribute("role"));
         if (!has_role && node.tagName !== "PRE" && name(node).trim() === "") wrong.push(node.id || node.outerHTML);

@@ -16,10 +16,12 @@ const browser = await Browser.start(chromium),
 await browser.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: saved });
 await page.open(`file://${workbench}`);
 
-// Saves a file of the list.
-const save = async (name) => {
-    await page.value(`[...document.querySelectorAll("#files button")].find((one) => one.textContent === "${name}").click()`);
+// Saves a file of the list, which is renamed afterwards.
+const save = async (name, to = name) => {
+    const button = `[...document.querySelectorAll("#files button")].find((one) => one.textContent === "${name}")`;
+    await page.value(`${button}.click()`);
     await arrives(name);
+    fs.renameSync(path.join(saved, name), path.join(saved, to));
 };
 const arrives = async (name) => {
     const file = path.join(saved, name);
@@ -33,14 +35,17 @@ const arrives = async (name) => {
 try {
     checks.holds("names and roles at the start", await page.value(`(${labels})()`), []);
     await bench.drop([path.join(folder, "naca0012.su2")]);
-    checks.holds("the wall is a guess", await page.value("[...bench.boundary.guessed].map(({ name }) => name).join()"), "airfoil");
+    const guess = "[...bench.boundary.guessed].map(({ name }) => name).join()",
+        is_shown = "!element('view').hidden && element('picture').naturalWidth > 100";
+    checks.holds("the wall is a guess", await page.value(guess), "airfoil");
     checks.holds("the guess is marked", await page.value("document.querySelector('#pieces em').textContent"), "guess");
-    checks.holds("the mesh is shown", await page.value("!element('view').hidden && element('picture').naturalWidth > 100"), true);
+    checks.holds("the mesh is shown", await page.value(is_shown), true);
     checks.holds("names and roles of the mesh", await page.value(`(${labels})()`), []);
 
     // Cancelled, and once more.
-    await page.value("bench.program.run('A long one', ['solve', 'naca0012.su2', '--rigid', 'airfoil', '--repeat', '100000', " +
-        "'-o', 'x.basis'], bench.files).then(() => { window.ended = 'done'; }, (error) => { window.ended = error.message; }); 0");
+    await page.value(`bench.program.run('A long one', ['solve', 'naca0012.su2', '--rigid', 'airfoil',
+        '--repeat', '100000', '-o', 'x.basis'], bench.files).then(() => { window.ended = 'done'; },
+        (error) => { window.ended = error.message; }); 0`);
     await page.until("!element('work').hidden && bench.program.worker !== null");
     await page.click("#cancel");
     await page.until("window.ended !== undefined", 10);
@@ -49,8 +54,9 @@ try {
     await bench.fit();
     const frame = await bench.solve();
     // A control point goes up by 20 pixels.
-    const [x, y, scale] = await frame.value(`(() => { const box = element("handles").getBoundingClientRect(), { control } =
-        app.curves, at = 2 * 15; return [box.left + app.camera.pixel_x(control[at]),
+    const [x, y, scale] = await frame.value(`(() => {
+        const box = element("handles").getBoundingClientRect(), { control } = app.curves, at = 2 * 15;
+        return [box.left + app.camera.pixel_x(control[at]),
         box.top + app.camera.pixel_y(control[at + 1]), app.camera.scale]; })()`);
     const [left, top] = await page.value(`(() => { const { left, top } = document.querySelector("#page_box iframe")
         .getBoundingClientRect(); return [left, top]; })()`);
@@ -65,10 +71,12 @@ try {
     checks.holds("no script failed on the page", frame.errors, []);
 
     await bench.open_tab("save");
-    checks.holds("the movement is there", (await page.value("element('moves').value")).includes(`\n16 0 ${moved}\n`), true);
+    const moves = await page.value("element('moves').value");
+    checks.holds("the movement is there", moves.includes(`\n16 0 ${moved}\n`), true);
     await bench.morph();
     checks.holds("the mesh is valid", await page.value("element('verdict').className"), "good");
-    for (const name of ["naca0012-morphed.su2", "moves.txt", "airfoil.curve", "mesh.basis", "naca0012-morphed.su2.curve",
+    await save("naca0012-morphed.su2", "moved.su2");
+    for (const name of ["moves.txt", "airfoil.curve", "mesh.basis", "naca0012-morphed.su2.curve",
         "morph.svg", "report.html"]) await save(name);
     for (const [format, name] of [[".igs", "naca0012-morphed.su2.igs"], [".step", "naca0012-morphed.su2.step"],
         [".dat", "naca0012-morphed.su2.dat"]]) {
@@ -89,10 +97,10 @@ try {
     checks.holds("an airfoil is an airfoil", await page.value("bench.morph.how"), "airfoil");
     await bench.morph();
     checks.holds("to another airfoil", await page.value("element('verdict').className"), "good");
-    await save("naca0012-morphed.su2".replace("su2", "su2")).catch(() => {});
-    fs.renameSync(path.join(saved, "naca0012-morphed.su2"), path.join(saved, "other.su2"));
+    await save("naca0012-morphed.su2", "other.su2");
     await page.click("#how [data-value=moves]");
-    await page.value("element('moves').value = ''; element('line_kind').value = 'flap'; element('line_kind').onchange()");
+    await page.value(`element('moves').value = ''; element('line_kind').value = 'flap';
+        element('line_kind').onchange()`);
     await page.click("#line_add");
     checks.holds("a line of a flap", await page.value("element('moves').value"), "flap airfoil 0.75,0 5\n");
     await page.value("element('safe').checked = true");

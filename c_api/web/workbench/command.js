@@ -73,6 +73,9 @@ async function run_command({ make_program, module, words, files, report }) {
     try {
         const program = await make_program({
             noInitialRun: true,
+            quit(status, ended) {
+                throw ended; // in node, too
+            },
             instantiateWasm(imports, done) {
                 WebAssembly.instantiate(module, imports).then(done);
                 return {};

@@ -63,12 +63,20 @@ class Bench {
         document.addEventListener("dragenter", () => hint(1));
         document.addEventListener("dragleave", () => hint(-1));
         document.addEventListener("dragover", (event) => event.preventDefault());
+        window.addEventListener("message", (event) => this.hear(event));
         document.addEventListener("drop", (event) => {
             event.preventDefault();
             hint(0);
             const files = dropped_files(event.dataTransfer);
             this.attempt("check", async () => this.take(await files));
         });
+    }
+    // A frame forwards what is dropped on it.
+    hear({ source, data }) {
+        const is_frame = [...document.querySelectorAll("iframe")].some((frame) => frame.contentWindow === source);
+        if (!is_frame || data?.harmorph !== "files" || !Array.isArray(data.files)) return;
+        const files = listed_files(data.files.filter((file) => file instanceof File));
+        this.attempt("check", () => this.take(files));
     }
     // Files are a mesh, or, beside a mesh, an airfoil, a table or moves.
     async take(files) {

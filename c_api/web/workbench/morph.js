@@ -110,7 +110,9 @@ class Morph {
         if (this.how !== "moves" && this.tables[this.how] === null)
             throw new Error(`Open ${this.how === "table" ? "a table of displacements" : "an airfoil file"} first.`);
         this.moves_path = free_path(bench.inputs, "moves.txt");
-        if (this.how === "moves") bench.files.set(this.moves_path, new Blob([element("moves").value.trim() === "" ? "# nothing moves\n" : element("moves").value]));
+        const moves = element("moves").value;
+        if (this.how === "moves")
+            bench.files.set(this.moves_path, new Blob([moves.trim() === "" ? "# none\n" : moves]));
         for (const path of [picture, report, out, `${out}.curve`]) bench.files.delete(path);
         this.result = { picture, report, out };
         let result;

@@ -1,6 +1,18 @@
 "use strict";
 // The stage: a picture to zoom, a page in a frame, the bar of progress, and messages.
 
+// Files that are dropped on a page in a frame go to the workbench, but for those that the page of control points takes.
+const FORWARD_DROPS = `<script>
+addEventListener("dragover", (event) => event.preventDefault());
+addEventListener("drop", (event) => {
+    const files = [...event.dataTransfer.files];
+    if (document.getElementById("handles") && files.length === 1 && /\\.(dat|txt)$/i.test(files[0].name)) return;
+    event.preventDefault();
+    event.stopImmediatePropagation();
+    parent.postMessage({ harmorph: "files", files }, "*");
+}, true);
+<\/script>`;
+
 class View {
     constructor() {
         this.box = element("picture_box");
@@ -70,7 +82,7 @@ class View {
         const frame = document.createElement("iframe");
         frame.setAttribute("sandbox", "allow-scripts allow-downloads allow-forms");
         frame.title = title;
-        frame.srcdoc = text;
+        frame.srcdoc = text + FORWARD_DROPS;
         element(box).replaceChildren(frame);
         this.show(box);
         return frame;
