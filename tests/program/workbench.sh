@@ -68,7 +68,8 @@ if [ -n "$chromium" ]; then
     check "and so has the one of another airfoil" same other.su2 other.su2
     check "the moved curve, too" same naca0012-morphed.su2.curve moved.su2.curve
     for end in igs step dat; do check "the curve as .$end" same naca0012-morphed.su2.$end moved.$end; done
-    counted "hostile files in the browser" timeout 300 node tests/program/workbench/names.mjs "$chromium" "$page" "$naca" "$tmp"
+    counted "hostile files in the browser" timeout 300 node tests/program/workbench/names.mjs \
+        "$chromium" "$page" "$naca" "$tmp"
 else
     skip "the workbench in a browser" "no Chromium is found (Debian's package chromium, or CHROMIUM=path)"
 fi

@@ -8,7 +8,7 @@ import { Checks } from "./steps.mjs";
 const [folder, meshes, count] = process.argv.slice(2),
     require = createRequire(import.meta.url),
     make_program = require(`${fs.realpathSync(folder)}/workbench_program.js`),
-    { run_command } = require("../../c_api/web/workbench/command.js"),
+    { run_command } = require("../../../c_api/web/workbench/command.js"),
     module = new WebAssembly.Module(fs.readFileSync(`${folder}/workbench_program.wasm`)),
     random = numbers(20261128),
     checks = new Checks();
