@@ -122,7 +122,7 @@ EMXX = em++
 NODE = -std=c++17 -fexceptions -I. -Iinclude -Ic_api/cli
 NODE_LINK = -O1 -fexceptions -sENVIRONMENT=node -sNODERAWFS=1 -sWASM_ASYNC_COMPILATION=0 -sALLOW_MEMORY_GROWTH=1 \
 	-sMAXIMUM_MEMORY=4GB -sEXIT_RUNTIME=1 --pre-js c_api/web/program_before.js
-CLI = -std=c++17 -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) $(WITH_ZLIB) -I. -Iinclude -Ic_api/cli
+CLI = -std=c++17 -ffp-contract=off -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) $(WITH_ZLIB) -I. -Iinclude -Ic_api/cli
 # CGNS=1: the program reads and writes CGNS files; it needs libcgns (Debian's libcgns-dev), the library does not.
 CGNS =
 # The program reads and writes compressed files where zlib is installed (Debian's zlib1g-dev): c_api/packaging/rules.sh tries, and

@@ -138,7 +138,7 @@ page_module() {
 }
 # The program for node, by emscripten, with the library of the module with simd128.
 node_program() {
-    library=$(echo "$list" | tr ' ' '\n' | grep -v web-module)
+    library="$(echo "$list" | tr ' ' '\n' | grep -v web-module) $build/objects/harmorph_simd128/c_api-web-page.o"
     compiler='$(EMXX)' own=-O2 flags='$(NODE)' list= stamp=$build/web/node_flags
     objects node $build/page_text.cpp $build/page_module.cpp $build/command_text.cpp c_api/cli/formats/cgns*.cpp
     objects node c_api/cli/main.cpp
@@ -182,7 +182,9 @@ all_rules() {
     program tests
     put objects/tests.list echo $list
 
-    flags='$(CLI)' own='$(PROGRAM_LEVEL) $(CXXFLAGS)' list=
+    flags='$(CORE)' own='$(LEVEL) $(CXXFLAGS)' list=
+    objects cli c_api/web/page.cpp
+    flags='$(CLI)' own='$(PROGRAM_LEVEL) $(CXXFLAGS)'
     objects cli $build/page_text.cpp $build/page_module.cpp $build/command_text.cpp c_api/cli/formats/cgns*.cpp
     for room in c_api/cli/*/; do
         groups cli $in_program in_turn $(ls $room*.cpp | grep -v /cgns)

@@ -1,6 +1,4 @@
-// Calls of the module in pages of the program (c_api/cli/page), for pictures: the values of each
-// cell and of each wall point, of which the C headers tell extremes and means.
-#include <harmorph_fields.h>
+#include "web/page.h"
 
 #include "fields/walls.hpp"
 #include "mesh_pair.hpp"
@@ -18,6 +16,7 @@ void for_each_quality(OrientedMesh const& cells, Points start, Points change, Pu
     auto const measure = [&](Index number) {
         auto const displaced = [&](Index piece) {
             CellShape shape = shape_of(cells, piece, start);
+            if (!change.given()) return shape;
             CellShape const by = shape_of(cells, piece, change);
             for (Index k = 0; k < 4; ++k) shape.at[k] = shape.at[k] + by.at[k];
             return shape;
@@ -47,9 +46,6 @@ void for_each_quality(OrientedMesh const& cells, Points start, Points change, Pu
 
 extern "C" {
 
-// The area of each cell before anything moves: area [n_cells].
-HM_API hm_status hm_web_areas(const hm_basis* basis, const hm_mesh* mesh, double* area,
-                              hm_error* err);
 hm_status hm_web_areas(const hm_basis* basis, const hm_mesh* mesh, double* area, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
@@ -62,10 +58,6 @@ hm_status hm_web_areas(const hm_basis* basis, const hm_mesh* mesh, double* area,
     });
 }
 
-// The quality of each cell after the displacement, as hm_assess judges it: quality [n_cells]; 0
-// for inverted cells.
-HM_API hm_status hm_web_cells(const hm_basis* basis, const hm_mesh* mesh,
-                              const hm_points* displacement, double* quality, hm_error* err);
 hm_status hm_web_cells(const hm_basis* basis, const hm_mesh* mesh, const hm_points* displacement,
                        double* quality, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
@@ -74,18 +66,13 @@ hm_status hm_web_cells(const hm_basis* basis, const hm_mesh* mesh, const hm_poin
         OrientedMesh cells;
         Points change;
         HARMORPH_TRY(open_pair(basis, mesh, b, view, cells, fault));
-        HARMORPH_TRY(view_points(displacement, "displacement", change, fault));
+        HARMORPH_TRY(view_points_if(displacement, "displacement", change, fault));
         for_each_quality(cells, view.points, change,
                          [&](Index cell, Real value) { quality[cell] = value > 0 ? value : 0; });
         return Status::ok;
     });
 }
 
-// The triangles and quadrilaterals of which cells consist, for pictures: start [n_cells + 1], and
-// four points for each piece, counted from 0; a triangle repeats its last point. points NULL: not
-// wanted.
-HM_API hm_status hm_web_pieces(const hm_basis* basis, const hm_mesh* mesh, int32_t* start,
-                               int32_t* points, hm_error* err);
 hm_status hm_web_pieces(const hm_basis* basis, const hm_mesh* mesh, int32_t* start, int32_t* points,
                         hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
@@ -109,21 +96,6 @@ hm_status hm_web_pieces(const hm_basis* basis, const hm_mesh* mesh, int32_t* sta
     });
 }
 
-// The points of walls, in the order of hm_walls_info: the points before and behind each of them
-// along the wall, the mesh on the left; -1 at an end. links [2*n_wall_points].
-HM_API void hm_web_links(const hm_walls* walls, int32_t* links);
-void hm_web_links(const hm_walls* walls, int32_t* links) {
-    WallPoints const& wall = reinterpret_cast<const Walls*>(walls)->layer.wall;
-    for (Index slot = 0; slot < wall.count; ++slot) {
-        links[2 * slot] = wall.previous[slot];
-        links[2 * slot + 1] = wall.next[slot];
-    }
-}
-
-// How the first layer has changed: angle [n_wall_points] in degrees, and height [n_wall_points],
-// after over before; 0 and 1 without an edge. hm_safe_report has the extremes of both.
-HM_API hm_status hm_web_layer(const hm_walls* walls, const hm_points* before, const hm_points* at,
-                              double* angle, double* height, hm_error* err);
 hm_status hm_web_layer(const hm_walls* walls, const hm_points* before, const hm_points* at,
                        double* angle, double* height, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {

@@ -7,7 +7,7 @@ class App {
         this.model = new Model(data, classes);
         data.pieces = this.model.pieces();
         data.n_functions = this.model.n_functions;
-        this.cells = new Cells(data, this.model);
+        this.cells = new Cells(data, new Float64Array(this.model.n_cells), this.model);
         this.curves = new Curves(data, this.model);
         this.wall = new Wall(data, this.model);
         this.sections = this.find_sections();
