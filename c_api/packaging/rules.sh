@@ -139,7 +139,7 @@ page_module() {
 # The program for node, by emscripten, with the library of the module with simd128.
 node_program() {
     library="$(echo "$list" | tr ' ' '\n' | grep -v web-module) $build/objects/harmorph_simd128/c_api-web-page.o"
-    compiler='$(EMXX)' own=-O2 flags='$(NODE)' list= stamp=$build/web/node_flags
+    compiler='$(EMXX)' own=-Oz flags='$(NODE)' list= stamp=$build/web/node_flags
     objects node $build/page_text.cpp $build/page_module.cpp $build/command_text.cpp c_api/cli/formats/cgns*.cpp
     objects node c_api/cli/main.cpp
     groups node $in_program in_turn $(ls c_api/cli/*/*.cpp | grep -v /cgns)
