@@ -1,9 +1,11 @@
-/* Calls for pictures of a mesh: the values of each cell and of each wall point, of which the
- * headers tell extremes and means. They are no part of the interface: this file is not installed.
- * The module of the pages contains them, and so does the program (c_api/cli/page). */
+/* Calls that the pages and the program have in common, mostly for pictures: the values of each cell
+ * and of each wall point, of which the headers tell extremes and means. They are no part of the
+ * interface: this file is not installed. The module of the pages contains them, and so does the
+ * program. */
 #ifndef HARMORPH_WEB_PAGE_H
 #define HARMORPH_WEB_PAGE_H
 
+#include <harmorph_design.h>
 #include <harmorph_fields.h>
 
 #ifdef __cplusplus
@@ -30,6 +32,17 @@ HM_API hm_status hm_web_pieces(const hm_basis* basis, const hm_mesh* mesh, int32
  * extremes of both. */
 HM_API hm_status hm_web_layer(const hm_walls* walls, const hm_points* before, const hm_points* at,
                               double* angle, double* height, hm_error* err);
+
+/* The curvature comb of a curve at n parameters u: points [2*n] of the curve, and teeth [2*n], the
+ * other ends of lines at right angles to the curve, on its right where it turns left. Their length
+ * is .02 chord sqrt(chord |curvature|), so that teeth at the leading edge and along the sides are
+ * visible together. chord [length] > 0. */
+HM_API hm_status hm_web_comb(const hm_curves* curves, int32_t curve, int32_t n, const double* u,
+                             double chord, double* points, double* teeth, hm_error* err);
+
+/* The sine and the cosine of an angle [radians], up to 1e5 in magnitude with an error of about half
+ * a unit in the last place, from operations that are rounded alike everywhere. */
+HM_API void hm_web_sine(double angle, double* sine, double* cosine);
 
 #ifdef __cplusplus
 }

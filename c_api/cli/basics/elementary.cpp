@@ -3,6 +3,8 @@
 #include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
 
+#include <c_api/web/page.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,37 +27,12 @@ TwoNumbers exact_square(double x) {
     return {square, ((head * head - square) + 2 * head * tail) + tail * tail};
 }
 
-// The series of the sine and the cosine of r, |r| <= pi/4 + 1e-9; the rounding of r is r.low.
-SineCosine near_zero(TwoNumbers r) {
-    const double x = r.high, z = x * x;
-    double odd = 0, even = 0;  // sums beyond the first term of the sine, and two of the cosine
-    for (int k = 18; k >= 4; k -= 2) {
-        even = z / ((k + 1) * (k + 2)) * (1 - even);
-        odd = z / (k * (k + 1)) * (1 - odd);
-    }
-    odd = z / 6 * (1 - odd);
-    even = z * z / 24 * (1 - even);
-    const double half = z / 2, first = 1 - half;
-    return {x + (r.low * (1 - half) - x * odd),
-            first + (((1 - first) - half) + (even - x * r.low))};
-}
-
 }  // namespace
 
 SineCosine sine_cosine(double angle) {
-    // The sum is pi / 2; multiples of the first two numbers by n have no rounding.
-    constexpr double parts[] = {0x1.921fb544p+0, 0x1.0b4611a4p-34, 0x1.13198a2e03707p-65};
-    const double n = std::nearbyint(angle * (2 / pi));
-    const double first = angle - n * parts[0], second = first - n * parts[1],
-                 high = second - n * parts[2];
-    const double low = ((first - second) - n * parts[1]) + ((second - high) - n * parts[2]);
-    const SineCosine r = near_zero({high, low});
-    switch (static_cast<int>(n - 4 * std::floor(n / 4))) {
-        case 0: return r;
-        case 1: return {r.cosine, -r.sine};
-        case 2: return {-r.sine, -r.cosine};
-        default: return {-r.cosine, r.sine};
-    }
+    SineCosine result;
+    hm_web_sine(angle, &result.sine, &result.cosine);
+    return result;
 }
 
 double angle_of(double x, double y) {

@@ -8,8 +8,7 @@ namespace cli {
 struct SineCosine {
     double sine, cosine;
 };
-// angle in radians, up to 1e5 in magnitude with an error of about half a unit in the last place.
-SineCosine sine_cosine(double angle);
+SineCosine sine_cosine(double angle);  // as hm_web_sine, by which pages turn bodies
 
 // Returns the angle [radians, -pi .. pi] from the x axis to (x, y), within 3 units in the last
 // place; 0 for (0, 0).

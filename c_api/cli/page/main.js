@@ -12,7 +12,7 @@ class App {
         this.wall = new Wall(data, this.model);
         this.sections = this.find_sections();
         this.pairs = new Pairs(data, this.sections);
-        this.shape = new Shape(data, this.sections);
+        this.shape = new Shape(data, this.sections, this.model);
         this.still_faces = this.wall.faces.filter((face) => !this.wall.moves[face.marker]);
         this.options = { colour: "none", before: false, polygon: true, pair: "alone", theme: theme_of_system() };
         Object.assign(this.options, { comb: false, pressure: false, attack: 2 }); // the angle of attack is in degrees

@@ -260,7 +260,7 @@ private:
             lines_.fail("the body of " + in_quotes(std::string(words[1])) +
                         " is moved a second time");
         moved_[function] = true;
-        const double angle = number(words[4]) * pi / 180,
+        const double angle = std::fmod(number(words[4]), 360) * pi / 180,
                      scale = words.size() > 5 ? number(words[5]) : 1;
         if (!(scale > 0)) lines_.expected("a scale above 0", words[5]);
         moves_[2 * function] = number(words[2]);
