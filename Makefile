@@ -119,16 +119,17 @@ WASM_CXX = clang++
 WASM = --target=wasm32 -mbulk-memory -nostdlibinc -isystem c_api/web/freestanding $(FREESTANDING) -I$(BUILD)/web
 WASM_LINK = --target=wasm32 -nostdlib -Wl,--no-entry,--gc-sections,--strip-all,-O2,--stack-first,-z,stack-size=262144 \
 	-Wl,--max-memory=4294967296,--export=__heap_base,--export-table,--growable-table
-# The program for node, where emscripten is installed (Debian's emscripten and node-acorn). Without zlib and threads.
+# The program for node, where emscripten is installed (Debian's emscripten and node-acorn). Without zlib and threads; for
+# the smallest size, as the library, which computes, has objects of its own.
 EMXX = em++
-NODE = -std=c++17 -fexceptions -I. -Iinclude -Ic_api/cli
-NODE_LINK = -O1 -fexceptions -sENVIRONMENT=node -sNODERAWFS=1 -sWASM_ASYNC_COMPILATION=0 -sALLOW_MEMORY_GROWTH=1 \
+NODE = -std=c++17 -fwasm-exceptions -fno-rtti -I. -Iinclude -Ic_api/cli
+NODE_LINK = -O2 -fwasm-exceptions -sENVIRONMENT=node -sNODERAWFS=1 -sWASM_ASYNC_COMPILATION=0 -sALLOW_MEMORY_GROWTH=1 \
 	-sMAXIMUM_MEMORY=4GB -sEXIT_RUNTIME=1 --pre-js c_api/web/program_before.js
 # The same program for a worker of the workbench, which gives the program files in memory (c_api/web/workbench).
-WORKBENCH_LINK = -O1 -fexceptions -sENVIRONMENT=worker,node -sMODULARIZE=1 -sEXPORT_NAME=make_program -sINVOKE_RUN=0 \
+WORKBENCH_LINK = -O2 -fwasm-exceptions -sENVIRONMENT=worker,node -sMODULARIZE=1 -sEXPORT_NAME=make_program -sINVOKE_RUN=0 \
 	-sFORCE_FILESYSTEM=1 -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sEXIT_RUNTIME=1 \
 	-sEXPORTED_RUNTIME_METHODS=FS,callMain
-CLI = -std=c++17 -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) $(WITH_ZLIB) -I. -Iinclude -Ic_api/cli
+CLI = -std=c++17 -ffp-contract=off -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) $(WITH_ZLIB) -I. -Iinclude -Ic_api/cli
 # CGNS=1: the program reads and writes CGNS files; it needs libcgns (Debian's libcgns-dev), the library does not.
 CGNS =
 # The program reads and writes compressed files where zlib is installed (Debian's zlib1g-dev): c_api/packaging/rules.sh tries, and
