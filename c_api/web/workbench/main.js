@@ -5,7 +5,7 @@ const TABS = ["prepare", "drag", "save"];
 
 class Bench {
     constructor() {
-        this.view = new View();
+        this.view = new View(() => this.update_panel());
         this.program = new Program((what, fraction) => this.view.progress(what, fraction));
         this.files = new Map(); // path: Blob, of what was opened and of what the program made
         this.inputs = new Map(); // those that were opened
@@ -18,6 +18,7 @@ class Bench {
         this.morph = new Morph(this);
         this.connect_buttons();
         this.connect_drops();
+        this.update_panel();
         this.set_theme(matchMedia("(prefers-color-scheme: dark)").matches);
         this.program.ready.catch((error) => this.view.say(error.message, "The workbench cannot compute"));
     }
@@ -120,14 +121,12 @@ class Bench {
         this.drag.close();
         for (const id of ["mesh_box", "boundary_box", "fit_box", "solve_box"]) element(id).hidden = true;
         element("mesh_name").textContent = mesh;
-        element("again_box").hidden = false;
         this.view.show("welcome");
         this.update_tabs();
         this.show_tab("prepare");
     }
     close_mesh() {
         element("mesh_name").textContent = "";
-        element("again_box").hidden = true;
     }
 
     update_tabs() {
@@ -145,12 +144,18 @@ class Bench {
             if (one === tab) element(`tab_${one}`).setAttribute("aria-current", "step");
             else element(`tab_${one}`).removeAttribute("aria-current");
         }
-        element("panel").hidden = tab === "drag";
         element("prepare").hidden = tab !== "prepare";
         element("save_panel").hidden = tab !== "save";
         if (tab === "drag") await this.drag.show();
         else if (this.boundary !== null) this.view.show("view");
         this.show_files();
+        this.update_panel();
+    }
+    // Where there is nothing to set and nothing to say, the stage has the whole window.
+    update_panel() {
+        const is_empty = this.tab === "drag" || this.boundary === null;
+        element("panel").hidden = is_empty && element("message").hidden;
+        element("again_box").hidden = this.boundary === null;
     }
 
     // Lists the files that the program has made.

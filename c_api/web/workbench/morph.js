@@ -147,6 +147,7 @@ class Morph {
         if (has_picture)
             bench.view.show_picture(bench.files.get(this.result.picture), "The mesh before in blue and after in red");
         this.show_result(has_picture ? "picture" : "report");
+        element("result_box").scrollIntoView({ block: "nearest" });
         bench.view.speak(element("verdict").textContent);
     }
     async show_result(what) {

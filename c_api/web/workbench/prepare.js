@@ -46,6 +46,7 @@ class Prepare {
         for (const id of ["mesh_box", "boundary_box"]) element(id).hidden = false;
         this.forget_curves();
         bench.show_files();
+        bench.update_panel();
         const warnings = warnings_of(result);
         if (warnings.length > 0) bench.view.say(warnings.join("\n"));
         const [points, markers] = [plural(facts.points, "point"), plural(facts.markers.length, "marker")];

@@ -68,6 +68,7 @@ class Program {
             this.stop = () => end(fail, new Cancelled("cancelled"));
             worker.onmessage = ({ data }) => {
                 if (data.result) end(done, data.result);
+                else if (data.error !== undefined) end(fail, new Error(data.error));
                 else this.report(`${what}: ${data.what}`, data.fraction);
             };
             worker.onerror = (event) => end(fail, new Error(event.message || "The worker has stopped."));

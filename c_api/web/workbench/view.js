@@ -14,7 +14,9 @@ addEventListener("drop", (event) => {
 <\/script>`;
 
 class View {
-    constructor() {
+    // settle() is called when a message appears or goes.
+    constructor(settle) {
+        this.settle = settle;
         this.box = element("picture_box");
         this.image = element("picture");
         this.scale = 1;
@@ -102,6 +104,7 @@ class View {
         element("message_text").textContent = text;
         element("message").classList.toggle("error", title !== "");
         element("message").hidden = text === "";
+        this.settle();
     }
     speak(text) {
         element("spoken").textContent = text;

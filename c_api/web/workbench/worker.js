@@ -3,7 +3,8 @@
 
 const read_file = (blob) => new Uint8Array(new FileReaderSync().readAsArrayBuffer(blob));
 
-onmessage = async ({ data: { module, words, files } }) => {
+// A rejected promise is no error that the page would hear of.
+async function answer({ module, words, files }) {
     const result = await run_command({
         make_program,
         module,
@@ -13,4 +14,7 @@ onmessage = async ({ data: { module, words, files } }) => {
     });
     result.made = result.made.map(([path, bytes]) => [path, new Blob([bytes])]);
     postMessage({ result });
+}
+onmessage = ({ data }) => {
+    answer(data).catch((error) => postMessage({ error: error.message }));
 };

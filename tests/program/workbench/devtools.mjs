@@ -135,7 +135,7 @@ export class Session {
         await this.mouse("mouseReleased", x, y);
     }
     // Drops files of the disk at a place of the page.
-    async drop(files, x = 400, y = 300) {
+    async drop(files, x = 150, y = 300) {
         const data = { items: [], files, dragOperationsMask: 1 };
         for (const type of ["dragEnter", "dragOver", "drop"])
             await this.send("Input.dispatchDragEvent", { type, x, y, data });
