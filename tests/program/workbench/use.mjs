@@ -94,6 +94,7 @@ try {
 
     // Another airfoil, flap, a safe morph.
     await bench.drop([path.join(folder, "other.dat")], false);
+    await page.until("bench.morph.how === 'airfoil'", 10);
     checks.holds("an airfoil is an airfoil", await page.value("bench.morph.how"), "airfoil");
     await bench.morph();
     checks.holds("to another airfoil", await page.value("element('verdict').className"), "good");
