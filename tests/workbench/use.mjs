@@ -93,8 +93,7 @@ try {
     checks.holds("the picture is back", await page.value("!element('view').hidden"), true);
 
     // Another airfoil, flap, a safe morph.
-    await bench.drop([path.join(folder, "other.dat")], false);
-    checks.holds("an airfoil is an airfoil", await page.value("bench.morph.how"), "airfoil");
+    await bench.drop_beside(path.join(folder, "other.dat"), "airfoil");
     await bench.morph();
     checks.holds("to another airfoil", await page.value("element('verdict').className"), "good");
     await save("naca0012-morphed.su2", "other.su2");
@@ -106,8 +105,7 @@ try {
     await page.value("element('safe').checked = true");
     await bench.morph();
     checks.holds("a flap, safely", await page.value("element('verdict').className"), "good");
-    await bench.drop([path.join(folder, "wall.txt")], false);
-    checks.holds("a table is a table", await page.value("bench.morph.how"), "table");
+    await bench.drop_beside(path.join(folder, "wall.txt"), "table");
     await bench.morph();
     checks.holds("displacements of the wall", await page.value("element('verdict').className"), "good");
     checks.holds("nothing is loaded", page.requests.filter((url) => !/^(file|blob|data|about):/.test(url)), []);
