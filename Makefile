@@ -1,38 +1,39 @@
 # harmorph. POSIX make and any C++17 compiler; there is no configure step.
 #
 #   make                  library and program; harmorph.f90, harmorph77.f90 and harmorph_mpi.f90, each of one piece
-#   make test             all tests; the last line counts them
+#   make test             all tests; the last line counts them. ONLY=formats: those of one folder of tests (or of one
+#                         script), with a count of their own; a name that does not exist is refused with all names
 #   make unit             the C++ tests alone; UNITS='tests/safe/test_*.cpp': those of these files only
 #   make fuzz             random problems, damaged bases, calls in any order and damaged files, under sanitizers;
 #                         SECONDS=600; see tests/fuzz/run.sh
-#   make coverage         branches of the library that the C++ tests take, by gcov; see tests/coverage.sh
-#   make mutate           small errors put into the library, and how many the tests find: MUTANTS=200 SEED=1 LIMIT=3600; see
-#                         tests/mutate.sh
-#   make sanitize         memory read before it is written, races between threads; see tests/sanitize.sh
-#   make test-python      the Python package of c_api/python, by PYTHON=/usr/bin/python3; see tests/python.sh
+#   make coverage         branches of the library that the C++ tests take, by gcov; see tests/fuzz/coverage.sh
+#   make mutate           small errors put into the library, and how many the tests find: MUTANTS=200 SEED=1
+#                         LIMIT=3600; CARRY=LIST: those of a former run; see tests/fuzz/mutate.sh
+#   make sanitize         memory read before it is written, races between threads; see tests/fuzz/sanitize.sh
+#   make test-python      the Python package of c_api/python, by PYTHON=/usr/bin/python3; see tests/hosts/python.sh
 #   make wheel            build/wheel/*.whl: the Python package in one file for every CPython from 3.9 on
 #   make web              build/web/harmorph-VERSION.tgz, the library as WebAssembly in a package for npm (c_api/web)
 #   make workbench        build/web/workbench.html, the whole program as a page for any browser
 #   make test-web         this package in node, and in Chromium where Chromium is installed
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make test-petsc       harmorph_petsc.c on 1 to 4 processes, where petsc-dev is installed; MESHES=directory of SU2
-#                         files, LARGE="NI:NJ:FIRST ..." of O-meshes, PARTITIONS=012345 SOLVERS=01: tests/petsc/main.c
+#                         files, LARGE="NI:NJ:FIRST ..." of O-meshes, PARTITIONS=012345 SOLVERS=01: tests/hosts/petsc/main.c
 #   make test-openfoam    the motion solver for OpenFOAM (c_api/openfoam) and its tutorials, where OpenFOAM is installed;
 #                         FOAM_SRC=folder src of OpenFOAM's sources
 #   make test-saturne     moving meshes of code_saturne (fortran/examples/code_saturne), where code_saturne is installed
 #   make check-link       the library needs nothing but mem*: it links into C programs
 #   make shared           build/shared/libharmorph.so.ABI, its symbols versioned, for other languages (ELF systems)
-#   make abi              exported calls, structs and constants against tests/abi/interface.txt, and by abidiff against
+#   make abi              exported calls, structs and constants against tests/release/abi/interface.txt, and by abidiff against
 #                         the last tagged release, RELEASE=tarball, or BASE=revision
 #   make cross            other processors and systems under emulators, as far as Debian's cross compilers are there;
-#                         TARGETS="s390x musl"; see tests/cross/run.sh
+#                         TARGETS="s390x musl"; see tests/release/cross/run.sh
 #   make compile-commands  BUILD/compile_commands.json, for editors and clang-tidy
 #   make tidy             the checks of .clang-tidy on the core, by clang-tidy 14; FILES="src/ROOM/FILE.cpp ...": those alone
-#   make compilers        all compilers that are installed, without a warning; LEVELS=-O2; see tests/compilers.sh
+#   make compilers        all compilers that are installed, without a warning; LEVELS=-O2; see tests/release/compilers.sh
 #   make amalgamation     the library in one source with its headers, in build/amalgamation
 #   make test-systems     both commands of README.md in fresh systems, as the superuser: SYSTEMS="bookworm trixie", in the
-#                         folder ROOTS; see tests/systems.sh
-#   make bench            against CHOLMOD, MUMPS, SuperLU, Eigen and OpenBLAS, PETSc (PARTS=iterative) and gmsh
+#                         folder ROOTS; see tests/release/systems.sh
+#   make bench            against CHOLMOD, MUMPS and OpenBLAS, PETSc with BoomerAMG (PARTS=iterative) and gmsh
 #                         (PARTS=files), as far as they are there; see tests/measure/bench/run.sh
 #   make bench-rows       measures what tests/measure/bench/README.md says about speed, and prints the rows of its tables
 #   make deform           how far meshes follow large movements: tables and figures on a page; see tests/measure/deform/run.sh
@@ -50,7 +51,7 @@
 #   make fpm              build/fpm, a package for the Fortran package manager
 #   make test-packages    the Debian packages and the fpm package: built, checked and used, where Debian's tools are installed
 #   make test-release     builds all that a release gives away, and uses each of them from its files alone, in fresh systems,
-#                         too: hours; PARTS="wheel projects": some parts; see tests/release.sh
+#                         too: hours; PARTS="wheel projects": some parts; see tests/release/release.sh
 #   make dist             build/harmorph-VERSION.tar.gz, the same bytes wherever it is made
 #   make install          headers, library, program, manual page, completion, Fortran source, harmorph.pc, CMake config
 #   make install-library  headers, library, harmorph.pc and CMake config alone; the program is not built
@@ -118,16 +119,17 @@ WASM_CXX = clang++
 WASM = --target=wasm32 -mbulk-memory -nostdlibinc -isystem c_api/web/freestanding $(FREESTANDING) -I$(BUILD)/web
 WASM_LINK = --target=wasm32 -nostdlib -Wl,--no-entry,--gc-sections,--strip-all,-O2,--stack-first,-z,stack-size=262144 \
 	-Wl,--max-memory=4294967296,--export=__heap_base,--export-table,--growable-table
-# The program for node, where emscripten is installed (Debian's emscripten and node-acorn). Without zlib and threads.
+# The program for node, where emscripten is installed (Debian's emscripten and node-acorn). Without zlib and threads; for
+# the smallest size, as the library, which computes, has objects of its own.
 EMXX = em++
-NODE = -std=c++17 -fexceptions -I. -Iinclude -Ic_api/cli
-NODE_LINK = -O1 -fexceptions -sENVIRONMENT=node -sNODERAWFS=1 -sWASM_ASYNC_COMPILATION=0 -sALLOW_MEMORY_GROWTH=1 \
+NODE = -std=c++17 -fwasm-exceptions -fno-rtti -I. -Iinclude -Ic_api/cli
+NODE_LINK = -O2 -fwasm-exceptions -sENVIRONMENT=node -sNODERAWFS=1 -sWASM_ASYNC_COMPILATION=0 -sALLOW_MEMORY_GROWTH=1 \
 	-sMAXIMUM_MEMORY=4GB -sEXIT_RUNTIME=1 --pre-js c_api/web/program_before.js
 # The same program for a worker of the workbench, which gives the program files in memory (c_api/web/workbench).
-WORKBENCH_LINK = -O1 -fexceptions -sENVIRONMENT=worker,node -sMODULARIZE=1 -sEXPORT_NAME=make_program -sINVOKE_RUN=0 \
+WORKBENCH_LINK = -O2 -fwasm-exceptions -sENVIRONMENT=worker,node -sMODULARIZE=1 -sEXPORT_NAME=make_program -sINVOKE_RUN=0 \
 	-sFORCE_FILESYSTEM=1 -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sEXIT_RUNTIME=1 \
 	-sEXPORTED_RUNTIME_METHODS=FS,callMain
-CLI = -std=c++17 -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) $(WITH_ZLIB) -I. -Iinclude -Ic_api/cli
+CLI = -std=c++17 -ffp-contract=off -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) $(WITH_ZLIB) -I. -Iinclude -Ic_api/cli
 # CGNS=1: the program reads and writes CGNS files; it needs libcgns (Debian's libcgns-dev), the library does not.
 CGNS =
 # The program reads and writes compressed files where zlib is installed (Debian's zlib1g-dev): c_api/packaging/rules.sh tries, and
@@ -209,14 +211,14 @@ fuzz:
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' FUZZ_SECONDS='$(SECONDS)' sh tests/fuzz/run.sh
 
 coverage:
-	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' sh tests/coverage.sh
+	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' sh tests/fuzz/coverage.sh
 
 mutate:
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' MUTANTS='$(MUTANTS)' SEED='$(SEED)' FILES='$(FILES)' \
-	    LIMIT='$(LIMIT)' sh tests/mutate.sh
+	    LIMIT='$(LIMIT)' CARRY='$(CARRY)' TIMES='$(TIMES)' sh tests/fuzz/mutate.sh
 
 sanitize:
-	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' sh tests/sanitize.sh
+	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' sh tests/fuzz/sanitize.sh
 
 # The library as WebAssembly, and the package for npm.
 WEB = $(BUILD)/web/harmorph.wasm $(BUILD)/web/harmorph_simd128.wasm
@@ -238,7 +240,7 @@ web: web-modules
 	@VERSION=$(VERSION) EMXX='$(EMXX)' sh c_api/web/pack.sh pack $(BUILD)
 
 test-web: all web
-	@CC='$(CC)' EMXX='$(EMXX)' sh tests/web.sh $(BUILD)
+	@CC='$(CC)' EMXX='$(EMXX)' sh tests/hosts/web.sh $(BUILD)
 
 mpi: all
 	$(MPICC) $(CFLAGS) -Wall -Wextra -Wno-missing-field-initializers -fPIC -Iinclude -Ic_api -c -o $(BUILD)/objects/harmorph_mpi.o c_api/mpi/harmorph_mpi.c
@@ -256,7 +258,7 @@ shared: all
 	@ln -sf libharmorph.so.$(ABI) $(BUILD)/shared/libharmorph.so
 
 abi: all
-	@MAKE='$(MAKE)' CXX='$(CXX)' CC='$(CC)' RELEASE='$(RELEASE)' BASE='$(BASE)' sh tests/abi/run.sh $(BUILD)
+	@MAKE='$(MAKE)' CXX='$(CXX)' CC='$(CC)' RELEASE='$(RELEASE)' BASE='$(BASE)' sh tests/release/abi/run.sh $(BUILD)
 
 manual: all
 	@new=$(BUILD)/harmorph.1.$$$$; sh c_api/cli/manual.sh $(PROGRAM) $(VERSION) $$new && mv -f $$new $(BUILD)/harmorph.1
@@ -269,11 +271,11 @@ fpm: rules amalgamation
 	@sh c_api/packaging/fpm.sh $(BUILD)
 
 test-packages: checked
-	@$(SCRIPT_JOBS); MAKE='$(MAKE)' FC='$(FC)' sh tests/packages.sh $(BUILD)
+	@$(SCRIPT_JOBS); MAKE='$(MAKE)' FC='$(FC)' sh tests/release/packages.sh $(BUILD)
 
 test-release: all meshes
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' PYTHON='$(PYTHON)' CC='$(CC)' FC='$(FC)' PARTS='$(PARTS)' SYSTEMS='$(SYSTEMS)' \
-	    MIRROR='$(MIRROR)' sh tests/release.sh $(BUILD) '$(ROOTS)'
+	    MIRROR='$(MIRROR)' sh tests/release/release.sh $(BUILD) '$(ROOTS)'
 
 dist:
 	@mkdir -p $(BUILD)
@@ -281,10 +283,10 @@ dist:
 	@echo $(BUILD)/harmorph-$(VERSION).tar.gz
 
 cross: all meshes
-	@$(SCRIPT_JOBS); CC='$(CC)' TARGETS='$(TARGETS)' PARTS='$(PARTS)' sh tests/cross/run.sh $(BUILD)
+	@$(SCRIPT_JOBS); CC='$(CC)' TARGETS='$(TARGETS)' PARTS='$(PARTS)' sh tests/release/cross/run.sh $(BUILD)
 
 compilers: all
-	@LEVELS='$(LEVELS)' COMPILERS='$(COMPILERS)' sh tests/compilers.sh $(BUILD)
+	@LEVELS='$(LEVELS)' COMPILERS='$(COMPILERS)' sh tests/release/compilers.sh $(BUILD)
 
 amalgamation:
 	@rm -rf $(BUILD)/amalgamation
@@ -293,20 +295,20 @@ amalgamation:
 	@for header in `cat fortran/harmorph/headers`; do cp include/$$header $(BUILD)/amalgamation/; done
 
 check-link: all
-	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/check_link.sh $(BUILD)
+	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/release/check_link.sh $(BUILD)
 
-test: all meshes
+test: checked
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' \
-	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' sh tests/run.sh
+	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' ONLY='$(ONLY)' sh tests/run.sh
 
 test-python: all meshes
-	@CXX='$(CXX)' PYTHON='$(PYTHON)' sh tests/python.sh $(BUILD)
+	@CXX='$(CXX)' PYTHON='$(PYTHON)' sh tests/hosts/python.sh $(BUILD)
 
 wheel: all
 	@CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' sh c_api/packaging/wheel.sh $(BUILD)
 
 test-petsc: all meshes
-	@CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' FFLAGS='$(FFLAGS)' MPICC='$(MPICC)' MESHES='$(MESHES)' sh tests/petsc.sh $(BUILD)
+	@CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' FFLAGS='$(FFLAGS)' MPICC='$(MPICC)' MESHES='$(MESHES)' sh tests/hosts/petsc.sh $(BUILD)
 
 test-openfoam: all
 	@MAKE='$(MAKE)' FOAM_SRC='$(FOAM_SRC)' sh c_api/openfoam/tutorials/run.sh $(BUILD)
@@ -315,7 +317,7 @@ test-saturne: all
 	@MAKE='$(MAKE)' FC='$(FC)' sh fortran/examples/code_saturne/run.sh $(BUILD)
 
 test-systems: checked
-	@SYSTEMS='$(SYSTEMS)' MIRROR='$(MIRROR)' sh tests/systems.sh '$(ROOTS)'
+	@SYSTEMS='$(SYSTEMS)' MIRROR='$(MIRROR)' sh tests/release/systems.sh '$(ROOTS)'
 
 bench-petsc: all
 	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/measure/bench/petsc.sh
@@ -329,19 +331,19 @@ bench-rows: all
 	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' FILE='$(FILE)' sh tests/measure/bench/rows.sh
 
 deform: deform-seeded meshes
-	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' SEEDS='$(SEEDS)' sh tests/figures.sh '$(BUILD)/deform' \
+	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' SEEDS='$(SEEDS)' sh tests/measure/figures.sh '$(BUILD)/deform' \
 	    'Large movements of meshes' \
 	    sh tests/measure/deform/run.sh
 
 compare: all meshes
-	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' sh tests/figures.sh '$(BUILD)/compare' \
+	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' sh tests/measure/figures.sh '$(BUILD)/compare' \
 	    'Methods that deform meshes' sh tests/measure/compare/run.sh
 
 claims: all meshes
 	@$(SCRIPT_JOBS); $(PYTHON) tests/measure/claims/claims.py $(BUILD) $(NAMES)
 
 paper: all meshes
-	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' sh tests/figures.sh '$(BUILD)/paper' 'The cases of the paper' sh tests/measure/paper/run.sh
+	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' sh tests/measure/figures.sh '$(BUILD)/paper' 'The cases of the paper' sh tests/measure/paper/run.sh
 
 bench-mpi: all
 	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/measure/bench/mpi.sh
