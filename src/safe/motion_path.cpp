@@ -15,6 +15,48 @@ Vec2 complex_root(Vec2 z) noexcept {
 
 }  // namespace
 
+void find_bulge(Span<const Vec2> from, Span<const Vec2> to, Span<Vec2> bulge) noexcept {
+    Index const n = from.count();
+    auto const after = [&](Index k) { return k + 1 < n ? k + 1 : 0; };
+    auto const rotation = [&](Index k) {
+        Vec2 const before = from[after(k)] - from[k], now = to[after(k)] - to[k];
+        Vec2 const ratio = square(before) > 0 ? quotient(now, before) : Vec2{};
+        Real const size = length(ratio);
+        return size > 0 ? 1 / size * ratio : Vec2{1, 0};
+    };
+    Index first = 0;
+    for (Index k = 0; k < n; ++k) {
+        if (rotation(k).x > rotation(first).x) first = k;
+    }
+    // Calls visit(point, side from there, weight of the side) for the sides in the middle. Returns
+    // whether the angles return to the first one.
+    auto const for_sides = [&](auto const& visit) {
+        Vec2 root{1, 0};
+        for (Index j = 0, k = first; j < n; ++j, k = after(k)) {
+            Vec2 const own = complex_root(rotation(k));
+            root = dot(own, root) < 0 ? -1 * own : own;
+            Vec2 const before = from[after(k)] - from[k], now = to[after(k)] - to[k];
+            Vec2 const side = 0.5 * (product(root, before) + product(conjugate(root), now));
+            visit(k, side, length(side) * length(root - Vec2{1, 0}));
+        }
+        return dot(root, complex_root(rotation(first))) > 0;
+    };
+    Vec2 gap, at, mean;
+    Real weights = 0;
+    bool const returns = for_sides([&](Index, Vec2 side, Real weight) {
+        gap = gap + side;
+        weights += weight;
+    });
+    fill(bulge, Vec2{});
+    if (!returns || weights == 0) return;
+    for_sides([&](Index k, Vec2 side, Real weight) {
+        bulge[k] = at - 0.5 * (from[k] + to[k]);
+        mean = mean + 1 / static_cast<Real>(n) * bulge[k];
+        at = at + side - weight / weights * gap;
+    });
+    for (Vec2& b : bulge) b = b - mean;
+}
+
 Vec2 complex_power(Vec2 r, Real t) noexcept {
     constexpr Index bits = 40;
     if (t >= 1) return r;
@@ -51,6 +93,10 @@ void MovementPath::init(Basis const& basis, const Real* move) noexcept {
         note(basis.joined_point[k], basis.joined_slot[k]);
     find_groups(basis);
     find_anchors(basis);
+    bend(basis);
+}
+
+void MovementPath::bend(Basis const& basis) noexcept {
     fit_all(basis, basis.kind() == ValueKind::real);
 }
 
@@ -58,7 +104,7 @@ void MovementPath::straighten(Basis const& basis) noexcept { fit_all(basis, true
 
 bool MovementPath::is_bent() const noexcept {
     for (Index const group : group_of) {
-        if (!groups[group].is_straight()) return true;
+        if (!groups[group].is_straight() || groups[group].bulge != 0) return true;
     }
     return false;
 }
@@ -83,6 +129,7 @@ void MovementPath::fit_all(Basis const& basis, bool straight) noexcept {
         ModeWay const way =
             mode_ways.empty() || straight ? ModeWay{{}, not_at_all} : mode_ways[mode];
         set_alone(first_mode + mode, way.start, way.ratio, false);
+        groups[first_mode + mode].bulge = way.bulge;
     }
 }
 
@@ -195,7 +242,7 @@ void MovementPath::at(Real t, Span<Real> movement) const noexcept {
     for (Index i = 0; i < group_of.count(); ++i) {
         Group const& similarity = groups[group_of[i]];
         if (similarity.is_straight()) {
-            movement[2 * i] = t * drift[i].x;
+            movement[2 * i] = t * drift[i].x + 4 * t * (1 - t) * similarity.bulge;
             movement[2 * i + 1] = t * drift[i].y;
             continue;
         }

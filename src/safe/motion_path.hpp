@@ -41,6 +41,13 @@ Similarity fit_similarity(ForEach const& for_each) noexcept {
     return fit;
 }
 
+// Finds how far the middle of the way from the closed polygon `from` to the closed polygon `to`
+// bends away from the straight line, for each point. In the middle, each side has turned by half of
+// its angle, and has the mean of both lengths, so that a part that turns neither shrinks nor passes
+// through other parts. Angles are continuous round the polygon; if they do not return to the first
+// one, the way is straight. The sides that turn close the polygon in the middle.
+void find_bulge(Span<const Vec2> from, Span<const Vec2> to, Span<Vec2> bulge) noexcept;
+
 // Returns r^t for 0 <= t <= 1, with the argument of r between -pi and pi, by square roots alone.
 Vec2 complex_power(Vec2 r, Real t) noexcept;
 
@@ -56,15 +63,17 @@ Vec2 complex_power(Vec2 r, Real t) noexcept;
 // rotate together.
 struct MovementPath {
     // The amplitude of a mode is r^t (start + t drift) - start, where the drift leads to the target
-    // of the mode.
+    // of the mode, and 4 t (1 - t) bulge is added to it.
     struct ModeWay {
         Vec2 start, ratio;
+        Real bulge = 0;
     };
 
     struct Group {
         Vec2 centre, shift, ratio;  // c, d, r
         Index members = 0;
         bool anchored = false;  // a wall of the group ends on another boundary
+        Real bulge = 0;         // of a mode
 
         bool is_straight() const noexcept { return ratio.x == 1 && ratio.y == 0; }
     };
@@ -82,9 +91,10 @@ struct MovementPath {
 
     void lay_out(Arena& arena, BasisCounts const& counts) noexcept;
     void init(Basis const& basis, const Real* move) noexcept;
-    // Makes all groups go straight.
+    // Makes all groups and modes go straight, or again on the ways that init() finds.
+    void bend(Basis const& basis) noexcept;
     void straighten(Basis const& basis) noexcept;
-    // Returns whether any group rotates or scales.
+    // Returns whether any group rotates or scales, or any mode has a bulge.
     bool is_bent() const noexcept;
 
     // Finds the movement [2 * functions] from the start to the time t, 0 <= t <= 1; at 1 it is

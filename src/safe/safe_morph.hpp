@@ -137,6 +137,7 @@ private:
     Status several_steps(Work& work) noexcept;
     Status search_farthest(Work& work) noexcept;
     void begin(Work& work) noexcept;
+    void resume(Work& work) noexcept;
     AdmissibleStep look_ahead(Work& work, Basis const& by, Real to) noexcept;
     bool is_valid(Work const& work, Points points) const noexcept;
     void take_step(Work& work, Basis const& by) noexcept;

@@ -84,9 +84,16 @@ Status SafeMorph::substeps(Work& work) noexcept {
     // After a solution that failed, `here` may contain any values; the functions of the start can
     // always be used.
     const Basis* by = &work.basis;
+    bool const resumes = work.searches && work.derivative == nullptr;
+    if (resumes) resume(work);
     if (work.options.tries(Strategy::substeps)) {
         Real length = 0;
-        by = &choose_first(work, length);
+        if (!resumes) {
+            by = &choose_first(work, length);
+        } else if (!failed(solve_by(work, here, operators.now()))) {
+            by = &here;
+            length = find_step(work, here);
+        }
         while (length >= min_substep) {
             work.attempt.strategy = Strategy::substeps;
             take_step(work, *by);
@@ -115,7 +122,7 @@ Status SafeMorph::substeps(Work& work) noexcept {
         }
         if (work.attempt.steps > 0) keep_if_better(work);
     }
-    leap(work, *by, true);
+    if (!resumes || work.aim < 1) leap(work, *by, true);
     return Status::ok;
 }
 
@@ -379,7 +386,7 @@ bool SafeMorph::improve(Work& work, Points from) noexcept {
 // solved on a better mesh carry the mesh farther, and to better cells.
 void SafeMorph::improve_on_the_way(Work& work) noexcept {
     constexpr Real poor = 0.5;  // in parts of the smallest quality of the start
-    constexpr Index max_solutions = 2;
+    Index const max_solutions = work.searches ? 4 : 2;
     if (work.derivative != nullptr || !work.options.tries(Strategy::improved)) return;
     Outcome here;
     Fault why;
