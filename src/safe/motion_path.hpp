@@ -54,7 +54,9 @@ Vec2 complex_power(Vec2 r, Real t) noexcept;
 // Control points that curves connect rotate and scale together. The similarity z -> c + d + r (z -
 // c) that fits their movement best proceeds along r^t, and the remainder of the movement grows
 // linearly in the rotating frame:
-//   P_i(t) = c + t d + r^t (P_i - c + t D_i),   D_i = (P_i + dP_i - c - d) / r - (P_i - c).
+//   P_i(t) = c + t d + r^t (P_i - c + t D_i + 4 t (1 - t) B_i),
+//   D_i = (P_i + dP_i - c - d) / r - (P_i - c).
+// B_i is the bulge of a polygon of control points, if one closed curve connects them.
 // So a rotation is a rotation at each time, whereas a straight line would shrink the body. Rigid
 // bodies move in the same way. Three kinds of groups go straight, with r = 1: groups with functions
 // of real values, which cannot rotate; walls that end on another boundary, because only on a
@@ -73,7 +75,6 @@ struct MovementPath {
         Vec2 centre, shift, ratio;  // c, d, r
         Index members = 0;
         bool anchored = false;  // a wall of the group ends on another boundary
-        Real bulge = 0;         // of a mode
 
         bool is_straight() const noexcept { return ratio.x == 1 && ratio.y == 0; }
     };
@@ -83,8 +84,10 @@ struct MovementPath {
     // [functions] P_i - c and D_i of a group; 1 and 0 for the rotation of a rigid body; P_i and
     // dP_i if the group goes straight.
     Span<Vec2> start, drift;
-    Span<Real> target;              // [2 * functions] dP
-    Span<const ModeWay> mode_ways;  // [modes], or empty: all modes go straight
+    Span<Vec2> bulge;                            // [functions]
+    Span<Vec2> polygon, target_polygon, middle;  // [functions] working space
+    Span<Real> target;                           // [2 * functions] dP
+    Span<const ModeWay> mode_ways;               // [modes], or empty: all modes go straight
 
     // [points] The number of a point on a wall that functions move, or none.
     Span<Index> slot_of;
@@ -94,7 +97,7 @@ struct MovementPath {
     // Makes all groups and modes go straight, or again on the ways that init() finds.
     void bend(Basis const& basis) noexcept;
     void straighten(Basis const& basis) noexcept;
-    // Returns whether any group rotates or scales, or any mode has a bulge.
+    // Returns whether any group rotates or scales, or any function has a bulge.
     bool is_bent() const noexcept;
 
     // Finds the movement [2 * functions] from the start to the time t, 0 <= t <= 1; at 1 it is
@@ -120,6 +123,7 @@ private:
     // Sets one function that is a group by itself, from `from` with the similarity z -> ratio z.
     void set_alone(Index function, Vec2 from, Vec2 ratio, bool anchored) noexcept;
     void fit_group(Basis const& basis, Index group, bool straight) noexcept;
+    void bend_curve(Basis const& basis, Index number) noexcept;
 };
 
 // Returns the factor r^t by which each group of a path has rotated and scaled at one time. The last

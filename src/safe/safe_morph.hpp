@@ -174,7 +174,7 @@ private:
     void measure_worst(Work& work) const noexcept;
     void finish_derivative(Work& work) noexcept;
     bool keep_order_of_slipping(Work const& work) noexcept;
-    bool untangle_ahead(Work& work) noexcept;
+    bool untangle_ahead(Work& work, Real max_work) noexcept;
     void find_end_that_leaves(Work& work) const noexcept;
     bool is_beside(Work const& work, Index cell, Index point) const noexcept;
     Status finish(Work& work) noexcept;

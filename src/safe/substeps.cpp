@@ -16,6 +16,9 @@ constexpr Index max_trials = 12;
 constexpr Index usual_resolves = 5;
 // The largest number of leaps over the rest of the movement before all solutions are used up.
 constexpr Index max_leaps = 2;
+// The most that the untangling after a leap may cost, in solutions. Those that succeed take less
+// than two in most meshes.
+constexpr Real untangling_on_the_way = 4, last_untangling = 16;
 // A step is too short if it is less than this part of the pace that leads to the target with the
 // remaining solutions.
 constexpr Real stuck_below = 0.5;
@@ -294,7 +297,7 @@ bool SafeMorph::keep_order_of_slipping(Work const& work) noexcept {
 
 // Untangles the mesh ahead with all boundary points held, and if that fails, with points that
 // slip.
-bool SafeMorph::untangle_ahead(Work& work) noexcept {
+bool SafeMorph::untangle_ahead(Work& work, Real max_work) noexcept {
     mobility.find(work.plan, mesh.ahead());
     bool const any_slips = keep_order_of_slipping(work);
     untangling.executor = work.executor();
@@ -303,7 +306,7 @@ bool SafeMorph::untangle_ahead(Work& work) noexcept {
         untangling.tangle = tangle;
         untangling.slipping = slipping;
         UntangleOptions options = work.options.untangle;
-        options.max_work = static_cast<Real>(work.solutions_left());
+        options.max_work = min(max_work, static_cast<Real>(work.solutions_left()));
         Status const status = untangling.run(options, mesh.to_ahead(), work.report.untangle, why);
         work.report.untangling += work.report.untangle.work;
         // A boundary may cross itself although no cell is inverted.
@@ -322,7 +325,7 @@ bool SafeMorph::untangle_ahead(Work& work) noexcept {
 bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     if (!work.options.tries(Strategy::untangled)) return false;
     look_ahead(work, by, work.aim);
-    if (!untangle_ahead(work)) return false;
+    if (!untangle_ahead(work, is_last ? last_untangling : untangling_on_the_way)) return false;
     Fault why;
     Outcome there = work.attempt;
     there.strategy = Strategy::untangled;
