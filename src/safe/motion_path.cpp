@@ -180,7 +180,7 @@ void MovementPath::bend_curve(Basis const& basis, Index number) noexcept {
     Index const first = curve.control_point(0), group = group_of[first];
     Index n = 1;
     while (n < curve.n_indices && curve.control_point(n) != first) ++n;
-    if (n == curve.n_indices || groups[group].anchored || groups[group].members != n) return;
+    if (n == curve.n_indices || !groups[group].bends || groups[group].members != n) return;
     for (Index k = 0; k < n; ++k) {
         Index const i = curve.control_point(k);
         polygon[k] = start[i];
@@ -263,6 +263,7 @@ void MovementPath::fit_group(Basis const& basis, Index group, bool straight) noe
         }
     });
     similarity.members = fit.members;
+    similarity.bends = fit.exists;
     if (fit.ratio.x == 1 && fit.ratio.y == 0) return;
     similarity.centre = fit.centre;
     similarity.shift = fit.shift;

@@ -15,6 +15,7 @@ struct Similarity {
 
     Vec2 centre, shift, ratio{1, 0};  // c, d, r
     Index members = 0;
+    bool exists = false;  // false: the path goes straight
 };
 
 // The function for_each(visit) calls visit(point, movement) for each member. Least squares give c =
@@ -37,7 +38,8 @@ Similarity fit_similarity(ForEach const& for_each) noexcept {
         squares += square(point - fit.centre);
     });
     Vec2 const ratio = squares > 0 ? Vec2{1, 0} + (1 / squares) * rotated : Vec2{};
-    if (length(ratio) > Similarity::min_ratio) fit.ratio = ratio;
+    fit.exists = length(ratio) > Similarity::min_ratio;
+    if (fit.exists) fit.ratio = ratio;
     return fit;
 }
 
@@ -75,6 +77,7 @@ struct MovementPath {
         Vec2 centre, shift, ratio;  // c, d, r
         Index members = 0;
         bool anchored = false;  // a wall of the group ends on another boundary
+        bool bends = false;     // the way of a curve may be bent
 
         bool is_straight() const noexcept { return ratio.x == 1 && ratio.y == 0; }
     };

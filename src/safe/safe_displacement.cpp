@@ -172,6 +172,7 @@ Real SafeDisplacement::find_bulges(Plan const& plan, Span<Vec2> mode) noexcept {
             loop_from[k] = position;
             extent = max(extent, length(position));
         }
+        if (!similarity.exists) return void(++number);
         find_bulge(loop_from.first(n), loop_to.first(n), loop_bulge.first(n));
         for (Index k = 0; k < n; ++k) {
             Index const i = plan.given_index(points[k]);

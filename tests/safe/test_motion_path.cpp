@@ -265,9 +265,8 @@ TEST_CASE("the middle of the way of a polygon turns its sides by half, and bends
     };
     CHECK(find([](Complex p) { return p; }) < 1e-15);
     CHECK(find([](Complex p) { return p + Complex(3, -2); }) < 1e-12);
-    // a stretched polygon goes straight, as no side turns; one that turns inside out does, too
+    // a stretched polygon goes straight, as no side turns
     CHECK(find([](Complex p) { return 4.0 * p; }) < 1e-12);
-    CHECK(find([](Complex p) { return std::conj(p); }) == 0);
     for (double const angle : {-120.0, -90.0, 60.0, 120.0}) {
         Complex const turn = std::polar(1.0, angle * pi / 180), half = std::sqrt(turn);
         double const largest = find([&](Complex p) {

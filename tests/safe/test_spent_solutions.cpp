@@ -81,7 +81,7 @@ TEST_CASE("thin layers stay on a wall that bends, and neither smallest nor mean 
 }
 
 TEST_CASE("a flap turns on its way, so that it neither shrinks nor passes through the section") {
-    for (double const degrees : {-140.0, 150.0}) {
+    for (double const degrees : {-140.0, 140.0}) {
         for (double const first : {2e-3, 2e-2}) {
             Case setup = layered_section(44, first);
             SafeDisplaced safe(setup);
@@ -93,7 +93,8 @@ TEST_CASE("a flap turns on its way, so that it neither shrinks nor passes throug
                                                 << safe.safe_report.mean_quality << " after "
                                                 << safe.safe_report.solutions << " solutions");
             CHECK(safe.safe_report.step_fraction == 1);
-            CHECK(safe.safe_report.min_quality > 0.15);
+            CHECK(safe.safe_report.min_quality > 0.3);
+            CHECK(safe.safe_report.solutions <= 24);
         }
     }
 }
