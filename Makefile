@@ -1,37 +1,39 @@
 # harmorph. POSIX make and any C++17 compiler; there is no configure step.
 #
 #   make                  library and program; harmorph.f90, harmorph77.f90 and harmorph_mpi.f90, each of one piece
-#   make test             all tests; the last line counts them
+#   make test             all tests; the last line counts them. ONLY=formats: those of one folder of tests (or of one
+#                         script), with a count of their own; a name that does not exist is refused with all names
 #   make unit             the C++ tests alone; UNITS='tests/safe/test_*.cpp': those of these files only
 #   make fuzz             random problems, damaged bases, calls in any order and damaged files, under sanitizers;
 #                         SECONDS=600; see tests/fuzz/run.sh
-#   make coverage         branches of the library that the C++ tests take, by gcov; see tests/coverage.sh
-#   make mutate           small errors put into the library, and how many the tests find: MUTANTS=200 SEED=1 LIMIT=3600; see
-#                         tests/mutate.sh
-#   make sanitize         memory read before it is written, races between threads; see tests/sanitize.sh
-#   make test-python      the Python package of c_api/python, by PYTHON=/usr/bin/python3; see tests/python.sh
+#   make coverage         branches of the library that the C++ tests take, by gcov; see tests/fuzz/coverage.sh
+#   make mutate           small errors put into the library, and how many the tests find: MUTANTS=200 SEED=1
+#                         LIMIT=3600; CARRY=LIST: those of a former run; see tests/fuzz/mutate.sh
+#   make sanitize         memory read before it is written, races between threads; see tests/fuzz/sanitize.sh
+#   make test-python      the Python package of c_api/python, by PYTHON=/usr/bin/python3; see tests/hosts/python.sh
 #   make wheel            build/wheel/*.whl: the Python package in one file for every CPython from 3.9 on
 #   make web              build/web/harmorph-VERSION.tgz, the library as WebAssembly in a package for npm (c_api/web)
+#   make workbench        build/web/workbench.html, the whole program as a page for any browser
 #   make test-web         this package in node, and in Chromium where Chromium is installed
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make test-petsc       harmorph_petsc.c on 1 to 4 processes, where petsc-dev is installed; MESHES=directory of SU2
-#                         files, LARGE="NI:NJ:FIRST ..." of O-meshes, PARTITIONS=012345 SOLVERS=01: tests/petsc/main.c
+#                         files, LARGE="NI:NJ:FIRST ..." of O-meshes, PARTITIONS=012345 SOLVERS=01: tests/hosts/petsc/main.c
 #   make test-openfoam    the motion solver for OpenFOAM (c_api/openfoam) and its tutorials, where OpenFOAM is installed;
 #                         FOAM_SRC=folder src of OpenFOAM's sources
 #   make test-saturne     moving meshes of code_saturne (fortran/examples/code_saturne), where code_saturne is installed
 #   make check-link       the library needs nothing but mem*: it links into C programs
 #   make shared           build/shared/libharmorph.so.ABI, its symbols versioned, for other languages (ELF systems)
-#   make abi              exported calls, structs and constants against tests/abi/interface.txt, and by abidiff against
+#   make abi              exported calls, structs and constants against tests/release/abi/interface.txt, and by abidiff against
 #                         the last tagged release, RELEASE=tarball, or BASE=revision
 #   make cross            other processors and systems under emulators, as far as Debian's cross compilers are there;
-#                         TARGETS="s390x musl"; see tests/cross/run.sh
+#                         TARGETS="s390x musl"; see tests/release/cross/run.sh
 #   make compile-commands  BUILD/compile_commands.json, for editors and clang-tidy
 #   make tidy             the checks of .clang-tidy on the core, by clang-tidy 14; FILES="src/ROOM/FILE.cpp ...": those alone
-#   make compilers        all compilers that are installed, without a warning; LEVELS=-O2; see tests/compilers.sh
+#   make compilers        all compilers that are installed, without a warning; LEVELS=-O2; see tests/release/compilers.sh
 #   make amalgamation     the library in one source with its headers, in build/amalgamation
 #   make test-systems     both commands of README.md in fresh systems, as the superuser: SYSTEMS="bookworm trixie", in the
-#                         folder ROOTS; see tests/systems.sh
-#   make bench            against CHOLMOD, MUMPS, SuperLU, Eigen and OpenBLAS, PETSc (PARTS=iterative) and gmsh
+#                         folder ROOTS; see tests/release/systems.sh
+#   make bench            against CHOLMOD, MUMPS and OpenBLAS, PETSc with BoomerAMG (PARTS=iterative) and gmsh
 #                         (PARTS=files), as far as they are there; see tests/measure/bench/run.sh
 #   make bench-rows       measures what tests/measure/bench/README.md says about speed, and prints the rows of its tables
 #   make deform           how far meshes follow large movements: tables and figures on a page; see tests/measure/deform/run.sh
@@ -49,7 +51,7 @@
 #   make fpm              build/fpm, a package for the Fortran package manager
 #   make test-packages    the Debian packages and the fpm package: built, checked and used, where Debian's tools are installed
 #   make test-release     builds all that a release gives away, and uses each of them from its files alone, in fresh systems,
-#                         too: hours; PARTS="wheel projects": some parts; see tests/release.sh
+#                         too: hours; PARTS="wheel projects": some parts; see tests/release/release.sh
 #   make dist             build/harmorph-VERSION.tar.gz, the same bytes wherever it is made
 #   make install          headers, library, program, manual page, completion, Fortran source, harmorph.pc, CMake config
 #   make install-library  headers, library, harmorph.pc and CMake config alone; the program is not built
@@ -69,7 +71,7 @@
 	bench-petsc deform paper demo install uninstall clean \
 	test-openfoam test-saturne test-systems \
 	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist \
-	compile-commands tidy wheel test-release web-tools web-modules page-module web test-web
+	compile-commands tidy wheel test-release web-tools web-modules page-module web workbench test-web
 
 BUILD = build
 # PREFIX is /usr/local if it is not given; DESTDIR is empty. Both come from the environment of the recipes, where make
@@ -122,6 +124,10 @@ EMXX = em++
 NODE = -std=c++17 -fexceptions -I. -Iinclude -Ic_api/cli
 NODE_LINK = -O1 -fexceptions -sENVIRONMENT=node -sNODERAWFS=1 -sWASM_ASYNC_COMPILATION=0 -sALLOW_MEMORY_GROWTH=1 \
 	-sMAXIMUM_MEMORY=4GB -sEXIT_RUNTIME=1 --pre-js c_api/web/program_before.js
+# The same program for a worker of the workbench, which gives the program files in memory (c_api/web/workbench).
+WORKBENCH_LINK = -O1 -fexceptions -sENVIRONMENT=worker,node -sMODULARIZE=1 -sEXPORT_NAME=make_program -sINVOKE_RUN=0 \
+	-sFORCE_FILESYSTEM=1 -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sEXIT_RUNTIME=1 \
+	-sEXPORTED_RUNTIME_METHODS=FS,callMain
 CLI = -std=c++17 -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) $(WITH_ZLIB) -I. -Iinclude -Ic_api/cli
 # CGNS=1: the program reads and writes CGNS files; it needs libcgns (Debian's libcgns-dev), the library does not.
 CGNS =
@@ -157,7 +163,7 @@ rules: checked
 	@UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
 	    WASM_CXX='$(WASM_CXX)' \
 	    FLAGS='$(CXX) $(LEVEL) $(KERNEL_LEVEL) $(DENSE_LEVEL) $(PROGRAM_LEVEL) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' \
-	    WASM_FLAGS='$(WASM_CXX) $(WASM) $(WASM_LINK)' NODE_FLAGS='$(EMXX) $(NODE) $(NODE_LINK)' \
+	    WASM_FLAGS='$(WASM_CXX) $(WASM) $(WASM_LINK)' NODE_FLAGS='$(EMXX) $(NODE) $(NODE_LINK) $(WORKBENCH_LINK)' \
 	    sh c_api/packaging/rules.sh $(BUILD)
 
 # The random movements of `make deform`; `make test` compiles them, too.
@@ -204,23 +210,28 @@ fuzz:
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' FUZZ_SECONDS='$(SECONDS)' sh tests/fuzz/run.sh
 
 coverage:
-	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' sh tests/coverage.sh
+	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' sh tests/fuzz/coverage.sh
 
 mutate:
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' MUTANTS='$(MUTANTS)' SEED='$(SEED)' FILES='$(FILES)' \
-	    LIMIT='$(LIMIT)' sh tests/mutate.sh
+	    LIMIT='$(LIMIT)' CARRY='$(CARRY)' TIMES='$(TIMES)' sh tests/fuzz/mutate.sh
 
 sanitize:
-	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' sh tests/sanitize.sh
+	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' sh tests/fuzz/sanitize.sh
 
 # The library as WebAssembly, and the package for npm.
 WEB = $(BUILD)/web/harmorph.wasm $(BUILD)/web/harmorph_simd128.wasm
 web-tools: checked
 	@WASM_CXX='$(WASM_CXX)' sh c_api/web/pack.sh tools
 web-modules: web-tools rules
-	+@program=; if command -v $(EMXX) >/dev/null; then program=$(BUILD)/web/program.js; \
-	else echo "$(EMXX) not found: the package has no program; install Debian's emscripten and node-acorn"; fi; \
+	+@program=; if command -v $(EMXX) >/dev/null; then program='$(BUILD)/web/program.js $(WORKBENCH)'; \
+	else echo "left out: the program of the package, and $(WORKBENCH):"; $(WORKBENCH_TOOLS); fi; \
 	$(MAKE_BY_RULES) $(WEB) $$program
+# The whole program as one page.
+WORKBENCH = $(BUILD)/web/workbench.html
+WORKBENCH_TOOLS = WASM_CXX='$(WASM_CXX)' EMXX='$(EMXX)' sh c_api/web/pack.sh workbench 2>&1
+workbench: checked rules
+	+@$(WORKBENCH_TOOLS) && $(MAKE_BY_RULES) $(WORKBENCH)
 # What the program has of pages, for CMake.
 page-module: rules
 	+@$(MAKE_BY_RULES) $(BUILD)/page_module.cpp
@@ -228,7 +239,7 @@ web: web-modules
 	@VERSION=$(VERSION) EMXX='$(EMXX)' sh c_api/web/pack.sh pack $(BUILD)
 
 test-web: all web
-	@CC='$(CC)' EMXX='$(EMXX)' sh tests/web.sh $(BUILD)
+	@CC='$(CC)' EMXX='$(EMXX)' sh tests/hosts/web.sh $(BUILD)
 
 mpi: all
 	$(MPICC) $(CFLAGS) -Wall -Wextra -Wno-missing-field-initializers -fPIC -Iinclude -Ic_api -c -o $(BUILD)/objects/harmorph_mpi.o c_api/mpi/harmorph_mpi.c
@@ -246,7 +257,7 @@ shared: all
 	@ln -sf libharmorph.so.$(ABI) $(BUILD)/shared/libharmorph.so
 
 abi: all
-	@MAKE='$(MAKE)' CXX='$(CXX)' CC='$(CC)' RELEASE='$(RELEASE)' BASE='$(BASE)' sh tests/abi/run.sh $(BUILD)
+	@MAKE='$(MAKE)' CXX='$(CXX)' CC='$(CC)' RELEASE='$(RELEASE)' BASE='$(BASE)' sh tests/release/abi/run.sh $(BUILD)
 
 manual: all
 	@new=$(BUILD)/harmorph.1.$$$$; sh c_api/cli/manual.sh $(PROGRAM) $(VERSION) $$new && mv -f $$new $(BUILD)/harmorph.1
@@ -259,11 +270,11 @@ fpm: rules amalgamation
 	@sh c_api/packaging/fpm.sh $(BUILD)
 
 test-packages: checked
-	@$(SCRIPT_JOBS); MAKE='$(MAKE)' FC='$(FC)' sh tests/packages.sh $(BUILD)
+	@$(SCRIPT_JOBS); MAKE='$(MAKE)' FC='$(FC)' sh tests/release/packages.sh $(BUILD)
 
 test-release: all meshes
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' PYTHON='$(PYTHON)' CC='$(CC)' FC='$(FC)' PARTS='$(PARTS)' SYSTEMS='$(SYSTEMS)' \
-	    MIRROR='$(MIRROR)' sh tests/release.sh $(BUILD) '$(ROOTS)'
+	    MIRROR='$(MIRROR)' sh tests/release/release.sh $(BUILD) '$(ROOTS)'
 
 dist:
 	@mkdir -p $(BUILD)
@@ -271,10 +282,10 @@ dist:
 	@echo $(BUILD)/harmorph-$(VERSION).tar.gz
 
 cross: all meshes
-	@$(SCRIPT_JOBS); CC='$(CC)' TARGETS='$(TARGETS)' PARTS='$(PARTS)' sh tests/cross/run.sh $(BUILD)
+	@$(SCRIPT_JOBS); CC='$(CC)' TARGETS='$(TARGETS)' PARTS='$(PARTS)' sh tests/release/cross/run.sh $(BUILD)
 
 compilers: all
-	@LEVELS='$(LEVELS)' COMPILERS='$(COMPILERS)' sh tests/compilers.sh $(BUILD)
+	@LEVELS='$(LEVELS)' COMPILERS='$(COMPILERS)' sh tests/release/compilers.sh $(BUILD)
 
 amalgamation:
 	@rm -rf $(BUILD)/amalgamation
@@ -283,20 +294,20 @@ amalgamation:
 	@for header in `cat fortran/harmorph/headers`; do cp include/$$header $(BUILD)/amalgamation/; done
 
 check-link: all
-	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/check_link.sh $(BUILD)
+	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/release/check_link.sh $(BUILD)
 
-test: all meshes
+test: checked
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' \
-	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' sh tests/run.sh
+	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' ONLY='$(ONLY)' sh tests/run.sh
 
 test-python: all meshes
-	@CXX='$(CXX)' PYTHON='$(PYTHON)' sh tests/python.sh $(BUILD)
+	@CXX='$(CXX)' PYTHON='$(PYTHON)' sh tests/hosts/python.sh $(BUILD)
 
 wheel: all
 	@CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' sh c_api/packaging/wheel.sh $(BUILD)
 
 test-petsc: all meshes
-	@CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' FFLAGS='$(FFLAGS)' MPICC='$(MPICC)' MESHES='$(MESHES)' sh tests/petsc.sh $(BUILD)
+	@CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' FFLAGS='$(FFLAGS)' MPICC='$(MPICC)' MESHES='$(MESHES)' sh tests/hosts/petsc.sh $(BUILD)
 
 test-openfoam: all
 	@MAKE='$(MAKE)' FOAM_SRC='$(FOAM_SRC)' sh c_api/openfoam/tutorials/run.sh $(BUILD)
@@ -305,7 +316,7 @@ test-saturne: all
 	@MAKE='$(MAKE)' FC='$(FC)' sh fortran/examples/code_saturne/run.sh $(BUILD)
 
 test-systems: checked
-	@SYSTEMS='$(SYSTEMS)' MIRROR='$(MIRROR)' sh tests/systems.sh '$(ROOTS)'
+	@SYSTEMS='$(SYSTEMS)' MIRROR='$(MIRROR)' sh tests/release/systems.sh '$(ROOTS)'
 
 bench-petsc: all
 	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/measure/bench/petsc.sh
@@ -319,25 +330,27 @@ bench-rows: all
 	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' FILE='$(FILE)' sh tests/measure/bench/rows.sh
 
 deform: deform-seeded meshes
-	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' SEEDS='$(SEEDS)' sh tests/figures.sh '$(BUILD)/deform' \
+	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' SEEDS='$(SEEDS)' sh tests/measure/figures.sh '$(BUILD)/deform' \
 	    'Large movements of meshes' \
 	    sh tests/measure/deform/run.sh
 
 compare: all meshes
-	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' sh tests/figures.sh '$(BUILD)/compare' \
+	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' sh tests/measure/figures.sh '$(BUILD)/compare' \
 	    'Methods that deform meshes' sh tests/measure/compare/run.sh
 
 claims: all meshes
 	@$(SCRIPT_JOBS); $(PYTHON) tests/measure/claims/claims.py $(BUILD) $(NAMES)
 
 paper: all meshes
-	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' sh tests/figures.sh '$(BUILD)/paper' 'The cases of the paper' sh tests/measure/paper/run.sh
+	@BUILD='$(BUILD)' PYTHON='$(PYTHON)' MESHES='$(MESHES)' sh tests/measure/figures.sh '$(BUILD)/paper' 'The cases of the paper' sh tests/measure/paper/run.sh
 
 bench-mpi: all
 	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/measure/bench/mpi.sh
 
 demo: all meshes
 	$(PROGRAM) demo $(BUILD)/demo --mesh $(MESH)
+	+@if missing=`$(WORKBENCH_TOOLS)`; then $(MAKE_BY_RULES) $(WORKBENCH) && cp $(WORKBENCH) $(BUILD)/demo/; \
+	else echo "left out: $(BUILD)/demo/workbench.html, as $$missing"; fi
 	@ls $(BUILD)/demo/*.svg $(BUILD)/demo/*.html
 
 # What lies where after an installation; uninstall takes the same list away.

@@ -61,15 +61,26 @@ Status place(void* block, Size bytes, Fault& fault, LayOut const& lay_out) noexc
     return arena.verify(bytes, fault);
 }
 
-// A size query: the caller has no block yet, and asks how many bytes it needs.
+// A size query: the caller has no block yet, and asks how many bytes the call needs.
 inline bool asks(const hm_memory* memory) noexcept {
     return memory != nullptr && memory->block == nullptr && memory->bytes == 0;
 }
 
+// Ends the body of a call that was a size query. The fault has no refusal, so that the call
+// returns HM_OK.
+constexpr Status answered = static_cast<Status>(-100);
+
+// Lays out the block of an hm_memory, or answers a size query. A call opens what the size depends
+// on, then places its arrays, and looks at all other arguments afterwards: a size query may leave
+// these out.
 template <class LayOut>
-Status place(const hm_memory* memory, Fault& fault, LayOut const& lay_out) noexcept {
+Status place(hm_memory* memory, Fault& fault, LayOut const& lay_out) noexcept {
     HARMORPH_TRY(require({{"memory", memory}}, fault));
     if (memory->block != nullptr) return place(memory->block, memory->bytes, fault, lay_out);
+    if (asks(memory)) {
+        HARMORPH_TRY(count_bytes(&memory->bytes, fault, lay_out));
+        return answered;
+    }
     return fault.refuse(Status::bad_argument,
                         "memory.block is NULL, but memory.bytes is ~; in a size query both are 0",
                         {}, {}, static_cast<Real>(memory->bytes));

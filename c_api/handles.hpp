@@ -67,10 +67,11 @@ inline Status open_complete(const hm_basis* handle, Basis& basis, CallFault& fau
 }
 
 // Makes a new basis with these functions of the analysis. The basis is not solved.
-inline Status make_basis(Analysis const& analysis, BasisCounts const& counts,
-                         const hm_memory* memory, hm_basis** handle, Fault& fault) noexcept {
+inline Status make_basis(Analysis const& analysis, BasisCounts const& counts, hm_memory* memory,
+                         hm_basis** handle, Fault& fault) noexcept {
     Basis made;
     HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { made.lay_out(arena, counts); }));
+    HARMORPH_TRY(require({{"basis", handle}}, fault));
     init_basis(made, counts, analysis.basis_source(), analysis.problem().executor);
     *handle = reinterpret_cast<hm_basis*>(made.header);
     return Status::ok;

@@ -53,18 +53,6 @@ struct Piece {
     }
 };
 
-hm_status analysis_bytes(const hm_problem* problem, const hm_options* options, size_t* bytes,
-                         hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        Request request;
-        HARMORPH_TRY(request.read(problem, options, fault));
-        InBlock<Analysis> made;
-        return count_bytes(bytes, fault, [&](Arena& arena) {
-            made.lay_out(arena, request.problem, request.n_curves, request.n_conditions);
-        });
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -74,15 +62,14 @@ extern "C" {
 
 hm_status hm_analysis_init(hm_analysis** analysis, hm_memory* memory, const hm_problem* problem,
                            const hm_options* options, hm_error* err) {
-    if (asks(memory)) return analysis_bytes(problem, options, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         Request request;
-        HARMORPH_TRY(require({{"analysis", analysis}}, fault));
         HARMORPH_TRY(request.read(problem, options, fault));
         InBlock<Analysis> made;
         HARMORPH_TRY(place(memory, fault, [&](Arena& arena) {
             made.lay_out(arena, request.problem, request.n_curves, request.n_conditions);
         }));
+        HARMORPH_TRY(require({{"analysis", analysis}}, fault));
         HARMORPH_TRY(request.copy_to(made.object.curves(), made.object.slip_along(),
                                      made.object.conditions(), fault));
         HARMORPH_TRY(made.object.run(request.problem, fault));

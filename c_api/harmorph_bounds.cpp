@@ -163,18 +163,6 @@ Status view_start(const hm_points* given, Mesh const& mesh, Points& start, Fault
     return check_range(start, mesh.n_points, fault);
 }
 
-hm_status quality_bytes(const hm_basis* basis, const hm_mesh* mesh, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        Basis b;
-        Mesh view;
-        OrientedMesh cells;
-        HARMORPH_TRY(open_pair(basis, mesh, b, view, cells, fault));
-        MeshQualityBlock block;
-        return count_bytes(bytes, fault,
-                           [&](Arena& arena) { block.lay_out(arena, b, cells.mesh); });
-    });
-}
-
 // The corners that a caller wants, in the order of steps.
 struct StepCornerList {
     OrientedMesh const& cells;
@@ -209,23 +197,22 @@ extern "C" {
 
 hm_status hm_quality_init(hm_quality** quality, hm_memory* memory, const hm_basis* basis,
                           const hm_mesh* mesh, const hm_points* start, hm_error* err) {
-    if (asks(memory)) return quality_bytes(basis, mesh, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         Mesh view;
         OrientedMesh cells;
         Points at;
-        HARMORPH_TRY(require({{"quality", quality}}, fault));
         HARMORPH_TRY(open_pair(basis, mesh, b, view, cells, fault));
+        MeshQualityBlock made;
+        HARMORPH_TRY(
+            place(memory, fault, [&](Arena& arena) { made.lay_out(arena, b, cells.mesh); }));
+        HARMORPH_TRY(require({{"quality", quality}}, fault));
         HARMORPH_TRY(view_start(start, view, at, fault));
         Index const inverted = measure_quality(cells, at, {}, {}).first_inverted;
         if (inverted != none) {
             return fault.refuse(Status::bad_mesh, "cell # is inverted at the start",
                                 cell_item(inverted));
         }
-        MeshQualityBlock made;
-        HARMORPH_TRY(
-            place(memory, fault, [&](Arena& arena) { made.lay_out(arena, b, cells.mesh); }));
         made.object.find(b, cells, at);
         made.give(quality);
         return Status::ok;

@@ -38,17 +38,6 @@ Status check_matrix(Basis const& basis, Index n, Index numbers, const double* ma
     return Status::ok;
 }
 
-hm_status combine_bytes(const hm_basis* basis, int32_t n, int32_t numbers, size_t* bytes,
-                        hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        Basis from, made;
-        HARMORPH_TRY(open_source(basis, n, numbers, from, fault));
-        return count_bytes(bytes, fault, [&](Arena& arena) {
-            made.lay_out(arena, combined_counts(from, n, numbers));
-        });
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -58,15 +47,14 @@ extern "C" {
 
 hm_status hm_combine(hm_basis** combined, hm_memory* memory, const hm_basis* basis, int32_t n,
                      int32_t numbers, const double* matrix, hm_error* err) {
-    if (asks(memory)) return combine_bytes(basis, n, numbers, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         Basis from, made;
-        HARMORPH_TRY(require({{"combined", combined}}, fault));
         HARMORPH_TRY(open_source(basis, n, numbers, from, fault));
-        HARMORPH_TRY(check_matrix(from, n, numbers, matrix, fault));
         HARMORPH_TRY(place(memory, fault, [&](Arena& arena) {
             made.lay_out(arena, combined_counts(from, n, numbers));
         }));
+        HARMORPH_TRY(require({{"combined", combined}}, fault));
+        HARMORPH_TRY(check_matrix(from, n, numbers, matrix, fault));
         HARMORPH_TRY(combine(from, n, numbers, matrix, made, fault));
         *combined = reinterpret_cast<hm_basis*>(made.header);
         return Status::ok;

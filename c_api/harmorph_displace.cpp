@@ -33,10 +33,10 @@ struct DisplaceCall {
                 const hm_solve_report* report, CallFault& fault) noexcept {
         HARMORPH_TRY(open_plan(handle, plan, fault));
         HARMORPH_TRY(check_fields(*plan, n_fields, fault));
-        HARMORPH_TRY(check_report_if(report, "report", fault));
-        HARMORPH_TRY(view_given_list(*plan, n, points, list, fault));
         HARMORPH_TRY(place(memory, fault,
                            [&](Arena& arena) { displacement.lay_out(arena, *plan, n_fields); }));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
+        HARMORPH_TRY(view_given_list(*plan, n, points, list, fault));
         return displacement.find_places(*plan, list, fault);
     }
 
@@ -115,29 +115,6 @@ MutablePoints points_of(hm_points_out const& given) noexcept {
     return {given.x, given.y, stride_of(given.stride)};
 }
 
-hm_status displace_bytes(const hm_plan* plan, int32_t n_fields, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        const Plan* p = nullptr;
-        HARMORPH_TRY(open_plan(plan, p, fault));
-        HARMORPH_TRY(check_fields(*p, n_fields, fault));
-        Displacement made;
-        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, n_fields); });
-    });
-}
-
-hm_status tabulate_bytes(const hm_plan* plan, const hm_basis* basis, const hm_modes* modes,
-                         size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        const Plan* p = nullptr;
-        TableCall call;
-        HARMORPH_TRY(call.open(plan, p, basis, modes, fault));
-        Basis made;
-        ModeWork work;
-        return count_bytes(bytes, fault,
-                           [&](Arena& arena) { call.lay_out(arena, *p, made, work); });
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -168,7 +145,6 @@ hm_status hm_given_points(const hm_plan* plan, int32_t* points, int32_t capacity
 hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n_fields,
                       const hm_points* wall, const hm_points* from, const hm_points_out* to,
                       hm_memory* memory, hm_solve_report* report, hm_error* err) {
-    if (asks(memory)) return displace_bytes(plan, n_fields, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         DisplaceCall call;
         Points start;
@@ -199,7 +175,6 @@ hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n
 hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* points, int32_t n_fields,
                               const hm_points* dj, const hm_points_out* gradient, hm_memory* memory,
                               hm_solve_report* report, hm_error* err) {
-    if (asks(memory)) return displace_bytes(plan, n_fields, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         DisplaceCall call;
         HARMORPH_TRY(call.open(plan, n, points, n_fields, memory, report, fault));
@@ -221,15 +196,17 @@ hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* points, i
 
 hm_status hm_tabulate(hm_basis** tabulated, hm_memory* memory, hm_plan* plan, const hm_basis* basis,
                       const hm_modes* modes, hm_solve_report* report, hm_error* err) {
-    if (asks(memory)) return tabulate_bytes(plan, basis, modes, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         TableCall table;
         DisplaceCall call;
         ModeWork work;
         Basis made;
-        HARMORPH_TRY(require({{"tabulated", tabulated}}, fault));
         HARMORPH_TRY(table.open(plan, call.plan, basis, modes, fault));
-        HARMORPH_TRY(require({{"modes.values", table.modes.values}}, fault));
+        Plan& p = *call.plan;
+        HARMORPH_TRY(
+            place(memory, fault, [&](Arena& arena) { table.lay_out(arena, p, made, work); }));
+        HARMORPH_TRY(
+            require({{"tabulated", tabulated}, {"modes.values", table.modes.values}}, fault));
         HARMORPH_TRY(check_report_if(report, "report", fault));
         Index const n = table.modes.n;
         HARMORPH_TRY(view_given_list(*call.plan, n, table.modes.points, call.list, fault));
@@ -238,15 +215,12 @@ hm_status hm_tabulate(hm_basis** tabulated, hm_memory* memory, hm_plan* plan, co
                 Status::bad_argument,
                 "n is #, but the list may have at most twice as many points as the mesh", plain(n));
         }
-        Plan& p = *call.plan;
         bool const moved = table.basis.header->counts.functions() > 0 &&
                            table.basis.header->coordinates != p.coordinates();
         if (moved)
             return fault.refuse(Status::bad_basis,
                                 "the basis was solved on other coordinates than those of the "
                                 "plan's factor; solve the basis again");
-        HARMORPH_TRY(
-            place(memory, fault, [&](Arena& arena) { table.lay_out(arena, p, made, work); }));
         HARMORPH_TRY(work.displacement.find_places(p, call.list, fault));
         Modes const given{table.modes.n_modes, table.modes.numbers, table.modes.values};
         HARMORPH_TRY(given.check(n, fault));

@@ -189,14 +189,6 @@ hm_mesh EdgeCells::present() const noexcept {
     return mesh;
 }
 
-hm_status mesh_from_edges_bytes(const hm_edge_mesh* edges, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        EdgeCells cells;
-        HARMORPH_TRY(cells.read(edges, fault));
-        return count_bytes(bytes, fault, [&](Arena& arena) { cells.lay_out(arena); });
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -206,13 +198,11 @@ extern "C" {
 
 hm_status hm_mesh_from_edges(hm_mesh* mesh, hm_memory* memory, const hm_edge_mesh* edges,
                              hm_error* err) {
-    if (asks(memory)) return mesh_from_edges_bytes(edges, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         EdgeCells cells;
-        HARMORPH_TRY(require({{"memory", memory}}, fault));
-        HARMORPH_TRY(check_report(mesh, "mesh", fault));
         HARMORPH_TRY(cells.read(edges, fault));
         HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { cells.lay_out(arena); }));
+        HARMORPH_TRY(check_report(mesh, "mesh", fault));
         HARMORPH_TRY(cells.run(fault));
         write_struct(cells.present(), mesh);
         return Status::ok;

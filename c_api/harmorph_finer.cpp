@@ -83,34 +83,18 @@ struct FinerBlock {
     }
 };
 
-Status count_finer(FinerTask& task, const hm_curves* curves, size_t* bytes,
-                   CallFault& fault) noexcept {
-    HARMORPH_TRY(task.open(curves, fault));
-    FinerBlock made;
-    return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, task.counts); });
-}
-
 Status make_finer(FinerTask& task, const hm_curves** finer, const double** matrix,
                   hm_memory* memory, const hm_curves* curves, CallFault& fault) noexcept {
-    HARMORPH_TRY(require({{"finer", finer}}, fault));
     HARMORPH_TRY(task.open(curves, fault));
     FinerBlock made;
     HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { made.lay_out(arena, task.counts); }));
+    HARMORPH_TRY(require({{"finer", finer}}, fault));
     for (Index i = 0; i < task.view.count(); ++i)
         task.view.curve(i, made.finer.curve[i], fault);  // cannot fail: open() has checked it
     HARMORPH_TRY(made.finer.run(task.refinement, fault));
     *finer = made.present(task.view.set.index_base);
     if (matrix != nullptr) *matrix = made.finer.matrix.data();
     return Status::ok;
-}
-
-hm_status refine_bytes(const hm_curves* curves, int32_t curve, int32_t degree, int32_t n,
-                       const double* u, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        FinerTask task;
-        HARMORPH_TRY(view_refinement(curve, degree, n, u, task, fault));
-        return count_finer(task, curves, bytes, fault);
-    });
 }
 
 }  // namespace
@@ -123,7 +107,6 @@ extern "C" {
 hm_status hm_refine(const hm_curves** finer, const double** matrix, hm_memory* memory,
                     const hm_curves* curves, int32_t curve, int32_t degree, int32_t n,
                     const double* u, hm_error* err) {
-    if (asks(memory)) return refine_bytes(curves, curve, degree, n, u, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         FinerTask task;
         HARMORPH_TRY(view_refinement(curve, degree, n, u, task, fault));

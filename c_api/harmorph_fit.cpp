@@ -15,16 +15,6 @@ struct FitBlock {
     }
 };
 
-hm_status fit_bytes(int32_t n, const hm_fit_options* options, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        FitOptions asked;
-        HARMORPH_TRY(view_fit_options(options, asked, fault));
-        HARMORPH_TRY(check_fit(n, asked, fault));
-        FitBlock made;
-        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, n, asked); });
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -35,19 +25,18 @@ extern "C" {
 hm_status hm_fit(const hm_curves** curves, hm_memory* memory, const hm_points* points, int32_t n,
                  int32_t is_loop, const hm_fit_options* options, hm_fit_report* report,
                  hm_error* err) {
-    if (asks(memory)) return fit_bytes(n, options, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         Points view;
         FitOptions asked;
-        HARMORPH_TRY(require({{"curves", curves}, {"memory", memory}}, fault));
-        HARMORPH_TRY(check_report_if(report, "report", fault));
-        HARMORPH_TRY(view_points(points, "points", view, fault));
         HARMORPH_TRY(view_fit_options(options, asked, fault));
         HARMORPH_TRY(check_fit(n, asked, fault));
-        HARMORPH_TRY(check_fit_weights(asked, n, fault));
         FitBlock made;
         FitReport fitted;
         HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { made.lay_out(arena, n, asked); }));
+        HARMORPH_TRY(require({{"curves", curves}}, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
+        HARMORPH_TRY(view_points(points, "points", view, fault));
+        HARMORPH_TRY(check_fit_weights(asked, n, fault));
         HARMORPH_TRY(made.fit.run(view, n, is_loop != 0, asked, fitted, fault));
         made.made.add(made.fit);
         hm_fit_report filled = report_of(fitted, 1);

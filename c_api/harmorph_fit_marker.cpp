@@ -160,16 +160,6 @@ private:
     FitReport worst_;
 };
 
-hm_status fit_marker_bytes(const hm_mesh* mesh, int32_t n_markers, const int32_t* markers,
-                           const hm_fit_options* options, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        WallRequest wall;
-        HARMORPH_TRY(wall.read(mesh, n_markers, markers, options, fault));
-        WallBlock made;
-        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, wall); });
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -180,16 +170,14 @@ extern "C" {
 hm_status hm_fit_marker(const hm_curves** curves, hm_memory* memory, const hm_mesh* mesh,
                         int32_t n_markers, const int32_t* markers, const hm_fit_options* options,
                         hm_fit_report* report, hm_error* err) {
-    if (asks(memory))
-        return fit_marker_bytes(mesh, n_markers, markers, options, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         WallRequest wall;
-        HARMORPH_TRY(require({{"curves", curves}, {"memory", memory}}, fault));
-        HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(wall.read(mesh, n_markers, markers, options, fault));
         WallBlock made;
         hm_fit_report fitted = {};
         HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { made.lay_out(arena, wall); }));
+        HARMORPH_TRY(require({{"curves", curves}}, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(WallFit(wall, made).run(fitted, fault));
         *curves = made.made.present(memory->block, memory->bytes, fitted.bytes);
         if (report != nullptr) write_struct(fitted, report);

@@ -52,15 +52,6 @@ hm_improve_report report_of(ImproveReport const& improved, Quality const& before
     return filled;
 }
 
-hm_status improve_bytes(const hm_plan* plan, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        const Plan* p = nullptr;
-        HARMORPH_TRY(open_plan(plan, p, fault));
-        MeshImprovement improvement;
-        return count_bytes(bytes, fault, [&](Arena& arena) { improvement.lay_out(arena, *p); });
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -71,19 +62,18 @@ extern "C" {
 hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* to,
                      hm_memory* memory, const hm_improve_options* options,
                      hm_improve_report* report, hm_error* err) {
-    if (asks(memory)) return improve_bytes(plan, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         Plan* p = nullptr;
         Points before, reference;
         MutablePoints after;
         ImproveOptions asked;
         HARMORPH_TRY(open_plan(plan, p, fault));
+        MeshImprovement improvement;
+        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { improvement.lay_out(arena, *p); }));
         HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(to, "to", after, fault));
         HARMORPH_TRY(view_improve_options(options, *p, asked, reference, fault));
-        MeshImprovement improvement;
-        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { improvement.lay_out(arena, *p); }));
         auto const quality_of = [&](Points points) {
             return measure_quality(p->equations().cells(), points, reference, p->executor());
         };

@@ -29,17 +29,6 @@ Status open_interpolation(const hm_interpolation* handle, const Interpolation*& 
     return Status::ok;
 }
 
-hm_status interpolation_bytes(const hm_analysis* analysis, int32_t n, size_t* bytes,
-                              hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        const Analysis* opened = nullptr;
-        HARMORPH_TRY(open_analysis(analysis, opened, fault));
-        HARMORPH_TRY(check_count(n, fault));
-        InBlock<Interpolation> made;
-        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, *opened, n); });
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -51,15 +40,16 @@ hm_status hm_interpolation_init(hm_interpolation** interpolation, hm_memory* mem
                                 const hm_analysis* analysis, const hm_points* at, int32_t n,
                                 const hm_points* to, double* distance, const hm_executor* executor,
                                 hm_interpolation_report* report, hm_error* err) {
-    if (asks(memory)) return interpolation_bytes(analysis, n, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         const Analysis* opened = nullptr;
         Points targets;
         Executor threads;
-        HARMORPH_TRY(require({{"interpolation", interpolation}}, fault));
-        HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(open_analysis(analysis, opened, fault));
         HARMORPH_TRY(check_count(n, fault));
+        InBlock<Interpolation> made;
+        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { made.lay_out(arena, *opened, n); }));
+        HARMORPH_TRY(require({{"interpolation", interpolation}}, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         Points points = opened->problem().mesh.points;
         HARMORPH_TRY(view_points_if(at, "at", points, fault));
         HARMORPH_TRY(view_points(to, "to", targets, fault, n));
@@ -73,8 +63,6 @@ hm_status hm_interpolation_init(hm_interpolation** interpolation, hm_memory* mem
         HARMORPH_TRY(check_inverted(opened->topology(), points, threads,
                                     "cell # is inverted, so no point can be found in the mesh",
                                     fault));
-        InBlock<Interpolation> made;
-        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { made.lay_out(arena, *opened, n); }));
         Span<Real> distances;
         if (distance != nullptr) distances = {distance, static_cast<Size>(n)};
         Interpolation::Report const found =

@@ -411,25 +411,6 @@ Status count_section_move(MovementTask const& task, hm_section_move& to, Fault& 
                         "HM_FAMILY");
 }
 
-hm_status move_section_bytes(const hm_curves* curves, const hm_section* section,
-                             int32_t n_movements, const hm_movement* movements,
-                             hm_section_move* result, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        MovementTask task;
-        MovementWork arrays;
-        HARMORPH_TRY(check_report_if(result, "result", fault));
-        HARMORPH_TRY(task.open(curves, section, n_movements, movements, fault));
-        hm_section_move counted = {};
-        HARMORPH_TRY(count_section_move(task, counted, fault));
-        HARMORPH_TRY(count_bytes(bytes, fault, [&](Arena& arena) { arrays.lay_out(arena, task); }));
-        if (result == nullptr) return Status::ok;
-        read_struct(result, counted);
-        HARMORPH_TRY(count_section_move(task, counted, fault));
-        write_struct(counted, result);
-        return Status::ok;
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -440,20 +421,19 @@ extern "C" {
 hm_status hm_move_section(const hm_curves* curves, const hm_section* section, int32_t n_movements,
                           const hm_movement* movements, const double* values,
                           hm_section_move* result, hm_memory* memory, hm_error* err) {
-    if (asks(memory)) {
-        return move_section_bytes(curves, section, n_movements, movements, result, &memory->bytes,
-                                  err);
-    }
     return guarded(err, [&](CallFault& fault) {
         MovementTask task;
         MovementWork arrays;
-        hm_section_move to;
-        HARMORPH_TRY(require({{"result", result}, {"memory", memory}}, fault));
-        HARMORPH_TRY(check_report(result, "result", fault));
-        read_struct(result, to);
+        hm_section_move to = {};
         HARMORPH_TRY(task.open(curves, section, n_movements, movements, fault));
+        HARMORPH_TRY(check_report_if(result, "result", fault));
+        if (result != nullptr) read_struct(result, to);
         HARMORPH_TRY(count_section_move(task, to, fault));
-        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { arrays.lay_out(arena, task); }));
+        Status const placed =
+            place(memory, fault, [&](Arena& arena) { arrays.lay_out(arena, task); });
+        if (placed == answered && result != nullptr) write_struct(to, result);
+        HARMORPH_TRY(placed);
+        HARMORPH_TRY(require({{"result", result}}, fault));
         HARMORPH_TRY(arrays.run(task, values, fault));
         for (Index k = 0; k < 2; ++k) to.error[k] = arrays.error[k];
         write_result(task, arrays, to);

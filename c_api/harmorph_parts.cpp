@@ -125,7 +125,7 @@ hm_status hm_private_share_init(hm_basis** share, void* block, size_t bytes,
         HARMORPH_TRY(require({{"share", share}}, fault));
         HARMORPH_TRY(open_complete(analysis, opened, fault));
         HARMORPH_TRY(count_share(*opened, first, n, counts, fault));
-        const hm_memory memory = {block, bytes};
+        hm_memory memory = {block, bytes};
         return make_basis(*opened, counts, &memory, share, fault);
     });
 }

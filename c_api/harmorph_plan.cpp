@@ -31,25 +31,6 @@ hm_solve_report report_of(SolveReport const& solved, Basis const& basis,
     return filled;
 }
 
-hm_status plan_bytes(const hm_analysis* analysis, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        const Analysis* opened = nullptr;
-        HARMORPH_TRY(open_complete(analysis, opened, fault));
-        InBlock<Plan> made;
-        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, *opened); });
-    });
-}
-
-hm_status basis_bytes(const hm_analysis* analysis, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        const Analysis* opened = nullptr;
-        HARMORPH_TRY(open_complete(analysis, opened, fault));
-        Basis made;
-        return count_bytes(bytes, fault,
-                           [&](Arena& arena) { made.lay_out(arena, opened->basis_counts()); });
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -59,13 +40,12 @@ extern "C" {
 
 hm_status hm_plan_init(hm_plan** plan, hm_memory* memory, const hm_analysis* analysis,
                        hm_error* err) {
-    if (asks(memory)) return plan_bytes(analysis, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         const Analysis* opened = nullptr;
-        HARMORPH_TRY(require({{"plan", plan}}, fault));
         HARMORPH_TRY(open_complete(analysis, opened, fault));
         InBlock<Plan> made;
         HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { made.lay_out(arena, *opened); }));
+        HARMORPH_TRY(require({{"plan", plan}}, fault));
         made.object.init(*opened);
         made.give(plan);
         return Status::ok;
@@ -74,10 +54,8 @@ hm_status hm_plan_init(hm_plan** plan, hm_memory* memory, const hm_analysis* ana
 
 hm_status hm_basis_init(hm_basis** basis, hm_memory* memory, const hm_analysis* analysis,
                         hm_error* err) {
-    if (asks(memory)) return basis_bytes(analysis, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         const Analysis* opened = nullptr;
-        HARMORPH_TRY(require({{"basis", basis}}, fault));
         HARMORPH_TRY(open_complete(analysis, opened, fault));
         return make_basis(*opened, opened->basis_counts(), memory, basis, fault);
     });

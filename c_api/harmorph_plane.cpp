@@ -87,15 +87,6 @@ void put(Vec3 from, double (&to)[3]) noexcept {
     to[2] = from.z;
 }
 
-hm_status plane_bytes(const hm_space_mesh* space, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        SpaceMesh mesh;
-        PlaneBlock block;
-        HARMORPH_TRY(view_space(space, mesh, fault));
-        return count_bytes(bytes, fault, [&](Arena& arena) { block.lay_out(arena, mesh); });
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -105,13 +96,12 @@ extern "C" {
 
 hm_status hm_plane_init(hm_plane** plane, hm_memory* memory, const hm_space_mesh* space,
                         hm_error* err) {
-    if (asks(memory)) return plane_bytes(space, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         SpaceMesh mesh;
         PlaneBlock made;
-        HARMORPH_TRY(require({{"plane", plane}}, fault));
         HARMORPH_TRY(view_space(space, mesh, fault));
         HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { made.lay_out(arena, mesh); }));
+        HARMORPH_TRY(require({{"plane", plane}}, fault));
         HARMORPH_TRY(check_space_mesh(mesh, fault));
         HARMORPH_TRY(made.search.run(mesh, made.object, fault));
         made.give(plane);

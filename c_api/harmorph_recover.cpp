@@ -17,16 +17,6 @@ Status check_wall(Basis const& basis, Points at, Fault& fault) noexcept {
     return Status::ok;
 }
 
-hm_status recover_movement_bytes(const hm_basis* basis, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        Basis b;
-        WallMovement found;
-        HARMORPH_TRY(open_basis(basis, b, fault));
-        return count_bytes(bytes, fault,
-                           [&](Arena& arena) { found.lay_out(arena, b.header->counts); });
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -37,11 +27,13 @@ extern "C" {
 hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double tolerance,
                               double* move, hm_recover_report* report, hm_memory* memory,
                               hm_error* err) {
-    if (asks(memory)) return recover_movement_bytes(basis, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         Points now;
         WallMovement found;
+        HARMORPH_TRY(open_basis(basis, b, fault));
+        HARMORPH_TRY(
+            place(memory, fault, [&](Arena& arena) { found.lay_out(arena, b.header->counts); }));
         HARMORPH_TRY(require({{"move", move}}, fault));
         HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(open_complete(basis, b, fault));
@@ -51,8 +43,6 @@ hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double
                                 tolerance);
         }
         HARMORPH_TRY(check_wall(b, now, fault));
-        HARMORPH_TRY(
-            place(memory, fault, [&](Arena& arena) { found.lay_out(arena, b.header->counts); }));
         found.find(b, now);
         BoundaryError const worst = found.following;
         Real const max_error = tolerance > 0

@@ -50,17 +50,6 @@ hm_refit_report report_of(RefitReport const& found, Closure closure) noexcept {
     return filled;
 }
 
-hm_status refit_bytes(const hm_curves* curves, int32_t curve, int32_t n, size_t* bytes,
-                      hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        AirfoilCurves airfoil;
-        Refit refit;
-        HARMORPH_TRY(airfoil.open(curves, curve, n, fault));
-        return count_bytes(bytes, fault,
-                           [&](Arena& arena) { refit.lay_out(arena, airfoil.curve, n); });
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -71,18 +60,17 @@ extern "C" {
 hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_points* points, int32_t n,
                    int32_t is_loop, int32_t on_chord, double* movement, hm_refit_report* report,
                    hm_memory* memory, hm_error* err) {
-    if (asks(memory)) return refit_bytes(curves, curve, n, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         AirfoilCurves airfoil;
         Points view;
         Refit refit;
         RefitReport found;
-        HARMORPH_TRY(require({{"movement", movement}, {"memory", memory}}, fault));
-        HARMORPH_TRY(check_report_if(report, "report", fault));
-        HARMORPH_TRY(view_points(points, "points", view, fault));
         HARMORPH_TRY(airfoil.open(curves, curve, n, fault));
         HARMORPH_TRY(
             place(memory, fault, [&](Arena& arena) { refit.lay_out(arena, airfoil.curve, n); }));
+        HARMORPH_TRY(require({{"movement", movement}}, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
+        HARMORPH_TRY(view_points(points, "points", view, fault));
         HARMORPH_TRY(refit.run(airfoil.curve, airfoil.base_if(), view, n,
                                {is_loop != 0, on_chord != 0}, found, fault));
         for (Index i = 0; i < refit.control.count(); ++i)

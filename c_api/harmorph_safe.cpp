@@ -215,7 +215,7 @@ struct MoveWork {
 struct MoveSafe {
     hm_plan* plan;
     const hm_basis* basis;
-    hm_safe_target target;
+    hm_safe_target target;  // its fields; zeros where a size query has none
     hm_basis* derivative;
     const hm_points_out* to;
     hm_memory* memory;
@@ -227,15 +227,17 @@ struct MoveSafe {
         Basis b, sum;
         SafeCall call;
         MoveWork made;
-        HARMORPH_TRY(open_solved(basis, b, fault));
+        // A size query may come before the basis is solved, or without a basis.
+        if (!asks(memory)) HARMORPH_TRY(open_solved(basis, b, fault));
+        else if (basis != nullptr) b = view_basis(basis, fault);
+        HARMORPH_TRY(open_plan(plan, p, fault));
+        if (basis != nullptr) HARMORPH_TRY(p->check_fit(b, fault));
+        BasisCounts const& counts = basis != nullptr ? b.header->counts : p->basis_counts();
+        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { made.lay_out(arena, *p, counts); }));
         if (derivative == basis)
             return fault.refuse(Status::bad_argument,
                                 "options.derivative and basis must be two different bases");
         if (derivative != nullptr) sum = view_basis(derivative, fault);
-        HARMORPH_TRY(open_plan(plan, p, fault));
-        HARMORPH_TRY(p->check_fit(b, fault));
-        HARMORPH_TRY(
-            place(memory, fault, [&](Arena& arena) { made.lay_out(arena, *p, b.header->counts); }));
         HARMORPH_TRY(call.open(to, options, report, made.others, fault));
         HARMORPH_TRY(check_move(b, target.move, fault));
         call.options.solves_others =
@@ -258,6 +260,8 @@ struct MoveSafe {
         Points displacement;
         SafeCall call;
         HARMORPH_TRY(open_plan_of_given(plan, p, basis, b, fault));
+        SafeDisplacement made;
+        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { made.lay_out(arena, *p, b); }));
         if (derivative != nullptr) {
             return fault.refuse(
                 Status::unsupported,
@@ -269,8 +273,6 @@ struct MoveSafe {
         HARMORPH_TRY(view_points(target.wall, "target.wall", displacement, fault, target.n));
         HARMORPH_TRY(call.open(to, options, report, {}, fault));
         call.options.solves_others = true;
-        SafeDisplacement made;
-        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { made.lay_out(arena, *p, b); }));
         bool const had_factor = p->is_factored();
         Status const status =
             made.run(*p, b, target.move, list, displacement, call.options, call.reached, fault);
@@ -278,27 +280,6 @@ struct MoveSafe {
         return call.finish(*p, made.safe, static_cast<Size>(b.header->counts.functions()), status);
     }
 };
-
-hm_status move_safe_bytes(const hm_plan* plan, const hm_basis* basis, const hm_safe_target* target,
-                          size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        const Plan* p = nullptr;
-        Basis b;
-        hm_safe_target asked = {};
-        if (target != nullptr) HARMORPH_TRY(read_target(target, asked, fault));
-        if (asked.wall != nullptr) {
-            HARMORPH_TRY(open_plan_of_given(plan, p, basis, b, fault));
-            SafeDisplacement made;
-            return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, b); });
-        }
-        if (basis != nullptr) b = view_basis(basis, fault);
-        HARMORPH_TRY(open_plan(plan, p, fault));
-        if (basis != nullptr) HARMORPH_TRY(p->check_fit(b, fault));
-        BasisCounts const& counts = basis != nullptr ? b.header->counts : p->basis_counts();
-        MoveWork made;
-        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, counts); });
-    });
-}
 
 }  // namespace
 }  // namespace harmorph
@@ -310,11 +291,11 @@ extern "C" {
 hm_status hm_move_safe(hm_plan* plan, const hm_basis* basis, const hm_safe_target* target,
                        const hm_points_out* to, hm_memory* memory, const hm_safe_options* options,
                        hm_safe_report* report, hm_error* err) {
-    if (asks(memory)) return move_safe_bytes(plan, basis, target, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         hm_safe_options asked = {};
         MoveSafe call{plan, basis, {}, nullptr, to, memory, options, report};
-        HARMORPH_TRY(read_target(target, call.target, fault));
+        if (target != nullptr || !asks(memory))
+            HARMORPH_TRY(read_target(target, call.target, fault));
         if (options != nullptr && read_struct(options, asked)) call.derivative = asked.derivative;
         return call.target.wall != nullptr ? call.displace(fault) : call.move(fault);
     });

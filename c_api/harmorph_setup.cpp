@@ -25,16 +25,6 @@ Status open_setup(const hm_setup* given, hm_setup& setup, const Analysis*& analy
     return fault.refuse(Status::bad_argument, "setup.analysis is NULL; call hm_setup_init first");
 }
 
-hm_status setup_solve_bytes(const hm_setup* setup, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        hm_setup made = {};
-        const Analysis* analysis = nullptr;
-        HARMORPH_TRY(open_setup(setup, made, analysis, fault));
-        SolveBlock counted;
-        return count_bytes(bytes, fault, [&](Arena& arena) { counted.lay_out(arena, *analysis); });
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -44,15 +34,15 @@ extern "C" {
 
 hm_status hm_setup_init(hm_setup* setup, hm_memory* memory, const hm_problem* problem,
                         const hm_options* options, hm_error* err) {
-    if (asks(memory)) return hm_analysis_init(nullptr, memory, problem, options, err);
     hm_setup made = {};
     hm_status const refused = guarded(err, [&](CallFault& fault) {
         hm_setup old;
+        if (asks(memory)) return Status::ok;
         return open_struct(setup, old, "setup", "hm_setup", fault);
     });
     if (refused < 0) return refused;
     hm_status const status = hm_analysis_init(&made.analysis, memory, problem, options, err);
-    if (status < 0) return status;
+    if (made.analysis == nullptr) return status;  // refused, or a size query
     hm_error reason;
     hm_status const refused_as_incomplete = guarded(&reason, [&](CallFault& fault) {
         const Analysis* analysis = nullptr;
@@ -68,14 +58,13 @@ hm_status hm_setup_init(hm_setup* setup, hm_memory* memory, const hm_problem* pr
 
 hm_status hm_setup_solve(hm_setup* setup, hm_memory* memory, hm_solve_report* report,
                          hm_error* err) {
-    if (asks(memory)) return setup_solve_bytes(setup, &memory->bytes, err);
     hm_setup made = {};
     hm_status const status = guarded(err, [&](CallFault& fault) {
         const Analysis* analysis = nullptr;
         HARMORPH_TRY(open_setup(setup, made, analysis, fault));
-        HARMORPH_TRY(check_report_if(report, "report", fault));
         SolveBlock placed;
         HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { placed.lay_out(arena, *analysis); }));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         init_basis(placed.basis, analysis->basis_counts(), analysis->basis_source(),
                    analysis->problem().executor);
         placed.plan.object.init(*analysis);
@@ -83,7 +72,7 @@ hm_status hm_setup_solve(hm_setup* setup, hm_memory* memory, hm_solve_report* re
         made.basis = reinterpret_cast<hm_basis*>(placed.basis.header);
         return Status::ok;
     });
-    if (status < 0) return status;
+    if (made.plan == nullptr) return status;  // refused, or a size query
     hm_status const factored = hm_plan_factor(made.plan, nullptr, err);
     if (factored < 0) return factored;
     hm_status const solved = hm_plan_solve(made.plan, made.basis, report, err);

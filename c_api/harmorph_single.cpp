@@ -10,15 +10,6 @@ Status open_double(const hm_basis* handle, Basis& basis, CallFault& fault) noexc
     return basis.require_double(fault);
 }
 
-hm_status single_bytes(const hm_basis* basis, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        Basis from, made;
-        HARMORPH_TRY(open_double(basis, from, fault));
-        return count_bytes(bytes, fault,
-                           [&](Arena& arena) { made.lay_out(arena, single_counts(from)); });
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -28,13 +19,12 @@ extern "C" {
 
 hm_status hm_single_init(hm_basis** single, hm_memory* memory, const hm_basis* basis,
                          hm_error* err) {
-    if (asks(memory)) return single_bytes(basis, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         Basis from, made;
-        HARMORPH_TRY(require({{"single", single}}, fault));
         HARMORPH_TRY(open_double(basis, from, fault));
         HARMORPH_TRY(
             place(memory, fault, [&](Arena& arena) { made.lay_out(arena, single_counts(from)); }));
+        HARMORPH_TRY(require({{"single", single}}, fault));
         HARMORPH_TRY(store_single(from, made, fault));
         *single = reinterpret_cast<hm_basis*>(made.header);
         return Status::ok;

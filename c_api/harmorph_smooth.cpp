@@ -44,15 +44,6 @@ Status check_gradient(const double* gradient, Index n_control, CallFault& fault)
     return Status::ok;
 }
 
-hm_status smooth_gradient_bytes(const hm_curves* curves, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        SmoothedCurves set;
-        SmoothGradient smooth;
-        HARMORPH_TRY(set.open(curves, fault));
-        return count_bytes(bytes, fault, [&](Arena& arena) { set.lay_out(arena, smooth); });
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -62,13 +53,12 @@ extern "C" {
 
 hm_status hm_smooth_gradient(const hm_curves* curves, double length, const double* gradient,
                              double* smoothed, hm_memory* memory, hm_error* err) {
-    if (asks(memory)) return smooth_gradient_bytes(curves, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         SmoothedCurves set;
         SmoothGradient smooth;
-        HARMORPH_TRY(
-            require({{"gradient", gradient}, {"smoothed", smoothed}, {"memory", memory}}, fault));
         HARMORPH_TRY(set.open(curves, fault));
+        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { set.lay_out(arena, smooth); }));
+        HARMORPH_TRY(require({{"gradient", gradient}, {"smoothed", smoothed}}, fault));
         if (!is_at_most(length, max_lengths * set.extent()) || length < 0) {
             return fault.refuse(Status::bad_argument,
                                 "length must be between 0 and 1e6 times the extent of the curves, "
@@ -76,7 +66,6 @@ hm_status hm_smooth_gradient(const hm_curves* curves, double length, const doubl
                                 {}, {}, length);
         }
         HARMORPH_TRY(check_gradient(gradient, set.n_control, fault));
-        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) { set.lay_out(arena, smooth); }));
         smooth.start();
         for (Index number = 0; number < set.view.count(); ++number) {
             Curve curve;

@@ -51,19 +51,6 @@ hm_transfer_report report_of(TransferReport const& done, Basis const& fine,
     return filled;
 }
 
-hm_status transfer_bytes(const hm_analysis* analysis, const hm_mesh* coarse_mesh, size_t* bytes,
-                         hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        const Analysis* fine = nullptr;
-        Mesh mesh;
-        HARMORPH_TRY(open_complete(analysis, fine, fault));
-        HARMORPH_TRY(view_mesh(coarse_mesh, mesh, fault));
-        Transfer transfer;
-        return count_bytes(bytes, fault,
-                           [&](Arena& arena) { transfer.lay_out(arena, *fine, mesh); });
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -74,24 +61,24 @@ extern "C" {
 hm_status hm_transfer(hm_basis* basis, hm_memory* memory, const hm_analysis* analysis,
                       const hm_basis* coarse, const hm_mesh* coarse_mesh,
                       hm_transfer_report* report, hm_error* err) {
-    if (asks(memory)) return transfer_bytes(analysis, coarse_mesh, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         const Analysis* fine_analysis = nullptr;
         Basis fine, source;
         Mesh source_mesh;
+        Transfer transfer;
+        HARMORPH_TRY(open_complete(analysis, fine_analysis, fault));
+        HARMORPH_TRY(view_mesh(coarse_mesh, source_mesh, fault));
+        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) {
+            transfer.lay_out(arena, *fine_analysis, source_mesh);
+        }));
         HARMORPH_TRY(check_report_if(report, "report", fault));
         if (basis != nullptr && basis == coarse) {
             return fault.refuse(Status::bad_argument,
                                 "basis and coarse must be two different bases");
         }
-        HARMORPH_TRY(open_complete(analysis, fine_analysis, fault));
         HARMORPH_TRY(open_coarse(coarse, coarse_mesh, source, source_mesh, fault));
         HARMORPH_TRY(open_target(basis, *fine_analysis, fine,
                                  fault));  // errors name points of the fine mesh from here on
-        Transfer transfer;
-        HARMORPH_TRY(place(memory, fault, [&](Arena& arena) {
-            transfer.lay_out(arena, *fine_analysis, source_mesh);
-        }));
         TransferReport done;
         HARMORPH_TRY(transfer.run(*fine_analysis, source_mesh, source, fine, done, fault));
         if (report != nullptr)

@@ -81,18 +81,6 @@ Vec2 change_of(WallFoot const& foot, FaceDistance::Face const& ends, Points mesh
 
 void add_to(MutablePoints points, Index k, Vec2 more) noexcept { points.set(k, points[k] + more); }
 
-hm_status walls_bytes(const hm_analysis* analysis, int32_t n_markers, const int32_t* markers,
-                      size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        const Analysis* opened = nullptr;
-        Index n_faces = 0;
-        HARMORPH_TRY(read_walls(analysis, n_markers, markers, opened, n_faces, fault));
-        WallsInBlock made;
-        return count_bytes(bytes, fault,
-                           [&](Arena& arena) { made.lay_out(arena, *opened, n_faces); });
-    });
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -103,18 +91,17 @@ extern "C" {
 hm_status hm_walls_init(hm_walls** walls, hm_memory* memory, const hm_analysis* analysis,
                         int32_t n_markers, const int32_t* markers, const hm_points* at,
                         hm_error* err) {
-    if (asks(memory)) return walls_bytes(analysis, n_markers, markers, &memory->bytes, err);
     return guarded(err, [&](CallFault& fault) {
         const Analysis* opened = nullptr;
         Index n_faces = 0;
-        HARMORPH_TRY(require({{"walls", walls}}, fault));
         HARMORPH_TRY(read_walls(analysis, n_markers, markers, opened, n_faces, fault));
-        Points points = opened->problem().mesh.points;
-        HARMORPH_TRY(view_points_if(at, "at", points, fault));
-        HARMORPH_TRY(check_range(points, opened->problem().mesh.n_points, fault));
         WallsInBlock made;
         HARMORPH_TRY(
             place(memory, fault, [&](Arena& arena) { made.lay_out(arena, *opened, n_faces); }));
+        HARMORPH_TRY(require({{"walls", walls}}, fault));
+        Points points = opened->problem().mesh.points;
+        HARMORPH_TRY(view_points_if(at, "at", points, fault));
+        HARMORPH_TRY(check_range(points, opened->problem().mesh.n_points, fault));
         made.walls.find(*opened, {markers, static_cast<Size>(n_markers)}, points);
         made.in_block[0] = made.walls;
         *walls = reinterpret_cast<hm_walls*>(made.in_block.data());

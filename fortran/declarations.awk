@@ -2,7 +2,7 @@
 # Writes what Fortran declares of the constants and structs in TABLE, which c_api/packaging/table.awk makes from the C
 # headers: parameters with the names of the constants, and a bind(C) type for each struct (type_of.awk has the names)
 # with the comments of the header, whose component struct_size has the right value from the beginning.
-# With layout=c and layout=fortran: the two sides of the comparison in tests/layout.c and tests/layout.f90.
+# With layout=c and layout=fortran: the two sides of the comparison in layout.c and layout.f90 of tests/fortran.
 # The bytes of a struct, with pointers of 8 and of 4 bytes, as compilers of C place the members.
 function begin_struct(pointer) {
     for (pointer = 4; pointer <= 8; pointer += 4) bytes[pointer] = align[pointer] = 0

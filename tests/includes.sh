@@ -63,7 +63,14 @@ is_empty "pages of src name what does not exist" "$(awk -f tests/named.awk src/*
         esac
     done)"
 
-# Tests lie in the rooms of what they test.
+# Tests lie in the rooms of what they test. The page of tests says of each folder what it proves, and `make test`
+# refuses to run a folder that does not exist.
+is_empty "folders without a row in tests/README.md" "$(for folder in tests/*/; do
+        folder=$(basename "$folder")
+        grep -q "^|.*\`$folder\`.*|.*|$" tests/README.md || echo "$folder"
+    done)"
+is_empty "make test ONLY=no_such_folder" "$(ONLY=no_such_folder sh tests/run.sh | tr '\n' ' ' | grep -v \
+    '^ONLY=no_such_folder: there is no such .* base .* formats .* web .*0 passed, 1 failed $')"
 for directory in tests/*/; do
     room=$(basename "$directory")
     ls "$directory" | grep -q '^test_' || continue
@@ -125,6 +132,26 @@ is_empty "options for files without the use of the file" "$(awk '
     FNR == 1 { begun = /^Options:$/ } /^Options:$/ { begun = 1 }
     begun && /^-.* .*(FILE|MESH|BASIS|CURVE|MOVES|MAP|DAT|FIELD|FLUXES|LIST|TABLE|VALUES|PAGE|csv)/ &&
         !/  \((mesh|input|output|moved mesh)/ { print FILENAME ": " $0 }' c_api/cli/commands/*.txt)"
+
+# One word for one thing: include/README.md says which; the core rotates, too. Terms of other fields that contain such a
+# word are allowed. Each check is tried on lines that it has to find.
+banned='buffer|deform(ations?|ed|s)?|elements?|facets?|grids?|mode shapes?|nodes?|patch(es)?|poles?|profiles?'
+banned="$banned|scratch|sensitivit(y|ies)|tags?|turn(s|ed|ing)?|vert(ex|ices)|workspace|work_bytes|zones?"
+allowed='free-form deformation|hanging nodes?|the node i, j|of the node|major\.minor\.patch|pthreads_turns'
+allowed="$allowed|others deform"
+allowed="$allowed|turned inside out|in turn|turn threads on|int32_t turn|turn = 0|turn <|\+\+turn"
+other_words() { grep -HniE "(^|[^a-z_])($banned)([^a-z_]|\$)" "$@" | grep -viE "$allowed"; }
+other_rotations() {
+    grep -rHnE '(^|[^A-Za-z])([Tt]urn(s|ed|)|unturned)([^a-z]|$)' "$@" |
+        grep -vE 'in turn([^a-z]|$)|turn(s|ed) inside out'
+}
+is_empty "headers have other words than include/README.md" "$(other_words include/*.h)"
+is_empty "the core does not rotate" "$(other_rotations src c_api/*.cpp c_api/*.hpp)"
+is_empty "other words that are not found" "$(
+    echo '/* the vertex of a grid */' | other_words - >/dev/null || echo vertex
+    for line in 'Vec2 turn_of(Mesh const& mesh);' 'struct TurnAt {' '// The body is turned.' 'bool is_turned();'; do
+        echo "$line" | other_rotations - >/dev/null || echo "$line"
+    done)"
 
 # C and C++ have at most 100 columns, laid out as .clang-format has it; Fortran, Python and scripts 120.
 too_wide() {   # columns, names of files

@@ -145,6 +145,13 @@ node_program() {
     groups node $in_program in_turn $(ls c_api/cli/*/*.cpp | grep -v /cgns)
     printf '%s/web/program.js:%s %s c_api/web/program_before.js\n\techo $(EMXX) $@\n' $build "$list" "$(echo $library)"
     printf '\tNODE_PATH="$${NODE_PATH:-/usr/share/nodejs}" $(EMXX) $(NODE_LINK) -o $@%s %s\n' "$list" "$(echo $library)"
+    printf '%s/web/workbench_program.js:%s %s\n\techo $(EMXX) $@\n' $build "$list" "$(echo $library)"
+    printf '\tNODE_PATH="$${NODE_PATH:-/usr/share/nodejs}" $(EMXX) $(WORKBENCH_LINK) -o $@%s %s\n' \
+        "$list" "$(echo $library)"
+    parts=$(echo c_api/web/workbench/*)
+    printf '%s/web/workbench.html: %s/web/workbench_program.js %s/meshes/naca0012.su2 %s\n' \
+        $build $build $build "$parts"
+    printf '\tsh c_api/web/workbench/join.sh %s >$@.new\n\tmv -f $@.new $@\n' $build
 }
 # What the scripts of the package, or of pages, call; other words, such as names of structs, are not there to be
 # exported. A page calls a part of what the package has: page_calls names it.

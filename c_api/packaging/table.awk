@@ -11,8 +11,8 @@
 #     argument NAME ARGUMENT TYPE STARS CONST
 #                                  TYPE: as in C, without const; STARS: the number of *; CONST: 1 if there is a const
 #     close NAME
-# The Fortran module, the test of layouts and tests/abi/interface.txt are made from this table, and tests/cli/options.sh
-# looks for an option of the program for each field, so that a new constant or member is one edit of a header. A
+# The Fortran module, the test of layouts and tests/release/abi/interface.txt are made from this table, and
+# tests/program/cli/options.sh looks for an option of the program for each field, so that a new constant or member is one edit of a header. A
 # declaration that this script does not understand ends the script with an error.
 function fail(what) {
     print FILENAME ": " what > "/dev/stderr"

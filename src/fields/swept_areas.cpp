@@ -35,6 +35,7 @@ ExactVector exact_difference(Vec2 a, Vec2 b) noexcept {
     return ExactVector::difference(Xy{a.x, a.y}, Xy{b.x, b.y});
 }
 // Returns the cross product with an error of a few times 2^-104 of the sum of both its terms.
+// Exchanged arguments give the opposite bits.
 DoubleDouble exact_cross(ExactVector a, ExactVector b) noexcept {
     Xy const high{b.high[1], b.high[0]}, low{b.low[1], b.low[0]};
     ExactVector const terms = ExactVector::product(a.high, high);
@@ -50,25 +51,36 @@ struct LinearMotion {
     ExactVector velocity(Index point) const noexcept {
         return exact_difference(to[point], from[point]);
     }
-    // The sum of the vectors from one point to another in both positions. Two cells subtract the
+    // The diagonals of the quadrilateral that the side from a to b sweeps. Two cells subtract the
     // same numbers at their common side, so that their areas are opposite.
+    ExactVector diagonal(Index a, Index b) const noexcept {
+        return exact_difference(to[b], from[a]);
+    }
+    ExactVector back_diagonal(Index a, Index b) const noexcept {
+        return exact_difference(from[b], to[a]);
+    }
+    // The sum of the vectors from one point to another in both positions.
     ExactVector line(Index a, Index b) const noexcept {
         return exact_difference(from[b], from[a]) + exact_difference(to[b], to[a]);
     }
 };
 
-// A line from one point to another, in both positions together, and the velocities of its ends. The
-// mean velocity of a line is (v_a + v_b) / 2, its mean vector (e_from + e_to) / 2, and the area is
-// the cross product of both. This holds exactly, because the end points move linearly in time.
+// A side from point a to point b. Its mean velocity is (v_a + v_b) / 2, its mean vector
+// (e_from + e_to) / 2, and the area is the cross product of both, exactly, because the points move
+// linearly in time. With the diagonals d_1 = b_to - a_from and d_2 = b_from - a_to of the swept
+// quadrilateral, v_a + v_b = d_1 - d_2 and e_from + e_to = d_1 + d_2, so that the area is half of
+// the cross product of d_1 and d_2. The half at a sweeps 1/8 of this product and 1/8 of that of v_a
+// and d_1 + d_2.
 struct MovingSide {
-    ExactVector line, velocity_a, velocity_b, sum;  // the sum of the velocities
+    ExactVector first, second, velocity_a, velocity_b;  // first and second: the diagonals
 
     void write(SweptAreas const& areas, Offset entry) const noexcept {
-        if (!areas.sides.empty()) areas.sides[entry] = 0.25 * exact_cross(sum, line).rounded();
+        DoubleDouble const area = exact_cross(first, second);
+        if (!areas.sides.empty()) areas.sides[entry] = 0.5 * area.rounded();
         if (areas.halves.empty()) return;
-        Real* const both = areas.halves.data() + 2 * entry;
-        both[0] = 0.0625 * exact_cross(doubled(velocity_a) + sum, line).rounded();
-        both[1] = 0.0625 * exact_cross(doubled(velocity_b) + sum, line).rounded();
+        Real* const halves = areas.halves.data() + 2 * entry;
+        halves[0] = 0.125 * (area + exact_cross(velocity_a, first + second)).rounded();
+        halves[1] = 0.125 * (area + exact_cross(velocity_b, first + second)).rounded();
     }
 };
 
@@ -87,8 +99,8 @@ void sweep_polygon(SweptAreas const& areas, LinearMotion const& points, Offset f
     }
     for (Index k = 0; k < n; ++k) {
         Index const a = point_of(k), b = point_of(k + 1 == n ? 0 : k + 1);
-        ExactVector const at_a = points.velocity(a), at_b = points.velocity(b);
-        MovingSide const side{points.line(a, b), at_a, at_b, at_a + at_b};
+        MovingSide const side{points.diagonal(a, b), points.back_diagonal(a, b), points.velocity(a),
+                              points.velocity(b)};
         side.write(areas, first + k);
         if (areas.duals.empty()) continue;
         // 2 n times the line from the middle of the side to the mean of the corners, and 2 n times
@@ -96,7 +108,9 @@ void sweep_polygon(SweptAreas const& areas, LinearMotion const& points, Offset f
         ExactVector const line =
             twice_place - corners * (points.line(zero, a) + points.line(zero, b));
         areas.duals[first + k] =
-            (exact_cross(corners * side.sum + twice_velocity, line) / divisor).rounded();
+            (exact_cross(corners * (side.velocity_a + side.velocity_b) + twice_velocity, line) /
+             divisor)
+                .rounded();
     }
 }
 

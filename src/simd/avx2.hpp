@@ -62,6 +62,7 @@ struct Registers<double> : Register<double, 4> {
     }
     static HARMORPH_INLINE Vector sqrt(Vector v) noexcept { return _mm256_sqrt_pd(v); }
     static constexpr bool rounds = false;
+    static constexpr bool is_fused = true;
 
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept {
         return _mm256_fmadd_pd(a, b, c);

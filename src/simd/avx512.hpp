@@ -39,6 +39,7 @@ struct Registers<double> : Register<double, 8> {
     }
     static HARMORPH_INLINE Vector sqrt(Vector v) noexcept { return _mm512_maskz_sqrt_pd(every, v); }
     static constexpr bool rounds = true;
+    static constexpr bool is_fused = true;
     static HARMORPH_INLINE Words round(Vector v) noexcept {
         return Words(_mm512_maskz_cvtpd_epi64(every, v));
     }

@@ -105,6 +105,7 @@ struct Registers<double> : Register<double, 2> {
 
     // If true, the set has round(v), which returns the nearest integers in two's complement.
     static constexpr bool rounds = false;
+    static constexpr bool is_fused = false;  // whether multiply_add() rounds once
 
     // These functions return c + a b and c - a b, with one rounding if the set has fused
     // instructions.

@@ -60,6 +60,7 @@ struct Registers<double> : Register<double, 2> {
     }
     static HARMORPH_INLINE Vector sqrt(Vector v) noexcept { return vsqrtq_f64(v); }
     static constexpr bool rounds = true;
+    static constexpr bool is_fused = true;
     static HARMORPH_INLINE Words round(Vector v) noexcept { return Words(vcvtnq_s64_f64(v)); }
 
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept {

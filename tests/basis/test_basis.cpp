@@ -2,9 +2,8 @@
 // with.
 #include <harmorph_design.h>
 
-#include <fixtures/basis_copy.hpp>
+#include <fixtures/solved.hpp>
 #include <fixtures/bodies.hpp>
-#include <fixtures/morphed.hpp>
 
 using namespace fixtures;
 

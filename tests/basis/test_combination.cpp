@@ -1,7 +1,7 @@
 #include <harmorph_design.h>
 
-#include <fixtures/found.hpp>
-#include <fixtures/derived.hpp>
+#include <fixtures/memory.hpp>
+#include <fixtures/single.hpp>
 
 using namespace fixtures;
 

@@ -2,9 +2,9 @@
 // together, bit by bit.
 #include "private.h"
 
-#include <fixtures/c_mesh.hpp>
+#include <fixtures/o_mesh.hpp>
 #include <fixtures/executors.hpp>
-#include <fixtures/morphed.hpp>
+#include <fixtures/solved.hpp>
 #include <fixtures/parts.hpp>
 #include <fixtures/memory.hpp>
 

@@ -1,7 +1,7 @@
 // Rows of some points do what the whole basis does at these points.
 #include "private.h"
 
-#include <fixtures/morphed.hpp>
+#include <fixtures/solved.hpp>
 #include <fixtures/parts.hpp>
 
 #include "basis/basis.hpp"

@@ -1,7 +1,7 @@
 // Blocks that are no whole, unchanged basis of this mesh are refused with the reason.
-#include <fixtures/basis_copy.hpp>
+#include <fixtures/solved.hpp>
 #include <fixtures/bodies.hpp>
-#include <fixtures/polygon_cases.hpp>
+#include <fixtures/polygons.hpp>
 #include <fixtures/single.hpp>
 
 using namespace fixtures;

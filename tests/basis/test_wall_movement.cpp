@@ -1,7 +1,7 @@
 // hm_recover_movement: the movement is found again from where the points of the wall are.
 #include <harmorph_design.h>
 
-#include <fixtures/derived.hpp>
+#include <fixtures/single.hpp>
 #include <fixtures/fitted.hpp>
 #include <fixtures/refused.hpp>
 #include <fixtures/safe.hpp>

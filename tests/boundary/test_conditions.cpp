@@ -1,5 +1,5 @@
 // The kind of every point is the strongest condition of its markers, or inside.
-#include <fixtures/c_mesh.hpp>
+#include <fixtures/o_mesh.hpp>
 #include <fixtures/core.hpp>
 
 using namespace fixtures;

@@ -3,7 +3,6 @@
 #include <fixtures/airfoil.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/face_loops.hpp>
-#include <fixtures/kernels.hpp>
 #include <fixtures/traps.hpp>
 
 using namespace fixtures;

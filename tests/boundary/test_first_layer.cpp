@@ -1,6 +1,6 @@
 // The first layer: which edges leave the wall, and what deformations with known derivatives do to
 // angles and heights.
-#include <fixtures/walls.hpp>
+#include <fixtures/core.hpp>
 
 #include "base/vec2.hpp"
 

@@ -1,6 +1,6 @@
 // Sliding interfaces: a rotor in a stator, which meet on one circle with different points.
-#include <fixtures/annulus.hpp>
-#include <fixtures/safe_displaced.hpp>
+#include <fixtures/mesh.hpp>
+#include <fixtures/safe.hpp>
 
 using namespace fixtures;
 

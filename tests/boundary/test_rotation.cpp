@@ -1,7 +1,7 @@
 // Rotation pairs: one passage of an annulus is equivalent to the whole annulus.
 #include <fixtures/displaced.hpp>
 #include <fixtures/executors.hpp>
-#include <fixtures/passage.hpp>
+#include <fixtures/cascade.hpp>
 
 using namespace fixtures;
 

@@ -1,10 +1,9 @@
 // Points that belong to two moving conditions: both conditions are checked, and movements that tear
 // them apart are refused.
 #include <fixtures/core.hpp>
-#include <fixtures/derived.hpp>
+#include <fixtures/single.hpp>
 #include <fixtures/parts.hpp>
 #include <fixtures/safe.hpp>
-#include <fixtures/single.hpp>
 
 using namespace fixtures;
 

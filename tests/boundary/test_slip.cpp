@@ -1,6 +1,6 @@
 // Slip boundaries: points slide along straight lines, and a slip line is a line of symmetry.
 #include <fixtures/core.hpp>
-#include <fixtures/half_ring.hpp>
+#include <fixtures/channels.hpp>
 
 using namespace fixtures;
 using harmorph::PointKind;

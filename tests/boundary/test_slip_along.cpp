@@ -2,7 +2,7 @@
 #include <harmorph_design.h>
 #include <cstring>
 
-#include <fixtures/circle.hpp>
+#include <fixtures/spline.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/safe.hpp>
 

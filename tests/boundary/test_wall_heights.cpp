@@ -3,7 +3,7 @@
 #include <fixtures/airfoil.hpp>
 #include <fixtures/check.hpp>
 #include <fixtures/executors.hpp>
-#include <fixtures/walls.hpp>
+#include <fixtures/core.hpp>
 
 using namespace fixtures;
 using harmorph::FirstLayerChange;

@@ -5,7 +5,7 @@
 #include <fixtures/airfoil.hpp>
 #include <fixtures/section_families.hpp>
 #include <fixtures/spline.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 
 #include <algorithm>
 

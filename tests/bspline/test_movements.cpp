@@ -1,7 +1,7 @@
 #include <harmorph_design.h>
 #include <doctest/doctest.h>
 
-#include <fixtures/sections.hpp>
+#include <fixtures/curves.hpp>
 #include <fixtures/memory.hpp>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "bspline/airfoil_samples.hpp"
 
 #include <fixtures/spline.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 
 using namespace harmorph;
 using fixtures::pi;

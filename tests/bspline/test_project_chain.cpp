@@ -3,7 +3,7 @@
 #include "bspline/projection.hpp"
 
 #include <fixtures/spline.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #include "bspline/refit.hpp"
 
 #include <fixtures/spline.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 
 #include <algorithm>
 #include <string>

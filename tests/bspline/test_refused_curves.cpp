@@ -3,7 +3,7 @@
 
 #include <fixtures/curves.hpp>
 #include <fixtures/refused.hpp>
-#include <fixtures/sized.hpp>
+#include <fixtures/guarded.hpp>
 #include <fixtures/memory.hpp>
 
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include <fixtures/curves.hpp>
 #include <fixtures/perturb.hpp>
-#include <fixtures/sized.hpp>
+#include <fixtures/guarded.hpp>
 
 using namespace fixtures;
 

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "bspline/section.hpp"
-#include <fixtures/sections.hpp>
+#include <fixtures/curves.hpp>
 #include <fixtures/traps.hpp>
 
 #include <cmath>

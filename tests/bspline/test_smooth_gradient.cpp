@@ -2,7 +2,7 @@
 #include <harmorph_design.h>
 
 #include <fixtures/curves.hpp>
-#include <fixtures/sized.hpp>
+#include <fixtures/guarded.hpp>
 #include <fixtures/memory.hpp>
 
 #include <algorithm>

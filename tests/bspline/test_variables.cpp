@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/airfoil.hpp>
-#include <fixtures/sections.hpp>
+#include <fixtures/curves.hpp>
 #include <fixtures/memory.hpp>
 
 #include <algorithm>

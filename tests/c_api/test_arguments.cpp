@@ -6,9 +6,8 @@
 #include <harmorph_fields.h>
 #include <harmorph_space.h>
 #include "private.h"
-#include <fixtures/safe_moves.hpp>
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -17,7 +16,6 @@
 #include <fixtures/extruded.hpp>
 #include <fixtures/parted.hpp>
 #include <fixtures/spoiled_arguments.hpp>
-#include "fixtures/memory.hpp"
 
 #include <algorithm>
 #include <limits>

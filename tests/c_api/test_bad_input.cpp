@@ -3,9 +3,9 @@
 #include <harmorph_design.h>
 #include <doctest/doctest.h>
 
-#include <fixtures/found.hpp>
+#include <fixtures/memory.hpp>
 #include <fixtures/bodies.hpp>
-#include <fixtures/mixed.hpp>
+#include <fixtures/mesh.hpp>
 
 #include <functional>
 #include <limits>

@@ -3,16 +3,13 @@
 #include <harmorph_design.h>
 #include <harmorph_space.h>
 #include "private.h"
-#include <fixtures/safe_moves.hpp>
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/blocks.hpp>
-#include <fixtures/changes.hpp>
-#include <fixtures/parted.hpp>
 #include <fixtures/spoiled_arguments.hpp>
-#include "fixtures/memory.hpp"
+#include <fixtures/parted.hpp>
 
 using namespace fixtures;
 

@@ -3,9 +3,8 @@
 #include <harmorph_design.h>
 #include <doctest/doctest.h>
 
-#include <fixtures/changes.hpp>
-#include <fixtures/parted.hpp>
 #include <fixtures/spoiled_arguments.hpp>
+#include <fixtures/parted.hpp>
 #include <fixtures/memory.hpp>
 
 using namespace fixtures;

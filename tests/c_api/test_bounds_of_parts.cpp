@@ -1,12 +1,11 @@
 // Bounds in what a part of a mesh says of its cells, columns and unknowns: the last value inside is
 // accepted, the first one outside is refused by name.
 #include "private.h"
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
-#include <fixtures/changes.hpp>
-#include <fixtures/parted.hpp>
 #include <fixtures/spoiled_arguments.hpp>
+#include <fixtures/parted.hpp>
 
 using namespace fixtures;
 

@@ -1,12 +1,11 @@
 // The conventions of the C header: NULL, numbering, error texts, options.
 #include <harmorph_design.h>
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
-#include <fixtures/morphed.hpp>
-#include "fixtures/memory.hpp"
+#include <fixtures/solved.hpp>
 
 #include <set>
 

@@ -1,12 +1,10 @@
 // Bad input of hm_displace and hm_displace_adjoint: refused by name, and nothing is written.
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
-#include <fixtures/found.hpp>
 #include <fixtures/displaced.hpp>
 #include <fixtures/traps.hpp>
-#include "fixtures/memory.hpp"
 
 #include <functional>
 #include <limits>

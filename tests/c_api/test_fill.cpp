@@ -3,18 +3,16 @@
 // floating-point exception that a debugging build would trap.
 #include <harmorph_design.h>
 #include "private.h"
-#include <fixtures/safe_moves.hpp>
 #include <harmorph_study.h>
 
 #include "basis/options.hpp"
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
 #include <fixtures/operators.hpp>
 #include <fixtures/single.hpp>
-#include <fixtures/transferred.hpp>
-#include "fixtures/memory.hpp"
+#include <fixtures/displaced.hpp>
 
 #include <cfenv>
 #include <functional>

@@ -1,6 +1,6 @@
 // Improving the mesh of a plan: conditions hold, first layers stay, bad input is refused and
 // nothing has moved.
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/cascade.hpp>
@@ -8,7 +8,6 @@
 #include <fixtures/executors.hpp>
 #include <fixtures/polygons.hpp>
 #include <fixtures/traps.hpp>
-#include "fixtures/memory.hpp"
 
 #include <complex>
 

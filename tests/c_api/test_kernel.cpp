@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
-#include <fixtures/kernels.hpp>
+#include <fixtures/executors.hpp>
 #include <fixtures/wrong.hpp>
 
 using namespace fixtures;

@@ -1,12 +1,10 @@
 // Calls that begin at the mesh's own coordinates, after the caller has moved the mesh in place.
-#include "fixtures/options.hpp"
-#include <fixtures/safe_moves.hpp>
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
 #include <fixtures/operators.hpp>
 #include <fixtures/refused.hpp>
-#include "fixtures/memory.hpp"
 
 using namespace fixtures;
 

@@ -5,13 +5,11 @@
 #include <harmorph_design.h>
 #include <harmorph_space.h>
 #include "private.h"
-#include <fixtures/safe_moves.hpp>
 #include <harmorph_study.h>
 #include <doctest/doctest.h>
 
-#include <fixtures/calls.hpp>
-#include <fixtures/kinds_of_bases.hpp>
 #include <fixtures/memory.hpp>
+#include <fixtures/kinds_of_bases.hpp>
 
 using namespace fixtures;
 

@@ -1,11 +1,10 @@
 // Options that do not go with the engine are refused, never left out: who sets one must not believe
 // that it counts.
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
-#include "fixtures/memory.hpp"
 
 using namespace fixtures;
 

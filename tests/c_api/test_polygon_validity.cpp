@@ -1,12 +1,10 @@
 // Validity and quality of polygons as the header defines them, and the movements that keep cells
 // valid.
-#include "fixtures/options.hpp"
-#include <fixtures/safe_moves.hpp>
+#include "fixtures/memory.hpp"
+#include <fixtures/safe.hpp>
 #include <doctest/doctest.h>
 
-#include <fixtures/polygon_cases.hpp>
-#include <fixtures/safe.hpp>
-#include "fixtures/memory.hpp"
+#include <fixtures/polygons.hpp>
 
 using namespace fixtures;
 

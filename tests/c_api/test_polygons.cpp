@@ -2,14 +2,12 @@
 // engine and derived basis takes these meshes, and meshes that are none are refused.
 #include <harmorph_bases.h>
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/displaced.hpp>
 #include <fixtures/executors.hpp>
-#include <fixtures/polygon_cases.hpp>
-#include <fixtures/transferred.hpp>
-#include "fixtures/memory.hpp"
+#include <fixtures/polygons.hpp>
 
 using namespace fixtures;
 

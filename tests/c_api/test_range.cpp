@@ -3,13 +3,12 @@
 #include <harmorph_study.h>
 
 #include "basis/options.hpp"
-#include "fixtures/options.hpp"
-#include <fixtures/safe_moves.hpp>
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/operators.hpp>
 #include <fixtures/perturb.hpp>
-#include <fixtures/square.hpp>
+#include <fixtures/mesh.hpp>
 #include <fixtures/wrong.hpp>
 
 #include <random>

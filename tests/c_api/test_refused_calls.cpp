@@ -3,14 +3,12 @@
 #include <harmorph_bases.h>
 #include <harmorph_design.h>
 #include "private.h"
-#include <fixtures/safe_moves.hpp>
 #include <harmorph_study.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
 #include <fixtures/displaced.hpp>
 #include <fixtures/refused.hpp>
-#include <fixtures/transferred.hpp>
 #include <fixtures/memory.hpp>
 
 #include "base/arena.hpp"

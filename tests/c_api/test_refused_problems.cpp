@@ -1,11 +1,10 @@
 // A wrong problem is refused with a whole sentence: options, counts and arrays, curves, conditions.
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
 #include <fixtures/refused.hpp>
-#include "fixtures/memory.hpp"
 
 #include <functional>
 

@@ -9,7 +9,6 @@
 #include <fixtures/executors.hpp>
 #include <fixtures/fitted.hpp>
 #include <fixtures/safe.hpp>
-#include <fixtures/safe_displaced.hpp>
 #include <fixtures/memory.hpp>
 
 #include <functional>

@@ -2,15 +2,14 @@
 // stated size suffices.
 #include <harmorph_space.h>
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/extruded.hpp>
-#include <fixtures/mixed.hpp>
+#include <fixtures/mesh.hpp>
 #include <fixtures/operators.hpp>
-#include "fixtures/memory.hpp"
 
 #include <set>
 

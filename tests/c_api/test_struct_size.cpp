@@ -1,12 +1,11 @@
 // Callers that are older or younger than the library: structs that are shorter or longer than it
 // knows them.
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
-#include <fixtures/mixed.hpp>
-#include "fixtures/memory.hpp"
+#include <fixtures/mesh.hpp>
 
 #include <cstddef>
 

@@ -2,7 +2,7 @@
 // every size up to 60 and round the borders of blocks, tiles and strips, on every kind of processor
 // at hand.
 #include <fixtures/front.hpp>
-#include <fixtures/kernels.hpp>
+#include <fixtures/executors.hpp>
 
 using namespace fixtures;
 using namespace fixtures::fronts;

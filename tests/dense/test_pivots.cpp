@@ -1,6 +1,6 @@
 // Pivots that are no good, and those that only look as if they were not.
 #include <fixtures/front.hpp>
-#include <fixtures/kernels.hpp>
+#include <fixtures/executors.hpp>
 #include <fixtures/traps.hpp>
 
 using namespace fixtures;

@@ -1,6 +1,6 @@
 // The places of entries of fronts, and the addition of entries of a child to those of the parent.
 #include <fixtures/front.hpp>
-#include <fixtures/kernels.hpp>
+#include <fixtures/executors.hpp>
 
 using namespace fixtures;
 using namespace fixtures::fronts;

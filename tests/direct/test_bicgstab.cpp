@@ -3,7 +3,6 @@
 
 #include <fixtures/guarded.hpp>
 #include <fixtures/perturb.hpp>
-#include <fixtures/laid_out.hpp>
 
 #include "direct/bicgstab.hpp"
 

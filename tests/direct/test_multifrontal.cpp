@@ -1,8 +1,8 @@
 // The direct engine against dense Cholesky, and its residual on meshes of every kind.
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
-#include <fixtures/frontal_system.hpp>
+#include <fixtures/matrices.hpp>
 #include <fixtures/traps.hpp>
 
 #include <limits>

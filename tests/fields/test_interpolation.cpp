@@ -6,9 +6,8 @@
 #include <fixtures/bodies.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/executors.hpp>
-#include <fixtures/naca0012.hpp>
+#include <fixtures/hybrid.hpp>
 #include <fixtures/polygons.hpp>
-#include <fixtures/squares.hpp>
 #include <fixtures/memory.hpp>
 
 #include <cmath>

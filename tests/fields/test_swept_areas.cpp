@@ -6,7 +6,6 @@
 
 #include <fixtures/bodies.hpp>
 #include <fixtures/executors.hpp>
-#include <fixtures/kernels.hpp>
 
 #include <map>
 #include <random>

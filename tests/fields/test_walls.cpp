@@ -7,7 +7,7 @@
 #include <fixtures/bodies.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/executors.hpp>
-#include <fixtures/naca0012.hpp>
+#include <fixtures/hybrid.hpp>
 #include <fixtures/memory.hpp>
 
 #include <cmath>

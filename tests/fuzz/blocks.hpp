@@ -2,7 +2,7 @@
 // byte too small is refused; nothing is written behind a block.
 #pragma once
 
-#include "fixtures/calls.hpp"
+#include "fixtures/memory.hpp"
 #include "block.hpp"
 #include "input.hpp"
 

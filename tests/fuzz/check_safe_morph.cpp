@@ -2,7 +2,6 @@
 #include <harmorph_design.h>
 
 #include "solution_check.hpp"
-#include <fixtures/safe_moves.hpp>
 #include <fixtures/memory.hpp>
 
 #include <cmath>

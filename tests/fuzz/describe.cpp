@@ -1,4 +1,4 @@
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include "describe.hpp"
 
 #include <cstdio>

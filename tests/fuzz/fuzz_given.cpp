@@ -3,7 +3,6 @@
 // succeeds has the given bits at the wall, is linear, and is the transpose of the transpose.
 #include <harmorph_bases.h>
 #include "describe.hpp"
-#include <fixtures/safe_moves.hpp>
 #include <fixtures/memory.hpp>
 #include "exceptions.hpp"
 #include "reference.hpp"

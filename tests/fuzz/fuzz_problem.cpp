@@ -2,7 +2,7 @@
 // with what it has to be.
 #include <harmorph_study.h>
 #include "describe.hpp"
-#include <fixtures/safe_moves.hpp>
+#include <fixtures/memory.hpp>
 #include "solution_check.hpp"
 #include "target.hpp"
 

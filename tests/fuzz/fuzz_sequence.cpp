@@ -7,7 +7,6 @@
 #include <harmorph_bases.h>
 #include <harmorph_design.h>
 #include "private.h"
-#include <fixtures/safe_moves.hpp>
 #include <fixtures/memory.hpp>
 #include <harmorph_study.h>
 #include "solution.hpp"

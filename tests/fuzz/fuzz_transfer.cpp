@@ -4,7 +4,6 @@
 // of the wall; curve points have the basis functions.
 #include <harmorph_bases.h>
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
 #include "fixtures/memory.hpp"
 #include "describe.hpp"
 #include "reference.hpp"

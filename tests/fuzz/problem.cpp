@@ -1,5 +1,5 @@
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include "polygons.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // polygons; curves, conditions, options.
 #pragma once
 
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include "blocks.hpp"
 #include "curve_arrays.hpp"
 #include "input.hpp"

@@ -4,7 +4,7 @@
 
 #include <fixtures/blocks.hpp>
 #include <fixtures/bodies.hpp>
-#include <fixtures/morphed.hpp>
+#include <fixtures/solved.hpp>
 
 #include <limits>
 

@@ -1,5 +1,5 @@
 // The boundary comes out as closed loops with the mesh on the left, however it was given.
-#include <fixtures/c_mesh.hpp>
+#include <fixtures/o_mesh.hpp>
 #include <fixtures/core.hpp>
 
 #include <set>

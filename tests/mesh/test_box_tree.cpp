@@ -1,6 +1,6 @@
 // The nearest of many items, against looking at all of them.
 #include <fixtures/core.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 #include "mesh/locate.hpp"
 
 using namespace fixtures;

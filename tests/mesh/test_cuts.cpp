@@ -1,9 +1,9 @@
 // Cuts whose two sides differ by rounding, and cuts that are open.
 #include <fixtures/bodies.hpp>
-#include <fixtures/c_mesh.hpp>
-#include <fixtures/calls.hpp>
+#include <fixtures/o_mesh.hpp>
+#include <fixtures/memory.hpp>
 #include <fixtures/mangle.hpp>
-#include <fixtures/parted_agreement.hpp>
+#include <fixtures/parted.hpp>
 #include <fixtures/safe.hpp>
 
 using namespace fixtures;

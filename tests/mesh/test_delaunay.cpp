@@ -1,8 +1,8 @@
 // Flipped triangulations: of the same points and the same domain, and Delaunay.
 #include <fixtures/core.hpp>
-#include <fixtures/c_mesh.hpp>
+#include <fixtures/o_mesh.hpp>
 #include <fixtures/wrong.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 
 #include "mesh/delaunay.hpp"
 #include "base/predicates.hpp"

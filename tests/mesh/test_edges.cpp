@@ -1,7 +1,7 @@
 // Every edge once, with the cells at its two sides.
 #include <fixtures/core.hpp>
 #include <fixtures/wrong.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 
 #include <set>
 

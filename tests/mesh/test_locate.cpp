@@ -1,8 +1,8 @@
 // Cells of points, and weights that reproduce linear fields.
-#include <fixtures/c_mesh.hpp>
+#include <fixtures/o_mesh.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/traps.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 #include "mesh/locate.hpp"
 
 using namespace fixtures;

@@ -1,6 +1,6 @@
 // Every layout gives the same cells; wrong input is refused, and the first offender is named.
 #include <fixtures/core.hpp>
-#include <fixtures/mixed.hpp>
+#include <fixtures/mesh.hpp>
 #include <fixtures/wrong.hpp>
 
 #include <limits>

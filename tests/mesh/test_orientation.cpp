@@ -1,7 +1,7 @@
 // Cells are turned as their neighbours ask for, and the larger area is right.
 #include <fixtures/core.hpp>
 #include <fixtures/perturb.hpp>
-#include <fixtures/square.hpp>
+#include <fixtures/mesh.hpp>
 
 #include "mesh/cell_shape.hpp"
 

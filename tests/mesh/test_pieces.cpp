@@ -2,7 +2,7 @@
 // are; guards.
 #include <fixtures/core.hpp>
 #include <fixtures/polygons.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 
 #include "mesh/pieces.hpp"
 

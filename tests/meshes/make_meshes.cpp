@@ -3,7 +3,7 @@
 // gives no coordinates, so these shapes are drawn after its description.
 #include <fixtures/airfoil_meshes.hpp>
 #include <fixtures/hybrid.hpp>
-#include <fixtures/square.hpp>
+#include <fixtures/mesh.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Derivatives of bounds by control points, design variables and wall displacements: the transposes
 // that exist turn those by mesh points into them.
 #include <fixtures/bounded.hpp>
-#include <fixtures/derived.hpp>
+#include <fixtures/single.hpp>
 
 using namespace fixtures;
 

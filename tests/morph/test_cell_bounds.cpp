@@ -2,8 +2,7 @@
 // agree with differences, and independent of units, orientation, numbering, threads and kernels.
 #include <fixtures/bounded.hpp>
 #include <fixtures/executors.hpp>
-#include <fixtures/kernels.hpp>
-#include <fixtures/polygon_cases.hpp>
+#include <fixtures/polygons.hpp>
 
 #include <algorithm>
 #include <numeric>

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
-#include <fixtures/morphed.hpp>
+#include <fixtures/solved.hpp>
 
 #include "morph/crossing.hpp"
 

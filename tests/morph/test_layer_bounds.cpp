@@ -1,7 +1,7 @@
 // Smooth bounds of heights and angles of the first layer: those that reports of safe morphs
 // measure, with derivatives that agree with differences.
 #include <fixtures/bounded.hpp>
-#include <fixtures/walls.hpp>
+#include <fixtures/core.hpp>
 #include <fixtures/memory.hpp>
 
 using namespace fixtures;

@@ -1,14 +1,12 @@
 // Functions by table: solved as hm_displace solves, used as any function.
 #include <harmorph_bases.h>
 #include <harmorph_design.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
-#include <fixtures/derived.hpp>
-#include <fixtures/displaced.hpp>
-#include <fixtures/half_ring.hpp>
 #include <fixtures/single.hpp>
-#include "fixtures/memory.hpp"
+#include <fixtures/displaced.hpp>
+#include <fixtures/channels.hpp>
 
 #include <cstring>
 #include <string>

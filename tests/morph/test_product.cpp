@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
-#include <fixtures/kernels.hpp>
+#include <fixtures/executors.hpp>
 
 #include "morph/morph.hpp"
 

@@ -1,6 +1,6 @@
 // Sliding points back onto their curves, and the transpose.
 #include <harmorph_design.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>

@@ -1,6 +1,6 @@
 // The derivative of the admissible step: that of hm_assess, and one-sided where corners compete.
 #include <fixtures/bounded.hpp>
-#include <fixtures/polygon_cases.hpp>
+#include <fixtures/polygons.hpp>
 
 using namespace fixtures;
 

@@ -4,7 +4,7 @@
 
 #include <fixtures/core.hpp>
 #include <fixtures/executors.hpp>
-#include <fixtures/morphed.hpp>
+#include <fixtures/solved.hpp>
 
 #include "morph/crossing.hpp"
 

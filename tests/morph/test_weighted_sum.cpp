@@ -1,6 +1,6 @@
 // Sums of bases whose functions are multiplied by complex numbers: the derivative of a morph in
 // several steps.
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>

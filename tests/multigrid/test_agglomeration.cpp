@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/agglomerated.hpp>
-#include <fixtures/c_mesh.hpp>
+#include <fixtures/o_mesh.hpp>
 #include <fixtures/graphs.hpp>
 
 using namespace fixtures;

@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/agglomerated.hpp>
-#include <fixtures/c_mesh.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/o_mesh.hpp>
+#include <fixtures/guarded.hpp>
 
 #include "multigrid/coarse_points.hpp"
 

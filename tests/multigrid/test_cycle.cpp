@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/agglomerated.hpp>
-#include <fixtures/kernels.hpp>
+#include <fixtures/executors.hpp>
 
 #include "multigrid/cycle_table.hpp"
 

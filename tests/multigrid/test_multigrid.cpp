@@ -1,17 +1,16 @@
 // The iterative engine: the direct engine's solutions, in a number of iterations that does not grow
 // with the mesh.
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/agglomerated.hpp>
-#include <fixtures/c_mesh.hpp>
+#include <fixtures/o_mesh.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/operators.hpp>
 #include <fixtures/parts.hpp>
-#include <fixtures/slip_channel.hpp>
-#include <fixtures/laid_out.hpp>
-#include "fixtures/memory.hpp"
+#include <fixtures/solved.hpp>
+#include <fixtures/guarded.hpp>
 
 #include "multigrid/multigrid.hpp"
 

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/agglomerated.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 
 #include "multigrid/coarse_points.hpp"
 

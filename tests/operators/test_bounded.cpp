@@ -1,11 +1,11 @@
 // The bounded scheme: no conductance has the wrong sign, functions stay between 0 and 1, linear
 // fields are reproduced.
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/matrices.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 
 #include "boundary/distance.hpp"
 #include "operators/assembly.hpp"

@@ -1,7 +1,7 @@
 // Nodal gradients as a choice of the plan: exact solutions, the two engines against each other,
 // the compact scheme nearby.
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>

@@ -2,7 +2,7 @@
 // without correction.
 #include <doctest/doctest.h>
 
-#include <fixtures/dense_matrix.hpp>
+#include <fixtures/matrices.hpp>
 #include <fixtures/schemes.hpp>
 #include <fixtures/wrong.hpp>
 

@@ -1,15 +1,14 @@
 // The residual sees what is wrong, and refinement takes it away.
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
-#include <fixtures/c_mesh.hpp>
+#include <fixtures/o_mesh.hpp>
 #include <fixtures/executors.hpp>
-#include <fixtures/kernels.hpp>
 #include <fixtures/matrices.hpp>
 #include <fixtures/operators.hpp>
 #include <fixtures/wrong.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 
 #include "plan/plan.hpp"
 

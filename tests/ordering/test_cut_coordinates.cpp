@@ -2,7 +2,7 @@
 // parts.
 #include <fixtures/graphs.hpp>
 #include <fixtures/wrong.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 
 using namespace fixtures;
 using harmorph::Index;

@@ -1,7 +1,7 @@
 // Parts are cut in the middle, across the shorter direction, behind the cheapest level, with
 // borders taken into account.
 #include <fixtures/graphs.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 
 #include "ordering/bisection.hpp"
 

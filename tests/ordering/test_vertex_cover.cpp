@@ -2,7 +2,7 @@
 // changes sides.
 #include <fixtures/graphs.hpp>
 #include <fixtures/wrong.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 
 using fixtures::grid_graph;
 using fixtures::Guarded;

@@ -3,9 +3,8 @@
 
 #include <harmorph_bases.h>
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <fixtures/parted_agreement.hpp>
 #include "fixtures/memory.hpp"
+#include <fixtures/parted.hpp>
 
 using namespace fixtures;
 

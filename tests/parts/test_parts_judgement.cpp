@@ -1,6 +1,6 @@
 // Morph, adjoint, step and quality of parts of meshes: those of the whole mesh, also for polygons.
 
-#include <fixtures/parted_agreement.hpp>
+#include <fixtures/parted.hpp>
 #include <fixtures/polygons.hpp>
 
 using namespace fixtures;

@@ -2,8 +2,8 @@
 
 #include "private.h"
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <fixtures/parted_agreement.hpp>
+#include "fixtures/memory.hpp"
+#include <fixtures/parted.hpp>
 #include <fixtures/refused.hpp>
 
 using namespace fixtures;

@@ -1,6 +1,6 @@
 // The functions of the conformal operator: values on the boundary and complex linearity.
 #include <harmorph_design.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/operators.hpp>

@@ -1,5 +1,5 @@
 // The conformal operator on an annulus, where the exact solution is known.
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/operators.hpp>

@@ -1,6 +1,6 @@
 // The matrix of the conformal operator: the energy that its solutions minimise, its kernel, its
 // definiteness.
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/matrices.hpp>

@@ -1,10 +1,9 @@
 // Same input, same bits: again, in any order of calls, and whatever lay in the memory before.
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
 #include <fixtures/executors.hpp>
-#include <fixtures/found.hpp>
 #include <fixtures/operators.hpp>
 #include <fixtures/single.hpp>
 

@@ -1,13 +1,12 @@
 // Neumann values: normal derivatives given on the faces of free boundaries.
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
-#include <fixtures/annulus.hpp>
+#include <fixtures/mesh.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/operators.hpp>
 #include <fixtures/perturb.hpp>
 #include <fixtures/refused.hpp>
-#include <fixtures/square.hpp>
 
 #include <functional>
 

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
-#include <fixtures/morphed.hpp>
+#include <fixtures/solved.hpp>
 
 using namespace fixtures;
 

@@ -1,7 +1,7 @@
 // Offset correction: a wall that is not exactly on its curve turns with it.
 #include <harmorph_design.h>
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/operators.hpp>

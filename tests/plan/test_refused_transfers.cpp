@@ -2,12 +2,11 @@
 // small.
 #include <harmorph_bases.h>
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
-#include <fixtures/transferred.hpp>
-#include "fixtures/memory.hpp"
+#include <fixtures/displaced.hpp>
 
 using namespace fixtures;
 

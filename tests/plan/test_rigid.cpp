@@ -1,6 +1,6 @@
 // Rigid bodies: four numbers instead of control points, and points that go exactly where they say.
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/operators.hpp>

@@ -2,7 +2,7 @@
 // cancel others as the factor is made; where they stand upright, flows through them dwarf those at
 // the wall, and so does the rounding of these flows.
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/double_double.hpp>

@@ -1,9 +1,9 @@
 // Slip lines beside thin cells: the couplings of those drown all others in a diagonal, so nothing
 // may depend on it.
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
-#include <fixtures/half_ring.hpp>
+#include <fixtures/channels.hpp>
 #include <fixtures/o_mesh.hpp>
 
 using namespace fixtures;

@@ -1,12 +1,12 @@
 // Functions of a coarse mesh on a fine one: exact where they are linear, of second order elsewhere.
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/operators.hpp>
-#include <fixtures/slip_channel.hpp>
-#include <fixtures/transferred.hpp>
+#include <fixtures/solved.hpp>
+#include <fixtures/displaced.hpp>
 
 using namespace fixtures;
 

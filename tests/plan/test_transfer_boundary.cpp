@@ -1,15 +1,14 @@
 // The boundary of transferred functions: walls, cuts, slip lines, periodic pairs, rigid bodies,
 // thin layers.
 #include <harmorph_study.h>
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
-#include <fixtures/c_mesh.hpp>
+#include <fixtures/o_mesh.hpp>
 #include <fixtures/operators.hpp>
-#include <fixtures/morphed.hpp>
-#include <fixtures/slip_channel.hpp>
-#include <fixtures/transferred.hpp>
+#include <fixtures/solved.hpp>
+#include <fixtures/displaced.hpp>
 
 using namespace fixtures;
 

@@ -1,5 +1,5 @@
 // The weighted Laplace operator: k = 1 / d^q, d the distance to what moves.
-#include "fixtures/options.hpp"
+#include "fixtures/memory.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/matrices.hpp>

@@ -1,7 +1,7 @@
 // A safe morph accepts other bases whose functions are the same at the wall, modes of a table
 // included.
-#include <fixtures/derived.hpp>
-#include <fixtures/safe_moves.hpp>
+#include <fixtures/single.hpp>
+#include <fixtures/memory.hpp>
 #include <fixtures/displaced.hpp>
 #include <fixtures/parts.hpp>
 

@@ -1,7 +1,6 @@
 // Given displacements end with good cells, not just with valid ones.
-#include <fixtures/block_in_square.hpp>
+#include <fixtures/safe.hpp>
 #include <fixtures/channels.hpp>
-#include <fixtures/safe_displaced.hpp>
 
 using namespace fixtures;
 

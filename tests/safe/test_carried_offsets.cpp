@@ -1,7 +1,7 @@
 // Wall points beside their curve: a body that turns takes them along, and the mesh near them.
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 
 #include "plan/plan.hpp"
 #include "safe/moving_mesh.hpp"

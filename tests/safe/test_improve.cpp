@@ -2,7 +2,7 @@
 // differences, factored systems, and independence of threads and units.
 #include <fixtures/core.hpp>
 #include <fixtures/executors.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 #include <fixtures/mangle.hpp>
 #include <fixtures/operators.hpp>
 

@@ -1,6 +1,6 @@
 // Better cells in meshes whose outer boundary slips along a curve: the points there go along the
 // curve, too.
-#include <fixtures/circle.hpp>
+#include <fixtures/spline.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/mangle.hpp>
 #include <fixtures/safe.hpp>

@@ -3,7 +3,7 @@
 #include <fixtures/channels.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 
 #include "safe/motion_path.hpp"
 

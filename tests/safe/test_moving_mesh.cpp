@@ -1,7 +1,7 @@
 // A mesh on the way of a large movement: one step ahead, and back to the start.
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/guarded.hpp>
 
 #include "safe/moving_mesh.hpp"
 

@@ -2,8 +2,8 @@
 // conjugate gradients' step.
 #include <fixtures/core.hpp>
 #include <fixtures/mangle.hpp>
-#include <fixtures/square.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/mesh.hpp>
+#include <fixtures/guarded.hpp>
 
 #include "safe/newton_system.hpp"
 #include "safe/untangle.hpp"

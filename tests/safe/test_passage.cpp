@@ -1,7 +1,7 @@
 // Large movements and better cells in one passage of an annulus: what all passages do, and sides
 // that stay images.
-#include <fixtures/passage.hpp>
-#include <fixtures/safe_displaced.hpp>
+#include <fixtures/cascade.hpp>
+#include <fixtures/safe.hpp>
 #include <fixtures/memory.hpp>
 
 using namespace fixtures;

@@ -1,6 +1,6 @@
 // Walls that would cross their own periodic image are refused before anything is solved.
 #include <fixtures/channels.hpp>
-#include <fixtures/passage.hpp>
+#include <fixtures/cascade.hpp>
 #include <fixtures/safe.hpp>
 
 using namespace fixtures;

@@ -1,8 +1,7 @@
 // Given displacements that a safe morph refuses: each by name, with the place, and without a change
 // of the output.
-#include <fixtures/found.hpp>
-#include <fixtures/safe_moves.hpp>
-#include <fixtures/safe_displaced.hpp>
+#include <fixtures/memory.hpp>
+#include <fixtures/safe.hpp>
 #include <fixtures/traps.hpp>
 
 using namespace fixtures;

@@ -1,8 +1,8 @@
 // The region round chosen cells, against distances counted the slow way.
 #include <fixtures/core.hpp>
 #include <fixtures/mangle.hpp>
-#include <fixtures/square.hpp>
-#include <fixtures/laid_out.hpp>
+#include <fixtures/mesh.hpp>
+#include <fixtures/guarded.hpp>
 
 #include "base/executor.hpp"
 #include "safe/region.hpp"

@@ -1,6 +1,5 @@
 // Calls of the safe morph: cancelled, with exact working space, on threads, refused.
-#include <fixtures/block_in_square.hpp>
-#include <fixtures/safe_moves.hpp>
+#include <fixtures/safe.hpp>
 #include <fixtures/executors.hpp>
 
 using namespace fixtures;

@@ -1,5 +1,5 @@
 // The derivative of a safe morph: a basis that takes small movements from where the mesh is now.
-#include <fixtures/block_in_square.hpp>
+#include <fixtures/safe.hpp>
 
 using namespace fixtures;
 

@@ -1,8 +1,7 @@
 // Safe morphs by derived bases: combined functions and modes.
-#include <fixtures/derived.hpp>
-#include <fixtures/safe_moves.hpp>
-#include <fixtures/displaced.hpp>
+#include <fixtures/single.hpp>
 #include <fixtures/safe.hpp>
+#include <fixtures/displaced.hpp>
 
 using namespace fixtures;
 

@@ -1,9 +1,8 @@
 // Given displacements by the strategies of a safe morph: the whole displacement with the given
 // bits, or how far and why.
 #include <fixtures/executors.hpp>
-#include <fixtures/safe_moves.hpp>
-#include <fixtures/naca0012.hpp>
-#include <fixtures/safe_displaced.hpp>
+#include <fixtures/safe.hpp>
+#include <fixtures/hybrid.hpp>
 
 using namespace fixtures;
 

@@ -1,8 +1,8 @@
 // Safe given displacements beside other conditions: curves, design variables, and lines along which
 // points slip.
-#include <fixtures/derived.hpp>
-#include <fixtures/half_ring.hpp>
-#include <fixtures/safe_displaced.hpp>
+#include <fixtures/single.hpp>
+#include <fixtures/channels.hpp>
+#include <fixtures/safe.hpp>
 
 using namespace fixtures;
 

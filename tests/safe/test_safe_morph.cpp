@@ -1,9 +1,8 @@
 // Safe morphs: no cell is inverted and no boundary crosses whatever happens, and the report is
 // true.
-#include <fixtures/block_in_square.hpp>
-#include <fixtures/safe_moves.hpp>
+#include <fixtures/safe.hpp>
 #include <fixtures/bounded.hpp>
-#include <fixtures/c_mesh.hpp>
+#include <fixtures/o_mesh.hpp>
 #include <fixtures/fitted.hpp>
 
 using namespace fixtures;

@@ -1,5 +1,5 @@
 // The strategies of the safe morph: cases in which each of them helps, and the properties of each.
-#include <fixtures/block_in_square.hpp>
+#include <fixtures/safe.hpp>
 
 using namespace fixtures;
 

@@ -2,7 +2,6 @@
 #include <fixtures/channels.hpp>
 #include <fixtures/fitted.hpp>
 #include <fixtures/safe.hpp>
-#include <fixtures/safe_displaced.hpp>
 
 using namespace fixtures;
 

@@ -1,15 +1,13 @@
 // Untangling makes meshes with inverted cells valid and keeps their boundary; impossible cases are
 // refused.
 #include <fixtures/airfoil.hpp>
-#include <fixtures/annulus.hpp>
-#include <fixtures/c_mesh.hpp>
+#include <fixtures/mesh.hpp>
+#include <fixtures/o_mesh.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/guarded.hpp>
 #include <fixtures/mangle.hpp>
-#include <fixtures/square.hpp>
 #include <fixtures/traps.hpp>
-#include <fixtures/laid_out.hpp>
 
 #include "safe/untangle.hpp"
 

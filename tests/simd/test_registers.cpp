@@ -1,6 +1,6 @@
 // The registers of every instruction set that this processor has, against plain numbers.
 #include <fixtures/core.hpp>
-#include <fixtures/kernels.hpp>
+#include <fixtures/executors.hpp>
 #include <fixtures/traps.hpp>
 
 #include "base/scalar.hpp"

@@ -1,5 +1,5 @@
 // The frame of the plane, from the points of the faces alone.
-#include <fixtures/plane.hpp>
+#include <fixtures/extruded.hpp>
 #include "space/frame.hpp"
 
 using namespace fixtures;

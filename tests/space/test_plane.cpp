@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include <fixtures/c_mesh.hpp>
-#include <fixtures/plane.hpp>
+#include <fixtures/o_mesh.hpp>
+#include <fixtures/extruded.hpp>
 
 using namespace fixtures;
 

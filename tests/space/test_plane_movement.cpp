@@ -3,7 +3,7 @@
 #include <harmorph_space.h>
 
 #include <fixtures/executors.hpp>
-#include <fixtures/plane.hpp>
+#include <fixtures/extruded.hpp>
 
 using namespace fixtures;
 

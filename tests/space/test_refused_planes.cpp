@@ -1,11 +1,10 @@
 // Meshes of three dimensions and arguments that are refused, each with a sentence and the place.
 #include <harmorph_space.h>
 
-#include <fixtures/found.hpp>
-#include <fixtures/plane.hpp>
+#include <fixtures/memory.hpp>
+#include <fixtures/extruded.hpp>
 #include <fixtures/refused.hpp>
 #include <fixtures/traps.hpp>
-#include <fixtures/memory.hpp>
 
 using namespace fixtures;
 

@@ -57,6 +57,7 @@ struct Box {
     }
     double width() const { return high.x - low.x; }
     double height() const { return high.y - low.y; }
+    double larger_side() const { return std::max(width(), height()); }
     Point centre() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
 };
 

@@ -1,5 +1,4 @@
 // One displacement of the wall, as a time step has it, against factor and solution of 20 functions.
-#include "fixtures/options.hpp"
 #include "fixtures/memory.hpp"
 #include "clock.hpp"
 #include "ours.hpp"

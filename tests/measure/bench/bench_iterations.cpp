@@ -9,7 +9,7 @@
 
 #include <fixtures/operators.hpp>
 #include <fixtures/polygons.hpp>
-#include <fixtures/slip_channel.hpp>
+#include <fixtures/solved.hpp>
 
 #include <cmath>
 

@@ -1,7 +1,5 @@
 // A safe morph on the way of which the functions are solved again four times, against one whole
 // solution: analysis, plan, factor and 20 conformal functions.
-#include "fixtures/options.hpp"
-#include <fixtures/safe_moves.hpp>
 #include "fixtures/memory.hpp"
 #include "clock.hpp"
 #include "ours.hpp"

@@ -5,7 +5,7 @@
 : "${BUILD:=build}" "${PYTHON:=/usr/bin/python3}" "${ROUND:=1000}" "${OUTWARDS:=1000}"
 out=$BUILD/bench harmorph=$BUILD/harmorph
 mkdir -p "$out" || exit 1
-awk -v n="$ROUND" -v m="$OUTWARDS" -f tests/formats/large_mesh.awk >"$out/files.su2"
+awk -v n="$ROUND" -v m="$OUTWARDS" -f tests/program/formats/large_mesh.awk >"$out/files.su2"
 "$harmorph" convert "$out/files.su2" "$out/files-2.msh" >/dev/null || exit 1
 # The same O-mesh as PLOT3D in text and as unformatted records of Fortran.
 $PYTHON - "$ROUND" "$OUTWARDS" "$out/files-text.p3d" "$out/files-binary.p3d" <<'END' || exit 1

@@ -22,7 +22,7 @@ namespace bench {
 namespace {
 
 char const* const usage =
-    "usage: bench [--parts \"dense solve threads iterative iterations memory displace safe "
+    "usage: bench [--parts \"solve threads iterative iterations memory displace safe "
     "morph\"] [--sizes "
     "\"10000 "
     "100000 1000000\"]\n"
@@ -144,7 +144,6 @@ void run(Settings settings) {
             failures += std::string(name) + ": " + error.what() + "\n";
         }
     };
-    part("dense", [&] { bench_dense(settings, limits, report); });
     part("solve", [&] { bench_solve(settings, report); });
     part("threads", [&] { bench_threads(settings, report); });
     part("iterative", [&] { bench_iterative(settings, report); });

@@ -4,7 +4,7 @@
 : "${NI:=1001}" "${NJ:=200}" "${FUNCTIONS:=20}" "${OPERATORS:=0 1}"
 set -e
 mkdir -p "$BUILD/bench"
-$MPICC -std=c99 $CFLAGS -Iinclude -Ic_api -Itests -o "$BUILD/bench/mpi" tests/measure/bench/mpi.c \
+$MPICC -std=c99 $CFLAGS -Iinclude -Ic_api -Itests/hosts -o "$BUILD/bench/mpi" tests/measure/bench/mpi.c \
     c_api/mpi/harmorph_mpi.c "$BUILD/libharmorph.a" -lm
 run() { $MPIRUN --allow-run-as-root --oversubscribe -np "$1" "$BUILD/bench/mpi" "$NI" "$NJ" "$FUNCTIONS" "$2"; }
 for operator in $OPERATORS; do

@@ -1,4 +1,3 @@
-#include "fixtures/options.hpp"
 #include "fixtures/memory.hpp"
 #include "ours.hpp"
 

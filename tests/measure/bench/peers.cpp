@@ -14,20 +14,10 @@ std::vector<SolverPackage> const& solver_packages() {
 #else
         {"CHOLMOD", "libsuitesparse-dev", nullptr},
 #endif
-#ifdef HAVE_EIGEN
-        {"Eigen SimplicialLLT", "libeigen3-dev", make_eigen},
-#else
-        {"Eigen SimplicialLLT", "libeigen3-dev", nullptr},
-#endif
 #ifdef HAVE_MUMPS
         {"MUMPS", "libmumps-seq-dev", make_mumps},
 #else
         {"MUMPS", "libmumps-seq-dev", nullptr},
-#endif
-#ifdef HAVE_SUPERLU
-        {"SuperLU", "libsuperlu-dev", make_superlu},
-#else
-        {"SuperLU", "libsuperlu-dev", nullptr},
 #endif
     };
     return packages;

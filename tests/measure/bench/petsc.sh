@@ -13,7 +13,7 @@ set -e
 mkdir -p "$BUILD/bench"
 $MPICC -std=c99 -D_XOPEN_SOURCE=700 $CFLAGS $(pkg-config --cflags petsc) -Iinclude -Ic_api -o "$BUILD/bench/petsc" \
     tests/measure/bench/petsc.c c_api/petsc/harmorph_petsc.c "$BUILD/libharmorph.a" $(pkg-config --libs petsc) -lm
-$MPICC -std=c99 $CFLAGS -Iinclude -Ic_api -Itests -o "$BUILD/bench/mpi" tests/measure/bench/mpi.c \
+$MPICC -std=c99 $CFLAGS -Iinclude -Ic_api -Itests/hosts -o "$BUILD/bench/mpi" tests/measure/bench/mpi.c \
     c_api/mpi/harmorph_mpi.c "$BUILD/libharmorph.a" -lm
 processors=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 run() {   # processes, program... Processes that share a processor yield it while they wait.

@@ -1,10 +1,10 @@
 #!/bin/sh
 # `make bench`: finds out which peers this machine has, builds what changed, runs. Everything may be set from outside:
 #   make bench SIZES="10000 100000" KINDS=iso FUNCTIONS="20 60" THREADS="1 2" REPEATS=5 \
-#       PARTS="dense solve threads iterative iterations memory displace safe morph files" GIBIBYTES=24
+#       PARTS="solve threads iterative iterations memory displace safe morph files" GIBIBYTES=24
 # BUILD_ONLY=1 only builds $BUILD/bench/bench.
 : "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS:=-O3}"
-: "${PARTS:=dense solve morph}"
+: "${PARTS:=solve morph}"
 case $PARTS in
 iterative) : "${FUNCTIONS:=20}" "${SIZES:=10000 100000}" ;; # a million points take minutes
 iterations) : "${SIZES:=1000 10000 100000 1000000}" ;;
@@ -42,8 +42,6 @@ peer openblas "-lopenblas" 'extern "C" char* openblas_get_config(void);' 'openbl
 peer cholmod "-lcholmod" '#include <suitesparse/cholmod.h>' 'cholmod_common common; cholmod_start(&common)'
 [ -n "$petsc" ] || peer mumps "-ldmumps_seq -lmumps_common_seq -lpord_seq -lmpiseq_seq" '#include <dmumps_c.h>' \
     'DMUMPS_STRUC_C mumps{}; mumps.job = -2; dmumps_c(&mumps)'
-peer superlu "-lsuperlu" '#include <superlu/slu_ddefs.h>' 'SuperLUStat_t statistics; StatInit(&statistics)'
-peer eigen "" '#include <eigen3/Eigen/SparseCholesky>' 'Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver'
 
 if [ -n "$petsc" ]; then
     sources="$sources $here/peer_petsc.cpp"

@@ -13,7 +13,7 @@ struct Settings {
     std::vector<std::int32_t> sizes{10000, 100000, 1000000};
     std::vector<std::string> kinds{"iso", "viscous", "unstructured"};
     std::vector<std::int32_t> functions{20, 60};
-    std::vector<std::string> parts{"dense", "solve", "morph"};
+    std::vector<std::string> parts{"solve", "morph"};
     int threads = 1;                        // of both sides
     hm_executor const* executor = nullptr;  // with as many
     int kernel = 0;                         // HM_KERNEL_...
@@ -36,7 +36,6 @@ struct Limits {
 };
 
 Limits measure_machine(Settings const& settings, Report& report);
-void bench_dense(Settings const& settings, Limits const& limits, Report& report);
 void bench_solve(Settings const& settings, Report& report);
 void bench_threads(Settings const& settings, Report& report);
 void bench_iterative(Settings const& settings, Report& report);

@@ -36,9 +36,7 @@ using SolverPeers = std::vector<std::unique_ptr<SolverPeer>>;
 // One for each ordering it offers and each way to use the threads. Compiled where its package is
 // there.
 SolverPeers make_cholmod(int threads);
-SolverPeers make_eigen(int threads);
 SolverPeers make_mumps(int threads);
-SolverPeers make_superlu(int threads);
 SolverPeers make_petsc();
 
 }  // namespace bench

@@ -16,7 +16,7 @@ awk -v around="$around" -v layers="$layers" -v first=2e-3 -f "$here/../compare/o
     cat "$tmp/log"
     exit 1
 }
-. "$here/../../behind_page.sh"
+. "$here/../../program/behind_page.sh"
 behind_page "$here/frames.js" >>"$tmp/page.html"
 timeout 600 "${CHROMIUM:-chromium}" --headless --no-sandbox --disable-quic --no-first-run \
     --disable-background-networking --disable-component-update --disable-sync --disable-dev-shm-usage \

@@ -1,7 +1,7 @@
 #!/bin/sh
 # `make paper`: the paper's cases with this program, operator and figures as there. Pictures go to build/paper, with an
-# index.html (see tests/figures.sh); numbers and tables are printed; MESHES=directory adds a table for the SU2 files
-# there. Shapes are drawn after the paper's description, which gives no coordinates.
+# index.html (see tests/measure/figures.sh); numbers and tables are printed; MESHES=directory adds a table for the SU2
+# files there. Shapes are drawn after the paper's description, which gives no coordinates.
 : "${BUILD:=build}"
 harmorph=$BUILD/harmorph out=$BUILD/paper meshes=$BUILD/meshes here=$(dirname "$0")
 mkdir -p "$out"

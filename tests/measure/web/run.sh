@@ -18,7 +18,7 @@ for size in $SIZES; do
         "$dir/speed" $sizes | sed 's/^/native /' >>"$dir/times" || exit 1
         node "$dir/speed.mjs" "$dir/package/index.js" $KERNEL $sizes | sed 's/^/node /' >>"$dir/times" || exit 1
         if command -v "$CHROMIUM" >/dev/null; then
-            node "$here/../../web/browser.mjs" "$CHROMIUM" "$dir" speed.mjs $KERNEL $sizes |
+            node "$here/../../hosts/web/browser.mjs" "$CHROMIUM" "$dir" speed.mjs $KERNEL $sizes |
                 sed 's/^/chromium /' >>"$dir/times" || exit 1
         fi
     done

@@ -2,7 +2,7 @@
  * one line for each part; speed.mjs prints the same lines for WebAssembly. The mesh consists of
  * rings round an ellipse. */
 #define _POSIX_C_SOURCE 199309L
-#include "../../memory.h"
+#include "../../c_api/memory.h"
 
 #include <harmorph.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 // usage: node speed.mjs PACKAGE KERNEL NI NJ CONTROL   Prints the lines of speed.c for WebAssembly; browser.mjs of
-// tests/web calls run() in Chromium.
+// tests/hosts/web calls run() in Chromium.
 
 // Each part is repeated until it has taken 2 s, three times at least; the shortest time counts. The clock of a browser
 // has steps of 0.1 ms, so that parts that are shorter than 5 ms are repeated between two looks at the clock.

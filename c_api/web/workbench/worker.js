@@ -1,0 +1,16 @@
+"use strict";
+// A worker runs one command and is ended afterwards, so that all its memory is free again.
+
+const read_file = (blob) => new Uint8Array(new FileReaderSync().readAsArrayBuffer(blob));
+
+onmessage = async ({ data: { module, words, files } }) => {
+    const result = await run_command({
+        make_program,
+        module,
+        words,
+        files: files.map(([path, blob]) => [path, read_file(blob)]),
+        report: (what, fraction) => postMessage({ what, fraction }),
+    });
+    result.made = result.made.map(([path, bytes]) => [path, new Blob([bytes])]);
+    postMessage({ result });
+};

@@ -1,0 +1,20 @@
+# UGRID: names of boundaries, bad files. (A part of tests/program/formats.sh.)
+printf '4\n1 4000 body\n2 5000 outer rim\n3 6662 sym1\n4 6662 sym2\n' >"$tmp/prisms.mapbc"
+check "ugrid: names of a .mapbc file" "$harmorph" check "$tmp/prisms.lb8.ugrid" --json
+says "ugrid: names of a .mapbc file: those that are not in the planes" \
+    '"body", "faces": 24}, {"name": "outer", "faces": 24}]'
+echo 'body 5' >>"$tmp/prisms.mapbc"
+refuses "ugrid: a bad .mapbc file" 'prisms.mapbc:6: the file needs' "$harmorph" check "$tmp/prisms.lb8.ugrid"
+rm "$tmp/prisms.mapbc"
+head -c 9000 "$tmp/prisms.lb8.ugrid" >"$tmp/bad.lb8.ugrid"
+refuses "ugrid: cut off" 'little-endian byte order the file would have' "$harmorph" check "$tmp/bad.lb8.ugrid"
+cp "$tmp/bad.lb8.ugrid" "$tmp/bad.b8.ugrid"
+refuses "ugrid: cut off, and of the other byte order than its name says" 'bad.b8.ugrid' "$harmorph" \
+    check "$tmp/bad.b8.ugrid"
+printf '4 0 0 1 0 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 2 3 4\n' >"$tmp/bad.ugrid"
+refuses "ugrid: three dimensions in earnest" 'bad.ugrid:1: the mesh has no prisms and no hexahedra' "$harmorph" \
+    check "$tmp/bad.ugrid"
+sed '20s/^[^ ]*/7/' "$tmp/text.ugrid" >"$tmp/bad.ugrid"
+refuses "ugrid: a point without a partner" \
+    'bad.ugrid:20: the mesh has three dimensions and is not one cell thick: the projection of point 18 is' \
+    "$harmorph" check "$tmp/bad.ugrid"
