@@ -44,10 +44,11 @@ Similarity fit_similarity(ForEach const& for_each) noexcept {
 }
 
 // Finds how far the middle of the way from the closed polygon `from` to the closed polygon `to`
-// bends away from the straight line, for each point. In the middle, each side has turned by half of
-// its angle, and has the mean of both lengths, so that a part that turns neither shrinks nor passes
-// through other parts. Angles are continuous round the polygon; if they do not return to the first
-// one, the way is straight. The sides that turn close the polygon in the middle.
+// bends away from the straight line, for each point. In the middle, each side has rotated by half
+// of its angle, and has the mean of both lengths, so that a part that rotates neither shrinks nor
+// passes through other parts. Angles are continuous round the polygon, but for one side where they
+// would not return to the first one; if that does not help, the way is straight. The sides that
+// rotate close the polygon in the middle.
 void find_bulge(Span<const Vec2> from, Span<const Vec2> to, Span<Vec2> bulge) noexcept;
 
 // Returns r^t for 0 <= t <= 1, with the argument of r between -pi and pi, by square roots alone.
