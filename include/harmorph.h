@@ -894,8 +894,10 @@ enum {
     /* Several steps, each at most half of the admissible step; the functions are solved again after
      * each. Where the steps become too short, another operator takes over. Each body, that is each
      * loop of the boundary that moves all round, rotates and scales about the centre of its control
-     * points, by the best-fitting similarity; the rest of the movement grows linearly. Walls that
-     * end on another boundary, and functions with real values, move on straight lines. */
+     * points, by the best-fitting similarity; the rest of the movement grows linearly, but where a
+     * part of the body rotates against the rest, as a flap does, that part is on its arc in the
+     * middle of the way. Walls that end on another boundary, and functions with real values, move
+     * on straight lines. */
     HM_STRATEGY_SUBSTEPS = 2,
     /* The rest of the movement at once; then inner points are placed such that no cell is inverted
      * (foldover-free energy of Garanzha et al., ACM Trans. Graph. 40 (2021)). Tried where substeps
@@ -907,7 +909,8 @@ enum {
 typedef struct hm_safe_options {
     uint64_t struct_size;
     /* How many times the functions may be solved again. 0 means 10; then, if the target is not
-     * reached, parts of the movement are tried by bisection, with up to 60 more solutions.
+     * reached, the steps go on from the best mesh, and parts of the movement are tried by
+     * bisection, with up to 60 more solutions.
      * Negative: never. */
     int32_t max_resolves;
     int32_t skipped_strategies; /* sum of 1 << HM_STRATEGY_... of the strategies to skip */
