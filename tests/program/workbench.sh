@@ -37,7 +37,7 @@ counted "hostile files in node" timeout 300 node tests/program/workbench/hostile
 
 # What the tests drop.
 naca=$meshes/naca0012.su2
-cp "$naca" "$tmp/naca0012.su2"
+cp "$naca" "$tmp/naca0012.su2" && gzip -c "$naca" >"$tmp/packed.su2.gz"
 native() (
     cd "$tmp" && mkdir native && cd native &&
         "$harmorph" fit "$naca" --marker airfoil --points 20 -o airfoil.curve &&
@@ -57,7 +57,11 @@ moved() (
     cd "$tmp/native" &&
         "$harmorph" morph "$naca" mesh.basis --move ../saved/moves.txt --threads 1 --kernel baseline -o moved.su2 &&
         "$harmorph" morph "$naca" mesh.basis --to-airfoil ../other.dat --on-chord --threads 1 --kernel baseline \
-            -o other.su2 && for end in igs step dat; do "$harmorph" curve moved.su2.curve -o moved.$end; done
+            -o other.su2 &&
+        "$harmorph" solve "$naca" --rigid airfoil --threads 1 --kernel baseline -o rigid.basis &&
+        echo 'rigid airfoil 0.01 0.02 3' >rigid.txt &&
+        "$harmorph" morph "$naca" rigid.basis --move rigid.txt --threads 1 --kernel baseline -o rigid.su2 &&
+        for end in igs step dat; do "$harmorph" curve moved.su2.curve -o moved.$end; done
 )
 if [ -n "$chromium" ]; then
     counted "the workbench in use" timeout 300 node tests/program/workbench/use.mjs "$chromium" "$page" "$tmp"
@@ -66,6 +70,7 @@ if [ -n "$chromium" ]; then
     check "the saved basis has the bytes of harmorph solve" same mesh.basis mesh.basis
     check "the saved mesh has the bytes of harmorph morph" same moved.su2 moved.su2
     check "and so has the one of another airfoil" same other.su2 other.su2
+    check "and that of a rigid body" same packed-morphed.su2 rigid.su2
     check "the moved curve, too" same naca0012-morphed.su2.curve moved.su2.curve
     for end in igs step dat; do check "the curve as .$end" same naca0012-morphed.su2.$end moved.$end; done
     counted "hostile files in the browser" timeout 300 node tests/program/workbench/names.mjs \

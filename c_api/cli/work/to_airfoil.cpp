@@ -48,7 +48,7 @@ ToAirfoil fit_to_airfoil(const Basis& basis, std::int32_t curve, const Section& 
     result.points = n;
     result.max_error = report.max_error;
     result.rms_error = report.rms_error;
-    result.worst_point = report.max_error_point + 1;
+    result.worst_point = report.max_error_point + 1 - basis.curves().index_base;
     result.chord = report.chord;
     result.relative_size = relative_size_of(section, basis.curves(), basis.curves().curve[curve]);
     for (std::size_t k = 0; k < section.x.size(); ++k) {

@@ -45,12 +45,34 @@ async function dropped_files(transfer) {
 
 const listed_files = (list) => [...list].map((file) => [file.webkitRelativePath || file.name, file]);
 
+const MOST = 2e9; // bytes of a file that is unpacked
+
+// Returns the files, with those unpacked that gzip has compressed: the program in a browser reads no compressed files.
+async function unpacked_files(files) {
+    const unpack = async (file, path) => {
+        let bytes = 0;
+        const counter = new TransformStream({
+            transform(part, controller) {
+                bytes += part.length;
+                if (bytes > MOST) throw new Error(`${path} unpacks to more than ${size_in_words(MOST)}.`);
+                controller.enqueue(part);
+            },
+        });
+        const stream = file.stream().pipeThrough(new DecompressionStream("gzip")).pipeThrough(counter);
+        return new Response(stream).blob().catch((error) => {
+            throw bytes > MOST ? error : new Error(`${path} is no file of gzip.`);
+        });
+    };
+    return Promise.all(files.map(async ([path, file]) =>
+        /\.gz$/i.test(path) ? [path.replace(/\.gz$/i, ""), await unpack(file, path)] : [path, file]));
+}
+
 // Returns the operand that stands for the mesh among some files: the file itself; of several, the case of OpenFOAM, the
 // file that names pieces, or the one that does not stand beside a mesh.
 function mesh_among(files) {
     const paths = files.map(([path]) => path),
-        points = paths.find((path) => /(^|\/)polyMesh\/points(\.gz)?$/.test(path));
-    if (points !== undefined) return points.replace(/(\/?constant)?\/?polyMesh\/points(\.gz)?$/, "") || ".";
+        points = paths.find((path) => /(^|\/)polyMesh\/points$/.test(path));
+    if (points !== undefined) return points.replace(/(\/?constant)?\/?polyMesh\/points$/, "") || ".";
     const beside = /\.(nmf|mapbc|curve|basis|txt|dat)$/i;
     return paths.find((path) => /\.pvtu$/i.test(path)) ?? paths.find((path) => !beside.test(path)) ?? paths[0];
 }

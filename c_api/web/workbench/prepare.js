@@ -10,8 +10,9 @@ class Prepare {
         for (const id of ["operator", "more_solve"]) element(id).onchange = () => this.forget_basis();
     }
 
-    async open(files) {
-        const { bench } = this;
+    async open(given) {
+        const { bench } = this,
+            files = await unpacked_files(given);
         bench.begin_mesh(new Map(files), mesh_among(files));
         const picture = free_path(bench.files, "mesh.svg");
         let result;

@@ -61,10 +61,19 @@ export class Browser {
             this.child.stdio[3].write(JSON.stringify({ id, method, params, sessionId }) + "\0");
         });
     }
+    // Processes of the browser may write to its folder a little longer than the browser lives.
     async close() {
-        this.child.kill();
+        const killer = setTimeout(() => this.child.kill("SIGKILL"), 10000);
+        await this.send("Browser.close").catch(() => {});
         await this.ended;
-        fs.rmSync(this.profile, { recursive: true, force: true, maxRetries: 5 });
+        clearTimeout(killer);
+        for (let trial = 0; fs.existsSync(this.profile) && trial < 20; ++trial) {
+            try {
+                fs.rmSync(this.profile, { recursive: true, force: true });
+            } catch {
+                await new Promise((done) => setTimeout(done, 200));
+            }
+        }
     }
 }
 

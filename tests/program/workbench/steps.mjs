@@ -29,11 +29,17 @@ export const steps = (page) => {
     return {
         message,
         // A mesh is shown afterwards, or a message.
-        async drop(files, is_mesh = true) {
-            if (is_mesh) await page.value("bench.boundary = null; bench.view.say(''); 0");
+        async drop(files) {
+            await page.value("bench.boundary = null; bench.view.say(''); 0");
             await page.drop(files);
             const shown = "(bench.boundary !== null && !element('view').hidden || !element('message').hidden)";
-            await page.until(is_mesh ? `${idle} && ${shown}` : `${idle} && bench.tab === 'save'`);
+            await page.until(`${idle} && ${shown}`);
+            await settled();
+        },
+        // Drops a file beside a mesh; it is taken as an airfoil, a table, or moves.
+        async drop_beside(file, how) {
+            await page.drop([file]);
+            await page.until(`bench.morph.how === "${how}"`);
             await settled();
         },
         async fit() {

@@ -93,8 +93,7 @@ try {
     checks.holds("the picture is back", await page.value("!element('view').hidden"), true);
 
     // Another airfoil, flap, a safe morph.
-    await bench.drop([path.join(folder, "other.dat")], false);
-    checks.holds("an airfoil is an airfoil", await page.value("bench.morph.how"), "airfoil");
+    await bench.drop_beside(path.join(folder, "other.dat"), "airfoil");
     await bench.morph();
     checks.holds("to another airfoil", await page.value("element('verdict').className"), "good");
     await save("naca0012-morphed.su2", "other.su2");
@@ -106,10 +105,20 @@ try {
     await page.value("element('safe').checked = true");
     await bench.morph();
     checks.holds("a flap, safely", await page.value("element('verdict').className"), "good");
-    await bench.drop([path.join(folder, "wall.txt")], false);
-    checks.holds("a table is a table", await page.value("bench.morph.how"), "table");
+    await bench.drop_beside(path.join(folder, "wall.txt"), "table");
     await bench.morph();
     checks.holds("displacements of the wall", await page.value("element('verdict').className"), "good");
+    // A compressed mesh, whose airfoil is a rigid body.
+    await bench.drop([path.join(folder, "packed.su2.gz")]);
+    checks.holds("the mesh is unpacked", await page.value("bench.mesh"), "packed.su2");
+    await page.value(`(() => { const role = element("role_0"); role.value = "rigid"; role.onchange(); })()`);
+    await bench.solve();
+    await bench.open_tab("save");
+    checks.holds("a body's line", (await page.value("element('moves').value")).includes("rigid airfoil 0 0 0 1"), true);
+    await page.value("element('moves').value = 'rigid airfoil 0.01 0.02 3'");
+    await bench.morph();
+    checks.holds("a rigid body", await page.value("element('verdict').className"), "good");
+    await save("packed-morphed.su2");
     checks.holds("nothing is loaded", page.requests.filter((url) => !/^(file|blob|data|about):/.test(url)), []);
     checks.holds("no script failed", page.errors, []);
 } catch (error) {
