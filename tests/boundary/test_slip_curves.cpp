@@ -4,6 +4,7 @@
 
 #include "boundary/slip.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -11,8 +12,6 @@
 using namespace harmorph;
 
 namespace {
-
-double const pi = std::acos(-1.0);
 
 class Curves {
 public:
@@ -136,5 +135,23 @@ TEST_CASE("the search on a closed curve continues round the seam in both directi
             SlipCurves::Place const place = curves.curves.nearest(slot, p);
             CHECK(length((1 / 1.2) * p - place.at) < 1e-6);
         }
+    }
+}
+
+TEST_CASE("each slot of several curves belongs to its own curve") {
+    Curves curves;
+    std::vector<Index> lasts;
+    for (int k = 0; k < 5; ++k) {
+        std::vector<Vec2> points = circle(6 + 2 * k, 1, 0, k % 2 == 0 ? 2 * pi : pi);
+        for (Vec2& p : points) p.x += 10 * k;
+        curves.add(points, k % 2 == 0);
+        lasts.push_back(curves.curves.n_slots() - 1);
+    }
+    for (Index slot = 0; slot < curves.curves.n_slots(); ++slot) {
+        INFO("slot " << slot);
+        CHECK(curves.curves.is_last(slot) ==
+              (std::find(lasts.begin(), lasts.end(), slot) != lasts.end()));
+        Vec2 const at = curves.curves.at[slot], p = at + Vec2{1e-9, 1e-9};
+        CHECK(length(curves.curves.nearest(slot, p).at - at) < 1e-8);
     }
 }
