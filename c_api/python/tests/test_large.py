@@ -43,7 +43,7 @@ def test_strategies(laplace, morph):
     assert caught[0].message.code == harmorph.HarmorphWarning.SHORT
     assert 0 < short.report.step_fraction < 1
     other = laplace.safe(move, others=[morph], skip=["substeps", "untangled", "improved"])
-    assert other.report.strategy == 1 and other.report.other == 0
+    assert other.report.strategy == "other" and other.report.other == 0
     out = np.empty((laplace.n_points, 2))
     assert laplace.safe(0.1 * move, out, improve=True, heights=1.0, min_quality=0.01,
                         max_height_change=5.0).points is out
