@@ -33,7 +33,8 @@ where `inverted` is not 0. `mesh.plot(points)` and `curves.plot()` draw by matpl
 
 Points and cells, control points, curves and functions are counted from 0. Lengths have the unit of
 the coordinates, angles are in degrees. What these classes refuse, they refuse by a :class:`Error`,
-also an option with another name; what can be used with a reservation is a
+also an option that a call does not have (`displacement`, `morph` and `adjoint`, the calls of
+microseconds, raise Python's TypeError then); what can be used with a reservation is a
 :class:`HarmorphWarning`. Adapters for other codes are the modules ``harmorph.usmesh``,
 ``harmorph.dvgeo``, ``harmorph.openmdao``, ``harmorph.torch`` and ``harmorph.jax``, which are
 imported, with their host, when they are first used.

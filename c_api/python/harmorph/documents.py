@@ -26,6 +26,7 @@ _OTHERWISE = {
     "other": "which of `others`, from 0; -1: none. Where `others` is empty and the library has solved functions of "
              "another operator itself: that operator, a str",
     "operator_kind": "what :class:`Morph` was given; the scheme is \"compact\" unless a C program has chosen another",
+    "min_quality_cell": "the cell of the smallest quality",
     "storage": "the precision of the functions: \"double\", or \"single\" of a file that a C program has made",
     "control_points": "functions = (combined, or control_points where that is 0) + 2 * bodies + modes",
 }

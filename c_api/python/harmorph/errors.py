@@ -187,7 +187,8 @@ def guard(one: Any) -> None:
             function = getattr(member, "__func__", member)
             is_own = inspect.isfunction(function) and function.__module__.startswith(f"{__package__}.")
             makes = name in ("__init__", "__new__")
-            if is_own and not hasattr(function, "__wrapped__") and (makes or name[0] != "_"):
+            is_quick = name in ("displacement", "morph", "adjoint")  # calls of microseconds
+            if is_own and not is_quick and not hasattr(function, "__wrapped__") and (makes or name[0] != "_"):
                 called = one.__name__ if makes else f"{one.__name__}.{name}"
                 wrapped = guarded(function, called)
                 setattr(base, name, wrapped if function is member else type(member)(wrapped))

@@ -23,7 +23,8 @@ class Safe(NamedTuple):
         The mesh; no cell is inverted.
     report : Report
         {members of hm_safe_report}
-        - `worst` : tuple of Report. The `n_worst` worst cells: their number, and their angles.
+        - `worst` : tuple of Report. The `n_worst` worst cells: `cell`, `quality` and `start_quality`,
+          and the mean `x`, `y` of the corners.
     reached : ndarray of shape (functions, 2)
         The movement that `points` has.
     derivative : Morph or None
@@ -88,7 +89,8 @@ class Large:
             target is much poorer than the start, as `min_quality` says.
         others : sequence of Morph
             Objects of the same mesh, curves and conditions with other operators. Without them the
-            library itself solves functions of the operators other than that of this object.
+            library itself solves functions of the operators other than that of this object, unless a
+            derivative is wanted.
         improve : bool
             True: the mesh at the target is improved in any case; False: only where it is poor.
         heights : float

@@ -157,7 +157,7 @@ def test_arguments_of_another_type_are_refusals_too(mesh, curves, morph, use):
     (lambda mesh, curves, morph: harmorph.Condition("rigid", center=(1, 0)), "Condition has no .*'centre'"),
     (lambda mesh, curves, morph: curves.variables("ffd", degree=(1, 1)), "Variables has no .*'degrees'"),
     (lambda mesh, curves, morph: harmorph.rigid(degree=3), "rigid has no .*'degrees'"),
-    (lambda mesh, curves, morph: morph.displacement(), "Morph.displacement: missing a required argument: 'move'"),
+    (lambda mesh, curves, morph: morph.safe(), "Morph.safe: missing a required argument: 'move'"),
 ])
 def test_a_wrong_name_of_an_argument_is_a_refusal_that_lists_the_options(mesh, curves, morph, use, words):
     with pytest.raises(harmorph.Error, match=words):

@@ -55,6 +55,15 @@ def test_strategies(laplace, morph):
         laplace.safe(move, others=[closed])
 
 
+@pytest.mark.parametrize("times", [3, 6])
+def test_the_report_names_the_operator_that_the_library_tried_itself(morph, move, times):
+    """Without `others`, functions of other operators are solved where the mesh would be poor."""
+    found = morph.safe(times * move, skip=["improved"]).report
+    assert found.strategy == "other" and found.other == "laplace" and found.resolves == 1
+    first = morph.safe(times * move, skip=["improved"], min_quality=-1).report
+    assert first.strategy == "linear" and first.other == -1
+
+
 def test_an_impossible_target_is_refused(morph):
     out = np.full((morph.n_points, 2), 3.0)
     with pytest.raises(harmorph.Error) as refused:
