@@ -13,6 +13,7 @@
 #   make test-python      the Python package of c_api/python, by PYTHON=/usr/bin/python3; see tests/hosts/python.sh
 #   make wheel            build/wheel/*.whl: the Python package in one file for every CPython from 3.9 on
 #   make web              build/web/harmorph-VERSION.tgz, the library as WebAssembly in a package for npm (c_api/web)
+#   make workbench        build/web/workbench.html, the whole program as a page for any browser
 #   make test-web         this package in node, and in Chromium where Chromium is installed
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make test-petsc       harmorph_petsc.c on 1 to 4 processes, where petsc-dev is installed; MESHES=directory of SU2
@@ -70,7 +71,7 @@
 	bench-petsc deform paper demo install uninstall clean \
 	test-openfoam test-saturne test-systems \
 	amalgamation compilers cross shared install-shared install-library abi manual html fpm test-packages compare claims dist \
-	compile-commands tidy wheel test-release web-tools web-modules page-module web test-web
+	compile-commands tidy wheel test-release web-tools web-modules page-module web workbench test-web
 
 BUILD = build
 # PREFIX is /usr/local if it is not given; DESTDIR is empty. Both come from the environment of the recipes, where make
@@ -118,12 +119,17 @@ WASM_CXX = clang++
 WASM = --target=wasm32 -mbulk-memory -nostdlibinc -isystem c_api/web/freestanding $(FREESTANDING) -I$(BUILD)/web
 WASM_LINK = --target=wasm32 -nostdlib -Wl,--no-entry,--gc-sections,--strip-all,-O2,--stack-first,-z,stack-size=262144 \
 	-Wl,--max-memory=4294967296,--export=__heap_base,--export-table,--growable-table
-# The program for node, where emscripten is installed (Debian's emscripten and node-acorn). Without zlib and threads.
+# The program for node, where emscripten is installed (Debian's emscripten and node-acorn). Without zlib and threads; for
+# the smallest size, as the library, which computes, has objects of its own.
 EMXX = em++
-NODE = -std=c++17 -fexceptions -I. -Iinclude -Ic_api/cli
-NODE_LINK = -O1 -fexceptions -sENVIRONMENT=node -sNODERAWFS=1 -sWASM_ASYNC_COMPILATION=0 -sALLOW_MEMORY_GROWTH=1 \
+NODE = -std=c++17 -fwasm-exceptions -fno-rtti -I. -Iinclude -Ic_api/cli
+NODE_LINK = -O2 -fwasm-exceptions -sENVIRONMENT=node -sNODERAWFS=1 -sWASM_ASYNC_COMPILATION=0 -sALLOW_MEMORY_GROWTH=1 \
 	-sMAXIMUM_MEMORY=4GB -sEXIT_RUNTIME=1 --pre-js c_api/web/program_before.js
-CLI = -std=c++17 -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) $(WITH_ZLIB) -I. -Iinclude -Ic_api/cli
+# The same program for a worker of the workbench, which gives the program files in memory (c_api/web/workbench).
+WORKBENCH_LINK = -O2 -fwasm-exceptions -sENVIRONMENT=worker,node -sMODULARIZE=1 -sEXPORT_NAME=make_program -sINVOKE_RUN=0 \
+	-sFORCE_FILESYSTEM=1 -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sEXIT_RUNTIME=1 \
+	-sEXPORTED_RUNTIME_METHODS=FS,callMain
+CLI = -std=c++17 -ffp-contract=off -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) $(WITH_ZLIB) -I. -Iinclude -Ic_api/cli
 # CGNS=1: the program reads and writes CGNS files; it needs libcgns (Debian's libcgns-dev), the library does not.
 CGNS =
 # The program reads and writes compressed files where zlib is installed (Debian's zlib1g-dev): c_api/packaging/rules.sh tries, and
@@ -158,7 +164,7 @@ rules: checked
 	@UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
 	    WASM_CXX='$(WASM_CXX)' \
 	    FLAGS='$(CXX) $(LEVEL) $(KERNEL_LEVEL) $(DENSE_LEVEL) $(PROGRAM_LEVEL) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' \
-	    WASM_FLAGS='$(WASM_CXX) $(WASM) $(WASM_LINK)' NODE_FLAGS='$(EMXX) $(NODE) $(NODE_LINK)' \
+	    WASM_FLAGS='$(WASM_CXX) $(WASM) $(WASM_LINK)' NODE_FLAGS='$(EMXX) $(NODE) $(NODE_LINK) $(WORKBENCH_LINK)' \
 	    sh c_api/packaging/rules.sh $(BUILD)
 
 # The random movements of `make deform`; `make test` compiles them, too.
@@ -219,9 +225,14 @@ WEB = $(BUILD)/web/harmorph.wasm $(BUILD)/web/harmorph_simd128.wasm
 web-tools: checked
 	@WASM_CXX='$(WASM_CXX)' sh c_api/web/pack.sh tools
 web-modules: web-tools rules
-	+@program=; if command -v $(EMXX) >/dev/null; then program=$(BUILD)/web/program.js; \
-	else echo "$(EMXX) not found: the package has no program; install Debian's emscripten and node-acorn"; fi; \
+	+@program=; if command -v $(EMXX) >/dev/null; then program='$(BUILD)/web/program.js $(WORKBENCH)'; \
+	else echo "left out: the program of the package, and $(WORKBENCH):"; $(WORKBENCH_TOOLS); fi; \
 	$(MAKE_BY_RULES) $(WEB) $$program
+# The whole program as one page.
+WORKBENCH = $(BUILD)/web/workbench.html
+WORKBENCH_TOOLS = WASM_CXX='$(WASM_CXX)' EMXX='$(EMXX)' sh c_api/web/pack.sh workbench 2>&1
+workbench: checked rules
+	+@$(WORKBENCH_TOOLS) && $(MAKE_BY_RULES) $(WORKBENCH)
 # What the program has of pages, for CMake.
 page-module: rules
 	+@$(MAKE_BY_RULES) $(BUILD)/page_module.cpp
@@ -339,6 +350,8 @@ bench-mpi: all
 
 demo: all meshes
 	$(PROGRAM) demo $(BUILD)/demo --mesh $(MESH)
+	+@if missing=`$(WORKBENCH_TOOLS)`; then $(MAKE_BY_RULES) $(WORKBENCH) && cp $(WORKBENCH) $(BUILD)/demo/; \
+	else echo "left out: $(BUILD)/demo/workbench.html, as $$missing"; fi
 	@ls $(BUILD)/demo/*.svg $(BUILD)/demo/*.html
 
 # What lies where after an installation; uninstall takes the same list away.

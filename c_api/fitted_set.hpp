@@ -76,18 +76,19 @@ private:
     }
 };
 
-inline hm_fit_report report_of(FitReport const& fitted, Index n_pieces) noexcept {
+// Points are counted from index_base.
+inline hm_fit_report report_of(FitReport const& fitted, Index n_pieces, Index index_base) noexcept {
     hm_fit_report filled = {};
     filled.max_error = fitted.max_error;
     filled.rms_error = fitted.rms_error;
-    filled.max_error_point = fitted.max_error_point;
+    filled.max_error_point = numbered(fitted.max_error_point, index_base);
     filled.closed = static_cast<std::int32_t>(fitted.closure);
-    filled.first_point = fitted.first_point;
+    filled.first_point = numbered(fitted.first_point, index_base);
     filled.base_points = fitted.base_points;
     filled.corners = fitted.corners;
-    filled.backtrack_point = fitted.backtrack_point;
+    filled.backtrack_point = numbered(fitted.backtrack_point, index_base);
     filled.pieces = n_pieces;
-    filled.departure_point = fitted.departure_point;
+    filled.departure_point = numbered(fitted.departure_point, index_base);
     filled.max_departure = fitted.max_departure;
     return filled;
 }

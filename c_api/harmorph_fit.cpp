@@ -39,7 +39,7 @@ hm_status hm_fit(const hm_curves** curves, hm_memory* memory, const hm_points* p
         HARMORPH_TRY(check_fit_weights(asked, n, fault));
         HARMORPH_TRY(made.fit.run(view, n, is_loop != 0, asked, fitted, fault));
         made.made.add(made.fit);
-        hm_fit_report filled = report_of(fitted, 1);
+        hm_fit_report filled = report_of(fitted, 1, options == nullptr ? 0 : fault.bases.curves);
         *curves = made.made.present(memory->block, memory->bytes, filled.bytes);
         if (report != nullptr) write_struct(filled, report);
         return fault.status;

@@ -92,7 +92,7 @@ public:
             n_points_ = 0;
         };
         Index const n_pieces = boundary.for_each_chain(is_on, visit, close);
-        report = report_of(worst_, n_pieces);
+        report = report_of(worst_, n_pieces, 0);
         return fault.status;
     }
 

@@ -35,13 +35,13 @@ private:
     }
 };
 
-hm_refit_report report_of(RefitReport const& found, Closure closure) noexcept {
+hm_refit_report report_of(RefitReport const& found, Closure closure, Index index_base) noexcept {
     hm_refit_report filled = {};
     filled.max_error = found.max_error;
     filled.rms_error = found.rms_error;
     filled.chord = found.chord;
     filled.closed_width = found.closed_width;
-    filled.max_error_point = found.max_error_point;
+    filled.max_error_point = numbered(found.max_error_point, index_base);
     filled.closed = static_cast<std::int32_t>(closure);
     filled.rotation_x = found.rotation.x;
     filled.rotation_y = found.rotation.y;
@@ -75,7 +75,8 @@ hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_points* poin
                                {is_loop != 0, on_chord != 0}, found, fault));
         for (Index i = 0; i < refit.control.count(); ++i)
             movement[i] = refit.control[i] - airfoil.curve.control[i];
-        if (report != nullptr) write_struct(report_of(found, refit.closure()), report);
+        if (report != nullptr)
+            write_struct(report_of(found, refit.closure(), curves->index_base), report);
         return fault.status;
     });
 }

@@ -12,6 +12,7 @@ function statement(    line, more) {   # the next statement without comment, its
     }
     return trim(line)
 }
+function plural(named) { sub(/[)]$/, "s)", named); return named }
 function bind(name, list,    one, k, n) {
     n = split(list, one, ",")
     for (k = 1; k <= n; ++k) bound[++bounds] = type SUBSEP name SUBSEP trim(one[k])
@@ -31,6 +32,7 @@ function declare(line,    attributes, names, depth, k, c, name, shape) {   # ran
             sub(/@SHAPE@/, "(..)", shape)
             rank[routine, name] = shape
             optional[routine, name] = attributes ~ /optional/
+            if (match(attributes, /type\(hm_[a-z_]*\)/)) of_type[routine, name] = substr(attributes, RSTART, RLENGTH)
             name = ""
         } else name = name c
     }
@@ -74,17 +76,19 @@ END {
         if (part[2] ~ /address$|^room$|^take$/) continue   # for other modules of harmorph
         object = part[1] ? part[1] "%" : ""; sub(/^hm_/, "", object)
         text = (function_of[part[3]] ? "n = " : "call ") object part[2] "("
-        n = split(dummy[part[3]], argument, ","); more = ""; closing = ""
+        n = split(dummy[part[3]], argument, ","); more = ""; closing = ""; notes = ""
         for (i = 1; i <= n; ++i) {
             a = trim(argument[i])
             if (a == "self" || a == "stat" || a == "err") continue
             word = a rank[part[3], a]
+            named = of_type[part[3], a]
+            if (named && "type(hm_" a ")" != named && "type(hm_" a ")" != plural(named)) notes = notes (notes ? "; " : "") named " :: " a
             if (optional[part[3], a] && !closing) { more = more (more ? " [, " : "[") word; closing = "]" }
             else more = more (more && more != "[" ? ", " : "") word
             if (!optional[part[3], a] && closing) { closing = ""; sub(/ \[, /, ", ", more) }
         }
         text = text more closing ")"
-        if (!seen[text]++) order[++lines] = text
+        if (!seen[text]++) { order[++lines] = text; note[lines] = notes }
     }
     for (k = 1; k <= lines; ++k) {
         text = order[k]; head = "!     "
@@ -94,6 +98,11 @@ END {
             print head substr(text, 1, i)
             text = substr(text, i + 2); head = "!         "
         }
+        if (note[k] && length(head text note[k]) < 112) text = text "    " note[k]
         print head text
+        if (note[k] && index(text, note[k]) == 0) {
+            n = split(note[k], one, "; ")
+            for (i = 1; i <= n; ++i) print "!         " one[i]
+        }
     }
 }

@@ -8,16 +8,18 @@
  * (Nikolos, Lygidakis, Leloudas, Tavla, "Application of B-spline basis functions as harmonic
  * functions for the concurrent shape and mesh morphing of airfoils".)
  *
- * THE SHORTEST USE. `mesh` is an hm_mesh whose faces at the airfoil have the marker `wall`. The
- * curve gets 20 control points; move [2*20] has the movement dx,dy of each of them.
+ * THE SHORTEST USE, in C99. `mesh` is an hm_mesh whose faces at the airfoil have the marker `wall`.
+ * The curve gets 20 control points, or hm_fit_options.n_control; move [2*20] has the movement dx,dy
+ * of each of them.
  *
  *     hm_memory a = {NULL, 0}, b = {NULL, 0}, c = {NULL, 0};
  *     hm_fit_marker(&curves, &a, &mesh, 1, &wall, NULL, NULL, &error), a.block = malloc(a.bytes);
  *     hm_fit_marker(&curves, &a, &mesh, 1, &wall, NULL, NULL, &error);
- *     hm_condition on_curve = {sizeof on_curve, wall, HM_ON_CURVE};
- *     on_curve.n_curves = curves->n_curves;
- *     hm_problem problem = {sizeof problem, &mesh, curves, 1, &on_curve};
- *     hm_setup setup = {sizeof setup};
+ *     hm_condition on_curve = {.struct_size = sizeof on_curve, .marker = wall,
+ *                              .kind = HM_ON_CURVE, .n_curves = curves->n_curves};
+ *     hm_problem problem = {.struct_size = sizeof problem, .mesh = &mesh, .curves = curves,
+ *                           .n_conditions = 1, .conditions = &on_curve};
+ *     hm_setup setup = {.struct_size = sizeof setup};
  *     hm_setup_init(&setup, &b, &problem, NULL, &error), b.block = malloc(b.bytes);
  *     hm_setup_init(&setup, &b, &problem, NULL, &error);
  *     hm_setup_solve(&setup, &c, NULL, &error), c.block = malloc(c.bytes);
@@ -27,7 +29,25 @@
  * `to` is an hm_points_out, which may be the arrays of the mesh. A call that needs memory is made
  * twice: first with an empty hm_memory, into which it writes how many bytes it needs. Each call
  * returns a status, which is negative if the call was refused; error.text then says why.
- * c_api/examples/morph.c is a complete program of 60 lines.
+ *
+ * BEFORE THE MESH MOVES, ask how far it can follow; dx and dy [n_points] receive displacements. For
+ * an optimiser, dj (an hm_points) has the derivatives of an objective with respect to the points of
+ * the moved mesh, and gradient [2*20] receives those with respect to the control points.
+ *
+ *     hm_points_out displacement = {dx, dy, 1};
+ *     hm_points along = {dx, dy, 1};
+ *     hm_step_report step = {.struct_size = sizeof step};
+ *     hm_quality_report quality = {.struct_size = sizeof quality};
+ *     hm_morph(setup.basis, move, NULL, &displacement, NULL, &error);
+ *     hm_assess(setup.basis, &mesh, NULL, &along, NULL, NULL, &step, &quality, &error);
+ *     if (step.admissible > 1 && step.boundary > 1)
+ *         hm_morph(setup.basis, move, &mesh.points, &to, NULL, &error);
+ *     hm_adjoint(setup.basis, &dj, gradient, NULL, &error);
+ *
+ * The library needs no other one: cc -Iinclude program.c libharmorph.a. In the source distribution,
+ * c_api/examples/morph.c is a complete program of 60 lines. The library reads no files; read_su2.c,
+ * which is installed in share/harmorph, reads those of SU2. Triangles and quadrilaterals in any
+ * order are HM_CELLS_ROWS, or HM_CELLS_QUADS whose triangles repeat their last point.
  *
  * ORDER OF CALLS.
  *
@@ -62,8 +82,9 @@
  * Ownership        Arrays in structs remain the caller's; input arrays are never changed. Arrays of
  *                  a mesh must exist as long as the analysis and the plan that were made from the
  *                  mesh, arrays of curves as long as the analysis. A basis needs no other memory.
- * Structs          Begin with HM_INIT(name), which sets struct_size and all other fields to 0. A
- *                  field that is 0 has its default value. New versions add fields at the end only.
+ * Structs          Begin with HM_INIT(name), which sets struct_size and all other fields to 0; an
+ *                  initialiser with struct_size does the same. A field that is 0 has its default
+ *                  value. New versions add fields at the end only.
  *                  Options that this library does not know are refused with HM_UNSUPPORTED.
  * Units            Coordinates have any length unit, the same one everywhere; reported angles are
  *                  in degrees. Array lengths stand in [brackets].
@@ -91,7 +112,8 @@
  *                  given for a new object may have been written.
  * Threads          There is no hidden state. Only one thread at a time may write an object (plan,
  *                  basis) or make other objects from one (analysis); any number may read (morph,
- *                  adjoint, assess). The library uses the threads of an hm_executor, if given.
+ *                  adjoint, assess). The library uses the threads of an hm_executor; executor NULL
+ *                  is allowed in every call, and means one thread.
  * Stack            hm_morph: 17 KiB; hm_adjoint: 40 KiB; other calls: 56 KiB.
  * Exceptions       A call that succeeds on finite numbers raises only inexact and underflow.
  * Repeatability    The same input and the same kernel give bitwise identical results: from run to
@@ -219,7 +241,8 @@ HM_API const char* hm_status_name(hm_status status); /* "HM_OK", ...; "unknown s
  * A call that takes an hm_memory is made twice. The first time block is NULL and bytes is 0: the
  * call only writes to `bytes` how many bytes it needs, to the last one. This size query reads those
  * arguments that the text of the call names after "Bytes:"; all others may be NULL or 0, and no
- * output changes. The second time block has that many bytes or more, at any alignment:
+ * output changes. The query checks only what it reads; the second call checks all input. The second
+ * time block has that many bytes or more, at any alignment:
  *
  *     hm_memory memory = {NULL, 0};
  *     hm_plan_init(&plan, &memory, analysis, &error);
@@ -280,7 +303,9 @@ typedef struct hm_points {
     int64_t stride; /* [doubles] from one point to the next, >= 1; 0 means 1 */
 } hm_points;
 
-/* Points that a call writes. */
+/* Points that a call writes. The same arrays for one call that writes and one that reads them:
+ *     hm_points_out out = {x, y, 1};
+ *     hm_points in = {x, y, 1}; */
 typedef struct hm_points_out {
     double *x, *y;
     int64_t stride;
@@ -379,10 +404,11 @@ typedef struct hm_curves {
 
 /* hm_fit_options.closed */
 enum {
-    /* Points that are no loop: open. A loop without a corner: periodic. A loop with a blunt base:
-     * open, plus a straight curve of degree 1 along the base that shares both end points. A base is
-     * straight, lies between two corners at the end farthest from the leading edge, is at most 0.6
-     * of the extent long, and is no tip of a horn of ice. Others: tied at the sharpest corner. */
+    /* An airfoil with a sharp trailing edge: tied there, as any loop with corners and no blunt base
+     * is at its sharpest corner. Points that are no loop: open. A loop without a corner: periodic.
+     * A loop with a blunt base: open, plus a straight curve of degree 1 along the base that shares
+     * both end points. A base is straight, lies between two corners at the end farthest from the
+     * leading edge, is at most 0.6 of the extent long, and is no tip of a horn of ice. */
     HM_CLOSED_AUTO = 0,
     HM_OPEN = 1,    /* clamped at the first and the last point */
     HM_TIED = 2,    /* clamped, both ends are one control point: a sharp trailing edge */
@@ -393,16 +419,17 @@ typedef struct hm_fit_options {
     int32_t degree;     /* 1..5; 0 means 3 */
     int32_t n_control;  /* distinct control points > degree; at most the points; 0 means 20 */
     int32_t closed;     /* HM_CLOSED_AUTO, ... */
-    int32_t index_base; /* 0 or 1: what errors of hm_fit count points from */
+    int32_t index_base; /* 0 or 1: what errors and the report of hm_fit count points from */
     const struct hm_fit_details* details; /* weights, end tangents, ...: harmorph_design.h; NULL */
 } hm_fit_options;
 
 typedef struct hm_fit_report {
     uint64_t struct_size;
     double max_error, rms_error; /* [length] distances of the points from the curves */
-    /* Points are positions in the list, from 0 (hm_fit), or points of the mesh (hm_fit_marker). */
+    /* Points are positions in the list, counted from options.index_base (hm_fit), or points of the
+     * mesh (hm_fit_marker). */
     int32_t max_error_point;
-    int32_t closed;      /* the closure used: HM_OPEN, HM_TIED or HM_PERIODIC */
+    int32_t closed;      /* the closure used: HM_OPEN (1), HM_TIED (2) or HM_PERIODIC (3) */
     int32_t first_point; /* where the curve begins: the corner of a loop */
     int32_t base_points; /* points on a blunt base including both ends; 0: no base */
     int32_t corners; /* points where the direction of the outline jumps, ends of curves included */
@@ -513,9 +540,10 @@ typedef struct hm_problem {
     /* [-] 0 .. 1e100. HM_FAR_FROM_CURVE: the distance of a point from its curve is at least 0.001
      * of the diagonal of the box around the curve, or the point is more than a quarter of a face
      * beyond the end of the curve. Refused (HM_BAD_CONDITION): a distance of at least this part of
-     * the diagonal (0: no limit; the program has 0.01), or of more than the width or height of the
-     * control polygon or of all points on curves. The wall keeps its distance in every movement:
-     * with the curve of another airfoil it does not become what the curve becomes. */
+     * the diagonal (0: no limit; the command-line program has 0.01), or of more than the width or
+     * height of the control polygon or of all points on curves. The wall keeps its distance in
+     * every movement: with the curve of another airfoil it does not become what the curve
+     * becomes. */
     double max_curve_distance;
     /* Neumann values. On face k of a free marker, between the points flux_points[2*k] and
      * flux_points[2*k+1], the function of control point i has the outward normal derivative
@@ -565,7 +593,8 @@ enum {
     HM_DIRECT = 0,
     /* Conjugate gradients, preconditioned by algebraic multigrid. The iterations hardly depend on
      * the number of points nor on the thickness of cells along the wall; with triangles that are
-     * stretched otherwise there are more (c_api/README.md). Plan: 455 to 500 bytes per point. */
+     * stretched otherwise there are more (c_api/README.md of the sources). Plan: 455 to 500 bytes
+     * per point. */
     HM_MULTIGRID = 1
 };
 /* hm_basis_info.storage: the precision of the stored functions */
@@ -726,11 +755,13 @@ HM_API hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, h
 /* to = from + sum_i F_i (dx, dy)_i at each point. move [2*functions] contains the dx,dy pairs of
  * the control points [length], then for each rigid body two pairs: the translation dx,dy [length],
  * and s - 1, where s = scale * (cos a, sin a) and a is the counter-clockwise angle of rotation. The
- * points z of the body move exactly to c + s (z - c) + (dx, dy), c the centre of rotation. `to` may
- * be the arrays of `from` with the same stride; otherwise `to` and `from` must have no number in
- * common (refused where the strides are equal). Points with a displacement of 0 keep their
- * coordinates bit by bit. from NULL: taken as 0, so that `to` receives displacements, or velocities
- * if `move` contains velocities of the control points. executor NULL: one thread.
+ * points z of the body move exactly to c + s (z - c) + (dx, dy), c the centre of rotation. Without
+ * rigid bodies and modes (hm_tabulate), functions is curves->n_control. `to` may be the arrays of
+ * `from` with the same stride; otherwise `to` and `from` must have no number in common (refused
+ * where the strides are equal). Points with a displacement of 0 keep their coordinates bit by bit.
+ * from NULL: taken as 0 (not the coordinates of the mesh, as in hm_assess), so that `to` receives
+ * displacements, or velocities if `move` contains velocities of the control points. Coordinates are
+ * not checked: one that is not finite stays so, and hm_assess counts its cells as inverted.
  *
  * The functions do not change when the mesh moves: but for rounding, a sum of movements gives the
  * same mesh in one morph or in many. The basis serves as long as hm_assess finds the next movement
@@ -738,14 +769,14 @@ HM_API hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, h
  * solve again on the last good mesh (hm_plan_factor with `at`, hm_plan_solve). */
 HM_API hm_status hm_morph(const hm_basis* basis, const double* move, const hm_points* from,
                           const hm_points_out* to, const hm_executor* executor, hm_error* err);
-/* The transpose of hm_morph. dj: derivatives of an objective J with respect to the mesh points (x:
- * dJ/dx_k, y: dJ/dy_k); gradient [2*functions]: derivatives with respect to the control points. The
- * result does not depend on the numbering of the mesh points: products are rounded once and added
- * as integers, in units of 2^-63 of a power of two up to 2 max|F| max|dj|. The error is at most
- * 2^-51 sum|F dj| + N 2^-63 max|F| max|dj| for N points. If a number is not finite or a product
- * could overflow, the whole gradient is NaN. The morph F is linear, so the product of the Hessian
- * F^T H F of J and a vector v of movements is hm_adjoint of H times hm_morph of v; H has the second
- * derivatives of J with respect to the mesh points. */
+/* The transpose of hm_morph. dj: derivatives of an objective J with respect to the mesh points
+ * after the morph (x: dJ/dx_k, y: dJ/dy_k); gradient [2*functions], which is overwritten:
+ * derivatives with respect to `move`. The result does not depend on the numbering of the mesh
+ * points: products are rounded once and added as integers, in units of 2^-63 of a power of two up
+ * to 2 max|F| max|dj|. The error is at most 2^-51 sum|F dj| + N 2^-63 max|F| max|dj| for N points.
+ * If a number is not finite or a product could overflow, the whole gradient is NaN. The morph F is
+ * linear, so the product of the Hessian F^T H F of J and a vector v of movements is hm_adjoint of H
+ * times hm_morph of v; H has the second derivatives of J with respect to the mesh points. */
 HM_API hm_status hm_adjoint(const hm_basis* basis, const hm_points* dj, double* gradient,
                             const hm_executor* executor, hm_error* err);
 
@@ -791,7 +822,13 @@ typedef struct hm_quality_report {
  * triangles; combined as in de Boer, van der Schoot, Bijl, Comput. Struct. 85 (2007) 784.
  * The mesh must be that of the basis: the same cells with their points in the same order, in any
  * layout, but HM_CELLS_POLYGONS only if the basis is of polygons. Refused (HM_BAD_BASIS): other
- * counts, or other points in one of 64 cells that are compared; hm_basis_attach compares all. */
+ * counts, or other points in one of 64 cells that are compared; hm_basis_attach compares all.
+ * A number that is not finite in `from` or `displacement` makes the cells there inverted and the
+ * step 0; one in `reference` is not noticed.
+ *
+ * Whether the wall is where the curves are: hm_basis_curves gives the curves after `move`, and
+ * hm_curve_point their points at hm_basis_info.point_u (harmorph_design.h). A wall point keeps its
+ * offset from the curve; hm_boundary_error compares the displacements. */
 HM_API hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points* from,
                            const hm_points* displacement, const hm_points* reference,
                            const hm_executor* executor, hm_step_report* step,
@@ -828,12 +865,12 @@ HM_API hm_status hm_given_points(const hm_plan* plan, int32_t* points, int32_t c
                                  hm_error* err);
 /* Carries n_fields displacement fields, 1 .. 2^20, to the mesh at once, for instance structural
  * modes; up to 12 fields are one substitution. wall [n_fields]: each of n wall points [length]; to
- * [n_fields]: each of n_points mesh points; to = from + displacement; from NULL: see hm_morph. Wall
- * points move by the given bits. Arrays of different fields, and `wall`, must have no number of
- * `to` in common. With `from`, a boundary that crosses itself at `to` is refused (HM_CROSSING);
- * cells may be inverted (hm_assess). All fields are computed before any is written. report counts
- * fields as functions; NULL: HM_DIRECT computes residuals only where the factor lost digits. Bytes:
- * plan, n_fields; the same for hm_displace_adjoint. */
+ * [n_fields]: each of n_points mesh points; to = from + displacement; from NULL: taken as 0, as in
+ * hm_morph. Wall points move by the given bits. Arrays of different fields, and `wall`, must have
+ * no number of `to` in common. With `from`, a boundary that crosses itself at `to` is refused
+ * (HM_CROSSING); cells may be inverted (hm_assess). All fields are computed before any is written.
+ * report counts fields as functions; NULL: HM_DIRECT computes residuals only where the factor lost
+ * digits. Bytes: plan, n_fields; the same for hm_displace_adjoint. */
 HM_API hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n_fields,
                              const hm_points* wall, const hm_points* from, const hm_points_out* to,
                              hm_memory* memory, hm_solve_report* report, hm_error* err);
@@ -857,8 +894,10 @@ enum {
     /* Several steps, each at most half of the admissible step; the functions are solved again after
      * each. Where the steps become too short, another operator takes over. Each body, that is each
      * loop of the boundary that moves all round, rotates and scales about the centre of its control
-     * points, by the best-fitting similarity; the rest of the movement grows linearly. Walls that
-     * end on another boundary, and functions with real values, move on straight lines. */
+     * points, by the best-fitting similarity; the rest of the movement grows linearly, but where a
+     * part of the body rotates against the rest, as a flap does, that part is on its arc in the
+     * middle of the way. Walls that end on another boundary, and functions with real values, move
+     * on straight lines. */
     HM_STRATEGY_SUBSTEPS = 2,
     /* The rest of the movement at once; then inner points are placed such that no cell is inverted
      * (foldover-free energy of Garanzha et al., ACM Trans. Graph. 40 (2021)). Tried where substeps
@@ -870,7 +909,8 @@ enum {
 typedef struct hm_safe_options {
     uint64_t struct_size;
     /* How many times the functions may be solved again. 0 means 10; then, if the target is not
-     * reached, parts of the movement are tried by bisection, with up to 60 more solutions.
+     * reached, the steps go on from the best mesh, and parts of the movement are tried by
+     * bisection, with up to 60 more solutions.
      * Negative: never. */
     int32_t max_resolves;
     int32_t skipped_strategies; /* sum of 1 << HM_STRATEGY_... of the strategies to skip */
@@ -938,7 +978,7 @@ typedef struct hm_worst_cell {
 typedef struct hm_safe_report {
     uint64_t struct_size;
     int32_t strategy;           /* the last HM_STRATEGY_... that moved the mesh */
-    int32_t other;              /* which of `others`, from 0; -1: none */
+    int32_t other;              /* the place in `others`; -1: none */
     int32_t steps, resolves;    /* steps to the mesh that is given; solutions of all strategies */
     double step_fraction;       /* [0..1] part of the movement that was reached; 1: all of it */
     double admissible;          /* [-] admissible step of the last step that was tried */

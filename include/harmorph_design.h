@@ -110,7 +110,7 @@ typedef struct hm_refit_report {
     /* [length] width of the blunt base of the points, if the curve has no base: both sides were
      * then tapered from the leading edge on, so that the base became one point; 0: no base */
     double closed_width;
-    int32_t max_error_point; /* position in the list, from 0 */
+    int32_t max_error_point; /* position in the list, counted from curves->index_base */
     int32_t closed;          /* how the outline of the points closes: HM_OPEN, ... */
     /* The point (x, y) was placed at (rotation_x x - rotation_y y + shift_x, rotation_y x +
      * rotation_x y + shift_y); without on_chord the place is that of the point, to rounding. */

@@ -2,10 +2,13 @@
  * processor, reading it in huge pages takes .55 to .9 of the time that it takes in pages of 4 KiB.
  * The memory is the caller's:
  *
- *     void *memory = malloc(hm_pages_room(bytes)), *block = hm_pages_place(memory, bytes);
- *     hm_basis_init(&basis, block, bytes, analysis, &error);
+ *     hm_memory need = {NULL, 0};
+ *     hm_basis_init(&basis, &need, analysis, &error);
+ *     void* room = malloc(hm_pages_room(need.bytes));
+ *     need.block = hm_pages_place(room, need.bytes);
+ *     hm_basis_init(&basis, &need, analysis, &error);
  *     ...
- *     free(memory);
+ *     free(room);
  *
  * Only whole multiples of 2 MiB inside a block can be huge pages, and only in memory that has not
  * been written yet. The library itself makes no system calls; hm_pages_ask does, on Linux. */

@@ -14,6 +14,7 @@ libcgns-dev cgns-convert            # formats: CGNS files
 locales                             # faults: numbers where the decimal point is a comma
 strace                              # faults: full disks, and kills at each system call
 chromium                            # page: the page of `harmorph explore` in a browser
+emscripten node-acorn               # the program in node, and the workbench
 clang lld node-typescript           # pages and package for npm: the library as WebAssembly
 python3-dev python3-numpy python3-cffi python3-setuptools python3-pytest    # Python: the package and its tests
 python3-wheel python3-venv          # the same; README: the program in Python

@@ -109,6 +109,7 @@ steps() {
     step 2 "pictures of the program" sh tests/program/pictures.sh "$BUILD/harmorph" "$BUILD/meshes" \
         "$BUILD/pictures-test"
     step 1 "page of the program" sh tests/program/page.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/page-test"
+    step 1 "workbench" sh tests/program/workbench.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/workbench-test" "$BUILD"
     step 2 "page of figures" sh tests/measure/figures_test.sh "$BUILD/figures-test" "$BUILD"
     step 2 "includes point downwards" sh tests/includes.sh
     step 1 "benchmarks compile" sh tests/measure/benchmarks.sh "$BUILD"

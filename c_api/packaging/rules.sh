@@ -5,8 +5,8 @@
 # holds what the compiler has said of the headers that each object includes. All objects depend on BUILD/flags, which
 # changes when the compiler or its flags do; those of the modules for WebAssembly on BUILD/web/flags.
 #
-# Each file of the library is an object of its own, so that a program links what it calls. Files of one folder of the
-# program, and files of the tests, are compiled in groups: headers that they share are read once a group.
+# Each file of the library is an object of its own, so that a program links what it calls. Files of the program and of
+# the tests are compiled in groups: headers that they share are read once a group.
 # BUILD/objects/program.list and tests.list, for scripts that link objects to something else, have those of the program
 # without main, with -lz where the program uses zlib, and those of the tests.
 set -e
@@ -138,13 +138,20 @@ page_module() {
 }
 # The program for node, by emscripten, with the library of the module with simd128.
 node_program() {
-    library=$(echo "$list" | tr ' ' '\n' | grep -v web-module)
-    compiler='$(EMXX)' own=-O2 flags='$(NODE)' list= stamp=$build/web/node_flags
+    library="$(echo "$list" | tr ' ' '\n' | grep -v web-module) $build/objects/harmorph_simd128/c_api-web-page.o"
+    compiler='$(EMXX)' own=-Oz flags='$(NODE)' list= stamp=$build/web/node_flags
     objects node $build/page_text.cpp $build/page_module.cpp $build/command_text.cpp c_api/cli/formats/cgns*.cpp
     objects node c_api/cli/main.cpp
     groups node $in_program in_turn $(ls c_api/cli/*/*.cpp | grep -v /cgns)
     printf '%s/web/program.js:%s %s c_api/web/program_before.js\n\techo $(EMXX) $@\n' $build "$list" "$(echo $library)"
     printf '\tNODE_PATH="$${NODE_PATH:-/usr/share/nodejs}" $(EMXX) $(NODE_LINK) -o $@%s %s\n' "$list" "$(echo $library)"
+    printf '%s/web/workbench_program.js:%s %s\n\techo $(EMXX) $@\n' $build "$list" "$(echo $library)"
+    printf '\tNODE_PATH="$${NODE_PATH:-/usr/share/nodejs}" $(EMXX) $(WORKBENCH_LINK) -o $@%s %s\n' \
+        "$list" "$(echo $library)"
+    parts=$(echo c_api/web/workbench/*)
+    printf '%s/web/workbench.html: %s/web/workbench_program.js %s/meshes/naca0012.su2 %s\n' \
+        $build $build $build "$parts"
+    printf '\tsh c_api/web/workbench/join.sh %s >$@.new\n\tmv -f $@.new $@\n' $build
 }
 # What the scripts of the package, or of pages, call; other words, such as names of structs, are not there to be
 # exported. A page calls a part of what the package has: page_calls names it.
@@ -182,11 +189,11 @@ all_rules() {
     program tests
     put objects/tests.list echo $list
 
-    flags='$(CLI)' own='$(PROGRAM_LEVEL) $(CXXFLAGS)' list=
+    flags='$(CORE)' own='$(LEVEL) $(CXXFLAGS)' list=
+    objects cli c_api/web/page.cpp
+    flags='$(CLI)' own='$(PROGRAM_LEVEL) $(CXXFLAGS)'
     objects cli $build/page_text.cpp $build/page_module.cpp $build/command_text.cpp c_api/cli/formats/cgns*.cpp
-    for room in c_api/cli/*/; do
-        groups cli $in_program in_turn $(ls $room*.cpp | grep -v /cgns)
-    done
+    groups cli $in_program in_turn $(ls c_api/cli/*/*.cpp | grep -v /cgns)
     parts=$list
     put objects/program.list echo $parts $zlib
     objects cli c_api/cli/main.cpp

@@ -1,5 +1,6 @@
 #!/bin/sh
 # usage: pack.sh tools        says which tools `make web` lacks
+#        pack.sh workbench    says which tools the program and the workbench lack
 #        pack.sh pack BUILD   leaves BUILD/web/package and BUILD/web/harmorph-VERSION.tgz; VERSION from the environment
 set -e
 tool() {   # command, Debian's package
@@ -10,6 +11,12 @@ tools)
     missing=
     tool "${WASM_CXX%% *}" clang
     tool wasm-ld lld
+    [ -z "$missing" ] ;;
+workbench)
+    missing=
+    tool "${WASM_CXX%% *}" clang
+    tool wasm-ld lld
+    tool "${EMXX%% *}" "emscripten and node-acorn"
     [ -z "$missing" ] ;;
 pack)
     missing=

@@ -1,6 +1,4 @@
-// Calls of the module in pages of the program (c_api/cli/page), for pictures: the values of each
-// cell and of each wall point, of which the C headers tell extremes and means.
-#include <harmorph_fields.h>
+#include "web/page.h"
 
 #include "fields/walls.hpp"
 #include "mesh_pair.hpp"
@@ -18,6 +16,7 @@ void for_each_quality(OrientedMesh const& cells, Points start, Points change, Pu
     auto const measure = [&](Index number) {
         auto const displaced = [&](Index piece) {
             CellShape shape = shape_of(cells, piece, start);
+            if (!change.given()) return shape;
             CellShape const by = shape_of(cells, piece, change);
             for (Index k = 0; k < 4; ++k) shape.at[k] = shape.at[k] + by.at[k];
             return shape;
@@ -42,14 +41,34 @@ void for_each_quality(OrientedMesh const& cells, Points start, Points change, Pu
     });
 }
 
+// A number as the sum of two, the second one below half a unit in the last place of the first.
+struct TwoNumbers {
+    Real high, low;
+};
+
+struct SineCosine {
+    Real sine, cosine;
+};
+
+// The series for |x| <= pi/4 + 1e-9.
+SineCosine sine_cosine_near_zero(TwoNumbers x) noexcept {
+    Real const z = x.high * x.high, half = z / 2, first = 1 - half;
+    Real odd = 0, even = 0;  // the rest of the sine, and of the cosine behind two terms
+    for (Index k = 18; k >= 4; k -= 2) {
+        even = z / ((k + 1) * (k + 2)) * (1 - even);
+        odd = z / (k * (k + 1)) * (1 - odd);
+    }
+    odd = z / 6 * (1 - odd);
+    even = z * z / 24 * (1 - even);
+    return {x.high + (x.low * first - x.high * odd),
+            first + (((1 - first) - half) + (even - x.high * x.low))};
+}
+
 }  // namespace
 }  // namespace harmorph
 
 extern "C" {
 
-// The area of each cell before anything moves: area [n_cells].
-HM_API hm_status hm_web_areas(const hm_basis* basis, const hm_mesh* mesh, double* area,
-                              hm_error* err);
 hm_status hm_web_areas(const hm_basis* basis, const hm_mesh* mesh, double* area, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
@@ -62,10 +81,6 @@ hm_status hm_web_areas(const hm_basis* basis, const hm_mesh* mesh, double* area,
     });
 }
 
-// The quality of each cell after the displacement, as hm_assess judges it: quality [n_cells]; 0
-// for inverted cells.
-HM_API hm_status hm_web_cells(const hm_basis* basis, const hm_mesh* mesh,
-                              const hm_points* displacement, double* quality, hm_error* err);
 hm_status hm_web_cells(const hm_basis* basis, const hm_mesh* mesh, const hm_points* displacement,
                        double* quality, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
@@ -74,18 +89,13 @@ hm_status hm_web_cells(const hm_basis* basis, const hm_mesh* mesh, const hm_poin
         OrientedMesh cells;
         Points change;
         HARMORPH_TRY(open_pair(basis, mesh, b, view, cells, fault));
-        HARMORPH_TRY(view_points(displacement, "displacement", change, fault));
+        HARMORPH_TRY(view_points_if(displacement, "displacement", change, fault));
         for_each_quality(cells, view.points, change,
                          [&](Index cell, Real value) { quality[cell] = value > 0 ? value : 0; });
         return Status::ok;
     });
 }
 
-// The triangles and quadrilaterals of which cells consist, for pictures: start [n_cells + 1], and
-// four points for each piece, counted from 0; a triangle repeats its last point. points NULL: not
-// wanted.
-HM_API hm_status hm_web_pieces(const hm_basis* basis, const hm_mesh* mesh, int32_t* start,
-                               int32_t* points, hm_error* err);
 hm_status hm_web_pieces(const hm_basis* basis, const hm_mesh* mesh, int32_t* start, int32_t* points,
                         hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
@@ -109,21 +119,6 @@ hm_status hm_web_pieces(const hm_basis* basis, const hm_mesh* mesh, int32_t* sta
     });
 }
 
-// The points of walls, in the order of hm_walls_info: the points before and behind each of them
-// along the wall, the mesh on the left; -1 at an end. links [2*n_wall_points].
-HM_API void hm_web_links(const hm_walls* walls, int32_t* links);
-void hm_web_links(const hm_walls* walls, int32_t* links) {
-    WallPoints const& wall = reinterpret_cast<const Walls*>(walls)->layer.wall;
-    for (Index slot = 0; slot < wall.count; ++slot) {
-        links[2 * slot] = wall.previous[slot];
-        links[2 * slot + 1] = wall.next[slot];
-    }
-}
-
-// How the first layer has changed: angle [n_wall_points] in degrees, and height [n_wall_points],
-// after over before; 0 and 1 without an edge. hm_safe_report has the extremes of both.
-HM_API hm_status hm_web_layer(const hm_walls* walls, const hm_points* before, const hm_points* at,
-                              double* angle, double* height, hm_error* err);
 hm_status hm_web_layer(const hm_walls* walls, const hm_points* before, const hm_points* at,
                        double* angle, double* height, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
@@ -139,6 +134,43 @@ hm_status hm_web_layer(const hm_walls* walls, const hm_points* before, const hm_
         }
         return Status::ok;
     });
+}
+
+hm_status hm_web_comb(const hm_curves* curves, int32_t curve, int32_t n, const double* u,
+                      double chord, double* points, double* teeth, hm_error* err) {
+    for (Index k = 0; k < n; ++k) {
+        double at[6];
+        hm_status const status = hm_curve_point(curves, curve, u[k], 2, at, err);
+        if (status < 0) return status;
+        Vec2 const point{at[0], at[1]}, along{at[2], at[3]}, bend{at[4], at[5]};
+        Real const speed = length(along), turn = cross(along, bend);
+        Vec2 tooth = point;
+        if (speed > 0) {
+            Real const size = 0.02 * chord * sqrt(chord * abs(turn) / speed) / speed;
+            tooth = tooth + (turn < 0 ? -size : size) / speed * Vec2{along.y, -along.x};
+        }
+        points[2 * k] = point.x;
+        points[2 * k + 1] = point.y;
+        teeth[2 * k] = tooth.x;
+        teeth[2 * k + 1] = tooth.y;
+    }
+    return HM_OK;
+}
+
+void hm_web_sine(double angle, double* sine, double* cosine) {
+    // The sum is pi / 2; multiples of the first two numbers by n are exact.
+    constexpr Real parts[] = {0x1.921fb544p+0, 0x1.0b4611a4p-34, 0x1.13198a2e03707p-65};
+    constexpr Real grid = 0x1.8p52;
+    Real const quarters = angle * 0.63661977236758138;
+    Real const n = (quarters + grid) - grid;
+    Real const first = angle - n * parts[0], second = first - n * parts[1],
+               high = second - n * parts[2];
+    Real const low = ((first - second) - n * parts[1]) + ((second - high) - n * parts[2]);
+    SineCosine const r = sine_cosine_near_zero({high, low});
+    Index const quarter = static_cast<Index>(n) & 3;
+    Real const s = quarter % 2 == 0 ? r.sine : r.cosine, c = quarter % 2 == 0 ? r.cosine : r.sine;
+    *sine = quarter < 2 ? s : -s;
+    *cosine = quarter == 1 || quarter == 2 ? -c : c;
 }
 
 }  // extern "C"

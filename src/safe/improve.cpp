@@ -34,8 +34,9 @@ constexpr Real max_rise = 0.3;
 constexpr Real min_rest = 1e-3;
 // The steps end when the gain of the last step and the gap, which is the most that a sharper
 // maximum can bring, are less than small_rest together, or when J gains less than small_gain in
-// three steps. After `patience` solutions small_gain grows with the square of their number.
-constexpr Real small_rest = 0.02, small_gain = 0.018, patience = 16;
+// three steps. After `patience` solutions small_gain grows with the square of their number, up to
+// the square of max_growth_of_gain.
+constexpr Real small_rest = 0.02, small_gain = 0.018, patience = 16, max_growth_of_gain = 2;
 // A step that lowers the energy by less is slow, while anchors pull.
 constexpr Real slow_gain = 0.02;
 
@@ -133,7 +134,7 @@ void Improvement::sharpen(bool raises) noexcept {
 }
 
 bool Improvement::is_at_rest(Real const (&gains)[3], Index solutions) const noexcept {
-    Real const spent = max(static_cast<Real>(solutions) / patience, 1.0);
+    Real const spent = clamp(static_cast<Real>(solutions) / patience, 1.0, max_growth_of_gain);
     bool const is_near = last_length >= 0.5 && last_gain + gap < small_rest;
     return is_near || gains[0] + gains[1] + gains[2] < spent * spent * small_gain;
 }

@@ -166,13 +166,14 @@ void Improvement::run(Plan const& of_plan, ImproveOptions const& options, Real l
     report.unknowns = region.n;
     Score found = score(as_points(now)), highest = found;
     copy(best, Span<const Vec2>(now));
-    Real gains[3] = {infinity, infinity, infinity};
+    Real gains[3] = {infinity, infinity, infinity}, first = highest.value();
     while (region.n > 0 && report.solutions < options.max_solutions && !report.converged) {
         Prepared const prepared = prepare();
         if (prepared == Prepared::end) break;
         bool const is_new = prepared == Prepared::mesh;
         if (is_new) {
             highest = found = score(as_points(now));
+            first = highest.value();
             copy(best, Span<const Vec2>(now));
         }
         Real const before = highest.value(), last = found.value();
@@ -181,7 +182,10 @@ void Improvement::run(Plan const& of_plan, ImproveOptions const& options, Real l
         found = score(as_points(now));
         if (anchors.count == 0) sharpen(found.value() > last);
         keep_if_better(found, lowest, highest);
-        gains[report.solutions % 3] = is_new ? infinity : highest.value() - before;
+        // Before the first mesh that is better, the way there counts: sharpness begins low.
+        bool const is_ahead = highest.value() > first;
+        Real const gain = is_ahead ? highest.value() - before : max(found.value() - last, 0.0);
+        gains[report.solutions % 3] = is_new ? infinity : gain;
         report.converged = is_at_rest(gains, options.spent + report.solutions);
     }
     for (Index k = 0; k < now.count(); ++k) to.set(k, best[k]);

@@ -15,6 +15,55 @@ Vec2 complex_root(Vec2 z) noexcept {
 
 }  // namespace
 
+void find_bulge(Span<const Vec2> from, Span<const Vec2> to, Span<Vec2> bulge) noexcept {
+    Index const n = from.count();
+    auto const after = [&](Index k) { return k + 1 < n ? k + 1 : 0; };
+    auto const rotation = [&](Index k) {
+        Vec2 const before = from[after(k)] - from[k], now = to[after(k)] - to[k];
+        Vec2 const ratio = square(before) > 0 ? quotient(now, before) : Vec2{};
+        Real const size = length(ratio);
+        return size > 0 ? 1 / size * ratio : Vec2{1, 0};
+    };
+    Index first = 0;
+    for (Index k = 0; k < n; ++k) {
+        if (rotation(k).x > rotation(first).x) first = k;
+    }
+    // The side whose rotation is least like that of the side before, and how like; where the other
+    // of both roots is taken, so that the angles return to the first one; none at first.
+    Index least_like = none, other_root = none;
+    Real least = 2;
+    // Calls visit(point, side from there, weight of the side) for the sides in the middle. Returns
+    // whether the angles return to the first one.
+    auto const for_sides = [&](auto const& visit) {
+        Vec2 root{1, 0};
+        for (Index j = 0, k = first; j < n; ++j, k = after(k)) {
+            Vec2 const own = complex_root(rotation(k));
+            Real const alike = dot(own, root);
+            if (abs(alike) < least) least = abs(alike), least_like = k;
+            root = (alike < 0) == (k == other_root) ? own : -1 * own;
+            Vec2 const before = from[after(k)] - from[k], now = to[after(k)] - to[k];
+            Vec2 const side = 0.5 * (product(root, before) + product(conjugate(root), now));
+            visit(k, side, length(side) * length(root - Vec2{1, 0}));
+        }
+        return dot(root, complex_root(rotation(first))) > 0;
+    };
+    if (!for_sides([](Index, Vec2, Real) {})) other_root = least_like;
+    Vec2 gap, at, mean;
+    Real weights = 0;
+    bool const returns = for_sides([&](Index, Vec2 side, Real weight) {
+        gap = gap + side;
+        weights += weight;
+    });
+    fill(bulge, Vec2{});
+    if (!returns || weights == 0) return;
+    for_sides([&](Index k, Vec2 side, Real weight) {
+        bulge[k] = at - 0.5 * (from[k] + to[k]);
+        mean = mean + 1 / static_cast<Real>(n) * bulge[k];
+        at = at + side - weight / weights * gap;
+    });
+    for (Vec2& b : bulge) b = b - mean;
+}
+
 Vec2 complex_power(Vec2 r, Real t) noexcept {
     constexpr Index bits = 40;
     if (t >= 1) return r;
@@ -35,6 +84,10 @@ void MovementPath::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(groups, n_functions);
     arena.take(start, n_functions);
     arena.take(drift, n_functions);
+    arena.take(bulge, n_functions);
+    arena.take(polygon, n_functions);
+    arena.take(target_polygon, n_functions);
+    arena.take(middle, n_functions);
     arena.take(target, 2 * Offset{n_functions});
     arena.take(slot_of, counts.points);
 }
@@ -51,6 +104,10 @@ void MovementPath::init(Basis const& basis, const Real* move) noexcept {
         note(basis.joined_point[k], basis.joined_slot[k]);
     find_groups(basis);
     find_anchors(basis);
+    bend(basis);
+}
+
+void MovementPath::bend(Basis const& basis) noexcept {
     fit_all(basis, basis.kind() == ValueKind::real);
 }
 
@@ -60,6 +117,9 @@ bool MovementPath::is_bent() const noexcept {
     for (Index const group : group_of) {
         if (!groups[group].is_straight()) return true;
     }
+    for (Vec2 const& b : bulge) {
+        if (b.x != 0 || b.y != 0) return true;
+    }
     return false;
 }
 
@@ -67,6 +127,7 @@ void MovementPath::fit_all(Basis const& basis, bool straight) noexcept {
     BasisCounts const& counts = basis.header->counts;
     constexpr Vec2 not_at_all{1, 0};
     Index const n_shapes = counts.shapes(), first_mode = n_shapes + 2 * counts.bodies;
+    fill(bulge, Vec2{});
     if (counts.combination == 0) fit_curves(basis, straight);
     for (Index i = 0; i < n_shapes && counts.combination != 0; ++i)
         set_alone(i, {}, not_at_all, false);
@@ -83,6 +144,7 @@ void MovementPath::fit_all(Basis const& basis, bool straight) noexcept {
         ModeWay const way =
             mode_ways.empty() || straight ? ModeWay{{}, not_at_all} : mode_ways[mode];
         set_alone(first_mode + mode, way.start, way.ratio, false);
+        bulge[first_mode + mode] = {way.bulge, 0};
     }
 }
 
@@ -108,6 +170,24 @@ void MovementPath::fit_curves(Basis const& basis, bool straight) noexcept {
                 ? move_of_it
                 : quotient(start[i] + move_of_it - similarity.shift, similarity.ratio) - start[i];
     }
+    for (Index number = 0; number < basis.header->counts.curves && !straight; ++number)
+        bend_curve(basis, number);
+}
+
+// Bends the way of a closed curve that is a body by itself.
+void MovementPath::bend_curve(Basis const& basis, Index number) noexcept {
+    Curve const curve = basis.curve(number);
+    Index const first = curve.control_point(0), group = group_of[first];
+    Index n = 1;
+    while (n < curve.n_indices && curve.control_point(n) != first) ++n;
+    if (n == curve.n_indices || !groups[group].bends || groups[group].members != n) return;
+    for (Index k = 0; k < n; ++k) {
+        Index const i = curve.control_point(k);
+        polygon[k] = start[i];
+        target_polygon[k] = start[i] + drift[i];
+    }
+    find_bulge(polygon.first(n), target_polygon.first(n), middle.first(n));
+    for (Index k = 0; k < n; ++k) bulge[curve.control_point(k)] = middle[k];
 }
 
 // The number of a group is that of its first member.
@@ -183,6 +263,7 @@ void MovementPath::fit_group(Basis const& basis, Index group, bool straight) noe
         }
     });
     similarity.members = fit.members;
+    similarity.bends = fit.exists;
     if (fit.ratio.x == 1 && fit.ratio.y == 0) return;
     similarity.centre = fit.centre;
     similarity.shift = fit.shift;
@@ -191,15 +272,17 @@ void MovementPath::fit_group(Basis const& basis, Index group, bool straight) noe
 
 void MovementPath::at(Real t, Span<Real> movement) const noexcept {
     if (t >= 1) return copy(movement, Span<const Real>(target));
+    Real const bent = 4 * t * (1 - t);
     RotationAt rotation(*this, t);
     for (Index i = 0; i < group_of.count(); ++i) {
         Group const& similarity = groups[group_of[i]];
         if (similarity.is_straight()) {
-            movement[2 * i] = t * drift[i].x;
-            movement[2 * i + 1] = t * drift[i].y;
+            movement[2 * i] = t * drift[i].x + bent * bulge[i].x;
+            movement[2 * i + 1] = t * drift[i].y + bent * bulge[i].y;
             continue;
         }
-        Vec2 const rotated = product(rotation.of(group_of[i]), start[i] + t * drift[i]);
+        Vec2 const there = start[i] + t * drift[i] + bent * bulge[i];
+        Vec2 const rotated = product(rotation.of(group_of[i]), there);
         Vec2 const moved = t * similarity.shift + (rotated - start[i]);
         movement[2 * i] = moved.x;
         movement[2 * i + 1] = moved.y;

@@ -5,6 +5,8 @@
 namespace harmorph {
 namespace {
 
+// The modes of each body. One more is for the way of walls that are no bodies, and the last one, if
+// there are bodies, for all bulges.
 constexpr Index modes_of_body = 3;
 
 // Calls visit(points of the loop) for each loop of the boundary on which all points are given.
@@ -29,12 +31,15 @@ void SafeDisplacement::lay_out(Arena& arena, Plan const& plan, Basis const& basi
     Index const n = plan.given().point.count();
     n_bodies = 0;
     for_each_body(plan, [&](Span<const Index>) { ++n_bodies; });
-    Index const n_modes = modes_of_body * n_bodies + 1;
+    Index const n_modes = modes_of_body * n_bodies + (n_bodies > 0 ? 2 : 1);
     counts = tabulated_counts(basis, n_modes, 2);
     arena.take(given, n);
     arena.take(body, n);
     arena.take(ways, n_modes);
     arena.take(modes, Offset{n_modes} * n);
+    arena.take(loop_from, n);
+    arena.take(loop_to, n);
+    arena.take(loop_bulge, n);
     arena.take(move, 2 * Offset{counts.functions()});
     arena.take(block, Basis::bytes(counts));
     auto const shared = arena.mark();
@@ -141,6 +146,45 @@ void SafeDisplacement::make_modes(Plan const& plan, Index first_mode) noexcept {
         if (body[i] == none) straight[i] = (1 / or_one(largest)) * given[i];
     }
     set_amplitude(modes_of_body * n_bodies, {largest, 0}, {{}, {1, 0}});
+    if (n_bodies == 0) return;
+    Real const bulge = find_bulges(plan, mode(modes_of_body * n_bodies + 1));
+    set_amplitude(modes_of_body * n_bodies + 1, {}, {{}, {1, 0}, bulge});
+}
+
+// Sets the mode to the bulges of all bodies beside the similarities of their ways, in parts of the
+// largest one, which is returned.
+Real SafeDisplacement::find_bulges(Plan const& plan, Span<Vec2> mode) noexcept {
+    constexpr Real rounding = 1e-9;
+    Real largest = 0, extent = 0;
+    Index number = 0;
+    for_each_body(plan, [&](Span<const Index> points) {
+        Index const n = points.count();
+        for (Index k = 0; k < n; ++k) {
+            loop_from[k] = plan.mesh().points[points[k]];
+            loop_to[k] = given[plan.given_index(points[k])];
+        }
+        Similarity const similarity = fit_similarity([&](auto const& visit) {
+            for (Index k = 0; k < n; ++k) visit(loop_from[k], loop_to[k]);
+        });
+        for (Index k = 0; k < n; ++k) {
+            Vec2 const position = loop_from[k] - similarity.centre;
+            loop_to[k] = quotient(position + loop_to[k] - similarity.shift, similarity.ratio);
+            loop_from[k] = position;
+            extent = max(extent, length(position));
+        }
+        if (!similarity.exists) return void(++number);
+        find_bulge(loop_from.first(n), loop_to.first(n), loop_bulge.first(n));
+        for (Index k = 0; k < n; ++k) {
+            Index const i = plan.given_index(points[k]);
+            if (body[i] != number) continue;
+            mode[i] = product(complex_power(similarity.ratio, 0.5), loop_bulge[k]);
+            largest = max(largest, length(mode[i]));
+        }
+        ++number;
+    });
+    if (!(largest > rounding * extent)) largest = 0;
+    for (Vec2& b : mode) b = 1 / or_one(largest) * b;
+    return largest;
 }
 
 }  // namespace harmorph

@@ -2,12 +2,13 @@
 //
 // A loop of the boundary on which all points are given is a body, which moves as a body with curves
 // does (MovementPath):
-//   p(t) = c + t d + r^t (p - c + t D),   D = (p + w - c - d) / r - (p - c).
-// Here w is the displacement of p, and r (z - c) + d is the similarity that fits all displacements
-// best. This path is a combination of three modes of the wall, which are solved as functions by
-// table: 1, p - c and D, with the amplitudes t d, r^t - 1 and t r^t. Points of other loops, on
-// which only some points are given, go straight, with one mode for all of them. At t = 1 the points
-// have exactly the given displacements.
+//   p(t) = c + t d + r^t (p - c + t D) + 4 t (1 - t) B,   D = (p + w - c - d) / r - (p - c).
+// Here w is the displacement of p, r (z - c) + d is the similarity that fits all displacements
+// best, and B is the bulge of the way in the middle (see find_bulge()), so that a flap rotates.
+// This path is a combination of four modes of the wall, which are solved as functions by table: 1,
+// p - c and D, with the amplitudes t d, r^t - 1 and t r^t, and one for the bulges of all bodies.
+// Points of other loops, on which only some points are given, go straight, with one mode for all of
+// them. At t = 1 the points have exactly the given displacements.
 #pragma once
 
 #include "morph/displacement.hpp"
@@ -21,9 +22,11 @@ struct SafeDisplacement {
     Span<Index> body;                  // [given points] the loop that is a body, from 0, or none
     Span<MovementPath::ModeWay> ways;  // [modes]
     Span<Vec2> modes;                  // [modes x given points]
-    Span<Real> move;                   // [2 * functions]
-    Span<unsigned char> block;         // the block of the basis with these modes
-    ModeWork work;                     // uses the same memory as `safe`
+    // [given points] One body before and after the movement, beside its similarity, and its bulge.
+    Span<Vec2> loop_from, loop_to, loop_bulge;
+    Span<Real> move;            // [2 * functions]
+    Span<unsigned char> block;  // the block of the basis with these modes
+    ModeWork work;              // uses the same memory as `safe`
     BasisCounts counts;
     Index n_bodies = 0;
 
@@ -39,6 +42,7 @@ private:
     Status read(Plan const& plan, PointList const& list, Points wall, Fault& fault) noexcept;
     void find_bodies(Plan const& plan) noexcept;
     void make_modes(Plan const& plan, Index first_mode) noexcept;
+    Real find_bulges(Plan const& plan, Span<Vec2> mode) noexcept;
 };
 
 }  // namespace harmorph

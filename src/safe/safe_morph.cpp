@@ -133,6 +133,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
 // Tries one strategy after another until the mesh is good.
 Status SafeMorph::climb(Work& work) noexcept {
     SafeOptions const& options = work.options;
+    if (work.searches && work.derivative == nullptr) return several_steps(work);
     if (options.tries(Strategy::linear)) single_step(work, work.basis, Strategy::linear, none);
     for (Index i = 0; i < options.others.count() && options.tries(Strategy::other); ++i) {
         if (work.is_fair(work.best())) break;
@@ -156,39 +157,60 @@ void SafeMorph::improve_result(Work& work) noexcept {
         improve(work, result());
 }
 
-// Makes the movement in several steps, on straight ways where bodies that rotate do not arrive.
+// Makes the movement in several steps, on straight ways where bodies that rotate do not arrive. The
+// path remains the one on which the mesh came farthest.
 Status SafeMorph::several_steps(Work& work) noexcept {
-    bool const may_rotate_back = work.derivative == nullptr;
+    bool const may_straighten = work.derivative == nullptr && !work.searches;
     HARMORPH_TRY(substeps(work));
-    if (!work.arrives(work.best()) && may_rotate_back && mesh.path.is_bent()) {
+    Real const before = work.best().fraction;
+    bool const straightens = !work.arrives(work.best()) && may_straighten && mesh.path.is_bent();
+    if (straightens) {
         mesh.path.straighten(work.basis);
         mesh.carried.init(work.basis, mesh.path, work.mesh().points);
         HARMORPH_TRY(substeps(work));
     }
     if (!work.arrives(work.best()) && work.options.tries(Strategy::linear))
         longest_linear_step(work);
+    if (straightens && work.best().fraction == before) {
+        mesh.path.bend(work.basis);
+        mesh.carried.init(work.basis, mesh.path, work.mesh().points);
+    }
     return Status::ok;
 }
 
-// Tries parts of a movement that cannot be completed, by bisection, with all strategies.
+// Searches for the largest part of a movement that could not be completed: the steps go on from the
+// best mesh as long as they come nearer to the target; then parts are tried by bisection.
 Status SafeMorph::search_farthest(Work& work) noexcept {
     constexpr Real enough = 0.02;
-    Index const first = work.report.solutions();
+    work.last_solution =
+        min(work.report.solutions() + SafeOptions::max_in_search, SafeOptions::max_solutions);
+    work.searches = true;
     Real refused = 1;
-    while (refused - work.best().fraction > enough &&
-           work.report.solutions() - first < SafeOptions::max_in_search &&
-           work.solutions_left() > 0) {
-        work.aim = 0.5 * (work.best().fraction + refused);
+    bool bisects = false;
+    while (refused - work.best().fraction > enough && work.solutions_left() > 0) {
+        Real const before = work.best().fraction;
+        work.aim = bisects ? 0.5 * (before + refused) : 1;
         work.resolves_before = work.report.resolves;
-        work.searches = true;
         HARMORPH_TRY(climb(work));
-        if (!work.arrives(work.best())) refused = work.aim;
+        if (bisects && !work.arrives(work.best())) refused = work.aim;
+        bisects = bisects || work.best().fraction < before + enough;
     }
     work.searches = false;
+    work.last_solution = SafeOptions::max_solutions;
     work.aim = work.best().fraction;
     improve_result(work);
     work.aim = 1;
     return Status::ok;
+}
+
+// Returns to the best mesh, which belongs to the present path.
+void SafeMorph::resume(Work& work) noexcept {
+    copy(mesh.x, Span<const Real>(best_x));
+    copy(mesh.y, Span<const Real>(best_y));
+    copy(mesh.reached, Span<const Real>(reached));
+    mesh.time = work.best().fraction;
+    mesh.carried.forget();
+    work.attempt = work.best();
 }
 
 void SafeMorph::begin(Work& work) noexcept {

@@ -137,6 +137,7 @@ private:
     Status several_steps(Work& work) noexcept;
     Status search_farthest(Work& work) noexcept;
     void begin(Work& work) noexcept;
+    void resume(Work& work) noexcept;
     AdmissibleStep look_ahead(Work& work, Basis const& by, Real to) noexcept;
     bool is_valid(Work const& work, Points points) const noexcept;
     void take_step(Work& work, Basis const& by) noexcept;
@@ -173,7 +174,7 @@ private:
     void measure_worst(Work& work) const noexcept;
     void finish_derivative(Work& work) noexcept;
     bool keep_order_of_slipping(Work const& work) noexcept;
-    bool untangle_ahead(Work& work) noexcept;
+    bool untangle_ahead(Work& work, Real max_work) noexcept;
     void find_end_that_leaves(Work& work) const noexcept;
     bool is_beside(Work const& work, Index cell, Index point) const noexcept;
     Status finish(Work& work) noexcept;

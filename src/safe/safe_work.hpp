@@ -20,8 +20,11 @@ struct SafeMorph::Work {
     Real aim = 1;
     // The solutions of the functions before these strategies began.
     Index resolves_before = 0;
-    // Any valid mesh will do, as the largest part of the movement is searched for.
+    // Any valid mesh will do, as the largest part of the movement is searched for; the steps go on
+    // from the best mesh.
     bool searches = false;
+    // No solution is made after so many.
+    Index last_solution = SafeOptions::max_solutions;
 
     Mesh const& mesh() const noexcept { return plan.mesh(); }
     OrientedMesh const& cells() const noexcept { return plan.equations().cells(); }
@@ -31,7 +34,7 @@ struct SafeMorph::Work {
     Index resolves() const noexcept { return report.resolves - resolves_before; }
     bool arrives(Outcome const& outcome) const noexcept { return outcome.fraction >= aim; }
     Index solutions_left() const noexcept {
-        return max(SafeOptions::max_solutions - report.solutions(), Index{0});
+        return max(last_solution - report.solutions(), Index{0});
     }
     Real goal() const noexcept { return options.min_quality * report.start_quality; }
     // Returns the quality in parts of the quality asked for; 1 is enough.

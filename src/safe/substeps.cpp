@@ -16,6 +16,9 @@ constexpr Index max_trials = 12;
 constexpr Index usual_resolves = 5;
 // The largest number of leaps over the rest of the movement before all solutions are used up.
 constexpr Index max_leaps = 2;
+// The most that the untangling after a leap may cost, in solutions. Those that succeed take less
+// than two in most meshes.
+constexpr Real untangling_on_the_way = 4, last_untangling = 16;
 // A step is too short if it is less than this part of the pace that leads to the target with the
 // remaining solutions.
 constexpr Real stuck_below = 0.5;
@@ -84,9 +87,16 @@ Status SafeMorph::substeps(Work& work) noexcept {
     // After a solution that failed, `here` may contain any values; the functions of the start can
     // always be used.
     const Basis* by = &work.basis;
+    bool const resumes = work.searches && work.derivative == nullptr;
+    if (resumes) resume(work);
     if (work.options.tries(Strategy::substeps)) {
         Real length = 0;
-        by = &choose_first(work, length);
+        if (!resumes) {
+            by = &choose_first(work, length);
+        } else if (!failed(solve_by(work, here, operators.now()))) {
+            by = &here;
+            length = find_step(work, here);
+        }
         while (length >= min_substep) {
             work.attempt.strategy = Strategy::substeps;
             take_step(work, *by);
@@ -115,7 +125,7 @@ Status SafeMorph::substeps(Work& work) noexcept {
         }
         if (work.attempt.steps > 0) keep_if_better(work);
     }
-    leap(work, *by, true);
+    if (!resumes || work.aim < 1) leap(work, *by, true);
     return Status::ok;
 }
 
@@ -287,7 +297,7 @@ bool SafeMorph::keep_order_of_slipping(Work const& work) noexcept {
 
 // Untangles the mesh ahead with all boundary points held, and if that fails, with points that
 // slip.
-bool SafeMorph::untangle_ahead(Work& work) noexcept {
+bool SafeMorph::untangle_ahead(Work& work, Real max_work) noexcept {
     mobility.find(work.plan, mesh.ahead());
     bool const any_slips = keep_order_of_slipping(work);
     untangling.executor = work.executor();
@@ -296,7 +306,7 @@ bool SafeMorph::untangle_ahead(Work& work) noexcept {
         untangling.tangle = tangle;
         untangling.slipping = slipping;
         UntangleOptions options = work.options.untangle;
-        options.max_work = static_cast<Real>(work.solutions_left());
+        options.max_work = min(max_work, static_cast<Real>(work.solutions_left()));
         Status const status = untangling.run(options, mesh.to_ahead(), work.report.untangle, why);
         work.report.untangling += work.report.untangle.work;
         // A boundary may cross itself although no cell is inverted.
@@ -315,7 +325,7 @@ bool SafeMorph::untangle_ahead(Work& work) noexcept {
 bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     if (!work.options.tries(Strategy::untangled)) return false;
     look_ahead(work, by, work.aim);
-    if (!untangle_ahead(work)) return false;
+    if (!untangle_ahead(work, is_last ? last_untangling : untangling_on_the_way)) return false;
     Fault why;
     Outcome there = work.attempt;
     there.strategy = Strategy::untangled;
@@ -379,7 +389,7 @@ bool SafeMorph::improve(Work& work, Points from) noexcept {
 // solved on a better mesh carry the mesh farther, and to better cells.
 void SafeMorph::improve_on_the_way(Work& work) noexcept {
     constexpr Real poor = 0.5;  // in parts of the smallest quality of the start
-    constexpr Index max_solutions = 2;
+    Index const max_solutions = work.searches ? 4 : 2;
     if (work.derivative != nullptr || !work.options.tries(Strategy::improved)) return;
     Outcome here;
     Fault why;

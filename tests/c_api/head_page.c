@@ -1,5 +1,6 @@
-/* The lines of the shortest use on the head page of harmorph.h, on an O-mesh: head_page.inc has
- * them (headers.sh). The wall follows the control points exactly, the far field stays. */
+/* The lines of the head page of harmorph.h, on an O-mesh: head_page.inc has the shortest use,
+ * head_page_before.inc what to ask before the mesh moves (headers.sh). The wall follows the control
+ * points exactly, the far field stays, and hm_adjoint is the transpose of hm_morph. */
 #include <harmorph.h>
 
 #include <math.h>
@@ -9,11 +10,13 @@
 enum { NI = 97, NJ = 25 };
 
 static double x[NI * NJ], y[NI * NJ], new_x[NI * NJ], new_y[NI * NJ];
+static double dx[NI * NJ], dy[NI * NJ], gx[NI * NJ], gy[NI * NJ];
 
 int main(void) {
     const int32_t wall = 5, start[] = {0, NI, 2 * NI}, markers[] = {5, 6};
     int32_t lists[2 * NI];
-    double move[2 * 20], wrong = 0;
+    double move[2 * 20], gradient[2 * 20], wrong = 0, by_points = 0, by_control = 0;
+    hm_points dj = {gx, gy, 1};
     hm_points_out to = {new_x, new_y, 1};
     const hm_curves* curves;
     hm_mesh mesh;
@@ -52,6 +55,21 @@ int main(void) {
         wrong = fmax(wrong, fabs(new_x[k] - x[k] - 0.01) + fabs(new_y[k] - y[k] + 0.02));
         wrong = fmax(wrong, fabs(new_x[k + NI * (NJ - 1)] - x[k + NI * (NJ - 1)]));
     }
+    for (k = 0; k < NI * NJ; ++k) {
+        gx[k] = sin(k);
+        gy[k] = cos(2 * k);
+        new_x[k] = new_y[k] = 0;
+    }
+
+#include "head_page_before.inc"
+
+    for (k = 0; k < NI * NJ; ++k) {
+        by_points += gx[k] * dx[k] + gy[k] * dy[k];
+        wrong = fmax(wrong, fabs(new_x[k] - x[k] - dx[k]) + fabs(new_y[k] - y[k] - dy[k]));
+    }
+    for (k = 0; k < 2 * 20; ++k) by_control += gradient[k] * move[k];
+    wrong = fmax(wrong, 1e-3 * fabs(by_points - by_control));
+    if (quality.inverted > 0 || quality.self_crossing) wrong = 1;
     if (error.code < 0) printf("%s\n", error.text);
     return error.code < 0 || !(wrong < 1e-14);
 }

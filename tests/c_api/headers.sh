@@ -20,14 +20,57 @@ for standard in c++11 c++14 c++17 c++20; do
         "$build/libharmorph.a" -lm $LDFLAGS
     check "$standard, structs" "$dir/$standard"
 done
-# The shortest use, as the head page of harmorph.h has it.
-awk '/^ \* THE SHORTEST USE/ { page = 1 } /^ \* ORDER/ { exit } page && sub(/^ \*     /, "    ")' include/harmorph.h \
-    >"$dir/head_page.inc"
-lines=$(wc -l <"$dir/head_page.inc")
-check "the head page has the shortest use in 12 lines" test "$lines" -ge 5 -a "$lines" -le 12
-check "the shortest use" $CC -std=c99 $strict -Wno-missing-field-initializers -I"$dir" -o "$dir/head_page" \
-    tests/c_api/head_page.c "$build/libharmorph.a" -lm $LDFLAGS
-check "the shortest use runs" "$dir/head_page"
+# The code in comments of the headers: lines that are indented by five spaces or more, one of which ends with ";".
+# Each block goes to a file of its own, whose name is that of the header and the number of the first line.
+blocks_of() {   # folder, headers...
+    where=$1; shift
+    awk -v where="$where" '
+        FNR == 1 || !/^ \*     / { write() }
+        /^ \*     / {
+            if (text == "") name = FILENAME ":" FNR
+            is_last = /\*\/ *$/
+            line = $0
+            sub(/^ \*     /, "", line)
+            sub(/ *\*\/ *$/, "", line)
+            if (line ~ /;$/) is_code = 1
+            text = text (line == "..." ? "" : line) "\n"
+            if (is_last) write()
+        }
+        function write() {
+            gsub(/.*\//, "", name)
+            if (is_code) printf "%s", text > where "/" name ".inc"
+            text = ""
+            is_code = 0
+        }
+        END { write() }' "$@"
+}
+mkdir -p "$dir/blocks"
+blocks_of "$dir/blocks" include/*.h
+compiles() {
+    $CC -std=c99 $strict -Wno-unused -Wno-unknown-pragmas -DBLOCK="\"$1\"" -fsyntax-only tests/c_api/header_blocks.c
+}
+check "headers have code in comments" test "$(ls "$dir/blocks" | wc -l)" -ge 7
+for block in "$dir"/blocks/*.inc; do check "the code at $(basename "$block" .inc)" compiles "$block"; done
+old_call() {   # an example that is older than the call is found
+    printf '/* As in:\n *\n *     hm_basis_init(&basis, block, bytes, analysis, &error);\n */\n' >"$dir/old.h"
+    blocks_of "$dir" "$dir/old.h" && [ -s "$dir/old.h:3.inc" ] && ! compiles "$dir/old.h:3.inc"
+}
+check "code that does not compile is found" old_call
+# The shortest use and what to ask before the mesh moves, as the head page of harmorph.h has them.
+set -- $(ls "$dir"/blocks/harmorph.h:*.inc | sort -t : -k 2 -n)
+cp "$1" "$dir/head_page.inc"
+cp "$2" "$dir/head_page_before.inc"
+check "the head page has the shortest use in 14 lines" sh -c '[ "$(wc -l <"$0")" -le 14 ]' "$1"
+check "the head page" $CC -std=c99 $strict -I"$dir" -o "$dir/head_page" tests/c_api/head_page.c "$build/libharmorph.a" \
+    -lm $LDFLAGS
+check "the head page runs" "$dir/head_page"
+# As the head page says, the library needs no other library.
+cat >"$dir/alone.c" <<'END'
+#include <harmorph.h>
+int main(void) { return hm_setup_solve(NULL, NULL, NULL, NULL) < 0 ? 0 : 1; }
+END
+check "a program with the library alone" $CC -Iinclude -o "$dir/alone" "$dir/alone.c" "$build/libharmorph.a" $LDFLAGS
+check "which runs" "$dir/alone"
 headers=$(sed 's|^|include/|' fortran/harmorph/headers)
 awk '/^typedef struct [a-z_]* \{/ { name = $3 } /^    uint64_t struct_size;/ { print name }' $headers |
     sort >"$dir/declared"

@@ -72,6 +72,43 @@ TEST_CASE("the moved curve passes the points of the section as near as the repor
     CHECK(std::fabs(worst - airfoil.report.max_error) < 1e-12);
 }
 
+TEST_CASE("points of the report of a fit and of a refit count from the index base of the call") {
+    Airfoil airfoil;
+    REQUIRE(airfoil.refit(airfoil.section) == HM_OK);
+    hm_curves from_1 = *airfoil.curves;
+    hm_curve curve = from_1.curve[0];
+    std::vector<std::int32_t> indices;
+    for (std::int32_t k = 0; k < curve.n_indices; ++k)
+        indices.push_back((curve.indices == nullptr ? k : curve.indices[k]) + 1);
+    curve.indices = indices.data();
+    from_1.index_base = 1;
+    from_1.curve = &curve;
+    hm_refit_report report;
+    HM_INIT(report);
+    hm_points const points = airfoil.section.view();
+    REQUIRE(hm_refit(&from_1, 0, &points, airfoil.section.count(), 1, 0, airfoil.movement.data(),
+                     &report, fixtures::Memory(airfoil.work.data(), airfoil.work.size()),
+                     &airfoil.error) == HM_OK);
+    CHECK(report.max_error_point == airfoil.report.max_error_point + 1);
+
+    hm_fit_report found[2];
+    for (std::int32_t base = 0; base < 2; ++base) {
+        hm_fit_options options;
+        const hm_curves* curves = nullptr;
+        HM_INIT(options);
+        HM_INIT(found[base]);
+        options.index_base = base;
+        REQUIRE(hm_fit(&curves, fixtures::Memory(airfoil.block.data(), airfoil.block.size()),
+                       &points, airfoil.section.count(), 1, &options, &found[base],
+                       nullptr) == HM_OK);
+        CHECK(curves->index_base == 0);
+    }
+    CHECK(found[1].max_error_point == found[0].max_error_point + 1);
+    CHECK(found[1].first_point == found[0].first_point + 1);
+    CHECK(found[1].departure_point == found[0].departure_point + 1);
+    CHECK(found[1].backtrack_point == -1);
+}
+
 TEST_CASE("refused calls name the argument and leave the movement as it was") {
     Airfoil airfoil;
     auto const untouched = [&] {

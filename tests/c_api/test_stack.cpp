@@ -60,7 +60,7 @@ void check_stack(const char* name, std::size_t allowed, std::function<void()> co
 }  // namespace
 
 TEST_CASE("analysis, factorisation and solution take at most the stated stack") {
-    Case setup = two_body_case(Cells::hybrid, 60, 40);
+    Case setup = two_body_case(Cells::hybrid, 30, 20);
     hm_problem const problem = setup.problem();
     struct Row {
         const char* name;
@@ -88,7 +88,7 @@ TEST_CASE("analysis, factorisation and solution take at most the stated stack") 
 }
 
 TEST_CASE("morphs, adjoints and safe morphs take at most the stated stack") {
-    Case setup = two_body_case(Cells::hybrid, 60, 40);
+    Case setup = two_body_case(Cells::hybrid, 30, 20);
     for (std::int32_t const threads : {1, 64}) {
         Backwards backwards;
         hm_executor const executor = backwards.executor(threads);

@@ -36,10 +36,14 @@ contains
     subroutine solve_from_0(mesh)
         type(hm_mesh), intent(in) :: mesh
         type(hm_basis) :: basis
+        type(hm_basis_info) :: info
         real(dp) :: found(n_points)
         call solve(mesh, basis, first=0)
         call basis%values(3, found)
         call check(maxval(abs(found - values)) <= 0, "cells - 1, and faces of 8 bytes")
+        call basis%info(info)
+        call check(info%index_base == 0 .and. minval(info%curve_point) == 0 .and. &
+            maxval(info%curve_point) == around - 1 .and. all(info%point_curve == 1), "curve points count from 0, too")
     end subroutine
 
     ! Triangles from some quads, then the other quads: cell numbers run on.

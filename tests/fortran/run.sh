@@ -96,6 +96,20 @@ check "an array with TARGET is taken" refused_by_compiler "double precision, tar
 check "an array without TARGET is refused" is_refused_by_compiler "double precision" x
 check "an expression is refused" is_refused_by_compiler "double precision, target" "2 * x"
 check "a copy in parentheses is refused" is_refused_by_compiler "double precision, target" "(x)"
+# The shortest use at the head of the module compiles.
+shortest_use() {
+    { echo "subroutine page(n, cells, face_points, markers, wing, dx, dy, dj_dx, dj_dy)"
+      echo "use, intrinsic :: iso_c_binding, only: c_double"
+      echo "use harmorph"
+      echo "implicit none"
+      echo "integer, intent(in) :: n, cells(:, :), face_points(:, :), markers(:), wing"
+      echo "real(c_double), intent(inout), target :: dx(:), dy(:), dj_dx(:), dj_dy(:)"
+      sed -n '/^! THE SHORTEST USE/,/^! ORDER OF CALLS/s/^!     //p' "$build/harmorph.f90"
+      echo "end subroutine"; } >"$dir/page.f90"
+    grep -q 'call basis%adjoint' "$dir/page.f90" &&
+        $FC -std=f2008 -I"$dir/checked" -J"$dir" -fsyntax-only "$dir/page.f90"
+}
+check "the shortest use at the head of the module" shortest_use
 stat_and_err_last() { ! tr '\n' '~' <"$build/harmorph.f90" | sed 's/&~ *//g' | tr '~' '\n' |
     grep -E '^ *subroutine .*\bstat\b' | grep -v 'stat, err)$'; }
 check "stat and err are the last arguments of every call" stat_and_err_last
@@ -193,8 +207,9 @@ legacy_calls() {   # place, flags...
     check "harmorph77.f90 with $*" quietly $FC $strict $FFLAGS "$@" -I"$place" -J"$place" -c "$build/harmorph77.f90" \
         -o "$place/harmorph77.o"
     check "legacy_tools.f with $*" $FC $legacy $FFLAGS "$@" -c tests/fortran/legacy_tools.f -o "$place/legacy_tools.o"
-    for test in legacy legacy_cells legacy_design legacy_fields; do
-        check "$test.f with $*" $FC $legacy $FFLAGS "$@" -c tests/fortran/$test.f -o "$place/$test.o"
+    sed -n '/^```fortran/,/^```$/p' fortran/harmorph77/README.md | grep -v '^```' >"$place/legacy_page.inc"
+    for test in legacy legacy_cells legacy_design legacy_fields legacy_refused legacy_page; do
+        check "$test.f with $*" $FC $legacy $FFLAGS "$@" -I"$place" -c tests/fortran/$test.f -o "$place/$test.o"
         check "link of $test with $*" $FC $FFLAGS "$place/$test.o" "$place/legacy_tools.o" "$place/harmorph77.o" \
             "$place/harmorph.o" "$build/libharmorph.a" -o "$place/$test"
         "$place/$test" || fail "$place/$test"
@@ -228,6 +243,23 @@ unknown_calls() {
         grep -q "^!.*\b$name\b" "$build/harmorph77.f90" && grep -q "CALL $name " tests/fortran/legacy*.f || echo "$name"
     done
 }
+# The calls of the manual, whose arguments are in columns 7 to 63, have as many as the subroutines. The example at the
+# head is that of README.md.
+legacy_heads() { awk '{ print $1, gsub(/,/, "") + 1 }' | tr a-z A-Z | sort -u; }
+manual_agrees() {
+    sed -n '1,/^! BEGIN/p' "$build/harmorph77.f90" | sed -n 's/^!  *\(IF (S [^)]*) \)*\(CALL .*\)/\2/p' >"$dir/example"
+    grep -o 'CALL .*' fortran/harmorph77/README.md | diff - "$dir/example" || return 1
+    sed '1,/^! BEGIN/d' "$build/harmorph77.f90" |
+        awk '/^!     CALL HM/ { inside = 1; text = "" }
+            inside { text = text substr($0, 7, 57) }
+            inside && text ~ /[)]/ { sub(/[)].*/, "", text); sub(/^CALL */, "", text); print text; inside = 0 }' |
+        legacy_heads >"$dir/in_manual"
+    awk '/^subroutine hm/ { text = $0; while (text ~ /&$/) { getline; sub(/&$/, "", text); text = text $0 }
+        sub(/subroutine /, "", text); sub(/[(]/, " (", text); print text }' "$build/harmorph77.f90" |
+        legacy_heads >"$dir/in_source"
+    test -s "$dir/in_source" && diff "$dir/in_source" "$dir/in_manual"
+}
+check "the manual of legacy calls has their arguments" manual_agrees
 all_calls_known() { ! unknown_calls | grep .; }
 check "legacy calls are in their manual and in the tests" all_calls_known
 # The head of the module lists every call that examples and tests make, with the keywords that they use.

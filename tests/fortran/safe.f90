@@ -31,7 +31,7 @@ contains
         move = 0.1_dp * some_move()
         call plan%morph_safe(laplace, move, x_new, y_new, report=report)
         call laplace%morph_to(move, x, y, x_other, y_other)
-        call check(report%strategy == hm_strategy_linear .and. report%other == 0 .and. report%steps == 1 .and. &
+        call check(report%strategy == hm_strategy_linear .and. report%other == -1 .and. report%steps == 1 .and. &
             report%inverted == 0, "a small movement in one step")
         call check(maxval(abs(x_new - x_other)) < 1e-15_dp .and. maxval(abs(y_new - y_other)) < 1e-15_dp, &
             "it is the morph")

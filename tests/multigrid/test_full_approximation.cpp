@@ -221,7 +221,7 @@ TEST_CASE("the number of improved cycles does not grow with the mesh, and that o
     CHECK(cycles(96, 1e-3, 1.2) <
           1.3 * cycles(48, 1e-3, 1.2));  // thin cells at the wall, 6000 and 24 000 points
     options = fas(HM_CYCLE_PAPER);
-    CHECK(cycles(86, 1, 1) > 1.3 * cycles(43, 1, 1));
+    CHECK(cycles(60, 1, 1) > 1.3 * cycles(30, 1, 1));
 }
 
 TEST_CASE("the start from the coarsest level is worth a cycle at least") {

@@ -160,18 +160,26 @@
     };
 
     const comb = () => {
-        const circle = [];
-        for (let k = 0; k < 40; ++k) circle.push(3 * Math.cos(k / 9), 3 * Math.sin(k / 9));
-        const teeth = Comb.teeth(circle, 1);
-        check("the curvature of a circle", teeth.every(({ curvature }) => near(curvature, 1 / 3, 1e-12)));
-        check("its teeth lie outside", teeth.every(({ tooth_x, tooth_y }) =>
-            near(Math.hypot(tooth_x, tooth_y), 3 + Comb.scale * Math.sqrt(1 / 3), 1e-12)));
-        const all = Comb.teeth(app.curves.outline(app.curves.curves[0]), 1),
-            [end_x, end_y] = app.curves.control0,
-            farthest = all.reduce((a, b) =>
-                Math.hypot(a.x - end_x, a.y - end_y) > Math.hypot(b.x - end_x, b.y - end_y) ? a : b),
-            ratio = Math.abs(farthest.curvature) * app.sections[0].now.leading_edge_radius;
-        check("the tooth at the leading edge has its radius", near(ratio, 1, 0.05), ratio);
+        const curve = app.curves.curves[0],
+            [points, teeth] = app.curves.comb(curve, 1),
+            pair = (all, k) => [all[2 * k], all[2 * k + 1]],
+            between = (a, b) => [b[0] - a[0], b[1] - a[1]],
+            inner = [...curve.u.keys()].slice(2, -2),
+            end = pair(app.curves.control0, 0);
+        // Angles between teeth and chords of the curve: the points beside them are near.
+        const cosines = inner.map((k) => {
+            const [tx, ty] = between(pair(points, k), pair(teeth, k)),
+                [cx, cy] = between(pair(points, k - 1), pair(points, k + 1));
+            return (tx * cx + ty * cy) / Math.hypot(tx, ty) / Math.hypot(cx, cy);
+        });
+        check("the teeth are at right angles to the curve", cosines.every((cosine) => Math.abs(cosine) < 0.1));
+        const distance = (k) => Math.hypot(...between(pair(points, k), end)),
+            farthest = inner.reduce((a, b) => (distance(a) > distance(b) ? a : b)),
+            length = Math.hypot(...between(pair(points, farthest), pair(teeth, farthest))),
+            ratio = (length / 0.02) ** 2 * app.sections[0].now.leading_edge_radius;
+        check("the tooth at the leading edge has its radius", near(ratio, 1, 0.01), ratio);
+        check("the tooth at the leading edge lies outside",
+            Math.hypot(...between(pair(teeth, farthest), end)) > distance(farthest) + 0.99 * length);
         element("comb").click();
         frame();
         check("a button shows the comb", app.options.comb && element("comb").getAttribute("aria-pressed") === "true");

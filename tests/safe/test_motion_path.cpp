@@ -244,3 +244,47 @@ TEST_CASE("weights are the derivative by the target with the similarities held")
               1e-15);  // the steps' weights sum up to 1
     }
 }
+
+TEST_CASE("the middle of the way of a polygon turns its sides by half, and bends nothing else") {
+    std::vector<Vec2> from, to, bulge(48);
+    auto const find = [&](auto const& target) {
+        from.clear();
+        to.clear();
+        for (int k = 0; k < 48; ++k) {
+            // a thin wedge from x = 0 to 1: 20 sides below, 20 above, 8 at its base
+            double const s = k < 20 ? k / 20.0 : k < 40 ? (40 - k) / 20.0 : 0;
+            double const y = k < 20 ? -1 : k < 40 ? 1 : 1 - (k - 40) / 4.0;
+            Complex const p(s, 0.01 * (1 - s) * y);
+            from.push_back(vec(p));
+            to.push_back(vec(target(p)));
+        }
+        find_bulge(span(from), span(to), span(bulge));
+        double largest = 0;
+        for (Vec2 const& b : bulge) largest = std::max(largest, std::abs(number(b)));
+        return largest;
+    };
+    CHECK(find([](Complex p) { return p; }) < 1e-15);
+    CHECK(find([](Complex p) { return p + Complex(3, -2); }) < 1e-12);
+    // a stretched polygon goes straight, as no side turns
+    CHECK(find([](Complex p) { return 4.0 * p; }) < 1e-12);
+    for (double const angle : {-120.0, -90.0, 60.0, 120.0}) {
+        Complex const turn = std::polar(1.0, angle * pi / 180), half = std::sqrt(turn);
+        double const largest = find([&](Complex p) {
+            return p.real() < 0.5 ? p : 0.5 + (p - 0.5) * turn;  // a hinge at x = .5
+        });
+        CHECK(largest > 0.05);
+        for (int k = 0; k < 48; ++k) {
+            int const next = (k + 1) % 48;
+            bool const turns = number(from[k]).real() >= 0.5 && number(from[next]).real() >= 0.5;
+            bool const stays = number(from[k]).real() < 0.5 && number(from[next]).real() < 0.5;
+            if (!turns && !stays) continue;
+            auto const middle = [&](int i) {
+                return 0.5 * (number(from[i]) + number(to[i])) + number(bulge[i]);
+            };
+            Complex const side = number(from[next]) - number(from[k]);
+            Complex const wanted = turns ? side * half : side;
+            double const error = std::abs(middle(next) - middle(k) - wanted);
+            CHECK(error < (turns ? 0.05 : 1e-12) * std::abs(side));
+        }
+    }
+}

@@ -23,6 +23,17 @@ Field cambered(SafeDisplaced const& safe, double height) {
     return out;
 }
 
+// The part behind x = .9 turns about (.7, 0), and the part from .5 on bends.
+Field flapped(SafeDisplaced const& safe, double degrees) {
+    Field out;
+    for (Complex const z : safe.start()) {
+        double const s = std::min(std::max((z.real() - 0.5) / 0.4, 0.0), 1.0);
+        Complex const turn = std::polar(1.0, s * s * (3 - 2 * s) * degrees * pi / 180);
+        out.push_back((z - 0.7) * (turn - 1.0));
+    }
+    return out;
+}
+
 // A unit square whose lower side has given displacements, between sides along which points slip.
 Case turned_floor(int n) {
     Case out;
@@ -64,6 +75,25 @@ TEST_CASE("thin layers stay on a wall that bends, and neither smallest nor mean 
             // Tops whose cells would be poor in their places, at the trailing edge, are free.
             CHECK(report.mean_height_ratio == doctest::Approx(1).epsilon(0.02));
             CHECK(report.solutions <= 20);
+        }
+    }
+}
+
+TEST_CASE("a flap turns on its way, so that it neither shrinks nor passes through the section") {
+    for (double const degrees : {-140.0, 140.0}) {
+        for (double const first : {2e-3, 2e-2}) {
+            Case setup = layered_section(44, first);
+            SafeDisplaced safe(setup);
+            safe.safe_options.min_quality = 0;
+            Field const wall = flapped(safe, degrees);
+            INFO(degrees << " degrees, first layer " << first);
+            CHECK(safe.run(wall) == HM_OK);
+            INFO(safe.safe_report.step_fraction << ", " << safe.safe_report.min_quality << "/"
+                                                << safe.safe_report.mean_quality << " after "
+                                                << safe.safe_report.solutions << " solutions");
+            CHECK(safe.safe_report.step_fraction == 1);
+            CHECK(safe.safe_report.min_quality > 0.3);
+            CHECK(safe.safe_report.solutions <= 24);
         }
     }
 }

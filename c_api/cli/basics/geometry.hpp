@@ -2,6 +2,8 @@
 // vectors.
 #pragma once
 
+#include "basics/elementary.hpp"
+
 #include <harmorph.h>
 
 #include <algorithm>
@@ -30,7 +32,7 @@ struct Point {
     double x, y;
 };
 
-inline double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
+inline double distance(Point a, Point b) { return length_of(b.x - a.x, b.y - a.y); }
 
 struct Box {
     static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -57,6 +59,7 @@ struct Box {
     }
     double width() const { return high.x - low.x; }
     double height() const { return high.y - low.y; }
+    double larger_side() const { return std::max(width(), height()); }
     Point centre() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
 };
 

@@ -6,6 +6,7 @@
 #include "commands/commands.hpp"
 #include "curves/curves.hpp"
 #include "files/output_file.hpp"
+#include "mesh/boundary_pieces.hpp"
 #include "mesh/loops.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "options/place_options.hpp"
@@ -21,6 +22,26 @@
 namespace cli {
 
 namespace {
+
+std::vector<JsonObject> json_of_pieces(const Mesh& mesh) {
+    std::vector<JsonObject> objects;
+    for (const BoundarySegment& piece : marker_pieces(mesh)) {
+        objects.emplace_back();
+        objects.back()
+            .add("name", mesh.markers[place(piece.marker)])
+            .add("faces", piece.faces)
+            .add("loop", piece.loop + 1)
+            .add("closed", piece.is_closed)
+            .add("body", piece.is_of_body)
+            .add("x", mesh.x[place(piece.point)])
+            .add("y", mesh.y[place(piece.point)])
+            .add("low_x", piece.box.low.x)
+            .add("high_x", piece.box.high.x)
+            .add("low_y", piece.box.low.y)
+            .add("high_y", piece.box.high.y);
+    }
+    return objects;
+}
 
 void print_json(const hm_mesh_report& report, const Mesh& mesh) {
     std::vector<JsonObject> markers;
@@ -38,6 +59,7 @@ void print_json(const hm_mesh_report& report, const Mesh& mesh) {
     object.add("inverted", report.inverted);
     object.add("min_area", report.min_area).add("min_quality", report.min_quality);
     object.add("mean_quality", report.mean_quality).add("markers", markers);
+    object.add("pieces", json_of_pieces(mesh));
     print("%s\n", object.text().c_str());
 }
 
@@ -52,27 +74,15 @@ void print_markers(const Mesh& mesh) {
     if (printed == n) return;
     print("marker        ... and %s more\n", std::to_string(n - printed).c_str());
     const BoundaryLoops loops(mesh.face_points, mesh.points());
-    struct Extent {
-        std::int32_t faces = 0;
-        double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
-    };
-    std::vector<Extent> extents(place(loops.count));
-    for (std::size_t end = 0; end < mesh.face_points.size(); ++end) {
-        Extent& extent = extents[place(loops.of_edge[end / 2])];
-        const std::size_t point = place(mesh.face_points[end]);
-        const double at[2] = {mesh.x[point], mesh.y[point]};
-        extent.faces += end % 2 == 0 ? 1 : 0;
-        for (const int d : {0, 1}) {
-            extent.low[d] = std::min(extent.low[d], at[d]);
-            extent.high[d] = std::max(extent.high[d], at[d]);
-        }
-    }
-    for (std::size_t loop = 0; loop < extents.size() && loop < max_printed; ++loop) {
-        const Extent& extent = extents[loop];
+    const std::vector<Box> boxes = boxes_of_loops(loops, mesh);
+    std::vector<std::int32_t> faces(boxes.size());
+    for (const std::int32_t loop : loops.of_edge) ++faces[place(loop)];
+    for (std::size_t loop = 0; loop < boxes.size() && loop < max_printed; ++loop) {
+        const Box& box = boxes[loop];
         print("loop          loop:%s: %s, x = %s .. %s, y = %s .. %s\n",
-              std::to_string(loop + 1).c_str(), plural(extent.faces, "face").c_str(),
-              brief(extent.low[0]).c_str(), brief(extent.high[0]).c_str(),
-              brief(extent.low[1]).c_str(), brief(extent.high[1]).c_str());
+              std::to_string(loop + 1).c_str(), plural(faces[loop], "face").c_str(),
+              brief(box.low.x).c_str(), brief(box.high.x).c_str(), brief(box.low.y).c_str(),
+              brief(box.high.y).c_str());
     }
 }
 

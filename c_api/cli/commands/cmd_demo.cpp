@@ -1,5 +1,6 @@
 // harmorph demo: runs all steps on the shipped mesh, by the commands that a user would type.
 #include "basics/geometry.hpp"
+#include "basics/elementary.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
 #include "commands/commands.hpp"
@@ -17,7 +18,6 @@
 #include <harmorph_design.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace cli {
 
@@ -72,7 +72,7 @@ void write_far_moves(const std::string& mesh_path, const std::string& curve_path
     const Mesh mesh = read_mesh(mesh_path);
     const Basis basis(basis_path, mesh);
     const std::vector<double> control = read_curves(curve_path).control;
-    const double angle = far_degrees * pi / 180, c = std::cos(angle), s = std::sin(angle);
+    const auto [s, c] = sine_cosine(far_degrees * pi / 180);
     std::vector<double> moves(control.size());
     for (std::size_t i = 0; i < moves.size(); i += 2) {
         const double x = control[i] - far_x, y = control[i + 1] - far_y;

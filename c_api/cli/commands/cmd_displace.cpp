@@ -1,6 +1,7 @@
 // harmorph displace: moves the points of a wall as a file says, and the mesh with them; no curves
 // are needed.
 #include "basics/numbers.hpp"
+#include "basics/elementary.hpp"
 #include "basics/print.hpp"
 #include "work/moves_file.hpp"
 #include "commands/commands.hpp"
@@ -53,7 +54,7 @@ double extent_of(const Mesh& mesh, const hm_basis_info& info) {
             high[i] = std::max(high[i], at[i]);
         }
     }
-    return std::hypot(high[0] - low[0], high[1] - low[1]);
+    return length_of(high[0] - low[0], high[1] - low[1]);
 }
 
 // Returns why the movement tears two conditions of a point apart; empty if it does not. `shared`
@@ -80,7 +81,7 @@ std::string tear_of(const Mesh& mesh, const Task& task, const Solver& solver,
     const double extent = extent_of(mesh, info);
     for (std::size_t k = 0; k < shared.points.size(); ++k) {
         const auto point = static_cast<std::size_t>(shared.points[k]);
-        const double distance = std::hypot(by.x[point] - shared.x[k], by.y[point] - shared.y[k]);
+        const double distance = length_of(by.x[point] - shared.x[k], by.y[point] - shared.y[k]);
         if (distance <= tolerance * extent) continue;
         const auto at =
             std::find(info.shared_point, info.shared_point + info.shared_points, shared.points[k]);
@@ -202,6 +203,9 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, const
     if (!arguments.has("--safe") && arguments.has("--improve") && may_improve)
         solver.improve(found.moved, found.by, improve_options_of(arguments));
     found.measure_boundary(mesh, solver, movement);
+    if (arguments.has("--report"))
+        found.judged =
+            std::make_shared<JudgedMesh>(mesh, solver.basis(), task.conditions, found.by);
     // The basis does not outlive this function.
     found.info.curve_point = found.info.shared_point = found.info.shared_condition = nullptr;
     // The quality is that of the coordinates in the file.

@@ -79,10 +79,12 @@ Companions companions_of(const Arguments& arguments, const Basis& basis, const M
 void write_report(std::ostream& out, const Mesh& mesh, const Basis& basis, const Morph& morph,
                   bool safe) {
     const hm_basis_info& info = basis.info();
-    write_report(out, mesh, {info, basis.curves(), basis.conditions()},
-                 {info.curve_point, info.curve_point + info.curve_points},
-                 {morph.displacement, morph.moves, morph.step, morph.quality, morph.boundary_error,
-                  "largest distance from the B-spline", safe, morph.safe, morph.refusal});
+    const JudgedMesh judged(mesh, basis.get(), basis.conditions(), morph.displacement);
+    write_report(
+        out, mesh, {info, basis.curves(), basis.conditions()},
+        {info.curve_point, info.curve_point + info.curve_points},
+        {morph.displacement, judged, morph.moves, morph.step, morph.quality, morph.boundary_error,
+         "largest distance from the B-spline", safe, morph.safe, morph.refusal});
 }
 
 void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basis,

@@ -1,5 +1,6 @@
 #include "commands/displacement.hpp"
 
+#include "basics/elementary.hpp"
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
@@ -23,9 +24,9 @@ double distance_from_targets(const Mesh& mesh, const WallMovement& movement,
     double largest = 0;
     for (std::size_t k = 0; k < movement.wall.points.size(); ++k) {
         const auto point = static_cast<std::size_t>(movement.wall.points[k]);
-        largest = std::max(largest,
-                           std::hypot(found.moved.x[point] - mesh.x[point] - movement.wall.x[k],
-                                      found.moved.y[point] - mesh.y[point] - movement.wall.y[k]));
+        largest =
+            std::max(largest, length_of(found.moved.x[point] - mesh.x[point] - movement.wall.x[k],
+                                        found.moved.y[point] - mesh.y[point] - movement.wall.y[k]));
     }
     return largest;
 }
@@ -51,7 +52,7 @@ void write_displacement_page(std::ostream& out, const Mesh& mesh, const Task& ta
     body.insert(body.end(), movement.wall.points.begin(), movement.wall.points.end());
     const auto empty = sized<hm_safe_report>();
     write_report(out, mesh, {found.info, *curves.get(), task.conditions}, body,
-                 {found.by, movement.moves, found.step, found.quality,
+                 {found.by, *found.judged, movement.moves, found.step, found.quality,
                   distance_from_targets(mesh, movement, found),
                   "largest distance of given points from their targets", found.safe.has_value(),
                   found.safe ? *found.safe : empty, found.refusal});

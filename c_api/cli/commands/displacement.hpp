@@ -3,6 +3,7 @@
 
 #include "basics/geometry.hpp"
 #include "files/output_file.hpp"
+#include "page/judged_mesh.hpp"
 #include "work/morph.hpp"
 #include "work/safe_way.hpp"
 #include "work/solver.hpp"
@@ -10,6 +11,7 @@
 #include "work/wall_field.hpp"
 
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,7 +39,8 @@ struct Displacement {
     std::vector<double> moves;  // of control points and bodies, as far as the mesh went
     // The largest distance of wall points from where the movement takes them.
     double boundary_error = 0;
-    std::string torn;  // why the movement tears two conditions apart
+    std::string torn;                          // why the movement tears two conditions apart
+    std::shared_ptr<const JudgedMesh> judged;  // for the report
 
     explicit Displacement(const Mesh& mesh) : by(mesh.x.size()), moved(mesh.x.size()) {}
     bool valid() const {

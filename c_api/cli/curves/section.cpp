@@ -1,5 +1,6 @@
 #include "curves/section.hpp"
 
+#include "basics/elementary.hpp"
 #include "basics/failure.hpp"
 #include "basics/library.hpp"
 #include "basics/numbers.hpp"
@@ -24,7 +25,7 @@ constexpr double widest_base = .75;
 constexpr double same_end = .2;  // [extent] sides that begin as near as this begin together
 
 double gap_between(const SectionPoint& a, const SectionPoint& b) {
-    return std::hypot(b.x - a.x, b.y - a.y);
+    return length_of(b.x - a.x, b.y - a.y);
 }
 
 SectionOutline without_repeats(const SectionOutline& points) {

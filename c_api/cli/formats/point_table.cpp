@@ -1,5 +1,6 @@
 #include "formats/point_table.hpp"
 
+#include "basics/elementary.hpp"
 #include "basics/failure.hpp"
 #include "basics/numbers.hpp"
 #include "files/text_file.hpp"
@@ -394,7 +395,7 @@ public:
         std::int32_t best = -1;
         double min_distance = reach;
         for (; next != order_.end() && x(*next) <= at_x + reach; ++next) {
-            const double distance = std::hypot(x(*next) - at_x, y(*next) - at_y);
+            const double distance = length_of(x(*next) - at_x, y(*next) - at_y);
             if (distance > min_distance) continue;
             min_distance = distance;
             best = *next;
@@ -544,7 +545,7 @@ std::vector<std::int32_t> points_of(const PointTable& table, const Mesh& mesh, b
             const double x = table.at(row, columns.place[0]), y = table.at(row, columns.place[1]);
             const auto is_at = [&](std::int32_t p) {
                 const auto k = static_cast<std::size_t>(p);
-                return std::hypot(mesh.x[k] - x, mesh.y[k] - y) <= reach;
+                return length_of(mesh.x[k] - x, mesh.y[k] - y) <= reach;
             };
             if (!is_numbered && (point >= mesh.points() || !is_at(point)))
                 point = finder.nearest(x, y, reach);

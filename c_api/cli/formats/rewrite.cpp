@@ -1,5 +1,6 @@
 // Writes the file of a mesh, of any format, with other coordinates.
 #include "basics/numbers.hpp"
+#include "basics/elementary.hpp"
 #include "files/threads.hpp"
 #include "formats/bytes.hpp"
 #include "formats/format.hpp"
@@ -118,12 +119,10 @@ int NumberStyle::digits() const {
 void NumberStyle::append(std::string& text, double value, double tolerance) const {
     // Half a unit of the last digit, 0.5 * 10^-decimals, must not be above the tolerance.
     const auto decimals = [&] {
-        return static_cast<int>(
-            std::ceil(-std::log10(2 * std::min(std::max(tolerance, 1e-300), 1e300))));
+        return -decimal_exponent(2 * std::min(std::max(tolerance, 1e-300), 1e300));
     };
     const auto magnitude = [&](int of_zero) {
-        return value == 0 ? of_zero
-                          : static_cast<int>(std::floor(std::log10(std::fabs(value)))) + 1;
+        return value == 0 ? of_zero : decimal_exponent(value) + 1;
     };
     if (fixed()) {
         const int wanted =

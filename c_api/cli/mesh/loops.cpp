@@ -107,6 +107,23 @@ BoundaryLoops::BoundaryLoops(const std::vector<std::int32_t>& ends, std::int32_t
         of_edge.push_back(number[place(root(ends[i]))]);
 }
 
+std::vector<Box> boxes_of_loops(const BoundaryLoops& loops, const Mesh& mesh) {
+    std::vector<Box> boxes(place(loops.count));
+    for (std::size_t end = 0; end < mesh.face_points.size(); ++end) {
+        const std::int32_t point = mesh.face_points[end];
+        boxes[place(loops.of_edge[end / 2])].include(
+            Point{mesh.x[place(point)], mesh.y[place(point)]});
+    }
+    return boxes;
+}
+
+std::int32_t outer_loop(const std::vector<Box>& boxes) {
+    const auto outer = std::max_element(
+        boxes.begin(), boxes.end(),
+        [](const Box& one, const Box& other) { return one.larger_side() < other.larger_side(); });
+    return outer == boxes.end() ? -1 : static_cast<std::int32_t>(outer - boxes.begin());
+}
+
 namespace {
 
 // Counts the loops around one point of a loop, by the parity of the faces to the right of it.

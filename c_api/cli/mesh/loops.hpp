@@ -51,6 +51,13 @@ struct BoundaryLoops {
     BoundaryLoops(const std::vector<std::int32_t>& ends, std::int32_t n_points);
 };
 
+// Returns the box around each loop of the boundary of a mesh.
+std::vector<Box> boxes_of_loops(const BoundaryLoops& loops, const Mesh& mesh);
+
+// Returns the loop of the largest extent, which is around all others where there is one domain; -1
+// without loops. The other loops are bodies.
+std::int32_t outer_loop(const std::vector<Box>& boxes);
+
 // Says how a movement changes which loops of the boundary lie inside each other, if it does: a body
 // that is outside the domain, or inside another body, crosses nothing, and no mesh can have such a
 // boundary. Returns an empty text otherwise.

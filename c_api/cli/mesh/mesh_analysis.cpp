@@ -1,5 +1,6 @@
 #include "mesh/mesh_analysis.hpp"
 
+#include "basics/elementary.hpp"
 #include "basics/failure.hpp"
 
 #include <harmorph_design.h>
@@ -37,7 +38,7 @@ BoundaryPiece MeshAnalysis::boundary(const std::vector<std::int32_t>& markers,
     for (std::int32_t index = 0; near != nullptr && piece(index, nullptr) == HM_OK; ++index) {
         for (std::int32_t k = 0; k < n; ++k) {
             const auto point = static_cast<std::size_t>(points[static_cast<std::size_t>(k)]);
-            const double distance = std::hypot(mesh_.x[point] - near->x, mesh_.y[point] - near->y);
+            const double distance = length_of(mesh_.x[point] - near->x, mesh_.y[point] - near->y);
             if (distance >= min_distance) continue;
             min_distance = distance;
             chosen = index;

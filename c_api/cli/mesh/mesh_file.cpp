@@ -1,5 +1,6 @@
 #include "mesh/mesh_file.hpp"
 
+#include "basics/elementary.hpp"
 #include "basics/failure.hpp"
 #include "basics/geometry.hpp"
 #include "basics/library.hpp"
@@ -79,7 +80,7 @@ void Mesh::find_polygons() {
             const std::size_t a = at(first + k), b = at(first + (k + 1) % n),
                               c = at(first + (k + 2) % n);
             const double ux = x[b] - x[a], uy = y[b] - y[a], vx = x[c] - x[b], vy = y[c] - y[b];
-            const double size = std::hypot(ux, uy) * std::hypot(vx, vy);
+            const double size = length_of(ux, uy) * length_of(vx, vy);
             const double turn = size > 0 ? (ux * vy - uy * vx) / size : 0;
             min_turn = k == 0 ? turn : std::min(min_turn, turn);
             max_turn = k == 0 ? turn : std::max(max_turn, turn);

@@ -1,5 +1,6 @@
 #include "mesh/tidy.hpp"
 
+#include "basics/elementary.hpp"
 #include "basics/numbers.hpp"
 #include "files/threads.hpp"
 #include "mesh/loops.hpp"
@@ -43,7 +44,7 @@ std::unordered_map<std::int32_t, std::int32_t> places_of(const Mesh& mesh,
     const double largest = std::max(
         {std::fabs(x(*left)), std::fabs(x(*right)), std::fabs(y(*low)), std::fabs(y(*high))});
     const double tolerance =
-        std::max(1e-12 * std::hypot(x(*right) - x(*left), y(*high) - y(*low)), 1e-15 * largest);
+        std::max(1e-12 * length_of(x(*right) - x(*left), y(*high) - y(*low)), 1e-15 * largest);
     std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
         return along(a) != along(b) ? along(a) < along(b) : a < b;
     });

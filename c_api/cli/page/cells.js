@@ -2,10 +2,10 @@
 // What the library says of the cells: their quality, and the extremes.
 
 class Cells {
-    constructor(data, model) {
-        Object.assign(this, { data, model, n: model.n_cells, pieces: data.pieces });
-        this.reference_area = model.areas.view.slice();
-        this.quality = new Float64Array(this.n); // of each cell; 0 if the cell is inverted
+    // quality: of each cell, 0 if the cell is inverted. A report has no model.
+    constructor(data, quality, model = null) {
+        Object.assign(this, { data, quality, model, n: quality.length });
+        this.reference_area = model?.areas.view.slice();
     }
 
     corners(cell) {

@@ -34,6 +34,19 @@ class Curves {
         return this.now.points(u, { curve: number });
     }
 
+    // Returns the curvature comb: points of the curve, and the other ends of the teeth.
+    comb({ number, u }, chord) {
+        const { now } = this,
+            { library } = now,
+            n = u.length;
+        return library.with((scope) => {
+            const parameters = scope.copied(Float64Array.from(u)),
+                ends = [scope.take(16 * n), scope.take(16 * n)];
+            library.call("hm_web_comb", now.describe(scope), number, n, parameters, chord, ...ends);
+            return ends.map((address) => library.memory.numbers(address, 2 * n).slice());
+        });
+    }
+
     // Returns the control points of a curve in order; the polygon of a closed curve ends with the first point.
     polygon(curve) {
         const indices = [];

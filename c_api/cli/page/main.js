@@ -7,12 +7,12 @@ class App {
         this.model = new Model(data, classes);
         data.pieces = this.model.pieces();
         data.n_functions = this.model.n_functions;
-        this.cells = new Cells(data, this.model);
+        this.cells = new Cells(data, new Float64Array(this.model.n_cells), this.model);
         this.curves = new Curves(data, this.model);
         this.wall = new Wall(data, this.model);
         this.sections = this.find_sections();
         this.pairs = new Pairs(data, this.sections);
-        this.shape = new Shape(data, this.sections);
+        this.shape = new Shape(data, this.sections, this.model);
         this.still_faces = this.wall.faces.filter((face) => !this.wall.moves[face.marker]);
         this.options = { colour: "none", before: false, polygon: true, pair: "alone", theme: theme_of_system() };
         Object.assign(this.options, { comb: false, pressure: false, attack: 2 }); // the angle of attack is in degrees

@@ -112,6 +112,16 @@ class Model {
         });
     }
 
+    // Returns the sine and the cosine of an angle [radians], the numbers that the program has.
+    sine_cosine(angle) {
+        const { library } = this.mesh;
+        return library.with((scope) => {
+            const at = scope.take(16);
+            library.exports.hm_web_sine(angle, at, at + 8);
+            return library.memory.numbers(at, 2).slice();
+        });
+    }
+
     // Returns |F| at all points: by how much the movement (1, 0) of a function displaces them.
     size_of_function(i) {
         const moves = new Float64Array(2 * this.n_functions);

@@ -18,7 +18,7 @@ class Overlay {
         context.lineJoin = context.lineCap = "round";
         this.draw_walls();
         if (app.options.colour === "angle" || app.options.colour === "height") this.draw_ribbon();
-        if (app.options.comb) Comb.draw(this);
+        if (app.options.comb) this.draw_comb();
         if (app.options.polygon) this.draw_curves();
         this.draw_bad_cells();
         this.draw_limit();
@@ -100,6 +100,21 @@ class Overlay {
             context.stroke();
         });
         context.lineCap = "round";
+    }
+
+    draw_comb() {
+        const { context, app } = this;
+        for (const curve of app.curves.curves) {
+            const [points, teeth] = app.curves.comb(curve, app.view.extent);
+            context.beginPath();
+            for (let i = 0; i < teeth.length; i += 2) {
+                context.moveTo(this.px(points[i]), this.py(points[i + 1]));
+                context.lineTo(this.px(teeth[i]), this.py(teeth[i + 1]));
+            }
+            this.stroke("--before", 0.75);
+            this.path_of_pairs(teeth);
+            this.stroke("--before", 1.5);
+        }
     }
 
     draw_curves() {

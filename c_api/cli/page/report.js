@@ -1,45 +1,59 @@
 "use strict";
-// The report of one morph. Its page_data is the one that report_decode.js describes, and has these, too:
+// The report of one morph. The program writes `page_data`, one object, whose arrays are little-endian numbers in base
+// 64; the report draws what the program has computed.
 //
-//   dx, dy [points]           the displacement of each point
+//   version, mesh, operator   text
+//   all_cells, cells          numbers of cells of the whole mesh and of this page
+//   x, y, dx, dy [points]     coordinates before anything moves, and displacements
+//   cell [cells]              the places of the cells in the mesh
+//   cell_start [cells+1], cell_points         rows of points
+//   piece_start [cells+1], piece_points       the pieces of which cells consist, four points for each
+//   quality_before, quality_after [cells]     0 for inverted cells
+//   thin_edges [2*]           the lines that are drawn beyond the cells
+//   walls                     the walls that move, each with the name of its marker, `closed`, its points in order, and
+//                             for each point the arc before anything moved, and the angle [degrees] and the height
+//                             [after over before] by which the first layer has changed; NaN: no first layer there
+//   sections                  of closed walls: name, thickness and camber [chords] and area, before and now
+//   n_control, bodies         number of control points, the marker of each rigid body
 //   moved [2*functions]       the movements that hm_morph was given, as far as they were reached
-//   inverted, self_crossing, admissible_step, min_quality, mean_quality, boundary_error, boundary_error_note
-//                             the program's findings on the whole mesh
+//   inverted, self_crossing, admissible_step, min_quality, mean_quality, min_quality_before, mean_quality_before,
+//   boundary_error, boundary_error_note       the findings on the whole mesh
 //   safe, strategy, steps, resolves, step_fraction, untangled, refusal
 //                             the way that hm_move_safe went
+
+function decode(raw) {
+    const read = (from, names, Numbers) =>
+        Object.fromEntries(names.map((name) => [name, decode_base64(from[name], Numbers)]));
+    const pieces = read(raw, ["piece_start", "piece_points"], Int32Array);
+    return {
+        ...raw,
+        ...read(raw, ["x", "y", "dx", "dy", "moved", "quality_before", "quality_after"], Float64Array),
+        ...read(raw, ["cell", "cell_start", "cell_points", "thin_edges"], Int32Array),
+        pieces: { start: pieces.piece_start, points: pieces.piece_points },
+        walls: raw.walls.map((wall) => ({
+            ...wall,
+            ...read(wall, ["points"], Int32Array),
+            ...read(wall, ["arc", "angle", "height"], Float64Array),
+        })),
+    };
+}
 
 const element = (id) => document.getElementById(id);
 
 class Report {
     constructor(raw) {
-        const data = (this.data = decode(raw));
-        data.moved = decode_base64(raw.moved, Float64Array);
-        const dx = decode_base64(raw.dx, Float64Array),
-            dy = decode_base64(raw.dy, Float64Array),
-            zero = new Float64Array(dx.length);
-        const place = (mx, my) => ({
-            n: dx.length,
-            x0: data.x,
-            y0: data.y,
-            dx: mx,
-            dy: my,
-            x: data.x.map((x, k) => x + mx[k]),
-            y: data.y.map((y, k) => y + my[k]),
-        });
-        this.before = place(zero, zero);
-        this.after = place(dx, dy);
-        this.cells_before = new Cells(data, this.before);
-        this.cells = new Cells(data, this.after);
-        this.wall = new Wall(data, this.after);
-        for (const part of [this.cells_before, this.cells]) part.judge();
-        this.wall.judge();
-        this.sections = this.wall.chains
-            .filter((chain) => chain.closed)
-            .map((chain) => new Section(chain, data, this.after));
+        const data = (this.data = decode(raw)),
+            { x, y, dx, dy } = data,
+            zero = new Float64Array(x.length),
+            moved = (from, by) => from.map((at, k) => at + by[k]);
+        this.before = { n: x.length, x0: x, y0: y, dx: zero, dy: zero, x, y };
+        this.after = { n: x.length, x0: x, y0: y, dx, dy, x: moved(x, dx), y: moved(y, dy) };
+        this.cells_before = new Cells(data, data.quality_before);
+        this.cells = new Cells(data, data.quality_after);
         this.home = box_of_points(
             this.after.x,
             this.after.y,
-            this.wall.points.map((wall) => wall.point),
+            data.walls.flatMap(({ points }) => [...points]),
         );
         this.extent = Math.max(this.home[2] - this.home[0], this.home[3] - this.home[1]);
         this.write_verdict();
@@ -129,8 +143,8 @@ class Report {
             for (const k of points) context.lineTo(camera.pixel_x(model.x[k]), camera.pixel_y(model.y[k]));
             if (closed) context.closePath();
         };
-        for (const chain of this.wall.chains) {
-            path(chain.points, chain.closed);
+        for (const { points, closed } of this.data.walls) {
+            path(points, closed);
             context.strokeStyle = style_of("--wall");
             context.lineWidth = 1.5;
             context.stroke();

@@ -2,9 +2,10 @@
 // The charts of the report: the histogram of the quality, and the first layer along the walls.
 
 class ReportCharts {
-    constructor({ data, wall, before, cells_before, cells, extent }) {
-        Object.assign(this, { data, wall, before, cells_before, cells });
-        element("wall_section").hidden = wall.layer.length === 0 || !(extent > 0);
+    constructor({ data, before, extent }) {
+        Object.assign(this, { data, before });
+        const has_layer = data.walls.some(({ angle }) => angle.some((value) => value >= 0));
+        element("wall_section").hidden = !has_layer || !(extent > 0);
     }
 
     draw() {
@@ -19,8 +20,8 @@ class ReportCharts {
                 for (const value of values) ++counts[Math.min(Math.floor(n * value), n - 1)];
                 return counts.map((number) => (100 * number) / values.length);
             };
-        const before = count(this.cells_before.quality),
-            after = count(this.cells.quality);
+        const before = count(this.data.quality_before),
+            after = count(this.data.quality_after);
         const box = element("quality_histogram");
         const chart = new Chart({
             x: [0, 1],
@@ -36,32 +37,28 @@ class ReportCharts {
 
     // Draws the first layer along the walls, one after another, over the arc before anything moved.
     draw_wall() {
-        const place = new Map(this.wall.layer.map((wall, i) => [wall.point, i])),
-            { x, y } = this.before,
+        const { x, y } = this.before,
             curves = [],
             rows = [],
             columns = ["wall", "x before", "y before", "arc", "degrees", "height ratio"];
-        let arc = 0;
-        for (const { points, marker } of this.wall.chains) {
-            const angle = [],
-                height = [],
-                name = this.data.markers[marker].name;
+        let length = 0;
+        for (const { marker, points, arc, angle, height } of this.data.walls) {
+            const curve = { angle: [], height: [] };
             points.forEach((point, k) => {
-                if (k > 0) arc += Math.hypot(x[point] - x[points[k - 1]], y[point] - y[points[k - 1]]);
-                const i = place.get(point);
-                if (i === undefined) return;
-                angle.push([arc, this.wall.angle[i]]);
-                height.push([arc, this.wall.height[i]]);
-                rows.push([name, x[point], y[point], arc, this.wall.angle[i], this.wall.height[i]]);
+                if (Number.isNaN(angle[k])) return;
+                curve.angle.push([arc[k], angle[k]]);
+                curve.height.push([arc[k], height[k]]);
+                rows.push([marker, x[point], y[point], arc[k], angle[k], height[k]]);
             });
-            curves.push({ angle, height });
+            curves.push(curve);
+            length = arc[arc.length - 1];
         }
         const all = (name) => curves.flatMap((curve) => curve[name].map(([, value]) => value));
         const put = (id, name, low, high, y_name) => {
             const box = element(id),
                 room = 0.05 * (high - low);
             const chart = new Chart({
-                x: [0, arc || 1],
+                x: [0, length || 1],
                 y: [low === 0 ? 0 : low - room, high + room],
                 x_name: "arc along the wall before it moved",
                 width: box.clientWidth,

@@ -7,6 +7,7 @@
 #include "page/page_text.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <ostream>
 
 namespace cli {
@@ -16,30 +17,25 @@ namespace {
 class Writer {
 public:
     Writer(const Mesh& mesh, const ReportSubject& subject, const ReportSelection& selection)
-        : mesh_(mesh), subject_(subject), selection_(selection) {}
+        : mesh_(mesh), subject_(subject), selection_(selection), slot_(mesh.x.size(), -1) {
+        for (std::size_t k = 0; k < selection.points.size(); ++k)
+            slot_[place(selection.points[k])] = static_cast<std::int32_t>(k);
+    }
 
-    // Adds everything except displacements.
-    JsonObject& run() {
+    JsonObject& run(const MovedMesh& moved) {
         object_.add("version", std::string(hm_version())).add("mesh", last_name(mesh_.file.path()));
         object_.add("all_cells", mesh_.cells())
             .add("cells", static_cast<std::int64_t>(selection_.cells.size()));
         object_.add("operator", std::string(operator_named(subject_.info.operator_kind).functions))
             .add("n_control", subject_.curves.n_control);
-        add_points();
-        add_cells();
-        add_boundary();
+        add_points("x", mesh_.x);
+        add_points("y", mesh_.y);
+        add_points("dx", moved.displacement.x);
+        add_points("dy", moved.displacement.y);
+        add_cells(moved.judged);
+        add_walls(moved.judged);
         add_bodies();
         return object_;
-    }
-
-    void add_displacement(const Field& displacement) {
-        std::vector<double> dx, dy;
-        for (const std::int32_t point : selection_.points) {
-            dx.push_back(displacement.x[static_cast<std::size_t>(point)]);
-            dy.push_back(displacement.y[static_cast<std::size_t>(point)]);
-        }
-        add_array("dx", dx);
-        add_array("dy", dy);
     }
 
 private:
@@ -48,64 +44,73 @@ private:
         object_.add(key, numbers_as_text(numbers));
     }
 
-    void add_points() {
-        std::vector<double> x, y;
-        for (const std::int32_t point : selection_.points) {
-            x.push_back(mesh_.x[static_cast<std::size_t>(point)]);
-            y.push_back(mesh_.y[static_cast<std::size_t>(point)]);
-        }
-        add_array("x", x);
-        add_array("y", y);
+    void add_points(const char* key, const std::vector<double>& of_mesh) {
+        std::vector<double> values;
+        for (const std::int32_t point : selection_.points) values.push_back(of_mesh[place(point)]);
+        add_array(key, values);
     }
 
-    void add_cells() {
-        std::vector<std::int32_t> slot(mesh_.x.size(), -1), start = {0}, points;
-        for (std::size_t k = 0; k < selection_.points.size(); ++k) {
-            slot[static_cast<std::size_t>(selection_.points[k])] = static_cast<std::int32_t>(k);
-        }
+    // Adds the rows of the cells that the report shows: `width` numbers for each entry of `start`.
+    void add_rows(const char* start_key, const std::vector<std::int32_t>& start,
+                  const char* points_key, const std::vector<std::int32_t>& points,
+                  std::size_t width) {
+        std::vector<std::int32_t> begin = {0}, row;
         for (const std::int32_t cell : selection_.cells) {
-            const auto c = static_cast<std::size_t>(cell);
-            for (std::int32_t i = mesh_.cell_start[c]; i < mesh_.cell_start[c + 1]; ++i) {
-                const std::int32_t point = mesh_.cell_points[static_cast<std::size_t>(i)];
-                points.push_back(slot[static_cast<std::size_t>(point)]);
-            }
-            start.push_back(static_cast<std::int32_t>(points.size()));
+            const std::size_t first = width * place(start[place(cell)]),
+                              end = width * place(start[place(cell) + 1]);
+            for (std::size_t i = first; i < end; ++i) row.push_back(slot_[place(points[i])]);
+            begin.push_back(static_cast<std::int32_t>(row.size() / width));
         }
-        add_array("cell", selection_.cells);
-        object_.add("has_polygons", mesh_.has_polygons);
-        add_array("cell_start", start);
-        add_array("cell_points", points);
-        std::vector<std::int32_t> faces, markers, edges;
-        for (const std::int32_t face : selection_.faces) {
-            for (std::int32_t end = 0; end < 2; ++end) {
-                const std::int32_t point =
-                    mesh_.face_points[static_cast<std::size_t>(2 * face + end)];
-                faces.push_back(slot[static_cast<std::size_t>(point)]);
-            }
-            markers.push_back(mesh_.face_markers[static_cast<std::size_t>(face)]);
-        }
-        for (const Edge edge : selection_.edges) edges.insert(edges.end(), {edge.a, edge.b});
-        add_array("face_points", faces);
-        add_array("face_markers", markers);
-        add_array("thin_edges", edges);
+        add_array(start_key, begin);
+        add_array(points_key, row);
     }
 
-    // Adds the name of each marker, in the numbering of the faces, and the kind of its condition.
-    void add_boundary() {
-        static const char* const kinds[] = {"curve", "rigid",    "fixed", "slip",
-                                            "free",  "periodic", "given", "rotation"};
-        std::vector<std::int32_t> kind(mesh_.markers.size(), HM_FIXED);
-        for (const hm_condition& condition : subject_.conditions) {
-            if (condition.kind != HM_INTERFACE)
-                kind[static_cast<std::size_t>(condition.marker)] = condition.kind;
+    void add_cells(const JudgedMesh& judged) {
+        add_array("cell", selection_.cells);
+        add_rows("cell_start", mesh_.cell_start, "cell_points", mesh_.cell_points, 1);
+        add_rows("piece_start", judged.piece_start, "piece_points", judged.piece_points, 4);
+        std::vector<std::int32_t> edges;
+        for (const Edge edge : selection_.edges) edges.insert(edges.end(), {edge.a, edge.b});
+        add_array("thin_edges", edges);
+        const auto add_qualities = [this](const char* key, const std::vector<double>& all) {
+            std::vector<double> values;
+            for (const std::int32_t cell : selection_.cells) values.push_back(all[place(cell)]);
+            add_array(key, values);
+        };
+        add_qualities("quality_before", judged.before);
+        add_qualities("quality_after", judged.after);
+        const std::vector<double>& before = judged.before;
+        object_.add("min_quality_before", *std::min_element(before.begin(), before.end()));
+        object_.add("mean_quality_before", std::accumulate(before.begin(), before.end(), 0.0) /
+                                               static_cast<double>(before.size()));
+    }
+
+    void add_walls(const JudgedMesh& judged) {
+        std::vector<JsonObject> walls, sections;
+        for (const JudgedWall& wall : judged.walls) {
+            const std::string& name = mesh_.markers[place(wall.marker)];
+            std::vector<std::int32_t> points;
+            for (const std::int32_t point : wall.points) points.push_back(slot_[place(point)]);
+            walls.emplace_back()
+                .add("marker", name)
+                .add("closed", wall.is_closed)
+                .add("points", numbers_as_text(points))
+                .add("arc", numbers_as_text(wall.arc))
+                .add("angle", numbers_as_text(wall.angle))
+                .add("height", numbers_as_text(wall.height));
+            if (!wall.is_closed) continue;
+            const OutlineMeasures before = judged.measures(wall, false),
+                                  now = judged.measures(wall, true);
+            sections.emplace_back()
+                .add("name", name)
+                .add("thickness", before.thickness)
+                .add("thickness_now", now.thickness)
+                .add("camber", before.camber)
+                .add("camber_now", now.camber)
+                .add("area", before.area)
+                .add("area_now", now.area);
         }
-        std::vector<JsonObject> markers;
-        for (std::size_t i = 0; i < kind.size(); ++i) {
-            markers.emplace_back()
-                .add("name", mesh_.markers[i])
-                .add("kind", std::string(kinds[kind[i]]));
-        }
-        object_.add("markers", markers);
+        object_.add("walls", walls).add("sections", sections);
     }
 
     void add_bodies() {
@@ -121,6 +126,7 @@ private:
     const Mesh& mesh_;
     const ReportSubject& subject_;
     const ReportSelection& selection_;
+    std::vector<std::int32_t> slot_;  // of each mesh point in the selection, or -1
     JsonObject object_;
 };
 
@@ -130,8 +136,7 @@ void write_report(std::ostream& out, const Mesh& mesh, const ReportSubject& subj
                   const std::vector<std::int32_t>& body, const MovedMesh& moved) {
     const ReportSelection selection = select_for_report(mesh, body, 20000);
     Writer writer(mesh, subject, selection);
-    JsonObject& object = writer.run();
-    writer.add_displacement(moved.displacement);
+    JsonObject& object = writer.run(moved);
     object.add("moved", numbers_as_text(moved.moves)).add("refusal", moved.refusal);
     object.add("inverted", moved.quality.inverted)
         .add("self_crossing", moved.quality.self_crossing != 0);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "basics/geometry.hpp"
+#include "page/judged_mesh.hpp"
 #include "page/report_selection.hpp"
 #include "work/basis_file.hpp"
 
@@ -21,6 +22,7 @@ struct ReportSubject {
 // The movement of a mesh and the results of its assessment.
 struct MovedMesh {
     const Field& displacement;
+    const JudgedMesh& judged;
     const std::vector<double>& moves;  // of the functions, as far as they were reached
     const hm_step_report& step;
     const hm_quality_report& quality;

@@ -2,8 +2,8 @@
 // The numbers of the report: cards of the whole mesh and of the sections, and the table of the movements.
 
 class ReportNumbers {
-    constructor({ data, cells_before, sections }) {
-        Object.assign(this, { data, cells_before, sections });
+    constructor({ data }) {
+        this.data = data;
     }
 
     write() {
@@ -12,7 +12,7 @@ class ReportNumbers {
     }
 
     write_cards() {
-        const { data, cells_before } = this,
+        const { data } = this,
             step = data.admissible_step === null ? Infinity : data.admissible_step;
         const strategies = [
             "one linear morph",
@@ -28,8 +28,8 @@ class ReportNumbers {
                 step === Infinity ? "unlimited" : `${brief(step)} ×`,
                 "of this movement",
             ],
-            ["Least quality", data.min_quality.toFixed(3), `before ${cells_before.min_quality.toFixed(3)}`],
-            ["Mean quality", data.mean_quality.toFixed(4), `before ${cells_before.mean_quality.toFixed(4)}`],
+            ["Least quality", data.min_quality.toFixed(3), `before ${data.min_quality_before.toFixed(3)}`],
+            ["Mean quality", data.mean_quality.toFixed(4), `before ${data.mean_quality_before.toFixed(4)}`],
             ["Boundary error", brief(data.boundary_error), data.boundary_error_note],
         ];
         if (data.safe) {
@@ -41,18 +41,11 @@ class ReportNumbers {
             ]);
             cards.push(["Of the movement", `${brief(100 * data.step_fraction)} %`, "was reached"]);
         }
-        for (const { name, start, now } of this.sections) {
-            cards.push([
-                `Thickness, ${name}`,
-                `${fixed(100 * now.thickness, 2)} %`,
-                `before ${fixed(100 * start.thickness, 2)} %`,
-            ]);
-            cards.push([
-                `Camber, ${name}`,
-                `${fixed(100 * now.camber, 2)} %`,
-                `before ${fixed(100 * start.camber, 2)} %`,
-            ]);
-            cards.push([`Area, ${name}`, brief(now.area), `before ${brief(start.area)}`]);
+        const percent = (part) => `${fixed(100 * part, 2)} %`;
+        for (const { name, thickness, camber, area, thickness_now, camber_now, area_now } of data.sections) {
+            cards.push([`Thickness, ${name}`, percent(thickness_now), `before ${percent(thickness)}`]);
+            cards.push([`Camber, ${name}`, percent(camber_now), `before ${percent(camber)}`]);
+            cards.push([`Area, ${name}`, brief(area_now), `before ${brief(area)}`]);
         }
         element("cards").style.setProperty("--columns", cards.length % 5 === 0 ? 5 : 4); // full rows
         for (const [name, value, note] of cards) {

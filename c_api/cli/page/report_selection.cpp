@@ -1,5 +1,6 @@
 #include "page/report_selection.hpp"
 
+#include "basics/elementary.hpp"
 #include "basics/geometry.hpp"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ public:
                 const std::size_t next = place(neighbour_[i]);
                 const double x = mesh_.x[next] - mesh_.x[place(here)],
                              y = mesh_.y[next] - mesh_.y[place(here)];
-                const double longer = way + std::hypot(x, y);
+                const double longer = way + length_of(x, y);
                 if (!(longer < distance[next])) continue;
                 distance[next] = longer;
                 front.push({longer, neighbour_[i]});
@@ -84,11 +85,6 @@ public:
         select_cells();
         selection_.in_cells = static_cast<std::int32_t>(selection_.points.size());
         if (selection_.cells.size() < place(mesh_.cells())) thin_the_rest();
-        for (std::int32_t face = 0; face < mesh_.faces(); ++face) {
-            const std::int32_t* ends = mesh_.face_points.data() + 2 * face;
-            if (slot_[place(ends[0])] != unselected && slot_[place(ends[1])] != unselected)
-                selection_.faces.push_back(face);
-        }
         return std::move(selection_);
     }
 

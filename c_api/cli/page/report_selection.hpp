@@ -14,7 +14,6 @@ struct ReportSelection {
     std::int32_t in_cells = 0;         // number of points of whole cells
     std::vector<std::int32_t> cells;   // all cells with no other points
     std::vector<Edge> edges;           // lines beyond the cells: places in `points`
-    std::vector<std::int32_t> faces;   // faces of the boundary between two of the points
 };
 
 // Selects the cells all of whose points are among the max_points points nearest to the body. body:

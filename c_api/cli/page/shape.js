@@ -2,9 +2,8 @@
 // The shape is the state of control points, design variables of sections and rigid bodies, with undo and redo.
 
 class Shape {
-    constructor(data, sections) {
-        this.data = data;
-        this.sections = sections;
+    constructor(data, sections, model) {
+        Object.assign(this, { data, sections, model });
         this.state = {
             points: new Array(2 * data.n_control).fill(0), // dx, dy of each, apart from the variables
             variables: sections.map(() => Object.fromEntries(Section.variables.map((variable) => [variable.name, 0]))),
@@ -102,9 +101,8 @@ class Shape {
             section.moves(values).forEach((move, k) => (moves[k] += move));
         });
         state.bodies.forEach((body, place) => {
-            const angle = (body.degrees * Math.PI) / 180,
-                at = 2 * data.n_control + 4 * place;
-            moves.set([body.x, body.y, body.scale * Math.cos(angle) - 1, body.scale * Math.sin(angle)], at);
+            const [sine, cosine] = this.model.sine_cosine(((body.degrees % 360) * Math.PI) / 180);
+            moves.set([body.x, body.y, body.scale * cosine - 1, body.scale * sine], 2 * data.n_control + 4 * place);
         });
         return moves;
     }

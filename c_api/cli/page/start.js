@@ -19,6 +19,7 @@ const page_started = (async () => {
     await new Promise((then) => setTimeout(then, 0)); // the browser shows the message meanwhile
     app = new App(page_data, classes);
     element("hint").classList.remove("gone");
+    if (window.parent !== window) window.parent.postMessage({ harmorph: "ready" }, "*");
     say_at_start("");
 })().catch((error) => {
     const is_old = typeof DecompressionStream === "undefined" || error instanceof WebAssembly.CompileError;

@@ -13,7 +13,7 @@ class Wall {
             marker,
         }));
         const moving = [...new Set(data.face_markers.filter((marker) => this.moves[marker]))];
-        this.points = []; // {point, previous, next, above}; the mesh is on the left
+        this.points = []; // {point, next, above}; the mesh is on the left
         if (moving.length > 0) this.find_walls(moving);
         this.chains = this.find_chains(); // {points, closed, marker}
         this.layer = this.points.filter((point) => point.above >= 0);
@@ -35,12 +35,12 @@ class Wall {
             library.call("hm_walls_info_get", this.address, info);
             const member = (name) => layout.get("hm_walls_info", info, name),
                 n = member("n_wall_points"),
-                links = scope.take(8 * n);
-            library.exports.hm_web_links(this.address, links);
-            const neighbours = memory.integers(links, 2 * n),
-                above = memory.integers(member("layer_points"), n);
+                n_faces = member("n_faces"),
+                ends = memory.integers(member("face_points"), 2 * n_faces),
+                above = memory.integers(member("layer_points"), n),
+                next = new Map(Array.from({ length: n_faces }, (_, face) => [ends[2 * face], ends[2 * face + 1]]));
             memory.integers(member("wall_points"), n).forEach((point, k) =>
-                this.points.push({ point, previous: neighbours[2 * k], next: neighbours[2 * k + 1], above: above[k] }));
+                this.points.push({ point, next: next.get(point) ?? -1, above: above[k] }));
             this.angles = this.scope.take(8 * n);
             this.heights = this.scope.take(8 * n);
         });
@@ -63,7 +63,8 @@ class Wall {
             }
             chains.push({ points, closed: point === first, marker: marker_of.get(first) });
         };
-        for (const wall of this.points) if (wall.previous < 0) follow(wall.point);
+        const reached = new Set(this.points.map((wall) => wall.next));
+        for (const wall of this.points) if (!reached.has(wall.point)) follow(wall.point);
         for (const wall of this.points) if (!seen.has(wall.point)) follow(wall.point);
         return chains;
     }

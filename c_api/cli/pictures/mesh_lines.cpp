@@ -124,8 +124,6 @@ constexpr double margin_of_bodies = .6;  // in parts of their extent
 constexpr double small_share = .6;       // of the bodies and their margin, in parts of the mesh
 constexpr double inset_share = .24;      // of the frame's shorter side
 
-double larger_side(const Box& box) { return std::max(box.width(), box.height()); }
-
 Box box_of_faces(const Mesh& mesh) {
     Box box;
     for (const std::int32_t point : mesh.face_points)
@@ -138,27 +136,21 @@ Box box_of_faces(const Mesh& mesh) {
 std::optional<Box> window_of_bodies(const Mesh& mesh) {
     const BoundaryLoops loops(mesh.face_points, mesh.points());
     if (loops.count < 2) return {};
-    std::vector<Box> boxes(place(loops.count));
-    for (std::size_t end = 0; end < mesh.face_points.size(); ++end) {
-        const std::int32_t point = mesh.face_points[end];
-        boxes[place(loops.of_edge[end / 2])].include(
-            Point{mesh.x[place(point)], mesh.y[place(point)]});
-    }
-    const auto outer = std::max_element(
-        boxes.begin(), boxes.end(),
-        [](const Box& one, const Box& other) { return larger_side(one) < larger_side(other); });
+    const std::vector<Box> boxes = boxes_of_loops(loops, mesh);
+    const auto outer = boxes.begin() + outer_loop(boxes);
     Box bodies;
     for (auto box = boxes.begin(); box != boxes.end(); ++box) {
         if (box != outer) bodies.include(*box);
     }
-    const Box window = bodies.widened(margin_of_bodies * larger_side(bodies));
-    if (larger_side(window) > small_share * larger_side(*outer)) return {};
+    const Box window = bodies.widened(margin_of_bodies * bodies.larger_side());
+    if (window.larger_side() > small_share * outer->larger_side()) return {};
     return window;
 }
 
 void draw_inset(Plot& plot, const Mesh& mesh) {
     const Box whole = box_of_faces(mesh), frame = plot.frame();
-    const double scale = inset_share * std::min(frame.width(), frame.height()) / larger_side(whole);
+    const double scale =
+        inset_share * std::min(frame.width(), frame.height()) / whole.larger_side();
     const double width = scale * whole.width(), height = scale * whole.height(), gap = 8;
     const Point corner = {frame.high.x - width - gap, frame.low.y + gap};
     const auto pixel = [&](Point point) {

@@ -1,5 +1,6 @@
 #include "sampling/design_space.hpp"
 
+#include "basics/elementary.hpp"
 #include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
 #include "curves/section.hpp"
@@ -24,7 +25,7 @@ constexpr int section_panels = 80;  // on each side of the section
 template <class Take>
 void walk(bool is_sharp, const Take& take) {
     const auto place = [](int k) {
-        return k == section_panels ? 1 : .5 * (1 - std::cos(pi * k / section_panels));
+        return k == section_panels ? 1 : .5 * (1 - sine_cosine(pi * k / section_panels).cosine);
     };
     for (int k = section_panels; k >= 0; --k) take(place(k), 1);
     for (int k = 1; k <= section_panels - (is_sharp ? 1 : 0); ++k) take(place(k), -1);

@@ -1,5 +1,6 @@
 #include "sampling/sample_shard.hpp"
 
+#include "basics/elementary.hpp"
 #include "basics/numbers.hpp"
 
 #include <algorithm>
@@ -90,10 +91,10 @@ void WallChains::measure(const std::vector<double>& coordinates, std::vector<dou
                                        : is_loop_[piece] ? first
                                                          : k;
             const double x = at(after, 0) - at(before, 0), y = at(after, 1) - at(before, 1),
-                         length = std::hypot(x, y);
+                         length = length_of(x, y);
             normals.push_back(length > 0 ? -y / length : 0);
             normals.push_back(length > 0 ? x / length : 0);
-            if (k > first) arc += std::hypot(at(k, 0) - at(k - 1, 0), at(k, 1) - at(k - 1, 1));
+            if (k > first) arc += length_of(at(k, 0) - at(k - 1, 0), at(k, 1) - at(k - 1, 1));
             arcs.push_back(arc);
         }
     }

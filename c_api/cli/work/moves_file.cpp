@@ -1,5 +1,6 @@
 #include "work/moves_file.hpp"
 
+#include "basics/elementary.hpp"
 #include "basics/failure.hpp"
 #include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
@@ -84,7 +85,7 @@ private:
                      square = dx * dx + dy * dy,
                      along = (x - mesh_.x[a]) * dx + (y - mesh_.y[a]) * dy,
                      t = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0;
-        return std::hypot(mesh_.x[a] + t * dx - x, mesh_.y[a] + t * dy - y);
+        return length_of(mesh_.x[a] + t * dx - x, mesh_.y[a] + t * dy - y);
     }
 
     const Mesh& mesh_;
@@ -259,13 +260,14 @@ private:
             lines_.fail("the body of " + in_quotes(std::string(words[1])) +
                         " is moved a second time");
         moved_[function] = true;
-        const double angle = number(words[4]) * pi / 180,
+        const double angle = std::fmod(number(words[4]), 360) * pi / 180,
                      scale = words.size() > 5 ? number(words[5]) : 1;
         if (!(scale > 0)) lines_.expected("a scale above 0", words[5]);
         moves_[2 * function] = number(words[2]);
         moves_[2 * function + 1] = number(words[3]);
-        moves_[2 * function + 2] = scale * std::cos(angle) - 1;
-        moves_[2 * function + 3] = scale * std::sin(angle);
+        const auto [sine, cosine] = sine_cosine(angle);
+        moves_[2 * function + 2] = scale * cosine - 1;
+        moves_[2 * function + 3] = scale * sine;
     }
 
     void read_mode() {
@@ -361,8 +363,8 @@ bool has_section_movements(const TextFile& text) {
 void write_body(std::ostream& out, const Mesh& mesh, const hm_condition& condition,
                 const double* function) {
     out << "rigid " << mesh.name_of(condition) << ' ' << exact(function[0]) << ' '
-        << exact(function[1]) << ' ' << exact(std::atan2(function[3], 1 + function[2]) * 180 / pi)
-        << ' ' << exact(std::hypot(1 + function[2], function[3])) << '\n';
+        << exact(function[1]) << ' ' << exact(angle_of(1 + function[2], function[3]) * 180 / pi)
+        << ' ' << exact(length_of(1 + function[2], function[3])) << '\n';
 }
 
 void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis,

@@ -33,6 +33,10 @@ void add_safe(JsonObject& object, const hm_safe_report& safe, const std::string&
     object.add("last_step_admissible", safe.admissible).add("heights", safe.heights);
     if (reached_moves != nullptr) object.add("reached_moves", *reached_moves);
     object.add("rotated_offset", safe.rotated_offset).add("start_quality", safe.start_quality);
+    object.add("max_angle_change", safe.max_angle_change)
+        .add("mean_angle_change", safe.mean_angle_change)
+        .add("min_height_ratio", safe.min_height_ratio)
+        .add("max_height_ratio", safe.max_height_ratio);
     object.add("end_point", safe.end_point).add("end_distance", safe.end_distance);
     object.add("solutions", safe.solutions).add("may_improve", safe.may_improve != 0);
     object.add("warning", warning);

@@ -1,5 +1,6 @@
 #include "work/sensitivity.hpp"
 
+#include "basics/elementary.hpp"
 #include "basics/failure.hpp"
 #include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
@@ -235,7 +236,7 @@ Sensitivity read_sensitivity(const std::string& path, const SensitivityColumns& 
     const Field normals = boundary_normals(mesh);
     for (std::size_t row = 0; row < points.size(); ++row) {
         const auto point = static_cast<std::size_t>(points[row]);
-        const double nx = normals.x[point], ny = normals.y[point], length = std::hypot(nx, ny);
+        const double nx = normals.x[point], ny = normals.y[point], length = length_of(nx, ny);
         double value = finite(table, row, normal);
         if (value == 0) continue;
         if (!(length > 0)) {

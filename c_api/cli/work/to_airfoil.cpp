@@ -1,5 +1,6 @@
 #include "work/to_airfoil.hpp"
 
+#include "basics/elementary.hpp"
 #include "basics/geometry.hpp"
 #include "basics/library.hpp"
 #include "basics/numbers.hpp"
@@ -13,7 +14,7 @@ namespace cli {
 
 namespace {
 
-double extent_of(const Box& box) { return std::hypot(box.width(), box.height()); }
+double extent_of(const Box& box) { return length_of(box.width(), box.height()); }
 
 // Returns the extent of the points in parts of that of the control points of the curve.
 double relative_size_of(const Section& section, const hm_curves& curves, const hm_curve& curve) {
@@ -47,7 +48,7 @@ ToAirfoil fit_to_airfoil(const Basis& basis, std::int32_t curve, const Section& 
     result.points = n;
     result.max_error = report.max_error;
     result.rms_error = report.rms_error;
-    result.worst_point = report.max_error_point + 1;
+    result.worst_point = report.max_error_point + 1 - basis.curves().index_base;
     result.chord = report.chord;
     result.relative_size = relative_size_of(section, basis.curves(), basis.curves().curve[curve]);
     for (std::size_t k = 0; k < section.x.size(); ++k) {
@@ -80,7 +81,7 @@ double distance_from_polygon(const ToAirfoil& airfoil, double x, double y) {
                      dy = airfoil.y[next] - ay, squared = dx * dx + dy * dy;
         const double along = squared > 0 ? ((x - ax) * dx + (y - ay) * dy) / squared : 0;
         const double share = std::min(1.0, std::max(0.0, along));
-        nearest = std::min(nearest, std::hypot(ax + share * dx - x, ay + share * dy - y));
+        nearest = std::min(nearest, length_of(ax + share * dx - x, ay + share * dy - y));
     }
     return nearest;
 }

@@ -32,5 +32,6 @@ makes() { # makes ARGUMENTS...: an input of checks, which is no check itself
 number() { sed -n "s/.*\"$1\": \([^,}]*\).*/\1/p" "$tmp/out"; } # of the JSON object in out
 # In the JSON object of a safe morph, whose worst cells are nested objects.
 worst_cell="cell quality start_quality x y"
-safe_keys="rotated_offset start_quality end_point end_distance solutions may_improve warning
+safe_keys="rotated_offset start_quality max_angle_change mean_angle_change min_height_ratio max_height_ratio
+    end_point end_distance solutions may_improve warning
     worst_cells $worst_cell $worst_cell $worst_cell $worst_cell $worst_cell"

@@ -2,7 +2,7 @@
 # single precision.
 
 runs "check" 0 check "$ring" --json
-has_keys "check: keys" points cells triangles quads polygons inverted min_area min_quality mean_quality markers
+has_keys "check: keys" points cells triangles quads polygons inverted min_area min_quality mean_quality markers pieces
 check "check: counts" says '"points": 624, "cells": 624, "triangles": 96, "quads": 528, "polygons": 0, "inverted": 0'
 check "check: markers" says '"markers": [{"name": "body", "faces": 48}, {"name": "far", "faces": 48}]'
 runs "fit" 0 fit "$ring" --marker=body --points 12 --closed periodic -o "$curve" --json

@@ -89,7 +89,7 @@ refuses "solve --operator auto" 2 'only for displace' solve "$box" --rigid block
 makes fit "$meshes/cascade.su2" --marker blade --points 20 -o "$tmp/blade.curve"
 makes solve "$meshes/cascade.su2" --curve blade="$tmp/blade.curve" --periodic lower:upper --operator laplace \
     -o "$tmp/stuck.basis"
-awk '/^points/ { n = $2; next } n-- > 0 { printf "%d 0 %.17g\n", ++k, -.4 * 4 * $1 * (1 - $1) }' "$tmp/blade.curve" \
+awk '/^points/ { n = $2; next } n-- > 0 { printf "%d 0 %.17g\n", ++k, -.5 * 4 * $1 * (1 - $1) }' "$tmp/blade.curve" \
     >"$tmp/camber.txt"
 runs "--safe by Laplace functions that are stuck" 0 morph "$meshes/cascade.su2" "$tmp/stuck.basis" \
     --move "$tmp/camber.txt" --safe -o "$tmp/cambered.su2"

@@ -1,0 +1,34 @@
+C     THE LINES OF FORTRAN/HARMORPH77/README.MD, WHICH LEGACY_PAGE.INC HAS.
+C     HMADJ IS THE TRANSPOSE OF HMDISP.
+      PROGRAM PAGE
+      PARAMETER (NA = 96, NR = 25, NP = NA*NR, NC = NA*(NR - 1))
+      PARAMETER (NF = 2*NA, LW = 250*NP)
+      IMPLICIT DOUBLE PRECISION (A-H, O-Z)
+      COMMON /WORK/ W(LW)
+      COMMON /MESH/ X(NP), Y(NP), DX(NP), DY(NP), GX(NP), GY(NP)
+      COMMON /LISTS/ ICELLS(4,NC), IFACES(2,NF), MARKS(NF)
+      COMMON /COUNTS/ NPASS, NFAIL
+      DIMENSION DP(2,20), G(2,20)
+      CHARACTER*112 MSG
+      CALL MAKE (NA, NR, X, Y, ICELLS, IFACES, MARKS)
+      DO 10 K = 1, 20
+         DP(1,K) = 0.002D0*SIN(1.7D0*K)
+         DP(2,K) = 0.002D0*COS(2.9D0*K)
+   10 CONTINUE
+      DO 20 K = 1, NP
+         GX(K) = SIN(1D0*K)
+         GY(K) = COS(3D0*K)
+   20 CONTINUE
+      INCLUDE 'legacy_page.inc'
+      CALL CHECK (IERR .EQ. 0, 'THE LINES OF THE PAGE: ', MSG)
+      CALL CHECK (NINV .EQ. 0 .AND. ICROSS .EQ. 0, 'VALID', ' ')
+      T = 0D0
+      DO 30 K = 1, NP
+         T = T + GX(K)*DX(K) + GY(K)*DY(K)
+   30 CONTINUE
+      DO 40 K = 1, 20
+         T = T - G(1,K)*DP(1,K) - G(2,K)*DP(2,K)
+   40 CONTINUE
+      CALL CHECK (ABS(T) .LT. 1D-10, 'THE TRANSPOSE', ' ')
+      CALL RESULT
+      END
