@@ -41,6 +41,17 @@ def points_in(points: Any, n: int, what: str) -> tuple:
     return _new("hm_points*", layout), (x, y)
 
 
+def finite(points: Any, n: int, what: str) -> tuple:
+    """Return x and y of `points`; a coordinate that is infinite or NaN is refused."""
+    x, y = _columns(points, n, what)
+    bad = np.flatnonzero(~(np.isfinite(x) & np.isfinite(y)))
+    if bad.size:
+        k = int(bad[0])
+        raise Error(f"Point {k} of {what} is at ({x[k]:g}, {y[k]:g}); both numbers must be finite.", Error.BAD_MESH,
+                    "point", k)
+    return x, y
+
+
 def points_out(points: Any, n: int, what: str) -> tuple:
     """Return an ``hm_points_out*`` that views `points`, and what keeps the memory alive."""
     if type(points) is np.ndarray and points.dtype is _DOUBLE and points.shape == (n, 2):

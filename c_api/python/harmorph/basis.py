@@ -1,4 +1,4 @@
-"""A solved basis: one block of memory, which may be a file that is mapped."""
+"""A solved basis: one block of memory, which may be the content of a file."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from .errors import MEMORY, Error, call, call_with_memory
 from .files import replace
 from .mesh import Mesh
 from .reports import Report, new, report
+from .words import in_python
 
 _TITLE = b"\nharmorph markers "
 
@@ -109,5 +110,5 @@ class Basis:
             if status == 0:
                 return of_basis(mesh, self.pointer, structs, n[0])
             if n[0] <= room:
-                raise Error(ffi.string(error.text).decode(), status)
+                raise Error(in_python(ffi.string(error.text).decode()), status)
             room = n[0]

@@ -13,18 +13,10 @@ from .errors import Error, call
 from .boundary import Marker
 from .mesh import Mesh
 from .reports import fill, new, pair
+from .words import kinds
 
-KINDS = {
-    "curve": lib.HM_ON_CURVE,
-    "rigid": lib.HM_RIGID,
-    "fixed": lib.HM_FIXED,
-    "slip": lib.HM_SLIP,
-    "free": lib.HM_FREE,
-    "periodic": lib.HM_PERIODIC_PAIR,
-    "given": lib.HM_GIVEN,
-    "rotation": lib.HM_ROTATION_PAIR,
-    "interface": lib.HM_INTERFACE,
-}
+KINDS = kinds("rigid", "fixed", "slip", "free", "given", "interface", curve="ON_CURVE", periodic="PERIODIC_PAIR",
+              rotation="ROTATION_PAIR")
 _WITH_PARTNER = ("periodic", "rotation", "interface")
 
 

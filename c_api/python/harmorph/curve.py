@@ -27,6 +27,13 @@ class Curve(NamedTuple):
     knots: np.ndarray
     indices: np.ndarray
 
+    @property
+    def closed(self) -> str:
+        """How the curve ends: "open", "tied" or "periodic"; see :class:`harmorph.Curves`."""
+        if self.knots[0] != self.knots[self.degree]:
+            return "periodic" if np.array_equal(self.indices[:self.degree], self.indices[-self.degree:]) else "open"
+        return "tied" if self.indices[0] == self.indices[-1] else "open"
+
 
 def frozen(values: Any, what: str, shape: tuple) -> np.ndarray:
     """Return a read-only copy as float64; a shape with -1 for any number is demanded."""

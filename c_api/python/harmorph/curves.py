@@ -29,9 +29,11 @@ class Curves(Shapes):
     degree : int
         1 to 5, of a single curve; ignored if `curves` is given.
     closed : {"open", "tied", "periodic"}
-        How a single curve with uniform knots ends: clamped at the first and the last control point;
-        clamped, with the first control point also at the end (a sharp trailing edge); smooth
-        everywhere.
+        How a single curve with uniform knots ends:
+
+        {"open": HM_OPEN}
+        {"tied": HM_TIED}
+        {"periodic": HM_PERIODIC}
     curves : sequence of Curve, optional
         The curves with their own knots and indices.
     weights : array of shape (n_control,), optional
@@ -107,7 +109,12 @@ class Curves(Shapes):
         n_control: int = 20,
         degree: int = 3,
         closed: str = "auto",
-        **details: Any,
+        *,
+        weights: Any = None,
+        smoothing: float = 0.0,
+        tolerance: float = 0.0,
+        begin: Any = (0.0, 0.0),
+        end: Any = (0.0, 0.0),
     ) -> "Curves":
         """Fit curves to the points of markers of a mesh, each connected piece by its own.
 
@@ -120,17 +127,20 @@ class Curves(Shapes):
         degree : int
             1 to 5.
         closed : {"auto", "open", "tied", "periodic"}
-            "auto": periodic without corners; open with a second curve along a blunt base; otherwise
-            tied at the sharpest corner.
-        **details
-            - `weights` : array of shape (n_points,), >= 0. Factors of the points in the sum of squares,
-              besides the share of the arc length; the default is 1. A point with weight 0 only tells
-              where the curve runs.
-            - `smoothing` : float [length]. Waves much shorter than this are damped; corners stay.
-            - `tolerance` : float [length]. Control points are inserted, at most `n_control`, until no
-              point is farther from the curve.
-            - `begin`, `end` : pairs of float. Directions of the curve where it begins and ends, of any
-              length; (0, 0): free. Not for periodic curves.
+            How the curve ends, as in :class:`Curves`; `fit_report.closed` tells what was taken.
+
+            {"auto": HM_CLOSED_AUTO}
+        weights : array of shape (n_points,), optional
+            >= 0: factors of the points in the sum of squares, besides the share of the arc length; the
+            default is 1. A point with weight 0 only tells where the curve runs.
+        smoothing : float
+            Waves much shorter than this are damped; corners stay [length].
+        tolerance : float
+            Control points are inserted, at most `n_control`, until no point is farther from the curve
+            than this [length]; 0: the curve has `n_control` points.
+        begin, end : pairs of float
+            Directions of the curve where it begins and ends, of any length; (0, 0): free. Not for
+            periodic curves.
 
         Warns
         -----
@@ -140,7 +150,8 @@ class Curves(Shapes):
         """
         one = isinstance(markers, (str, int, np.integer))
         names: tuple = (markers,) if one else tuple(markers)  # type: ignore
-        found, result, _block = fit_markers(mesh, names, n_control, degree, closed, **details)
+        found, result, _block = fit_markers(mesh, names, n_control, degree, closed, weights=weights,
+                                            smoothing=smoothing, tolerance=tolerance, begin=begin, end=end)
         curves = cls._copied(found)
         curves.markers, curves.fit_report = names, result
         return curves
@@ -153,7 +164,12 @@ class Curves(Shapes):
         n_control: int = 20,
         degree: int = 3,
         closed: str = "auto",
-        **details: Any,
+        *,
+        weights: Any = None,
+        smoothing: float = 0.0,
+        tolerance: float = 0.0,
+        begin: Any = (0.0, 0.0),
+        end: Any = (0.0, 0.0),
     ) -> "Curves":
         """Fit curves to points in order.
 
@@ -162,10 +178,11 @@ class Curves(Shapes):
         points : array of shape (n, 2), or pair of arrays of shape (n,)
         is_loop : bool
             The last point is connected to the first one, which is not repeated.
-        n_control, degree, closed, **details
+        n_control, degree, closed, weights, smoothing, tolerance, begin, end
             See :meth:`fit`; `weights` has one number for each of the points.
         """
-        found, result, _block = fit_in_order(points, is_loop, n_control, degree, closed, **details)
+        found, result, _block = fit_in_order(points, is_loop, n_control, degree, closed, weights=weights,
+                                             smoothing=smoothing, tolerance=tolerance, begin=begin, end=end)
         curves = cls._copied(found)
         curves.fit_report = result
         return curves
@@ -212,8 +229,8 @@ class Curves(Shapes):
 
         Parameters
         ----------
-        u : array of shape (n,)
-            Parameters between the first and the last inner knot.
+        u : array of shape (n,), or float
+            Parameters in the :meth:`range` of the curve. Those of wall points: :meth:`project`.
         curve : int
             From 0.
         derivative : int
@@ -221,14 +238,14 @@ class Curves(Shapes):
 
         Returns
         -------
-        ndarray of shape (n, 2)
+        ndarray of shape (n, 2), or (2,) of one parameter
         """
-        parameters = np.atleast_1d(numbers(u, "u")).astype(float)
-        result, xy = np.empty((len(parameters), 2)), ffi.new("double[12]")
-        for k, parameter in enumerate(parameters):
-            call(lib.hm_curve_point, self._c, curve, parameter, derivative, xy)
-            result[k] = xy[2 * derivative], xy[2 * derivative + 1]
-        return result
+        parameters, xy = numbers(u, "u"), ffi.new("double[12]")
+        result = np.empty((parameters.size, 2))
+        for row, parameter in zip(result, parameters.flat):
+            call(lib.hm_curve_point, self._c, curve, float(parameter), derivative, xy)
+            row[:] = xy[2 * derivative], xy[2 * derivative + 1]
+        return result.reshape(*parameters.shape, 2)
 
     def basis(self, u: Any, curve: int = 0) -> np.ndarray:
         """Return the basis functions at parameters of a curve.
@@ -263,8 +280,23 @@ class Curves(Shapes):
             raise Error(f"There is no curve {curve}; the set has {len(self.curves)}, counted from 0.")
         return self.curves[curve]
 
-    def project(self, point: Sequence[float], curve: int = 0) -> Tuple[float, float]:
-        """Return the parameter of the curve point nearest to `point`, and its distance [length]."""
+    def project(self, point: Any, curve: int = 0) -> Tuple[Any, Any]:
+        """Return the parameters of the curve points nearest to points, and the distances [length].
+
+        Parameters
+        ----------
+        point : pair of float, or array of shape (n, 2)
+            For instance ``mesh.points[mesh.wall("wall")[0]]``.
+        curve : int
+            From 0.
+
+        Returns
+        -------
+        u, distance : floats, or ndarrays of shape (n,)
+        """
+        if np.ndim(point) == 2:
+            found = np.array([self.project(one, curve) for one in point]).reshape(-1, 2)
+            return found[:, 0], found[:, 1]
         u, distance = ffi.new("double*"), ffi.new("double*")
         x, y = pair(point, "point")
         call(lib.hm_curve_project, self._c, curve, x, y, u, distance)
@@ -278,15 +310,20 @@ class Curves(Shapes):
     def plot(self, ax: Any = None, **style: Any) -> Any:
         """Draw the curves and their control points by matplotlib.
 
+        ``curves.moved(move).plot(axes, color="r")`` adds the curves after a movement.
+
         Parameters
         ----------
         ax : matplotlib axes, optional
+            The default is ``matplotlib.pyplot.gca()``.
         **style
-            Passed to ``plot`` of the axes for the curves.
+            Passed to ``plot`` of the axes for the curves, for instance ``c="r"``, ``lw=3``. A colour is
+            also that of the control points.
 
         Returns
         -------
         matplotlib axes
+            ``matplotlib.pyplot.show()`` shows them, ``axes.figure.savefig("curves.png")`` writes a file.
         """
         return _pictures.plot_curves(self, ax, style)
 
@@ -308,4 +345,5 @@ class Curves(Shapes):
 
     def __repr__(self) -> str:
         shown = f", fitted to {list(self.markers)}" if self.markers else ""
-        return f"Curves({len(self.control)} control points, {len(self.curves)} curve(s){shown})"
+        each = " and ".join(f"{one.closed} of degree {one.degree}" for one in self.curves)
+        return f"Curves({len(self.control)} control points, {each}{shown})"

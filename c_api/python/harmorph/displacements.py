@@ -10,8 +10,8 @@ from ._native import ffi, lib
 from .arrays import apart, doubles, int32_view, int32s, numbers, points_in, points_out
 from .basis import Basis
 from .errors import MEMORY, Error, call_with_memory
-from .large import Safe, safe_options
-from .reports import fill, new, report
+from .large import Safe, safe_options, safe_report
+from .reports import fill, new
 
 
 class Displacements:
@@ -148,7 +148,7 @@ class Displacements:
                 call_with_memory(lib.hm_move_safe, solver.plan, basis.pointer, target, to, MEMORY, options, result)
             finally:
                 solver.has_factor = solver.has_factor and result.resolves == 0
-        return Safe(out, report(result), reached, None)
+        return Safe(out, safe_report(result, ()), reached, None)
 
     def _where(self, solver: Any, wall_points: Any) -> Tuple[int, Any, Any]:
         if wall_points is None:

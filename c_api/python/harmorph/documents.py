@@ -12,23 +12,22 @@ import re
 import textwrap
 from typing import Any
 
+from . import words
 from ._manual import MEANINGS, MEMBERS
 
 _MEMBERS = re.compile(r"^( *)\{members of (hm_\w+)\}$", flags=re.M)
 _MEANING = re.compile(r"^( *)\{(.+): (HM_\w+)\}$", flags=re.M)
-# The names that calls and reports of the library have in this package.
-_WORDS = {
-    "hm_assess": "Morph.assess", "hm_move_safe": "Morph.safe", "hm_boundary_error": "Morph.boundary_error",
-    "hm_displace": "Morph.displace", "hm_fit_marker": "Curves.fit", "hm_fit": "Curves.fit_points",
-    "hm_quality_report": "Morph.assess",
-}
-# Members that C programs need, or that mean something else here.
-_HIDDEN = ("bytes", "index_base")
+# Members that mean something else here, or that the headers explain elsewhere.
 _OTHERWISE = {
     "has_factor": "1: the factor of the start was kept; 0: later calls factor again by themselves",
     "may_improve": "1: the last improvement ended at its limit of solutions, and more work may give better cells; "
                    "0: more work would bring little",
-    "strategy": "what moved the mesh last: 0 linear, 1 other, 2 substeps, 3 untangled, 4 improved",
+    "strategy": "what moved the mesh last; see `skip` of :meth:`Morph.safe`",
+    "other": "which of `others`, from 0; -1: none. Where `others` is empty and the library has solved functions of "
+             "another operator itself: that operator, a str",
+    "operator_kind": "what :class:`Morph` was given; the scheme is \"compact\" unless a C program has chosen another",
+    "min_quality_cell": "the cell of the smallest quality",
+    "storage": "the precision of the functions: \"double\", or \"single\" of a file that a C program has made",
     "control_points": "functions = (combined, or control_points where that is 0) + 2 * bodies + modes",
 }
 
@@ -55,8 +54,9 @@ def _fill(thing: Any) -> None:
 def _members(indent: str, struct: str) -> str:
     lines = []
     for names, kind, meaning in MEMBERS[struct]:
-        shown = [name for name in names.split(", ") if name not in _HIDDEN and not name.startswith("reserved")]
+        shown = [name for name in names.split(", ") if name not in words.HIDDEN and not name.startswith("reserved")]
         if shown:
+            kind = "str" if shown[0] in words.OF_MEMBERS else kind
             lines.append(_item(indent, f"- `{'`, `'.join(shown)}` : {kind}. ", _OTHERWISE.get(shown[0], meaning)))
     return "\n".join(lines)
 
@@ -66,11 +66,12 @@ def _meaning(indent: str, word: str, meaning: str) -> str:
 
 
 def _item(indent: str, head: str, meaning: str) -> str:
-    for name, word in _WORDS.items():
-        meaning = re.sub(rf"\b{name}\b", word, meaning)
     meaning = re.sub(r"[,;:]? \(?see (?:hm_\w+|harmorph_\w+\.h|CONVENTIONS|options\.\w+|max_solutions)\)?", "", meaning)
-    meaning = re.sub(r" \([^()]*harmorph_\w+\.h[^()]*\)", "", meaning)
+    meaning = re.sub(r" \([^()]*(?:harmorph_\w+\.h|README\.md)[^()]*\)", "", meaning)
+    meaning = re.sub(r" See `\w+` of hm_\w+ [^.]*\.", "", meaning)
     meaning = re.sub(r" ?\(hm_\w+\)", "", meaning)
-    meaning = re.sub(r"\bHM_(\w+)", lambda found: found[1], meaning).replace("NULL", "None")
+    for argument, name in (("`from`", "`points`"), ("from + t", "points + t"), ("`to`", "the result")):
+        meaning = meaning.replace(argument, name)
+    meaning = words.in_python(meaning)
     return textwrap.fill((head + meaning).strip(), 100, initial_indent=indent, subsequent_indent=indent + "  ",
                          break_on_hyphens=False)

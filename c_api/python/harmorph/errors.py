@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import difflib
+import functools
+import inspect
 import warnings
 from typing import Any, Mapping, Optional
 
 import numpy as np
 
 from ._native import ffi, lib
+from .words import in_python
 
 _KINDS = {
     getattr(lib, name): name[len("HM_ITEM_") :].lower().replace("_", " ")
@@ -20,27 +24,7 @@ MEMORY = object()  # the place of the hm_memory among the arguments of call_with
 
 
 class _Finding:
-    """What the library says about a call, for :class:`Error` and :class:`HarmorphWarning`.
-
-    Attributes
-    ----------
-    code : int
-        The status of the C header, for instance ``harmorph.Error.BAD_MESH``.
-    name : str
-        The name of the status, for instance ``"HM_BAD_MESH"``.
-    kind : str or None
-        What the item is: ``"point"``, ``"cell"``, ``"marker"``, ``"control point"`` and so on.
-    item : int or None
-        The first offending item, counted from 0 (markers: the number of the marker).
-    other_kind, other : str or None, int or None
-        A second item that the finding is about.
-    value : float
-        The value found (area in length^2, residual, missing bytes), or 0.
-    place : tuple of float
-        The place that the text names [length], or ``(0.0, 0.0)``.
-    text : str
-        One or two sentences.
-    """
+    """What the library says about a call, for :class:`Error` and :class:`HarmorphWarning`."""
 
     def __init__(
         self,
@@ -69,10 +53,36 @@ class _Finding:
 class Error(_Finding, ValueError):
     """A call was refused. Outputs are as before the call.
 
-    The attributes are `code`, `name`, `kind`, `item`, `other_kind`, `other`, `value`, `place` and
-    `text`. The codes of the C header are attributes of the class, without their prefix:
-    ``Error.CANCELLED``, ``Error.BAD_ARGUMENT``, ``Error.BAD_MESH`` and so on. Wrong shapes, types
-    and strides have the code ``Error.BAD_ARGUMENT``; files have ``Error.BAD_FILE``, which is 0.
+    Attributes
+    ----------
+    code : int
+        What was refused, one of these attributes of the class:
+
+        {CANCELLED: HM_CANCELLED}
+        - BAD_ARGUMENT: a shape, type, stride or number out of range, an option that a call does not have
+        {BAD_MESH: HM_BAD_MESH}
+        {BAD_CURVE: HM_BAD_CURVE}
+        {BAD_CONDITION: HM_BAD_CONDITION}
+        {BAD_BASIS: HM_BAD_BASIS}
+        {BLOCK_TOO_SMALL: HM_BLOCK_TOO_SMALL}
+        {NOT_POSITIVE: HM_NOT_POSITIVE}
+        {UNSUPPORTED: HM_UNSUPPORTED}
+        {CROSSING: HM_CROSSING}
+        - BAD_FILE: a file that cannot be read or written; its value is 0
+    name : str
+        The name of the code in C: that of the attribute, with a prefix.
+    kind : str or None
+        What the item is: ``"point"``, ``"cell"``, ``"marker"``, ``"control point"`` and so on.
+    item : int or None
+        The first offending item, counted from 0 (markers: the number of the marker).
+    other_kind, other : str or None, int or None
+        A second item that the error is about.
+    value : float
+        The value found (area in length^2, residual, missing bytes), or 0.
+    place : tuple of float
+        The place that the text names [length], or ``(0.0, 0.0)``.
+    text : str
+        One or two sentences.
     """
 
     CANCELLED = lib.HM_CANCELLED
@@ -91,9 +101,21 @@ class Error(_Finding, ValueError):
 class HarmorphWarning(_Finding, UserWarning):
     """A call succeeded, and its result can be used with the reservation that the text names.
 
-    The attributes are those of :class:`Error`. The codes are attributes of the class:
-    ``HarmorphWarning.NOT_CONVERGED``, ``MOVED``, ``SHORT``, ``BACKTRACKS``, ``FAR_FROM_CURVE``,
-    ``FAR_FROM_POINTS``, ``POOR`` and ``TORN``.
+    Attributes
+    ----------
+    code : int
+        One of these attributes of the class:
+
+        {NOT_CONVERGED: HM_NOT_CONVERGED}
+        {MOVED: HM_MOVED}
+        {SHORT: HM_SHORT}
+        {BACKTRACKS: HM_BACKTRACKS}
+        {FAR_FROM_CURVE: HM_FAR_FROM_CURVE}
+        {FAR_FROM_POINTS: HM_FAR_FROM_POINTS}
+        {POOR: HM_POOR}
+        {TORN: HM_TORN}
+    name, kind, item, other_kind, other, value, place, text
+        As in :class:`Error`.
     """
 
     NOT_CONVERGED = lib.HM_NOT_CONVERGED
@@ -120,7 +142,7 @@ def check(status: int, error: Any, names: Optional[Mapping[int, str]] = None) ->
     """
     if status == 0:
         return status
-    text = ffi.string(error.text).decode("utf-8", "replace")
+    text = in_python(ffi.string(error.text).decode("utf-8", "replace"))
     kind, item = _item(error.item_kind, error.item, error.item_base)
     other_kind, other = _item(error.other_kind, error.other, error.other_base)
     if names and kind == "marker" and item in names:
@@ -156,6 +178,52 @@ def call_with_memory(
     memory.block = ffi.from_buffer(block)
     call(function, *given, names=names)
     return block
+
+
+def guard(one: Any) -> None:
+    """Make the calls of a class refuse arguments that they do not have by an :class:`Error`."""
+    for base in one.__mro__:
+        for name, member in list(vars(base).items()):
+            function = getattr(member, "__func__", member)
+            is_own = inspect.isfunction(function) and function.__module__.startswith(f"{__package__}.")
+            makes = name in ("__init__", "__new__")
+            is_quick = name in ("displacement", "morph", "adjoint")  # calls of microseconds
+            if is_own and not is_quick and not hasattr(function, "__wrapped__") and (makes or name[0] != "_"):
+                called = one.__name__ if makes else f"{one.__name__}.{name}"
+                wrapped = guarded(function, called)
+                setattr(base, name, wrapped if function is member else type(member)(wrapped))
+
+
+def guarded(function: Any, name: str) -> Any:
+    """Return `function`, which is called `name`, with refusals of arguments that it does not have."""
+
+    @functools.wraps(function)
+    def called(*arguments: Any, **named: Any) -> Any:
+        try:
+            return function(*arguments, **named)
+        except TypeError:
+            refusal = _misnamed(function, name, arguments, named)
+            if refusal is None:  # the arguments are right: something else went wrong
+                raise
+            raise refusal from None
+
+    return called
+
+
+def _misnamed(function: Any, name: str, arguments: tuple, named: Mapping[str, Any]) -> Optional[Error]:
+    known = inspect.signature(function).parameters
+    try:
+        inspect.signature(function).bind(*arguments, **named)
+        return None
+    except TypeError as reason:
+        unknown = next((one for one in named if one not in known), None)
+        if unknown is None:
+            return Error(f"{name}: {reason}.")
+    options = [one for one, kind in known.items() if kind.default is not kind.empty]
+    close = difflib.get_close_matches(unknown, list(known), 1)
+    end = f"; did you mean {close[0]!r}?" if close else "."
+    listed = f"; options are {', '.join(options)}" if options else ""
+    return Error(f"{name} has no option {unknown!r}{listed}{end}")
 
 
 def _item(kind: int, item: int, base: int) -> tuple:

@@ -128,7 +128,9 @@ def _is_same_kind(read: Path, written: Path) -> bool:
 
 
 def _failure(text: Any) -> Error:
-    return Error(ffi.string(text).decode("utf-8", "replace"), Error.BAD_FILE)
+    said = ffi.string(text).decode("utf-8", "replace")
+    # The readers are those of the program, which has an option of the command line, and may read CGNS.
+    return Error(said.replace("cgns, ", "").replace("--format", "`format`"), Error.BAD_FILE)
 
 
 def _doubles(pointer: Any, n: int) -> np.ndarray:

@@ -11,13 +11,7 @@ from .arrays import doubles, int32_view, numbers, points_in
 from .errors import MEMORY, Error, call_with_memory
 from .mesh import Mesh
 from .reports import Report, fill, new, pair, report
-
-_CLOSED = {
-    "auto": lib.HM_CLOSED_AUTO,
-    "open": lib.HM_OPEN,
-    "tied": lib.HM_TIED,
-    "periodic": lib.HM_PERIODIC,
-}
+from .words import CLOSED
 
 
 def fit_markers(
@@ -50,20 +44,12 @@ def fit_in_order(
 
 
 def _options(
-    n_control: int,
-    degree: int,
-    closed: str,
-    *,
-    weights: Any = None,
-    smoothing: float = 0.0,
-    tolerance: float = 0.0,
-    begin: Any = (0.0, 0.0),
-    end: Any = (0.0, 0.0),
+    n_control: int, degree: int, closed: str, *, weights: Any, smoothing: float, tolerance: float, begin: Any, end: Any
 ) -> Tuple[Any, Any]:
     """``hm_fit_options*``, and what must stay alive with it."""
-    if closed not in _CLOSED:
-        raise Error(f"closed must be one of {list(_CLOSED)}, not {closed!r}.")
-    options = fill(new("hm_fit_options"), n_control=n_control, degree=degree, closed=_CLOSED[closed])
+    if closed not in CLOSED:
+        raise Error(f"closed must be one of {list(CLOSED)}, not {closed!r}.")
+    options = fill(new("hm_fit_options"), n_control=n_control, degree=degree, closed=CLOSED[closed])
     (begin_x, begin_y), (end_x, end_y) = pair(begin, "begin"), pair(end, "end")
     details = fill(new("hm_fit_details"), smoothing=smoothing, tolerance=tolerance, begin_x=begin_x,
                    begin_y=begin_y, end_x=end_x, end_y=end_y)

@@ -24,7 +24,8 @@ class Assessment(NamedTuple):
     Attributes
     ----------
     step : Report or None
-        How far the displacement can be multiplied before the first cell inverts; None without one:
+        How far the displacement can be multiplied before the first cell inverts; None without a
+        displacement:
 
         {members of hm_step_report}
     quality : Report
@@ -180,11 +181,16 @@ class Functions:
         points : array of shape (n_points, 2), or pair of arrays, optional
             Coordinates from which the points move; the default is `start`.
         reference : array of shape (n_points, 2), or pair of arrays, optional
-            Coordinates with the sizes of cells that the quality refers to; the default is `points`.
+            Coordinates with the sizes of cells that the quality refers to; the default is `points`. So
+            ``assess(points=moved)`` judges shapes of cells alone; to judge a moved mesh against the
+            start, give ``reference=morph.start``: the quality is then that of
+            ``assess(displacement)``.
 
         Returns
         -------
         Assessment
+            The pair (step, quality). The movement is possible while ``step.admissible`` is above 1 and
+            ``quality.inverted`` is 0.
         """
         basis, n = self._open(), self.n_points
         if self._problem is None:

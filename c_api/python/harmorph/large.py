@@ -11,8 +11,7 @@ from .arrays import apart, doubles, points_in, points_out
 from .basis import Basis
 from .errors import MEMORY, Error, call, call_with_memory
 from .reports import Report, fill, new, report
-
-_STRATEGIES = ("linear", "other", "substeps", "untangled", "improved")
+from .words import STRATEGIES, of_value
 
 
 class Safe(NamedTuple):
@@ -24,7 +23,8 @@ class Safe(NamedTuple):
         The mesh; no cell is inverted.
     report : Report
         {members of hm_safe_report}
-        - `worst` : tuple of Report. The `n_worst` worst cells: their number, and their angles.
+        - `worst` : tuple of Report. The `n_worst` worst cells: `cell`, `quality` and `start_quality`,
+          and the mean `x`, `y` of the corners.
     reached : ndarray of shape (functions, 2)
         The movement that `points` has.
     derivative : Morph or None
@@ -63,6 +63,11 @@ class Large:
     ) -> Safe:
         """Move the mesh from `start` by a movement of any size, so that no cell inverts.
 
+        Strategies are tried in the order of `skip`, until the mesh is at the target and as good as the
+        options ask for; the best mesh of all is returned. So the wall ends where :meth:`morph` takes
+        it (where bodies rotate, their offsets from the curve rotate, too), while inner points may lie
+        elsewhere, also where :meth:`morph` would give a valid mesh: `report.strategy` tells.
+
         Parameters
         ----------
         move : array of shape (functions, 2)
@@ -72,16 +77,28 @@ class Large:
         max_resolves : int
             How many times the functions may be solved again; 0 means 10, negative never.
         skip : sequence of {"linear", "other", "substeps", "untangled", "improved"}
-            Strategies that are not tried.
+            Strategies that are not tried:
+
+            {"linear": HM_STRATEGY_LINEAR}
+            {"other": HM_STRATEGY_OTHER}
+            {"substeps": HM_STRATEGY_SUBSTEPS}
+            {"untangled": HM_STRATEGY_UNTANGLED}
+            {"improved": HM_STRATEGY_IMPROVED}
+
+            Unless `min_quality` is negative, "other" is also tried, and "improved", where the mesh at the
+            target is much poorer than the start, as `min_quality` says.
         others : sequence of Morph
-            Objects of the same mesh, curves and conditions with other operators.
+            Objects of the same mesh, curves and conditions with other operators. Without them the
+            library itself solves functions of the operators other than that of this object, unless a
+            derivative is wanted.
         improve : bool
-            The mesh at the target is improved in any case.
+            True: the mesh at the target is improved in any case; False: only where it is poor.
         heights : float
             0 to 1: the part of the heights of the first layer that is restored.
         min_quality : float
-            Smallest quality of the target in parts of that of the start; 0 means 0.05, negative any
-            valid mesh.
+            Smallest quality of the target in parts of that of the start; 0 means 0.05. Other operators
+            are tried where this part is below 0.8, an improvement where the part, or that of the mean
+            quality, is below 0.95. Negative: the first valid mesh at the target is taken.
         max_height_change : float
             The largest factor by which heights of the first layer may change; 0: any.
         improve_work : int
@@ -122,7 +139,7 @@ class Large:
                 solver.has_factor = solver.has_factor and result.resolves == 0
             found = self._derivative(Basis(other, block)) if derivative else None
         del alive
-        return Safe(out, report(result), reached, found)
+        return Safe(out, safe_report(result, others), reached, found)
 
     def _derivative(self, basis: Basis) -> Any:
         from copy import copy
@@ -253,12 +270,20 @@ def safe_options(
                    heights=heights, min_quality=min_quality, max_height_change=max_height_change,
                    improve_work=improve_work)
     for name in skip:
-        if name not in _STRATEGIES:
-            raise Error(f"The strategy {name!r} is unknown; known are {list(_STRATEGIES)}.")
-        options.skipped_strategies |= 1 << _STRATEGIES.index(name)
+        if name not in STRATEGIES:
+            raise Error(f"The strategy {name!r} is unknown; known are {list(STRATEGIES)}.")
+        options.skipped_strategies |= 1 << STRATEGIES[name]
     alive: List[Any] = [other._open() for other in others]
     if alive:
         pointers = ffi.new("hm_basis*[]", [one.pointer for one in alive])
         options.others, options.n_others = pointers, len(alive)
         alive.append(pointers)
     return options, alive
+
+
+def safe_report(result: Any, others: Sequence[Any]) -> Report:
+    """Return the report of a safe morph; without `others`, `other` is the operator that the library has tried."""
+    told = report(result)
+    if not others:
+        told.other = of_value("operator_kind", told.other)
+    return told

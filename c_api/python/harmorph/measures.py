@@ -10,16 +10,13 @@ from ._native import ffi, lib
 from .arrays import doubles, numbers
 from .errors import Error, call
 from .reports import fill, new, pair
+from .words import kinds
 
-_KINDS = {
-    name: getattr(lib, "HM_" + name.upper())
-    for name in (
-        "area", "centroid_x", "centroid_y", "moment_xx", "moment_yy", "moment_xy", "chord",
-        "thickness", "camber", "max_thickness", "max_camber", "leading_edge_radius",
-        "trailing_edge_angle", "trailing_edge_gap", "min_radius", "curvature_variation", "clearance",
-        "twist", "min_thickness", "distance",
-    )
-}
+_KINDS = kinds(
+    "area", "centroid_x", "centroid_y", "moment_xx", "moment_yy", "moment_xy", "chord", "thickness", "camber",
+    "max_thickness", "max_camber", "leading_edge_radius", "trailing_edge_angle", "trailing_edge_gap", "min_radius",
+    "curvature_variation", "clearance", "twist", "min_thickness", "distance",
+)
 # The members of hm_quantity that follow the name in a tuple, and how many of them are required.
 _MEMBERS = {
     "thickness": (("station",), 1),

@@ -10,7 +10,7 @@ from . import cells as _cells
 from . import files as _files
 from . import pictures as _pictures
 from ._native import lib
-from .arrays import _columns, int32_view, points_in
+from .arrays import finite, int32_view, points_in
 from .boundary import Boundary, Marker, faces_of, numbered
 from .errors import Error, call
 from .reports import Report, new, report
@@ -30,7 +30,8 @@ class Mesh(Boundary):
 
         - shape (n_cells, 3): triangles;
         - shape (n_cells, 4): quadrilaterals; a triangle repeats its last point;
-        - a pair of two-dimensional arrays: triangles, then quadrilaterals;
+        - a pair of two-dimensional arrays: triangles, then quadrilaterals; cells are counted in this
+          order, so take compressed rows where they shall keep the order of a file;
         - a pair (start, points) of one-dimensional arrays: compressed rows. Cell k has the points
           ``points[start[k]:start[k + 1]]``. With more than four corners in any cell, or with
           `polygons`, cells are polygons, and hanging nodes are corners.
@@ -56,6 +57,14 @@ class Mesh(Boundary):
     Error
         Wrong shapes or types (``BAD_ARGUMENT``). The cells themselves are checked by
         :meth:`report` and by :class:`harmorph.Morph`.
+
+    Notes
+    -----
+    A mesh views its coordinates, and reads none when it is made. A coordinate that is infinite or
+    NaN is refused, with the point, by :meth:`report`, :meth:`write`, :meth:`plot`, fits, and
+    :class:`harmorph.Morph`. Movements do not look at coordinates: :meth:`Morph.morph` adds to what
+    it is given, so that NaN stays NaN, and :meth:`Morph.assess` counts cells with such a point as
+    inverted.
     """
 
     def __init__(
@@ -217,7 +226,7 @@ class Mesh(Boundary):
         Error
             ``BAD_FILE``: the file cannot be written, or the format cannot hold the mesh.
         """
-        x, y = _columns(self.points if points is None else points, self.n_points, "points")
+        x, y = finite(self.points if points is None else points, self.n_points, "points")
         _files.write(self, path, x, y, format)
 
     @property
@@ -268,16 +277,18 @@ class Mesh(Boundary):
         Parameters
         ----------
         points : array of shape (n_points, 2) or pair of arrays, optional
-            Coordinates, for instance after a morph; the default is `points` of the mesh.
+            Coordinates, for instance what :meth:`Morph.morph` returns; the default is `points` of the mesh.
         ax : matplotlib axes, optional
+            The default is ``matplotlib.pyplot.gca()``.
         whole : bool
             The axes show the whole mesh, and there is no inset.
         **style
-            Passed to ``matplotlib.collections.LineCollection``.
+            Passed to ``matplotlib.collections.LineCollection``, for instance ``color="r"``, ``lw=0.5``.
 
         Returns
         -------
         matplotlib axes
+            ``matplotlib.pyplot.show()`` shows them, ``axes.figure.savefig("mesh.png")`` writes a file.
         """
         return _pictures.plot(self, points, ax, whole, style)
 

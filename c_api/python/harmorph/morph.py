@@ -28,6 +28,9 @@ from .variables import Variables
 class Morph(Functions, Large, Displacements, Stored):
     """The functions that carry movements of control points to a mesh.
 
+    A movement `move` is an array of shape (functions, 2): dx, dy of each control point [length].
+    ``mesh.plot(morph.morph(move))`` draws the mesh after a movement.
+
     ``Morph(mesh, curves)`` checks the mesh, orders and factors the matrix and solves for one
     function for each control point.
 
@@ -41,10 +44,21 @@ class Morph(Functions, Large, Displacements, Stored):
         What the markers do (:class:`harmorph.Condition`). Markers that `curves` was fitted to are
         on the curves; other markers without a condition are fixed.
     operator : {"conformal", "laplace", "weighted"}
-        Conformal functions keep the angles at the wall; Laplace functions are those of the paper.
+        What the functions minimise. The weight k = 1 / d^q of a cell, d its distance from the faces that
+        move, makes cells near the wall stiff. The paper is Nikolos, Lygidakis, Leloudas, Tavla,
+        "Application of B-spline basis functions as harmonic functions for the concurrent shape and
+        mesh morphing of airfoils".
+
+        {"conformal": HM_CONFORMAL}
+        {"laplace": HM_LAPLACE}
+        {"weighted": HM_WEIGHTED}
     engine : {"direct", "multigrid", "fas"}
+        {"direct": HM_DIRECT}
+        {"multigrid": HM_MULTIGRID}
+        {"fas": HM_FAS}
     exponent : float, optional
-        The exponent q of the weight 1 / d^q, a multiple of 0.25 up to 4; 0: no weight.
+        The exponent q of the weight, a multiple of 0.25 up to 4; 0: no weight (k = 1). None: 1.5 of
+        "conformal", 1 of "weighted"; "laplace" has no weight.
     offset_correction : bool
         Conformal only: offsets of mesh points from the curve rotate with the curve.
     tolerance : float
@@ -260,4 +274,9 @@ class Morph(Functions, Large, Displacements, Stored):
     def __repr__(self) -> str:
         if self._basis is None:
             return "Morph(closed)"
-        return f"Morph({self.n_points} points, {self.functions} functions)"
+        markers = ", ".join(f"{one.kind} {self._name(number)!r}" for number, one in self._pairs)
+        shown = f", {markers}" if markers else ""
+        return f"Morph({self.n_points} points, {self.functions} functions, {self.info.operator_kind}{shown})"
+
+    def _name(self, marker: int) -> Any:
+        return self.mesh.names.get(marker, marker) if self.mesh is not None else marker

@@ -6,7 +6,7 @@ from typing import Any, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 
-from .arrays import _columns
+from .arrays import finite
 from .errors import Error
 
 _MOST_EDGES = 60000  # of an SVG, about two megabytes
@@ -116,7 +116,7 @@ def svg(mesh: Any) -> str:
     Lines that are too close to each other to be told apart are faded; the faintest ones are left
     out where there are more than 60 000.
     """
-    x, y = _columns(mesh.points, mesh.n_points, "points")
+    x, y = finite(mesh.points, mesh.n_points, "points")
     used = np.unique(mesh.cell_rows()[1])
     whole, near = _views(mesh, x, y) if len(mesh._faces) else (_box(x[used], y[used]), None)
     view = near or whole
@@ -154,17 +154,36 @@ def _matplotlib() -> Any:
     return pyplot
 
 
+def _axes(ax: Any) -> Any:
+    """The axes that were given, or the current ones of matplotlib."""
+    pyplot = _matplotlib()
+    if ax is not None and not isinstance(ax, pyplot.Axes):
+        raise Error(f"ax must be axes of matplotlib, not {type(ax).__name__}; curves that moved are drawn by their "
+                    "own plot(), a mesh that moved by mesh.plot(points).")
+    return pyplot.gca() if ax is None else ax
+
+
+def _styled(kind: Any, default: dict, style: dict) -> dict:
+    """The arguments of an artist: short names such as c and lw count as the long ones."""
+    from matplotlib.cbook import normalize_kwargs
+
+    try:
+        return {**default, **normalize_kwargs({"color" if one == "colors" else one: value
+                                               for one, value in style.items()}, kind)}
+    except TypeError as reason:
+        raise Error(f"The style is not possible: {reason}.") from None
+
+
 def plot(mesh: Any, points: Any, ax: Any, whole: bool, style: dict) -> Any:
     """Draw the edges of the mesh; see :meth:`harmorph.Mesh.plot`."""
-    pyplot = _matplotlib()
+    x, y = finite(mesh.points if points is None else points, mesh.n_points, "points")
+    ax = _axes(ax)
     from matplotlib.collections import LineCollection
     from matplotlib.patches import Rectangle
 
-    x, y = _columns(mesh.points if points is None else points, mesh.n_points, "points")
-    ax = pyplot.gca() if ax is None else ax
     pairs = edges(mesh)
     ax.add_collection(LineCollection(np.stack([x[pairs], y[pairs]], axis=-1),
-                                     **{"linewidths": 0.3, "colors": "#336", **style}))
+                                     **_styled(LineCollection, {"linewidth": 0.3, "color": "#336"}, style)))
     all_of_it, near = _views(mesh, x, y) if len(mesh._faces) else (_box(x, y), None)
     ax.set_aspect("equal")
     if near is None or whole:
@@ -215,10 +234,15 @@ def curves_svg(curves: Any) -> str:
 
 def plot_curves(curves: Any, ax: Any, style: dict) -> Any:
     """Draw curves and control polygons; see :meth:`harmorph.Curves.plot`."""
-    pyplot = _matplotlib()
-    ax = pyplot.gca() if ax is None else ax
+    ax = _axes(ax)
+    from matplotlib.lines import Line2D
+
+    line = _styled(Line2D, {"linewidth": 1.6}, style)
+    # Control points have the colour that is asked for, so that those before and after a movement differ.
+    polygon = line.get("color", "#999")
+    line = {"color": "#1f6fd0", **line}
     for k, one in enumerate(curves.curves):
-        ax.plot(*curves.control[one.indices].T, color="#999", linewidth=0.6, marker="o", markersize=3, zorder=1)
-        ax.plot(*_outline(curves, k).T, **{"color": "#1f6fd0", "linewidth": 1.6, **style})
+        ax.plot(*curves.control[one.indices].T, color=polygon, linewidth=0.6, marker="o", markersize=3, zorder=1)
+        ax.plot(*_outline(curves, k).T, **line)
     ax.set_aspect("equal")
     return ax

@@ -12,6 +12,7 @@ from .errors import MEMORY, Error, call, call_with_memory
 from .boundary import Marker, numbered
 from .mesh import Mesh
 from .reports import Report, fill, new, report
+from .words import SPACES
 
 
 class Plane:
@@ -60,9 +61,8 @@ class Plane:
         axis: Optional[Any] = None,
         tolerance: float = 0.0,
     ) -> None:
-        kinds = {"auto": lib.HM_SPACE_AUTO, "planes": lib.HM_PLANES, "wedge": lib.HM_WEDGE}
-        if kind not in kinds:
-            raise Error(f"kind must be one of {list(kinds)}, not {kind!r}.")
+        if kind not in SPACES:
+            raise Error(f"kind must be one of {list(SPACES)}, not {kind!r}.")
         xyz = np.array(numbers(points, "points"), np.float64, order="C")
         if xyz.ndim != 2 or xyz.shape[1] != 3:
             raise Error(f"points must have the shape (n, 3), not {xyz.shape}.")
@@ -79,7 +79,7 @@ class Plane:
         numbers_of_sides = np.repeat(np.array(list(markers.values()), np.int32), [len(t) for t in tables])
         space = new("hm_space_mesh")
         space.n_points, space.points = len(xyz), self._view(xyz)
-        space.kind = kinds[kind]
+        space.kind = SPACES[kind]
         space.n_faces, space.face_points = len(cells), int32_view(cells.reshape(-1))
         side_points = np.ascontiguousarray(quads.reshape(-1))
         space.n_sides = len(quads)
@@ -195,7 +195,7 @@ class Plane:
     def _directions(self, points: np.ndarray) -> tuple:
         """The direction of x, and that of y at each point: in a wedge outward from the axis."""
         axis, y = np.array(self.info.x_direction), np.array(self.info.y_direction)
-        if self.info.kind == lib.HM_PLANES:
+        if self.info.kind == "planes":
             return axis, np.tile(y, (len(points), 1))
         offset = points - np.array(self.info.origin)
         outward = offset - (offset @ axis)[:, None] * axis

@@ -10,15 +10,13 @@ from typing import Any, List, NamedTuple
 
 import numpy as np
 
+from . import words
 from ._native import ffi, lib
 from .arrays import points_in
 from .errors import MEMORY, Error, call, call_with_memory
 from .reports import fill, new
 
-_KINDS = {
-    name: getattr(lib, "HM_BOUND_" + name.upper())
-    for name in ("quality", "kept_quality", "area", "height", "stretch", "angle")
-}
+_KINDS = words.kinds("quality", "kept_quality", "area", "height", "stretch", "angle", prefix="BOUND_")
 
 
 class Bounds(NamedTuple):

@@ -5,17 +5,21 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import Any
 
+from . import words
 from ._native import ffi
 from .errors import Error
-
-_HIDDEN = ("struct_size", "bytes")
 
 
 class Report(SimpleNamespace):
     """The members of a struct of the C header as attributes, in its units.
 
-    Arrays are tuples. Numbers of points and cells are counted from 0; -1 means none.
+    Arrays are tuples; kinds are the words that the options take. Numbers of points and cells are
+    counted from 0; -1 means none.
     """
+
+    def __repr__(self) -> str:
+        lines = (f"    {name}={_shown(value)}," for name, value in vars(self).items())
+        return "\n".join(["Report(", *lines, ")"])
 
 
 def new(name: str) -> Any:
@@ -49,10 +53,19 @@ def report(struct: Any) -> Report:
     """Return a copy of a struct that the library has filled."""
     members = {}
     for name, field in ffi.typeof(struct[0]).fields:
-        if name in _HIDDEN or name.startswith("reserved") or field.type.kind == "pointer":
+        if name in words.HIDDEN or name.startswith("reserved") or field.type.kind == "pointer":
             continue
-        members[name] = _value(getattr(struct, name), field.type)
+        members[name] = words.of_value(name, _value(getattr(struct, name), field.type))
     return Report(**members)
+
+
+def _shown(value: Any) -> str:
+    """A value with 6 digits; reports inside of a tuple are indented."""
+    if isinstance(value, tuple):
+        inner = ", ".join(map(_shown, value))
+        return f"({inner},)" if len(value) == 1 else f"({inner})"
+    text = f"{value:.6g}" if isinstance(value, float) else repr(value)
+    return text.replace("\n", "\n    ")
 
 
 def _value(value: Any, kind: Any) -> Any:

@@ -12,9 +12,9 @@ from .errors import MEMORY, Error, call, call_with_memory
 from .measures import Measures, measure, section_of
 from .reports import Report, fill, new, pair, report
 from .variables import Variables
+from .words import kinds
 
-_MOVEMENTS = {name: getattr(lib, "HM_" + name.upper())
-              for name in ("rotate", "shift", "scale", "flap", "camber_thickness", "parsec", "blade")}
+_MOVEMENTS = kinds("rotate", "shift", "scale", "flap", "camber_thickness", "parsec", "blade")
 Self = TypeVar("Self", bound="Shapes")
 
 
@@ -54,10 +54,17 @@ class Movement(_Movement):
         An unknown kind, or a centre that is no pair of numbers.
     """
 
-    def __new__(cls, kind: str, *arguments: Any, **named: Any) -> "Movement":
+    def __new__(
+        cls,
+        kind: str,
+        centre: Tuple[float, float] = (0.0, 0.0),
+        length: float = 0.0,
+        n_camber: int = 0,
+        n_thickness: int = 0,
+    ) -> "Movement":
         if not isinstance(kind, str) or kind not in _MOVEMENTS:
             raise Error(f"The movement {kind!r} is unknown; known are {list(_MOVEMENTS)}.")
-        movement = super().__new__(cls, kind, *arguments, **named)
+        movement = super().__new__(cls, kind, centre, length, n_camber, n_thickness)
         pair(movement.centre, "centre")
         return movement
 

@@ -13,9 +13,7 @@ from .errors import MEMORY, Error, call, call_with_memory
 from .mesh import Mesh
 from .reports import fill, new
 from .threads import Executor
-
-OPERATORS = {"conformal": lib.HM_CONFORMAL, "laplace": lib.HM_LAPLACE, "weighted": lib.HM_WEIGHTED}
-ENGINES = {"direct": lib.HM_DIRECT, "multigrid": lib.HM_MULTIGRID, "fas": lib.HM_FAS}
+from .words import ENGINES, OPERATORS
 
 
 def options_of(

@@ -9,6 +9,7 @@ from .basis import Basis
 from .curves import Curves
 from .mesh import Mesh
 from .reports import Report
+from .words import ENGINES, OPERATORS
 
 
 Self = TypeVar("Self", bound="Stored")
@@ -33,7 +34,7 @@ class Stored:
 
     @classmethod
     def load(cls: Type[Self], path: Any, mesh: Optional[Mesh] = None, *, threads: int = 1) -> Self:
-        """Map a basis file into memory.
+        """Read a basis file.
 
         Parameters
         ----------
@@ -64,7 +65,7 @@ class Stored:
         self = cls.__new__(cls)
         info = basis.info
         self._options = {
-            "operator_kind": info.operator_kind, "engine": info.engine,
+            "operator_kind": OPERATORS[info.operator_kind], "engine": ENGINES[info.engine],
             "exponent": info.exponent or -1,
             "offset_correction": info.offset_correction,
         }

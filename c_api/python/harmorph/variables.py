@@ -11,8 +11,9 @@ from .arrays import doubles, numbers
 from .errors import MEMORY, Error, call, call_with_memory
 from .measures import section_of
 from .reports import fill, new, pair
+from .words import kinds
 
-_KINDS = {"ffd": lib.HM_FFD, "cst": lib.HM_CST, "hicks_henne": lib.HM_HICKS_HENNE, "naca4": lib.HM_NACA4}
+_KINDS = kinds("ffd", "cst", "hicks_henne", "naca4")
 
 
 class Variables:

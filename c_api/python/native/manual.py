@@ -38,7 +38,7 @@ def _parts(body, end):
         comment = COMMENT.fullmatch(piece)
         if piece == "\n":
             has_code = False
-        elif comment and has_code and complete:
+        elif comment and has_code and complete and not declared.strip():
             complete = complete[0], f"{complete[1]} {_plain(comment.group(1))}".strip()
         elif comment:
             before = f"{before} {_plain(comment.group(1))}".strip()

@@ -30,6 +30,9 @@ def test_a_straight_line_is_exact():
     direction = line.points(u, derivative=1)
     assert abs(direction[:, 1] - 2 * direction[:, 0]).max() < 1e-13
     assert abs(line.basis(u) @ line.control - points).max() < 1e-15
+    parameters, distances = line.project(points)
+    assert parameters == pytest.approx(u, abs=1e-12) and distances == pytest.approx(0 * u, abs=1e-12)
+    assert line.project(np.empty((0, 2)))[0].shape == (0,) and line.points(0.5).shape == (2,)
     parameter, distance = line.project((1.5 - 2, 3 + 1))
     assert distance == pytest.approx(5**0.5)
     assert line.points([parameter])[0] == pytest.approx([1.5, 3])

@@ -144,3 +144,51 @@ def test_the_codes_are_those_of_the_header():
 def test_arguments_of_another_type_are_refusals_too(mesh, curves, morph, use):
     with pytest.raises(harmorph.Error):
         use(mesh, curves, morph)
+
+
+@pytest.mark.parametrize("use, words", [
+    (lambda mesh, curves, morph: harmorph.Curves.fit(mesh, "wall", ncontrol=16),
+     "Curves.fit has no option 'ncontrol'; options are n_control, degree.*did you mean 'n_control'"),
+    (lambda mesh, curves, morph: harmorph.Morph(mesh, curves, operater="laplace"), "Morph has no .*'operator'"),
+    (lambda mesh, curves, morph: morph.assess(displacment=morph.start), "Morph.assess has no .*'displacement'"),
+    (lambda mesh, curves, morph: morph.safe(np.zeros((12, 2)), impruve=True), "Morph.safe has no .*'improve'"),
+    (lambda mesh, curves, morph: harmorph.Mesh.read("a.su2", fromat="su2"), "Mesh.read has no .*'format'"),
+    (lambda mesh, curves, morph: harmorph.Movement("flap", center=(1, 0)), "Movement has no .*'centre'"),
+    (lambda mesh, curves, morph: harmorph.Condition("rigid", center=(1, 0)), "Condition has no .*'centre'"),
+    (lambda mesh, curves, morph: curves.variables("ffd", degree=(1, 1)), "Variables has no .*'degrees'"),
+    (lambda mesh, curves, morph: harmorph.rigid(degree=3), "rigid has no .*'degrees'"),
+    (lambda mesh, curves, morph: morph.safe(), "Morph.safe: missing a required argument: 'move'"),
+])
+def test_a_wrong_name_of_an_argument_is_a_refusal_that_lists_the_options(mesh, curves, morph, use, words):
+    with pytest.raises(harmorph.Error, match=words):
+        use(mesh, curves, morph)
+
+
+@pytest.mark.parametrize("use, words", [
+    (lambda mesh, curves: harmorph.Morph(mesh, curves, operator="laplace", offset_correction=True),
+     r'^offset_correction must be 0 unless the operator is "conformal"'),
+    (lambda mesh, curves: curves.points([0.1], derivative=6), "^derivative must be between 0 and 5"),
+    (lambda mesh, curves: harmorph.Morph(mesh, curves, {"far": "free"}), "free boundaries .\"free\"."),
+    (lambda mesh, curves: harmorph.Morph(mesh, curves, exponent=0.3), "^exponent must be a multiple of 0.25"),
+])
+def test_texts_name_arguments_and_words_of_python(mesh, curves, use, words):
+    with pytest.raises(harmorph.Error, match=words) as refused:
+        use(mesh, curves)
+    assert "HM_" not in str(refused.value) and "hm_" not in str(refused.value)
+
+
+@pytest.mark.parametrize("bad", [(np.nan, 0.0), (1.0, np.inf)])
+def test_coordinates_that_are_not_finite(mesh, morph, tmp_path, bad):
+    """Files and pictures refuse them with the point; movements carry them on."""
+    points = morph.start.copy()
+    points[7] = bad
+    other = mesh.with_points(points)
+    for use in (lambda: other.write(tmp_path / "a.su2"), lambda: mesh.write(tmp_path / "a.su2", points),
+                lambda: other._repr_svg_(), other.plot, lambda: mesh.plot(points), other.report):
+        with pytest.raises(harmorph.Error) as refused:
+            use()
+        assert (refused.value.code, refused.value.kind, refused.value.item) == (harmorph.Error.BAD_MESH, "point", 7)
+    assert not list(tmp_path.iterdir())
+    moved = morph.morph(np.zeros((12, 2)), points)
+    assert np.array_equal(moved, points, equal_nan=True)
+    assert morph.assess(points=points).quality.inverted == 2

@@ -171,3 +171,9 @@ def test_compressed_files(meshes, tmp_path):
     assert gzip.decompress((tmp_path / "moved.su2.gz").read_bytes()).startswith(data[:20])
     with pytest.raises(harmorph.Error, match="must end in .gz"):
         mesh.write(tmp_path / "moved.su2")
+
+
+def test_the_formats_that_a_refusal_lists_are_those_of_the_package(tmp_path):
+    with pytest.raises(harmorph.Error, match="plot3d") as refused:
+        harmorph.Mesh.read(tmp_path / "a.su2", format="SU2")
+    assert "cgns" not in str(refused.value)

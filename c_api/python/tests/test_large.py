@@ -43,7 +43,7 @@ def test_strategies(laplace, morph):
     assert caught[0].message.code == harmorph.HarmorphWarning.SHORT
     assert 0 < short.report.step_fraction < 1
     other = laplace.safe(move, others=[morph], skip=["substeps", "untangled", "improved"])
-    assert other.report.strategy == 1 and other.report.other == 0
+    assert other.report.strategy == "other" and other.report.other == 0
     out = np.empty((laplace.n_points, 2))
     assert laplace.safe(0.1 * move, out, improve=True, heights=1.0, min_quality=0.01,
                         max_height_change=5.0).points is out
@@ -53,6 +53,15 @@ def test_strategies(laplace, morph):
         closed = harmorph.Morph(ring_mesh(), laplace.curves)
         closed.close()
         laplace.safe(move, others=[closed])
+
+
+@pytest.mark.parametrize("times", [3, 6])
+def test_the_report_names_the_operator_that_the_library_tried_itself(morph, move, times):
+    """Without `others`, functions of other operators are solved where the mesh would be poor."""
+    found = morph.safe(times * move, skip=["improved"]).report
+    assert found.strategy == "other" and found.other == "laplace" and found.resolves == 1
+    first = morph.safe(times * move, skip=["improved"], min_quality=-1).report
+    assert first.strategy == "linear" and first.other == -1
 
 
 def test_an_impossible_target_is_refused(morph):

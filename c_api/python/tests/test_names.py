@@ -100,7 +100,8 @@ def test_docstrings_explain_the_kinds():
 def test_representations(curves, morph):
     mesh = morph.mesh
     assert "12 control points" in repr(curves) and "'wall'" in repr(curves)
-    for one, words in ((mesh, "1105 points"), (morph, "12 functions"), (harmorph.Quality(morph), "1105 points"),
+    for one, words in ((mesh, "1105 points"), (morph, "12 functions, conformal, curve 'wall'"),
+                       (harmorph.Quality(morph), "1105 points"),
                        (harmorph.Walls(mesh, ["wall"]), "64 faces"),
                        (harmorph.Interpolation(mesh, mesh.points[:7]), "1105 points to 7"),
                        (curves.variables("ffd", degrees=(2, 1)), "'ffd', n=6")):
@@ -123,6 +124,36 @@ def test_adapters_are_imported_when_they_are_used():
     lines = ("import sys, harmorph; assert not {'harmorph.usmesh', 'harmorph.dvgeo'} & set(sys.modules); "
              "harmorph.usmesh.USMesh, harmorph.dvgeo.DVGeo; assert not hasattr(harmorph, 'idwarp')")
     subprocess.run([sys.executable, "-c", lines], check=True)
+
+
+def test_the_help_of_the_package_begins_with_the_program_of_the_readme():
+    program = (HERE.parent.parent / "examples/morph.py").read_text().split('"""', 2)[2]
+    assert program.strip() in inspect.getdoc(harmorph).replace("\n    ", "\n")
+
+
+def test_reports_are_words_and_lines(curves, morph):
+    assert curves.fit_report.closed == "periodic" and curves.curves[0].closed == "periodic"
+    assert (morph.info.operator_kind, morph.info.engine) == ("conformal", "direct")
+    assert (morph.info.scheme, morph.info.storage) == ("compact", "double")
+    assert not hasattr(morph.info, "index_base") and not hasattr(morph.info, "bytes")
+    lines = repr(curves.fit_report).splitlines()
+    assert lines[0] == "Report(" and "    closed='periodic'," in lines and lines[-1] == ")"
+    number = next(line for line in lines if "max_error=" in line).split("=")[1]
+    assert len(number.strip(",").split("e")[0].replace(".", "").lstrip("0")) <= 6
+
+
+@pytest.mark.parametrize("closed", ["open", "tied", "periodic"])
+def test_the_closure_of_curves_is_a_word(closed):
+    control = [(0, 0), (1, 1), (2, 1), (3, 0), (2, -1), (1, -1)]
+    curves = harmorph.Curves(control, degree=2, closed=closed)
+    assert curves.curves[0].closed == closed and f"{closed} of degree 2" in repr(curves)
+
+
+def test_each_constant_has_its_own_meaning():
+    """The comment behind the last constant of a list is not that of the constant before."""
+    text = inspect.getdoc(harmorph.Curves)
+    assert '"tied": clamped, both ends are one control point: a sharp trailing edge\n' in text
+    assert '"periodic": smooth everywhere' in text
 
 
 def test_the_package_is_typed():

@@ -166,3 +166,19 @@ def test_pictures_of_curves(markers):
     pyplot.switch_backend("agg")
     assert len(one.plot().lines) == 2 * len(one.curves)
     pyplot.close("all")
+
+
+def test_styles_of_pictures(mesh, curves):
+    """Short names count as the long ones, a colour is that of the control points too; axes are demanded."""
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    pyplot.switch_backend("agg")
+    axes = curves.plot(c="r", lw=3)
+    assert [line.get_color() for line in axes.lines] == ["r", "r"] and axes.lines[1].get_linewidth() == 3
+    assert mesh.plot(lw=2, color="g").collections[-1].get_linewidth()[0] == 2
+    assert mesh.plot(linewidths=3, colors="g").collections[-1].get_linewidth()[0] == 3
+    for use in (lambda: curves.plot(curves), lambda: curves.plot(curves.control), lambda: mesh.plot(ax=curves)):
+        with pytest.raises(harmorph.Error, match="ax must be axes of matplotlib, not "):
+            use()
+    with pytest.raises(harmorph.Error, match="'c'"):
+        curves.plot(c="r", color="g")
+    pyplot.close("all")

@@ -13,7 +13,6 @@ from matplotlib import pyplot
 
 OPERATORS = {"laplace": ("laplace", 0), "weighted 1": ("weighted", 1), "conformal 1": ("conformal", 1),
              "conformal 1.5": ("conformal", 1.5), "conformal 2": ("conformal", 2)}
-STRATEGIES = ("linear", "other", "substeps", "untangled", "improved")
 SAFE_HEADING = """
 table Safe morphs: how much of the movement was reached, quality at least and on average
   movement          target   steps  resolves  strategy   inverted  min q   mean q  time/solve"""
@@ -70,7 +69,7 @@ def print_safe(name, what, morph, seconds, moves, picture):
     taken, safe = shared.processor_seconds(lambda: morph.safe(moves))
     report, quality = safe.report, morph.assess(points=safe.points, reference=morph.start).quality
     print(f"  {name:14}  {100 * report.step_fraction:6.1f} %  {report.steps:6d}  {report.resolves:8d}  "
-          f"{STRATEGIES[report.strategy]:9}  {quality.inverted:8d}  {quality.min_quality:6.3f}  "
+          f"{report.strategy:9}  {quality.inverted:8d}  {quality.min_quality:6.3f}  "
           f"{quality.mean_quality:6.3f}  {taken / seconds:10.1f}", flush=True)
     draw(picture, what, morph, safe)
     return int(quality.inverted > 0 or quality.self_crossing > 0 or report.step_fraction < 1)
