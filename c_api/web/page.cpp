@@ -1,5 +1,6 @@
 #include "web/page.h"
 
+#include "bspline/variables.hpp"
 #include "fields/walls.hpp"
 #include "mesh_pair.hpp"
 #include "morph/quality.hpp"
@@ -171,6 +172,14 @@ void hm_web_sine(double angle, double* sine, double* cosine) {
     Real const s = quarter % 2 == 0 ? r.sine : r.cosine, c = quarter % 2 == 0 ? r.cosine : r.sine;
     *sine = quarter < 2 ? s : -s;
     *cosine = quarter == 1 || quarter == 2 ? -c : c;
+}
+
+void hm_web_naca(double peak, double station, double* camber, double* slope,
+                 double* half_thickness) {
+    Real const side = station < peak ? peak : 1 - peak;
+    *camber = naca_camber(peak, station);
+    *slope = 2 * (peak - station) / (side * side);
+    *half_thickness = naca_half_thickness(station);
 }
 
 }  // extern "C"

@@ -44,6 +44,12 @@ HM_API hm_status hm_web_comb(const hm_curves* curves, int32_t curve, int32_t n, 
  * a unit in the last place, from operations that are rounded alike everywhere. */
 HM_API void hm_web_sine(double angle, double* sine, double* cosine);
 
+/* NACA's four-digit sections at a station [chords, 0..1], see HM_NACA4: the camber line of 1 chord
+ * with its largest camber at the station `peak`, its slope, and half of the thickness of 1 chord.
+ */
+HM_API void hm_web_naca(double peak, double station, double* camber, double* slope,
+                        double* half_thickness);
+
 #ifdef __cplusplus
 }
 #endif

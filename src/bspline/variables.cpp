@@ -7,7 +7,6 @@
 #include "bspline/quadrature.hpp"
 
 namespace harmorph {
-namespace {
 
 // The formula is that of I. Abbott, A. von Doenhoff, Theory of Wing Sections, 6.4; the last
 // coefficient is changed so that the trailing edge is closed.
@@ -19,8 +18,6 @@ Real naca_camber(Real peak, Real t) noexcept {
     if (t < peak) return t * (2 * peak - t) / (peak * peak);
     return (1 - 2 * peak + t * (2 * peak - t)) / ((1 - peak) * (1 - peak));
 }
-
-}  // namespace
 
 void bernstein(Index n, Real t, Real* value) noexcept {
     for (Index k = 0; k < n; ++k) value[k] = 0;

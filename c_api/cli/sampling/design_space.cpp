@@ -8,6 +8,8 @@
 #include "files/text_file.hpp"
 #include "work/to_airfoil.hpp"
 
+#include <c_api/web/page.h>
+
 #include <cmath>
 #include <vector>
 
@@ -42,17 +44,12 @@ double bernstein(const std::vector<double>& weights, double x) {  // de Castelja
 Section naca_section(double camber, double camber_at, double thickness) {
     Section section;
     walk(true, [&](double x, int side) {
-        const double p = camber_at, q = x < p ? p : 1 - p, start = x < p ? 0 : 1 - 2 * p;
-        const double line = camber / (q * q) * (start + x * (2 * p - x));
-        const double slope = 2 * camber / (q * q) * (p - x);
-        const double height =
-            x == 1
-                ? 0
-                : 5 * thickness *
-                      (.2969 * std::sqrt(x) - x * (.126 + x * (.3516 - x * (.2843 - x * .1036))));
-        const double across = side * height / std::sqrt(1 + slope * slope);
+        double line = 0, slope = 0, height = 0;
+        hm_web_naca(camber_at, x, &line, &slope, &height);
+        slope *= camber;
+        const double across = x == 1 ? 0 : side * thickness * height / std::sqrt(1 + slope * slope);
         section.x.push_back(x - across * slope);
-        section.y.push_back(line + across);
+        section.y.push_back(camber * line + across);
     });
     return section;
 }
