@@ -1,6 +1,7 @@
 #include "web/page.h"
 
 #include "bspline/variables.hpp"
+#include "cli/basics/sine_cosine.hpp"
 #include "fields/walls.hpp"
 #include "mesh_pair.hpp"
 #include "morph/quality.hpp"
@@ -40,29 +41,6 @@ void for_each_quality(OrientedMesh const& cells, Points start, Points change, Pu
             else put(number, value);
         });
     });
-}
-
-// A number as the sum of two, the second one below half a unit in the last place of the first.
-struct TwoNumbers {
-    Real high, low;
-};
-
-struct SineCosine {
-    Real sine, cosine;
-};
-
-// The series for |x| <= pi/4 + 1e-9.
-SineCosine sine_cosine_near_zero(TwoNumbers x) noexcept {
-    Real const z = x.high * x.high, half = z / 2, first = 1 - half;
-    Real odd = 0, even = 0;  // the rest of the sine, and of the cosine behind two terms
-    for (Index k = 18; k >= 4; k -= 2) {
-        even = z / ((k + 1) * (k + 2)) * (1 - even);
-        odd = z / (k * (k + 1)) * (1 - odd);
-    }
-    odd = z / 6 * (1 - odd);
-    even = z * z / 24 * (1 - even);
-    return {x.high + (x.low * first - x.high * odd),
-            first + (((1 - first) - half) + (even - x.high * x.low))};
 }
 
 }  // namespace
@@ -159,19 +137,9 @@ hm_status hm_web_comb(const hm_curves* curves, int32_t curve, int32_t n, const d
 }
 
 void hm_web_sine(double angle, double* sine, double* cosine) {
-    // The sum is pi / 2; multiples of the first two numbers by n are exact.
-    constexpr Real parts[] = {0x1.921fb544p+0, 0x1.0b4611a4p-34, 0x1.13198a2e03707p-65};
-    constexpr Real grid = 0x1.8p52;
-    Real const quarters = angle * 0.63661977236758138;
-    Real const n = (quarters + grid) - grid;
-    Real const first = angle - n * parts[0], second = first - n * parts[1],
-               high = second - n * parts[2];
-    Real const low = ((first - second) - n * parts[1]) + ((second - high) - n * parts[2]);
-    SineCosine const r = sine_cosine_near_zero({high, low});
-    Index const quarter = static_cast<Index>(n) & 3;
-    Real const s = quarter % 2 == 0 ? r.sine : r.cosine, c = quarter % 2 == 0 ? r.cosine : r.sine;
-    *sine = quarter < 2 ? s : -s;
-    *cosine = quarter == 1 || quarter == 2 ? -c : c;
+    cli::SineCosine const result = cli::sine_cosine(angle);
+    *sine = result.sine;
+    *cosine = result.cosine;
 }
 
 void hm_web_naca(double peak, double station, double* camber, double* slope,

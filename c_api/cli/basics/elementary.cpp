@@ -3,8 +3,6 @@
 #include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
 
-#include <c_api/web/page.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,12 +26,6 @@ TwoNumbers exact_square(double x) {
 }
 
 }  // namespace
-
-SineCosine sine_cosine(double angle) {
-    SineCosine result;
-    hm_web_sine(angle, &result.sine, &result.cosine);
-    return result;
-}
 
 double angle_of(double x, double y) {
     const double across = std::fabs(y), along = std::fabs(x);

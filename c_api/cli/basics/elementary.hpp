@@ -3,12 +3,9 @@
 // that files have the same bytes in node and on all processors.
 #pragma once
 
-namespace cli {
+#include "basics/sine_cosine.hpp"
 
-struct SineCosine {
-    double sine, cosine;
-};
-SineCosine sine_cosine(double angle);  // as hm_web_sine, by which pages turn bodies
+namespace cli {
 
 // Returns the angle [radians, -pi .. pi] from the x axis to (x, y), within 3 units in the last
 // place; 0 for (0, 0).
