@@ -116,7 +116,7 @@ CORE = $(FREESTANDING) -fPIC $(WARNINGS)
 # The library as WebAssembly (c_api/web): Debian's clang and lld suffice. Nothing is imported; a stack that is too small
 # traps, as the stack comes first; what the library is given can be as large as 32 bits can address.
 WASM_CXX = clang++
-WASM = --target=wasm32 -mbulk-memory -nostdlibinc -isystem c_api/web/freestanding $(FREESTANDING) -I$(BUILD)/web
+WASM = --target=wasm32 -flto -mbulk-memory -nostdlibinc -isystem c_api/web/freestanding $(FREESTANDING) -I$(BUILD)/web
 WASM_LINK = --target=wasm32 -nostdlib -Wl,--no-entry,--gc-sections,--strip-all,-O2,--stack-first,-z,stack-size=262144 \
 	-Wl,--max-memory=4294967296,--export=__heap_base,--export-table,--growable-table
 # The program for node, where emscripten is installed (Debian's emscripten and node-acorn). Without zlib and threads; for
@@ -226,7 +226,7 @@ web-tools: checked
 	@WASM_CXX='$(WASM_CXX)' sh c_api/web/pack.sh tools
 web-modules: web-tools rules
 	+@program=; if command -v $(EMXX) >/dev/null; then program='$(BUILD)/web/program.js $(WORKBENCH)'; \
-	else echo "left out: the program of the package, and $(WORKBENCH):"; $(WORKBENCH_TOOLS); fi; \
+	else echo "left out: the program of the package, and $(WORKBENCH):"; $(WORKBENCH_TOOLS) || :; fi; \
 	$(MAKE_BY_RULES) $(WEB) $$program
 # The whole program as one page.
 WORKBENCH = $(BUILD)/web/workbench.html

@@ -890,7 +890,9 @@ HM_API hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* po
  * nearest to the target, and of several at the target the one of better quality. */
 enum {
     HM_STRATEGY_LINEAR = 0, /* x + sum_i F_i dP_i, if the admissible step is larger than 1 */
-    HM_STRATEGY_OTHER = 1,  /* one linear step with each of options.others, in their order */
+    /* One linear step with each of options.others, in their order, or with the functions of the
+     * other operator, which the call solves. */
+    HM_STRATEGY_OTHER = 1,
     /* Several steps, each at most half of the admissible step; the functions are solved again after
      * each. Where the steps become too short, another operator takes over. Each body, that is each
      * loop of the boundary that moves all round, rotates and scales about the centre of its control
@@ -978,7 +980,9 @@ typedef struct hm_worst_cell {
 typedef struct hm_safe_report {
     uint64_t struct_size;
     int32_t strategy;           /* the last HM_STRATEGY_... that moved the mesh */
-    int32_t other;              /* the place in `others`; -1: none */
+    /* The place in `others`, or the operator_kind of functions that the call has solved itself,
+     * as it does without others and without a derivative; -1: none. */
+    int32_t other;
     int32_t steps, resolves;    /* steps to the mesh that is given; solutions of all strategies */
     double step_fraction;       /* [0..1] part of the movement that was reached; 1: all of it */
     double admissible;          /* [-] admissible step of the last step that was tried */

@@ -116,8 +116,9 @@ private:
     void add_bodies() {
         std::vector<JsonObject> bodies(static_cast<std::size_t>(subject_.info.bodies));
         const auto add_body = [&](const hm_condition& condition) {
-            bodies[static_cast<std::size_t>(condition.body)].add("marker",
-                                                                 mesh_.name_of(condition));
+            const std::string& whole = mesh_.markers[place(condition.marker)];
+            bodies[place(condition.body)].add(
+                "marker", condition.piece == 0 ? whole : mesh_.name_of(condition));
         };
         for_each_body(subject_.conditions, subject_.info.bodies, add_body);
         object_.add("bodies", bodies);
