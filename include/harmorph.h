@@ -979,7 +979,7 @@ typedef struct hm_worst_cell {
 
 typedef struct hm_safe_report {
     uint64_t struct_size;
-    int32_t strategy;           /* the last HM_STRATEGY_... that moved the mesh */
+    int32_t strategy; /* the last HM_STRATEGY_... that moved the mesh */
     /* The place in `others`, or the operator_kind of functions that the call has solved itself,
      * as it does without others and without a derivative; -1: none. */
     int32_t other;
