@@ -116,7 +116,7 @@ CORE = $(FREESTANDING) -fPIC $(WARNINGS)
 # The library as WebAssembly (c_api/web): Debian's clang and lld suffice. Nothing is imported; a stack that is too small
 # traps, as the stack comes first; what the library is given can be as large as 32 bits can address.
 WASM_CXX = clang++
-WASM = --target=wasm32 -mbulk-memory -nostdlibinc -isystem c_api/web/freestanding $(FREESTANDING) -I$(BUILD)/web
+WASM = --target=wasm32 -mbulk-memory -mnontrapping-fptoint -msign-ext -nostdlibinc -isystem c_api/web/freestanding $(FREESTANDING) -I$(BUILD)/web
 WASM_LINK = --target=wasm32 -nostdlib -Wl,--no-entry,--gc-sections,--strip-all,-O2,--stack-first,-z,stack-size=262144 \
 	-Wl,--max-memory=4294967296,--export=__heap_base,--export-table,--growable-table
 # The program for node, where emscripten is installed (Debian's emscripten and node-acorn). Without zlib and threads.
