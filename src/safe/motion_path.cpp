@@ -18,46 +18,49 @@ Vec2 complex_root(Vec2 z) noexcept {
 void find_bulge(Span<const Vec2> from, Span<const Vec2> to, Span<Vec2> bulge) noexcept {
     Index const n = from.count();
     auto const after = [&](Index k) { return k + 1 < n ? k + 1 : 0; };
-    // The root of the rotation of a side is the one of both that is more like that of the side
-    // before. If the roots then do not return to the first one, the other one is taken where the
-    // rotation is least like that of the side before.
-    Real sign = 0;
-    for (Index other_root = none;;) {
-        Vec2 root{1, 0}, first_root;
-        Real least = 2;
-        Index least_like = 0;
-        sign = 0;
-        for (Index k = 0; k < n; ++k) {
-            Vec2 const before = from[after(k)] - from[k], now = to[after(k)] - to[k];
-            Vec2 const rotation = product(now, conjugate(before));
-            Real const size = length(rotation);
-            Vec2 const own = size > 0 ? complex_root(1 / size * rotation) : root;
+    auto const rotation = [&](Index k) {
+        Vec2 const before = from[after(k)] - from[k], now = to[after(k)] - to[k];
+        Vec2 const ratio = square(before) > 0 ? quotient(now, before) : Vec2{};
+        Real const size = length(ratio);
+        return size > 0 ? 1 / size * ratio : Vec2{1, 0};
+    };
+    Index first = 0;
+    for (Index k = 0; k < n; ++k) {
+        if (rotation(k).x > rotation(first).x) first = k;
+    }
+    // The side whose rotation is least like that of the side before, and how like; where the other
+    // of both roots is taken, so that the angles return to the first one; none at first.
+    Index least_like = none, other_root = none;
+    Real least = 2;
+    // Calls visit(point, side from there, weight of the side) for the sides in the middle. Returns
+    // whether the angles return to the first one.
+    auto const for_sides = [&](auto const& visit) {
+        Vec2 root{1, 0};
+        for (Index j = 0, k = first; j < n; ++j, k = after(k)) {
+            Vec2 const own = complex_root(rotation(k));
             Real const alike = dot(own, root);
             if (abs(alike) < least) least = abs(alike), least_like = k;
             root = (alike < 0) == (k == other_root) ? own : -1 * own;
-            if (k == 0) first_root = root;
-            sign += root.x;
-            bulge[k] = 0.5 * (product(root, before) + product(conjugate(root), now));
+            Vec2 const before = from[after(k)] - from[k], now = to[after(k)] - to[k];
+            Vec2 const side = 0.5 * (product(root, before) + product(conjugate(root), now));
+            visit(k, side, length(side) * length(root - Vec2{1, 0}));
         }
-        if (dot(root, first_root) > 0) break;
-        if (other_root != none) return fill(bulge, Vec2{});
-        other_root = least_like;
-    }
-    auto const weight = [&](Index k) { return length(bulge[k] - (from[after(k)] - from[k])); };
+        return dot(root, complex_root(rotation(first))) > 0;
+    };
+    if (!for_sides([](Index, Vec2, Real) {})) other_root = least_like;
     Vec2 gap, at, mean;
     Real weights = 0;
-    for (Index k = 0; k < n; ++k) {
-        if (sign < 0) bulge[k] = -1 * bulge[k];  // most sides rotate by less than 180 degrees
-        gap = gap + bulge[k];
-        weights += weight(k);
-    }
-    for (Index k = 0; k < n; ++k) {
-        Real const part = weights > 0 ? weight(k) / weights : 0;
-        Vec2 const next = at + bulge[k] - part * gap;
+    bool const returns = for_sides([&](Index, Vec2 side, Real weight) {
+        gap = gap + side;
+        weights += weight;
+    });
+    fill(bulge, Vec2{});
+    if (!returns || weights == 0) return;
+    for_sides([&](Index k, Vec2 side, Real weight) {
         bulge[k] = at - 0.5 * (from[k] + to[k]);
         mean = mean + 1 / static_cast<Real>(n) * bulge[k];
-        at = next;
-    }
+        at = at + side - weight / weights * gap;
+    });
     for (Vec2& b : bulge) b = b - mean;
 }
 

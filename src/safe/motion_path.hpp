@@ -48,7 +48,7 @@ Similarity fit_similarity(ForEach const& for_each) noexcept {
 // of its angle, and has the mean of both lengths, so that a part that rotates neither shrinks nor
 // passes through other parts. Angles are continuous round the polygon, but for one side where they
 // would not return to the first one; if that does not help, the way is straight. The sides that
-// change close the polygon in the middle.
+// rotate close the polygon in the middle.
 void find_bulge(Span<const Vec2> from, Span<const Vec2> to, Span<Vec2> bulge) noexcept;
 
 // Returns r^t for 0 <= t <= 1, with the argument of r between -pi and pi, by square roots alone.

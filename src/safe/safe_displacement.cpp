@@ -130,8 +130,6 @@ void SafeDisplacement::make_modes(Plan const& plan, Index first_mode) noexcept {
             extent = max(extent, length(position[i]));
             largest_drift = max(largest_drift, length(drift[i]));
         }
-        if (similarity.exists)
-            find_bulge_of(plan, number, complex_power(r, 0.5), mode(modes_of_body * n_bodies + 1));
         extent = or_one(extent);
         for (Vec2& p : position) p = (1 / extent) * p;
         for (Vec2& p : drift) p = (1 / or_one(largest_drift)) * p;
@@ -149,31 +147,44 @@ void SafeDisplacement::make_modes(Plan const& plan, Index first_mode) noexcept {
     }
     set_amplitude(modes_of_body * n_bodies, {largest, 0}, {{}, {1, 0}});
     if (n_bodies == 0) return;
-    Span<Vec2> const bulges = mode(modes_of_body * n_bodies + 1);
-    Real bulge = 0;
-    for (Vec2 const& b : bulges) bulge = max(bulge, length(b));
-    for (Vec2& b : bulges) b = 1 / or_one(bulge) * b;
+    Real const bulge = find_bulges(plan, mode(modes_of_body * n_bodies + 1));
     set_amplitude(modes_of_body * n_bodies + 1, {}, {{}, {1, 0}, bulge});
 }
 
-// Sets the part of the mode that is the bulge of a body beside the similarity of its way.
-void SafeDisplacement::find_bulge_of(Plan const& plan, Index wanted, Vec2 middle,
-                                     Span<Vec2> mode) noexcept {
-    Index const n_given = given.count(), first = modes_of_body * wanted;
+// Sets the mode to the bulges of all bodies beside the similarities of their ways, in parts of the
+// largest one, which is returned.
+Real SafeDisplacement::find_bulges(Plan const& plan, Span<Vec2> mode) noexcept {
+    constexpr Real rounding = 1e-9;
+    Real largest = 0, extent = 0;
     Index number = 0;
     for_each_body(plan, [&](Span<const Index> points) {
-        if (number++ != wanted) return;
         Index const n = points.count();
         for (Index k = 0; k < n; ++k) {
-            Index const i = plan.given_index(points[k]);
-            if (body[i] != wanted) return;
-            loop_from[k] = modes[Offset{first + 1} * n_given + i];
-            loop_to[k] = loop_from[k] + modes[Offset{first + 2} * n_given + i];
+            loop_from[k] = plan.mesh().points[points[k]];
+            loop_to[k] = given[plan.given_index(points[k])];
         }
+        Similarity const similarity = fit_similarity([&](auto const& visit) {
+            for (Index k = 0; k < n; ++k) visit(loop_from[k], loop_to[k]);
+        });
+        for (Index k = 0; k < n; ++k) {
+            Vec2 const position = loop_from[k] - similarity.centre;
+            loop_to[k] = quotient(position + loop_to[k] - similarity.shift, similarity.ratio);
+            loop_from[k] = position;
+            extent = max(extent, length(position));
+        }
+        if (!similarity.exists) return void(++number);
         find_bulge(loop_from.first(n), loop_to.first(n), loop_bulge.first(n));
-        for (Index k = 0; k < n; ++k)
-            mode[plan.given_index(points[k])] = product(middle, loop_bulge[k]);
+        for (Index k = 0; k < n; ++k) {
+            Index const i = plan.given_index(points[k]);
+            if (body[i] != number) continue;
+            mode[i] = product(complex_power(similarity.ratio, 0.5), loop_bulge[k]);
+            largest = max(largest, length(mode[i]));
+        }
+        ++number;
     });
+    if (!(largest > rounding * extent)) largest = 0;
+    for (Vec2& b : mode) b = 1 / or_one(largest) * b;
+    return largest;
 }
 
 }  // namespace harmorph

@@ -42,7 +42,7 @@ private:
     Status read(Plan const& plan, PointList const& list, Points wall, Fault& fault) noexcept;
     void find_bodies(Plan const& plan) noexcept;
     void make_modes(Plan const& plan, Index first_mode) noexcept;
-    void find_bulge_of(Plan const& plan, Index wanted, Vec2 middle, Span<Vec2> mode) noexcept;
+    Real find_bulges(Plan const& plan, Span<Vec2> mode) noexcept;
 };
 
 }  // namespace harmorph

@@ -407,7 +407,8 @@ void SafeMorph::improve_on_the_way(Work& work) noexcept {
 void SafeMorph::improve_at_end(Work& work) noexcept {
     SafeOptions const& options = work.options;
     bool const improves = options.improves && options.tries(Strategy::improved);
-    resume(work);
+    copy(mesh.x, Span<const Real>(best_x));
+    copy(mesh.y, Span<const Real>(best_y));
     if (options.heights > 0) restore_heights(work);
     bool const is_improved = work.best().strategy == Strategy::improved && work.report.heights == 0;
     if (improves && !is_improved) improve(work, result());
