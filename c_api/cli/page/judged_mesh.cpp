@@ -60,18 +60,57 @@ std::pair<std::int32_t, std::int32_t> ends_of(const std::vector<std::int32_t>& p
                                               const Mesh& mesh) {
     std::pair<std::int32_t, std::int32_t> ends = {points[0], points[0]};
     double most = 0;
-    const auto at = [&mesh](std::int32_t point) {
-        return Point{mesh.x[place(point)], mesh.y[place(point)]};
-    };
     for (const std::int32_t a : points) {
         for (const std::int32_t b : points) {
-            if (!(at(a).x <= at(b).x)) continue;
-            const double apart = distance(at(a), at(b));
-            if (apart > most) ends = {a, b};
-            most = std::max(most, apart);
+            const double dx = mesh.x[place(b)] - mesh.x[place(a)],
+                         dy = mesh.y[place(b)] - mesh.y[place(a)], apart = dx * dx + dy * dy;
+            if (!(dx >= 0) || !(apart > most)) continue;
+            ends = {a, b};
+            most = apart;
         }
     }
     return ends;
+}
+
+// The lines between the points are a B-spline of degree 1.
+OutlineMeasures measures_of(const JudgedWall& wall, const std::vector<double>& x,
+                            const std::vector<double>& y, std::int32_t leading,
+                            std::int32_t trailing) {
+    const auto n = static_cast<std::int32_t>(wall.points.size());
+    std::vector<double> control, knots = {0};
+    std::vector<std::int32_t> indices;
+    for (std::int32_t k = 0; k <= n; ++k) {
+        indices.push_back(k % n);
+        knots.push_back(k);
+        if (k == n) break;
+        const std::size_t point = place(wall.points[place(k)]);
+        control.insert(control.end(), {x[point], y[point]});
+    }
+    knots.push_back(n);
+    auto curve = sized<hm_curve>();
+    curve.degree = 1;
+    curve.n_indices = n + 1;
+    curve.indices = indices.data();
+    curve.knots = knots.data();
+    auto curves = sized<hm_curves>();
+    curves.n_control = n;
+    curves.control = control.data();
+    curves.n_curves = 1;
+    curves.curve = &curve;
+    auto section = sized<hm_section>();
+    section.leading_x = x[place(leading)];
+    section.leading_y = y[place(leading)];
+    section.trailing_x = x[place(trailing)];
+    section.trailing_y = y[place(trailing)];
+    const auto measure = [&](std::int32_t kind) {
+        auto quantity = sized<hm_quantity>();
+        quantity.kind = kind;
+        double value = nothing;
+        hm_measure(&curves, &section, 1, &quantity, &value, nullptr, nullptr, nullptr);
+        return value;
+    };
+    const double chord = measure(HM_CHORD);
+    return {measure(HM_MAX_THICKNESS) / chord, measure(HM_MAX_CAMBER) / chord, measure(HM_AREA)};
 }
 
 }  // namespace
@@ -138,45 +177,10 @@ void JudgedMesh::find_walls(const std::vector<std::int32_t>& markers) {
     }
 }
 
-// The lines between the points are a B-spline of degree 1.
-OutlineMeasures JudgedMesh::measures(const JudgedWall& wall, bool moved) const {
-    const std::vector<double>&x = moved ? moved_.x : mesh_.x, &y = moved ? moved_.y : mesh_.y;
-    const auto n = static_cast<std::int32_t>(wall.points.size());
-    std::vector<double> control, knots = {0};
-    std::vector<std::int32_t> indices;
-    for (std::int32_t k = 0; k <= n; ++k) {
-        indices.push_back(k % n);
-        knots.push_back(k);
-        if (k == n) break;
-        const std::size_t point = place(wall.points[place(k)]);
-        control.insert(control.end(), {x[point], y[point]});
-    }
-    knots.push_back(n);
-    auto curve = sized<hm_curve>();
-    curve.degree = 1;
-    curve.n_indices = n + 1;
-    curve.indices = indices.data();
-    curve.knots = knots.data();
-    auto curves = sized<hm_curves>();
-    curves.n_control = n;
-    curves.control = control.data();
-    curves.n_curves = 1;
-    curves.curve = &curve;
+std::pair<OutlineMeasures, OutlineMeasures> JudgedMesh::measures(const JudgedWall& wall) const {
     const auto [leading, trailing] = ends_of(wall.points, mesh_);
-    auto section = sized<hm_section>();
-    section.leading_x = x[place(leading)];
-    section.leading_y = y[place(leading)];
-    section.trailing_x = x[place(trailing)];
-    section.trailing_y = y[place(trailing)];
-    const auto measure = [&](std::int32_t kind) {
-        auto quantity = sized<hm_quantity>();
-        quantity.kind = kind;
-        double value = nothing;
-        hm_measure(&curves, &section, 1, &quantity, &value, nullptr, nullptr, nullptr);
-        return value;
-    };
-    const double chord = measure(HM_CHORD);
-    return {measure(HM_MAX_THICKNESS) / chord, measure(HM_MAX_CAMBER) / chord, measure(HM_AREA)};
+    return {measures_of(wall, mesh_.x, mesh_.y, leading, trailing),
+            measures_of(wall, moved_.x, moved_.y, leading, trailing)};
 }
 
 }  // namespace cli

@@ -6,7 +6,7 @@
 #include "mesh/mesh_file.hpp"
 
 #include <cstdint>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace cli {
@@ -17,9 +17,9 @@ struct JudgedWall {
     std::int32_t marker = 0;
     bool is_closed = false;
     std::vector<std::int32_t> points;
-    std::vector<double> arc;  // [length] before anything moved, from the first wall on
-    std::vector<double> angle,
-        height;  // [degrees] change of the first layer; [-] after over before
+    std::vector<double> arc;     // [length] before anything moved, from the first wall on
+    std::vector<double> angle;   // [degrees] change of the first layer
+    std::vector<double> height;  // [-] of the first layer, after over before
 };
 
 // The measures of a closed wall, the straight lines between its points. The chord joins the two
@@ -38,7 +38,8 @@ public:
     std::vector<std::int32_t> piece_start, piece_points;  // of all cells, see hm_web_pieces
     std::vector<JudgedWall> walls;
 
-    OutlineMeasures measures(const JudgedWall& wall, bool moved) const;
+    // The measures of a closed wall before and after the movement.
+    std::pair<OutlineMeasures, OutlineMeasures> measures(const JudgedWall& wall) const;
 
 private:
     void judge_cells(const hm_basis* basis, const Field& displacement);

@@ -99,8 +99,7 @@ private:
                 .add("angle", numbers_as_text(wall.angle))
                 .add("height", numbers_as_text(wall.height));
             if (!wall.is_closed) continue;
-            const OutlineMeasures before = judged.measures(wall, false),
-                                  now = judged.measures(wall, true);
+            const auto [before, now] = judged.measures(wall);
             sections.emplace_back()
                 .add("name", name)
                 .add("thickness", before.thickness)
