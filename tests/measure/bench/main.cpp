@@ -114,7 +114,6 @@ void run(Settings settings) {
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, -1);
 #endif
-    if (blas() != nullptr) blas()->set_threads(settings.threads);
     cli::Threads const threads(settings.threads);
     hm_executor executor = *threads.executor();
     if (settings.kernel != HM_KERNEL_AUTO) executor.kernel = settings.kernel;
@@ -128,10 +127,6 @@ void run(Settings settings) {
     for (SolverPackage const& package : solver_packages())
         report.fact(package.name, presence(package));
     report.fact("PETSc", iterative_peers().empty() ? "not linked" : "linked");
-    report.fact("OpenBLAS",
-                blas() != nullptr
-                    ? blas()->name()
-                    : "not installed (libopenblas-dev); CHOLMOD runs on what it is linked with");
 
     // The other parts' tables speak of shares of what is measured here.
     Limits const limits = measure_machine(settings, report);
