@@ -22,16 +22,11 @@ namespace bench {
 namespace {
 
 char const* const usage =
-    "usage: bench [--parts \"solve threads iterative iterations memory displace safe "
-    "morph\"] [--sizes "
-    "\"10000 "
-    "100000 1000000\"]\n"
-    "             [--kinds \"iso viscous thin thinnest unstructured shuffled stretched10 "
-    "stretched100 "
-    "stretched1000\"] [--functions \"20 60\"] "
-    "[--threads N] "
-    "[--repeats N]\n"
-    "             [--kernel 0..4] [--gibibytes N]\n";
+    "usage: bench [--parts \"solve threads iterative iterations memory displace safe morph\"]\n"
+    "             [--sizes \"10000 100000 1000000\"] [--functions \"20 60\"] [--threads N]\n"
+    "             [--kinds \"iso viscous thin thinnest unstructured stretched10 stretched100 "
+    "stretched1000\"]\n"
+    "             [--repeats N] [--kernel 0..4] [--gibibytes N]\n";
 
 template <class T>
 std::vector<T> words(std::string const& text) {
