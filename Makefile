@@ -33,7 +33,7 @@
 #   make amalgamation     the library in one source with its headers, in build/amalgamation
 #   make test-systems     both commands of README.md in fresh systems, as the superuser: SYSTEMS="bookworm trixie", in the
 #                         folder ROOTS; see tests/release/systems.sh
-#   make bench            against CHOLMOD, MUMPS and OpenBLAS, PETSc with BoomerAMG (PARTS=iterative) and gmsh
+#   make bench            against CHOLMOD, MUMPS, PETSc with BoomerAMG (PARTS=iterative) and gmsh
 #                         (PARTS=files), as far as they are there; see tests/measure/bench/run.sh
 #   make bench-rows       measures what tests/measure/bench/README.md says about speed, and prints the rows of its tables
 #   make deform           how far meshes follow large movements: tables and figures on a page; see tests/measure/deform/run.sh
@@ -215,7 +215,7 @@ coverage:
 
 mutate:
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' MUTANTS='$(MUTANTS)' SEED='$(SEED)' FILES='$(FILES)' \
-	    LIMIT='$(LIMIT)' CARRY='$(CARRY)' TIMES='$(TIMES)' sh tests/fuzz/mutate.sh
+	    LIMIT='$(LIMIT)' CARRY='$(CARRY)' REACH='$(REACH)' sh tests/fuzz/mutate.sh
 
 sanitize:
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' sh tests/fuzz/sanitize.sh

@@ -181,6 +181,34 @@ TEST_CASE("areas of a polygon and of its control volumes change by what their si
     }
 }
 
+TEST_CASE("a triangle that repeats its last point has no area at the side between both") {
+    double const x[] = {0, 1, 0.2, 1.3}, y[] = {0, 0.1, 1, 1.2};
+    double const to_x[] = {0.1, 1.3, 0.3, 1.7}, to_y[] = {0.2, 0.1, 1.4, 1.5};
+    std::int32_t const triangles[] = {0, 1, 2, 2, 1, 3}, quads[] = {0, 1, 2, 2, 2, 1, 3, 3};
+    auto mesh = fixtures::sized<hm_mesh>();
+    mesh.n_points = 4;
+    mesh.points = {x, y, 1};
+    mesh.n_cells = 2;
+    hm_points const to = {to_x, to_y, 1};
+    Swept three(6), four(8);
+    auto const sweep = [&](std::int32_t layout, const std::int32_t* cells, Swept& swept) {
+        mesh.cell_layout = layout;
+        mesh.cell_points = cells;
+        REQUIRE(hm_swept_areas(&mesh, nullptr, &to, swept.sides.data(), swept.duals.data(),
+                               swept.halves.data(), nullptr, nullptr) == HM_OK);
+    };
+    sweep(HM_CELLS_TRIANGLES, triangles, three);
+    sweep(HM_CELLS_QUADS, quads, four);
+    for (std::size_t k = 0; k < 8; ++k) {
+        bool const is_repeated = k % 4 == 2;
+        std::size_t const side = k / 4 * 3 + (k % 4 == 3 ? 2 : k % 4);
+        CHECK(four.sides[k] == (is_repeated ? 0 : three.sides[side]));
+        CHECK(four.duals[k] == (is_repeated ? 0 : three.duals[side]));
+        for (std::size_t end = 0; end < 2; ++end)
+            CHECK(four.halves[2 * k + end] == (is_repeated ? 0 : three.halves[2 * side + end]));
+    }
+}
+
 TEST_CASE("refused swept areas leave the arrays as they were") {
     fixtures::Mesh const mesh =
         fixtures::two_bodies(8, 5, {}, fixtures::Ellipse{0.25, 0.06, 0.4}, fixtures::Cells::quads);
