@@ -89,8 +89,10 @@ if $PYTHON -c 'import numpy, cffi, wheel, setuptools, venv, ensurepip' 2>/dev/nu
     block c_api/python/README.md python "Other codes" >"$dir/warp.py"
     warped() { "$dir/env/bin/python" "$dir/warp.py" | grep -E '^The wall is (0.0|[0-9.]+e-1[5-9]) away'; }
     check "the grid of ADflow is warped" warped
+    block c_api/python/README.md python "Installation of a wheel" >/dev/null   # tests/release/wheel.sh runs it
     from_wheel() {
-        cp "$build/libharmorph.a" "$dir" && CXXFLAGS=-O0 sh c_api/packaging/wheel.sh "$dir" &&
+        cp "$build/libharmorph.a" "$dir" &&
+            HARMORPH_MESHES=$build/meshes CXXFLAGS=-O0 sh c_api/packaging/wheel.sh "$dir" &&
             cp "$dir"/wheel/*.whl "$dir" && path c_api/python/README.md "Installation of a wheel" \
                 "^0 inverted cells; the mesh could follow"
     }
@@ -104,6 +106,7 @@ if $PYTHON -c 'import numpy, cffi, wheel, setuptools, venv, ensurepip' 2>/dev/nu
     fi
 else
     block c_api/python/README.md sh "Installation of a wheel" >/dev/null
+    block c_api/python/README.md python "Installation of a wheel" >/dev/null
     block c_api/python/examples/dataset/README.md sh "A data set to the end" >/dev/null
     block c_api/python/README.md sh "harmorph in Python" >/dev/null
     block c_api/python/README.md python "Other codes" >/dev/null
