@@ -267,7 +267,7 @@ manual: all
 html: checked
 	@PYTHON='$(PYTHON)' sh c_api/packaging/html.sh $(BUILD)
 
-fpm: rules amalgamation
+fpm: amalgamation meshes
 	@sh c_api/packaging/fpm.sh $(BUILD)
 
 test-packages: checked

@@ -112,7 +112,9 @@ else
     block c_api/python/README.md python "Other codes" >/dev/null
     skip "the program in Python" "numpy, cffi, wheel, setuptools or venv is not installed for $PYTHON"
 fi
-block c_api/web/README.md js "harmorph in JavaScript" >/dev/null   # tests/hosts/web.sh runs it, where node is installed
+for language in js sh; do   # tests/hosts/web.sh runs them, where node is installed
+    block c_api/web/README.md $language "harmorph in JavaScript" >/dev/null
+done
 check "the lines of C++" path c_api/cpp/README.md "harmorph in C++" "^0 inverted cells; the mesh could follow"
 check "the lines of FORTRAN 77" path fortran/harmorph77/README.md "harmorph in FORTRAN 77" \
     "^ *[1-9][0-9]* passed, *0 failed"
