@@ -112,6 +112,7 @@ else
     block c_api/python/README.md python "Other codes" >/dev/null
     skip "the program in Python" "numpy, cffi, wheel, setuptools or venv is not installed for $PYTHON"
 fi
+block c_api/packaging/README.md sh "In another project" >/dev/null   # tests/release/amalgamation.sh runs it
 for language in js sh; do   # tests/hosts/web.sh runs them, where node is installed
     block c_api/web/README.md $language "harmorph in JavaScript" >/dev/null
 done
