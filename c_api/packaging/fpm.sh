@@ -1,8 +1,8 @@
 #!/bin/sh
 # usage: fpm.sh BUILD
 # Writes BUILD/fpm, a package for the Fortran package manager: the library as one C++ source, the Fortran modules, the
-# C headers, the reader of SU2 files, and as examples the program of the README and one for the mesh of the demo, which is
-beside. `make amalgamation`, `make meshes` and the Fortran sources come first.
+# C headers, the reader of SU2 files, and as examples the program of the README and one for the mesh of the demo, which
+# is beside. `make amalgamation`, `make meshes` and the Fortran sources come first.
 set -e
 version=$(sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' include/harmorph.h)
 to=$1/fpm

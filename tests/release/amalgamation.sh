@@ -35,5 +35,5 @@ page_lines() {
     } >page.sh
     grep -q '^./su2 ' page.sh && . ./page.sh | grep '^airfoil: .* 0 inverted cells$'
 }
-if [ -e "$build/meshes/naca0012.su2" ]; then check "a C program by the lines of the page, on the mesh of the demo" page_lines; fi
+if [ -e "$build/meshes/naca0012.su2" ]; then check "the lines of the page, on the mesh of the demo" page_lines; fi
 finish "$dir"

@@ -32,7 +32,8 @@ compiled() {   # example
 }
 by_fpm_itself() (   # the lines of its page
     cp -r "$build/fpm" "$dir/fpm" && cd "$dir/fpm" && rm -rf build &&
-        sed -n 's/^    \(export\|fpm\) /\1 /p' README.md >lines && sh -e lines >said 2>&1 || { tail -n 20 said; return 1; }
+        sed -n 's/^    \(export\|fpm\) /\1 /p' README.md >lines && sh -e lines >said 2>&1 ||
+        { tail -n 20 said; return 1; }
     grep '^0 inverted cells' said && grep ' 0 inverted cells;' said
 )
 check "make fpm" $MAKE -s BUILD="$build" fpm
