@@ -809,6 +809,10 @@ typedef struct hm_quality_report {
      * of an HM_INTERFACE. With a displacement, two faces that cross each other before do not. */
     int32_t self_crossing;
     int32_t crossing_points[4]; /* first and last point of one face, then of the other; -1: none */
+    /* [n_cells] Set by the caller: the array receives the quality of each cell, in the order of the
+     * mesh, of which min_quality is the smallest and mean_quality the mean; 0 for inverted cells.
+     * Structured meshes and blocks have one number for each of their cells. NULL: not wanted. */
+    double* cell_quality;
 } hm_quality_report;
 
 /* Judges a movement before anything moves, in one pass over the cells.
@@ -824,7 +828,8 @@ typedef struct hm_quality_report {
  * layout, but HM_CELLS_POLYGONS only if the basis is of polygons. Refused (HM_BAD_BASIS): other
  * counts, or other points in one of 64 cells that are compared; hm_basis_attach compares all.
  * A number that is not finite in `from` or `displacement` makes the cells there inverted and the
- * step 0; one in `reference` is not noticed.
+ * step 0; one in `reference` is not noticed. A refused call leaves both reports and
+ * quality->cell_quality as they were.
  *
  * Whether the wall is where the curves are: hm_basis_curves gives the curves after `move`, and
  * hm_curve_point their points at hm_basis_info.point_u (harmorph_design.h). A wall point keeps its
