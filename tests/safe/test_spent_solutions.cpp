@@ -140,11 +140,40 @@ TEST_CASE("a movement that cannot be completed ends after 200 solutions; its par
             if (status != HM_SHORT) continue;
             ++refused;
             CHECK(report.step_fraction > 0.3);
-            REQUIRE(safe.run(turned(safe, degrees, 0.97 * report.step_fraction)) >= HM_OK);
+            REQUIRE(safe.run(turned(safe, degrees, 0.97 * report.step_fraction)) == HM_OK);
             CHECK(safe.safe_report.step_fraction == 1);
         }
     }
     CHECK(refused > 0);
+}
+
+TEST_CASE(
+    "a part of a movement has the quality asked for, and the part is smaller for more of it") {
+    int poor = 0, smaller = 0;
+    for (int const n : {12, 16}) {
+        for (double const degrees : {42.0, 55.0, 70.0}) {
+            Case setup = turned_floor(n);
+            SafeDisplaced safe(setup);
+            double last = 1;
+            for (double const asked : {-1.0, 0.0, 0.3}) {
+                safe.safe_options.min_quality = asked;
+                hm_status const status = safe.run(turned(safe, degrees));
+                hm_safe_report const report = safe.safe_report;
+                INFO(n << " cells, " << degrees << " degrees, " << asked << ": "
+                       << report.step_fraction << " with " << report.min_quality);
+                if (status != HM_SHORT) continue;
+                double const least = (asked == 0 ? 0.05 : asked) * report.start_quality;
+                if (asked >= 0) CHECK(report.min_quality >= least);
+                poor += asked < 0 && report.min_quality < 0.05 * report.start_quality;
+                CHECK(report.step_fraction > 0.2);
+                CHECK(report.step_fraction < last + 0.02);  // parts are found to .02
+                smaller += report.step_fraction < last - 0.02;
+                last = report.step_fraction;
+            }
+        }
+    }
+    CHECK(poor > 0);  // else the test has not seen what it is about
+    CHECK(smaller > 0);
 }
 
 TEST_CASE("control points and the same displacements of the wall end with cells alike") {
