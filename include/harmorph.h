@@ -937,7 +937,7 @@ typedef struct hm_safe_options {
      * movement, relative to the start, in parts of the smallest quality of the start; 0 means 0.05;
      * negative: any valid mesh, and the first one at the target is taken. Otherwise other operators
      * are tried where that part is below 0.8, and an improvement (hm_improve) where it, or the mean
-     * quality in parts of that of the start, is below 0.95; the improvement is kept if the smallest
+     * quality in parts of that of the start, is below 0.98; the improvement is kept if the smallest
      * quality does not fall and the product of smallest and mean quality rises by 2 % or more.
      * Between substeps cells are improved where that part is below 0.5. With a derivative all these
      * are left out; improvement is tried only where min_quality is missed. */

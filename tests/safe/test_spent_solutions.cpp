@@ -124,6 +124,35 @@ TEST_CASE("more solutions give better cells where the report says so, and else c
     CHECK(enough > 0);
 }
 
+TEST_CASE("a mean quality that falls by more than 2 % is raised again, and less costs nothing") {
+    int raised = 0, left = 0;
+    Case setup = layered_section(44, 1e-3);
+    SafeDisplaced safe(setup);
+    safe.safe_options.min_quality = 0;
+    REQUIRE(safe.run(turned(safe, 0)) == HM_OK);
+    double const start = safe.safe_report.mean_quality;
+    for (double const degrees : {1.0, 3.0, 25.0, 30.0, 35.0}) {
+        Field const wall = turned(safe, degrees);
+        safe.safe_options.skipped_strategies = 1 << HM_STRATEGY_IMPROVED;
+        REQUIRE(safe.run(wall) >= HM_OK);
+        hm_safe_report const one = safe.safe_report;
+        safe.safe_options.skipped_strategies = 0;
+        REQUIRE(safe.run(wall) >= HM_OK);
+        hm_safe_report const both = safe.safe_report;
+        INFO(degrees << " degrees: mean " << one.mean_quality << " and " << both.mean_quality);
+        CHECK(both.min_quality >= (1 - 1e-9) * one.min_quality);
+        CHECK(both.mean_quality >= one.mean_quality);
+        bool const is_between = one.mean_quality > 0.95 * start && one.mean_quality < 0.98 * start;
+        raised += is_between && product_of(both) > 1.02 * product_of(one);
+        if (one.mean_quality < 0.985 * start || one.min_quality < 0.985 * one.start_quality)
+            continue;
+        ++left;
+        CHECK(both.solutions == one.solutions);
+    }
+    CHECK(raised > 0);
+    CHECK(left > 0);
+}
+
 TEST_CASE("a movement that cannot be completed ends after 200 solutions; its part can be reached") {
     int refused = 0;
     for (int const n : {12, 16}) {
