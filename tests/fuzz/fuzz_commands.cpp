@@ -6,7 +6,7 @@
 // leaves no other files than those that it may write, and a folder with files of somebody else as
 // it is. In some cases another process shortens the mesh while the command runs.
 #include "commands/commands.hpp"
-#include "curves/curves.hpp"
+#include "curves/curve_file.hpp"
 #include "failure.hpp"
 #include "files/text_file.hpp"
 #include "scratch_folder.hpp"

@@ -3,7 +3,7 @@
 // other coordinates. Most files are one of the small ones below, damaged; some are the bytes of the
 // case as they are, which libFuzzer shapes.
 #include "work/basis_file.hpp"
-#include "curves/curves.hpp"
+#include "curves/curve_file.hpp"
 #include "failure.hpp"
 #include "formats/format.hpp"
 #include "work/moves_file.hpp"

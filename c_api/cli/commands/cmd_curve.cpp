@@ -4,7 +4,7 @@
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
 #include "commands/commands.hpp"
-#include "curves/curves.hpp"
+#include "curves/curve_file.hpp"
 #include "files/output_file.hpp"
 #include "options/place_options.hpp"
 

@@ -3,7 +3,7 @@
 #include "work/moves_file.hpp"
 #include "commands/commands.hpp"
 #include "commands/morph_report.hpp"
-#include "curves/curves.hpp"
+#include "curves/curve_file.hpp"
 #include "files/output_file.hpp"
 #include "formats/format.hpp"
 #include "formats/vtu.hpp"

@@ -4,7 +4,7 @@
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
 #include "commands/commands.hpp"
-#include "curves/curves.hpp"
+#include "curves/curve_file.hpp"
 #include "curves/section.hpp"
 #include "curves/section_movement.hpp"
 #include "curves/variables_file.hpp"

@@ -2,7 +2,7 @@
 
 #include "basics/failure.hpp"
 #include "basics/numbers.hpp"
-#include "curves/curves.hpp"
+#include "curves/curve_file.hpp"
 #include "curves/section_movement.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "mesh/mesh_file.hpp"

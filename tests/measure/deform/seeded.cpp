@@ -10,7 +10,7 @@
 #include "work/basis_file.hpp"
 #include "commands/commands.hpp"
 #include "work/read_mesh.hpp"
-#include "curves/curves.hpp"
+#include "curves/curve_file.hpp"
 #include "basics/failure.hpp"
 #include "work/morph.hpp"
 #include "basics/numbers.hpp"
