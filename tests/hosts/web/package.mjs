@@ -153,6 +153,7 @@ check("the quality of each cell", judged.cells === null && each.length === morph
 const of_cells = new hm.Numbers(morph.info.cells);
 check("in numbers of the memory", morph.assess(d, { cells: of_cells }).cells === of_cells);
 near("the same numbers", of_cells.view, each, 0);
+of_cells.free();
 refused("an array of another length", "HM_BAD_ARGUMENT", () => morph.assess(d, { cells: new Float64Array(3) }));
 const too_far = morph.displacement(a.map((one) => 1.001 * judged.step.admissible * one));
 check("the admissible step is that of the first inverted cell",
