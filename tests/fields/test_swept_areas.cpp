@@ -7,7 +7,9 @@
 #include <fixtures/bodies.hpp>
 #include <fixtures/executors.hpp>
 
+#include <complex>
 #include <map>
+#include <numeric>
 #include <random>
 #include <string>
 
@@ -119,6 +121,64 @@ TEST_CASE("the sign: a side that moves outwards from a counter-clockwise cell is
     CHECK(halves[2] == 0.375);
     CHECK(halves[3] == 0.125);
     CHECK(duals[0] > 0);  // moves away from point 0, whose control volume grows
+}
+
+TEST_CASE("areas of a polygon and of its control volumes change by what their sides sweep") {
+    using Real = long double;
+    using Place = std::complex<Real>;
+    auto const area_of = [](std::vector<Place> const& corners) {
+        Real twice = 0;
+        for (std::size_t k = 0; k < corners.size(); ++k)
+            twice += std::imag(std::conj(corners[k] - corners[0]) *
+                               (corners[(k + 1) % corners.size()] - corners[0]));
+        return twice / 2;
+    };
+    for (std::size_t n = 3; n <= 9; ++n) {
+        std::mt19937 random(static_cast<unsigned>(n));
+        std::uniform_real_distribution<double> uniform(-0.05, 0.05);
+        Positions from, to;
+        std::vector<std::int32_t> cell;
+        for (std::size_t k = 0; k < n; ++k) {
+            double const angle = 2 * fixtures::pi * static_cast<double>(k) / static_cast<double>(n);
+            cell.push_back(static_cast<std::int32_t>(k));
+            from.x.push_back(std::cos(angle) + uniform(random));
+            from.y.push_back(std::sin(angle) + uniform(random));
+            to.x.push_back(from.x[k] + 0.3 + uniform(random));
+            to.y.push_back(from.y[k] - 0.2 + uniform(random));
+        }
+        std::int32_t const start[] = {0, static_cast<std::int32_t>(n)};
+        auto mesh = fixtures::sized<hm_mesh>();
+        mesh.n_points = start[1];
+        mesh.points = from.view();
+        mesh.cell_layout = HM_CELLS_POLYGONS;
+        mesh.n_cells = 1;
+        mesh.cell_start = start;
+        mesh.cell_points = cell.data();
+        hm_points const target = to.view();
+        Swept swept(start[1]);
+        REQUIRE(hm_swept_areas(&mesh, nullptr, &target, swept.sides.data(), swept.duals.data(),
+                               swept.halves.data(), nullptr, nullptr) == HM_OK);
+        // The area of the cell, or of the part of it that belongs to corner k.
+        auto const part = [&](Positions const& at, std::size_t k) {
+            std::vector<Place> corners;
+            for (std::size_t i = 0; i < n; ++i) corners.emplace_back(at.x[i], at.y[i]);
+            if (k == n) return area_of(corners);
+            Place const centre =
+                std::accumulate(corners.begin(), corners.end(), Place()) / static_cast<Real>(n);
+            Place const here = corners[k], next = corners[(k + 1) % n],
+                        before = corners[(k + n - 1) % n];
+            return area_of({here, (here + next) / Real(2), centre, (here + before) / Real(2)});
+        };
+        Real all = 0;
+        for (std::size_t k = 0; k < n; ++k) {
+            std::size_t const before = (k + n - 1) % n;
+            Real const change = Real(swept.duals[k]) - swept.duals[before] + swept.halves[2 * k] +
+                                swept.halves[2 * before + 1];
+            CHECK(std::fabs(change - (part(to, k) - part(from, k))) < 1e-15L);
+            all += swept.sides[k];
+        }
+        CHECK(std::fabs(all - (part(to, n) - part(from, n))) < 1e-15L);
+    }
 }
 
 TEST_CASE("refused swept areas leave the arrays as they were") {
