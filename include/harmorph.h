@@ -27,8 +27,8 @@
  *     hm_morph(setup.basis, move, &mesh.points, &to, NULL, &error);
  *
  * `to` is an hm_points_out, which may be the arrays of the mesh. A call that needs memory is made
- * twice: first with an empty hm_memory, into which it writes how many bytes it needs. Each call
- * returns a status, which is negative if the call was refused; error.text then says why.
+ * twice: first with an empty hm_memory, into which the call writes how many bytes it needs. Each
+ * call returns a status, which is negative if the call was refused; error.text then says why.
  *
  * BEFORE THE MESH MOVES, ask how far it can follow; dx and dy [n_points] receive displacements. For
  * an optimiser, dj (an hm_points) has the derivatives of an objective with respect to the points of
@@ -541,9 +541,9 @@ typedef struct hm_problem {
      * of the diagonal of the box around the curve, or the point is more than a quarter of a face
      * beyond the end of the curve. Refused (HM_BAD_CONDITION): a distance of at least this part of
      * the diagonal (0: no limit; the command-line program has 0.01), or of more than the width or
-     * height of the control polygon or of all points on curves. The wall keeps its distance in
-     * every movement: with the curve of another airfoil it does not become what the curve
-     * becomes. */
+     * height of the control polygon or of all points on curves. The wall keeps its distance from
+     * the curve in every movement: a wall with the curve of another airfoil does not become that
+     * airfoil. */
     double max_curve_distance;
     /* Neumann values. On face k of a free marker, between the points flux_points[2*k] and
      * flux_points[2*k+1], the function of control point i has the outward normal derivative

@@ -1,7 +1,7 @@
 /* harmorph on meshes that no process has as a whole: MPI and PETSc solve for the functions (PETSc
  * 3.18 or later, with real or complex scalars). Compile harmorph_petsc.c, which is one file where
  * harmorph is installed, and, for the adjoint, harmorph_mpi.c with mpicc and PETSc's flags (`pkg-
- * config --cflags --libs petsc`); the library itself knows nothing of either, and must have the
+ * config --cflags --libs petsc`). The library itself calls neither MPI nor PETSc, and must have the
  * version with whose headers harmorph_petsc.c was compiled (HM_VERSION; else hm_petsc_create is
  * refused with HM_UNSUPPORTED).
  *
@@ -32,8 +32,9 @@
  * mumps` factors the matrix; others are `-hm_pc_type gamg`, `-hm_ksp_monitor`, `-hm_mat_type`.
  *
  * Scalars: with real scalars an unknown of the conformal operator has two rows, a block of 2 x 2;
- * with complex scalars it has one, and the matrix is Hermitian (MUMPS then factors by `-hm_pc_type
- * lu`: it has no Hermitian Cholesky). Real operators have one row for each unknown with either. */
+ * with complex scalars the unknown has one row, and the matrix is Hermitian (MUMPS has no Hermitian
+ * Cholesky, and factors by `-hm_pc_type lu`). Real operators have one row for each unknown with
+ * either kind of scalars. */
 #ifndef HARMORPH_PETSC_H
 #define HARMORPH_PETSC_H
 
