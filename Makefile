@@ -236,7 +236,7 @@ workbench: checked rules
 # What the program has of pages, for CMake.
 page-module: rules
 	+@$(MAKE_BY_RULES) $(BUILD)/page_module.cpp
-web: web-modules
+web: web-modules meshes
 	@VERSION=$(VERSION) EMXX='$(EMXX)' sh c_api/web/pack.sh pack $(BUILD)
 
 test-web: all web
@@ -267,7 +267,7 @@ manual: all
 html: checked
 	@PYTHON='$(PYTHON)' sh c_api/packaging/html.sh $(BUILD)
 
-fpm: rules amalgamation
+fpm: amalgamation meshes
 	@sh c_api/packaging/fpm.sh $(BUILD)
 
 test-packages: checked
@@ -304,7 +304,7 @@ test: checked
 test-python: all meshes
 	@CXX='$(CXX)' PYTHON='$(PYTHON)' sh tests/hosts/python.sh $(BUILD)
 
-wheel: all
+wheel: all meshes
 	@CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' sh c_api/packaging/wheel.sh $(BUILD)
 
 test-petsc: all meshes

@@ -809,6 +809,10 @@ typedef struct hm_quality_report {
      * of an HM_INTERFACE. With a displacement, two faces that cross each other before do not. */
     int32_t self_crossing;
     int32_t crossing_points[4]; /* first and last point of one face, then of the other; -1: none */
+    /* [n_cells] Set by the caller: the array receives the quality of each cell, in the order of the
+     * mesh, of which min_quality is the smallest and mean_quality the mean; 0 for inverted cells.
+     * Structured meshes and blocks have one number for each of their cells. NULL: not wanted. */
+    double* cell_quality;
 } hm_quality_report;
 
 /* Judges a movement before anything moves, in one pass over the cells.
@@ -824,7 +828,8 @@ typedef struct hm_quality_report {
  * layout, but HM_CELLS_POLYGONS only if the basis is of polygons. Refused (HM_BAD_BASIS): other
  * counts, or other points in one of 64 cells that are compared; hm_basis_attach compares all.
  * A number that is not finite in `from` or `displacement` makes the cells there inverted and the
- * step 0; one in `reference` is not noticed.
+ * step 0; one in `reference` is not noticed. A refused call leaves both reports and
+ * quality->cell_quality as they were.
  *
  * Whether the wall is where the curves are: hm_basis_curves gives the curves after `move`, and
  * hm_curve_point their points at hm_basis_info.point_u (harmorph_design.h). A wall point keeps its
@@ -933,14 +938,14 @@ typedef struct hm_safe_options {
     /* [2*functions] receives the movement that `to` has; NULL: not wanted. Where this is not the
      * whole movement, it differs from step_fraction * move, because bodies rotate on the way. */
     double* reached;
-    /* [0..1] smallest size-skew quality of the mesh at the target, relative to the start, in parts
-     * of the smallest quality of the start; 0 means 0.05; negative: any valid mesh, and the first
-     * one at the target is taken. Otherwise other operators are tried where that part is below
-     * 0.8, and an improvement (hm_improve) where it, or the mean quality in parts of that of the
-     * start, is below 0.95; the improvement is kept if the smallest quality does not fall and the
-     * product of smallest and mean quality rises by 2 % or more. Between substeps cells are
-     * improved where that part is below 0.5. With a derivative all these are left out; improvement
-     * is tried only where min_quality is missed. */
+    /* [0..1] smallest size-skew quality asked for, of a mesh at the target or after a part of the
+     * movement, relative to the start, in parts of the smallest quality of the start; 0 means 0.05;
+     * negative: any valid mesh, and the first one at the target is taken. Otherwise other operators
+     * are tried where that part is below 0.8, and an improvement (hm_improve) where it, or the mean
+     * quality in parts of that of the start, is below 0.98; the improvement is kept if the smallest
+     * quality does not fall and the product of smallest and mean quality rises by 2 % or more.
+     * Between substeps cells are improved where that part is below 0.5. With a derivative all these
+     * are left out; improvement is tried only where min_quality is missed. */
     double min_quality;
     /* [-] > 1: the largest factor by which heights of the first layer may grow or shrink; where
      * they exceed it, they are restored as far as that helps. 0: any */
@@ -1022,12 +1027,13 @@ typedef struct hm_safe_report {
  * straight lines; `others` must then have the same functions. `to` [n_points] may be the arrays of
  * the mesh. HM_OK: the whole movement; HM_NOT_CONVERGED: the same, but a solution on the way missed
  * the tolerance; HM_POOR: the whole movement, but options.min_quality or max_height_change is
- * missed; HM_SHORT: the best valid mesh, report.step_fraction of the movement. Targets that no mesh
- * can have are refused immediately, with the place (HM_CROSSING); boundaries with slip, periodic
- * and free ones are judged only as far as their ends are known. If the call is refused or
- * cancelled, `to` is unchanged. `to` never contains an inverted cell, and the boundary of `to` does
- * not cross itself unless the boundary of the mesh does. options NULL: defaults. report may be
- * NULL.
+ * missed; HM_SHORT: report.step_fraction of the movement, the largest part that was found whose
+ * mesh has options.min_quality; with a derivative, or where that is negative, whose mesh is valid.
+ * Targets that no mesh can have are refused immediately, with the place (HM_CROSSING); boundaries
+ * with slip, periodic and free ones are judged only as far as their ends are known. If the call is
+ * refused or cancelled, `to` is unchanged. `to` never contains an inverted cell, and the boundary
+ * of `to` does not cross itself unless the boundary of the mesh does. options NULL: defaults.
+ * report may be NULL.
  *
  * Wall points lie beside their curve by offsets e: x = C(u) + e. hm_morph moves them by
  * sum_i N_i dP_i. Where a body rotates or scales by r, hm_move_safe with complex functions adds

@@ -120,7 +120,8 @@ hm_status hm_petsc_owned(const hm_petsc* system, uint8_t* owned, hm_error* err);
  * NULL: the process with the limiting cell, and the process with the cell of lowest quality; cells
  * and points in the reports are numbered as in the part of that process. The call does not examine
  * whether the boundary touches or crosses itself: boundary is infinite, self_crossing 0. from NULL:
- * the coordinates of the part. */
+ * the coordinates of the part. quality->cell_quality [cells of the part], or NULL, receives the
+ * quality of the own cells; entries of ghost cells keep their values. */
 hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm_points* from,
                           const hm_points* displacement, hm_step_report* step,
                           hm_quality_report* quality, int* rank, MPI_Comm comm, hm_error* err);

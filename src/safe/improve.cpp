@@ -36,7 +36,7 @@ constexpr Real min_rest = 1e-3;
 // maximum can bring, are less than small_rest together, or when J gains less than small_gain in
 // three steps. After `patience` solutions small_gain grows with the square of their number, up to
 // the square of max_growth_of_gain.
-constexpr Real small_rest = 0.02, small_gain = 0.018, patience = 16, max_growth_of_gain = 2;
+constexpr Real small_rest = 0.02, small_gain = 0.012, patience = 13, max_growth_of_gain = 2;
 // A step that lowers the energy by less is slow, while anchors pull.
 constexpr Real slow_gain = 0.02;
 

@@ -237,8 +237,8 @@ void SafeMorph::single_step(Work& work, Basis const& by, Strategy strategy, Inde
     keep_if_better(work);
 }
 
-// Goes straight ahead with the functions of the start, as far as no cell is inverted. No other
-// strategy ends with a worse mesh than this one.
+// Goes straight ahead with the functions of the start, as far as the mesh is valid and usable. No
+// other strategy ends with a worse mesh than this one.
 void SafeMorph::longest_linear_step(Work& work) noexcept {
     constexpr Index max_trials = 8;
     if (mesh.path.is_bent())
@@ -249,6 +249,10 @@ void SafeMorph::longest_linear_step(Work& work) noexcept {
          ++trial, length *= 0.8) {
         look_ahead(work, work.basis, length);
         if (!is_valid(work, mesh.ahead())) continue;
+        Outcome there;
+        measure(work, mesh.ahead(), there);
+        there.fraction = length;
+        if (!work.is_usable(there)) continue;
         take_step(work, work.basis);
         keep_if_better(work);
         return;
@@ -320,6 +324,8 @@ void SafeMorph::keep_if_better(Work& work) noexcept {
     measure(work, mesh.now(), work.attempt);
     if (work.is_better(work.attempt, work.best()))
         keep(work, work.attempt, mesh.x, mesh.y, mesh.reached);
+    if (!work.is_usable(work.attempt))
+        work.farthest_poor = max(work.farthest_poor, work.attempt.fraction);
 }
 
 void SafeMorph::keep(Work& work, Outcome const& outcome, Span<const Real> x, Span<const Real> y,
@@ -519,6 +525,13 @@ Status SafeMorph::finish(Work& work) noexcept {
                                         "the wall's end, point # at $, moves ~ off the line of the "
                                         "boundary beside it, farther than the mesh can follow",
                                         point_item(report.end), {}, report.end_distance);
+        }
+        if (work.farthest_poor > best.fraction) {
+            return work.fault.refuse_at(
+                worst.centre.x, worst.centre.y, Status::short_of_target,
+                "the mesh could follow ~ of the movement; beyond that, the smallest quality would "
+                "be less than was asked for: cell # at $",
+                cell_item(worst.cell), {}, best.fraction);
         }
         Index const cell = work.mesh().number(report.limit.cell);
         Vec2 const at = cell != none ? centre_of(work.mesh(), cell, result()) : Vec2{};

@@ -40,7 +40,7 @@ struct SafeOptions {
     // Fractions, 0 to 1, of the smallest quality of the start. If the quality of an acceptable mesh
     // at the target is below fair_quality, other operators are tried, but no substeps; below
     // fine_quality, an improvement is tried.
-    Real fair_quality = 0.8, fine_quality = 0.95;
+    Real fair_quality = 0.8, fine_quality = 0.98;
     Real heights = 0;  // 0 to 1: the part of the heights near walls that is restored at the end
     Real min_quality = 0.05;  // 0 to 1: in parts of the smallest quality of the start
     // A factor > 1, by which heights of the first layer may grow or shrink.

@@ -20,9 +20,11 @@ struct SafeMorph::Work {
     Real aim = 1;
     // The solutions of the functions before these strategies began.
     Index resolves_before = 0;
-    // Any valid mesh will do, as the largest part of the movement is searched for; the steps go on
-    // from the best mesh.
+    // The largest part of the movement is searched for, and any mesh that is_usable() will do; the
+    // steps go on from the best mesh.
     bool searches = false;
+    // The largest part of the movement whose mesh was not usable.
+    Real farthest_poor = 0;
     // No solution is made after so many.
     Index last_solution = SafeOptions::max_solutions;
 
@@ -42,8 +44,14 @@ struct SafeMorph::Work {
         Real const quality = goal() > 0 ? outcome.min_quality / goal() : 1;
         return min(min(quality, options.max_height_change / outcome.height_change), 1.0);
     }
+    // Returns false if the mesh is short of the target and has less than the quality asked for.
+    // Such a mesh is of less use than one that is good after a smaller part of the movement. With a
+    // derivative, which only follows whole steps, the largest part counts.
+    bool is_usable(Outcome const& outcome) const noexcept {
+        return outcome.fraction >= 1 || derivative != nullptr || outcome.min_quality >= goal();
+    }
     bool is_good(Outcome const& outcome) const noexcept {
-        return arrives(outcome) && (searches || score(outcome) >= 1);
+        return arrives(outcome) && (searches ? is_usable(outcome) : score(outcome) >= 1);
     }
     // Returns whether the mesh is so good that no further strategy is tried.
     bool is_fair(Outcome const& outcome) const noexcept {
@@ -56,6 +64,7 @@ struct SafeMorph::Work {
                outcome.mean_quality >= options.fine_quality * report.start_mean;
     }
     bool is_better(Outcome const& one, Outcome const& other) const noexcept {
+        if (is_usable(one) != is_usable(other)) return is_usable(one);
         if (one.fraction != other.fraction) return one.fraction > other.fraction;
         if (score(one) != score(other)) return score(one) > score(other);
         return one.min_quality > other.min_quality;

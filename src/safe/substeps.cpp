@@ -100,12 +100,11 @@ Status SafeMorph::substeps(Work& work) noexcept {
         while (length >= min_substep) {
             work.attempt.strategy = Strategy::substeps;
             take_step(work, *by);
-            if (work.arrives(work.attempt)) {
-                keep_if_better(work);
-                return Status::ok;
-            }
+            bool const is_there = work.arrives(work.attempt);
+            if (work.attempt.fraction < 1) improve_on_the_way(work);
+            if (is_there || work.derivative == nullptr) keep_if_better(work);
+            if (is_there) return Status::ok;
             if (work.resolves() >= work.options.max_resolves) break;
-            improve_on_the_way(work);
             Status status = solve_by(work, here, operators.now());
             if (!failed(status)) {
                 by = &here;
@@ -123,7 +122,7 @@ Status SafeMorph::substeps(Work& work) noexcept {
             if (failed(status)) break;  // the scheme does not apply, or the mesh is too poor
             if (length >= min_substep) look_ahead(work, here, min(mesh.time + length, work.aim));
         }
-        if (work.attempt.steps > 0) keep_if_better(work);
+        if (work.attempt.steps > 0 && work.derivative != nullptr) keep_if_better(work);
     }
     if (!resumes || work.aim < 1) leap(work, *by, true);
     return Status::ok;

@@ -207,7 +207,8 @@ TEST_CASE("heights of the first layer: in a ring they are known") {
     REQUIRE(set.info.n_wall_points == n);
     std::vector<double> heights(static_cast<std::size_t>(n));
     hm_points const at = set.at();
-    REQUIRE(hm_first_layer(set.walls, &at, heights.data(), nullptr) == HM_OK);
+    REQUIRE(hm_first_layer(set.walls, nullptr, &at, heights.data(), nullptr, nullptr, nullptr) ==
+            HM_OK);
     for (int k = 0; k < n; ++k) {
         CHECK(set.info.layer_points[k] == set.info.wall_points[k] + n);
         CHECK(std::fabs(heights[static_cast<std::size_t>(k)] - 0.01) < 1e-15);

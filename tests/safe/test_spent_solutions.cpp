@@ -124,6 +124,35 @@ TEST_CASE("more solutions give better cells where the report says so, and else c
     CHECK(enough > 0);
 }
 
+TEST_CASE("a mean quality that falls by more than 2 % is raised again, and less costs nothing") {
+    int raised = 0, left = 0;
+    Case setup = layered_section(44, 1e-3);
+    SafeDisplaced safe(setup);
+    safe.safe_options.min_quality = 0;
+    REQUIRE(safe.run(turned(safe, 0)) == HM_OK);
+    double const start = safe.safe_report.mean_quality;
+    for (double const degrees : {1.0, 3.0, 25.0, 30.0, 35.0}) {
+        Field const wall = turned(safe, degrees);
+        safe.safe_options.skipped_strategies = 1 << HM_STRATEGY_IMPROVED;
+        REQUIRE(safe.run(wall) >= HM_OK);
+        hm_safe_report const one = safe.safe_report;
+        safe.safe_options.skipped_strategies = 0;
+        REQUIRE(safe.run(wall) >= HM_OK);
+        hm_safe_report const both = safe.safe_report;
+        INFO(degrees << " degrees: mean " << one.mean_quality << " and " << both.mean_quality);
+        CHECK(both.min_quality >= (1 - 1e-9) * one.min_quality);
+        CHECK(both.mean_quality >= one.mean_quality);
+        bool const is_between = one.mean_quality > 0.95 * start && one.mean_quality < 0.98 * start;
+        raised += is_between && product_of(both) > 1.02 * product_of(one);
+        if (one.mean_quality < 0.985 * start || one.min_quality < 0.985 * one.start_quality)
+            continue;
+        ++left;
+        CHECK(both.solutions == one.solutions);
+    }
+    CHECK(raised > 0);
+    CHECK(left > 0);
+}
+
 TEST_CASE("a movement that cannot be completed ends after 200 solutions; its part can be reached") {
     int refused = 0;
     for (int const n : {12, 16}) {
@@ -140,11 +169,40 @@ TEST_CASE("a movement that cannot be completed ends after 200 solutions; its par
             if (status != HM_SHORT) continue;
             ++refused;
             CHECK(report.step_fraction > 0.3);
-            REQUIRE(safe.run(turned(safe, degrees, 0.97 * report.step_fraction)) >= HM_OK);
+            REQUIRE(safe.run(turned(safe, degrees, 0.97 * report.step_fraction)) == HM_OK);
             CHECK(safe.safe_report.step_fraction == 1);
         }
     }
     CHECK(refused > 0);
+}
+
+TEST_CASE(
+    "a part of a movement has the quality asked for, and the part is smaller for more of it") {
+    int poor = 0, smaller = 0;
+    for (int const n : {12, 16}) {
+        for (double const degrees : {42.0, 55.0, 70.0}) {
+            Case setup = turned_floor(n);
+            SafeDisplaced safe(setup);
+            double last = 1;
+            for (double const asked : {-1.0, 0.0, 0.3}) {
+                safe.safe_options.min_quality = asked;
+                hm_status const status = safe.run(turned(safe, degrees));
+                hm_safe_report const report = safe.safe_report;
+                INFO(n << " cells, " << degrees << " degrees, " << asked << ": "
+                       << report.step_fraction << " with " << report.min_quality);
+                if (status != HM_SHORT) continue;
+                double const least = (asked == 0 ? 0.05 : asked) * report.start_quality;
+                if (asked >= 0) CHECK(report.min_quality >= least);
+                poor += asked < 0 && report.min_quality < 0.05 * report.start_quality;
+                CHECK(report.step_fraction > 0.2);
+                CHECK(report.step_fraction < last + 0.02);  // parts are found to .02
+                smaller += report.step_fraction < last - 0.02;
+                last = report.step_fraction;
+            }
+        }
+    }
+    CHECK(poor > 0);  // else the test has not seen what it is about
+    CHECK(smaller > 0);
 }
 
 TEST_CASE("control points and the same displacements of the wall end with cells alike") {

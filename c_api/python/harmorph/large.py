@@ -96,9 +96,10 @@ class Large:
         heights : float
             0 to 1: the part of the heights of the first layer that is restored.
         min_quality : float
-            Smallest quality of the target in parts of that of the start; 0 means 0.05. Other operators
-            are tried where this part is below 0.8, an improvement where the part, or that of the mean
-            quality, is below 0.95. Negative: the first valid mesh at the target is taken.
+            Smallest quality at the target, or after the largest part of the movement that has this
+            quality, in parts of that of the start; 0 means 0.05. Other operators are tried where this
+            part is below 0.8, an improvement where the part, or that of the mean quality, is below
+            0.98. Negative: the first valid mesh at the target is taken, or the last valid one before.
         max_height_change : float
             The largest factor by which heights of the first layer may change; 0: any.
         improve_work : int
