@@ -33,7 +33,7 @@
 #   make amalgamation     the library in one source with its headers, in build/amalgamation
 #   make test-systems     both commands of README.md in fresh systems, as the superuser: SYSTEMS="bookworm trixie", in the
 #                         folder ROOTS; see tests/release/systems.sh
-#   make bench            against CHOLMOD, MUMPS and OpenBLAS, PETSc with BoomerAMG (PARTS=iterative) and gmsh
+#   make bench            against CHOLMOD, MUMPS, PETSc with BoomerAMG (PARTS=iterative) and gmsh
 #                         (PARTS=files), as far as they are there; see tests/measure/bench/run.sh
 #   make bench-rows       measures what tests/measure/bench/README.md says about speed, and prints the rows of its tables
 #   make deform           how far meshes follow large movements: tables and figures on a page; see tests/measure/deform/run.sh
@@ -215,7 +215,7 @@ coverage:
 
 mutate:
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' MUTANTS='$(MUTANTS)' SEED='$(SEED)' FILES='$(FILES)' \
-	    LIMIT='$(LIMIT)' CARRY='$(CARRY)' TIMES='$(TIMES)' sh tests/fuzz/mutate.sh
+	    LIMIT='$(LIMIT)' CARRY='$(CARRY)' REACH='$(REACH)' sh tests/fuzz/mutate.sh
 
 sanitize:
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' sh tests/fuzz/sanitize.sh
@@ -236,7 +236,7 @@ workbench: checked rules
 # What the program has of pages, for CMake.
 page-module: rules
 	+@$(MAKE_BY_RULES) $(BUILD)/page_module.cpp
-web: web-modules
+web: web-modules meshes
 	@VERSION=$(VERSION) EMXX='$(EMXX)' sh c_api/web/pack.sh pack $(BUILD)
 
 test-web: all web
@@ -267,7 +267,7 @@ manual: all
 html: checked
 	@PYTHON='$(PYTHON)' sh c_api/packaging/html.sh $(BUILD)
 
-fpm: rules amalgamation
+fpm: amalgamation meshes
 	@sh c_api/packaging/fpm.sh $(BUILD)
 
 test-packages: checked
@@ -304,7 +304,7 @@ test: checked
 test-python: all meshes
 	@CXX='$(CXX)' PYTHON='$(PYTHON)' sh tests/hosts/python.sh $(BUILD)
 
-wheel: all
+wheel: all meshes
 	@CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' sh c_api/packaging/wheel.sh $(BUILD)
 
 test-petsc: all meshes

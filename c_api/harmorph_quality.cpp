@@ -1,5 +1,6 @@
 // The C interface: judges validity, admissible step and quality of a mesh, and the distance of its
 // wall from the moved curves.
+#include "apart.hpp"
 #include "basis/basis_measures.hpp"
 #include "mesh_pair.hpp"
 #include "morph/admissible_step.hpp"
@@ -41,16 +42,31 @@ hm_quality_report report_of(Quality const& quality, Crossing const& crossing,
 
 // Computes the admissible step and the quality if they are wanted.
 Assessment judge(OrientedMesh const& cells, Points start, Points displacement, Points reference,
-                 bool wants_step, bool wants_quality, Executor const& executor) noexcept {
-    if (!displacement.given()) return {{}, measure_quality(cells, start, reference, executor)};
+                 bool wants_step, bool wants_quality, Real* all,
+                 Executor const& executor) noexcept {
+    if (!displacement.given()) return {{}, measure_quality(cells, start, reference, executor, all)};
     if (wants_quality && !reference.given())
-        return assess(cells, start, displacement, executor, wants_step);
+        return assess(cells, start, displacement, executor, wants_step, all);
     Assessment found;
     if (wants_step) found.limit = admissible_step(cells, start, displacement, executor);
     if (wants_quality) {
-        found.quality = displaced_quality(cells, start, displacement, reference, executor);
+        found.quality = displaced_quality(cells, start, displacement, reference, executor, all);
     }
     return found;
+}
+
+// Returns the array for the quality of each cell, of the size of the mesh, or null.
+Status cell_array_of(const hm_quality_report* report, OrientedMesh const& cells, Points start,
+                     Points displacement, Points reference, Real*& all, Fault& fault) noexcept {
+    all = nullptr;
+    if (report == nullptr) return Status::ok;
+    hm_quality_report asked;
+    if (read_struct(report, asked)) all = asked.cell_quality;
+    Apart arrays;
+    arrays.add("from", start, cells.mesh.n_points);
+    arrays.add("displacement", displacement, cells.mesh.n_points);
+    arrays.add("reference", reference, cells.mesh.n_points);
+    return arrays.check("quality.cell_quality", all, cells.mesh.n_given_cells(), fault);
 }
 
 }  // namespace
@@ -82,15 +98,19 @@ hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points*
         HARMORPH_TRY(view_points_if(displacement, "displacement", change, fault));
         HARMORPH_TRY(view_points_if(reference, "reference", undeformed, fault));
         HARMORPH_TRY(view_executor(executor, threads, fault));
-        Assessment const found =
-            judge(cells, start, change, undeformed, step != nullptr, quality != nullptr, threads);
+        Real* all = nullptr;
+        HARMORPH_TRY(cell_array_of(quality, cells, start, change, undeformed, all, fault));
+        Assessment const found = judge(cells, start, change, undeformed, step != nullptr,
+                                       quality != nullptr, all, threads);
         if (step != nullptr) {
             Touch const touch = first_touch(b.faces(), start, change, found.limit.step);
             write_struct(report_of(found.limit, touch, cells, view.index_base), step);
         }
         if (quality == nullptr) return Status::ok;
         Crossing const crossing = find_crossing(b.faces(), start, change);
-        write_struct(report_of(found.quality, crossing, view), quality);
+        hm_quality_report filled = report_of(found.quality, crossing, view);
+        filled.cell_quality = all;
+        write_struct(filled, quality);
         return Status::ok;
     });
 }

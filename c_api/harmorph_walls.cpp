@@ -79,6 +79,26 @@ Vec2 change_of(WallFoot const& foot, FaceDistance::Face const& ends, Points mesh
     return (1 - foot.t) * mesh[ends.point[0]] + foot.t * mesh[ends.point[1]];
 }
 
+// Checks the arrays of hm_first_layer, which are wanted unless null.
+Status check_layer_arrays(Walls const& walls, Points before, Points at, const double* heights,
+                          const double* ratios, const double* angles, Fault& fault) noexcept {
+    if (heights == nullptr && ratios == nullptr && angles == nullptr) {
+        return fault.refuse_argument("heights",
+                                     "%, ratios and angles are NULL, so nothing is wanted");
+    }
+    if (!before.given() && (ratios != nullptr || angles != nullptr)) {
+        return fault.refuse_argument(
+            "before", "% is NULL, but ratios and angles compare with the mesh points before");
+    }
+    Index const n = walls.layer.wall.count;
+    Apart arrays;
+    arrays.add("before", before, walls.n_points);
+    arrays.add("at", at, walls.n_points);
+    HARMORPH_TRY(arrays.check("heights", heights, n, fault));
+    HARMORPH_TRY(arrays.check("ratios", ratios, n, fault));
+    return arrays.check("angles", angles, n, fault);
+}
+
 void add_to(MutablePoints points, Index k, Vec2 more) noexcept { points.set(k, points[k] + more); }
 
 }  // namespace
@@ -234,18 +254,25 @@ hm_status hm_wall_distance_adjoint(const hm_walls* walls, int32_t n, const hm_po
     });
 }
 
-hm_status hm_first_layer(const hm_walls* walls, const hm_points* at, double* heights,
-                         hm_error* err) {
+hm_status hm_first_layer(const hm_walls* walls, const hm_points* before, const hm_points* at,
+                         double* heights, double* ratios, double* angles, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Walls* opened = nullptr;
-        Points points;
+        Points start, points;
         HARMORPH_TRY(open_walls(walls, opened, fault));
-        HARMORPH_TRY(require({{"heights", heights}}, fault));
+        HARMORPH_TRY(view_points_if(before, "before", start, fault));
         HARMORPH_TRY(view_points(at, "at", points, fault));
-        Apart arrays;
-        arrays.add("at", points, opened->n_points);
-        HARMORPH_TRY(arrays.check("heights", heights, opened->layer.wall.count, fault));
-        opened->heights(points, {heights, static_cast<Size>(opened->layer.wall.count)});
+        HARMORPH_TRY(check_layer_arrays(*opened, start, points, heights, ratios, angles, fault));
+        if (heights != nullptr)
+            opened->heights(points, {heights, static_cast<Size>(opened->layer.wall.count)});
+        if (ratios == nullptr && angles == nullptr) return Status::ok;
+        FirstLayer const& layer = opened->layer;
+        for (Index slot = 0; slot < layer.wall.count; ++slot) {
+            LayerChange change;
+            if (layer.above[slot] != none) change = change_of(layer, slot, start, points);
+            if (ratios != nullptr) ratios[slot] = change.ratio;
+            if (angles != nullptr) angles[slot] = change.angle;
+        }
         return Status::ok;
     });
 }

@@ -9,7 +9,7 @@ function begin_struct(pointer) {
 }
 function add_member(type, n, pointer, one, all) {
     for (pointer = 4; pointer <= 8; pointer += 4) {
-        one = type == "pointer" || type == "function" ? pointer : type in number_bytes ? number_bytes[type] : \
+        one = type ~ /^(pointer|function|size)$/ ? pointer : type in number_bytes ? number_bytes[type] : \
             size[type, pointer]
         all = type in number_bytes || !((type, pointer) in alignment) ? one : alignment[type, pointer]
         if (all > align[pointer]) align[pointer] = all

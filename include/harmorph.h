@@ -27,8 +27,8 @@
  *     hm_morph(setup.basis, move, &mesh.points, &to, NULL, &error);
  *
  * `to` is an hm_points_out, which may be the arrays of the mesh. A call that needs memory is made
- * twice: first with an empty hm_memory, into which it writes how many bytes it needs. Each call
- * returns a status, which is negative if the call was refused; error.text then says why.
+ * twice: first with an empty hm_memory, into which the call writes how many bytes it needs. Each
+ * call returns a status, which is negative if the call was refused; error.text then says why.
  *
  * BEFORE THE MESH MOVES, ask how far it can follow; dx and dy [n_points] receive displacements. For
  * an optimiser, dj (an hm_points) has the derivatives of an objective with respect to the points of
@@ -541,9 +541,9 @@ typedef struct hm_problem {
      * of the diagonal of the box around the curve, or the point is more than a quarter of a face
      * beyond the end of the curve. Refused (HM_BAD_CONDITION): a distance of at least this part of
      * the diagonal (0: no limit; the command-line program has 0.01), or of more than the width or
-     * height of the control polygon or of all points on curves. The wall keeps its distance in
-     * every movement: with the curve of another airfoil it does not become what the curve
-     * becomes. */
+     * height of the control polygon or of all points on curves. The wall keeps its distance from
+     * the curve in every movement: a wall with the curve of another airfoil does not become that
+     * airfoil. */
     double max_curve_distance;
     /* Neumann values. On face k of a free marker, between the points flux_points[2*k] and
      * flux_points[2*k+1], the function of control point i has the outward normal derivative
@@ -809,6 +809,10 @@ typedef struct hm_quality_report {
      * of an HM_INTERFACE. With a displacement, two faces that cross each other before do not. */
     int32_t self_crossing;
     int32_t crossing_points[4]; /* first and last point of one face, then of the other; -1: none */
+    /* [n_cells] Set by the caller: the array receives the quality of each cell, in the order of the
+     * mesh, of which min_quality is the smallest and mean_quality the mean; 0 for inverted cells.
+     * Structured meshes and blocks have one number for each of their cells. NULL: not wanted. */
+    double* cell_quality;
 } hm_quality_report;
 
 /* Judges a movement before anything moves, in one pass over the cells.
@@ -824,7 +828,8 @@ typedef struct hm_quality_report {
  * layout, but HM_CELLS_POLYGONS only if the basis is of polygons. Refused (HM_BAD_BASIS): other
  * counts, or other points in one of 64 cells that are compared; hm_basis_attach compares all.
  * A number that is not finite in `from` or `displacement` makes the cells there inverted and the
- * step 0; one in `reference` is not noticed.
+ * step 0; one in `reference` is not noticed. A refused call leaves both reports and
+ * quality->cell_quality as they were.
  *
  * Whether the wall is where the curves are: hm_basis_curves gives the curves after `move`, and
  * hm_curve_point their points at hm_basis_info.point_u (harmorph_design.h). A wall point keeps its

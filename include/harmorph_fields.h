@@ -111,12 +111,18 @@ HM_API hm_status hm_wall_distance_adjoint(const hm_walls* walls, int32_t n, cons
                                           const int32_t* face, const double* dj,
                                           const hm_points_out* point_dj,
                                           const hm_points_out* mesh_dj, hm_error* err);
-/* Computes the heights of the first layer at the mesh points `at` [n_points]: for each wall point,
- * the distance of the other end of the first-layer edge from the wall, in the direction of the
- * normal of the wall at the wall point [length]; 0 where there is no such edge. heights
- * [n_wall_points]. */
-HM_API hm_status hm_first_layer(const hm_walls* walls, const hm_points* at, double* heights,
-                                hm_error* err);
+/* Measures the first layer at the mesh points `at` [n_points], and compares it with the mesh points
+ * `before` [n_points]. Each array has one number for each wall point, [n_wall_points]; an array
+ * that is NULL is not computed, and not all may be NULL.
+ *   heights  [length] at `at`: the distance of the other end of the first-layer edge from the wall,
+ *            in the direction of the normal of the wall at the wall point; 0 without such an edge
+ *   ratios   [-] the height at `at` divided by the height at `before`, both in the direction of the
+ *            normal at `before`, which rotates with the faces beside the wall point; 1 without edge
+ *   angles   [degrees] >= 0: by how much the edge has rotated more than these faces; 0 without edge
+ * before NULL: ratios and angles must be NULL. hm_safe_report has the extremes and means of ratios
+ * and angles of all walls. */
+HM_API hm_status hm_first_layer(const hm_walls* walls, const hm_points* before, const hm_points* at,
+                                double* heights, double* ratios, double* angles, hm_error* err);
 
 /* ---- Fields of one mesh on another ---- */
 

@@ -1,5 +1,5 @@
-/* harmorph in codes that run on several processes with MPI. Compile harmorph_mpi.c with mpicc and
- * link it with your code and libharmorph.a; the library itself knows nothing of MPI.
+/* harmorph in codes that run on several processes with MPI. Compile harmorph_mpi.c with mpicc, and
+ * link your code with the object file and libharmorph.a; the library itself does not call MPI.
  *
  * While functions are solved, every process has a copy of the whole mesh and solves some of the
  * functions. Afterwards a process keeps the rows of the points of its own partition, with all
@@ -16,10 +16,10 @@
  *
  * The calls of this header are collective: all processes of the communicator must make them. Either
  * all processes succeed, or all get the same status and the same hm_error: that of the first
- * process with the worst status, whose rank is in front of the text ("rank 2: ..."). This is so
- * whatever arguments one process has wrong, also where it differs from the others in the number of
- * fields, the functions or the mesh. Items of the error are numbered as on that process. A process
- * on which an earlier call has failed, for instance hm_analysis_init because its mesh has a NaN,
+ * process with the worst status, whose rank is in front of the text ("rank 2: ..."). This holds for
+ * every wrong argument of one process, also for a number of fields, functions or a mesh that are
+ * not those of the other processes. Items of the error are numbered as on that process. A process
+ * on which an earlier call has failed, for instance hm_analysis_init because a coordinate is NaN,
  * must make the collective call all the same, or the others wait for ever: hm_mpi_solve with plan =
  * NULL makes all processes refuse the call, and so do hm_mpi_adjoint with rows = NULL, and
  * hm_mpi_displace with n_fields = 0. A process may have no points (n = 0). The calls allocate
@@ -28,8 +28,8 @@
  * hm_mpi_adjoint are refused (HM_UNSUPPORTED).
  *
  * MPI itself decides what happens if a process ends or cannot be reached: by default
- * (MPI_ERRORS_ARE_FATAL) it ends all processes. harmorph adds nothing to this, and does not look at
- * what calls of MPI return. */
+ * (MPI_ERRORS_ARE_FATAL) MPI ends all processes. harmorph adds nothing to this, and does not look
+ * at what calls of MPI return. */
 #ifndef HARMORPH_MPI_H
 #define HARMORPH_MPI_H
 

@@ -1,5 +1,6 @@
 /* Huge pages (2 MiB) for the blocks of harmorph. Where a basis does not fit into the caches of the
- * processor, reading it in huge pages takes .55 to .9 of the time that it takes in pages of 4 KiB.
+ * processor, reading the basis takes .55 to .9 of the time in huge pages that it takes in pages of
+ * 4 KiB.
  * The memory is the caller's:
  *
  *     hm_memory need = {NULL, 0};

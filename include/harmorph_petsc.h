@@ -1,7 +1,7 @@
 /* harmorph on meshes that no process has as a whole: MPI and PETSc solve for the functions (PETSc
  * 3.18 or later, with real or complex scalars). Compile harmorph_petsc.c, which is one file where
  * harmorph is installed, and, for the adjoint, harmorph_mpi.c with mpicc and PETSc's flags (`pkg-
- * config --cflags --libs petsc`); the library itself knows nothing of either, and must have the
+ * config --cflags --libs petsc`). The library itself calls neither MPI nor PETSc, and must have the
  * version with whose headers harmorph_petsc.c was compiled (HM_VERSION; else hm_petsc_create is
  * refused with HM_UNSUPPORTED).
  *
@@ -32,8 +32,9 @@
  * mumps` factors the matrix; others are `-hm_pc_type gamg`, `-hm_ksp_monitor`, `-hm_mat_type`.
  *
  * Scalars: with real scalars an unknown of the conformal operator has two rows, a block of 2 x 2;
- * with complex scalars it has one, and the matrix is Hermitian (MUMPS then factors by `-hm_pc_type
- * lu`: it has no Hermitian Cholesky). Real operators have one row for each unknown with either. */
+ * with complex scalars the unknown has one row, and the matrix is Hermitian (MUMPS has no Hermitian
+ * Cholesky, and factors by `-hm_pc_type lu`). Real operators have one row for each unknown with
+ * either kind of scalars. */
 #ifndef HARMORPH_PETSC_H
 #define HARMORPH_PETSC_H
 
@@ -120,7 +121,8 @@ hm_status hm_petsc_owned(const hm_petsc* system, uint8_t* owned, hm_error* err);
  * NULL: the process with the limiting cell, and the process with the cell of lowest quality; cells
  * and points in the reports are numbered as in the part of that process. The call does not examine
  * whether the boundary touches or crosses itself: boundary is infinite, self_crossing 0. from NULL:
- * the coordinates of the part. */
+ * the coordinates of the part. quality->cell_quality [cells of the part], or NULL, receives the
+ * quality of the own cells; entries of ghost cells keep their values. */
 hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm_points* from,
                           const hm_points* displacement, hm_step_report* step,
                           hm_quality_report* quality, int* rank, MPI_Comm comm, hm_error* err);

@@ -70,7 +70,7 @@ is_empty "folders without a row in tests/README.md" "$(for folder in tests/*/; d
         grep -q "^|.*\`$folder\`.*|.*|$" tests/README.md || echo "$folder"
     done)"
 is_empty "files of tests that lie in no folder" "$(git ls-files tests 2>/dev/null | grep -v '/.*/' | grep -vxE \
-    'tests/(README\.md|run\.sh|main\.cpp|(count|includes|needs|tidy)\.sh|named\.awk)')"
+    'tests/(README\.md|run\.sh|(main|reach)\.cpp|(count|includes|needs|only|tidy)\.sh|named\.awk)')"
 is_empty "make test ONLY=no_such_folder" "$(ONLY=no_such_folder sh tests/run.sh | tr '\n' ' ' | grep -v \
     '^ONLY=no_such_folder: there is no such .* base .* formats .* web .*0 passed, 1 failed $')"
 for directory in tests/*/; do
@@ -80,18 +80,33 @@ for directory in tests/*/; do
     is_empty "$directory" "$([ -n "$(floor "$room")" ] || echo "is no room of the core")"
 done
 
-# The program is a client of the C headers alone: its files include headers of its own rooms, and installed ones, and
-# that of the calls for pictures, which pages have, too. The rooms of the program, bottom to top: its page has the same
-# list.
+# The program is a client of the C headers alone: its files include headers of its own rooms, and installed ones. The
+# rooms of the program, bottom to top: its page has the same list.
 rooms='basics files options mesh formats curves work pictures page sampling commands'
 for file in c_api/cli/*/*.[ch]pp; do
     here=$(floor "$(basename "$(dirname "$file")")") wrong=
-    for name in $(included "$file" | grep '/' | grep -v -e '^sys/' -e '^c_api/web/page\.h$'); do
+    for name in $(included "$file" | grep '/' | grep -v '^sys/'); do
         there=$(floor "${name%/*}")
         if [ -z "$there" ] || [ "$there" -gt "$here" ] || [ ! -f "c_api/cli/$name" ]; then wrong="$wrong $name"; fi
     done
     is_empty "$file" "$wrong"
 done
+# A header of the project that has no room of the program is one of include/, which `make install` installs. The program
+# and its pages call what these headers declare.
+not_installed() {   # headers that the program includes, one a line
+    grep '\.' | while read -r name; do
+        if [ -f "include/$name" ] || [ -f "c_api/cli/$name" ]; then continue; fi
+        [ -z "$(find src c_api fortran -name "${name##*/}")" ] || echo "$name"
+    done
+}
+is_empty "headers of the program that are not installed" "$(cat c_api/cli/main.cpp c_api/cli/*/*.[ch]pp |
+    included /dev/stdin | sort -u | not_installed)"
+is_empty "private calls of the program" \
+    "$(grep -noE 'hm_(private|web)_[a-z_]*' c_api/cli/main.cpp c_api/cli/*/*.[ch]pp c_api/cli/page/*.js)"
+is_empty "a private header that is not found" "$(
+    for name in mesh_pair.hpp c_api/private.h morph/quality.hpp; do
+        [ "$(echo $name | not_installed)" = $name ] || echo "$name"
+    done)"
 # Only the room of files asks the system, so that the others can be compiled where there is none.
 is_empty "files outside of c_api/cli/files that include what the system has" "$(grep -lE \
     '#include <(filesystem|thread|mutex|condition_variable|atomic|future|pthread|csignal|fcntl|sys/)' \

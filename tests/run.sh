@@ -6,7 +6,7 @@
     "${JOBS:=2}" "${PYTHON:=/usr/bin/python3}" "${ONLY=}"
 export MAKE BUILD CXX CXXFLAGS CC CFLAGS FC FFLAGS AR LDFLAGS PYTHON
 passed=0 failed=0
-logs=$BUILD/test-logs durations=$BUILD/test-durations
+logs=$BUILD/test-logs${ONLY:+-$ONLY} durations=$BUILD/test-durations${ONLY:+-$ONLY}
 
 # Steps run in two lanes beside each other, which take about as long; those that call make in $BUILD are all in the
 # first one. $durations tells how long each step took. The list of steps is gone through three times: each lane runs its
@@ -112,6 +112,7 @@ steps() {
     step 1 "workbench" sh tests/program/workbench.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/workbench-test" "$BUILD"
     step 2 "page of figures" sh tests/measure/figures_test.sh "$BUILD/figures-test" "$BUILD"
     step 2 "includes point downwards" sh tests/includes.sh
+    step 1 "exit status of the tests" sh tests/only.sh "$BUILD"
     step 1 "benchmarks compile" sh tests/measure/benchmarks.sh "$BUILD"
     step 2 "checks of clang-tidy" sh tests/tidy.sh
 }
@@ -157,6 +158,7 @@ for lane in 1 2; do
 done
 doing=telling
 steps
+wait   # a lane notes its end in $logs
 rm -rf "$logs"
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]

@@ -129,8 +129,6 @@ linked() {
 }
 # The module of pages: that with simd128, but with what pages call alone; and the text that the program has of it.
 page_module() {
-    own=-Os
-    objects harmorph_simd128 c_api/web/page.cpp
     linked page page_exports
     script=c_api/cli/page/module.sh reason=$build/page_reason
     printf '%s/page_module.cpp: %s %s %s\n' $build "$module" $script $reason
@@ -138,7 +136,7 @@ page_module() {
 }
 # The program for node, by emscripten, with the library of the module with simd128.
 node_program() {
-    library="$(echo "$list" | tr ' ' '\n' | grep -v web-module) $build/objects/harmorph_simd128/c_api-web-page.o"
+    library=$(echo "$list" | tr ' ' '\n' | grep -v web-module)
     compiler='$(EMXX)' own=-Oz flags='$(NODE)' list= stamp=$build/web/node_flags
     objects node $build/page_text.cpp $build/page_module.cpp $build/command_text.cpp c_api/cli/formats/cgns*.cpp
     objects node c_api/cli/main.cpp
@@ -189,8 +187,7 @@ all_rules() {
     program tests
     put objects/tests.list echo $list
 
-    flags='$(CORE)' own='$(LEVEL) $(CXXFLAGS)' list=
-    objects cli c_api/web/page.cpp
+    list=
     flags='$(CLI)' own='$(PROGRAM_LEVEL) $(CXXFLAGS)'
     objects cli $build/page_text.cpp $build/page_module.cpp $build/command_text.cpp c_api/cli/formats/cgns*.cpp
     groups cli $in_program in_turn $(ls c_api/cli/*/*.cpp | grep -v /cgns)

@@ -236,6 +236,13 @@ static int32_t given_cell(const hm_mesh* own, const int32_t* cell, int32_t k) {
     return k < 0 || cell == NULL ? k : cell[k - own->index_base] + own->index_base;
 }
 
+/* Copies the quality of own cells to their places in the caller's array, which has ghost cells,
+ * too. */
+static void put_cells(const double* of_own, const hm_mesh* own, const int32_t* cell, double* all) {
+    int32_t k;
+    for (k = 0; k < own->n_cells; ++k) all[cell == NULL ? k : cell[k]] = of_own[k];
+}
+
 hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm_points* from,
                           const hm_points* displacement, hm_step_report* step,
                           hm_quality_report* quality, int* rank, MPI_Comm comm, hm_error* err) {
@@ -243,6 +250,7 @@ hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm
     hm_quality_report found = {sizeof found};
     hm_mesh own = {sizeof own};
     const int32_t* cell = NULL;
+    double* of_own = NULL;
     int ranks[2];
     hm_status status;
     BEGIN_CALL(comm, err);
@@ -252,15 +260,23 @@ hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm
         status = refuse_argument(err, "step or quality is NULL, or its struct_size is wrong");
     }
     if (status >= 0) status = hm_private_part_cells(system->part, &own, &cell, err);
+    if (status >= 0 && quality->cell_quality != NULL) {
+        of_own = room_for((size_t)own.n_cells, sizeof *of_own);
+        if (of_own == NULL) status = no_memory(err);
+    }
+    found.cell_quality = of_own;
     if (status >= 0)
         status = hm_assess(rows, &own, from, displacement, NULL, NULL, &found_step, &found, err);
     status = agree(status, comm, err);
+    if (status >= 0 && of_own != NULL) put_cells(of_own, &own, cell, quality->cell_quality);
+    free(of_own);
     if (status < 0) return status;
     found_step.cell = given_cell(&own, cell, found_step.cell);
     found.min_quality_cell = given_cell(&own, cell, found.min_quality_cell);
     reduce_reports(&found_step, &found, own.n_cells, ranks, comm);
     found_step.struct_size = step->struct_size;
     found.struct_size = quality->struct_size;
+    found.cell_quality = quality->cell_quality;
     *step = found_step;
     *quality = found;
     if (rank != NULL) memcpy(rank, ranks, sizeof ranks);

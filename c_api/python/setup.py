@@ -6,6 +6,7 @@ In a checkout the sources are those of the checkout; a source distribution has c
 
 HARMORPH_LIBRARY  a libharmorph.a that was compiled with -fPIC (as `make` does): it is linked, and
                   the library is not compiled again
+HARMORPH_MESH     the mesh of the demo, build/meshes/naca0012.su2, which the wheel then contains
 HARMORPH_BUILD    the folder for what is built from a checkout; build/python of the checkout if not set
 CXXFLAGS          flags that follow those below, for instance -O0
 """
@@ -96,6 +97,9 @@ class BuildNative(build_ext):
         target = Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         (target.parent / "_manual.py").write_text(manual(HEADERS), encoding="utf-8")
+        mesh = os.environ.get("HARMORPH_MESH")
+        if mesh:
+            shutil.copyfile(mesh, target.parent / "naca0012.su2")
         shared = self._shared(folder)
         flags = shlex.split(os.environ.get("LDFLAGS", ""))
         self._run([*self._cxx(), *shared, *flags, "-o", str(target), *objects, *zlib["link"], "-pthread"])

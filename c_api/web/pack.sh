@@ -24,7 +24,8 @@ pack)
     [ -z "$missing" ] || exit 1
     web=$2/web to=$2/web/package
     rm -rf "$to" && mkdir -p "$to"
-    cp c_api/web/package/*.*js c_api/web/package/*.d.ts c_api/web/README.md LICENSE "$web"/harmorph*.wasm "$to/"
+    cp c_api/web/package/*.*js c_api/web/package/*.d.ts c_api/web/README.md LICENSE "$web"/harmorph*.wasm \
+        "$2/meshes/naca0012.su2" "$to/"
     # The program is there where emscripten was.
     if [ -e "$web/program.js" ] && command -v "${EMXX:-em++}" >/dev/null; then
         cp "$web/program.js" "$to/program.cjs" && cp "$web/program.wasm" "$to/"

@@ -7,9 +7,12 @@
 #include "bspline/quadrature.hpp"
 
 namespace harmorph {
+namespace {
 
-// The formula is that of I. Abbott, A. von Doenhoff, Theory of Wing Sections, 6.4; the last
-// coefficient is changed so that the trailing edge is closed.
+// NACA's four-digit sections at a station t: half of the thickness of 1 chord, and the camber line
+// of 1 chord with its largest camber at the station `peak`. The formula is that of I. Abbott, A.
+// von Doenhoff, Theory of Wing Sections, 6.4; the last coefficient is changed so that the trailing
+// edge is closed.
 Real naca_half_thickness(Real t) noexcept {
     return 5 * (0.2969 * sqrt(t) + t * (-0.1260 + t * (-0.3516 + t * (0.2843 - 0.1036 * t))));
 }
@@ -18,6 +21,8 @@ Real naca_camber(Real peak, Real t) noexcept {
     if (t < peak) return t * (2 * peak - t) / (peak * peak);
     return (1 - 2 * peak + t * (2 * peak - t)) / ((1 - peak) * (1 - peak));
 }
+
+}  // namespace
 
 void bernstein(Index n, Real t, Real* value) noexcept {
     for (Index k = 0; k < n; ++k) value[k] = 0;

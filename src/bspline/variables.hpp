@@ -15,11 +15,6 @@ enum class VariableKind : std::int32_t { ffd = 0, cst = 1, hicks_henne = 2, naca
 // Writes the Bernstein polynomials of degree n - 1 at t to value [n], by de Casteljau's algorithm.
 void bernstein(Index n, Real t, Real* value) noexcept;
 
-// Of NACA's four-digit sections at a station t: half of the thickness of 1 chord, and the camber
-// line of 1 chord with its largest camber at the station `peak`.
-Real naca_half_thickness(Real t) noexcept;
-Real naca_camber(Real peak, Real t) noexcept;
-
 struct Variables {
     // The largest number of variables of one side, and of nodes in one direction.
     static constexpr Index max_count = 64;

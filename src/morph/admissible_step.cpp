@@ -209,20 +209,20 @@ struct DisplacedCells {
 }  // namespace
 
 Quality displaced_quality(OrientedMesh const& cells, Points points, Points displacement,
-                          Points reference, Executor const& executor) noexcept {
+                          Points reference, Executor const& executor, Real* all) noexcept {
     DisplacedCells const displaced{cells, points, displacement};
     Index const n_cells = cells.mesh.n_given_cells();
     return reduce_cells<Quality>(n_cells, executor, [&](Index cell, Quality& quality) {
-        quality.add(cell, displaced.measure(cell), measure_cell(cells, cell, reference).area);
+        quality.add(cell, displaced.measure(cell), measure_cell(cells, cell, reference).area, all);
     });
 }
 
 Assessment assess(OrientedMesh const& cells, Points points, Points displacement,
-                  Executor const& executor, bool wants_step) noexcept {
+                  Executor const& executor, bool wants_step, Real* all) noexcept {
     CellPlaces const places{points, displacement, {}};
     DisplacedCells const displaced{cells, points, displacement};
     auto const add_cell = [&](Index i, Assessment& assessment) {
-        assessment.quality.add(i, displaced.measure(i), measure_cell(cells, i, points).area);
+        assessment.quality.add(i, displaced.measure(i), measure_cell(cells, i, points).area, all);
     };
     auto const add_batch = [&](CellKernels const& kernels, CellBatches const& batches,
                                Assessment& assessment) {
@@ -234,7 +234,7 @@ Assessment assess(OrientedMesh const& cells, Points points, Points displacement,
             kernels.triangles(batches.triangles, places, bounds, &in_triangles);
         std::uint64_t const quads = kernels.quads(batches.quads, places, bounds, &in_quads);
         if (wants_step) assessment.limit.add(cells, places, batches, triangles, quads);
-        quality.add(cells, places, batches, in_triangles, in_quads);
+        quality.add(cells, places, batches, in_triangles, in_quads, all);
     };
     Assessment assessment = reduce_batches<Assessment>(cells, cells.mesh.n_given_cells(), executor,
                                                        add_cell, add_batch);

@@ -107,11 +107,11 @@ struct Assessment {
 
 // If the step is not wanted, `limit` is not meaningful, and less time is needed.
 Assessment assess(OrientedMesh const& cells, Points points, Points displacement,
-                  Executor const& executor, bool wants_step = true) noexcept;
+                  Executor const& executor, bool wants_step = true, Real* all = nullptr) noexcept;
 
 // Returns the quality at points + displacement, relative to the mesh at the coordinates
 // `reference`.
 Quality displaced_quality(OrientedMesh const& cells, Points points, Points displacement,
-                          Points reference, Executor const& executor) noexcept;
+                          Points reference, Executor const& executor, Real* all = nullptr) noexcept;
 
 }  // namespace harmorph

@@ -150,6 +150,11 @@ private:
         return words;
     }
 
+    // At -O1 g++ 11 warns that the registers, which are zero here, have no value.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
     template <bool has_other>
     HARMORPH_INLINE void gather(Points points, Points other) noexcept {
         // The list is copied, as the compiler does not know that no coordinate is written over the
@@ -192,6 +197,9 @@ private:
             }
         }
     }
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 };
 
 // Computes the same as skew_fraction() and CellMeasure::quality(). Square roots come first, as they

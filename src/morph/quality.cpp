@@ -23,12 +23,13 @@ void Quality::merge(Quality const& later) noexcept {
 }
 
 void Quality::add(OrientedMesh const& mesh, CellPlaces const& places, CellBatches const& batches,
-                  ListQuality const& triangles, ListQuality const& quads) noexcept {
+                  ListQuality const& triangles, ListQuality const& quads, Real* all) noexcept {
     cells += batches.n;
     quality_sum += triangles.sum + quads.sum;
-    if ((triangles.notable | quads.notable) == 0) return;
+    if (all == nullptr && (triangles.notable | quads.notable) == 0) return;
     batches.for_each([&](Index number, bool is_triangle, Index i) {
         ListQuality const& list = is_triangle ? triangles : quads;
+        if (all != nullptr) all[number] = list.quality[i];
         if ((list.notable >> i & 1) == 0) return;
         if (list.quality[i] != ListQuality::not_in_range)
             return note(number, list.twice_smallest[i], list.quality[i]);
@@ -40,7 +41,9 @@ void Quality::add(OrientedMesh const& mesh, CellPlaces const& places, CellBatche
         CellMeasure const measure(cell.n, CellCorners(places.displaced(cell)));
         Real const quality = measure.quality(reference_area);
         note(number, measure.twice_smallest, quality);
-        quality_sum += quality > 0 ? quality : 0;
+        Real const counted = quality > 0 ? quality : 0;
+        quality_sum += counted;
+        if (all != nullptr) all[number] = counted;
     });
 }
 
@@ -49,10 +52,10 @@ CellMeasure measure_cell(OrientedMesh const& cells, Index number, Points points)
 }
 
 Quality measure_quality(OrientedMesh const& cells, Points points, Points reference,
-                        Executor const& executor) noexcept {
+                        Executor const& executor, Real* all) noexcept {
     auto const add_cell = [&](Index i, Quality& quality) {
         quality.add(i, measure_cell(cells, i, points),
-                    reference.given() ? measure_cell(cells, i, reference).area : 0);
+                    reference.given() ? measure_cell(cells, i, reference).area : 0, all);
     };
     CellPlaces const places{points, {}, reference};
     auto const add_batch = [&](CellKernels const& kernels, CellBatches const& batches,
@@ -61,7 +64,7 @@ Quality measure_quality(OrientedMesh const& cells, Points points, Points referen
         ListQuality triangles, quads;
         kernels.triangles(batches.triangles, places, bounds, &triangles);
         kernels.quads(batches.quads, places, bounds, &quads);
-        quality.add(cells, places, batches, triangles, quads);
+        quality.add(cells, places, batches, triangles, quads, all);
     };
     return reduce_batches<Quality>(cells, cells.mesh.n_given_cells(), executor, add_cell,
                                    add_batch);

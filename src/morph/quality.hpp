@@ -112,11 +112,13 @@ struct Quality {
     Index cells = 0;
 
     Real mean_quality() const noexcept { return quality_sum / static_cast<Real>(cells); }
+    // The next two functions write the quality of each cell that they add to `all`, unless null.
     // Adds a cell, compared with reference_area; see CellMeasure::quality().
-    inline void add(Index cell, CellMeasure const& measure, Real reference_area) noexcept;
+    inline void add(Index cell, CellMeasure const& measure, Real reference_area,
+                    Real* all = nullptr) noexcept;
     // Adds the cells of some batches that kernels have measured.
     void add(OrientedMesh const& mesh, CellPlaces const& places, CellBatches const& batches,
-             ListQuality const& triangles, ListQuality const& quads) noexcept;
+             ListQuality const& triangles, ListQuality const& quads, Real* all = nullptr) noexcept;
     // Merges the result of cells that come later.
     void merge(Quality const& later) noexcept;
 
@@ -125,10 +127,12 @@ private:
     inline void note(Index cell, Real twice_smallest, Real value) noexcept;
 };
 
-inline void Quality::add(Index cell, CellMeasure const& measure, Real reference_area) noexcept {
-    Real const value = measure.quality(reference_area);
+inline void Quality::add(Index cell, CellMeasure const& measure, Real reference_area,
+                         Real* all) noexcept {
+    Real const value = measure.quality(reference_area), counted = value > 0 ? value : 0;
     note(cell, measure.twice_smallest, value);
-    quality_sum += value > 0 ? value : 0;
+    quality_sum += counted;
+    if (all != nullptr) all[cell] = counted;
     ++cells;
 }
 
@@ -183,9 +187,10 @@ CellMeasure::CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of
 // Measures one of the caller's cells in any layout.
 CellMeasure measure_cell(OrientedMesh const& cells, Index number, Points points) noexcept;
 
-// Without `reference` the quality is the skew quality.
+// Without `reference` the quality is the skew quality. `all` [given cells], unless null, receives
+// the quality of each cell, here and in morph/admissible_step.hpp.
 Quality measure_quality(OrientedMesh const& cells, Points points, Points reference,
-                        Executor const& executor) noexcept;
+                        Executor const& executor, Real* all = nullptr) noexcept;
 
 // Counts the cells and guards of which a corner has no positive area, either exactly or in the
 // floating-point arithmetic of the quality.

@@ -2,6 +2,7 @@
 #include <fixtures/bodies.hpp>
 #include <fixtures/memory.hpp>
 
+#include <algorithm>
 #include <limits>
 
 using namespace fixtures;
@@ -79,6 +80,11 @@ TEST_CASE("phases are reported in order, each from 0 to 1 and never backwards") 
         }
     }
     CHECK(events.back().fraction == 1);
+    // The longest phase is reported on its way, but not for each of the thousands of fronts.
+    auto const is_of_factor = [](Event const& event) { return event.phase == HM_PHASE_FACTOR; };
+    auto const reports = std::count_if(events.begin(), events.end(), is_of_factor);
+    CHECK(reports > 2);
+    CHECK(reports < 100);
 }
 
 TEST_CASE("a solution that is cancelled at any moment has the same bits when repeated") {

@@ -51,7 +51,9 @@ TEST_CASE("rigid motion and scaling change no angle, and heights scale") {
     CHECK(still.points == 120);
     CHECK(still.mean_angle == 0);
     CHECK(still.largest_angle == 0);
-    CHECK(still.largest_angle_point == walls.layer.wall.point[0]);  // all are equal: the first one
+    for (Index const point :
+         {still.largest_angle_point, still.min_ratio_point, still.max_ratio_point})
+        CHECK(point == walls.layer.wall.point[0]);  // all are equal: the first one
     CHECK(still.min_ratio == 1);
     CHECK(still.max_ratio == 1);
     CHECK(still.mean_ratio == 1);

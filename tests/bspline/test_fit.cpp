@@ -439,6 +439,36 @@ TEST_CASE("curves stay near the polygon of the points, and the report says where
     CHECK(far <= members / 20 + 1);
 }
 
+TEST_CASE("what keeps a curve near the polygon does not cost more at the points than it gains") {
+    // Equal weights ask for the curve that is nearest to the points, wherever it runs between them.
+    fixtures::SectionRandom random(12);
+    int kept_near = 0;
+    for (int number = 0; number < 30; ++number) {
+        std::vector<Vec2> points;
+        for (fixtures::Point const point : fixtures::section_to_fit(number, random))
+            points.push_back({point.x, point.y});
+        std::vector<double> const equal(points.size(), 1.0);
+        for (Index const n_control : {6, 8, 10, 12}) {
+            if (int(points.size()) < n_control) continue;
+            FitOptions wish = options(3, n_control);
+            FitRun const near_both(points, wish);
+            wish.weight = equal.data();
+            FitRun const nearest(points, wish);
+            REQUIRE_MESSAGE(!failed(near_both.status), near_both.fault.sentence);
+            REQUIRE_MESSAGE(!failed(nearest.status), nearest.fault.sentence);
+            // An error at the points of .0003 chords is as bad as .0017 between them.
+            auto const cost = [](FitRun const& run) {
+                return std::fmax(run.report.max_error / 3e-4, run.report.max_departure / 1.7e-3);
+            };
+            CAPTURE(number);
+            CAPTURE(n_control);
+            CHECK(cost(near_both) < cost(nearest) * 1.001);
+            if (cost(near_both) < 0.99 * cost(nearest)) ++kept_near;
+        }
+    }
+    CHECK(kept_near > 20);
+}
+
 TEST_CASE("bases of up to half the chord and wide wedges get a straight curve of their own") {
     for (double const base : {0.05, 0.2, 0.3, 0.45, 0.5})
         for (int const side : {20, 60}) {

@@ -189,6 +189,51 @@ TEST_CASE("areas of polygons and clearances to their sides are right") {
     CHECK(value_of(notch, clearance({1, 1.25, 3, 1.25})) < -0.1);
 }
 
+TEST_CASE(
+    "the clearance of a side is the smallest one of its points, also where a bend is nearest") {
+    Spline dented;
+    dented.degree = 3;
+    dented.control = {0, 0, 2, -0.2, 4, 0, 4, 2, 3, 2, 2.1, 0.7, 1, 2, 0, 2};
+    dented.indices = {0, 1, 2, 3, 4, 5, 6, 7, 0};
+    dented.knots = fixtures::clamped_knots(3, 9);
+    CurveSet set(dented);
+    double const ax = 0.8, ay = 0.72, bx = 3.1, by = 0.78;
+    double smallest = 1;
+    for (int k = 0; k <= 2000; ++k) {
+        double const t = k / 2000.0;
+        smallest =
+            std::min(smallest, value_of(set, clearance({ax + t * (bx - ax), ay + t * (by - ay)})));
+    }
+    double const of_side = value_of(set, clearance({ax, ay, bx, by}));
+    CHECK(smallest < 0.9 * value_of(set, clearance({ax, ay})));
+    CHECK(smallest < 0.9 * value_of(set, clearance({bx, by})));
+    CHECK(of_side <= smallest);
+    CHECK(of_side == doctest::Approx(smallest).epsilon(1e-5));
+}
+
+TEST_CASE("the smallest radius is found on either side of a knot where the curvature jumps") {
+    for (bool const open : {false, true}) {
+        CurveSet const forwards = section(open, false, 2);
+        for (CurveSet set : {forwards, reversed(forwards)}) {
+            hm_curve const& curve = set.view().curve[0];
+            double sharpest = 0;
+            for (int span = 2; span < curve.n_indices; ++span)
+                for (int k = 0; k <= 1000; ++k) {
+                    double const t = std::min(std::max(k / 1000.0, 1e-9), 1 - 1e-9),
+                                 low = curve.knots[span], high = curve.knots[span + 1];
+                    double c[6];
+                    REQUIRE(hm_curve_point(&set.view(), 0, low + t * (high - low), 2, c, nullptr) ==
+                            HM_OK);
+                    sharpest = std::max(sharpest, std::fabs(c[2] * c[5] - c[3] * c[4]) /
+                                                      std::pow(std::hypot(c[2], c[3]), 3));
+                }
+            double const radius = value_of(set, quantity(HM_MIN_RADIUS));
+            CHECK(radius <= 1 / sharpest * (1 + 1e-6));
+            CHECK(radius == doctest::Approx(1 / sharpest).epsilon(1e-3));
+        }
+    }
+}
+
 TEST_CASE("a section of two curves may have gaps of 1e-9 of the extent, and its base is a side") {
     for (bool const upright : {false, true})
         for (double const gap : {0.0, 5e-10, 2e-9}) {

@@ -156,7 +156,13 @@ TEST_CASE("fields of moving meshes and adjoints") {
     CHECK(hm_wall_distance_adjoint(walls, n, &at, face.data(), free + 4 * n, &apart, &apart,
                                    &error) == HM_OK);
     memory.before = memory.numbers;
-    check_refused(memory, hm_first_layer(walls, &at, x + n, &error), error, "heights", "at");
+    check_refused(memory, hm_first_layer(walls, nullptr, &at, x + n, nullptr, nullptr, &error),
+                  error, "heights", "at");
+    hm_points const moved{x + 2 * n, x + 3 * n, 1};
+    check_refused(memory, hm_first_layer(walls, &at, &moved, nullptr, x, nullptr, &error), error,
+                  "ratios", "before");
+    check_refused(memory, hm_first_layer(walls, &at, &at, nullptr, free, free + 1, &error), error,
+                  "angles", "ratios");
 }
 
 TEST_CASE("interpolated fields") {

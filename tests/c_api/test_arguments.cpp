@@ -366,7 +366,8 @@ TEST_CASE("fields of moving meshes") {
                     g.numbers.data());
     check_arguments("walls, -, points, face, dj, ?point_dj, ?mesh_dj", hm_wall_distance_adjoint,
                     walls, n, &g.at, face.data(), g.numbers.data(), &g.to, &g.to);
-    check_arguments("walls, at, heights", hm_first_layer, walls, &g.at, g.numbers.data());
+    check_arguments("walls, before, at, ?heights, ?ratios, ?angles", hm_first_layer, walls, &g.at,
+                    &g.at, g.numbers.data(), g.numbers.data() + n, g.numbers.data() + 2 * n);
 
     check_arguments("analysis, -, ?bytes", fixtures::interpolation_size, g.analysis, n, &g.bytes);
     Guarded interpolation_block(g.bytes);

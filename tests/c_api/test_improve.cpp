@@ -90,6 +90,27 @@ TEST_CASE("hm_improve: better cells, the report is that of hm_assess, and walls 
         for (std::int32_t const point : points_on(setup.mesh, marker)) CHECK(out.stays(point));
 }
 
+TEST_CASE("hm_improve: cells are as good by an engine that has no factor of the mesh") {
+    Case setup = airfoil_case();
+    std::vector<double> const move = similarity_move(setup.curves, std::polar(1.0, 0.6), 0.25);
+    Options const conformal = options_of(HM_CONFORMAL);
+    Solved const solved(setup.problem(), &conformal);
+    Moved const start = morphed(solved.basis, setup.mesh, move);
+    double mean[2] = {}, smallest[2] = {};
+    for (int which = 0; which < 2; ++which) {
+        Options options = options_of(HM_LAPLACE);
+        options.engine = which == 0 ? HM_DIRECT : HM_MULTIGRID;
+        Morphed out(setup, std::vector<double>(move.size()), options);
+        out.x = start.x;
+        out.y = start.y;
+        REQUIRE(out.improve() == HM_OK);
+        mean[which] = out.report.mean_quality;
+        smallest[which] = out.report.min_quality;
+    }
+    CHECK(mean[1] == doctest::Approx(mean[0]).epsilon(1e-3));
+    CHECK(smallest[1] == doctest::Approx(smallest[0]).epsilon(1e-2));
+}
+
 // A ring of 60 layers, whose faces on the wall are 5 times as long as the first layer is high.
 constexpr std::size_t around = 24;
 Case layered_ring(Cells kind) { return ring_case(60, int(around), 0.5, 2, kind); }

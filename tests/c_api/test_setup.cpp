@@ -127,5 +127,6 @@ TEST_CASE("wrong setups and short blocks are refused, and the setup stays as it 
     of_mesh.conditions = nullptr;
     Setup const mesh_alone(of_mesh);
     CHECK(mesh_alone.status == HM_BAD_ARGUMENT);
+    CHECK(mesh_alone.error.code == mesh_alone.status);
     CHECK(mesh_alone.handles.analysis == nullptr);
 }

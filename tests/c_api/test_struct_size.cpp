@@ -139,7 +139,9 @@ TEST_CASE("reports are filled as far as the caller's struct goes, for each of th
         return hm_assess(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, nullptr, r,
                          nullptr, nullptr);
     });
+    // The array is not looked for in a struct that ends before it.
     shortened(hm_quality_report{}, [&](hm_quality_report* r) {
+        if (r->struct_size == sizeof *r) r->cell_quality = nullptr;
         return hm_assess(solved.basis, &mesh, &mesh.points, nullptr, nullptr, nullptr, nullptr, r,
                          nullptr);
     });

@@ -7,7 +7,9 @@
 #include <fixtures/bodies.hpp>
 #include <fixtures/executors.hpp>
 
+#include <complex>
 #include <map>
+#include <numeric>
 #include <random>
 #include <string>
 
@@ -119,6 +121,92 @@ TEST_CASE("the sign: a side that moves outwards from a counter-clockwise cell is
     CHECK(halves[2] == 0.375);
     CHECK(halves[3] == 0.125);
     CHECK(duals[0] > 0);  // moves away from point 0, whose control volume grows
+}
+
+TEST_CASE("areas of a polygon and of its control volumes change by what their sides sweep") {
+    using Real = long double;
+    using Place = std::complex<Real>;
+    auto const area_of = [](std::vector<Place> const& corners) {
+        Real twice = 0;
+        for (std::size_t k = 0; k < corners.size(); ++k)
+            twice += std::imag(std::conj(corners[k] - corners[0]) *
+                               (corners[(k + 1) % corners.size()] - corners[0]));
+        return twice / 2;
+    };
+    for (std::size_t n = 3; n <= 9; ++n) {
+        std::mt19937 random(static_cast<unsigned>(n));
+        std::uniform_real_distribution<double> uniform(-0.05, 0.05);
+        Positions from, to;
+        std::vector<std::int32_t> cell;
+        for (std::size_t k = 0; k < n; ++k) {
+            double const angle = 2 * fixtures::pi * static_cast<double>(k) / static_cast<double>(n);
+            cell.push_back(static_cast<std::int32_t>(k));
+            from.x.push_back(std::cos(angle) + uniform(random));
+            from.y.push_back(std::sin(angle) + uniform(random));
+            to.x.push_back(from.x[k] + 0.3 + uniform(random));
+            to.y.push_back(from.y[k] - 0.2 + uniform(random));
+        }
+        std::int32_t const start[] = {0, static_cast<std::int32_t>(n)};
+        auto mesh = fixtures::sized<hm_mesh>();
+        mesh.n_points = start[1];
+        mesh.points = from.view();
+        mesh.cell_layout = HM_CELLS_POLYGONS;
+        mesh.n_cells = 1;
+        mesh.cell_start = start;
+        mesh.cell_points = cell.data();
+        hm_points const target = to.view();
+        Swept swept(start[1]);
+        REQUIRE(hm_swept_areas(&mesh, nullptr, &target, swept.sides.data(), swept.duals.data(),
+                               swept.halves.data(), nullptr, nullptr) == HM_OK);
+        // The area of the cell, or of the part of it that belongs to corner k.
+        auto const part = [&](Positions const& at, std::size_t k) {
+            std::vector<Place> corners;
+            for (std::size_t i = 0; i < n; ++i) corners.emplace_back(at.x[i], at.y[i]);
+            if (k == n) return area_of(corners);
+            Place const centre =
+                std::accumulate(corners.begin(), corners.end(), Place()) / static_cast<Real>(n);
+            Place const here = corners[k], next = corners[(k + 1) % n],
+                        before = corners[(k + n - 1) % n];
+            return area_of({here, (here + next) / Real(2), centre, (here + before) / Real(2)});
+        };
+        Real all = 0;
+        for (std::size_t k = 0; k < n; ++k) {
+            std::size_t const before = (k + n - 1) % n;
+            Real const change = Real(swept.duals[k]) - swept.duals[before] + swept.halves[2 * k] +
+                                swept.halves[2 * before + 1];
+            CHECK(std::fabs(change - (part(to, k) - part(from, k))) < 1e-15L);
+            all += swept.sides[k];
+        }
+        CHECK(std::fabs(all - (part(to, n) - part(from, n))) < 1e-15L);
+    }
+}
+
+TEST_CASE("a triangle that repeats its last point has no area at the side between both") {
+    double const x[] = {0, 1, 0.2, 1.3}, y[] = {0, 0.1, 1, 1.2};
+    double const to_x[] = {0.1, 1.3, 0.3, 1.7}, to_y[] = {0.2, 0.1, 1.4, 1.5};
+    std::int32_t const triangles[] = {0, 1, 2, 2, 1, 3}, quads[] = {0, 1, 2, 2, 2, 1, 3, 3};
+    auto mesh = fixtures::sized<hm_mesh>();
+    mesh.n_points = 4;
+    mesh.points = {x, y, 1};
+    mesh.n_cells = 2;
+    hm_points const to = {to_x, to_y, 1};
+    Swept three(6), four(8);
+    auto const sweep = [&](std::int32_t layout, const std::int32_t* cells, Swept& swept) {
+        mesh.cell_layout = layout;
+        mesh.cell_points = cells;
+        REQUIRE(hm_swept_areas(&mesh, nullptr, &to, swept.sides.data(), swept.duals.data(),
+                               swept.halves.data(), nullptr, nullptr) == HM_OK);
+    };
+    sweep(HM_CELLS_TRIANGLES, triangles, three);
+    sweep(HM_CELLS_QUADS, quads, four);
+    for (std::size_t k = 0; k < 8; ++k) {
+        bool const is_repeated = k % 4 == 2;
+        std::size_t const side = k / 4 * 3 + (k % 4 == 3 ? 2 : k % 4);
+        CHECK(four.sides[k] == (is_repeated ? 0 : three.sides[side]));
+        CHECK(four.duals[k] == (is_repeated ? 0 : three.duals[side]));
+        for (std::size_t end = 0; end < 2; ++end)
+            CHECK(four.halves[2 * k + end] == (is_repeated ? 0 : three.halves[2 * side + end]));
+    }
 }
 
 TEST_CASE("refused swept areas leave the arrays as they were") {

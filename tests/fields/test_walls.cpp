@@ -91,6 +91,33 @@ void bend(Mesh& mesh, double amount) {
 
 }  // namespace
 
+TEST_CASE("points of walls and of layers count from the index base") {
+    Case setup = two_body_case(Cells::hybrid, 8, 5);
+    std::vector<std::int32_t> const markers = {body, second_body};
+    std::vector<std::int32_t> found[2];
+    for (std::int32_t const base : {0, 1}) {
+        setup.index_base = base;
+        Analysed const seen(setup);
+        std::size_t bytes = 0;
+        REQUIRE(fixtures::walls_size(seen.analysis, 2, markers.data(), &bytes, nullptr) == HM_OK);
+        Guarded block(bytes, 0);
+        hm_walls* walls = nullptr;
+        REQUIRE(hm_walls_init(&walls, fixtures::Memory(block.data(), bytes), seen.analysis, 2,
+                              markers.data(), nullptr, nullptr) == HM_OK);
+        hm_walls_info info;
+        HM_INIT(info);
+        REQUIRE(hm_walls_info_get(walls, &info, nullptr) == HM_OK);
+        auto const take = [&](const std::int32_t* from, std::int32_t n) {
+            for (std::int32_t k = 0; k < n; ++k) found[base].push_back(from[k] - base);
+        };
+        take(info.face_points, 2 * info.n_faces);
+        take(info.wall_points, info.n_wall_points);
+        take(info.layer_points, info.n_wall_points);
+    }
+    CHECK(found[0].size() > 20);
+    CHECK(found[0] == found[1]);
+}
+
 TEST_CASE("distances of mesh points and other points, before and after movements") {
     for (bool const two : {false, true}) {
         WallSet set(
@@ -180,7 +207,8 @@ TEST_CASE("heights of the first layer: in a ring they are known") {
     REQUIRE(set.info.n_wall_points == n);
     std::vector<double> heights(static_cast<std::size_t>(n));
     hm_points const at = set.at();
-    REQUIRE(hm_first_layer(set.walls, &at, heights.data(), nullptr) == HM_OK);
+    REQUIRE(hm_first_layer(set.walls, nullptr, &at, heights.data(), nullptr, nullptr, nullptr) ==
+            HM_OK);
     for (int k = 0; k < n; ++k) {
         CHECK(set.info.layer_points[k] == set.info.wall_points[k] + n);
         CHECK(std::fabs(heights[static_cast<std::size_t>(k)] - 0.01) < 1e-15);

@@ -27,6 +27,7 @@ contains
         call basis%assess(moved, quality, x, y)
         call basis%assess(mesh, dx, dy, new_step, new_quality)
         call compare_assessment(step, new_step, quality, new_quality)
+        call cell_qualities(moved, dx, dy)
         call check(new_step%cell == step%cell .and. new_quality%min_quality_cell == quality%min_quality_cell, "where")
         call basis%assess(moved, new_quality, reshape(x, shape(block_x)), reshape(y, shape(block_y)))
         call compare_assessment(step, new_step, quality, new_quality)
@@ -46,6 +47,28 @@ contains
         call basis%assess(mesh, dx(2:), dy(2:), new_step, new_quality, stat=stat)
         call check(stat == hm_bad_argument, "a displacement too few")
         call starts_elsewhere(dx, dy, step, quality)
+    end subroutine
+
+    ! The quality of each cell, in all forms of the call.
+    subroutine cell_qualities(moved, dx, dy)
+        type(hm_mesh), intent(in) :: moved
+        real(dp), intent(in) :: dx(:), dy(:)
+        type(hm_quality_report) :: quality
+        real(dp), allocatable :: of_cells(:), alone(:), shapes(:)
+        integer :: stat
+        call basis%assess(mesh, dx, dy, quality=quality, cells=of_cells)
+        call check(size(of_cells) == size(cells, 2), "a number for each cell")
+        call check(abs(minval(of_cells) - quality%min_quality) <= 0, "the smallest quality of a cell")
+        call check(minloc(of_cells, 1) == quality%min_quality_cell, "the cell of the smallest quality")
+        call check(abs(sum(of_cells) / size(of_cells) - quality%mean_quality) < 1e-13_dp, "the mean quality of cells")
+        call basis%assess(mesh, real(dx, c_float), real(dy, c_float), cells=alone)
+        call check(maxval(abs(alone - of_cells)) < 1e-5_dp, "the quality of each cell without the report")
+        call basis%assess(moved, quality, x, y, cells=alone)
+        call check(maxval(abs(alone - of_cells)) < 1e-10_dp, "the quality of each cell of the moved mesh")
+        call basis%assess(moved, quality, cells=shapes)
+        call check(all(shapes >= alone - 1e-12_dp), "sizes do not count without a reference")
+        call basis%assess(mesh, dx(2:), dy(2:), cells=shapes, stat=stat)
+        call check(stat == hm_bad_argument .and. size(shapes) == size(alone), "a refused call leaves the array")
     end subroutine
 
     ! A mesh whose arrays hold other coordinates than those the movement starts from: it is judged from where it starts.

@@ -64,7 +64,7 @@ contains
         type(hm_walls) :: walls
         real(dp) :: d(n_points), again(n_points), t(n_points), dd(n_points), dj(n_points), gx(n_points), gy(n_points), &
             x1(n_points), y1(n_points)
-        real(dp), allocatable :: h(:)
+        real(dp), allocatable :: h(:), ratios(:), angles(:)
         integer(c_int32_t) :: face(n_points), hint(n_points)
         integer, allocatable :: ends(:, :), markers_of(:), wall_points(:), layer_points(:)
         integer :: stat, k
@@ -102,6 +102,12 @@ contains
         call walls%heights(x, y, h)
         call check(all(layer_points == wall_points + around), "the first layer")
         call check(minval(h) > 0 .and. maxval(h) < 0.1_dp, "heights of the first layer")
+        allocate(ratios, angles, mold=h)
+        call walls%layer_changes(x, y, -2 * y, 2 * x, ratios, angles)
+        call check(maxval(abs(ratios - 2)) < 1e-12_dp .and. maxval(abs(angles)) < 1e-5_dp, &
+            "a rotation and a scale of 2: twice the heights, the same angles")
+        call walls%layer_changes(x, y, x, y, ratios(2:), angles(2:), stat=stat)
+        call check(stat == hm_bad_argument, "a change for each wall point")
         call walls%find(plan, [77], stat=stat)
         call check(stat == hm_bad_condition, "no such marker")
     end subroutine

@@ -113,6 +113,13 @@ check "the shortest use at the head of the module" shortest_use
 stat_and_err_last() { ! tr '\n' '~' <"$build/harmorph.f90" | sed 's/&~ *//g' | tr '~' '\n' |
     grep -E '^ *subroutine .*\bstat\b' | grep -v 'stat, err)$'; }
 check "stat and err are the last arguments of every call" stat_and_err_last
+# A struct whose size depends on the pointers of the machine, by its members: int32_t, size_t, double, int32_t.
+size_by_members() {
+    printf '%s\n' 'struct hm_x' 'member hm_x struct_size int32 1' 'member hm_x n size 1' 'member hm_x x double 1' \
+        'member hm_x i int32 1' 'end hm_x' | awk -f fortran/type_of.awk -f fortran/declarations.awk |
+        grep -F 'struct_size = merge(32, 24, storage_size(c_null_ptr) == 64)'
+}
+check "the size of a struct with size_t" size_by_members
 headers=$(sed 's|^|include/|' fortran/harmorph/headers)
 # Structs and constants of the headers in a folder against those of a module that was made from these headers.
 compare_layouts() {   # folder that contains include/, folder of the module's objects

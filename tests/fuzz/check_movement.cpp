@@ -2,6 +2,7 @@
 // adjoint.
 #include "solution_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fuzz {
@@ -105,6 +106,8 @@ void SolutionCheck::step(hm_points const& by, std::vector<Point> const& displace
 
 void SolutionCheck::quality(hm_points const& to, std::vector<Point> const& at) {
     hm_quality_report report = sized<hm_quality_report>();
+    Numbers cells(problem_.domain.cells.size() + 1, 7);  // the last number is no cell's
+    report.cell_quality = cells.data();
     expect(hm_assess(its_.basis, &problem_.mesh, &to, nullptr, nullptr, nullptr, nullptr, &report,
                      &error_) == HM_OK,
            "no quality");
@@ -118,6 +121,15 @@ void SolutionCheck::quality(hm_points const& to, std::vector<Point> const& at) {
     expect(
         std::isfinite(report.mean_quality) && report.min_quality >= 0 && report.mean_quality <= 1,
         "quality out of range");
+    expect(cells.back() == 7, "a quality is written behind the last cell");
+    cells.pop_back();
+    auto const smallest = std::min_element(cells.begin(), cells.end());
+    expect(*smallest == report.min_quality &&
+               smallest - cells.begin() + problem_.mesh.index_base == report.min_quality_cell,
+           "the quality of the poorest cell is not the smallest of all");
+    expect(*std::max_element(cells.begin(), cells.end()) <= 1 + 1e-15, "a quality is above 1");
+    expect(std::count(cells.begin(), cells.end(), 0.0) >= report.inverted,
+           "the quality of an inverted cell is not 0");
     Crossings const expected = find_crossings(problem_.domain, at);
     if (expected.crosses) expect(report.self_crossing == 1, "a crossing is not found");
     if (report.self_crossing == 0)

@@ -66,7 +66,8 @@ void FieldsModel::walls() {
         distances(walls, faces, moved);
     }
     Numbers heights(at(info.n_wall_points), 7);
-    done(hm_first_layer(walls, &coordinates, heights.data(), &error_), "heights");
+    done(hm_first_layer(walls, nullptr, &coordinates, heights.data(), nullptr, nullptr, &error_),
+         "heights");
     for (std::int32_t k = 0; k < info.n_wall_points; ++k) {
         std::int32_t const base = problem_.mesh.index_base, other = info.layer_points[k];
         if (other < 0) {

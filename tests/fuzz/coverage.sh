@@ -1,7 +1,8 @@
 #!/bin/sh
 # Called by `make coverage`: which branches of the core and of the C interface the C++ tests and the random problems
 # take, by gcc and gcov. A branch of a template counts as taken if one of its instances takes it. $BUILD/coverage/missed
-# lists the others by line. The last line counts branches, and the places where something is refused.
+# lists the others by line. A line for each folder counts its branches, the last one all of them, and the places where
+# something is refused.
 : "${MAKE:=make}" "${BUILD:=build}" "${JOBS:=2}" "${CXX:=c++}" "${GCOV:=gcov}"
 dir=$BUILD/coverage
 $MAKE -s BUILD="$BUILD" JOBS="$JOBS" all fuzzer tests-only || exit 1
@@ -58,6 +59,10 @@ done | awk -F: '
             ++of_file[place[1]]
             hit += taken[key]
             hit_of[place[1]] += taken[key]
+            folder = place[1]
+            sub(/\/[^\/]*$/, "", folder)
+            ++of_folder[folder]
+            hit_in[folder] += taken[key]
             if (!taken[key]) missed[part[1]] = missed[part[1]] " " part[2]
         }
         for (line in missed) print "missed " line ": branch" missed[line] ":" of[line]
@@ -66,11 +71,15 @@ done | awk -F: '
             seen += refusal[line]
             if (!refusal[line]) print "refusal " line ": never reached:" of[line]
         }
+        for (folder in of_folder)
+            printf "folder %s %d of %d branches, %.1f %%\n", folder, hit_in[folder], of_folder[folder],
+                100 * hit_in[folder] / of_folder[folder]
         for (file in of_file) printf "file %s %d of %d\n", file, hit_of[file], of_file[file]
         printf "%d of %d branches taken (%.1f %%), ", hit, all, 100 * hit / all
         printf "%d of %d refusals reached\n", seen, refusals
     }' | sort -V >"$dir/all"
 grep '^missed\|^refusal' "$dir/all" >"$dir/missed"
+sed -n 's/^folder //p' "$dir/all"
 sed -n 's/^file //p' "$dir/all" | awk '$2 < 0.95 * $4'
 tail=$(grep 'branches taken' "$dir/all")
 echo "$tail"

@@ -80,6 +80,11 @@ struct Place {
     double x, y;
 };
 
+// Turns are taken out first, exactly: the product with pi would round by a part of many turns.
+double radians(std::string const& degrees) {
+    return std::remainder(number(degrees), 360.0) * pi / 180;
+}
+
 Place place_of(std::string const& word) {
     std::size_t const comma = word.find(',');
     if (comma == word.npos) throw Wrong{"no place: " + word};
@@ -123,7 +128,7 @@ private:
         if (verb == "rigid") {
             need(control_.empty() && (n == 5 || n == 6));
             take_first(0);
-            double const angle = number(words[4]) * pi / 180, scale = n == 6 ? number(words[5]) : 1;
+            double const angle = radians(words[4]), scale = n == 6 ? number(words[5]) : 1;
             need(scale > 0);
             moves_ = {number(words[2]), number(words[3]), scale * std::cos(angle) - 1,
                       scale * std::sin(angle)};
@@ -137,10 +142,9 @@ private:
             each([&](double& x, double& y) { x += dx, y += dy; });
             return;
         }
-        double const value = number(words[2]);
+        bool const turns = verb == "turn";
         Place const at = place_of(words[3]);
-        double const angle = verb == "turn" ? value * pi / 180 : 0,
-                     scale = verb == "turn" ? 1 : value;
+        double const angle = turns ? radians(words[2]) : 0, scale = turns ? 1 : number(words[2]);
         need(scale > 0);
         each([&](double& x, double& y) {
             double const a = x - at.x, b = y - at.y;

@@ -1,17 +1,20 @@
 #!/bin/sh
 # Called by `make mutate`: how many small errors in the library the C++ tests find. Each mutant differs from the library
 # in one operator or one word of one source file; MUTANTS of these are drawn by SEED. Only that file is compiled; a
-# mutant that compiles to the same instructions is none. Each is judged by all C++ tests, those of its file first, then
-# those of its folder, then the others; it is caught if a check fails, the program crashes, or the tests take more than
+# mutant that compiles to the same instructions is none. Each is judged by all test cases that enter the function of the
+# mutant, which one run with a library that notes its functions has told (tests/reach.cpp): the quick ones of its folder
+# first, then those of other folders, then the slow ones. A line outside of functions, and one whose function no case
+# enters, is judged by all cases. A mutant is caught if a check fails, the program crashes, or the tests take more than
 # three times the time that they take without it, which is an endless loop. Those that survive are listed with the
 # reason that mutants.txt gives for the line; the last line counts. At least 90 % of the mutants that change the library
 # in a way that tests can see must be caught. JOBS mutants are judged at a time. FILES='src/safe/*.cpp': of these files.
 # CARRY=FILE: the mutants of this list (build/mutants/list.SEED of another state of the sources) at the lines where they
 # are now, instead of those drawn. LIMIT=3600: seconds after which no further mutant is begun; the next run goes on from
 # there, as build/mutants remembers what became of each mutant of an unchanged file (of those that survive, as long as
-# the tests are the same, too). TIMES=FILE: what `build/tests -d` has said, which otherwise is run first.
+# the tests are the same, too). REACH=FOLDER: build/mutants/reach of an earlier run, which says what cases enter; cases
+# that it does not name are taken to enter every function.
 : "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${MUTANTS:=200}" "${SEED:=1}" "${LIMIT:=1000000}" "${JOBS:=2}"
-: "${CARRY=}" "${TIMES=}"
+: "${CARRY=}" "${REACH=}"
 dir=$BUILD/mutants
 known=tests/fuzz/mutants.txt
 mkdir -p "$dir"
@@ -90,42 +93,81 @@ compile() {   # source, folder: what stands in `mutant.cpp` there, so that names
 }
 link_tests() { $link -o "$1/tests" $(cat "$BUILD/objects/tests.list") "$1/mutant.o" "$BUILD/libharmorph.a"; }
 
-# All test cases, in lines of room, seconds, name; those that take more than half a second wait until all others are
-# done.
-if [ -n "$TIMES" ]; then cp "$TIMES" "$dir/times"
-else "$BUILD/tests" -d=1 >"$dir/times" || { cat "$dir/times"; echo "the tests fail without a mutant"; exit 1; }; fi
-LC_ALL=C awk '
-    /^(\.\/)?tests\/.*:$/ { room = $0; sub(/.*tests\//, "", room); sub(/\/.*/, "", room) }
-    /^[0-9.]+ s: / { seconds = $1 + 0; sub(/^[^:]*: /, ""); print room "\t" seconds "\t" $0 }' \
-    "$dir/times" >"$dir/cases"
-# A comma begins another pattern.
-slow=$(LC_ALL=C awk -F'\t' '$2 > 0.5 { gsub(/,/, "?"); printf "%s,", $3 }' "$dir/cases")
-
-# The tests that may find a mutant, the likeliest and quickest first. Tests of any room may find it, as they use the C
-# interface.
-until_failure() { timeout 7200 "$@" -aa=1; }   # what waits for ever uses no processor time
-step() {   # which, folder of the programs, room, file
-    case $1 in
-    file) until_failure "$2/tests" -tce="$slow" -sf="*tests/$3/test_${4#harmorph_}.cpp" ;;
-    room) until_failure "$2/tests" -tce="$slow" -sf="*tests/$3/*" ;;
-    slow) until_failure "$2/tests" -tc="$slow" -sf="*tests/$3/*" ;;
-    others) until_failure "$2/tests" -tce="$slow" -sfe="*tests/$3/*" ;;
-    slow_others) until_failure "$2/tests" -tc="$slow" -sfe="*tests/$3/*" ;;
-    esac
+# In $reach/cases the number, seconds, file and name of each test case; in $reach/entered the file and line of each
+# function of the library that cases enter, whether it is within another one, and the numbers of these cases.
+find_reach() {
+    mkdir -p "$reach"
+    watched="-finstrument-functions -finstrument-functions-exclude-file-list=.hpp,.h,/usr/"
+    $MAKE -s BUILD="$reach" JOBS="$JOBS" CXXFLAGS="-O1 -g1 $watched" library-only || exit 1
+    $CXX -std=c++17 -O1 -w -c -o "$reach/reach.o" tests/reach.cpp || exit 1
+    $link -no-pie -o "$reach/tests" $(cat "$BUILD/objects/tests.list") "$reach/reach.o" "$reach/libharmorph.a" || exit 1
+    HARMORPH_REACH=$reach/raw "$reach/tests" >"$reach/log" ||
+        { cat "$reach/log"; echo "the tests fail without a mutant"; exit 1; }
+    awk '/^case/ { print ++n substr($0, 5) }' "$reach/raw" >"$reach/cases"
+    grep '^0x' "$reach/raw" | sort -u >"$reach/addresses"
+    addr2line -C -f -e "$reach/tests" <"$reach/addresses" | paste - - | paste "$reach/addresses" - |
+        sed "s|$PWD/||; s| (discriminator.*||; s|(anonymous namespace)|anonymous|g" |
+        awk -F'\t' '
+        FNR == NR {
+            split($3, place, ":")
+            inner[$1] = $2 ~ /\{lambda|\)::|const::/ ? 1 : 0
+            at[$1] = place[1] "\t" place[2]
+            next
+        }
+        $1 == "case" { ++number; next }
+        { of[$1] = of[$1] " " number }
+        END { for (address in of) print at[address] "\t" inner[address] "\t" of[address] }' - "$reach/raw" \
+        >"$reach/entered"
 }
+reach=${REACH:-$dir/reach}
+if [ -z "$REACH" ]; then find_reach; fi
 
-# Seconds of processor time that a step may take: three times what it takes without a mutant, and five.
-limit() {   # which, room
-    LC_ALL=C awk -F'\t' -v which="$1" -v room="$2" '
-        ($1 == room) == (which !~ /others/) && ($2 > 0.5) == (which ~ /slow/) { sum += $2 }
-        END { print 5 + int(3 * sum) }' "$dir/cases"
+# The cases that may find a mutant, into $share/near (quick ones of its folder), quick and slow: a list of patterns, in
+# which a comma would begin another one. Into $share/limits the seconds of processor time that each list may take.
+choose_cases() {   # folder of the share, room, file, line
+    everywhere=0
+    if sed -n "${4}p" "$3" | grep -q '^[^ ]\|constexpr'; then everywhere=1; fi
+    "$BUILD/tests" -ltc | awk -F'\t' -v room="/$2/" -v file="$3" -v line="$4" -v all=$everywhere -v to="$1" '
+        FILENAME ~ /entered$/ {
+            if ($1 != file || $2 + 0 > line) next
+            if (!$3 && $2 + 0 > outer) outer = $2 + 0
+            start[++n] = $2 + 0
+            cases[n] = $4
+            next
+        }
+        FILENAME ~ /cases$/ { seconds[$4] = $2; source[$4] = $3; numbers[$4] = numbers[$4] " " $1; next }
+        FNR == 1 {
+            for (k = 1; k <= n; ++k) {
+                if (start[k] < outer) continue
+                many = split(cases[k], number, " ")
+                for (j = 1; j <= many; ++j) enters[number[j]] = found = 1
+            }
+        }
+        !/^\[doctest\]|^===/ {
+            wanted = all || !found || !($0 in seconds)
+            many = split(numbers[$0], number, " ")
+            for (j = 1; j <= many; ++j) if (number[j] in enters) wanted = 1
+            if (!wanted) next
+            list = seconds[$0] > 0.5 ? "slow" : index(source[$0], room) ? "near" : "quick"
+            limit[list] += 3 * seconds[$0]
+            gsub(/,/, "?")
+            names[list] = names[list] $0 ","
+        }
+        END {
+            split("near quick slow", lists, " ")
+            for (k = 1; k <= 3; ++k) {
+                printf "%s", names[lists[k]] >(to "/" lists[k])
+                print lists[k], 5 + int(limit[lists[k]]) >(to "/limits")
+            }
+        }' "$reach/entered" "$reach/cases" -
 }
-# Prints the result of a step for the mutant: "caught", "out of time", or nothing.
-outcome() {   # which, folder of the programs, room, file
+# Prints the result of a list of cases for the mutant: "caught", "out of time", or nothing.
+outcome() {   # which, folder of the share
+    [ -s "$2/$1" ] || return
     (
         ulimit -v 8000000
-        ulimit -t $(limit "$1" "$3")
-        step "$@"
+        ulimit -t $(sed -n "s/^$1 //p" "$2/limits")
+        exec timeout 7200 "$2/tests" -aa=1 -tc="$(cat "$2/$1")"   # what waits for ever uses no processor time
     ) >"$2/out" 2>&1
     case $? in
     0) ;;
@@ -144,10 +186,10 @@ fate() {   # folder, file, line, column, from, to, steps, otherwise: what become
         { print }' "$2" >"$1/mutant.cpp"
     compile "$2" "$1" || { echo "no C++"; return; }
     if cmp -s "$1/mutant.o" "$original"; then echo "the same instructions"; return; fi
-    room=$(basename "$(dirname "$2")") file=$(basename "$2" .cpp)
+    choose_cases "$1" "$(basename "$(dirname "$2")")" "$2" "$3"
+    link_tests "$1" || exit 1
     for which in $7; do
-        case $which in file | slow) link_tests "$1" || exit 1 ;; esac
-        found=$(outcome $which "$1" "$room" "$file")
+        found=$(outcome $which "$1")
         if [ -n "$found" ]; then echo "$found"; return; fi
     done
     echo "$8"
@@ -162,11 +204,11 @@ remember() {   # what became of $mutant, if that is known; of survivors, with th
         index($0, mutant "\t") == 1 && ($(NF - 1) !~ /survives|hidden/ || $NF == tests) { fate = $(NF - 1) }
         END { print fate }' "$remembered")
 }
-# In two rounds, as other rooms take long: who is hidden after the first is judged by them in the second.
+# In two rounds, as slow cases take long: who is hidden after the first is judged by them in the second.
 judge() {   # share of the list, from 0
     share=$dir/share.$1
     mkdir -p "$share"
-    for round in "file room:hidden" "slow others slow_others:survives"; do
+    for round in "near quick:hidden" "slow:survives"; do
         number=0
         while IFS='	' read -r file line column from to text; do
             number=$((number + 1))
@@ -174,7 +216,7 @@ judge() {   # share of the list, from 0
             mutant="$file	$(cksum <"$file")	$line	$column	$from	$to"
             remember
             case "$round $known_fate" in
-            "file room:hidden " | "slow others slow_others:survives hidden") ;;
+            "near quick:hidden " | "slow:survives hidden") ;;
             *) continue ;;
             esac
             known_fate=$(fate "$share" "$file" "$line" "$column" "$from" "$to" "${round%:*}" "${round#*:}") || exit 1

@@ -70,6 +70,15 @@ page_program() (
         grep -q '^kernel simd128: ' said
 )
 check "the program of the package's page" page_program
+# So do its commands, on the mesh in the package.
+page_commands() (
+    awk '/^```sh$/ { inside = 1; next } /^```$/ { if (inside) exit } inside' c_api/web/README.md |
+        sed "s|./harmorph-[0-9.]*tgz|$tarball|" >"$dir/page.sh"
+    mkdir -p "$dir/page" && cd "$dir/page" && export npm_config_cache="$dir/cache" npm_config_offline=true \
+        npm_config_update_notifier=false npm_config_audit=false npm_config_fund=false && sh -e "$dir/page.sh" &&
+        "$build/harmorph" check case/morphed.su2 && [ -s case/page.html ]
+)
+if command -v $EMXX >/dev/null; then check "the commands of the package's page" page_commands; fi
 # The program in node writes the bytes of the native program with one thread and the baseline kernel.
 commands() (   # folder, program...
     mkdir -p "$dir/$1" && cd "$dir/$1" || exit 1

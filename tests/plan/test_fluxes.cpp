@@ -5,6 +5,7 @@
 #include <fixtures/mesh.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/operators.hpp>
+#include <fixtures/parts.hpp>
 #include <fixtures/perturb.hpp>
 #include <fixtures/refused.hpp>
 
@@ -217,6 +218,10 @@ TEST_CASE("functions of rigid bodies have no flux, and change no other function"
     for (std::int32_t i = 4; i < 6; ++i)
         CHECK(largest_difference(without.values(i), b.values(i)) < 1e-13);
     CHECK(largest_difference(without.values(1), b.values(1)) > 0.1);
+    // Solved in shares of the functions, too, one of which has functions with fluxes and without.
+    std::vector<double> const all = values_in_shares(b, 6);
+    for (std::int32_t const width : {1, 2, 3, 5})
+        CHECK(largest_difference(values_in_shares(b, width), all) < 1e-13);
 }
 
 TEST_CASE("a plan that is factored on a moved mesh has the same derivatives there") {

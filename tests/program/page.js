@@ -192,6 +192,28 @@
         picture.painter = painter_of_page;
         return pixels.size;
     };
+    // The pieces of a cell cover the cell, also of one that is not convex or has a point on a side.
+    const covers = (set, x, y) => {
+        const { start, points } = pieces_of(set, x, y), cells = new Cells(set, new Float64Array(start.length - 1));
+        const size = ([a, b, c, d]) => Math.abs(twice_area(a, b, c, x, y)) + Math.abs(twice_area(c, d, a, x, y));
+        return cells.quality.every((_, cell) => {
+            let sum = 0;
+            for (let k = start[cell]; k < start[cell + 1]; ++k) sum += size(points.subarray(4 * k, 4 * k + 4)) / 2;
+            return Math.abs(sum / cells.size(cell, x, y) ** 2 - 1) < 1e-9;
+        });
+    };
+    check("pieces", covers(app.data, app.data.x, app.data.y));
+    const of_polygons = (...polygons) => {
+        const start = [0];
+        for (const polygon of polygons) start.push(start[start.length - 1] + polygon.length);
+        const all = polygons.flat(), [x, y] = [0, 1].map((axis) => all.map((point) => point[axis]));
+        return covers({ cell_start: Int32Array.from(start), cell_points: Int32Array.from(all.keys()) }, x, y);
+    };
+    const angle = [[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]], arrow = [[0, 0], [2, 0], [0.5, 0.5], [0, 2]],
+        hanging = [[0, 0], [2, 0], [2, 1], [2, 2], [0, 2]];
+    check("pieces of polygons that are not convex", of_polygons(angle, arrow, hanging) &&
+        of_polygons(...[angle, arrow, hanging].map((polygon) => polygon.slice().reverse())));
+    check("the sine", [0, 1e-9, 0.5, 2, -4, 99].every((at) => Math.abs(sine_cosine(at)[0] - Math.sin(at)) < 2e-16));
     for (const Painter of [GlPainter, CanvasPainter]) {
         const colours = draws(new Painter(document.createElement("canvas"), app.data.pieces.points, {}));
         check(`${Painter.name} draws cells`, colours > 3, `${colours} colours`);

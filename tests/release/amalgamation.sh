@@ -25,4 +25,15 @@ check "compilation" $CXX -std=c++17 $LEVEL $WARNINGS -Werror -c harmorph.cpp
 check "the names that it exports" same_names
 check "a C program" $CC -std=c99 -pedantic $CFLAGS -I. -o use "$source/tests/c_api/use.c" harmorph.o -lm
 check "the C program runs" ./use
+# The lines of the page, with this object and these compilers.
+page_lines() {
+    { echo 'cc() { $CC $CFLAGS "$@"; }'
+      awk '/^\*\*One source/ { here = 1 } here && /^```/ { if (inside) exit; inside = 1; next } inside' \
+        "$source/c_api/packaging/README.md" | sed '1,/^g++ -std=c++17 -O2 -c harmorph.cpp$/d
+            s|^examples=.*|examples="$source/c_api/examples"|; s|-I$examples|-I"$examples"|
+            s| $examples/\([a-z0-9_]*.c\)| "$examples/\1"|g; s|\.\./meshes|"$build/meshes"|'
+    } >page.sh
+    grep -q '^./su2 ' page.sh && . ./page.sh | grep '^airfoil: .* 0 inverted cells$'
+}
+if [ -e "$build/meshes/naca0012.su2" ]; then check "the lines of the page, on the mesh of the demo" page_lines; fi
 finish "$dir"

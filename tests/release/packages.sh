@@ -13,7 +13,8 @@ version=$(sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' include/harmorph.h)
 rm -rf "$dir"
 mkdir -p "$dir/root" "$dir/tmp"
 
-# fpm compiles each source into a folder, joins the objects to one library, and links by the Fortran compiler.
+# fpm compiles each source into a folder, joins the objects to one library, and links by the Fortran compiler. Where fpm
+# is installed, fpm does this itself.
 by_fpm() (
     cd "$build/fpm" || exit 1
     mkdir -p build
@@ -22,12 +23,23 @@ by_fpm() (
     g++ $(cat build/flags) -Iinclude -c src/harmorph.cpp -o build/harmorph.cpp.o &&
         $FC -O1 -Jbuild -Ibuild -c src/harmorph.f90 -o build/harmorph.f90.o &&
         $FC -O1 -Jbuild -Ibuild -c src/harmorph77.f90 -o build/harmorph77.f90.o &&
-        ar rcs build/libharmorph.a build/*.o &&
-        $FC -O1 -Ibuild -c example/morph.f90 -o build/example.o &&
-        $FC build/example.o build/libharmorph.a -o build/morph && build/morph | grep '^0 inverted cells'
+        $FC -O1 -Jbuild -Ibuild -c src/read_su2.f90 -o build/read_su2.f90.o &&
+        ar rcs build/libharmorph.a build/*.o && compiled morph && compiled unstructured &&
+        build/morph | grep '^0 inverted cells' && build/unstructured naca0012.su2 | grep ' 0 inverted cells;'
+)
+compiled() {   # example
+    $FC -O1 -Ibuild -c "example/$1.f90" -o build/example.o && $FC build/example.o build/libharmorph.a -o "build/$1"
+}
+by_fpm_itself() (   # the lines of its page
+    cp -r "$build/fpm" "$dir/fpm" && cd "$dir/fpm" && rm -rf build &&
+        sed -n 's/^    \(export\|fpm\) /\1 /p' README.md >lines && sh -e lines >said 2>&1 ||
+        { tail -n 20 said; return 1; }
+    grep '^0 inverted cells' said && grep ' 0 inverted cells;' said
 )
 check "make fpm" $MAKE -s BUILD="$build" fpm
 check "the package for fpm: compiled, linked without the run-time library of C++, run" by_fpm
+if command -v fpm >/dev/null; then check "the same by fpm, as its page says" by_fpm_itself
+else skip "the package by fpm itself" "fpm is not installed"; fi
 
 if command -v dpkg-buildpackage >/dev/null && command -v lintian >/dev/null &&
     dpkg-checkbuilddeps c_api/packaging/debian/control >"$log" 2>&1; then

@@ -35,7 +35,8 @@ check "make dist" $MAKE -s BUILD="$dir" dist
 tarball=$dir/harmorph-$version.tar.gz
 
 project fetched
-block cmake 1 | sed "s|harmorph-VERSION.tar.gz|$tarball|" >"$dir/fetched/CMakeLists.txt"
+cp "$tarball" "$dir/fetched/"
+block cmake 1 | sed "s|VERSION.tar.gz|$version.tar.gz|" >"$dir/fetched/CMakeLists.txt"   # only this is to fill in
 check "CMake, FetchContent" in_cmake fetched -DCMAKE_BUILD_TYPE=None
 no_program() { ! find "$dir/fetched/build" -name harmorph -type f | grep .; }
 check "CMake, FetchContent: the program of harmorph is not built" no_program

@@ -89,8 +89,10 @@ if $PYTHON -c 'import numpy, cffi, wheel, setuptools, venv, ensurepip' 2>/dev/nu
     block c_api/python/README.md python "Other codes" >"$dir/warp.py"
     warped() { "$dir/env/bin/python" "$dir/warp.py" | grep -E '^The wall is (0.0|[0-9.]+e-1[5-9]) away'; }
     check "the grid of ADflow is warped" warped
+    block c_api/python/README.md python "Installation of a wheel" >/dev/null   # tests/release/wheel.sh runs it
     from_wheel() {
-        cp "$build/libharmorph.a" "$dir" && CXXFLAGS=-O0 sh c_api/packaging/wheel.sh "$dir" &&
+        cp "$build/libharmorph.a" "$dir" &&
+            HARMORPH_MESHES=$build/meshes CXXFLAGS=-O0 sh c_api/packaging/wheel.sh "$dir" &&
             cp "$dir"/wheel/*.whl "$dir" && path c_api/python/README.md "Installation of a wheel" \
                 "^0 inverted cells; the mesh could follow"
     }
@@ -104,12 +106,16 @@ if $PYTHON -c 'import numpy, cffi, wheel, setuptools, venv, ensurepip' 2>/dev/nu
     fi
 else
     block c_api/python/README.md sh "Installation of a wheel" >/dev/null
+    block c_api/python/README.md python "Installation of a wheel" >/dev/null
     block c_api/python/examples/dataset/README.md sh "A data set to the end" >/dev/null
     block c_api/python/README.md sh "harmorph in Python" >/dev/null
     block c_api/python/README.md python "Other codes" >/dev/null
     skip "the program in Python" "numpy, cffi, wheel, setuptools or venv is not installed for $PYTHON"
 fi
-block c_api/web/README.md js "harmorph in JavaScript" >/dev/null   # tests/hosts/web.sh runs it, where node is installed
+block c_api/packaging/README.md sh "In another project" >/dev/null   # tests/release/amalgamation.sh runs it
+for language in js sh; do   # tests/hosts/web.sh runs them, where node is installed
+    block c_api/web/README.md $language "harmorph in JavaScript" >/dev/null
+done
 check "the lines of C++" path c_api/cpp/README.md "harmorph in C++" "^0 inverted cells; the mesh could follow"
 check "the lines of FORTRAN 77" path fortran/harmorph77/README.md "harmorph in FORTRAN 77" \
     "^ *[1-9][0-9]* passed, *0 failed"

@@ -39,6 +39,13 @@ if command -v nm >/dev/null; then check "the extension exports its beginning alo
 cp "$package/examples/morph.py" "$dir/work"
 program() { cd "$dir/work" && "$python" morph.py | grep "^0 inverted cells; the mesh could follow"; }
 check "the program of README" program
+first_morph() {   # of the mesh in the wheel, by the program of the page that the wheel contains
+    cd "$dir/work" && "$python" -c "from importlib import metadata
+print(metadata.metadata('harmorph').get_payload() or metadata.metadata('harmorph')['Description'])" >page &&
+        awk '/^```/ { if (text ~ /naca0012/) exit; text = ""; inside = /python/; next } inside { text = text $0 "\n" }
+            END { printf "%s", text }' page >first.py && "$python" first.py | grep '^0 inverted cells in morphed.su2'
+}
+check "the program of the wheel's page, on the mesh of the wheel" first_morph
 
 # pytest's last line is "293 passed, 2 skipped in 13.09s"; tests that are skipped are named with their reasons.
 (cd "$dir/work" && MPLBACKEND=agg "$python" -m pytest -q -rs \

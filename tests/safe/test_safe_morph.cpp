@@ -117,6 +117,8 @@ TEST_CASE("a mesh short of the target is the last valid one, at the reported fra
     CHECK(safe.report.cell >= 0);
     CHECK(safe.report.cell < setup.mesh.n_cells());
     CHECK(safe.error.item == safe.report.cell);
+    CHECK(says(safe.error, "cell " + std::to_string(safe.report.cell) + " at ("));
+    CHECK(says(safe.error, "would invert"));
     CHECK(safe.is_valid());
     CHECK(safe.boundary_error(turn_of(setup, 150 * t)) < 1e-11);  // a turn is a turn all the way
     CHECK(safe.boundary_error(reached) < 1e-15);

@@ -1,5 +1,5 @@
-// The sine and the cosine of an angle from operations that are rounded alike everywhere, for the
-// program and for the module of the pages, which turn bodies by the same numbers.
+// The sine and the cosine of an angle from operations that are rounded alike everywhere. The pages
+// turn bodies by the same numbers: page/sine_cosine.js has the same operations.
 #pragma once
 
 namespace cli {

@@ -5,12 +5,18 @@ class Cells {
     // quality: of each cell, 0 if the cell is inverted. A report has no model.
     constructor(data, quality, model = null) {
         Object.assign(this, { data, quality, model, n: quality.length });
-        this.reference_area = model?.areas.view.slice();
     }
 
     corners(cell) {
         const { cell_start, cell_points } = this.data;
         return cell_points.subarray(cell_start[cell], cell_start[cell + 1]);
+    }
+
+    // Returns the square root of the area of a cell, with the coordinates x, y.
+    size(cell, x, y) {
+        const [first, ...rest] = this.corners(cell),
+            twice = (b, k) => (k === 0 ? 0 : twice_area(first, rest[k - 1], b, x, y));
+        return Math.sqrt(Math.abs(rest.reduce((sum, b, k) => sum + twice(b, k), 0)) / 2);
     }
 
     // Returns the place of a mark on a cell.

@@ -34,17 +34,24 @@ class Curves {
         return this.now.points(u, { curve: number });
     }
 
-    // Returns the curvature comb: points of the curve, and the other ends of the teeth.
+    // Returns the curvature comb: points of the curve, and the other ends of the teeth, which are at right angles to the
+    // curve, on its right where it turns left. Their length is .02 chord sqrt(chord |curvature|), so that teeth at the
+    // leading edge and along the sides are visible together.
     comb({ number, u }, chord) {
-        const { now } = this,
-            { library } = now,
-            n = u.length;
-        return library.with((scope) => {
-            const parameters = scope.copied(Float64Array.from(u)),
-                ends = [scope.take(16 * n), scope.take(16 * n)];
-            library.call("hm_web_comb", now.describe(scope), number, n, parameters, chord, ...ends);
-            return ends.map((address) => library.memory.numbers(address, 2 * n).slice());
-        });
+        const of = (derivative) => this.now.points(u, { curve: number, derivative }),
+            [points, along, bend] = [of(0), of(1), of(2)],
+            teeth = points.slice();
+        for (let k = 0; k < points.length; k += 2) {
+            const [x, y] = along.subarray(k, k + 2),
+                speed = Math.hypot(x, y),
+                turn = x * bend[k + 1] - y * bend[k];
+            if (!(speed > 0)) continue;
+            const size = (0.02 * chord * Math.sqrt((chord * Math.abs(turn)) / speed)) / speed / speed,
+                factor = turn < 0 ? -size : size;
+            teeth[k] += factor * y;
+            teeth[k + 1] -= factor * x;
+        }
+        return [points, teeth];
     }
 
     // Returns the control points of a curve in order; the polygon of a closed curve ends with the first point.

@@ -3,8 +3,8 @@
 #include "basics/library.hpp"
 #include "mesh/mesh_analysis.hpp"
 
-#include <c_api/web/page.h>
 #include <harmorph_design.h>
+#include <harmorph_fields.h>
 
 #include <algorithm>
 #include <limits>
@@ -128,19 +128,18 @@ JudgedMesh::JudgedMesh(const Mesh& mesh, const hm_basis* basis,
 }
 
 void JudgedMesh::judge_cells(const hm_basis* basis, const Field& displacement) {
-    const auto n = place(mesh_.cells());
     const hm_mesh view = mesh_.view();
     const hm_points by = displacement.read();
-    before.resize(n);
-    after.resize(n);
-    piece_start.resize(n + 1);
-    const hm_points* const still = nullptr;
-    std::int32_t* const no_points = nullptr;
-    call(mesh_, hm_web_cells, basis, &view, still, before.data());
-    call(mesh_, hm_web_cells, basis, &view, &by, after.data());
-    call(mesh_, hm_web_pieces, basis, &view, piece_start.data(), no_points);
-    piece_points.resize(4 * place(piece_start.back()));
-    call(mesh_, hm_web_pieces, basis, &view, piece_start.data(), piece_points.data());
+    const auto judge = [&](const hm_points* moved_by, std::vector<double>& quality) {
+        const hm_points* const own = nullptr;
+        hm_step_report* const no_step = nullptr;
+        auto report = sized<hm_quality_report>();
+        quality.resize(place(mesh_.cells()));
+        report.cell_quality = quality.data();
+        call(mesh_, hm_assess, basis, &view, own, moved_by, own, nullptr, no_step, &report);
+    };
+    judge(nullptr, before);
+    judge(&by, after);
 }
 
 void JudgedMesh::find_walls(const std::vector<std::int32_t>& markers) {
@@ -157,7 +156,8 @@ void JudgedMesh::find_walls(const std::vector<std::int32_t>& markers) {
     const auto n = place(info.n_wall_points);
     std::vector<double> angle(n), height(n);
     const hm_points start = mesh_.coordinates(), at = moved_.read();
-    call(mesh_, hm_web_layer, found, &start, &at, angle.data(), height.data());
+    double* const no_heights = nullptr;
+    call(mesh_, hm_first_layer, found, &start, &at, no_heights, height.data(), angle.data());
     std::unordered_map<std::int32_t, std::size_t> slot;
     for (std::size_t k = 0; k < n; ++k) slot.emplace(info.wall_points[k], k);
     walls = joined_faces(info);

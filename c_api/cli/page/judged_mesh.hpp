@@ -1,5 +1,5 @@
-// What a report shows of a moved mesh beside the extremes that hm_assess tells: the quality of each
-// cell, the first layer along the walls, and the measures of closed walls.
+// What a report shows of a moved mesh: the quality of each cell, the first layer along the walls,
+// and the measures of closed walls.
 #pragma once
 
 #include "basics/geometry.hpp"
@@ -34,8 +34,7 @@ public:
     JudgedMesh(const Mesh& mesh, const hm_basis* basis, const std::vector<hm_condition>& conditions,
                const Field& displacement);
 
-    std::vector<double> before, after;                    // quality of each cell; 0: inverted
-    std::vector<std::int32_t> piece_start, piece_points;  // of all cells, see hm_web_pieces
+    std::vector<double> before, after;  // quality of each cell; 0: inverted
     std::vector<JudgedWall> walls;
 
     // The measures of a closed wall before and after the movement.

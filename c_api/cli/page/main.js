@@ -5,7 +5,7 @@ class App {
     constructor(raw, classes) {
         const data = (this.data = decode(raw));
         this.model = new Model(data, classes);
-        data.pieces = this.model.pieces();
+        data.pieces = pieces_of(data, data.x, data.y);
         data.n_functions = this.model.n_functions;
         this.cells = new Cells(data, new Float64Array(this.model.n_cells), this.model);
         this.curves = new Curves(data, this.model);

@@ -18,9 +18,7 @@ class Model {
         this.by = new classes.Numbers(2 * n); // their displacements
         this.start = new classes.Numbers(2 * n); // x, y before anything moves
         for (const numbers of [this.start, this.at]) numbers.view.set(this.mesh.points);
-        this.areas = new classes.Numbers(this.n_cells); // before anything moves
         this.qualities = new classes.Numbers(this.n_cells);
-        this.call("hm_web_areas", this.morph.basis.address, this.morph.problem.address, this.areas.address);
         this.outlines = outlines_of(data.curves);
     }
 
@@ -97,9 +95,7 @@ class Model {
 
     // Returns what hm_assess says of the present movement: { step, quality }.
     assess() {
-        const { basis, problem } = this.morph;
-        this.call("hm_web_cells", basis.address, problem.address, this.by, this.qualities.address);
-        return this.morph.assess(this.by);
+        return this.morph.assess(this.by, { cells: this.qualities });
     }
 
     // Calls the library: Numbers stand for points x, y, x, y, ..., which may be null.
@@ -112,35 +108,12 @@ class Model {
         });
     }
 
-    // Returns the sine and the cosine of an angle [radians], the numbers that the program has.
-    sine_cosine(angle) {
-        const { library } = this.mesh;
-        return library.with((scope) => {
-            const at = scope.take(16);
-            library.exports.hm_web_sine(angle, at, at + 8);
-            return library.memory.numbers(at, 2).slice();
-        });
-    }
-
     // Returns |F| at all points: by how much the movement (1, 0) of a function displaces them.
     size_of_function(i) {
         const moves = new Float64Array(2 * this.n_functions);
         moves[2 * i] = 1;
         const pairs = this.morph.displacement(moves);
         return Float64Array.from({ length: this.n }, (_, k) => Math.hypot(pairs[2 * k], pairs[2 * k + 1]));
-    }
-
-    // Returns the pieces of cells that are drawn: start [cells + 1], points [4*pieces].
-    pieces() {
-        const { library } = this.mesh, { basis, problem } = this.morph, n = this.n_cells;
-        return library.with((scope) => {
-            const start = scope.take(4 * (n + 1));
-            library.call("hm_web_pieces", basis.address, problem.address, start, 0);
-            const count = library.memory.integers(start, n + 1)[n], points = scope.take(16 * count);
-            library.call("hm_web_pieces", basis.address, problem.address, start, points);
-            const copy = (address, length) => library.memory.integers(address, length).slice();
-            return { start: copy(start, n + 1), points: copy(points, 4 * count) };
-        });
     }
 
     // Returns the mesh points of curves, with the curve and the parameter of each: Map of {curve, u}.

@@ -228,7 +228,7 @@ class Overlay {
             context.fillStyle = style_of("--bad");
             for (let cell = 0, marked = 0; cell < cells.n && marked < 400; ++cell) {
                 if (cells.quality[cell] > 0) continue;
-                if (Math.sqrt(Math.abs(cells.reference_area[cell])) * camera.scale > 8) continue;
+                if (cells.size(cell, model.x0, model.y0) * camera.scale > 8) continue;
                 const [x, y] = cells.centre(cell, model.x, model.y);
                 context.beginPath();
                 context.arc(this.px(x), this.py(y), 3, 0, 7);

@@ -7,7 +7,6 @@
 //   x, y, dx, dy [points]     coordinates before anything moves, and displacements
 //   cell [cells]              the places of the cells in the mesh
 //   cell_start [cells+1], cell_points         rows of points
-//   piece_start [cells+1], piece_points       the pieces of which cells consist, four points for each
 //   quality_before, quality_after [cells]     0 for inverted cells
 //   thin_edges [2*]           the lines that are drawn beyond the cells
 //   walls                     the walls that move, each with the name of its marker, `closed`, its points in order, and
@@ -24,12 +23,13 @@
 function decode(raw) {
     const read = (from, names, Numbers) =>
         Object.fromEntries(names.map((name) => [name, decode_base64(from[name], Numbers)]));
-    const pieces = read(raw, ["piece_start", "piece_points"], Int32Array);
+    const points = read(raw, ["x", "y", "dx", "dy", "moved", "quality_before", "quality_after"], Float64Array),
+        cells = read(raw, ["cell", "cell_start", "cell_points", "thin_edges"], Int32Array);
     return {
         ...raw,
-        ...read(raw, ["x", "y", "dx", "dy", "moved", "quality_before", "quality_after"], Float64Array),
-        ...read(raw, ["cell", "cell_start", "cell_points", "thin_edges"], Int32Array),
-        pieces: { start: pieces.piece_start, points: pieces.piece_points },
+        ...points,
+        ...cells,
+        pieces: pieces_of(cells, points.x, points.y),
         walls: raw.walls.map((wall) => ({
             ...wall,
             ...read(wall, ["points"], Int32Array),

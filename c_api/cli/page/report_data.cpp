@@ -50,26 +50,18 @@ private:
         add_array(key, values);
     }
 
-    // Adds the rows of the cells that the report shows: `width` numbers for each entry of `start`.
-    void add_rows(const char* start_key, const std::vector<std::int32_t>& start,
-                  const char* points_key, const std::vector<std::int32_t>& points,
-                  std::size_t width) {
-        std::vector<std::int32_t> begin = {0}, row;
-        for (const std::int32_t cell : selection_.cells) {
-            const std::size_t first = width * place(start[place(cell)]),
-                              end = width * place(start[place(cell) + 1]);
-            for (std::size_t i = first; i < end; ++i) row.push_back(slot_[place(points[i])]);
-            begin.push_back(static_cast<std::int32_t>(row.size() / width));
-        }
-        add_array(start_key, begin);
-        add_array(points_key, row);
-    }
-
     void add_cells(const JudgedMesh& judged) {
+        std::vector<std::int32_t> start = {0}, points, edges;
+        for (const std::int32_t cell : selection_.cells) {
+            const std::size_t first = place(mesh_.cell_start[place(cell)]),
+                              end = place(mesh_.cell_start[place(cell) + 1]);
+            for (std::size_t i = first; i < end; ++i)
+                points.push_back(slot_[place(mesh_.cell_points[i])]);
+            start.push_back(static_cast<std::int32_t>(points.size()));
+        }
         add_array("cell", selection_.cells);
-        add_rows("cell_start", mesh_.cell_start, "cell_points", mesh_.cell_points, 1);
-        add_rows("piece_start", judged.piece_start, "piece_points", judged.piece_points, 4);
-        std::vector<std::int32_t> edges;
+        add_array("cell_start", start);
+        add_array("cell_points", points);
         for (const Edge edge : selection_.edges) edges.insert(edges.end(), {edge.a, edge.b});
         add_array("thin_edges", edges);
         const auto add_qualities = [this](const char* key, const std::vector<double>& all) {

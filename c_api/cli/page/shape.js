@@ -101,7 +101,7 @@ class Shape {
             section.moves(values).forEach((move, k) => (moves[k] += move));
         });
         state.bodies.forEach((body, place) => {
-            const [sine, cosine] = this.model.sine_cosine(((body.degrees % 360) * Math.PI) / 180);
+            const [sine, cosine] = sine_cosine(((body.degrees % 360) * Math.PI) / 180);
             moves.set([body.x, body.y, body.scale * cosine - 1, body.scale * sine], 2 * data.n_control + 4 * place);
         });
         return moves;

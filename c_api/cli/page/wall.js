@@ -80,7 +80,7 @@ class Wall {
         const { model, angles, heights } = this,
             { library } = model.mesh,
             n = this.points.length;
-        model.call("hm_web_layer", this.address, model.start, model.at, angles, heights);
+        model.call("hm_first_layer", this.address, model.start, model.at, 0, heights, angles);
         const [angle, height] = [angles, heights].map((address) => library.memory.numbers(address, n));
         let i = 0;
         this.points.forEach((wall, k) => {

@@ -8,8 +8,6 @@
 #include "files/text_file.hpp"
 #include "work/to_airfoil.hpp"
 
-#include <c_api/web/page.h>
-
 #include <cmath>
 #include <vector>
 
@@ -40,16 +38,22 @@ double bernstein(const std::vector<double>& weights, double x) {  // de Castelja
     return row.front();
 }
 
-// NACA four-digit section with a sharp trailing edge, in chords. The camber may be negative.
+// NACA's four-digit section with a sharp trailing edge, in chords: a camber line of two parabolas,
+// whose height `camber` at the station camber_at may be negative, and the thickness normal to this
+// line (E. Jacobs, K. Ward, R. Pinkerton, NACA Report 460 (1933); .1036 closes the trailing edge).
 Section naca_section(double camber, double camber_at, double thickness) {
     Section section;
     walk(true, [&](double x, int side) {
-        double line = 0, slope = 0, height = 0;
-        hm_web_naca(camber_at, x, &line, &slope, &height);
-        slope *= camber;
-        const double across = x == 1 ? 0 : side * thickness * height / std::sqrt(1 + slope * slope);
+        const double part = x < camber_at ? camber_at : 1 - camber_at,
+                     behind = x < camber_at ? 0 : 1 - 2 * camber_at,
+                     line = camber * (behind + x * (2 * camber_at - x)) / (part * part),
+                     slope = 2 * camber * (camber_at - x) / (part * part);
+        const double half =
+            5 * thickness *
+            (.2969 * std::sqrt(x) + x * (-.1260 + x * (-.3516 + x * (.2843 - .1036 * x))));
+        const double across = x == 1 ? 0 : side * half / std::sqrt(1 + slope * slope);
         section.x.push_back(x - across * slope);
-        section.y.push_back(camber * line + across);
+        section.y.push_back(line + across);
     });
     return section;
 }

@@ -36,7 +36,7 @@ if [ -d "${FOAM_TUTORIALS:-/usr/share/doc/openfoam-examples/examples}/incompress
     cat "$dir/pitching.out"
     # One factorisation must go farther than OpenFOAM's own solvers, and the defaults to the end.
     check "the pitching airfoil: how far each solver goes" awk -v end="${END:-180}" '
-        { far[$1] = $2 ~ /^[0-9]/ ? $2 : 0 }
+        /^[^ ]/ { far[$1] = $2 ~ /^[0-9]/ ? $2 : 0 }   # indented lines are the ends of logs
         END {
             for (name in far) if (name ~ /^(laplacian|SBRStress)-/ && far[name] >= far["harmorph-one"]) exit 1
             exit far["harmorph"] != end

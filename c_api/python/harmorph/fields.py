@@ -166,8 +166,24 @@ class Walls:
         """
         view, _alive = points_in(points, self._n, "points")
         result = np.empty(len(self.points))
-        call(lib.hm_first_layer, self._walls, view, ffi.from_buffer("double[]", result))
+        call(lib.hm_first_layer, self._walls, ffi.NULL, view, ffi.from_buffer("double[]", result), ffi.NULL, ffi.NULL)
         return result
+
+    def layer_changes(self, before: Any, points: Any) -> Tuple[np.ndarray, np.ndarray]:
+        """Return how the first layer has changed at the wall points, from the mesh points `before` to `points`.
+
+        Returns
+        -------
+        ratios : ndarray of shape (n,)
+            Heights after divided by heights before; 1 where no edge leaves the wall.
+        angles : ndarray of shape (n,)
+            Degrees by which the edges have rotated more than the wall; 0 where no edge leaves the wall.
+        """
+        (start, _start), (view, _view) = points_in(before, self._n, "before"), points_in(points, self._n, "points")
+        ratios, angles = np.empty(len(self.points)), np.empty(len(self.points))
+        call(lib.hm_first_layer, self._walls, start, view, ffi.NULL,
+             *(ffi.from_buffer("double[]", one) for one in (ratios, angles)))
+        return ratios, angles
 
 
 def _copy(pointer: Any, n: int) -> np.ndarray:

@@ -30,6 +30,9 @@ class Assessment(NamedTuple):
         {members of hm_step_report}
     quality : Report
         {members of hm_quality_report}
+        cell_quality : ndarray of shape (n_cells,), or None
+            With ``cells=True``, the quality of each cell in the order of the mesh, 0 for inverted
+            cells: `min_quality` is the smallest of them, and `mean_quality` their mean.
     """
 
     step: Optional[Report]
@@ -171,7 +174,8 @@ class Functions:
         call(lib.hm_basis_matrix, basis.pointer, doubles(out, shape, "out", out=True))
         return out
 
-    def assess(self, displacement: Any = None, points: Any = None, reference: Any = None) -> Assessment:
+    def assess(self, displacement: Any = None, points: Any = None, reference: Any = None,
+               cells: bool = False) -> Assessment:
         """Judge a movement before anything moves, or a mesh as it is.
 
         Parameters
@@ -185,6 +189,8 @@ class Functions:
             ``assess(points=moved)`` judges shapes of cells alone; to judge a moved mesh against the
             start, give ``reference=morph.start``: the quality is then that of
             ``assess(displacement)``.
+        cells : bool, optional
+            Also return the quality of each cell, as ``quality.cell_quality``.
 
         Returns
         -------
@@ -200,10 +206,15 @@ class Functions:
                                    (reference, "reference"))]
         step = new("hm_step_report") if displacement is not None else _NULL
         quality = new("hm_quality_report")
+        of_cells = np.empty(self._problem.n_cells) if cells else None
+        if of_cells is not None:
+            quality.cell_quality = ffi.from_buffer("double[]", of_cells)
         with self._lock if self._executor.threads > 1 else _NoLock():
             call(lib.hm_assess, basis.pointer, self._problem._c, *(view for view, _ in views),
                  self._executor.view, step, quality)
-        return Assessment(None if step == _NULL else report(step), report(quality))
+        found = report(quality)
+        found.cell_quality = of_cells
+        return Assessment(None if step == _NULL else report(step), found)
 
     def boundary_error(self, move: Any, moved: Any, points: Any = None) -> float:
         """Return the largest distance of wall points from where their conditions take them [length].

@@ -78,6 +78,9 @@ def test_distances_are_those_of_the_nearest_face():
     assert np.hypot(*(to - place).T) == pytest.approx(found.distance, abs=1e-14)
     heights = walls.heights(to)
     assert heights == pytest.approx(found.distance[walls.layer_points], rel=0.1)
+    turned = 1.5 * mesh.points[:, ::-1] * (-1, 1)
+    ratios, angles = walls.layer_changes(mesh.points, turned)
+    assert ratios == pytest.approx(1.5, rel=1e-12) and angles == pytest.approx(0, abs=1e-5)
     with pytest.raises(harmorph.Error, match="no marker 'wing'"):
         harmorph.Walls(mesh, ["wing"])
     with pytest.raises(harmorph.Error, match="hint must have the shape"):

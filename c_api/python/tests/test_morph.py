@@ -54,6 +54,19 @@ def test_the_assessment_is_exact(morph, move):
         quality.min_quality)
 
 
+def test_the_quality_of_each_cell(morph, move):
+    displacement = morph.displacement(move)
+    quality = morph.assess(displacement, cells=True).quality
+    cells = quality.cell_quality
+    assert cells.shape == (ring_mesh().n_cells,) and morph.assess(displacement).quality.cell_quality is None
+    assert cells.min() == quality.min_quality and cells.argmin() == quality.min_quality_cell
+    assert cells.mean() == pytest.approx(quality.mean_quality, rel=1e-13)
+    alone = morph.assess(points=morph.start + displacement, reference=morph.start, cells=True).quality
+    assert alone.cell_quality == pytest.approx(cells, rel=1e-10)
+    far = morph.assess(1000 * displacement, cells=True).quality
+    assert far.inverted == (far.cell_quality == 0).sum() > 0
+
+
 def test_movements_of_real_functions_only_mix_what_they_should(curves, move):
     laplace = harmorph.Morph(ring_mesh(), curves, operator="laplace")
     assert laplace.info.numbers_per_value == 1

@@ -260,10 +260,14 @@ export class Morph implements Owner {
      * F2 px + F3 py.
      */
     matrix(options?: { out?: NumbersOut }): NumbersOut;
-    /** Judges a movement before anything moves, or a mesh as it is (null). */
+    /**
+     * Judges a movement before anything moves, or a mesh as it is (null). With cells, true or an array for them, the
+     * result has the quality of each cell, 0 for inverted cells.
+     */
     assess(
-        displacement?: NumbersIn | null, options?: { points?: NumbersIn; reference?: NumbersIn },
-    ): { step: StepReport | null; quality: QualityReport };
+        displacement?: NumbersIn | null,
+        options?: { points?: NumbersIn; reference?: NumbersIn; cells?: boolean | NumbersOut },
+    ): { step: StepReport | null; quality: QualityReport; cells: NumbersOut | null };
     /** The largest distance of wall points from where their conditions take them [length]. */
     boundaryError(move: NumbersIn, moved: NumbersIn, options?: { points?: NumbersIn }): number;
     /** The movement that a mesh has made since the functions were solved. */

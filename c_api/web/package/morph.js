@@ -195,20 +195,23 @@ export class Morph extends Owner {
         });
     }
 
-    /** Judges a movement before anything moves, or a mesh as it is: { step, quality }. */
-    assess(displacement = null, { points, reference } = {}) {
+    /** Judges a movement before anything moves, or a mesh as it is: { step, quality, cells }. */
+    assess(displacement = null, { points, reference, cells } = {}) {
         const basis = this.open();
         if (this.problem === null) refuse("This call needs the mesh; give it to Morph.load().", "HM_BAD_BASIS");
         return this.library.with((scope) => {
             const { layout } = this.library, n = this.nPoints;
             const step = displacement === null ? 0 : scope.struct("hm_step_report");
-            const quality = scope.struct("hm_quality_report");
+            const wanted = cells !== undefined && cells !== false;
+            const each = wanted ? scope.numbers_out(cells === true ? null : cells, this.info.cells) : null;
+            const quality = scope.struct("hm_quality_report", { cell_quality: each?.address ?? 0 });
             const from = scope.points(points, n, "points"), by = scope.points(displacement, n, "displacement");
             this.library.call("hm_assess", basis, this.problem.address, from, by,
                 scope.points(reference, n, "reference"), 0, step, quality);
             return {
                 step: step === 0 ? null : layout.read("hm_step_report", step),
                 quality: layout.read("hm_quality_report", quality),
+                cells: each?.done() ?? null,
             };
         });
     }

@@ -114,6 +114,28 @@ static void expect(const reference* serial, const double* move, expectation* mad
     MPI_Bcast(&made->quality, (int)sizeof made->quality, MPI_BYTE, 0, MPI_COMM_WORLD);
 }
 
+/* The quality of each own cell: the smallest one and the mean are those of the report; entries of
+ * ghost cells stay. */
+static void check_cells(const reference* serial, const own_part* mine, const double* cells,
+                        const hm_quality_report* quality) {
+    double least = 2, sums[2] = {0, 0};
+    int32_t k, wrong = 0;
+    for (k = 0; k < mine->n_cells; ++k) {
+        const int is_ghost = mine->ghosts != NULL && mine->ghosts[k];
+        if ((cells[k] == -1) != is_ghost) ++wrong;
+        if (is_ghost) continue;
+        least = fmin(least, cells[k]);
+        sums[0] += cells[k];
+        sums[1] += 1;
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &least, 1, MPI_DOUBLE, MPI_MIN, MPI_COMM_WORLD);
+    MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+    check(wrong == 0, "each own cell has a quality, and ghost cells have none", serial->name);
+    check(least == quality->min_quality, "the least quality of a cell", serial->name);
+    check(fabs(sums[0] / sums[1] - quality->mean_quality) < 1e-12, "the mean of the cells",
+          serial->name);
+}
+
 static void check_use(const reference* serial, const hm_petsc* system, const hm_basis* rows,
                       const own_part* mine) {
     hm_step_report step = {sizeof step};
@@ -123,7 +145,8 @@ static void check_use(const reference* serial, const hm_petsc* system, const hm_
     const size_t n = (size_t)serial->mesh.n_points, n_own = (size_t)mine->n_points,
                  m = 2 * (size_t)serial->functions;
     double *own = room(2 * n_own * sizeof *own), *move = room(m * sizeof *move),
-           *gradient = room(m * sizeof *gradient);
+           *gradient = room(m * sizeof *gradient),
+           *cells = room((size_t)mine->n_cells * sizeof *cells);
     double worst = 0;
     uint8_t* owned = room(n_own);
     size_t k;
@@ -136,6 +159,8 @@ static void check_use(const reference* serial, const hm_petsc* system, const hm_
         worst = fmax(worst, fabs(own[n_own + k] - expected.displacement[n + at]));
     }
     check(worst < 1e-8, "points move as on one process", serial->name);
+    for (k = 0; k < (size_t)mine->n_cells; ++k) cells[k] = -1;
+    quality.cell_quality = cells;
     need(hm_petsc_assess(system, rows, NULL, &(hm_points){own, own + n_own, 1}, &step, &quality,
                          NULL, MPI_COMM_WORLD, &error),
          &error);
@@ -147,6 +172,7 @@ static void check_use(const reference* serial, const hm_petsc* system, const hm_
           "the mean quality is that of one process", serial->name);
     check(quality.inverted == expected.quality.inverted, "as many cells are inverted",
           serial->name);
+    check_cells(serial, mine, cells, &quality);
     need(hm_petsc_owned(system, owned, &error), &error);
     for (k = 0; k < n_own; ++k) {
         own[k] = owned[k] ? expected.dj[mine->global[k]] : 0;
@@ -165,6 +191,7 @@ static void check_use(const reference* serial, const hm_petsc* system, const hm_
     free(owned);
     free(move);
     free(gradient);
+    free(cells);
 }
 
 void check_agreement(const reference* serial, int kind, int solver) {

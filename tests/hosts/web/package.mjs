@@ -147,6 +147,14 @@ numbers.view.set(w);
 near("adjoint of numbers of the memory", morph.adjoint(numbers), gradient, 0);
 const judged = morph.assess(d);
 check("assessment", judged.quality.inverted === 0 && judged.step.admissible > 1 && judged.quality.minQuality > 0);
+const { cells: each } = morph.assess(d, { cells: true }), least = judged.quality.minQuality;
+check("the quality of each cell", judged.cells === null && each.length === morph.info.cells &&
+    Math.min(...each) === least && each.indexOf(least) === judged.quality.minQualityCell);
+const of_cells = new hm.Numbers(morph.info.cells);
+check("in numbers of the memory", morph.assess(d, { cells: of_cells }).cells === of_cells);
+near("the same numbers", of_cells.view, each, 0);
+of_cells.free();
+refused("an array of another length", "HM_BAD_ARGUMENT", () => morph.assess(d, { cells: new Float64Array(3) }));
 const too_far = morph.displacement(a.map((one) => 1.001 * judged.step.admissible * one));
 check("the admissible step is that of the first inverted cell",
     morph.assess(too_far).quality.inverted > 0 || judged.step.boundary <= judged.step.admissible);

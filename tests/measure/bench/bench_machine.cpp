@@ -1,7 +1,5 @@
-// Measures the limits of this machine: bytes read per second by the wanted number of threads, and
-// multiply-adds of one thread.
+// Measures the limits of this machine: bytes read per second by the wanted number of threads.
 #include "clock.hpp"
-#include "peers.hpp"
 #include "settings.hpp"
 
 #include <unistd.h>
@@ -19,17 +17,6 @@ namespace {
 #define BENCH_LOOPS(name, target, bytes)                                                           \
     struct name {                                                                                  \
         typedef double Vector __attribute__((vector_size(bytes)));                                 \
-        static constexpr double per_round = 2.0 * 12 * (bytes) / sizeof(double);                   \
-        target static double multiply_add(long rounds, double factor) {                            \
-            Vector sum[12], a, b;                                                                  \
-            for (std::size_t k = 0; k < (bytes) / sizeof(double); ++k) a[k] = factor, b[k] = 1;    \
-            for (Vector & s : sum) s = b;                                                          \
-            for (long r = 0; r < rounds; ++r)                                                      \
-                for (Vector & s : sum) s = s * a + b;                                              \
-            double all = 0;                                                                        \
-            for (Vector & s : sum) all += s[0];                                                    \
-            return all;                                                                            \
-        }                                                                                          \
         target static double read(double const* data, std::size_t n, std::size_t ahead) {          \
             Vector sum[8] = {};                                                                    \
             std::size_t const step = 8 * (bytes) / sizeof(double);                                 \
@@ -55,14 +42,12 @@ BENCH_LOOPS(Plain, , 16)
 
 struct Loops {
     char const* name;
-    double per_round;
-    double (*multiply_add)(long, double);
     double (*read)(double const*, std::size_t, std::size_t);
 };
 
 template <class Set>
 Loops loops_of(char const* name) {
-    return {name, Set::per_round, Set::multiply_add, Set::read};
+    return {name, Set::read};
 }
 
 Loops widest() {
@@ -75,13 +60,6 @@ Loops widest() {
 }
 
 double volatile sink;
-
-double measure_peak(Loops const& loops) {
-    long const rounds = 4000000;
-    double const factor = 0.5;
-    return static_cast<double>(rounds) * loops.per_round /
-           time_of([&] { sink = loops.multiply_add(rounds, factor); });
-}
 
 // Each thread reads its part. data: aligned, so that whole vectors may be read.
 void read_all(Loops const& loops, double const* data, std::size_t n, std::size_t ahead,
@@ -103,7 +81,6 @@ void read_all(Loops const& loops, double const* data, std::size_t n, std::size_t
 
 std::size_t const distances[] = {0, 128, 512, 1024};  // of prefetches
 
-// Bytes per second.
 // [bytes/s], and the distance of prefetches that is the best for this processor.
 double measure_reading(Loops const& loops, double const* data, std::size_t n,
                        Settings const& settings, std::size_t& distance) {
@@ -136,14 +113,6 @@ std::size_t bytes_in_no_cache() {
     return static_cast<std::size_t>(std::min(4 * cache, memory / 4));
 }
 
-double measure_dgemm(Blas const& blas) {
-    int const n = 2000;
-    std::vector<double> a(static_cast<std::size_t>(n) * n, 1.5), b = a, c = a;
-    double const seconds = time_of(
-        [&] { blas.dgemm('N', 'N', n, n, n, 1, a.data(), n, b.data(), n, 0, c.data(), n); });
-    return 2.0 * n * n * n / seconds;
-}
-
 }  // namespace
 
 Limits measure_machine(Settings const& settings, Report& report) {
@@ -151,20 +120,6 @@ Limits measure_machine(Settings const& settings, Report& report) {
     Limits limits;
     Loops const loops = widest();
     Table table{"The machine", {"what", "value", "unit"}, {}, {}};
-    limits.peak = measure_peak(loops);
-    table.add({std::string("multiply-adds in registers, one thread, ") + loops.name,
-               {1e-9 * limits.peak, "%.1f"},
-               "GFLOP/s"});
-    if (blas() != nullptr) {
-        blas()->set_threads(1);
-        table.add({"OpenBLAS dgemm of 2000, one thread",
-                   {1e-9 * measure_dgemm(*blas()), "%.1f"},
-                   "GFLOP/s"});
-        blas()->set_threads(settings.threads);
-    } else {
-        table.notes.push_back("OpenBLAS: not installed (libopenblas-dev)");
-    }
-
     std::size_t const n = bytes_in_no_cache() / 8 / 1024 * 1024;
     std::vector<double> memory(n + 1024, 1.0);
     double* const data = memory.data() + (aligned(memory.data()) - memory.data());
@@ -179,14 +134,6 @@ Limits measure_machine(Settings const& settings, Report& report) {
         {"reading " + std::to_string(n >> 17) + " MiB, " + threads + ", best of four prefetches",
          {1e-9 * limits.read, "%.1f"},
          "GB/s"});
-    std::size_t const third = n / 3;
-    double *a = data, *b = data + third, *c = data + 2 * third;
-    double const seconds = time_of([&] {
-        for (std::size_t i = 0; i < third; ++i) a[i] = b[i] + 0.5 * c[i];
-        sink = a[third / 2];
-    });
-    double const triad = 24.0 * static_cast<double>(third) / seconds;
-    table.add({"STREAM triad, one thread, 24 bytes an element", {1e-9 * triad, "%.1f"}, "GB/s"});
     report.finish(table);
     return limits;
 }

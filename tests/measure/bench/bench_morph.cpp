@@ -1,15 +1,12 @@
-// The product and its transpose against OpenBLAS's dgemm and the machine's read bandwidth;
-// admissible step and quality.
+// The product and its transpose beside the machine's read bandwidth; admissible step and quality.
 #include <harmorph_bases.h>
 #include <harmorph_study.h>
 #include "clock.hpp"
 #include "ours.hpp"
-#include "peers.hpp"
 #include "settings.hpp"
 
 #include <cstring>
 #include <functional>
-#include <stdexcept>
 #include <fixtures/memory.hpp>
 
 namespace bench {
@@ -55,49 +52,6 @@ public:
         done(hm_adjoint(basis_, &dj, gradient_.data(), executor_, &error_), "hm_adjoint");
     }
 
-    struct Pair {
-        double ours, theirs;
-    };
-    struct Pairs {
-        Pair morph, adjoint;
-    };
-    // Against the fastest of the ways to store F and the coordinates that suit dgemm; the least of
-    // calls in turn.
-    Pairs against(Blas const& blas) {
-        Block memory_by_node(pages_), memory_by_function(pages_);
-        double *const by_node = memory_by_node.numbers(m_ * n_), *const by_function =
-                                                                     memory_by_function.numbers(m_ *
-                                                                                                n_);
-        for (std::size_t k = 0; k < m_; ++k) {
-            done(hm_basis_values(basis_, static_cast<Index>(k), 0, &by_function[k * n_], &error_),
-                 "hm_basis_values");
-            for (std::size_t i = 0; i < n_; ++i) by_node[i * m_ + k] = by_function[k * n_ + i];
-        }
-        std::vector<double> columns(2 * m_), pairs(move_);  // moves as [m x 2] and as [2 x m]
-        for (std::size_t k = 0; k < m_; ++k) {
-            columns[k] = move_[2 * k];
-            columns[m_ + k] = move_[2 * k + 1];
-        }
-        check(blas, by_node, columns);
-        int const m = static_cast<int>(m_), n = static_cast<int>(n_);
-        double *const x = x_, *const g = gradient_.data(), *const f = by_node,
-                      *const t = by_function;
-        std::vector<std::function<void()>> const morphs = {
-            [&] { blas.dgemm('T', 'N', n, 2, m, 1, f, m, columns.data(), m, 1, x, n); },
-            [&] { blas.dgemm('N', 'N', 2, n, m, 1, pairs.data(), 2, f, m, 1, x, 2); },
-            [&] { blas.dgemm('N', 'N', n, 2, m, 1, t, n, columns.data(), m, 1, x, n); }};
-        std::vector<std::function<void()>> const adjoints = {
-            [&] { blas.dgemm('N', 'N', m, 2, n, 1, f, m, x, n, 0, g, m); },
-            [&] { blas.dgemm('N', 'T', m, 2, n, 1, f, m, x, 2, 0, g, m); },
-            [&] { blas.dgemm('T', 'N', m, 2, n, 1, t, n, x, n, 0, g, m); }};
-        auto const pair = [](auto const& one, auto const& other) {
-            auto const seconds = in_turn(one, other);
-            return Pair{least(seconds.first), least(seconds.second)};
-        };
-        return {pair([&] { morph(); }, fastest(morphs)),
-                pair([&] { adjoint(); }, fastest(adjoints))};
-    }
-
     double basis_bytes() const {
         hm_basis_info info{};
         info.struct_size = sizeof info;
@@ -109,9 +63,8 @@ public:
     double morph_bytes(double number = 8) const { return nodes() * (number * numbers() + 32); }
     double adjoint_bytes(double number = 8) const { return nodes() * (number * numbers() + 16); }
 
-    // Milliseconds and bytes of one product, against dgemm and against reading the basis, in turn
-    // with each.
-    void add_row(char const* what, double bytes, std::function<void()> const& work, Pair seconds,
+    // Milliseconds and bytes of one product, in turn with reading the basis.
+    void add_row(char const* what, double bytes, std::function<void()> const& work,
                  Limits const& limits, Table& table) const {
         auto const read = [&] {
             limits.read_once(basis_, static_cast<std::size_t>(basis_bytes()));
@@ -128,9 +81,7 @@ public:
                    {1e9 * alone / nodes(), "%.2f"},
                    {1e-9 * bytes / alone, "%.1f"},
                    {1e-9 * reading, "%.1f"},
-                   percent(bytes / alone / reading),
-                   milliseconds(seconds.theirs),
-                   ratio(seconds.theirs / seconds.ours)});
+                   percent(bytes / alone / reading)});
     }
 
 private:
@@ -148,29 +99,6 @@ private:
     double* y() { return x_ + n_; }
     double numbers() const { return static_cast<double>(m_) * operator_.numbers; }  // of a point
     void done(hm_status status, char const* call) const { require(status, error_, call); }
-    static std::function<void()> fastest(std::vector<std::function<void()>> const& ways) {
-        double best = not_measured;
-        std::function<void()> chosen;
-        for (auto const& way : ways) {
-            double const seconds = time_of(way);
-            if (best <= seconds) continue;
-            best = seconds;
-            chosen = way;
-        }
-        return chosen;
-    }
-    // Both sides move the points alike.
-    void check(Blas const& blas, double const* by_node, std::vector<double> const& columns) {
-        std::vector<double> ours(2 * n_), theirs(2 * n_);
-        int const m = static_cast<int>(m_), n = static_cast<int>(n_);
-        hm_points_out const displacement{ours.data(), ours.data() + n_, 1};
-        done(hm_morph(basis_, move_.data(), nullptr, &displacement, executor_, &error_),
-             "hm_morph");
-        blas.dgemm('T', 'N', n, 2, m, 1, by_node, m, columns.data(), m, 0, theirs.data(), n);
-        for (std::size_t i = 0; i < 2 * n_; ++i)
-            if (!(std::fabs(ours[i] - theirs[i]) < 1e-20))
-                throw std::runtime_error("our morph is not OpenBLAS's");
-    }
 };
 
 void add_products(Case const& mesh_case, Operator const& chosen, Settings const& settings,
@@ -190,14 +118,10 @@ void add_products(Case const& mesh_case, Operator const& chosen, Settings const&
             require(hm_basis_attach(&basis, block.give(0), info.bytes, nullptr, &error), error,
                     "hm_basis_attach");
             Product product(mesh_case, basis, functions, settings.executor, pages, chosen);
-            Product::Pairs pairs{{not_measured, not_measured}, {not_measured, not_measured}};
-            if (blas() != nullptr && chosen.numbers == 1) pairs = product.against(*blas());
             product.add_row(
-                "morph", product.morph_bytes(), [&] { product.morph(); }, pairs.morph, limits,
-                table);
+                "morph", product.morph_bytes(), [&] { product.morph(); }, limits, table);
             product.add_row(
-                "adjoint", product.adjoint_bytes(), [&] { product.adjoint(); }, pairs.adjoint,
-                limits, table);
+                "adjoint", product.adjoint_bytes(), [&] { product.adjoint(); }, limits, table);
         }
     }
 }
@@ -293,13 +217,12 @@ void add_step(Case const& mesh_case, Settings const& settings, Table& table) {
 }  // namespace
 
 void bench_morph(Settings const& settings, Limits const& limits, Report& report) {
-    if (blas() != nullptr) blas()->set_threads(settings.threads);
     Index largest = 0;
     for (Index const size : settings.sizes) largest = std::max(largest, size);
     largest = std::min(largest, Index{1000000});
     Table products{"Morph and adjoint [ms] (threads: " + std::to_string(settings.threads) + ")",
                    {"what", "mesh", "operator", "functions", "pages", "ours", "ns/node", "GB/s",
-                    "reading", "% of reading", "dgemm", "ratio"},
+                    "reading", "% of reading"},
                    {},
                    {}};
     Table steps{
@@ -327,15 +250,11 @@ void bench_morph(Settings const& settings, Limits const& limits, Report& report)
         }
         add_step(mesh_case, settings, steps);
     }
-    if (blas() == nullptr) products.notes.push_back("OpenBLAS: not installed (libopenblas-dev)");
     products.notes.push_back(
         "Bytes: 8 m + 32 a node for the morph, in place; 8 m + 16 for the adjoint; m: functions, "
         "or two numbers of "
         "each where they are conformal. Reading: of the basis "
         "[GB/s], in turn with the product, in the same pages.");
-    products.notes.push_back(
-        "dgemm: the best of three ways to store F and the coordinates, in the same pages; the "
-        "least of calls in turn.");
     products.notes.push_back(others.text());
     storage.notes.push_back(
         "In turn, the least of each. Bytes: 4 m + 32 a node for the morph, 4 m + 16 for the "

@@ -3,33 +3,7 @@
 #include "clock.hpp"
 #include "comparison.hpp"
 
-#include <map>
-
 namespace bench {
-namespace {
-
-// Time per node from each size to the next of the same kind.
-class Growth {
-public:
-    void add(Comparison const& comparison, Case const& mesh_case, Table& table) {
-        for (std::size_t set = 0; set < comparison.sets(); ++set) {
-            Index const functions = comparison.functions(set);
-            double const per_node = comparison.our_seconds(set) / comparison.points();
-            std::string const key = mesh_case.kind + " " + std::to_string(functions);
-            double const before = last_.count(key) > 0 ? last_[key] : not_measured;
-            table.add({mesh_case.name(),
-                       count(functions),
-                       {1e6 * per_node, "%.3f"},
-                       ratio(per_node / before)});
-            last_[key] = per_node;
-        }
-    }
-
-private:
-    std::map<std::string, double> last_;
-};
-
-}  // namespace
 
 void bench_solve(Settings const& settings, Report& report) {
     std::string const threads = " (threads: " + std::to_string(settings.threads) + ")";
@@ -48,11 +22,6 @@ void bench_solve(Settings const& settings, Report& report) {
                  {"mesh", "peer", "analysis", "factor", "with the first solve"},
                  {},
                  {}};
-    Table growth{"Growth of our time per node, from each size to the next" + threads,
-                 {"mesh", "functions", "us/node", "growth"},
-                 {},
-                 {}};
-    Growth grown;
     Others others;
     int disturbed = 0;
     for (std::string const& kind : settings.kinds) {
@@ -65,7 +34,6 @@ void bench_solve(Settings const& settings, Report& report) {
             comparison.report_against(against);
             comparison.report_phases(phases);
             comparison.report_trials(trials);
-            grown.add(comparison, mesh_case, growth);
             disturbed += comparison.disturbed();
         }
     }
@@ -84,7 +52,6 @@ void bench_solve(Settings const& settings, Report& report) {
                                 " runs had less than 97 % of a processor.");
     report.finish(phases);
     report.finish(trials);
-    report.finish(growth);
     report.finish(against);
 }
 

@@ -61,13 +61,6 @@ Mesh stretched_mesh(double size, double by) {
 
 }  // namespace
 
-std::vector<std::string> const& known_kinds() {
-    static std::vector<std::string> const kinds = {"iso",         "viscous",      "thin",
-                                                   "thinnest",    "unstructured", "shuffled",
-                                                   "stretched10", "stretched100", "stretched1000"};
-    return kinds;
-}
-
 Case make_case(std::string const& kind, Index size) {
     Case out;
     out.kind = kind;
@@ -75,15 +68,11 @@ Case make_case(std::string const& kind, Index size) {
     else if (kind == "viscous") out.mesh = viscous_mesh(size, 1e-5);
     else if (kind == "thin") out.mesh = viscous_mesh(size, 1e-6);
     else if (kind == "thinnest") out.mesh = viscous_mesh(size, 1e-7);
-    else if (kind == "unstructured" || kind == "shuffled") out.mesh = unstructured_mesh(size);
+    else if (kind == "unstructured") out.mesh = unstructured_mesh(size);
     else if (kind == "stretched10" || kind == "stretched100" || kind == "stretched1000")
         out.mesh = stretched_mesh(size, std::stod(kind.substr(9)));
     else throw std::invalid_argument("no such kind of mesh: " + kind);
     for (Index const marker : out.mesh.face_markers) out.wall_points += marker == fixtures::body;
-    if (kind == "shuffled") {
-        fixtures::renumber_points(out.mesh, 1);
-        fixtures::shuffle_cells(out.mesh, 2);
-    }
     return out;
 }
 
@@ -96,8 +85,7 @@ std::string Case::name() const {
 }
 
 Fit::Fit(Case const& mesh_case, Index n_control) {
-    // Faces run clockwise round the body, one from each of its points: in order also where points
-    // are shuffled.
+    // Faces run clockwise round the body, one from each of its points.
     fixtures::Mesh const& mesh = mesh_case.mesh;
     std::vector<double> x, y;
     for (Index face = mesh_case.wall_points; face-- > 0;) {

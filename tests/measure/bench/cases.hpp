@@ -14,15 +14,12 @@ inline std::size_t at(Index k) { return static_cast<std::size_t>(k); }
 
 // A NACA 0012 in a circle of 20 chords.
 struct Case {
-    std::string kind;  // one of known_kinds()
+    std::string kind;
     fixtures::Mesh mesh;
-    Index wall_points =
-        0;  // the first points of the mesh, in order round the airfoil (but for shuffled)
+    Index wall_points = 0;  // the first points of the mesh, in order round the airfoil
 
     std::string name() const;
 };
-
-std::vector<std::string> const& known_kinds();
 
 // iso:          O-mesh of quads, as long as they are high
 // viscous:      O-mesh of quads, the first 1e-5 chords high
@@ -30,7 +27,6 @@ std::vector<std::string> const& known_kinds();
 // thinnest:     the same, 1e-7 chords high
 // unstructured: Delaunay triangles that grow with the distance, numbered as a generator lays them
 //               down
-// shuffled:     the same, points and cells in random order
 // stretched10, stretched100, stretched1000: the triangles of unstructured with all y divided by
 //               this number, turned by 30 degrees
 // The mesh has about `size` points. An unknown kind: std::invalid_argument.

@@ -22,16 +22,11 @@ namespace bench {
 namespace {
 
 char const* const usage =
-    "usage: bench [--parts \"solve threads iterative iterations memory displace safe "
-    "morph\"] [--sizes "
-    "\"10000 "
-    "100000 1000000\"]\n"
-    "             [--kinds \"iso viscous thin thinnest unstructured shuffled stretched10 "
-    "stretched100 "
-    "stretched1000\"] [--functions \"20 60\"] "
-    "[--threads N] "
-    "[--repeats N]\n"
-    "             [--kernel 0..4] [--gibibytes N]\n";
+    "usage: bench [--parts \"solve threads iterative iterations memory displace safe morph\"]\n"
+    "             [--sizes \"10000 100000 1000000\"] [--functions \"20 60\"] [--threads N]\n"
+    "             [--kinds \"iso viscous thin thinnest unstructured stretched10 stretched100 "
+    "stretched1000\"]\n"
+    "             [--repeats N] [--kernel 0..4] [--gibibytes N]\n";
 
 template <class T>
 std::vector<T> words(std::string const& text) {
@@ -114,7 +109,6 @@ void run(Settings settings) {
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, -1);
 #endif
-    if (blas() != nullptr) blas()->set_threads(settings.threads);
     cli::Threads const threads(settings.threads);
     hm_executor executor = *threads.executor();
     if (settings.kernel != HM_KERNEL_AUTO) executor.kernel = settings.kernel;
@@ -128,10 +122,6 @@ void run(Settings settings) {
     for (SolverPackage const& package : solver_packages())
         report.fact(package.name, presence(package));
     report.fact("PETSc", iterative_peers().empty() ? "not linked" : "linked");
-    report.fact("OpenBLAS",
-                blas() != nullptr
-                    ? blas()->name()
-                    : "not installed (libopenblas-dev); CHOLMOD runs on what it is linked with");
 
     // The other parts' tables speak of shares of what is measured here.
     Limits const limits = measure_machine(settings, report);

@@ -23,14 +23,6 @@ std::vector<SolverPackage> const& solver_packages() {
     return packages;
 }
 
-Blas const* blas() {
-#ifdef HAVE_OPENBLAS
-    return &openblas();
-#else
-    return nullptr;
-#endif
-}
-
 std::string presence(SolverPackage const& package) {
     return package.make != nullptr ? "installed" : "not installed (" + package.package + ")";
 }

@@ -2,7 +2,6 @@
 // so on.
 #pragma once
 
-#include "blas.hpp"
 #include "solver_peer.hpp"
 
 namespace bench {
@@ -16,9 +15,6 @@ std::vector<SolverPackage> const& solver_packages();
 
 // PETSc's preconditioned iterations; empty: run.sh has not linked PETSc.
 SolverPeers iterative_peers();
-
-// Null: not installed.
-Blas const* blas();
 
 // "installed" or "not installed (libsuitesparse-dev)".
 std::string presence(SolverPackage const& package);

@@ -23,7 +23,7 @@ function cells(a, b, c, d, e, f, g, h, i) {
 }
 function head(text) { print ""; print text; print ""; section = text }
 function rule(    k, text) { text = "|"; for (k = 1; k <= n; ++k) text = text "---|"; print text }
-/^(machine|date|compiler|OpenBLAS):/ { print }
+/^(machine|date|compiler):/ { print }
 /^reading 1280 MiB/ { print "reading: " $(NF - 1) " " $NF }
 /^Ordering, symbolic pass/ {
     head("Ordering, symbolic pass, factorisation, solution [s]:")
@@ -35,7 +35,7 @@ function rule(    k, text) { text = "|"; for (k = 1; k <= n; ++k) text = text "-
 }
 /^Morph and adjoint/ {
     head("Morph and adjoint [ms]:")
-    cells("", "mesh", "operator", "functions", "pages", "time", "% of reading", "dgemm", "ratio"); rule(); next
+    cells("", "mesh", "operator", "functions", "pages", "time", "% of reading"); rule(); next
 }
 /^Functions in single precision/ { head("Double against single precision [ms]:")
     cells("", "mesh", "functions", "double", "single", "ratio", "% of reading"); rule(); next }
@@ -49,6 +49,6 @@ section ~ /^Ordering/ && NF >= 14 {
     cells($1 " " $2, $3, $4, peer, $(NF - 5), $(NF - 4), $(NF - 3), $(NF - 2))
 }
 section ~ /^Structure/ && NF == 15 { cells($1 " " $2, $4, $(NF - 3)) }
-section ~ /^Morph/ && NF == 14 { cells($1, $2 " " $3, $4, $5, $6 " " $7, $8, $12, $13, $14) }
+section ~ /^Morph/ && NF == 12 { cells($1, $2 " " $3, $4, $5, $6 " " $7, $8, $12) }
 section ~ /^Double/ && NF == 10 { cells($1, $2 " " $3, $4, $5, $6, $7, $10) }
 section ~ /^hm_adm/ && NF == 9 { cells($1 " " $2, $4, $5, $6, $7, $8, $9) }' "$FILE"

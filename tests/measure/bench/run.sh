@@ -24,9 +24,12 @@ flags="-std=c++17 -Wall -Wextra -Wconversion -Wshadow -ffp-contract=fast -pthrea
 paths="-Iinclude -Isrc -Ic_api -Ic_api/cli -Itests"
 sources=$(ls $here/*.cpp | grep -v /peer_)
 
-# A peer is there if a program that calls it can be built. The order on the link line matters: OpenBLAS first, so that
-# CHOLMOD, which is linked with any BLAS, takes it too.
+# A peer is there if a program that calls it can be built. OpenBLAS is the first one on the link line, so that CHOLMOD,
+# which is linked with any BLAS, takes the fastest one.
 defines= libraries= petsc=
+blas="-Wl,--no-as-needed -lopenblas"
+echo 'int main() {}' >"$out/probe.cpp"
+if $CXX -o "$out/probe" "$out/probe.cpp" $blas 2>/dev/null; then libraries=$blas; fi
 peer() {   # name, libraries, declaration and call
     printf '%s\nint main() { %s; }\n' "$3" "$4" >"$out/probe.cpp"
     $CXX -std=c++17 -o "$out/probe" "$out/probe.cpp" $2 2>/dev/null || return 0
@@ -38,7 +41,6 @@ peer() {   # name, libraries, declaration and call
 case " $PARTS " in *" iterative "*)
     petsc=$(pkg-config --cflags petsc mpi 2>/dev/null | sed 's/-I/-isystem /g') || true ;;
 esac
-peer openblas "-lopenblas" 'extern "C" char* openblas_get_config(void);' 'openblas_get_config()'
 peer cholmod "-lcholmod" '#include <suitesparse/cholmod.h>' 'cholmod_common common; cholmod_start(&common)'
 [ -n "$petsc" ] || peer mumps "-ldmumps_seq -lmumps_common_seq -lpord_seq -lmpiseq_seq" '#include <dmumps_c.h>' \
     'DMUMPS_STRUC_C mumps{}; mumps.job = -2; dmumps_c(&mumps)'

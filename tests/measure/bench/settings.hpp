@@ -27,12 +27,11 @@ struct Settings {
     }
 };
 
-// Bytes read per second, and arithmetic: what the other parts are measured against.
+// Bytes read per second: what the other parts are measured against.
 struct Limits {
     double read = 0;  // [bytes/s] of all threads over an array that fits in no cache
     std::function<void(void const* data, std::size_t bytes)>
-        read_once;    // by these threads, for other data
-    double peak = 0;  // [flop/s] of one thread, multiply-adds in registers
+        read_once;  // by these threads, for other data
 };
 
 Limits measure_machine(Settings const& settings, Report& report);

@@ -22,7 +22,6 @@ diffuser="--curve diffuser=$meshes/axisymmetric_diffuser.curve"
 
 . "$here/figures.sh"
 . "$here/operators.sh"
-. "$here/ffd.sh"
 . "$here/schemes.sh"
 . "$here/engines.sh"
 . "$here/histories.sh"

@@ -156,7 +156,7 @@ static void print_sums(const hm_mesh* mesh, const char* name) {
 }
 
 static int save(const hm_mesh* mesh, const char* path) {
-    void *curve_block, *blocks[3], *block;
+    void *curve_block, *blocks[3];
     hm_basis *basis = NULL, *single = NULL;
     hm_basis_info info;
     hm_memory room;

@@ -89,13 +89,13 @@ tests_there() {
     check "unit tests" $emulator "$here/tests$suffix"
 }
 program_sources() {   # in the groups of `make`
-    ls c_api/cli/main.cpp c_api/web/page.cpp c_api/cli/formats/cgns*.cpp "$build/page_text.cpp" \
+    ls c_api/cli/main.cpp c_api/cli/formats/cgns*.cpp "$build/page_text.cpp" \
         "$build/page_module.cpp" "$build/command_text.cpp"
     for object in $(cat "$build/objects/program.list"); do ls "${object%.o}.cpp" 2>/dev/null; done | grep _and_
 }
 demo_there() {
     program_sources >"$here/sources"
-    set -- -pthread -I. -Iinclude -Ic_api/cli -Isrc -Ic_api
+    set -- -pthread -I. -Iinclude -Ic_api/cli
     check "program: compilation" compile "$@" <"$here/sources"
     check "program: link" $cxx $flags -static -pthread -o "$here/harmorph$suffix" "$here"/objects/*.o "$archive"
     check "demo" $emulator "$here/harmorph$suffix" demo "$here/demo" --mesh "$build/meshes/naca0012.su2"
