@@ -146,10 +146,13 @@ private:
         Place const at = place_of(words[3]);
         double const angle = turns ? radians(words[2]) : 0, scale = turns ? 1 : number(words[2]);
         need(scale > 0);
+        // Only the change is rounded: a centre far away cancels in the product with the scale.
+        double const half = std::sin(angle / 2), sine = scale * std::sin(angle),
+                     cosine = scale - 1 - 2 * scale * half * half;  // less 1
         each([&](double& x, double& y) {
             double const a = x - at.x, b = y - at.y;
-            x = at.x + scale * (std::cos(angle) * a - std::sin(angle) * b);
-            y = at.y + scale * (std::sin(angle) * a + std::cos(angle) * b);
+            x += cosine * a - sine * b;
+            y += sine * a + cosine * b;
         });
     }
     void take_first(std::size_t function) {
