@@ -28,7 +28,7 @@ contains
         ! A small movement is a linear morph.
         call plan%analyse(mesh, curves, [hm_condition(body)], options=hm_options(operator_kind=hm_laplace))
         call plan%prepare()
-        move = 0.1_dp * some_move()
+        move = 0.02_dp * some_move()
         call plan%morph_safe(laplace, move, x_new, y_new, report=report)
         call laplace%morph_to(move, x, y, x_other, y_other)
         call check(report%strategy == hm_strategy_linear .and. report%other == -1 .and. report%steps == 1 .and. &

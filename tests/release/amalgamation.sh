@@ -27,7 +27,7 @@ check "a C program" $CC -std=c99 -pedantic $CFLAGS -I. -o use "$source/tests/c_a
 check "the C program runs" ./use
 # The lines of the page, with this object and these compilers.
 page_lines() {
-    { echo 'cc() { $CC $CFLAGS "$@"; }'
+    { echo 'cc() { command $CC $CFLAGS "$@"; }'
       awk '/^\*\*One source/ { here = 1 } here && /^```/ { if (inside) exit; inside = 1; next } inside' \
         "$source/c_api/packaging/README.md" | sed '1,/^g++ -std=c++17 -O2 -c harmorph.cpp$/d
             s|^examples=.*|examples="$source/c_api/examples"|; s|-I$examples|-I"$examples"|

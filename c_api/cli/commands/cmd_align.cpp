@@ -105,8 +105,10 @@ void run_align(const Arguments& arguments) {
     solver.run();
     const Basis basis(solver.basis(), mesh);
     const ToAirfoil airfoil = moves_to_airfoil(basis, 0, target, to, false);
-    const Morph morph(basis, mesh, airfoil.moves, sized<hm_safe_options>(),
-                      basis.info().operator_kind, threads);
+    // Fields follow the points, so that better cells are not worth a detour of the points.
+    auto options = sized<hm_safe_options>();
+    options.min_quality = -1;  // the first valid mesh
+    const Morph morph(basis, mesh, airfoil.moves, options, basis.info().operator_kind, threads);
     if (!morph.valid() || !morph.refusal.empty()) {
         throw Failure(exit_unusable, mesh.file.path() + " cannot be moved to the shape of " + to +
                                          ": " + morph.refusal);
