@@ -1,4 +1,5 @@
 // The C interface: reads the contents of a basis. These calls need no plan.
+#include "apart.hpp"
 #include "handles.hpp"
 
 namespace harmorph {
@@ -87,6 +88,9 @@ hm_status hm_basis_curves(const hm_basis* basis, const double* move, double* con
             return Status::ok;
         }
         HARMORPH_TRY(check_move(b, move, fault));
+        Apart arrays;
+        arrays.add("move", move, 2 * b.header->counts.functions());
+        HARMORPH_TRY(arrays.check("control", control, 2 * b.header->counts.control, fault));
         for (Index i = 0; i < b.header->counts.control; ++i) {
             Vec2 const by = b.control_move(i, move);
             control[2 * i] = b.control[2 * i] + by.x;

@@ -17,6 +17,7 @@ using BoundLimit = Limit<hm_bound>;
 constexpr BoundLimit bound_limits[] = {
     {&hm_bound::kind, HM_BOUND_QUALITY, HM_BOUND_ANGLE,
      "the kind of bound # is @, but it must be one of HM_BOUND_QUALITY to HM_BOUND_ANGLE"},
+    {&hm_bound::reserved, 0, 0, "reserved of bound # must be 0, not @"},
     {&hm_bound::sharpness, 1, 1e6,
      "the sharpness of bound # is ~, but it must be 0 or between 1 and 1e6",
      BoundLimit::Zero::is_default},

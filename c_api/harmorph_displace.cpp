@@ -2,6 +2,7 @@
 // functions from tables of given displacements.
 #include <type_traits>
 
+#include "apart.hpp"
 #include "given_list.hpp"
 #include "limits.hpp"
 #include "morph/displacement.hpp"
@@ -12,6 +13,7 @@ namespace {
 constexpr Limit<hm_modes> modes_limits[] = {
     {&hm_modes::numbers, 1, 2,
      "modes.numbers must be 1 (real values) or 2 (complex values), not #"},
+    {&hm_modes::reserved, 0, 0, "modes.reserved must be 0, not #"},
 };
 
 constexpr Index max_fields = Index{1} << 20;
@@ -21,6 +23,10 @@ Status check_fields(Plan const& plan, Index n_fields, Fault& fault) noexcept {
     if (n_fields >= 1 && n_fields <= max_fields) return Status::ok;
     return fault.refuse(Status::bad_argument, "n_fields must be between 1 and 2^20, not #",
                         plain(n_fields));
+}
+
+MutablePoints points_of(hm_points_out const& given) noexcept {
+    return {given.x, given.y, stride_of(given.stride)};
 }
 
 // The plan, the list of wall points, and the working memory of hm_displace and hm_displace_adjoint.
@@ -47,6 +53,20 @@ struct DisplaceCall {
         for (Index field = 0; field < n_fields; ++field) {
             View<Given> unused;
             HARMORPH_TRY(view_points(given + field, name, unused, fault, n_points));
+        }
+        return Status::ok;
+    }
+
+    // Checks the arrays of coordinates: those of a single field may be those of `from`, which is
+    // read again for each of several fields.
+    Status check_apart(Points from, const hm_points_out* to, Fault& fault) const noexcept {
+        Index const n = plan->mesh().n_points;
+        if (displacement.n_fields == 1)
+            return Apart::check_in_place("from", from, "to", points_of(to[0]), n, fault);
+        for (Index field = 0; field < displacement.n_fields; ++field) {
+            Apart arrays;
+            arrays.add("from", from, n);
+            HARMORPH_TRY(arrays.check("to", points_of(to[field]), n, fault));
         }
         return Status::ok;
     }
@@ -111,10 +131,6 @@ struct TableCall {
     }
 };
 
-MutablePoints points_of(hm_points_out const& given) noexcept {
-    return {given.x, given.y, stride_of(given.stride)};
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -152,6 +168,7 @@ hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n
         HARMORPH_TRY(call.view_fields(wall, n_fields, "wall", fault, n));
         HARMORPH_TRY(view_points_if(from, "from", start, fault));
         HARMORPH_TRY(call.view_fields(to, n_fields, "to", fault));
+        HARMORPH_TRY(call.check_apart(start, to, fault));
         Displacement const& displacement = call.displacement;
         displacement.clear(*call.plan);
         for (Index i = 0; i < n_fields; ++i) {

@@ -1,4 +1,5 @@
 // The C interface: improves the cells of a valid mesh.
+#include "apart.hpp"
 #include "handles.hpp"
 #include "limits.hpp"
 #include "morph/quality.hpp"
@@ -77,13 +78,17 @@ hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* 
         auto const quality_of = [&](Points points) {
             return measure_quality(p->equations().cells(), points, reference, p->executor());
         };
+        HARMORPH_TRY(
+            Apart::check_in_place("from", before, "to", after, p->mesh().n_points, fault));
         HARMORPH_TRY(MeshImprovement::check(*p, reference, before, fault));
         Quality const given = quality_of(before);
         ImproveReport improved;
-        improvement.run(*p, asked, reference, before, after, improved);
+        improvement.run(*p, asked, reference, before, improved);
+        // Before anything is written: `to` may be the coordinates of the reference.
+        Quality const found = quality_of(as_points(improvement.result));
+        improvement.write(after);
         if (report != nullptr)
-            write_struct(report_of(improved, given, quality_of(after), p->mesh().index_base),
-                         report);
+            write_struct(report_of(improved, given, found, p->mesh().index_base), report);
         return Status::ok;
     });
 }

@@ -10,9 +10,10 @@ namespace {
 
 constexpr Index max_movements = 64;
 
-constexpr Limit<hm_movement> movement_kinds[] = {
+constexpr Limit<hm_movement> movement_limits[] = {
     {&hm_movement::kind, HM_ROTATE, HM_FAMILY,
      "the kind of movement # is @, but it must be one of HM_ROTATE to HM_FAMILY"},
+    {&hm_movement::reserved, 0, 0, "reserved of movement # must be 0, not @"},
 };
 
 // Refuses the fields of linear movements in others, and the other way round.
@@ -44,7 +45,7 @@ Status view_movement(const hm_movement* array, Index number, Movement& out, Faul
     hm_movement m;
     Item const item = entry_item(number);
     HARMORPH_TRY(open_element(array, number, m, item, "movement", "hm_movement", fault));
-    HARMORPH_TRY(check_limits(m, movement_kinds, fault, item));
+    HARMORPH_TRY(check_limits(m, movement_limits, fault, item));
     out = {};
     out.kind = m.kind > HM_BLADE ? MovementKind::linear : static_cast<MovementKind>(m.kind);
     HARMORPH_TRY(check_linear(m, number, fault));
@@ -395,8 +396,8 @@ void write_result(MovementTask const& task, MovementWork const& arrays,
             to.matrix[at++] = by.y;
         }
     }
-    for (Index j = 0;
-         to.unit_errors != nullptr && task.has_variables() && j < 2 * task.n_variables(); ++j)
+    bool const has_errors = to.unit_errors != nullptr && task.has_variables();
+    for (Index j = 0; has_errors && j < 2 * to.n_variables; ++j)
         to.unit_errors[j] = arrays.map.error[j];
     for (Index k = 0; task.family.singular != nullptr && k < task.family.n_members; ++k)
         task.family.singular[k] = arrays.singular[k];
@@ -427,7 +428,8 @@ hm_status hm_move_section(const hm_curves* curves, const hm_section* section, in
         hm_section_move to = {};
         HARMORPH_TRY(task.open(curves, section, n_movements, movements, fault));
         HARMORPH_TRY(check_report_if(result, "result", fault));
-        if (result != nullptr) read_struct(result, to);
+        if (result != nullptr)
+            HARMORPH_TRY(open_struct(result, to, "result", "hm_section_move", fault));
         HARMORPH_TRY(count_section_move(task, to, fault));
         Status const placed =
             place(memory, fault, [&](Arena& arena) { arrays.lay_out(arena, task); });

@@ -1,4 +1,5 @@
 // The C interface: finds and moves the plane of a mesh that is one cell thick.
+#include "apart.hpp"
 #include "handles.hpp"
 #include "limits.hpp"
 #include "morph/adjoint.hpp"
@@ -79,6 +80,27 @@ Status open_basis_of(Plane const& plane, const hm_basis* handle, Basis& basis,
         return Status::ok;
     return fault.refuse(Status::bad_basis,
                         "the basis belongs to another mesh, because the cells differ");
+}
+
+void add(Apart& arrays, const char* name, SpacePoints points, Index n) noexcept {
+    arrays.add(name, points.x, n, points.stride);
+    arrays.add(name, points.y, n, points.stride);
+    arrays.add(name, points.z, n, points.stride);
+}
+
+// Checks the arrays of a call that writes all points: `to` may be the arrays of `from`, which may
+// be NULL, but not these arrays from another point on, and must be apart from those of the plane.
+Status check_apart(Plane const& plane, Points in_plane, SpacePoints from, MutableSpacePoints to,
+                   Fault& fault) noexcept {
+    Index const n = plane.n_space_points;
+    bool const same =
+        from.x == to.x && from.y == to.y && from.z == to.z && from.stride == to.stride;
+    Apart arrays;
+    arrays.add("displacement", in_plane, plane.n_points);
+    if (!same) add(arrays, "from", from, n);
+    HARMORPH_TRY(arrays.check("to", to.x, n, fault, to.stride));
+    HARMORPH_TRY(arrays.check("to", to.y, n, fault, to.stride));
+    return arrays.check("to", to.z, n, fault, to.stride);
 }
 
 void put(Vec3 from, double (&to)[3]) noexcept {
@@ -169,6 +191,7 @@ hm_status hm_plane_morph(hm_plane* plane, const hm_basis* basis, const double* m
         HARMORPH_TRY(check_move(b, move, fault));
         if (from != nullptr) HARMORPH_TRY(view_space_points(from, "from", before, fault));
         HARMORPH_TRY(view_space_points(to, "to", after, fault));
+        HARMORPH_TRY(check_apart(*opened, {}, before, after, fault));
         MutablePoints const displacement{opened->work_x.data(), opened->work_y.data(), 1};
         morph(b, move, {}, displacement, threads);
         opened->spread(displacement, before, after, threads);
@@ -209,6 +232,7 @@ hm_status hm_plane_spread(const hm_plane* plane, const hm_points* displacement,
         HARMORPH_TRY(view_points(displacement, "displacement", steps, fault));
         if (from != nullptr) HARMORPH_TRY(view_space_points(from, "from", before, fault));
         HARMORPH_TRY(view_space_points(to, "to", after, fault));
+        HARMORPH_TRY(check_apart(*opened, steps, before, after, fault));
         opened->spread(steps, before, after, threads);
         return Status::ok;
     });
@@ -226,6 +250,9 @@ hm_status hm_plane_gather(const hm_plane* plane, const hm_space_points* dj,
         HARMORPH_TRY(view_executor(executor, threads, fault));
         HARMORPH_TRY(view_space_points(dj, "dj", by_points, fault));
         HARMORPH_TRY(view_points(plane_dj, "plane_dj", sums, fault));
+        Apart arrays;
+        add(arrays, "dj", by_points, opened->n_space_points);
+        HARMORPH_TRY(arrays.check("plane_dj", sums, opened->n_points, fault));
         opened->gather(by_points, sums, threads);
         return Status::ok;
     });

@@ -1,5 +1,6 @@
 // The C interface: makes large movements that stay valid, for which the functions are solved again
 // on the way.
+#include "apart.hpp"
 #include "base/vec2.hpp"
 #include "given_list.hpp"
 #include "limits.hpp"
@@ -12,6 +13,10 @@ namespace {
 constexpr Index max_others = 64;
 
 using SafeLimit = Limit<hm_safe_options>;
+constexpr Limit<hm_safe_target> target_limits[] = {
+    {&hm_safe_target::reserved, 0, 0, "target.reserved must be 0, not #"},
+};
+
 constexpr SafeLimit safe_limits[] = {
     {&hm_safe_options::skipped_strategies, 0, (2 << HM_STRATEGY_IMPROVED) - 1,
      "options.skipped_strategies is #, but it must be a sum of 1 << HM_STRATEGY_..., that is "
@@ -159,6 +164,11 @@ struct SafeCall {
         return view_safe_options(asked, others, options, reached_movement, fault);
     }
     // n_functions is the number of functions of the caller's basis.
+    Status check_apart(Plan const& plan, Index n_functions, Fault& fault) const noexcept {
+        Apart arrays;
+        arrays.add("options.reached", reached_movement, 2 * n_functions);
+        return arrays.check("to", to, plan.mesh().n_points, fault);
+    }
     Status finish(Plan const& plan, SafeMorph const& safe, Size n_functions,
                   Status status) const noexcept {
         if (failed(status) && status != Status::crossing) return status;
@@ -194,6 +204,7 @@ Status open_plan_of_given(Handle* handle, Object*& plan, const hm_basis* given, 
 
 Status read_target(const hm_safe_target* given, hm_safe_target& target, CallFault& fault) noexcept {
     HARMORPH_TRY(open_struct(given, target, "target", "hm_safe_target", fault));
+    HARMORPH_TRY(check_limits(target, target_limits, fault));
     if (target.wall != nullptr || (target.n == 0 && target.points == nullptr)) return Status::ok;
     return fault.refuse(Status::bad_argument,
                         "target.wall is NULL, but target.n is # or target.points is not NULL",
@@ -239,6 +250,7 @@ struct MoveSafe {
                                 "options.derivative and basis must be two different bases");
         if (derivative != nullptr) sum = view_basis(derivative, fault);
         HARMORPH_TRY(call.open(to, options, report, made.others, fault));
+        HARMORPH_TRY(call.check_apart(*p, counts.functions(), fault));
         HARMORPH_TRY(check_move(b, target.move, fault));
         call.options.solves_others =
             derivative == nullptr && call.options.others.empty() && call.options.fair_quality > 0;
@@ -272,6 +284,7 @@ struct MoveSafe {
         HARMORPH_TRY(check_start(*p, b, fault));
         HARMORPH_TRY(view_points(target.wall, "target.wall", displacement, fault, target.n));
         HARMORPH_TRY(call.open(to, options, report, {}, fault));
+        HARMORPH_TRY(call.check_apart(*p, b.header->counts.functions(), fault));
         call.options.solves_others = true;
         bool const had_factor = p->is_factored();
         Status const status =

@@ -22,6 +22,21 @@ Status check_slipping(SlipCurves const& curves, Points points, Fault& fault) noe
     return fault.status;
 }
 
+struct Names {
+    const char *in, *out;
+};
+
+// Checks the arrays of a derivative: `out` may be the arrays of `in`, but must be apart from the
+// points `from`.
+Status check_apart(Analysis const& analysis, Points from, Names names, Points in, MutablePoints out,
+                   Fault& fault) noexcept {
+    Index const n = analysis.problem().mesh.n_points;
+    Apart arrays;
+    arrays.add("from", from, n);
+    HARMORPH_TRY(arrays.check(names.out, out, n, fault));
+    return Apart::check_in_place(names.in, in, names.out, out, n, fault);
+}
+
 }  // namespace
 }  // namespace harmorph
 
@@ -56,6 +71,7 @@ hm_status hm_slip_derivative(const hm_analysis* analysis, const hm_points* from,
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(d_from, "d_from", velocity, fault));
         HARMORPH_TRY(view_points(d_to, "d_to", after, fault));
+        HARMORPH_TRY(check_apart(*opened, before, {"d_from", "d_to"}, velocity, after, fault));
         HARMORPH_TRY(check_slipping(opened->slip_curves(), before, fault));
         slip_of(*opened).differentiate(before, velocity, after);
         return Status::ok;
@@ -72,6 +88,7 @@ hm_status hm_slip_adjoint(const hm_analysis* analysis, const hm_points* from, co
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(dj, "dj", derivative, fault));
         HARMORPH_TRY(view_points(dj_from, "dj_from", transposed, fault));
+        HARMORPH_TRY(check_apart(*opened, before, {"dj", "dj_from"}, derivative, transposed, fault));
         HARMORPH_TRY(check_slipping(opened->slip_curves(), before, fault));
         slip_of(*opened).transpose(before, derivative, transposed);
         return Status::ok;

@@ -99,6 +99,31 @@ Status check_layer_arrays(Walls const& walls, Points before, Points at, const do
     return arrays.check("angles", angles, n, fault);
 }
 
+// Checks the points of the first layer, and that a height `before` can be divided by.
+Status check_layer(Walls const& walls, Points before, Points at, Fault& fault) noexcept {
+    FirstLayer const& layer = walls.layer;
+    auto const in_range = [&](Index point) {
+        return is_coordinate(at[point]) && (!before.given() || is_coordinate(before[point]));
+    };
+    for (Index slot = 0; slot < layer.wall.count; ++slot) {
+        Index const foot = layer.wall.point[slot], top = layer.above[slot];
+        if (!in_range(foot) || (top != none && !in_range(top))) {
+            return fault.refuse(Status::bad_mesh,
+                                "point # has a coordinate that is not finite or beyond 1e100, in "
+                                "`at` or in `before`",
+                                point_item(in_range(foot) ? top : foot));
+        }
+    }
+    for (Index slot = 0; slot < layer.wall.count && before.given(); ++slot) {
+        if (layer.above[slot] == none || layer.height(slot, before) != 0) continue;
+        return fault.refuse(Status::bad_mesh,
+                            "the edge from the wall point # into the mesh has no height in "
+                            "`before`, so that there is no ratio of heights",
+                            point_item(layer.wall.point[slot]));
+    }
+    return Status::ok;
+}
+
 void add_to(MutablePoints points, Index k, Vec2 more) noexcept { points.set(k, points[k] + more); }
 
 }  // namespace
@@ -238,8 +263,10 @@ hm_status hm_wall_distance_adjoint(const hm_walls* walls, int32_t n, const hm_po
         Apart arrays;
         arrays.add("points", at, n);
         arrays.add("dj", dj, n);
-        HARMORPH_TRY(arrays.check("point_dj", of_points, n, fault));
-        bool const same = of_points.x == of_mesh.x && of_points.y == of_mesh.y;
+        bool const same = of_points.x == of_mesh.x && of_points.y == of_mesh.y &&
+                          of_points.stride == of_mesh.stride;
+        Index const n_both = same ? max(n, opened->n_points) : n;
+        HARMORPH_TRY(arrays.check("point_dj", of_points, n_both, fault));
         if (!same) HARMORPH_TRY(arrays.check("mesh_dj", of_mesh, opened->n_points, fault));
         for (Index k = 0; k < n; ++k) {
             WallFoot const foot = opened->foot_on(from_zero(face[k], opened->index_base), at[k]);
@@ -263,6 +290,7 @@ hm_status hm_first_layer(const hm_walls* walls, const hm_points* before, const h
         HARMORPH_TRY(view_points_if(before, "before", start, fault));
         HARMORPH_TRY(view_points(at, "at", points, fault));
         HARMORPH_TRY(check_layer_arrays(*opened, start, points, heights, ratios, angles, fault));
+        HARMORPH_TRY(check_layer(*opened, start, points, fault));
         if (heights != nullptr)
             opened->heights(points, {heights, static_cast<Size>(opened->layer.wall.count)});
         if (ratios == nullptr && angles == nullptr) return Status::ok;

@@ -9,8 +9,9 @@ namespace harmorph {
 Status refuse_integer(Status why, const char* sentence, Index number, Item element,
                       Fault& fault) noexcept;
 Status refuse_size(const char* name, const char* type, Fault& fault) noexcept;
-Status refuse_unknown_options(const char* name, Fault& fault) noexcept;
+Status refuse_unknown_fields(const char* name, Fault& fault) noexcept;
 Status refuse_size_of_element(Item item, const char* what, const char* type, Fault& fault) noexcept;
+Status refuse_unknown_fields_of_element(Item item, const char* what, Fault& fault) noexcept;
 
 // What one number of a struct may be, and the sentence if it is not. In the sentence, # stands for
 // an integer and ~ for a real number. In sentences about an element of an array, # is the element,
@@ -56,32 +57,33 @@ Status check_limits(Struct const& given, const Limit<Struct> (&limits)[n], Fault
 }
 
 // Reads a struct that must not be NULL. `name` is the name of the argument or field, `type` that of
-// the struct in the header.
+// the struct in the header. A newer header may have more fields, which must not be set: they would
+// be ignored silently.
 template <class Struct>
 Status open_struct(const Struct* given, Struct& out, const char* name, const char* type,
                    Fault& fault) noexcept {
     if (given == nullptr) return fault.refuse_argument(name, "% is NULL");
-    if (read_struct(given, out)) return Status::ok;
-    return refuse_size(name, type, fault);
+    if (!read_struct(given, out)) return refuse_size(name, type, fault);
+    return asks_for_more(given) ? refuse_unknown_fields(name, fault) : Status::ok;
 }
 
-// Reads options, which are defaults if `given` is NULL. A newer header may have more options.
+// Reads options, which are defaults if `given` is NULL.
 template <class Struct>
 Status open_options(const Struct* given, Struct& out, const char* name, const char* type,
                     Fault& fault) noexcept {
     out = Struct{};
-    if (given == nullptr) return Status::ok;
-    HARMORPH_TRY(open_struct(given, out, name, type, fault));
-    if (!asks_for_more(given)) return Status::ok;
-    return refuse_unknown_options(name, fault);
+    return given == nullptr ? Status::ok : open_struct(given, out, name, type, fault);
 }
 
 // Reads an element of an array of structs. `what` is what the sentence calls the element.
 template <class Struct>
 Status open_element(const Struct* array, Index number, Struct& out, Item item, const char* what,
                     const char* type, Fault& fault) noexcept {
-    if (read_struct(array, out) && read_struct(element(array, number), out)) return Status::ok;
-    return refuse_size_of_element(item, what, type, fault);
+    if (!read_struct(array, out) || !read_struct(element(array, number), out))
+        return refuse_size_of_element(item, what, type, fault);
+    return asks_for_more(element(array, number))
+               ? refuse_unknown_fields_of_element(item, what, fault)
+               : Status::ok;
 }
 
 }  // namespace harmorph

@@ -6,6 +6,7 @@ namespace {
 constexpr Limit<hm_mesh> mesh_limits[] = {
     {&hm_mesh::cell_layout, HM_CELLS_ROWS, HM_CELLS_POLYGONS,
      "mesh.cell_layout is #, but it must be one of HM_CELLS_ROWS to HM_CELLS_POLYGONS"},
+    {&hm_mesh::reserved, 0, 0, "mesh.reserved must be 0, not #"},
 };
 
 constexpr Limit<hm_executor> executor_limits[] = {

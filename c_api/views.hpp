@@ -32,7 +32,7 @@ bool read_struct(const T* given, T& out) noexcept {
     return true;
 }
 
-// Tells whether a caller with a newer header has set options that this library does not know.
+// Tells whether a caller with a newer header has set fields that this library does not know.
 template <class T>
 bool asks_for_more(const T* given) noexcept {
     const unsigned char* const bytes = reinterpret_cast<const unsigned char*>(given);

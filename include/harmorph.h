@@ -75,17 +75,20 @@
  *
  * CONVENTIONS hold for every function of these headers.
  *
- * Languages        C89 (with stdint.h), C99, C11, C++11 to C++20; no C++ run-time library.
+ * Languages        C89 (with stdint.h), C99, C11, C++11 to C++20; no C++ run-time library. The
+ *                  ready-made threads and huge pages are inline functions and need C99.
  * Memory           The library allocates no memory: see hm_memory. An object lives inside the
  *                  caller's block: nothing has to be freed, and the block must not move while the
  *                  object is in use (a basis may be copied or written to a file: hm_basis_attach).
  * Ownership        Arrays in structs remain the caller's; input arrays are never changed. Arrays of
  *                  a mesh must exist as long as the analysis and the plan that were made from the
  *                  mesh, arrays of curves as long as the analysis. A basis needs no other memory.
- * Structs          Begin with HM_INIT(name), which sets struct_size and all other fields to 0; an
- *                  initialiser with struct_size does the same. A field that is 0 has its default
- *                  value. New versions add fields at the end only.
- *                  Options that this library does not know are refused with HM_UNSUPPORTED.
+ * Structs          A struct whose first field is struct_size begins with HM_INIT(name), which sets
+ *                  struct_size and all other fields to 0; an initialiser with struct_size does the
+ *                  same. A field that is 0 has its default value; `reserved` must be 0. New
+ *                  versions add fields at the end of these structs only. Fields that are set and
+ *                  that this library does not know are refused with HM_UNSUPPORTED. Structs without
+ *                  struct_size, and hm_curve, will always have the members that they have now.
  * Units            Coordinates have any length unit, the same one everywhere; reported angles are
  *                  in degrees. Array lengths stand in [brackets].
  * Range            Coordinates are at most 1e100 in size. Every corner of a cell has a height,
@@ -105,7 +108,8 @@
  *                  may count as either.
  * Markers          A marker without a condition is fixed: the points on it do not move.
  * Arrays           Arrays that a call writes must have no number in common with other arrays of
- *                  the call, except where the same arrays are allowed. Else HM_BAD_ARGUMENT.
+ *                  the call, except where the same arrays are allowed. Most calls refuse others
+ *                  with HM_BAD_ARGUMENT; what the rest would write is undefined.
  * NULL             NULL is allowed only where stated. hm_error may always be NULL.
  * Status           0: success. Positive: success with a warning, the result can be used. Negative:
  *                  the call was refused; outputs and blocks are as before the call, but a block
@@ -393,10 +397,10 @@ typedef struct hm_curve {
 typedef struct hm_curves {
     uint64_t struct_size;
     int32_t index_base;    /* 0 or 1 */
-    int32_t n_control;     /* control points >= 2 = number of functions */
+    int32_t n_control;     /* control points, 2 .. 2^24 = number of functions */
     const double* control; /* [2*n_control] x,y pairs, finite */
     const double* weights; /* [n_control] 1e-10 .. 1e10, or NULL: not rational */
-    int32_t n_curves;      /* >= 1 */
+    int32_t n_curves;      /* 1 .. 2^24 */
     const hm_curve* curve; /* [n_curves] */
 } hm_curves;
 
@@ -507,7 +511,7 @@ typedef struct hm_condition {
      * n_curves is the number of curves in `along`. */
     int32_t first_curve;
     int32_t n_curves;
-    int32_t body; /* rigid: number of the body, from 0 without gaps */
+    int32_t body; /* rigid: number of the body, from 0 without gaps; below 2^20 */
     /* Pairs: the other marker of the pair, which has no condition of its own. Interface: the
      * marker on the other side. */
     int32_t partner;
@@ -872,8 +876,9 @@ HM_API hm_status hm_given_points(const hm_plan* plan, int32_t* points, int32_t c
  * modes; up to 12 fields are one substitution. wall [n_fields]: each of n wall points [length]; to
  * [n_fields]: each of n_points mesh points; to = from + displacement; from NULL: taken as 0, as in
  * hm_morph. Wall points move by the given bits. Arrays of different fields, and `wall`, must have
- * no number of `to` in common. With `from`, a boundary that crosses itself at `to` is refused
- * (HM_CROSSING); cells may be inverted (hm_assess). All fields are computed before any is written.
+ * no number of `to` in common; `to` of a single field may be the arrays of `from`. With `from`, a
+ * boundary that crosses itself at `to` is refused (HM_CROSSING); cells may be inverted (hm_assess).
+ * All fields are computed before any is written.
  * report counts fields as functions; NULL: HM_DIRECT computes residuals only where the factor lost
  * digits. Bytes: plan, n_fields; the same for hm_displace_adjoint. */
 HM_API hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n_fields,
@@ -890,9 +895,10 @@ HM_API hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* po
 
 /* ---- Large movements that stay valid ---- */
 
-/* Strategies of hm_move_safe. They are tried in this order until the mesh is
- * at the target and as good as the options ask for. The result is the best mesh of all: the one
- * nearest to the target, and of several at the target the one of better quality. */
+/* Strategies of hm_move_safe. They are tried in this order until the mesh is at the target and as
+ * good as the options ask for. The result is the best mesh of all: of those at the target, or with
+ * options.min_quality, the nearest to the target; of several at one place the one of better
+ * quality. */
 enum {
     HM_STRATEGY_LINEAR = 0, /* x + sum_i F_i dP_i, if the admissible step is larger than 1 */
     /* One linear step with each of options.others, in their order, or with the functions of the
@@ -967,7 +973,7 @@ typedef struct hm_safe_options {
 typedef struct hm_safe_target {
     uint64_t struct_size;
     /* [2*functions] the movement of control points, rigid bodies and amplitudes, see hm_morph;
-     * NULL: none */
+     * NULL, with `wall` only: none */
     const double* move;
     /* Displacements of the points of markers with HM_GIVEN, see hm_displace. wall NULL, n 0: these
      * points stay. */
@@ -1031,9 +1037,10 @@ typedef struct hm_safe_report {
  * mesh has options.min_quality; with a derivative, or where that is negative, whose mesh is valid.
  * Targets that no mesh can have are refused immediately, with the place (HM_CROSSING); boundaries
  * with slip, periodic and free ones are judged only as far as their ends are known. If the call is
- * refused or cancelled, `to` is unchanged. `to` never contains an inverted cell, and the boundary
- * of `to` does not cross itself unless the boundary of the mesh does. options NULL: defaults.
- * report may be NULL.
+ * refused or cancelled, `to` is unchanged; HM_CROSSING fills the report, too, which has the points
+ * of the crossing. A call that is cancelled may have replaced the factor of the plan, and leaves
+ * options.derivative unsolved. `to` never contains an inverted cell, and the boundary of `to` does
+ * not cross itself unless the boundary of the mesh does. options NULL: defaults. report may be NULL.
  *
  * Wall points lie beside their curve by offsets e: x = C(u) + e. hm_morph moves them by
  * sum_i N_i dP_i. Where a body rotates or scales by r, hm_move_safe with complex functions adds

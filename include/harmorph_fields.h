@@ -120,7 +120,8 @@ HM_API hm_status hm_wall_distance_adjoint(const hm_walls* walls, int32_t n, cons
  *            normal at `before`, which rotates with the faces beside the wall point; 1 without edge
  *   angles   [degrees] >= 0: by how much the edge has rotated more than these faces; 0 without edge
  * before NULL: ratios and angles must be NULL. hm_safe_report has the extremes and means of ratios
- * and angles of all walls. */
+ * and angles of all walls. Refused (HM_BAD_MESH): a point of the layer beyond the range, a height
+ * of 0 at `before`. */
 HM_API hm_status hm_first_layer(const hm_walls* walls, const hm_points* before, const hm_points* at,
                                 double* heights, double* ratios, double* angles, hm_error* err);
 

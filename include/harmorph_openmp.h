@@ -21,8 +21,10 @@ static inline hm_executor hm_openmp_executor(int32_t n_threads) {
     hm_executor executor;
     executor.struct_size = sizeof executor;
     executor.run = hm_openmp_run;
+    if (n_threads < 1) n_threads = 1;
+    if (n_threads > 256) n_threads = 256;
     executor.user = (void*)(intptr_t)n_threads;
-    executor.n_threads = n_threads < 256 ? n_threads : 256;
+    executor.n_threads = n_threads;
     executor.kernel = hm_best_kernel();
     return executor;
 }

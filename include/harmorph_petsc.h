@@ -117,7 +117,8 @@ hm_status hm_petsc_displace(hm_petsc* system, const hm_points_out* displacement,
  * mesh is owned by one process. This serves sums over all points, such as those of hm_mpi_adjoint.
  */
 hm_status hm_petsc_owned(const hm_petsc* system, uint8_t* owned, hm_error* err);
-/* Does hm_assess for the cells of all processes; reports are the same everywhere. rank [2], or
+/* Does hm_assess for the cells of all processes; reports are the same everywhere. step, quality and
+ * displacement must not be NULL. rank [2], or
  * NULL: the process with the limiting cell, and the process with the cell of lowest quality; cells
  * and points in the reports are numbered as in the part of that process. The call does not examine
  * whether the boundary touches or crosses itself: boundary is infinite, self_crossing 0. from NULL:

@@ -14,6 +14,12 @@
         if (e != 0) return e;          \
     } while (0)
 
+/* The structs of a caller may be those of another version of the headers. */
+static int is_struct_size(uint64_t size) { return size >= sizeof size && size <= 4096; }
+static size_t known_bytes(uint64_t struct_size, size_t known) {
+    return struct_size < known ? (size_t)struct_size : known;
+}
+
 /* The sentence begins with the global number of a point. */
 static hm_status refuse_point(hm_error* err, int64_t point, const char* rest) {
     char sentence[sizeof err->text];

@@ -107,7 +107,7 @@ static hm_status check_system(const hm_petsc* system, MPI_Comm comm, hm_error* e
 }
 
 static hm_status check_report(const hm_petsc_report* report, hm_error* err) {
-    if (report == NULL || (report->struct_size >= 8 && report->struct_size <= 4096)) return HM_OK;
+    if (report == NULL || is_struct_size(report->struct_size)) return HM_OK;
     return refuse_argument(err, "report.struct_size is wrong");
 }
 
@@ -247,7 +247,7 @@ hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm
                           const hm_points* displacement, hm_step_report* step,
                           hm_quality_report* quality, int* rank, MPI_Comm comm, hm_error* err) {
     hm_step_report found_step = {sizeof found_step};
-    hm_quality_report found = {sizeof found};
+    hm_quality_report found = {sizeof found}, asked = {sizeof asked};
     hm_mesh own = {sizeof own};
     const int32_t* cell = NULL;
     double* of_own = NULL;
@@ -255,12 +255,13 @@ hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm
     hm_status status;
     BEGIN_CALL(comm, err);
     status = check_system(system, comm, err);
-    if (status >= 0 && (step == NULL || quality == NULL || step->struct_size < sizeof *step ||
-                        quality->struct_size < sizeof *quality)) {
+    if (status >= 0 && (step == NULL || quality == NULL || !is_struct_size(step->struct_size) ||
+                        !is_struct_size(quality->struct_size))) {
         status = refuse_argument(err, "step or quality is NULL, or its struct_size is wrong");
     }
+    if (status >= 0) memcpy(&asked, quality, known_bytes(quality->struct_size, sizeof asked));
     if (status >= 0) status = hm_private_part_cells(system->part, &own, &cell, err);
-    if (status >= 0 && quality->cell_quality != NULL) {
+    if (status >= 0 && asked.cell_quality != NULL) {
         of_own = room_for((size_t)own.n_cells, sizeof *of_own);
         if (of_own == NULL) status = no_memory(err);
     }
@@ -268,7 +269,7 @@ hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm
     if (status >= 0)
         status = hm_assess(rows, &own, from, displacement, NULL, NULL, &found_step, &found, err);
     status = agree(status, comm, err);
-    if (status >= 0 && of_own != NULL) put_cells(of_own, &own, cell, quality->cell_quality);
+    if (status >= 0 && of_own != NULL) put_cells(of_own, &own, cell, asked.cell_quality);
     free(of_own);
     if (status < 0) return status;
     found_step.cell = given_cell(&own, cell, found_step.cell);
@@ -276,9 +277,9 @@ hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm
     reduce_reports(&found_step, &found, own.n_cells, ranks, comm);
     found_step.struct_size = step->struct_size;
     found.struct_size = quality->struct_size;
-    found.cell_quality = quality->cell_quality;
-    *step = found_step;
-    *quality = found;
+    found.cell_quality = asked.cell_quality;
+    memcpy(step, &found_step, known_bytes(step->struct_size, sizeof found_step));
+    memcpy(quality, &found, known_bytes(quality->struct_size, sizeof found));
     if (rank != NULL) memcpy(rank, ranks, sizeof ranks);
     return HM_OK;
 }

@@ -35,14 +35,12 @@ static hm_status take_part(hm_petsc* system, const hm_part_mesh* part, hm_error*
     hm_private_part_mesh view = {sizeof view};
     size_t bytes = 0;
     hm_status status;
-    if (part == NULL || part->mesh == NULL || part->struct_size < sizeof *part ||
-        part->mesh->struct_size < 8 || part->mesh->struct_size > 4096) {
+    if (part == NULL || !is_struct_size(part->struct_size) || part->mesh == NULL ||
+        !is_struct_size(part->mesh->struct_size)) {
         return refuse_argument(err, "part or part.mesh is NULL, or a struct_size is wrong");
     }
-    system->part_mesh = *part;
-    memcpy(&system->mesh, part->mesh,
-           part->mesh->struct_size < sizeof system->mesh ? part->mesh->struct_size
-                                                         : sizeof system->mesh);
+    memcpy(&system->part_mesh, part, known_bytes(part->struct_size, sizeof *part));
+    memcpy(&system->mesh, part->mesh, known_bytes(part->mesh->struct_size, sizeof system->mesh));
     system->part_mesh.mesh = &system->mesh;
     if (system->mesh.n_points == 0 && system->mesh.n_cells == 0) {
         return refuse(err, HM_BAD_MESH,

@@ -71,8 +71,7 @@ static uint64_t add_conditions(uint64_t sum, const hm_problem* problem) {
 static uint64_t add_options(uint64_t sum, const hm_options* options) {
     hm_options known = {0};
     if (options != NULL) {
-        memcpy(&known, options,
-               options->struct_size < sizeof known ? (size_t)options->struct_size : sizeof known);
+        memcpy(&known, options, known_bytes(options->struct_size, sizeof known));
     }
     sum = add_number(add_number(sum, known.operator_kind), (int64_t)(4 * known.exponent));
     return add_bytes(add_number(sum, known.offset_correction), &known.tolerance,

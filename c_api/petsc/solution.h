@@ -301,8 +301,7 @@ static hm_status finish_report(const hm_petsc* system, hm_petsc_report* found,
     }
     if (report != NULL) {
         found->struct_size = report->struct_size;
-        memcpy(report, found,
-               report->struct_size < sizeof *found ? (size_t)report->struct_size : sizeof *found);
+        memcpy(report, found, known_bytes(report->struct_size, sizeof *found));
     }
     return status;
 }

@@ -92,11 +92,15 @@ void FirstLayer::find(Mesh const& mesh, Points points, Span<const Index> represe
 LayerChange change_of(FirstLayer const& layer, Index slot, Points before, Points after) noexcept {
     Index const foot = layer.wall.point[slot], top = layer.above[slot];
     Vec2 const rotation = layer.wall.rotation(slot, before, after);
-    Vec2 const normal = left_of(direction(layer.wall.tangent(slot, before)));
+    Vec2 const normal = layer.wall.normal(slot, before);
     Vec2 const old_edge = before[top] - before[foot],
                new_edge = rotated_back(after[top] - after[foot], rotation);
     Real const angle = abs(angle_of(rotation_between(direction(old_edge), direction(new_edge))));
     return {in_degrees(angle), dot(new_edge, normal) / dot(old_edge, normal)};
+}
+
+Real FirstLayer::height(Index slot, Points points) const noexcept {
+    return dot(points[above[slot]] - points[wall.point[slot]], wall.normal(slot, points));
 }
 
 FirstLayerChange compare(FirstLayer const& layer, Points before, Points after) noexcept {

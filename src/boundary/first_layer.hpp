@@ -24,6 +24,9 @@ struct WallPoints {
     // Returns the tangent, not normalised, of the parabola through the point of a slot and both
     // neighbours.
     Vec2 tangent(Index at_slot, Points points) const noexcept;
+    Vec2 normal(Index at_slot, Points points) const noexcept {
+        return left_of(direction(tangent(at_slot, points)));
+    }
     // Returns the rotation of the wall between two states of the mesh, as cosine and sine:
     // the mean over the adjacent faces, not the rotation of the tangent, so that it is correct at
     // sharp edges as well as on smooth walls.
@@ -39,6 +42,8 @@ struct FirstLayer {
     // representative [n_points] is the point that stands for each point.
     void find(Mesh const& mesh, Points points, Span<const Index> representative,
               Span<const FaceDistance::Face> walls) noexcept;
+    // `slot` must have an edge.
+    Real height(Index slot, Points points) const noexcept;
 };
 
 // An angle is the rotation of an edge relative to the wall. A height is that of the outer end of an
@@ -48,7 +53,7 @@ struct LayerChange {
     Real angle = 0;  // [degrees], without sign
     Real ratio = 1;
 };
-// `slot` must have an edge.
+// `slot` must have an edge, with a height `before` that is not 0.
 LayerChange change_of(FirstLayer const& layer, Index slot, Points before, Points after) noexcept;
 struct FirstLayerChange {
     Index points = 0;                        // the number of wall points that have such an edge

@@ -92,10 +92,7 @@ WallFoot Walls::foot_on(Index face, Vec2 from) const noexcept {
 
 void Walls::heights(Points at, Span<Real> height) const noexcept {
     for (Index slot = 0; slot < layer.wall.count; ++slot) {
-        height[slot] = 0;
-        if (layer.above[slot] == none) continue;
-        Vec2 const edge = at[layer.above[slot]] - at[layer.wall.point[slot]];
-        height[slot] = dot(edge, left_of(direction(layer.wall.tangent(slot, at))));
+        height[slot] = layer.above[slot] == none ? 0 : layer.height(slot, at);
     }
 }
 

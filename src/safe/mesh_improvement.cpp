@@ -55,7 +55,7 @@ void MeshImprovement::begin(Plan& plan, Points reference, Points from) noexcept 
 }
 
 void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points reference, Points from,
-                          MutablePoints to, ImproveReport& report) noexcept {
+                          ImproveReport& report) noexcept {
     report = {};
     bool is_better = false;
     if (is_same(reference, from, result.count())) {
@@ -66,7 +66,7 @@ void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points refe
             improve_without_layer(plan, options, from, report);
         is_better = is_at_least(found(), given_quality);
     }
-    for (Index k = 0; k < result.count(); ++k) to.set(k, is_better ? result[k] : from[k]);
+    for (Index k = 0; k < result.count() && !is_better; ++k) result[k] = from[k];
 }
 
 // Returns whether the smallest quality is not less, except by rounding: one quality may be found in

@@ -20,8 +20,8 @@ struct MeshImprovement {
     // Refuses coordinates out of range and inverted cells.
     static Status check(Plan const& plan, Points reference, Points from, Fault& fault) noexcept;
     // The arrays `reference` and `from` are coordinates of the plan's mesh before and after a
-    // movement, which check() has accepted; the improved coordinates are written to `to`, which may
-    // be `from`. A mesh that is its own reference is not changed. The tops of the first layer are
+    // movement, which check() has accepted; the improved coordinates are left in `result`. A mesh
+    // that is its own reference is not changed. The tops of the first layer are
     // the ends of those edges that leave walls most nearly along the normal. Where the mesh has a
     // layer (see has_layer()), they are put where the wall carries them, with their former height
     // and angle, and are held there. If that would make cells poor, the first steps, at most a
@@ -31,7 +31,10 @@ struct MeshImprovement {
     // `from`, as far as their cells are not poor there. The plan's distances are left at the
     // reference.
     void run(Plan& plan, ImproveOptions const& options, Points reference, Points from,
-             MutablePoints to, ImproveReport& report) noexcept;
+             ImproveReport& report) noexcept;
+    void write(MutablePoints to) const noexcept {
+        for (Index k = 0; k < result.count(); ++k) to.set(k, result[k]);
+    }
 
 private:
     // A wall point has a layer if the wall faces beside it are longer than this number of heights.

@@ -240,18 +240,20 @@ void SafeMorph::single_step(Work& work, Basis const& by, Strategy strategy, Inde
 // Goes straight ahead with the functions of the start, as far as the mesh is valid and usable. No
 // other strategy ends with a worse mesh than this one.
 void SafeMorph::longest_linear_step(Work& work) noexcept {
-    constexpr Index max_trials = 8;
+    // Steps become shorter slowly at first, and end at a thousandth of the longest.
+    constexpr Index max_trials = 16, slow_trials = 7;
     if (mesh.path.is_bent())
         return;  // the derivative of a path that rotates does not fit a straight step
     begin(work);
     Real length = min(0.98 * look_ahead(work, work.basis, work.aim).step, 1.0) * work.aim;
     for (Index trial = 0; trial < max_trials && length > work.best().fraction;
-         ++trial, length *= 0.8) {
+         ++trial, length *= trial <= slow_trials ? 0.8 : 0.5) {
         look_ahead(work, work.basis, length);
         if (!is_valid(work, mesh.ahead())) continue;
         Outcome there;
         measure(work, mesh.ahead(), there);
         there.fraction = length;
+        work.note(there);
         if (!work.is_usable(there)) continue;
         take_step(work, work.basis);
         keep_if_better(work);
@@ -324,8 +326,7 @@ void SafeMorph::keep_if_better(Work& work) noexcept {
     measure(work, mesh.now(), work.attempt);
     if (work.is_better(work.attempt, work.best()))
         keep(work, work.attempt, mesh.x, mesh.y, mesh.reached);
-    if (!work.is_usable(work.attempt))
-        work.farthest_poor = max(work.farthest_poor, work.attempt.fraction);
+    work.note(work.attempt);
 }
 
 void SafeMorph::keep(Work& work, Outcome const& outcome, Span<const Real> x, Span<const Real> y,

@@ -50,6 +50,10 @@ struct SafeMorph::Work {
     bool is_usable(Outcome const& outcome) const noexcept {
         return outcome.fraction >= 1 || derivative != nullptr || outcome.min_quality >= goal();
     }
+    // Notes a mesh that was found, for the reason of a movement that ends before its target.
+    void note(Outcome const& outcome) noexcept {
+        if (!is_usable(outcome)) farthest_poor = max(farthest_poor, outcome.fraction);
+    }
     bool is_good(Outcome const& outcome) const noexcept {
         return arrives(outcome) && (searches ? is_usable(outcome) : score(outcome) >= 1);
     }

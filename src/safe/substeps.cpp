@@ -342,6 +342,7 @@ bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
         measure(work, mesh.ahead(), there);
     }
     bool const is_good = work.is_good(there);
+    work.note(there);
     if (is_last || is_good) take_step(work, by);
     if (work.is_better(there, work.best()))
         keep(work, there, mesh.ahead_x, mesh.ahead_y, mesh.aimed);
@@ -355,7 +356,8 @@ bool SafeMorph::run_improvement(Work& work, Index max_solutions, Points from) no
     options.max_solutions = min(max_solutions, work.solutions_left());
     options.spent = work.report.solutions();
     ImproveReport report;
-    improvement.run(work.plan, options, work.mesh().points, from, mesh.to_ahead(), report);
+    improvement.run(work.plan, options, work.mesh().points, from, report);
+    improvement.write(mesh.to_ahead());
     work.report.improvements += report.solutions;
     return !report.converged;
 }

@@ -373,9 +373,12 @@ TEST_CASE("movements that cannot be made are refused, and the outputs stay") {
     std::vector<double> back(11), flat(11);
     back[1] = 1;
     flat[0] = -1;
+    hm_movement reserved = movement(HM_ROTATE);
+    reserved.reserved = 7;
     std::vector<Refused> const table = {
         {set, {unknown}, {0}, HM_BAD_ARGUMENT, "must be one of HM_ROTATE to HM_FAMILY"},
         {set, {spoiled}, {0, 0}, HM_BAD_ARGUMENT, "not the size of an hm_movement"},
+        {set, {reserved}, {0}, HM_BAD_ARGUMENT, "reserved of movement 0 must be 0, not 7"},
         {set, {long_turn}, {0}, HM_BAD_ARGUMENT, "must be 0 unless the kind is HM_FLAP"},
         {set, {movement(HM_SHIFT, 1, 0)}, {0, 0}, HM_BAD_ARGUMENT, "and 0 if the kind"},
         {set, {movement(HM_FLAP, 0, 0, -1)}, {0}, HM_BAD_ARGUMENT, "must be 0 or above, not -1"},

@@ -395,9 +395,16 @@ struct SectionMove {
         found.move = move.data();
         found.derivatives = derivatives.data();
         if (wants_matrix) found.matrix = matrix.data();
+        std::vector<double> unit_errors(200, 7);
+        found.unit_errors = unit_errors.data();
         status = hm_move_section(&set.view(), &chord, n, movements.data(),
                                  values.empty() ? nullptr : values.data(), &found, &memory, &error);
         CHECK(work.guards_intact());
+        // Several movements have no variables of their own, and so no errors of these.
+        std::size_t const n_errors = status < 0 ? 0 : std::size_t(2 * found.n_variables);
+        for (std::size_t k = 0; k < unit_errors.size(); ++k)
+            CHECK((unit_errors[k] == 7) == (k >= n_errors));
+        found.unit_errors = nullptr;
     }
 };
 

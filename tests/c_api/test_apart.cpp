@@ -165,6 +165,79 @@ TEST_CASE("fields of moving meshes and adjoints") {
                   "angles", "ratios");
 }
 
+TEST_CASE("both derivatives of distances may be in the same arrays, but not with another step") {
+    Ready ready;
+    auto& [setup, mesh, n, solved, view, memory, at, error] = ready;
+    std::int32_t const marker = setup.conditions[0].marker;
+    std::size_t bytes = 0;
+    REQUIRE(fixtures::walls_size(solved.analysis, 1, &marker, &bytes, &error) == HM_OK);
+    Guarded block(bytes);
+    hm_walls* walls = nullptr;
+    REQUIRE(hm_walls_init(&walls, fixtures::Memory(block.data(), bytes), solved.analysis, 1,
+                          &marker, nullptr, &error) == HM_OK);
+    std::vector<std::int32_t> const face(std::size_t(n), view.index_base);
+    double* const free = memory.free(mesh, 10);
+    double* const dj = free + 10 * n;
+    hm_points_out const one{free, free + 4 * n, 1}, two{free, free + 4 * n, 2};
+    check_refused(
+        memory, hm_wall_distance_adjoint(walls, n, &at, face.data(), dj, &one, &two, &error), error,
+        "mesh_dj", "point_dj");
+    // The arrays for all mesh points reach into those of fewer points.
+    double* const behind = free + n - 1;
+    check_refused(
+        memory, hm_wall_distance_adjoint(walls, 2, &at, face.data(), behind, &one, &one, &error),
+        error, "point_dj", "dj");
+}
+
+TEST_CASE("the first layer is refused where the mesh before has none") {
+    Ready ready;
+    auto& [setup, mesh, n, solved, view, memory, at, error] = ready;
+    std::int32_t const marker = setup.conditions[0].marker;
+    std::size_t bytes = 0;
+    REQUIRE(fixtures::walls_size(solved.analysis, 1, &marker, &bytes, &error) == HM_OK);
+    Guarded block(bytes);
+    hm_walls* walls = nullptr;
+    REQUIRE(hm_walls_init(&walls, fixtures::Memory(block.data(), bytes), solved.analysis, 1,
+                          &marker, nullptr, &error) == HM_OK);
+    std::vector<double> x = mesh.x, y(mesh.y.size(), 0.0), ratios(mesh.x.size(), 5.0);
+    hm_points const flat{x.data(), y.data(), 1};
+    CHECK(hm_first_layer(walls, &flat, &at, nullptr, ratios.data(), nullptr, &error) ==
+          HM_BAD_MESH);
+    CHECK(says(error, "has no height in `before`"));
+    CHECK(error.item_kind == HM_ITEM_POINT);
+    y = mesh.y;
+    y.assign(y.size(), std::nan(""));
+    CHECK(hm_first_layer(walls, nullptr, &flat, ratios.data(), nullptr, nullptr, &error) ==
+          HM_BAD_MESH);
+    CHECK(says(error, "not finite or beyond 1e100"));
+    for (double const ratio : ratios) CHECK(ratio == 5);
+}
+
+TEST_CASE("the derivative of slipping points, and curves moved by a basis") {
+    Ready ready;
+    auto& [setup, mesh, n, solved, view, memory, at, error] = ready;
+    double* const free = memory.free(mesh, 10);
+    hm_points const velocity{free, free + n, 1};
+    hm_points_out const on_from{memory.at_x(), memory.at_y(mesh), 1};
+    check_refused(memory, hm_slip_derivative(solved.analysis, &at, &velocity, &on_from, &error),
+                  error, "d_to", "from");
+    check_refused(memory, hm_slip_adjoint(solved.analysis, &at, &velocity, &on_from, &error), error,
+                  "dj_from", "from");
+    hm_points_out const in_place{free, free + n, 1};
+    CHECK(hm_slip_derivative(solved.analysis, &at, &velocity, &in_place, &error) == HM_OK);
+
+    hm_basis_info info{};
+    info.struct_size = sizeof info;
+    REQUIRE(hm_basis_info_get(solved.basis, &info, &error) == HM_OK);
+    std::vector<hm_curve> curve(static_cast<std::size_t>(info.curves));
+    hm_curves curves{};
+    curves.struct_size = sizeof curves;
+    check_refused(memory,
+                  hm_basis_curves(solved.basis, free, free + 1, &curves, curve.data(), info.curves,
+                                  &error),
+                  error, "control", "move");
+}
+
 TEST_CASE("interpolated fields") {
     Ready ready;
     auto& [setup, mesh, n, solved, view, memory, at, error] = ready;

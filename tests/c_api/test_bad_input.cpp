@@ -105,6 +105,8 @@ TEST_CASE("bad counts and missing arrays of a mesh") {
         in_view(HM_BAD_ARGUMENT,
                 "mesh.cell_layout is 9, but it must be one of HM_CELLS_ROWS to HM_CELLS_POLYGONS",
                 9, [](hm_mesh& m) { m.cell_layout = 9; }),
+        in_view(HM_BAD_ARGUMENT, "mesh.reserved must be 0, not 7", 7,
+                [](hm_mesh& m) { m.reserved = 7; }),
         in_view(HM_BAD_ARGUMENT,
                 "mesh.struct_size is not the size of an hm_mesh; begin with HM_INIT(mesh)", nobody,
                 [](hm_mesh& m) { m.struct_size = 0; }),

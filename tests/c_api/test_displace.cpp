@@ -117,6 +117,31 @@ TEST_CASE("spoiled arguments of displacements and of the adjoint") {
     CHECK(good.adjoint(error) == HM_OK);
 }
 
+TEST_CASE("one field may be added in place; of several fields none may be in the arrays of from") {
+    Arguments apart, in_place;
+    auto const displace = [&](Arguments& a, std::int32_t n_fields, hm_points_out const* to) {
+        std::vector<double> &x = a.setup.mesh.x, &y = a.setup.mesh.y;
+        hm_points const from{x.data(), y.data(), 1};
+        hm_error error{};
+        hm_status const status = hm_displace(
+            a.displaced.plan, a.n, a.points, n_fields, a.given.data(), &from, to,
+            fixtures::Memory(a.work.data(), a.bytes), &a.report, &error);
+        if (status == HM_BAD_ARGUMENT) CHECK(says(error, "to and from have numbers in common"));
+        return status;
+    };
+    std::vector<double> const x = apart.setup.mesh.x;
+    hm_points_out const same{in_place.setup.mesh.x.data(), in_place.setup.mesh.y.data(), 1};
+    REQUIRE(displace(apart, 1, apart.to.data()) == HM_OK);
+    REQUIRE(displace(in_place, 1, &same) == HM_OK);
+    for (std::size_t k = 0; k < x.size(); ++k) CHECK(in_place.setup.mesh.x[k] == apart.to[0].x[k]);
+    apart.to[1] = {apart.setup.mesh.x.data(), apart.setup.mesh.y.data(), 1};
+    CHECK(displace(apart, 2, apart.to.data()) == HM_BAD_ARGUMENT);
+    CHECK(apart.setup.mesh.x == x);
+    hm_points_out const shifted{apart.setup.mesh.x.data() + 1, apart.out.data(), 1};
+    CHECK(displace(apart, 1, &shifted) == HM_BAD_ARGUMENT);
+    CHECK(apart.setup.mesh.x == x);
+}
+
 TEST_CASE("displacements are not given with the schemes of nodal gradients") {
     Case setup = given_instead(tiny_case());
     Options nodal = laplace();

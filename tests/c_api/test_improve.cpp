@@ -90,6 +90,34 @@ TEST_CASE("hm_improve: better cells, the report is that of hm_assess, and walls 
         for (std::int32_t const point : points_on(setup.mesh, marker)) CHECK(out.stays(point));
 }
 
+TEST_CASE("hm_improve: in the arrays of the mesh itself, the report is that of separate arrays") {
+    Case setup = airfoil_case();
+    Morphed out(setup, similarity_move(setup.curves, std::polar(1.0, 0.6), 0.25));
+    REQUIRE(out.improve() == HM_OK);
+    hm_improve_report const apart = out.report;
+    Guarded work(out.bytes);
+    std::vector<double>&x = out.setup.mesh.x, &y = out.setup.mesh.y;
+    REQUIRE(hm_improve(out.solved.plan, points_in(out.x, out.y), points_out(x, y),
+                       fixtures::Memory(work.data(), out.bytes), nullptr, &out.report,
+                       &out.error) == HM_OK);
+    CHECK(std::memcmp(&out.report, &apart, sizeof apart) == 0);
+    CHECK(same_bits(x, out.better_x));
+    CHECK(same_bits(y, out.better_y));
+}
+
+TEST_CASE("hm_improve: arrays that overlap at other points are refused") {
+    Case setup = airfoil_case();
+    Morphed out(setup, similarity_move(setup.curves, std::polar(1.0, 0.6), 0.25));
+    Guarded work(out.bytes);
+    std::vector<double> const before = out.x;
+    hm_points_out const shifted{out.x.data() + 1, out.better_y.data(), 1};
+    CHECK(hm_improve(out.solved.plan, points_in(out.x, out.y), &shifted,
+                     fixtures::Memory(work.data(), out.bytes), nullptr, &out.report,
+                     &out.error) == HM_BAD_ARGUMENT);
+    CHECK(says(out.error, "to and from have numbers in common, but at other points"));
+    CHECK(out.x == before);
+}
+
 TEST_CASE("hm_improve: cells are as good by an engine that has no factor of the mesh") {
     Case setup = airfoil_case();
     std::vector<double> const move = similarity_move(setup.curves, std::polar(1.0, 0.6), 0.25);

@@ -226,12 +226,16 @@ TEST_CASE("modes: numbers, lists, and what they do not go with") {
     many.n = 97;
     many.points = list.data();
     other.numbers = 3;
+    hm_modes reserved = real;
+    reserved.reserved = 7;
     REQUIRE(fixtures::tabulate_size(displaced.plan, displaced.basis, &real, &bytes, nullptr) ==
             HM_OK);
     Guarded block(bytes);
     check_texts({
         {HM_BAD_ARGUMENT, "modes.numbers must be 1 (real values) or 2 (complex values), not 3",
          call_by(fixtures::tabulate_size, displaced.plan, displaced.basis, &other, &bytes)},
+        {HM_BAD_ARGUMENT, "modes.reserved must be 0, not 7",
+         call_by(fixtures::tabulate_size, displaced.plan, displaced.basis, &reserved, &bytes)},
         {HM_BAD_ARGUMENT, "point 17 has two different displacements in field 0",
          call_by(hm_displace, displaced.plan, n + 1, twice.data(), 1, &wall, nullptr, &to,
                  fixtures::Memory(room.data(), room.size()), nullptr)},
@@ -274,6 +278,9 @@ TEST_CASE("options of the safe morph and of better cells") {
     std::vector<double> folded = o.setup.mesh.x;
     folded[8] = 5;
     hm_points const reference{folded.data(), o.setup.mesh.y.data(), 1};
+    auto reserved = sized<hm_safe_target>();
+    reserved.move = o.move.data();
+    reserved.reserved = 7;
     hm_improve_options better{};
     better.struct_size = sizeof better;
     better.reference = &reference;
@@ -288,6 +295,9 @@ TEST_CASE("options of the safe morph and of better cells") {
          "header of this version",
          call_by(hm_improve, o.solved.plan, &o.points, &o.out,
                  fixtures::Memory(room.data(), room.size()), &younger_better.better, nullptr)},
+        {HM_BAD_ARGUMENT, "target.reserved must be 0, not 7",
+         call_by(hm_move_safe, o.solved.plan, o.basis, &reserved, &o.out,
+                 fixtures::Memory(work.data(), work.size()), nullptr, nullptr)},
         {HM_BAD_BASIS, "the basis for the derivative has other functions than the basis",
          call_by(safe_move, o.solved.plan, o.basis, o.move.data(), &o.out, derivative, work.data(),
                  work.size(), nullptr, nullptr)},

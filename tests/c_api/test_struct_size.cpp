@@ -71,32 +71,56 @@ TEST_CASE("no bytes behind a mesh of an older caller are read as a second array 
     CHECK(says(triangles.error, "check whether cells are missing"));
 }
 
-TEST_CASE("a struct of a younger caller is longer: what is unknown is left alone") {
+TEST_CASE("a struct of a younger caller is longer: fields that are set and unknown are refused") {
     Case setup = tiny_case();
     Solved const reference(setup);
-    struct {
+    struct LongMesh {
         hm_mesh mesh;
-        double more[4] = {1, 2, 3, 4};
+        double more[4] = {};
     } mesh;
     mesh.mesh = setup.mesh.view();
     mesh.mesh.struct_size = sizeof mesh;
-    struct Longer {
+    struct LongCondition {
         hm_condition condition;
-        double more[3] = {1, 2, 3};
+        double more[3] = {};
     };
     setup.add_condition(top, HM_FIXED);
-    Longer conditions[2];  // an array whose elements are as long as the first one says
+    LongCondition conditions[2];  // an array whose elements are as long as the first one says
     for (std::size_t k = 0; k < 2; ++k) {
         conditions[k].condition = setup.conditions[k];
-        conditions[k].condition.struct_size = sizeof(Longer);
+        conditions[k].condition.struct_size = sizeof(LongCondition);
     }
-    hm_problem problem = setup.problem(mesh.mesh);
-    problem.n_conditions = 2;
-    problem.conditions = &conditions[0].condition;
-    Attempt const attempt(problem);
+    struct LongProblem {
+        hm_problem problem;
+        double more[2] = {};
+    } problem;
+    problem.problem = setup.problem(mesh.mesh);
+    problem.problem.struct_size = sizeof problem;
+    problem.problem.n_conditions = 2;
+    problem.problem.conditions = &conditions[0].condition;
+    Attempt const attempt(problem.problem);
     INFO(attempt.error.text);
     REQUIRE(attempt.status == HM_OK);
     CHECK(same_bits(values_of(attempt.basis, 4, 48), reference.all_values()));
+
+    auto const refused = [&](double& field, char const* what) {
+        field = 1e-300;
+        std::size_t bytes = 0;
+        hm_error error{};
+        hm_status const status =
+            fixtures::analysis_size(&problem.problem, nullptr, &bytes, &error);
+        field = 0;
+        INFO(error.text);
+        CHECK(status == HM_UNSUPPORTED);
+        CHECK(std::string(error.text) ==
+              what + std::string(" contains fields that are set but unknown to this version of the "
+                                 "library; use the header of this version"));
+        CHECK(bytes == 0);
+    };
+    refused(mesh.more[3], "mesh");
+    refused(problem.more[0], "problem");
+    refused(conditions[0].more[1], "condition 0");
+    refused(conditions[1].more[2], "condition 1");
 
     struct {
         hm_basis_info info;

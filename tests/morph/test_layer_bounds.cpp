@@ -109,6 +109,8 @@ TEST_CASE("calls that cannot succeed are refused, and leave their outputs as the
     CHECK(status({sizeof(hm_bound), 6, 0, 0}, at) == HM_BAD_ARGUMENT);
     CHECK(std::string(error.text) ==
           "the kind of bound 0 is 6, but it must be one of HM_BOUND_QUALITY to HM_BOUND_ANGLE");
+    CHECK(status({sizeof(hm_bound), 0, 7, 0}, at) == HM_BAD_ARGUMENT);
+    CHECK(std::string(error.text) == "reserved of bound 0 must be 0, not 7");
     CHECK(status({sizeof(hm_bound), 0, 0, 0.5}, at) == HM_BAD_ARGUMENT);
     CHECK(std::string(error.text) ==
           "the sharpness of bound 0 is 5.00000e-1, but it must be 0 or between 1 and 1e6");

@@ -133,6 +133,30 @@ TEST_CASE("random movements of half a channel's floor and of a cascade by half a
     }
 }
 
+// Good cells may be found far below the step at which the first cell inverts.
+TEST_CASE("one linear step goes as far as cells are good, however short, and the reason is told") {
+    Case setup = airfoil_case();
+    Safe safe(setup, options_of(HM_LAPLACE));
+    safe.safe_options.max_resolves = -1;
+    safe.safe_options.skipped_strategies =
+        without({HM_STRATEGY_OTHER, HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
+    std::vector<double> const move =
+        similarity_move(setup.curves, std::polar(1.0, 60 * pi / 180), 0.25);
+    double last = 1;
+    for (double const wanted : {0.5, 0.9, 0.99, 0.9999}) {
+        safe.safe_options.min_quality = wanted;
+        CHECK(safe.run(move) == HM_SHORT);
+        INFO(wanted << ": " << safe.report.step_fraction << ", " << safe.error.text);
+        CHECK(safe.is_valid());
+        CHECK(safe.report.min_quality >= wanted * safe.report.start_quality);
+        CHECK(safe.report.step_fraction > 0);
+        CHECK(safe.report.step_fraction < last);
+        CHECK(says(safe.error, "the smallest quality would be less than was asked for"));
+        last = safe.report.step_fraction;
+    }
+    CHECK(last < 0.1 * safe.report.admissible);
+}
+
 TEST_CASE("a body turns with its points and heights, also where a fit is coarse") {
     Case setup;
     Outline const outline = naca4({}, 40);

@@ -72,6 +72,49 @@ TEST_CASE("the mesh of a coordinate plane has the coordinates' bits, and so has 
     }
 }
 
+TEST_CASE("all points of space move in place, and arrays that overlap otherwise are refused") {
+    Case setup = airfoil_case(20, 8);
+    Extruded space(setup.mesh, along_axis(2), 2, 0);
+    Plane const plane(space.view());
+    REQUIRE(plane.status == HM_OK);
+    Attempt const solved(on_plane(setup, plane));
+    REQUIRE(solved.status == HM_OK);
+    std::vector<double> const move = some_move(solved.report.functions, 0.01, 1);
+    std::size_t const n = space.x.size(), n_plane = std::size_t(plane.info.n_points);
+    std::vector<double> all(4 * n), apart(3 * n);
+    auto const put = [&] {
+        std::copy(space.x.begin(), space.x.end(), all.begin());
+        std::copy(space.y.begin(), space.y.end(), all.begin() + std::ptrdiff_t(n));
+        std::copy(space.z.begin(), space.z.end(), all.begin() + std::ptrdiff_t(2 * n));
+    };
+    put();
+    std::vector<double> const before = all;
+    double* const x = all.data();
+    hm_space_points const from{x, x + n, x + 2 * n, 1};
+    hm_space_points_out const separate{apart.data(), apart.data() + n, apart.data() + 2 * n, 1},
+        same{x, x + n, x + 2 * n, 1}, shifted{x + 1, x + n + 1, x + 2 * n + 1, 1},
+        narrow{apart.data(), apart.data() + 1, apart.data() + 2 * n, 1};
+    hm_error error{};
+    auto const morph = [&](hm_space_points_out const& to) {
+        return hm_plane_morph(plane.plane, solved.basis, move.data(), &from, &to, nullptr, &error);
+    };
+    REQUIRE(morph(separate) == HM_OK);
+    for (hm_space_points_out const& wrong : {shifted, narrow}) {
+        CHECK(morph(wrong) == HM_BAD_ARGUMENT);
+        CHECK(says(error, "have numbers in common; give separate arrays"));
+    }
+    hm_points const step{x, x + n_plane, 1};
+    CHECK(hm_plane_spread(plane.plane, &step, nullptr, &same, nullptr, &error) == HM_BAD_ARGUMENT);
+    CHECK(says(error, "to and displacement have numbers in common"));
+    hm_points_out const sums{x, x + n_plane, 1};
+    CHECK(hm_plane_gather(plane.plane, &from, &sums, nullptr, &error) == HM_BAD_ARGUMENT);
+    CHECK(says(error, "plane_dj and dj have numbers in common"));
+    CHECK(all == before);
+    REQUIRE(morph(same) == HM_OK);
+    all.resize(3 * n);
+    CHECK(same_bits(all, apart));
+}
+
 TEST_CASE("the movement of inclined planes, wedges and many layers is that of the plane") {
     struct Kind {
         const char* name;
