@@ -47,9 +47,10 @@ Status Apart::check(const char* name, const double* array, Offset n, Fault& faul
 
 Status Apart::check_in_place(const char* from_name, Points from, const char* to_name,
                              MutablePoints to, Index n, Fault& fault) noexcept {
+    Apart written, arrays;
+    HARMORPH_TRY(written.check(to_name, to, n, fault));
     bool const same = from.x == to.x && from.y == to.y && from.stride == to.stride;
     if (same || from.x == nullptr) return Status::ok;
-    Apart arrays;
     arrays.add(from_name, from, n);
     if (!failed(arrays.check(to_name, to, n, fault))) return Status::ok;
     return fault.refuse_arguments(to_name, from_name,

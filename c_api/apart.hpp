@@ -24,7 +24,7 @@ public:
         return check(name, points.y, n, fault, points.stride);
     }
     // For calls that read and write point by point: `to` may be the arrays of `from`, which may be
-    // NULL, but not these arrays from another point on.
+    // NULL, but not these arrays from another point on; x and y of `to` must be apart.
     static Status check_in_place(const char* from_name, Points from, const char* to_name,
                                  MutablePoints to, Index n, Fault& fault) noexcept;
 

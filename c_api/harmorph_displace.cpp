@@ -57,16 +57,22 @@ struct DisplaceCall {
         return Status::ok;
     }
 
-    // Checks the arrays of coordinates: those of a single field may be those of `from`, which is
-    // read again for each of several fields.
-    Status check_apart(Points from, const hm_points_out* to, Fault& fault) const noexcept {
-        Index const n = plan->mesh().n_points;
+    // Checks the arrays of fields of n points that the call writes. Those of a single field may be
+    // those of `from`, which is read again for each of several fields.
+    Status check_apart(Points from, const char* name, const hm_points_out* to, Index n,
+                       Fault& fault) const noexcept {
         if (displacement.n_fields == 1)
-            return Apart::check_in_place("from", from, "to", points_of(to[0]), n, fault);
+            return Apart::check_in_place("from", from, name, points_of(to[0]), n, fault);
         for (Index field = 0; field < displacement.n_fields; ++field) {
             Apart arrays;
             arrays.add("from", from, n);
-            HARMORPH_TRY(arrays.check("to", points_of(to[field]), n, fault));
+            HARMORPH_TRY(arrays.check(name, points_of(to[field]), n, fault));
+            for (Index other = 0; other < field; ++other) {
+                Apart two;
+                MutablePoints const before = points_of(to[other]);
+                two.add(name, Points{before.x, before.y, before.stride}, n);
+                HARMORPH_TRY(two.check(name, points_of(to[field]), n, fault));
+            }
         }
         return Status::ok;
     }
@@ -168,7 +174,7 @@ hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n
         HARMORPH_TRY(call.view_fields(wall, n_fields, "wall", fault, n));
         HARMORPH_TRY(view_points_if(from, "from", start, fault));
         HARMORPH_TRY(call.view_fields(to, n_fields, "to", fault));
-        HARMORPH_TRY(call.check_apart(start, to, fault));
+        HARMORPH_TRY(call.check_apart(start, "to", to, call.plan->mesh().n_points, fault));
         Displacement const& displacement = call.displacement;
         displacement.clear(*call.plan);
         for (Index i = 0; i < n_fields; ++i) {
@@ -197,6 +203,7 @@ hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* points, i
         HARMORPH_TRY(call.open(plan, n, points, n_fields, memory, report, fault));
         HARMORPH_TRY(call.view_fields(dj, n_fields, "dj", fault));
         HARMORPH_TRY(call.view_fields(gradient, n_fields, "gradient", fault, n));
+        HARMORPH_TRY(call.check_apart({}, "gradient", gradient, n, fault));
         Displacement const& displacement = call.displacement;
         HARMORPH_TRY(call.for_each_block(dj, n_fields, [&](Index first, Span<const Points> fields) {
             return displacement.set_derivatives(*call.plan, first, fields, fault);

@@ -78,8 +78,7 @@ hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* 
         auto const quality_of = [&](Points points) {
             return measure_quality(p->equations().cells(), points, reference, p->executor());
         };
-        HARMORPH_TRY(
-            Apart::check_in_place("from", before, "to", after, p->mesh().n_points, fault));
+        HARMORPH_TRY(Apart::check_in_place("from", before, "to", after, p->mesh().n_points, fault));
         HARMORPH_TRY(MeshImprovement::check(*p, reference, before, fault));
         Quality const given = quality_of(before);
         ImproveReport improved;

@@ -59,6 +59,13 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
     options.improves = o.improve == 1;
     reached = o.reached;
     options.skipped = static_cast<std::uint32_t>(o.skipped_strategies);
+    constexpr std::uint32_t all_that_move = (1u << HM_STRATEGY_IMPROVED) - 1;
+    if ((options.skipped & all_that_move) == all_that_move) {
+        return fault.refuse(Status::bad_argument,
+                            "options.skipped_strategies is #, which leaves no strategy that moves "
+                            "the mesh",
+                            plain(o.skipped_strategies));
+    }
     for (Index i = 0; i < o.n_others; ++i) {
         if (o.others[i] == nullptr) {
             return fault.refuse(Status::bad_argument, "basis # of options.others is NULL",
@@ -164,10 +171,15 @@ struct SafeCall {
         return view_safe_options(asked, others, options, reached_movement, fault);
     }
     // n_functions is the number of functions of the caller's basis.
-    Status check_apart(Plan const& plan, Index n_functions, Fault& fault) const noexcept {
-        Apart arrays;
-        arrays.add("options.reached", reached_movement, 2 * n_functions);
-        return arrays.check("to", to, plan.mesh().n_points, fault);
+    Status check_apart(Plan const& plan, const double* move, Index n_functions,
+                       Fault& fault) const noexcept {
+        Index const n = plan.mesh().n_points;
+        Apart arrays, of_mesh;
+        arrays.add("target.move", move, 2 * n_functions);
+        HARMORPH_TRY(arrays.check("to", to, n, fault));
+        of_mesh.add("the mesh", plan.mesh().points, n);
+        HARMORPH_TRY(of_mesh.check("options.reached", reached_movement, 2 * n_functions, fault));
+        return arrays.check("options.reached", reached_movement, 2 * n_functions, fault);
     }
     Status finish(Plan const& plan, SafeMorph const& safe, Size n_functions,
                   Status status) const noexcept {
@@ -250,7 +262,7 @@ struct MoveSafe {
                                 "options.derivative and basis must be two different bases");
         if (derivative != nullptr) sum = view_basis(derivative, fault);
         HARMORPH_TRY(call.open(to, options, report, made.others, fault));
-        HARMORPH_TRY(call.check_apart(*p, counts.functions(), fault));
+        HARMORPH_TRY(call.check_apart(*p, target.move, counts.functions(), fault));
         HARMORPH_TRY(check_move(b, target.move, fault));
         call.options.solves_others =
             derivative == nullptr && call.options.others.empty() && call.options.fair_quality > 0;
@@ -284,7 +296,7 @@ struct MoveSafe {
         HARMORPH_TRY(check_start(*p, b, fault));
         HARMORPH_TRY(view_points(target.wall, "target.wall", displacement, fault, target.n));
         HARMORPH_TRY(call.open(to, options, report, {}, fault));
-        HARMORPH_TRY(call.check_apart(*p, b.header->counts.functions(), fault));
+        HARMORPH_TRY(call.check_apart(*p, target.move, b.header->counts.functions(), fault));
         call.options.solves_others = true;
         bool const had_factor = p->is_factored();
         Status const status =

@@ -88,7 +88,8 @@ hm_status hm_slip_adjoint(const hm_analysis* analysis, const hm_points* from, co
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(dj, "dj", derivative, fault));
         HARMORPH_TRY(view_points(dj_from, "dj_from", transposed, fault));
-        HARMORPH_TRY(check_apart(*opened, before, {"dj", "dj_from"}, derivative, transposed, fault));
+        HARMORPH_TRY(
+            check_apart(*opened, before, {"dj", "dj_from"}, derivative, transposed, fault));
         HARMORPH_TRY(check_slipping(opened->slip_curves(), before, fault));
         slip_of(*opened).transpose(before, derivative, transposed);
         return Status::ok;

@@ -875,8 +875,8 @@ HM_API hm_status hm_given_points(const hm_plan* plan, int32_t* points, int32_t c
 /* Carries n_fields displacement fields, 1 .. 2^20, to the mesh at once, for instance structural
  * modes; up to 12 fields are one substitution. wall [n_fields]: each of n wall points [length]; to
  * [n_fields]: each of n_points mesh points; to = from + displacement; from NULL: taken as 0, as in
- * hm_morph. Wall points move by the given bits. Arrays of different fields, and `wall`, must have
- * no number of `to` in common; `to` of a single field may be the arrays of `from`. With `from`, a
+ * hm_morph. Wall points move by the given bits. Arrays `to` of different fields must have no number
+ * in common; `to` of a single field may be the arrays of `from`. With `from`, a
  * boundary that crosses itself at `to` is refused (HM_CROSSING); cells may be inverted (hm_assess).
  * All fields are computed before any is written.
  * report counts fields as functions; NULL: HM_DIRECT computes residuals only where the factor lost
@@ -926,8 +926,9 @@ typedef struct hm_safe_options {
      * bisection, with up to 60 more solutions.
      * Negative: never. */
     int32_t max_resolves;
-    int32_t skipped_strategies; /* sum of 1 << HM_STRATEGY_... of the strategies to skip */
-    int32_t n_others;           /* 0 .. 64 */
+    /* sum of 1 << HM_STRATEGY_... of the strategies to skip; one of the first four must be left */
+    int32_t skipped_strategies;
+    int32_t n_others; /* 0 .. 64 */
     /* 1: the mesh at the target is improved in any case, as by hm_improve; with `heights`, the mesh
      * without these heights is improved too, and the better one is returned. 0: only where poor */
     int32_t improve;
@@ -1040,7 +1041,8 @@ typedef struct hm_safe_report {
  * refused or cancelled, `to` is unchanged; HM_CROSSING fills the report, too, which has the points
  * of the crossing. A call that is cancelled may have replaced the factor of the plan, and leaves
  * options.derivative unsolved. `to` never contains an inverted cell, and the boundary of `to` does
- * not cross itself unless the boundary of the mesh does. options NULL: defaults. report may be NULL.
+ * not cross itself unless the boundary of the mesh does. options NULL: defaults. report may be
+ * NULL.
  *
  * Wall points lie beside their curve by offsets e: x = C(u) + e. hm_morph moves them by
  * sum_i N_i dP_i. Where a body rotates or scales by r, hm_move_safe with complex functions adds

@@ -52,10 +52,10 @@ HM_API hm_status hm_basis_curves(const hm_basis* basis, const double* move, doub
 /* Further options of a fit: hm_fit_options.details. A field that is 0 has no effect. */
 typedef struct hm_fit_details {
     uint64_t struct_size;
-    /* [n_weights] 0 .. 1e30, not all 0: factors of the points in the sum of squares, besides the share of
-     * the arc length; NULL: all are 1. hm_fit: one for each point; hm_fit_marker: one for each
-     * point of the mesh. A point with weight 0 only tells where the curve runs, and does not count
-     * in the report. The curves pass through the points at their ends and at corners with any
+    /* [n_weights] 0 .. 1e30, not all 0: factors of the points in the sum of squares, besides the
+     * share of the arc length; NULL: all are 1. hm_fit: one for each point; hm_fit_marker: one for
+     * each point of the mesh. A point with weight 0 only tells where the curve runs, and does not
+     * count in the report. The curves pass through the points at their ends and at corners with any
      * weight. */
     const double* weights;
     int32_t n_weights; /* with weights: n of hm_fit, n_points of the mesh; otherwise 0 */

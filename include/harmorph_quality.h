@@ -152,8 +152,9 @@ typedef struct hm_step_corner {
  * makes the steps of corners that compete exactly differ by about 1e-13: use a closeness of 1e-10.
  * For a gradient by control points, add step * by_from to arrays dj that are 0 elsewhere, for
  * hm_adjoint. All other arguments are as in hm_assess, but displacement must not be NULL; the first
- * touch of the boundary is not considered. Refused with HM_BAD_MESH, outputs unchanged: an inverted cell at `from`; a corner
- * whose area only touches 0, so that the step has no derivative (error.item: the cell). */
+ * touch of the boundary is not considered. Refused with HM_BAD_MESH, outputs unchanged: an inverted
+ * cell at `from`; a corner whose area only touches 0, so that the step has no derivative
+ * (error.item: the cell). */
 HM_API hm_status hm_step_gradient(const hm_basis* basis, const hm_mesh* mesh, const hm_points* from,
                                   const hm_points* displacement, double closeness, int32_t capacity,
                                   hm_step_corner* corners, int32_t* n, const hm_executor* executor,

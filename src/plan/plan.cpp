@@ -236,8 +236,10 @@ Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {
         basis.header->topology == topology_ && basis.header->conditions == conditions_;
     if (same_counts && same_mesh && basis.header->method.agrees_with(equations_.method()))
         return Status::ok;
-    return fault.refuse(Status::bad_basis,
-                        "the plan and the basis were made from different analyses");
+    return fault.refuse(
+        Status::bad_basis,
+        "the plan and the basis were made from different analyses: of another mesh, "
+        "or with other curves, conditions, fluxes or options");
 }
 
 Status Plan::solve_fields(DofValues const& values, bool measured, SolveReport& report,

@@ -179,14 +179,14 @@ TEST_CASE("both derivatives of distances may be in the same arrays, but not with
     double* const free = memory.free(mesh, 10);
     double* const dj = free + 10 * n;
     hm_points_out const one{free, free + 4 * n, 1}, two{free, free + 4 * n, 2};
-    check_refused(
-        memory, hm_wall_distance_adjoint(walls, n, &at, face.data(), dj, &one, &two, &error), error,
-        "mesh_dj", "point_dj");
+    check_refused(memory,
+                  hm_wall_distance_adjoint(walls, n, &at, face.data(), dj, &one, &two, &error),
+                  error, "mesh_dj", "point_dj");
     // The arrays for all mesh points reach into those of fewer points.
     double* const behind = free + n - 1;
-    check_refused(
-        memory, hm_wall_distance_adjoint(walls, 2, &at, face.data(), behind, &one, &one, &error),
-        error, "point_dj", "dj");
+    check_refused(memory,
+                  hm_wall_distance_adjoint(walls, 2, &at, face.data(), behind, &one, &one, &error),
+                  error, "point_dj", "dj");
 }
 
 TEST_CASE("the first layer is refused where the mesh before has none") {
@@ -232,10 +232,42 @@ TEST_CASE("the derivative of slipping points, and curves moved by a basis") {
     std::vector<hm_curve> curve(static_cast<std::size_t>(info.curves));
     hm_curves curves{};
     curves.struct_size = sizeof curves;
-    check_refused(memory,
-                  hm_basis_curves(solved.basis, free, free + 1, &curves, curve.data(), info.curves,
-                                  &error),
-                  error, "control", "move");
+    check_refused(
+        memory,
+        hm_basis_curves(solved.basis, free, free + 1, &curves, curve.data(), info.curves, &error),
+        error, "control", "move");
+}
+
+TEST_CASE("x and y of moved points are apart, with coordinates before and without") {
+    Ready ready;
+    auto& [setup, mesh, n, solved, view, memory, at, error] = ready;
+    std::vector<double> const move(2 * std::size_t(setup.curves.n_control()), 0.01);
+    double* const free = memory.free(mesh, 10);
+    hm_points const* const none = nullptr;
+    for (hm_points const* const from : {static_cast<hm_points const*>(&at), none})
+        for (int const shift : {0, 5}) {
+            hm_points_out const to{free, free + shift, 1};
+            check_refused(memory, hm_morph(solved.basis, move.data(), from, &to, nullptr, &error),
+                          error, "to", "to");
+        }
+    std::size_t bytes = 0;
+    REQUIRE(fixtures::safe_move_size(solved.plan, solved.basis, &bytes, &error) == HM_OK);
+    Guarded block(bytes);
+    fixtures::Memory working(block.data(), bytes);
+    auto target = sized<hm_safe_target>();
+    auto options = sized<hm_safe_options>();
+    target.move = free;
+    std::copy(move.begin(), move.end(), free);
+    memory.before = memory.numbers;
+    hm_points_out const to{free + 2 * n, free + 4 * n, 1}, one{free + 2 * n, free + 2 * n, 1};
+    auto const safe = [&](hm_points_out const& where, double* reached) {
+        options.reached = reached;
+        return hm_move_safe(solved.plan, solved.basis, &target, &where, working, &options, nullptr,
+                            &error);
+    };
+    check_refused(memory, safe(one, nullptr), error, "to", "to");
+    check_refused(memory, safe(to, free + 2 * n), error, "options.reached", "to");
+    check_refused(memory, safe(to, free + 1), error, "options.reached", "target.move");
 }
 
 TEST_CASE("interpolated fields") {

@@ -120,12 +120,12 @@ TEST_CASE("spoiled arguments of displacements and of the adjoint") {
 TEST_CASE("one field may be added in place; of several fields none may be in the arrays of from") {
     Arguments apart, in_place;
     auto const displace = [&](Arguments& a, std::int32_t n_fields, hm_points_out const* to) {
-        std::vector<double> &x = a.setup.mesh.x, &y = a.setup.mesh.y;
+        std::vector<double>&x = a.setup.mesh.x, &y = a.setup.mesh.y;
         hm_points const from{x.data(), y.data(), 1};
         hm_error error{};
-        hm_status const status = hm_displace(
-            a.displaced.plan, a.n, a.points, n_fields, a.given.data(), &from, to,
-            fixtures::Memory(a.work.data(), a.bytes), &a.report, &error);
+        hm_status const status =
+            hm_displace(a.displaced.plan, a.n, a.points, n_fields, a.given.data(), &from, to,
+                        fixtures::Memory(a.work.data(), a.bytes), &a.report, &error);
         if (status == HM_BAD_ARGUMENT) CHECK(says(error, "to and from have numbers in common"));
         return status;
     };
@@ -137,6 +137,10 @@ TEST_CASE("one field may be added in place; of several fields none may be in the
     apart.to[1] = {apart.setup.mesh.x.data(), apart.setup.mesh.y.data(), 1};
     CHECK(displace(apart, 2, apart.to.data()) == HM_BAD_ARGUMENT);
     CHECK(apart.setup.mesh.x == x);
+    apart.to[1] = apart.to[0];
+    CHECK(hm_displace(apart.displaced.plan, apart.n, apart.points, 2, apart.given.data(), nullptr,
+                      apart.to.data(), fixtures::Memory(apart.work.data(), apart.bytes),
+                      &apart.report, nullptr) == HM_BAD_ARGUMENT);
     hm_points_out const shifted{apart.setup.mesh.x.data() + 1, apart.out.data(), 1};
     CHECK(displace(apart, 1, &shifted) == HM_BAD_ARGUMENT);
     CHECK(apart.setup.mesh.x == x);

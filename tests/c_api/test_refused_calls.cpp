@@ -278,6 +278,8 @@ TEST_CASE("options of the safe morph and of better cells") {
     std::vector<double> folded = o.setup.mesh.x;
     folded[8] = 5;
     hm_points const reference{folded.data(), o.setup.mesh.y.data(), 1};
+    auto none_left = sized<hm_safe_options>();
+    none_left.skipped_strategies = 15;
     auto reserved = sized<hm_safe_target>();
     reserved.move = o.move.data();
     reserved.reserved = 7;
@@ -295,6 +297,10 @@ TEST_CASE("options of the safe morph and of better cells") {
          "header of this version",
          call_by(hm_improve, o.solved.plan, &o.points, &o.out,
                  fixtures::Memory(room.data(), room.size()), &younger_better.better, nullptr)},
+        {HM_BAD_ARGUMENT,
+         "options.skipped_strategies is 15, which leaves no strategy that moves the mesh",
+         call_by(safe_move, o.solved.plan, o.basis, o.move.data(), &o.out, nullptr, work.data(),
+                 work.size(), &none_left, nullptr)},
         {HM_BAD_ARGUMENT, "target.reserved must be 0, not 7",
          call_by(hm_move_safe, o.solved.plan, o.basis, &reserved, &o.out,
                  fixtures::Memory(work.data(), work.size()), nullptr, nullptr)},

@@ -107,8 +107,7 @@ TEST_CASE("a struct of a younger caller is longer: fields that are set and unkno
         field = 1e-300;
         std::size_t bytes = 0;
         hm_error error{};
-        hm_status const status =
-            fixtures::analysis_size(&problem.problem, nullptr, &bytes, &error);
+        hm_status const status = fixtures::analysis_size(&problem.problem, nullptr, &bytes, &error);
         field = 0;
         INFO(error.text);
         CHECK(status == HM_UNSUPPORTED);

@@ -71,6 +71,7 @@ TEST_CASE("a plan does not solve the basis of another problem on the same mesh")
     Solved theirs(problem);
     CHECK(hm_plan_solve(mine.plan, theirs.basis, nullptr, &mine.error) == HM_BAD_BASIS);
     CHECK(std::string(mine.error.text) ==
-          "the plan and the basis were made from different analyses");
+          "the plan and the basis were made from different analyses: of another mesh, "
+          "or with other curves, conditions, fluxes or options");
     CHECK(hm_plan_solve(mine.plan, mine.basis, nullptr, &mine.error) == HM_OK);
 }

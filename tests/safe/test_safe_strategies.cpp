@@ -67,7 +67,8 @@ TEST_CASE("another basis can be the strategy that helps") {
     CHECK(safe.report.steps == 0);
     safe.safe_options.skipped_strategies |= without({HM_STRATEGY_OTHER});
     safe.safe_options.n_others = 2;
-    CHECK(safe.run(move) == HM_SHORT);
+    CHECK(safe.run(move) == HM_BAD_ARGUMENT);  // nothing at all is allowed
+    CHECK(safe.untouched());
 
     Safe weaker(setup, sharper);  // of the same kind: its functions are the derivative
     weaker.safe_options.n_others = 2;

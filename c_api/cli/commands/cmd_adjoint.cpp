@@ -7,9 +7,10 @@
 #include "curves/variables_file.hpp"
 #include "files/output_file.hpp"
 #include "files/threads.hpp"
-#include "work/sensitivity.hpp"
 #include "work/mesh_fields.hpp"
 #include "work/read_mesh.hpp"
+#include "work/sensitivity.hpp"
+#include "work/solver.hpp"
 
 #include <harmorph_design.h>
 
@@ -86,26 +87,30 @@ std::optional<VariablesAt> variables_at(const Arguments& arguments, const Basis&
     }
     const std::string path = arguments.text("--variables");
     VariablesAt at = {path, read_variables(path), {}};
-    if (at.map.points != basis.n_control()) {
-        throw Failure(exit_file, path + ": the variables move " +
-                                     plural(at.map.points, "control point") +
-                                     ", but the curves of the basis have " +
-                                     std::to_string(basis.n_control()));
-    }
+    check_curves(at.map, basis.curves_at_start(), path);
     at.values.resize(2 * static_cast<std::size_t>(at.map.variables));
     if (arguments.has("--at")) at.values = read_values(arguments.text("--at"), at.map);
     return at;
 }
 
+// Where points slip along curves and the mesh has moved, a morph ends with these points put onto
+// the curves: turns the derivatives into those by the points before that.
+void take_off_curves(const Mesh& mesh, const Basis& basis, const Threads& threads, Field& by) {
+    const Task task = task_of(basis);
+    if (!task.slips() || !basis.mesh_has_moved()) return;
+    Solver(mesh, task, threads).take_off_curves(by);
+}
+
 Gradient gradient_of(const Arguments& arguments, const std::string& path, const Mesh& mesh,
                      const Basis& basis, const std::optional<VariablesAt>& variables,
                      const Threads& threads) {
-    const Sensitivity sensitivity =
+    Sensitivity sensitivity =
         read_sensitivity(path, columns_of(arguments), mesh, arguments.has("--in-order"));
     Gradient found;
     found.objective = path;
     found.points = sensitivity.rows;
     found.by_functions.resize(2 * static_cast<std::size_t>(basis.functions()));
+    take_off_curves(mesh, basis, threads, sensitivity.by);
     const hm_points by = sensitivity.by.read();
     call(mesh, hm_adjoint, basis.get(), &by, found.by_functions.data(), threads.executor());
     if (arguments.has("--smooth")) {

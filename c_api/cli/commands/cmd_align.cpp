@@ -66,6 +66,10 @@ std::vector<Column> fields_to_bring(const Arguments& arguments, const Mesh& mesh
     if (arguments.has("--fields"))
         fields = read_fields(arguments.text("--fields"), arguments.all("--field"), mesh,
                              arguments.has("--in-order"));
+    for (const Column& field : fields)
+        if (field.name == "from_x" || field.name == "from_y")
+            arguments.refuse("a field cannot have the name " + field.name +
+                             ", which --fields-out gives to the coordinates before");
     fields.push_back({"from_x", mesh.x});
     fields.push_back({"from_y", mesh.y});
     return fields;

@@ -56,6 +56,11 @@ void run_explore(const Arguments& arguments) {
     refuse_large_mesh(mesh, most);
     const Basis basis(arguments.operand(1), mesh);
     refuse_inverted_cells(mesh, basis);
+    if (basis.has_moved_bodies())
+        throw Failure(exit_unusable, mesh.file.path() +
+                                         ": rigid bodies have moved since the basis was solved, "
+                                         "and a page has the bodies of that mesh; solve again on "
+                                         "this mesh");
     std::string moves;
     if (arguments.has("--move")) {
         const TextFile text = text_of_moves(arguments.text("--move"));

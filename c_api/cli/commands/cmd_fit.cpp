@@ -81,16 +81,21 @@ std::vector<double> read_weights(const std::string& path, const Outline& outline
     const TextFile file(path);
     LineReader lines(file, '#');
     std::vector<double> weights(outline.x.size(), 1);
+    std::vector<bool> named(outline.x.size());
     while (lines.next()) {
         const auto& words = lines.words();
         std::int32_t point = 0;
         double weight = 0;
-        if (words.size() != 2 || !parse(words[0], point) || !parse(words[1], weight) || weight < 0)
-            lines.expected("a point and a weight of 0 or above");
+        if (words.size() != 2 || !parse(words[0], point) || !parse(words[1], weight) ||
+            !(weight >= 0 && weight <= 1e30))
+            lines.expected("a point and a weight between 0 and 1e30");
         const auto found = std::find(outline.numbers.begin(), outline.numbers.end(), point);
         if (found == outline.numbers.end())
             lines.expected("a point of the boundary that is fitted", words[0]);
-        weights[static_cast<std::size_t>(found - outline.numbers.begin())] = weight;
+        const auto at = static_cast<std::size_t>(found - outline.numbers.begin());
+        if (named[at]) lines.fail("point " + std::to_string(point) + " has a weight already");
+        named[at] = true;
+        weights[at] = weight;
     }
     return weights;
 }

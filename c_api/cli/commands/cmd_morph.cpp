@@ -187,6 +187,10 @@ void run_morph(const Arguments& arguments) {
     const Threads threads(threads_of(arguments), kernel_of(arguments));
     const bool safe = arguments.has("--safe");
     check_safe_options(arguments);
+    if (safe && basis.mesh_has_moved())
+        throw Failure(exit_unusable, mesh.file.path() +
+                                         ": the mesh has moved since the basis was solved, and "
+                                         "--safe begins with that mesh; solve again on this mesh");
     for (const char* const option : {"--reached", "--operator", "--flux"}) {
         if (!safe && arguments.has(option)) arguments.refuse(std::string(option) + " needs --safe");
     }

@@ -156,6 +156,7 @@ MadeVariables make_linear(const Arguments& arguments, const std::string& path,
     hm_memory memory = {};
     call(path, hm_move_section, view.get(), &section, 1, &movement, nullptr, &result, &memory);
     map.points = view.get()->n_control;
+    map.knots = checksum_of_knots(*view.get());
     map.variables = result.n_variables;
     map.matrix.resize(2 * static_cast<std::size_t>(map.points) *
                       static_cast<std::size_t>(map.variables));
@@ -240,6 +241,7 @@ MadeVariables make_family(const Arguments& arguments, const std::string& path,
     }
     MadeVariables made;
     made.map.points = view.get()->n_control;
+    made.map.knots = checksum_of_knots(*view.get());
     made.map.variables = asked;
     made.map.matrix.resize(static_cast<std::size_t>(asked) * length);
     const auto columns = static_cast<std::size_t>(asked);

@@ -5,6 +5,7 @@
 #include "curves/section_movement.hpp"
 #include "files/text_file.hpp"
 
+#include <cstring>
 #include <ostream>
 
 namespace cli {
@@ -172,6 +173,41 @@ std::vector<double> VariableMap::variable_gradient(const hm_curves& curves,
     return by;
 }
 
+// FNV-1a of degrees, control points and knots, without the sign.
+std::int64_t checksum_of_knots(const hm_curves& curves) {
+    std::uint64_t sum = 0xcbf29ce484222325;
+    const auto add = [&](std::uint64_t word) {
+        for (int byte = 0; byte < 8; ++byte)
+            sum = (sum ^ (word >> 8 * byte & 0xff)) * 0x100000001b3;
+    };
+    for (std::int32_t number = 0; number < curves.n_curves; ++number) {
+        const hm_curve& curve = curves.curve[number];
+        add(static_cast<std::uint64_t>(curve.degree));
+        for (std::int32_t k = 0; k < curve.n_indices; ++k)
+            add(static_cast<std::uint64_t>(
+                curve.indices == nullptr ? k : curve.indices[k] - curves.index_base));
+        for (std::int32_t k = 0; k <= curve.n_indices + curve.degree; ++k) {
+            std::uint64_t bits = 0;
+            std::memcpy(&bits, &curve.knots[k], sizeof bits);
+            add(bits);
+        }
+    }
+    return static_cast<std::int64_t>(sum >> 1);
+}
+
+void check_curves(const VariableMap& map, const hm_curves& curves, const std::string& path) {
+    if (map.points != curves.n_control) {
+        throw Failure(exit_file,
+                      path + ": the variables move " + plural(map.points, "control point") +
+                          ", but the curves of the basis have " + std::to_string(curves.n_control));
+    }
+    if (map.knots != 0 && map.knots != checksum_of_knots(curves)) {
+        throw Failure(exit_file, path +
+                                     ": the variables were made for a curve with other knots than "
+                                     "those of the basis; make them for the curve of the basis");
+    }
+}
+
 VariableMap read_variables(const std::string& path) {
     const TextFile file(path);
     LineReader lines(file, '#');
@@ -191,6 +227,11 @@ VariableMap read_variables(const std::string& path) {
     map.matrix.resize(2 * static_cast<std::size_t>(map.variables) *
                       static_cast<std::size_t>(map.points));
     while (lines.next()) {
+        if (map.knots == 0 && lines.words()[0] == "knots") {
+            if (lines.words().size() != 2 || !parse(lines.words()[1], map.knots))
+                lines.expected("knots and their checksum");
+            continue;
+        }
         if (lines.words().size() != 4) lines.expected("control point, variable, dx, dy");
         const std::int32_t point = index(lines, 0, map.points, "a control point");
         const std::int32_t variable = index(lines, 1, map.variables, "a variable");
@@ -205,7 +246,7 @@ VariableMap read_variables(const std::string& path) {
 
 void write_variables(std::ostream& out, const VariableMap& map) {
     if (!map.movements.empty()) return write_movements(out, map);
-    out << "variables " << map.variables << "\npoints " << map.points
+    out << "variables " << map.variables << "\npoints " << map.points << "\nknots " << map.knots
         << "\n# control point, variable, dx, dy\n";
     std::size_t at = 0;
     for (std::int32_t i = 1; i <= map.points; ++i) {

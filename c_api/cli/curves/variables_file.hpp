@@ -3,6 +3,7 @@
 //
 //     variables 12           # the number of variables
 //     points 20              # the number of control points
+//     knots 8431962          # a checksum of the knots of their curves; may be missing
 //     1 3 0 0.0125           # control point, variable, dx, dy; other pairs move by 0
 //
 // Other files list movements of the section (hm_movement), in the order in which they are applied.
@@ -29,6 +30,7 @@ namespace cli {
 
 struct VariableMap {
     std::int32_t points = 0, variables = 0;
+    std::int64_t knots = 0;              // of a matrix: checksum_of_knots(); 0: not known
     std::vector<double> matrix;          // [points * variables * 2], as hm_move_section fills it
     std::vector<hm_movement> movements;  // if not empty, used instead of the matrix
     hm_section section;
@@ -47,6 +49,9 @@ struct VariableMap {
 };
 
 VariableMap read_variables(const std::string& path);
+// Refuses variables of curves with another number of control points, or with other knots.
+void check_curves(const VariableMap& map, const hm_curves& curves, const std::string& path);
+std::int64_t checksum_of_knots(const hm_curves& curves);
 void write_variables(std::ostream& out, const VariableMap& map);
 // Reads lines "variable value" or "variable x y"; variables are counted from 1, and those without a
 // line are 0. Returns pairs.

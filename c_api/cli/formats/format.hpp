@@ -55,6 +55,8 @@ std::string moved_file(const Mesh& mesh, const std::string& path);
 // Reads a mesh, which may be compressed by gzip. Refuses, with the line or byte of the file, other
 // files and meshes that cannot be morphed.
 Mesh read_mesh_file(const std::string& path, const ReadOptions& options);
+// For files that have no zones: refuses another zone than the first.
+void refuse_zone_of_one(const std::string& chosen);
 
 // Writes the file of the mesh with the coordinates that changed. They have as many digits as the
 // file has, or more where these would move a point by more than a thousandth of its shortest edge.

@@ -158,6 +158,11 @@ std::string moved_file(const Mesh& mesh, const std::string& path) {
             in_quotes(file) + ", must " + (is_packed ? "end in .gz, too" : "not end in .gz"));
 }
 
+void refuse_zone_of_one(const std::string& chosen) {
+    if (chosen.empty() || chosen == "1") return;
+    throw Failure(exit_usage, "--zone " + chosen + ": the file has one zone only");
+}
+
 Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
     const Format* forced = options.format.empty() ? nullptr : find_format(options.format);
     const std::string file = mesh_file(path);
@@ -175,6 +180,7 @@ Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
     mesh.file.listen(options.progress);
     mesh.threads = options.threads;
     mesh.format = &format;
+    if (&format != &su2_format) refuse_zone_of_one(options.zone);
     format.read(mesh, options);
     mesh.file.listen(nullptr);
     mesh.in_file.is_packed = is_packed && !mesh.in_file.is_joined;

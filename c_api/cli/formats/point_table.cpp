@@ -488,6 +488,8 @@ std::size_t PointTable::find(const std::string& name) const {
 
 std::size_t PointTable::column(const std::string& name) const {
     const std::size_t found = find(name);
+    if (std::count(names.begin(), names.end(), name) > 1)
+        throw Failure(exit_file, file->path() + ": two columns have the name " + in_quotes(name));
     if (found < names.size()) return found;
     throw Failure(exit_file, file->path() + ": there is no column " + in_quotes(name) +
                                  "; the columns are " + name_list() +

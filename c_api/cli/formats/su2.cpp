@@ -154,11 +154,13 @@ public:
 private:
     const std::string& chosen_;
     std::int32_t count_ = 1, number_ = 1, begun_ = 0;
+    bool is_announced_ = false;
     std::size_t line_ = 0;  // the place of NZONE=
 };
 
 void Su2Zones::choose(const LineReader& lines, std::int32_t count) {
     count_ = count;
+    is_announced_ = true;
     line_ = lines.offset();
     if (chosen_.empty() && count_ > 1) {
         lines.fail("the file has " + std::to_string(count_) +
@@ -180,6 +182,7 @@ bool Su2Zones::begin(const LineReader& lines, std::int32_t zone) {
 }
 
 void Su2Zones::check_complete(const TextFile& file) const {
+    if (!is_announced_) refuse_zone_of_one(chosen_);
     if (count_ <= 1 || begun_ >= count_) return;
     file.fail(line_, "NZONE= announces " + std::to_string(count_) + " zones, but the file has " +
                          plural(begun_, "line") + " IZONE=");

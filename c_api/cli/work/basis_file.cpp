@@ -1,6 +1,7 @@
 #include "work/basis_file.hpp"
 
 #include "basics/failure.hpp"
+#include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
 #include "curves/curves.hpp"
 #include "mesh/mesh_file.hpp"
@@ -210,6 +211,25 @@ void Basis::find_curves(const Mesh& mesh) {
     moved_control_.resize(2 * static_cast<std::size_t>(n_control()) + 1);
     call(path_, hm_basis_curves, basis_, moves.data(), moved_control_.data(), &moved_curves_,
          curve_.data(), info_.curves);
+    recovered_ = std::move(moves);
+    constexpr double rounding = 1e-9;
+    double extent = 0;
+    for (std::size_t k = 0; k < mesh.x.size(); ++k)
+        extent = std::max({extent, std::fabs(mesh.x[k]), std::fabs(mesh.y[k])});
+    for (std::int32_t body = 0; body < info_.bodies; ++body) {
+        const double* const by = &recovered_[2 * place(n_control() + 2 * body)];
+        const double shift = std::max(std::fabs(by[0]), std::fabs(by[1])),
+                     turn = std::max(std::fabs(by[2]), std::fabs(by[3]));
+        if (shift > rounding * extent || turn > rounding) has_moved_bodies_ = true;
+    }
+}
+
+Rotation Basis::body_rotation(std::int32_t body) const {
+    if (!why_on_no_curve_.empty())
+        throw Failure(exit_unusable, why_on_no_curve_ + "; solve again on this mesh");
+    if (recovered_.empty()) return {};
+    const double* const of_body = &recovered_[2 * place(n_control() + 2 * body)];
+    return {1 + of_body[2], of_body[3]};
 }
 
 const hm_curves& Basis::curves() const {

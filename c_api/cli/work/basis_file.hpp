@@ -19,6 +19,14 @@
 
 namespace cli {
 
+// A complex number: scale times (cosine, sine) of an angle.
+struct Rotation {
+    double x = 1, y = 0;
+    Rotation times(const Rotation& other) const {
+        return {x * other.x - y * other.y, x * other.y + y * other.x};
+    }
+};
+
 // A basis that is read from a file, or copied from a solution, and attached to its mesh. Refuses a
 // file without names, a mesh with other markers, conditions on markers that the mesh does not have,
 // and functions of design variables.
@@ -47,6 +55,12 @@ public:
     // The curves that conditions point to.
     const std::vector<std::shared_ptr<const CurveSet>>& slip_curves() const { return slip_curves_; }
     std::int32_t functions() const { return info_.functions; }
+    // Returns scale times (cosine, sine) of what the mesh has turned this body by since the basis
+    // was solved; the functions of bodies belong to the places of that mesh. Throws a Failure as
+    // curves() if the movement is unknown.
+    Rotation body_rotation(std::int32_t body) const;
+    // Whether the mesh has moved a body since the basis was solved.
+    bool has_moved_bodies() const { return has_moved_bodies_; }
     // Returns component `number` of the values of a function, at every point of the mesh.
     std::vector<double> values(std::int32_t function, std::int32_t number, const Mesh& mesh) const;
 
@@ -61,10 +75,12 @@ private:
     bool mesh_has_moved_ = false;
     std::string why_on_no_curve_;
     double distance_ = 0;
+    bool has_moved_bodies_ = false;
     hm_basis_info info_;
     std::vector<hm_curve> curve_;
     hm_curves curves_, moved_curves_;
     std::vector<double> moved_control_;
+    std::vector<double> recovered_;  // pairs [2*functions]; empty if the mesh has not moved
     std::vector<hm_condition> conditions_;
     std::vector<std::shared_ptr<const CurveSet>> slip_curves_;
 };

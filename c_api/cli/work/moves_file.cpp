@@ -255,7 +255,8 @@ private:
         const auto& words = lines_.words();
         if (words.size() < 5 || words.size() > 6)
             lines_.expected("rigid MARKER dx dy degrees [scale]");
-        const auto function = static_cast<std::size_t>(function_of(std::string(words[1])));
+        const std::int32_t body = body_of(std::string(words[1]));
+        const auto function = place(movable_.n_control + 2 * body);
         if (moved_[function])
             lines_.fail("the body of " + in_quotes(std::string(words[1])) +
                         " is moved a second time");
@@ -263,11 +264,19 @@ private:
         const double angle = std::fmod(number(words[4]), 360) * pi / 180,
                      scale = words.size() > 5 ? number(words[5]) : 1;
         if (!(scale > 0)) lines_.expected("a scale above 0", words[5]);
-        moves_[2 * function] = number(words[2]);
-        moves_[2 * function + 1] = number(words[3]);
+        moves_[2 * function] += number(words[2]);
+        moves_[2 * function + 1] += number(words[3]);
         const auto [sine, cosine] = sine_cosine(angle);
-        moves_[2 * function + 2] = scale * cosine - 1;
-        moves_[2 * function + 3] = scale * sine;
+        const Rotation by = {scale * cosine - 1, scale * sine};
+        if (by.x == 0 && by.y == 0) return;
+        // The function turns the body of the mesh that was solved on, and so what the body has
+        // turned by since then is turned, too.
+        double* const to = &moves_[2 * function + 2];
+        Rotation before;
+        if (movable_.body_rotation) before = movable_.body_rotation(body);
+        const Rotation more = by.times({before.x + to[0], before.y + to[1]});
+        to[0] += more.x;
+        to[1] += more.y;
     }
 
     void read_mode() {
@@ -276,6 +285,7 @@ private:
         std::int32_t mode = 0;
         if (words.size() < 3 || words.size() > 4)
             lines_.expected("mode K amplitude, or mode K amplitude amplitude-y");
+        if (n_modes == 0) lines_.fail("the basis has no modes (functions that a table gives)");
         if (!parse(words[1], mode) || mode < 1 || mode > n_modes) {
             lines_.expected("a mode between 1 and " + std::to_string(n_modes), words[1]);
         }
@@ -283,12 +293,12 @@ private:
         if (moved_[function])
             lines_.fail("mode " + std::to_string(mode) + " is moved a second time");
         moved_[function] = true;
-        moves_[2 * function] = number(words[2]);
-        if (words.size() == 4) moves_[2 * function + 1] = number(words[3]);
+        moves_[2 * function] += number(words[2]);
+        if (words.size() == 4) moves_[2 * function + 1] += number(words[3]);
     }
 
-    // Returns the first function of the body to which all markers of this name belong.
-    std::int32_t function_of(const std::string& name) const {
+    // Returns the body to which all markers of this name belong.
+    std::int32_t body_of(const std::string& name) const {
         std::int32_t body = -1;
         for (const hm_condition& condition :
              conditions_of(name, HM_RIGID, "a marker of a rigid body")) {
@@ -296,7 +306,7 @@ private:
                 lines_.expected("the markers of one rigid body, or a piece MARKER@X:Y", name);
             body = condition.body;
         }
-        return movable_.n_control + 2 * body;
+        return body;
     }
 
     template <class Word>
@@ -344,8 +354,12 @@ std::vector<double> read_moves(const std::vector<TextFile>& texts, const Movable
 
 Movable movable_of(const Basis& basis) {
     const hm_basis_info& info = basis.info();
-    Movable movable = {basis.n_control(), info.bodies, info.modes, basis.conditions(),
-                       [&basis]() -> const hm_curves& { return basis.curves(); }};
+    Movable movable = {basis.n_control(),
+                       info.bodies,
+                       info.modes,
+                       basis.conditions(),
+                       [&basis]() -> const hm_curves& { return basis.curves(); },
+                       [&basis](std::int32_t body) { return basis.body_rotation(body); }};
     movable.n_curves = info.curves;
     movable.mover.assign(static_cast<std::size_t>(info.points), -1);
     for (std::int32_t k = 0; k < info.curve_points; ++k)
@@ -360,12 +374,21 @@ bool has_section_movements(const TextFile& text) {
     return false;
 }
 
+namespace {
+
+// Writes the line of the body of this condition. function: its two pairs; before: its rotation
+// before the movement.
 void write_body(std::ostream& out, const Mesh& mesh, const hm_condition& condition,
-                const double* function) {
+                const double* function, const Rotation& before) {
+    const double square = before.x * before.x + before.y * before.y;
+    const Rotation back = {before.x / square, -before.y / square};
+    const Rotation by = back.times({function[2], function[3]});
     out << "rigid " << mesh.name_of(condition) << ' ' << exact(function[0]) << ' '
-        << exact(function[1]) << ' ' << exact(angle_of(1 + function[2], function[3]) * 180 / pi)
-        << ' ' << exact(length_of(1 + function[2], function[3])) << '\n';
+        << exact(function[1]) << ' ' << exact(angle_of(1 + by.x, by.y) * 180 / pi) << ' '
+        << exact(length_of(1 + by.x, by.y)) << '\n';
 }
+
+}  // namespace
 
 void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis,
                  const Mesh& mesh) {
@@ -378,8 +401,15 @@ void write_moves(std::ostream& out, const std::vector<double>& moves, const Basi
     for_each_body(basis.conditions(), basis.info().bodies, [&](const hm_condition& condition) {
         out << "# body, dx, dy, degrees, scale\n";
         write_body(out, mesh, condition,
-                   &moves[2 * (n_control + 2 * static_cast<std::size_t>(condition.body))]);
+                   &moves[2 * (n_control + 2 * static_cast<std::size_t>(condition.body))],
+                   basis.body_rotation(condition.body));
     });
+    const std::int32_t n_modes = basis.info().modes;
+    if (n_modes > 0) out << "# mode, amplitude, amplitude-y\n";
+    for (std::int32_t mode = 1; mode <= n_modes; ++mode) {
+        const double* const of_mode = &moves[2 * place(basis.functions() - n_modes + mode - 1)];
+        out << "mode " << mode << ' ' << exact(of_mode[0]) << ' ' << exact(of_mode[1]) << '\n';
+    }
 }
 
 namespace {
@@ -397,12 +427,7 @@ AskedMoves moves_of_file(const Arguments& arguments, const Basis& basis, const M
     const std::string path = arguments.text("--move");
     const std::string map_path = arguments.text("--variables");
     const VariableMap map = read_variables(map_path);
-    if (map.points != basis.n_control()) {
-        throw Failure(exit_file, map_path + ": the variables move " +
-                                     plural(map.points, "control point") +
-                                     ", but the curves of the basis have " +
-                                     std::to_string(basis.n_control()));
-    }
+    check_curves(map, basis.curves_at_start(), map_path);
     asked.moves =
         map.control_moves(basis.curves(), read_values(path, map), map_path, &asked.errors);
     asked.moves.resize(2 * static_cast<std::size_t>(basis.functions()));

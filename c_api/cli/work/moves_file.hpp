@@ -2,7 +2,8 @@
 // section (section_movement.hpp), "rigid MARKER dx dy degrees [scale]", and "mode K amplitude
 // [amplitude-y]" for functions whose values are a table. MARKER is a list as in options, with
 // quotes and places (Mesh::find_pieces). Lines are applied in their order: a line moves a section
-// from the place that the lines above have given it. Control points, bodies and modes without a
+// or a body from the place that the lines above, of other texts for a body, have given it. A body
+// turns about its centre, which moves with the body. Control points, bodies and modes without a
 // line do not move. What write_moves() writes, read_moves() reads back.
 #pragma once
 
@@ -25,7 +26,9 @@ struct Movable {
     std::int32_t n_control = 0, n_bodies = 0, n_modes = 0;
     std::vector<hm_condition> conditions;
     std::function<const hm_curves&()> curves;  // throws a Failure if their places are unknown
-    std::vector<std::int32_t> mover = {};      // these two: see ConditionsOfMesh
+    // Basis::body_rotation(); empty: no body has turned.
+    std::function<Rotation(std::int32_t)> body_rotation = {};
+    std::vector<std::int32_t> mover = {};  // these two: see ConditionsOfMesh
     std::int32_t n_curves = 0;
 
     std::int32_t functions() const { return n_control + 2 * n_bodies + n_modes; }
@@ -40,9 +43,6 @@ Movable movable_of(const Basis& basis);
 std::vector<double> read_moves(const std::vector<TextFile>& texts, const Movable& movable,
                                const Mesh& mesh, std::vector<MovementError>* errors = nullptr);
 bool has_section_movements(const TextFile& text);
-// Writes the line of the body of this condition; function: its two pairs.
-void write_body(std::ostream& out, const Mesh& mesh, const hm_condition& condition,
-                const double* function);
 void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis,
                  const Mesh& mesh);
 

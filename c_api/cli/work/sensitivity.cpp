@@ -24,10 +24,13 @@ void add_bodies(std::vector<Row>& rows, const std::vector<double>& g, const Basi
                 const Mesh& mesh) {
     for_each_body(basis.conditions(), basis.info().bodies, [&](const hm_condition& condition) {
         const auto at = static_cast<std::size_t>(2 * basis.n_control() + 4 * condition.body);
-        // s = scale (cos a, sin a): the derivative of s by the angle is (0, 1) at a = 0.
-        rows.push_back({"rigid",
-                        mesh.name_of(condition),
-                        {g[at], g[at + 1], g[at + 3] * pi / 180, g[at + 2]}});
+        // A body that has turned by s0 is moved by (s - 1) s0 with s = scale (cos a, sin a): the
+        // derivatives by the angle and by the scale are i s0 and s0.
+        const Rotation s0 = basis.body_rotation(condition.body);
+        const double by_angle = g[at + 3] * s0.x - g[at + 2] * s0.y,
+                     by_scale = g[at + 2] * s0.x + g[at + 3] * s0.y;
+        rows.push_back(
+            {"rigid", mesh.name_of(condition), {g[at], g[at + 1], by_angle * pi / 180, by_scale}});
     });
 }
 

@@ -114,6 +114,13 @@ void Solver::put_on_curves(Field& moved, Field& displacement) {
     }
 }
 
+void Solver::take_off_curves(Field& by) {
+    if (analysis_ == nullptr) analyse();
+    const hm_points at = mesh_.coordinates(), on_curves = by.read();
+    const hm_points_out before = by.write();
+    call(mesh_, hm_slip_adjoint, analysis_, &at, &on_curves, &before);
+}
+
 void Solver::analyse() {
     hm_error error = {};
     const hm_status status = with_memory(analysis_block_, [&](hm_memory* memory) {

@@ -35,6 +35,9 @@ public:
     // Puts the points of a moved mesh that slip along curves onto these curves, and changes the
     // displacement accordingly.
     void put_on_curves(Field& moved, Field& displacement);
+    // The transpose at the points of the mesh: `by` has the derivatives by points on the curves,
+    // and receives those by the points before they are put there.
+    void take_off_curves(Field& by);
 
     // Puts inner points of a moved mesh where cells are better.
     void improve(Field& moved, Field& displacement, const hm_improve_options& options);

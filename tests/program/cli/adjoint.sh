@@ -100,8 +100,9 @@ check "adjoint: into the body: the opposite" \
     "$tmp/area" "$tmp/other"
 
 # Bodies and modes: each derivative agrees with central differences of the objective, which is linear in the points.
-objective() { # objective BASIS MOVE: the sum of derivatives times coordinates after the movement
-    "$harmorph" morph "$mesh" "$1" --by "$2" -o "$tmp/moved.su2" >/dev/null
+from=$mesh
+objective() { # objective BASIS MOVE: the sum of derivatives times coordinates after the movement of the mesh in $from
+    "$harmorph" morph "$from" "$1" --by "$2" -o "$tmp/moved.su2" >/dev/null 2>&1
     awk 'NR == FNR { if (!/^#/) { sx[$1] = $2; sy[$1] = $3 } next }
         /^NPOIN/ { inside = 1; n = 0; next } /^[A-Z]/ { inside = 0 }
         inside { sum += sx[n] * $1 + sy[n] * $2; n++ } END { printf "%.17g", sum }' "$tmp/sens.txt" "$tmp/moved.su2"
@@ -118,12 +119,42 @@ check "adjoint: a body: dx" agrees "$tmp/body.basis" "$1 $2" 0 .001 "0 0" "$3"
 check "adjoint: a body: dy" agrees "$tmp/body.basis" "$1 $2 0" 0 .001 0 "$4"
 check "adjoint: a body: degrees" agrees "$tmp/body.basis" "$1 $2 0 0" 0 .01 "" "$5"
 check "adjoint: a body: scale" agrees "$tmp/body.basis" "$1 $2 0 0 0" 1 .001 "" "$6"
+# A body that has turned already is turned on, and about its centre, which has moved.
+from=$tmp/turned.su2
+makes morph "$mesh" "$tmp/body.basis" --by "rigid airfoil .02 .01 40 1.1" -o "$from"
+runs "adjoint: a body that has turned" 0 adjoint "$from" "$tmp/body.basis" --sensitivity "$tmp/sens.txt" \
+    -o "$tmp/turned.gradient"
+set -- $(grep '^rigid' "$tmp/turned.gradient")
+check "adjoint: a body that has turned: dx" agrees "$tmp/body.basis" "$1 $2" 0 .001 "0 0" "$3"
+check "adjoint: a body that has turned: degrees" agrees "$tmp/body.basis" "$1 $2 0 0" 0 .01 "" "$5"
+check "adjoint: a body that has turned: scale" agrees "$tmp/body.basis" "$1 $2 0 0 0" 1 .001 "" "$6"
+from=$mesh
 awk '/^MARKER_TAG/ { on = /airfoil/ } on && $1 == 3 { seen[$2]; seen[$3] } END { for (p in seen) print p, 0, sin(p) }' \
     "$mesh" >"$tmp/waves"
 makes solve "$mesh" --given airfoil --mode "$tmp/waves" -o "$tmp/waves.basis"
 runs "adjoint: a mode" 0 adjoint "$mesh" "$tmp/waves.basis" --sensitivity "$tmp/sens.txt" -o "$tmp/waves.gradient"
 set -- $(grep '^mode 1' "$tmp/waves.gradient")
 check "adjoint: a mode: amplitude" agrees "$tmp/waves.basis" "$1 $2" 0 1e-4 "" "$3"
+
+# Points that slip along a curve are put onto the curve after each morph, which so is no longer linear.
+bodies=$meshes/two_bodies.su2 from=$tmp/slipped.su2
+makes fit "$bodies" --marker left --points 12 -o "$tmp/left.curve"
+makes solve "$bodies" --curve "left=$tmp/left.curve" --slip right -o "$tmp/slip.basis"
+for k in 1 2 3 4 5 6 7 8 9 10 11 12; do echo "$k .15 .01"; done >"$tmp/right.txt"
+makes morph "$bodies" "$tmp/slip.basis" --move "$tmp/right.txt" -o "$from"
+awk '$1 < 1982' "$tmp/sens.txt" >"$tmp/sens-few.txt" # the bodies have so many points
+runs "adjoint: slip along a curve" 0 adjoint "$from" "$tmp/slip.basis" --sensitivity "$tmp/sens-few.txt" \
+    -o "$tmp/slip.gradient"
+for k in 1 4 8; do
+    set -- $(grep "^$k " "$tmp/slip.gradient")
+    check "adjoint: slip along a curve: dx of $k" agrees "$tmp/slip.basis" "$k" 0 1e-5 0 "$2"
+    check "adjoint: slip along a curve: dy of $k" agrees "$tmp/slip.basis" "$k 0" 0 1e-5 "" "$3"
+done
+from=$mesh
+
+sed '1s/"Sensitivity_y"/"Sensitivity_x"/' "$tmp/sens.csv" >"$tmp/twice.csv"
+refuses "adjoint: a column twice" 3 "two columns have the name 'Sensitivity_x'" adjoint "$mesh" "$basis" \
+    --sensitivity "$tmp/twice.csv" -o "$tmp/x"
 
 # Smoothed: still a direction of descent.
 runs "adjoint: smooth" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/sens.txt" --smooth 0.2 -o "$tmp/smooth"

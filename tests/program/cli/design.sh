@@ -33,6 +33,10 @@ refuses "two kinds of variables" 2 'one of --ffd' variables "$airfoil" --cst 6,6
 refuses "a box beside the airfoil" 2 'moves no control point' variables "$airfoil" --ffd 1,1 --box 5,5,6,6
 refuses "variables of another curve" 3 'control points' morph "$mesh" "$tmp/finer.basis" \
     --variables "$tmp/map" --move "$tmp/values"
+makes fit "$mesh" --marker airfoil --degree 4 -o "$tmp/smoother.curve"
+makes variables "$tmp/smoother.curve" --cst 6,6 -o "$tmp/other.map"
+refuses "variables of a curve with other knots" 3 'for a curve with other knots' morph "$mesh" \
+    "$tmp/demo/airfoil.basis" --variables "$tmp/other.map" --move "$tmp/values" -o "$tmp/x"
 echo '7 1' >"$tmp/values"
 refuses "a variable that is none" 3 'between 1 and 2' morph "$mesh" "$tmp/demo/airfoil.basis" \
     --variables "$tmp/map" --move "$tmp/values"
@@ -50,6 +54,12 @@ runs "displaced" 0 displace "$mesh" --given airfoil --wall "$tmp/field" -o "$tmp
 same_points() { paste -d ' ' "$1" "$2" | awk 'NF % 2 == 0 { for (i = 1; i <= NF / 2; i++) { d = $i - $(i + NF / 2)
     if (d > 1e-12 || d < -1e-12) bad = 1 } ++n } END { exit bad || n < 1000 }'; }
 check "moved by modes: as displaced" same_points "$tmp/by-modes.su2" "$tmp/displaced.su2"
+runs "the movement that is reached" 0 morph "$mesh" "$tmp/modes.basis" --move "$tmp/values" --safe \
+    -o "$tmp/by-modes.su2" --reached "$tmp/reached"
+check "the movement that is reached: modes" awk '
+    $1 == "mode" { sum += $2 * $3 } END { exit !(sum == .028) }' "$tmp/reached"
+refuses "a mode of a basis without modes" 3 'the basis has no modes' morph "$mesh" "$tmp/demo/airfoil.basis" \
+    --by 'mode 1 3' -o "$tmp/x"
 refuses "modes without --given" 2 '--given' solve "$mesh" --mode "$tmp/plunge" -o "$tmp/x"
 sed 1d "$tmp/plunge" >"$tmp/fewer"
 refuses "a mode of fewer points" 3 'does not have the points' solve "$mesh" --given airfoil \
@@ -71,6 +81,12 @@ refuses "fit: a tolerance that is not reached" 1 'do not reach the tolerance' fi
 printf '10 100 # heavy\n11 0\n' >"$tmp/weights"
 runs "fit: weights, smooth, tangents" 0 fit "$mesh" --marker airfoil --weights "$tmp/weights" --smooth 0.001 \
     --begin=-1,0.1 --end 1,0.1 -o "$tmp/wished.curve" --json
+printf '10 100\n10 50\n' >"$tmp/weights"
+refuses "fit: a weight twice" 3 'weights:2: point 10 has a weight already' fit "$mesh" --marker airfoil \
+    --weights "$tmp/weights" -o "$tmp/x"
+echo '10 1e300' >"$tmp/weights"
+refuses "fit: a weight that is too large" 3 'weights:1: the file needs a point and a weight between 0 and 1e30' \
+    fit "$mesh" --marker airfoil --weights "$tmp/weights" -o "$tmp/x"
 echo '99999 1' >"$tmp/weights"
 refuses "fit: a weight of no point" 3 'weights:1: the file needs a point of the boundary' fit "$mesh" --marker airfoil \
     --weights "$tmp/weights" -o "$tmp/x"

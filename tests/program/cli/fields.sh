@@ -54,6 +54,9 @@ tail -n +2 "$tmp/of_design.csv" >"$tmp/rows_of_design"
 runs "align: a design to the reference" 0 align "$tmp/design.su2" --to "$mesh" --marker airfoil \
     --fields "$tmp/of_design.csv" --in-order --fields-out "$tmp/aligned.csv" -o "$tmp/aligned.su2" --json
 check "align: the wall is that of the reference" awk -v d="$(number max_distance)" 'BEGIN { exit !(d < 1e-4) }'
+sed '1s/,[^,]*$/,from_x/' "$tmp/of_design.csv" >"$tmp/from.csv"
+refuses "align: a field with a name that is taken" 2 'a field cannot have the name from_x' align "$tmp/design.su2" \
+    --to "$mesh" --marker airfoil --fields "$tmp/from.csv" --in-order --fields-out "$tmp/x"
 runs "align: the aligned mesh" 0 check "$tmp/aligned.su2"
 check "align: fields follow the points" awk -F, '
     NR > 1 && $2 * $2 + $3 * $3 < 1 { e = $4 - (2 + 3 * $2 - $3); if (e > .05 || e < -.05) exit 1 }' \

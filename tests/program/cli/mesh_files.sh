@@ -47,6 +47,8 @@ refuses "a folder for a mesh" 3 "$tmp" check "$tmp"
 bad_mesh "three dimensions" 2 'NDIME= 2' 's/NDIME= 2/NDIME= 3/'
 bad_mesh "several zones" 2 'zone' '2i\
 NZONE= 2'
+refuses "a zone of a file without zones" 2 '--zone 2: the file has one zone only' check "$ring" --zone 2
+runs "the first zone of a file without zones" 0 check "$ring" --zone 1
 bad_mesh "element of another type" 4 'element type' '4s/^9/12/'
 bad_mesh "element with too few points" 4 '4 points' '4s/.*/9 0 1 2/'
 bad_mesh "index out of range" 4 'between 0 and 623' '4s/ 48 / 4800 /'

@@ -30,6 +30,25 @@ runs "--rigid with a centre: morph" 0 morph "$box" "$tmp/hinge.basis" --move "$t
 check "--rigid with a centre: it stays" near $(place 4 5 "$tmp/hinge.su2") 4 5
 check "--rigid with a centre: the angle is in degrees" near $(place 8 5 "$tmp/hinge.su2") \
     "$(awk 'BEGIN { printf "%.17g", 4 + 4 * cos(atan2(0, -1) / 9) }')" '*'
+# A mesh that was moved before: a body goes on from its place, and back to the mesh as it was.
+printf 'rigid block .5 -.25 20 1.1\n' >"$tmp/there.txt"
+makes morph "$box" "$tmp/rigid.basis" --move "$tmp/there.txt" -o "$tmp/there.su2"
+back=$(awk 'BEGIN { printf "rigid block -.5 .25 -20 %.17g", 1 / 1.1 }')
+runs "--rigid: back again" 0 morph "$tmp/there.su2" "$tmp/rigid.basis" --by "$back" -o "$tmp/back.su2"
+points_of() { awk '/^NPOIN/ { on = 1; next } /^[A-Z]/ { on = 0 } on { print $1, $2 }' "$1"; }
+same_places() { # same_places A B: the points of two meshes, to 1e-12
+    points_of "$1" >"$tmp/a" && points_of "$2" | paste - "$tmp/a" | awk '
+        function off(a, b) { return a - b > 1e-12 || b - a > 1e-12 }
+        NF != 4 || off($1, $3) || off($2, $4) { exit 1 } END { exit NR < 100 }'
+}
+check "--rigid: back again: the mesh as it was" same_places "$tmp/back.su2" "$box"
+runs "--rigid: a file and a line after it" 0 morph "$box" "$tmp/rigid.basis" --move "$tmp/there.txt" --by "$back" \
+    -o "$tmp/none.su2"
+check "--rigid: a file and a line after it: the mesh as it was" same_places "$tmp/none.su2" "$box"
+refuses "--rigid: safely from a mesh that has moved" 1 'the mesh has moved since the basis was solved' \
+    morph "$tmp/there.su2" "$tmp/rigid.basis" --by "$back" --safe -o "$tmp/x"
+refuses "--rigid: a page of a mesh that has moved" 1 'rigid bodies have moved since the basis was solved' \
+    explore "$tmp/there.su2" "$tmp/rigid.basis" -o "$tmp/x"
 for centre in 4 4, ,5 4,5,6 x,y nan,0; do
     refuses "--rigid block=$centre" 2 '--rigid' solve "$box" --rigid block=$centre -o "$tmp/x"
 done
