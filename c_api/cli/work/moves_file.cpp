@@ -374,10 +374,6 @@ bool has_section_movements(const TextFile& text) {
     return false;
 }
 
-namespace {
-
-// Writes the line of the body of this condition. function: its two pairs; before: its rotation
-// before the movement.
 void write_body(std::ostream& out, const Mesh& mesh, const hm_condition& condition,
                 const double* function, const Rotation& before) {
     const double square = before.x * before.x + before.y * before.y;
@@ -387,8 +383,6 @@ void write_body(std::ostream& out, const Mesh& mesh, const hm_condition& conditi
         << exact(function[1]) << ' ' << exact(angle_of(1 + by.x, by.y) * 180 / pi) << ' '
         << exact(length_of(1 + by.x, by.y)) << '\n';
 }
-
-}  // namespace
 
 void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis,
                  const Mesh& mesh) {

@@ -43,6 +43,10 @@ Movable movable_of(const Basis& basis);
 std::vector<double> read_moves(const std::vector<TextFile>& texts, const Movable& movable,
                                const Mesh& mesh, std::vector<MovementError>* errors = nullptr);
 bool has_section_movements(const TextFile& text);
+// Writes the line of the body of this condition. function: its two pairs; before: its rotation
+// before the movement.
+void write_body(std::ostream& out, const Mesh& mesh, const hm_condition& condition,
+                const double* function, const Rotation& before = {});
 void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis,
                  const Mesh& mesh);
 
