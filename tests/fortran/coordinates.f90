@@ -131,6 +131,26 @@ contains
         call through_pointers(px, py, "pointers to components")
         nullify(px)
         call through_nothing(px, py)
+        call any_bounds(0)
+        call any_bounds(-3)
+        call any_bounds(2)
+    end subroutine
+
+    ! A pointer has the lower bound of its target: the first point of the mesh is the first of the array.
+    subroutine any_bounds(first)
+        integer, intent(in) :: first
+        real(dp), allocatable, target :: ax(:), ay(:)
+        real(dp), pointer :: px(:), py(:)
+        type(hm_mesh) :: mesh
+        allocate(ax(first:first + n_points - 1), ay(first:first + n_points - 1))
+        ax = x
+        ay = y
+        call mesh%points(ax, ay)
+        call complete(mesh)
+        call check_values(mesh, "arrays of any lower bound")
+        px(first:) => ax
+        py(first:) => ay
+        call through_pointers(px, py, "pointers of any lower bound")
     end subroutine
 
     subroutine through_pointers(px, py, what)

@@ -10,7 +10,7 @@ module memory_tests
 contains
 
     subroutine own_memory()
-        real(dp), allocatable, target :: analysis(:), plan_block(:), basis_block(:)
+        real(dp), allocatable, target :: analysis(:), plan_block(:), basis_block(:), from_far_below(:)
         integer(c_int64_t) :: words
         type(hm_plan) :: plan
         type(hm_curves) :: curves
@@ -25,6 +25,9 @@ contains
         call check(stat == hm_block_too_small .and. err%value > 0, "work of the analysis 8 bytes too small")
         call plan%analyse(mesh, curves, [hm_condition(body)], work=analysis(::2), stat=stat)
         call check(stat == hm_bad_argument, "work that is not contiguous")
+        allocate(from_far_below(-5000:words - 5001))
+        call plan%analyse(mesh, curves, [hm_condition(body)], work=from_far_below)
+        call plan%free()
         call plan%analyse(mesh, curves, [hm_condition(body)], work=analysis)
         allocate(plan_block(plan%plan_words()), basis_block(plan%basis_words()))
         call plan%prepare(plan_block(2:), stat)

@@ -12,6 +12,8 @@ contains
         integer, parameter :: ni = around + 1, nj = rings
         real(dp), target :: xs(ni, nj), ys(ni, nj), padded(2, 0:ni + 1, 0:nj + 1), flat(ni * nj), flat_y(ni * nj)
         real(dp) :: layers(2, 0:ni + 1, 0:nj + 1)
+        real(dp), allocatable, target :: from_zero(:, :, :)
+        real(dp), pointer :: zero_x(:, :), zero_y(:, :)
         real(dp) :: x_new(ni, nj), y_new(ni, nj), move(2, n_control), gradient(2, n_control), expected(2, n_control), &
             error
         real(dp) :: dx(ni, nj), dy(ni, nj), value(ni, nj), one(ni * nj)
@@ -52,6 +54,23 @@ contains
         call own%values(2, value)
         call own%values(2, one)
         call check(same(reshape(value, [ni * nj]), one), "values of a block")
+
+        ! Arrays with indices from 0, as many codes have them.
+        allocate(from_zero(ni, 0:nj - 1, 2))
+        from_zero(:, :, 1) = xs
+        from_zero(:, :, 2) = ys
+        zero_x(1:, 0:) => from_zero(:, :, 1)
+        zero_y(1:, 0:) => from_zero(:, :, 2)
+        call inner%points(zero_x, zero_y)
+        call inner%line(body, 1, ni, 1, 1)
+        call inner%line(far_field, ni, 1, nj, nj)
+        call plan%analyse(inner, curves, [hm_condition(body)])
+        call plan%factor()
+        call plan%solve(again)
+        call again%displacement(move, x_new, y_new)
+        call check(same(x_new, dx) .and. same(y_new, dy), "a block with indices from 0")
+        call again%free()
+        call inner%free()
 
         ! Interleaved arrays inside ghost layers are converted and written back.
         padded = -7
