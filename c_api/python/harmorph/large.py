@@ -45,6 +45,7 @@ class Large:
     _lock: Any
     n_points: int
     functions: int
+    start: Any
 
     def safe(
         self,
@@ -179,9 +180,8 @@ class Large:
         with self._lock:
             self._open()
             solver = self._ready()
-            if reference is not None:
-                before, _kept = points_in(apart(reference, out), n, "reference")
-                options.reference = before
+            before, _kept = points_in(apart(self.start if reference is None else reference, out), n, "reference")
+            options.reference = before
             call_with_memory(lib.hm_improve, solver.plan, from_, to, MEMORY, options, result)
         return out, report(result)
 
