@@ -232,6 +232,10 @@ class Morph(Functions, Large, Displacements, Stored):
     def solve(self, points: Any = None) -> None:
         """Solve again, on other coordinates of the mesh points, which become `start`.
 
+        Functions of rigid bodies belong to the places of the bodies at the first analysis: a body that has
+        rotated or changed its scale since then changes its size in a further rotation, unless
+        :func:`harmorph.rigid` receives `before`.
+
         Parameters
         ----------
         points : array of shape (n_points, 2), or pair of arrays, optional

@@ -127,6 +127,24 @@ def test_a_rigid_body(mesh):
         morph.measure("area")
 
 
+def test_a_rigid_body_that_has_turned_turns_on(mesh):
+    """Functions belong to the first place of the body; with `before` the body keeps its size."""
+    centre = (0.2, 0.1)
+    morph = harmorph.Morph(mesh, conditions={"wall": harmorph.Condition("rigid", centre=centre)})
+    wall, c = mesh.wall("wall")[0], centre[0] + 1j * centre[1]
+    first = morph.start[wall] @ [1, 1j] - c
+    morph.solve(morph.morph(harmorph.rigid(degrees=20)))
+    turned = morph.morph(harmorph.rigid(degrees=20, before=(20, 1)))[wall] @ [1, 1j] - c
+    assert abs(abs(turned) - abs(first)).max() < 1e-12
+    assert abs(turned - first * np.exp(1j * np.radians(40))).max() < 1e-12
+    morph.solve(morph.morph(harmorph.rigid(degrees=20, scale=1.1, before=(20, 1))))
+    turned = morph.morph(harmorph.rigid((0.02, 0.01), -40, 1 / 1.1, before=(40, 1.1)))[wall] @ [1, 1j] - c
+    assert abs(turned - first - 0.02 - 0.01j).max() < 1e-12
+    assert np.array_equal(harmorph.rigid((1, 2), 30, 1.5, before=(0, 1)), harmorph.rigid((1, 2), 30, 1.5))
+    with pytest.raises(harmorph.Error, match="before must have two entries"):
+        harmorph.rigid(before=3)
+
+
 def test_the_start_is_a_copy(curves, move):
     mesh = ring_mesh()
     morph = harmorph.Morph(mesh, curves)
