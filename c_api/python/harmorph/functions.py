@@ -246,7 +246,8 @@ class Functions:
     def recover(self, points: Any, tolerance: float = 0.0) -> np.ndarray:
         """Return the movement, shape (functions, 2), that a mesh has made since the functions were solved.
 
-        If several movements lead the wall there, the smallest one is returned.
+        If several movements lead the wall there, the smallest one is returned. After :meth:`load` on a mesh
+        that has moved since the functions were solved, the movement is that since the first analysis.
 
         Parameters
         ----------
@@ -257,11 +258,8 @@ class Functions:
             apart from offsets that safe morphs have turned [length]; 0 means 1e-4 of the extent of the wall.
         """
         basis = self._open()
-        view, _alive = points_in(points, basis.n_points, "points")
-        move = np.empty(basis.shape)
-        call_with_memory(lib.hm_recover_movement, basis.pointer, view, tolerance,
-                         doubles(move, basis.shape, "move", out=True), ffi.NULL, MEMORY)
-        return move
+        move = basis.recover(points, tolerance)
+        return move if basis.before is None else move - basis.before
 
     def _open(self) -> Basis:
         raise NotImplementedError
