@@ -9,6 +9,7 @@ from typing import Any, List, Optional, Tuple
 import numpy as np
 
 from ._native import ffi, lib
+from .arrays import doubles, points_in
 from .conditions import Condition, of_basis
 from .curves import Curves
 from .errors import MEMORY, Error, call, call_with_memory
@@ -29,7 +30,17 @@ class Basis:
         The ``hm_basis*``, inside of `memory`.
     memory : object
         Keeps the block alive.
+
+    Attributes
+    ----------
+    before : ndarray of shape (functions, 2), or None
+        The movement that the mesh had made since the basis was made when the functions were solved; None: none.
+    has_moved : bool
+        The basis was attached to a mesh of other coordinates than those on which the functions were solved.
     """
+
+    before: Optional[np.ndarray] = None
+    has_moved = False
 
     def __init__(self, pointer: Any, memory: Any) -> None:
         self.pointer, self.memory = pointer, memory
@@ -56,9 +67,11 @@ class Basis:
         """Return the basis in a buffer of bytes; warns if the mesh has other coordinates."""
         view = ffi.from_buffer(memory)
         pointer = ffi.new("hm_basis**")
-        call(lib.hm_basis_attach, pointer, view, len(view), mesh._c if mesh else ffi.NULL,
-             names=mesh.names if mesh else None)
-        return cls(pointer[0], (view, memory))
+        status = call(lib.hm_basis_attach, pointer, view, len(view), mesh._c if mesh else ffi.NULL,
+                      names=mesh.names if mesh else None)
+        basis = cls(pointer[0], (view, memory))
+        basis.has_moved = status == lib.HM_MOVED
+        return basis
 
     @classmethod
     def load(cls, path: Any, mesh: Optional[Mesh]) -> "Basis":
@@ -89,14 +102,54 @@ class Basis:
         """Return a copy of the block."""
         return bytes(self._buffer())
 
-    def curves(self) -> Optional[Curves]:
-        """Return the curves that the basis was solved with; None if it has none."""
+    def curves(self, move: Optional[np.ndarray] = None) -> Optional[Curves]:
+        """Return the curves that the basis was solved with, or those after a movement; None if it has none.
+
+        Parameters
+        ----------
+        move : array of shape (functions, 2), optional
+            The movement since the basis was made [length].
+        """
         if self.info.curves == 0:
             return None
         views, out = ffi.new("hm_curve[]", self.info.curves), new("hm_curves")
         views[0].struct_size = ffi.sizeof("hm_curve")
-        call(lib.hm_basis_curves, self.pointer, ffi.NULL, ffi.NULL, out, views, self.info.curves)
+        step = control = ffi.NULL
+        if move is not None:
+            step, control = doubles(move, self.shape, "move"), ffi.new("double[]", 2 * self.info.control_points)
+        call(lib.hm_basis_curves, self.pointer, step, control, out, views, self.info.curves)
         return Curves._copied(out)
+
+    def known(self) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return the mesh points on curves, counted from 0, their curves and their parameters: arrays of shape (n,)."""
+        info, arrays = new("hm_basis_info"), []
+        call(lib.hm_basis_info_get, self.pointer, info)
+        for member, kind in (("curve_point", np.int32), ("point_curve", np.int32), ("point_u", np.float64)):
+            size = info.curve_points * np.dtype(kind).itemsize
+            arrays.append(np.frombuffer(ffi.buffer(getattr(info, member), size), kind) if size else np.empty(0, kind))
+        on_curve = arrays[1] < info.curves  # the others belong to rigid bodies, or are given
+        return arrays[0][on_curve], arrays[1][on_curve], arrays[2][on_curve]
+
+    def recover(self, points: Any, tolerance: float = 0.0) -> np.ndarray:
+        """Return the movement, shape (functions, 2), of a mesh since the basis was made.
+
+        Parameters
+        ----------
+        points : array of shape (n_points, 2), or pair of arrays
+            The mesh now [length].
+        tolerance : float
+            See :meth:`harmorph.Morph.recover`.
+
+        Raises
+        ------
+        Error
+            ``BAD_MESH``: the wall is farther from where any movement leads it.
+        """
+        view, _alive = points_in(points, self.n_points, "points")
+        move = np.empty(self.shape)
+        call_with_memory(lib.hm_recover_movement, self.pointer, view, tolerance,
+                         doubles(move, self.shape, "move", out=True), ffi.NULL, MEMORY)
+        return move
 
     def conditions(self, mesh: Mesh) -> List[Tuple[int, Condition]]:
         """Return the conditions that the basis was solved with."""

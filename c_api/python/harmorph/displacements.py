@@ -10,7 +10,7 @@ from ._native import ffi, lib
 from .arrays import apart, doubles, int32_view, int32s, numbers, points_in, points_out
 from .basis import Basis
 from .errors import MEMORY, Error, call_with_memory
-from .large import Safe, safe_options, safe_report
+from .large import Safe, move_safe, safe_options, safe_report
 from .reports import fill, new
 
 
@@ -145,7 +145,7 @@ class Displacements:
                 options.reached = doubles(reached, basis.shape, "reached", out=True)
             target = fill(new("hm_safe_target"), move=step, n=n, points=where, wall=view)
             try:
-                call_with_memory(lib.hm_move_safe, solver.plan, basis.pointer, target, to, MEMORY, options, result)
+                move_safe(self, solver, target, to, options, result)
             finally:
                 solver.has_factor = solver.has_factor and result.resolves == 0
         return Safe(out, safe_report(result, ()), reached, None)

@@ -132,13 +132,27 @@ class DVGeo:
         return self.updated.get(ptSetName, True)
 
     def setDesignVars(self, dvDict: Dict[str, Any]) -> None:
-        """Set values by group; names of other objects are passed over."""
+        """Set values by group; names of other objects are passed over.
+
+        Parameters
+        ----------
+        dvDict : dict of str to array
+            For each group as many values as :meth:`addVariables` returned.
+
+        Raises
+        ------
+        Error
+            A group has another number of values, or a value is infinite or NaN. All values are then unchanged.
+        """
         new = {}
         for name, value in dvDict.items():
             if name in self._groups:
                 new[name] = np.array(value, float).ravel()
                 if new[name].shape != self._values[name].shape:
                     raise Error(f"The group {name!r} has {len(self._values[name])} values, not {new[name].size}.")
+                if not np.isfinite(new[name]).all():
+                    first = int(np.argmin(np.isfinite(new[name])))
+                    raise Error(f"Value {first} of the group {name!r} is {new[name][first]}; values must be finite.")
         self._values.update(new)
         self.updated = dict.fromkeys(self.updated, False)
 

@@ -11,7 +11,7 @@ from .arrays import apart, doubles, points_in, points_out
 from .basis import Basis
 from .errors import MEMORY, Error, call, call_with_memory, check
 from .mesh import Mesh
-from .reports import Report, new, report
+from .reports import Report, new, pair, report
 from .threads import Executor
 
 _new, _NULL = ffi.new, ffi.NULL
@@ -246,7 +246,8 @@ class Functions:
     def recover(self, points: Any, tolerance: float = 0.0) -> np.ndarray:
         """Return the movement, shape (functions, 2), that a mesh has made since the functions were solved.
 
-        If several movements lead the wall there, the smallest one is returned.
+        If several movements lead the wall there, the smallest one is returned. After :meth:`load` on a mesh
+        that has moved since the functions were solved, the movement is that since the first analysis.
 
         Parameters
         ----------
@@ -257,11 +258,8 @@ class Functions:
             apart from offsets that safe morphs have turned [length]; 0 means 1e-4 of the extent of the wall.
         """
         basis = self._open()
-        view, _alive = points_in(points, basis.n_points, "points")
-        move = np.empty(basis.shape)
-        call_with_memory(lib.hm_recover_movement, basis.pointer, view, tolerance,
-                         doubles(move, basis.shape, "move", out=True), ffi.NULL, MEMORY)
-        return move
+        move = basis.recover(points, tolerance)
+        return move if basis.before is None else move - basis.before
 
     def _open(self) -> Basis:
         raise NotImplementedError
@@ -275,21 +273,40 @@ class _NoLock:
         pass
 
 
-def rigid(shift: Sequence[float] = (0.0, 0.0), degrees: float = 0.0, scale: float = 1.0) -> np.ndarray:
+def rigid(shift: Sequence[float] = (0.0, 0.0), degrees: float = 0.0, scale: float = 1.0, *,
+          before: Sequence[float] = (0.0, 1.0)) -> np.ndarray:
     """Return the two rows of `move` for a rigid body.
+
+    The second row is the change of s = scale * (cos a, sin a), a the angle of rotation since the first
+    analysis, so that movements may be added. After :meth:`harmorph.Morph.solve` on a mesh in which the body
+    has rotated or changed its scale, a further rotation therefore needs `before`: without it the rotation
+    moves each point of the body by (s - 1) times its first distance from the centre, and the body changes
+    its size.
 
     Parameters
     ----------
     shift : pair of float
         Translation [length].
     degrees : float
-        Rotation about the centre of the body, counter-clockwise.
+        Rotation about the centre of the body [degrees], counter-clockwise. The centre has moved with the
+        translations so far.
     scale : float
-        Scale about the centre.
+        Scale about the centre [-].
+    before : pair of float
+        The rotation [degrees] and the scale [-] that the body has had since the first analysis; the
+        rotation and scale of this call follow them.
 
     Returns
     -------
     ndarray of shape (2, 2)
+
+    Raises
+    ------
+    Error
+        `before` is not a pair.
     """
-    angle = np.radians(degrees)
-    return np.array([shift, [scale * np.cos(angle) - 1, scale * np.sin(angle)]], dtype=float)
+    angle, (degrees_before, scale_before) = np.radians(degrees), pair(before, "before")
+    turn = complex(scale * np.cos(angle) - 1, scale * np.sin(angle))
+    if (degrees_before, scale_before) != (0, 1):
+        turn *= scale_before * np.exp(1j * np.radians(degrees_before))
+    return np.array([shift, [turn.real, turn.imag]], dtype=float)

@@ -45,6 +45,7 @@ class Large:
     _lock: Any
     n_points: int
     functions: int
+    start: Any
 
     def safe(
         self,
@@ -135,7 +136,7 @@ class Large:
             options.derivative = other
             target = fill(new("hm_safe_target"), move=step)
             try:
-                call_with_memory(lib.hm_move_safe, solver.plan, basis.pointer, target, to, MEMORY, options, result)
+                move_safe(self, solver, target, to, options, result)
             finally:
                 solver.has_factor = solver.has_factor and result.resolves == 0
             found = self._derivative(Basis(other, block)) if derivative else None
@@ -179,9 +180,8 @@ class Large:
         with self._lock:
             self._open()
             solver = self._ready()
-            if reference is not None:
-                before, _kept = points_in(apart(reference, out), n, "reference")
-                options.reference = before
+            before, _kept = points_in(apart(self.start if reference is None else reference, out), n, "reference")
+            options.reference = before
             call_with_memory(lib.hm_improve, solver.plan, from_, to, MEMORY, options, result)
         return out, report(result)
 
@@ -254,6 +254,25 @@ class Large:
 
     def _set_basis(self, basis: Basis) -> None:
         raise NotImplementedError
+
+
+def move_safe(morph: Any, solver: Any, target: Any, to: Any, options: Any, result: Any) -> None:
+    """Call ``hm_move_safe`` with the functions of a morph.
+
+    Raises
+    ------
+    Error
+        ``BAD_BASIS``: the basis was read from a file, and its analysis cannot be made again from the mesh.
+    """
+    basis = morph._open()
+    try:
+        call_with_memory(lib.hm_move_safe, solver.plan, basis.pointer, target, to, MEMORY, options, result)
+    except Error as refused:
+        is_of_place = basis.info.bodies or basis.info.offset_correction
+        if refused.code != Error.BAD_BASIS or morph._known is None or not is_of_place or options.n_others:
+            raise
+        raise Error("the mesh has moved since the first analysis of this basis, on which its rigid bodies or offsets "
+                    "depend; call solve() first, or restore the coordinates", Error.BAD_BASIS) from None
 
 
 def safe_options(

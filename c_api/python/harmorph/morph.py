@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from typing import Any, Optional
+from typing import Any, Optional, Tuple
 
 import numpy as np
 
@@ -78,6 +78,7 @@ class Morph(Functions, Large, Displacements, Stored):
     ----------
     mesh : Mesh or None
     curves : Curves or None
+        The curves at the first analysis; after :meth:`load` on a mesh those at the coordinates of the mesh.
     start : ndarray of shape (n_points, 2), or None
         Read-only: the coordinates on which the functions were solved.
     functions : int
@@ -141,6 +142,9 @@ class Morph(Functions, Large, Displacements, Stored):
         self._solver: Optional[Solver] = None
         self._problem: Optional[Mesh] = None  # at the start
         self._analysed: Any = None  # coordinates on which the curve was projected
+        self._known: Any = None  # places on curves that are not found by projection
+        self._moved: Any = None  # the movement of the mesh from there to the start; None: none; an Error: unknown
+        self._lost: Optional[Error] = None  # why the wall was not on `curves` there
         self.solve_report: Optional[Report] = None
         if mesh is not None:
             x, y = mesh.points if isinstance(mesh.points, tuple) else mesh.points.T
@@ -155,20 +159,38 @@ class Morph(Functions, Large, Displacements, Stored):
                 raise Error("This call needs the mesh; give it to Morph.load().", Error.BAD_BASIS)
             mesh = self._problem.with_points(self._analysed.copy())
             self._solver = Solver(mesh, self.curves, self._pairs, self._options, self._executor,
-                                  self._fluxes)
+                                  self._fluxes, self._known)
             mesh.points[:] = self._problem.points
         self._solver.factor()
         return self._solver
 
     def _solve(self) -> None:
-        solver = self._ready()
-        pointer, block = Basis.empty(solver.analysis)
+        solver, start, moved = self._ready(), self._problem.points, None
+        basis, result = self._solved(solver, self._analysed)
+        if basis.shape[0] and not np.array_equal(start, self._analysed):
+            try:
+                moved = basis.before = basis.recover(start)
+            except Error as reason:
+                moved = reason
+                basis, result = self._solved(solver, start)
+        self._set_basis(basis)
+        self._moved, self.solve_report = moved, report(result)
+
+    def _solved(self, solver: Solver, made: np.ndarray) -> Tuple[Basis, Any]:
+        """Return functions on the coordinates of the solver, which has a factor, and their report.
+
+        Movements are found again (:meth:`recover`) from the coordinates `made`, shape (n_points, 2).
+        """
+        start, points = solver.mesh.points.copy(), solver.mesh.points
+        points[:] = made
+        try:
+            pointer, block = Basis.empty(solver.analysis)
+        finally:
+            points[:] = start
         result = new("hm_solve_report")
-        basis = Basis(pointer, block)
-        if basis.info.functions:
+        if Basis(pointer, block).info.functions:
             call(lib.hm_plan_solve, solver.plan, pointer, result)
-        self._set_basis(Basis(pointer, block))
-        self.solve_report = report(result)
+        return Basis(pointer, block), result
 
     def _set_basis(self, basis: Basis) -> None:
         self._basis = basis
@@ -199,12 +221,18 @@ class Morph(Functions, Large, Displacements, Stored):
         *quantities, chord, curves
             See :func:`harmorph.measures.measure`.
         move : array of shape (functions, 2), optional
-            The section is measured after this movement.
+            The section is measured after this movement from `start`.
 
         Returns
         -------
         Measures
             `gradients` has the shape (n, functions, 2); rows of rigid bodies are 0.
+
+        Raises
+        ------
+        Error
+            ``BAD_CURVE``: see :func:`harmorph.measures.measure`; ``BAD_MESH``: no movement leads the wall to
+            `start`, so that the curves there are unknown.
         """
         section = self._curves()
         n_control = len(section.control)
@@ -219,23 +247,40 @@ class Morph(Functions, Large, Displacements, Stored):
         return found._replace(gradients=gradients)
 
     def variables(self, kind: str, **options: Any) -> Variables:
-        """Return design variables of the section; see :class:`harmorph.Variables`."""
+        """Return design variables of the section at `start`; see :class:`harmorph.Variables`.
+
+        Raises
+        ------
+        Error
+            ``BAD_CURVE``; ``BAD_MESH``: see :meth:`measure`.
+        """
         return self._curves().variables(kind, **options)
 
     def _curves(self) -> Curves:
+        """The curves at `start`."""
         if self.curves is None:
             raise Error("This object has no curves.", Error.BAD_CURVE)
-        return self.curves
+        moved = self._lost or self._moved
+        if isinstance(moved, Error):
+            raise Error(f"The curves at `start` are unknown: {moved.text}", moved.code, moved.kind, moved.item,
+                        value=moved.value, place=moved.place)
+        return self.curves if moved is None else self.curves.moved(moved[:len(self.curves.control)])
 
     # ---- Again, the end ----
 
     def solve(self, points: Any = None) -> None:
         """Solve again, on other coordinates of the mesh points, which become `start`.
 
+        Functions of rigid bodies belong to the places of the bodies at the first analysis: a body that has
+        rotated or changed its scale since then changes its size in a further rotation, unless
+        :func:`harmorph.rigid` receives `before`.
+
         Parameters
         ----------
         points : array of shape (n_points, 2), or pair of arrays, optional
-            A valid mesh; the default is `start`. If it is refused, the object stays as it was.
+            A valid mesh [length]; the default is `start`. If it is refused, the object stays as it was. The
+            movement of the curves to these points is found from the wall, for :meth:`measure` and
+            :meth:`variables`; `curves` stays as it was.
         """
         with self._lock:
             self._open()

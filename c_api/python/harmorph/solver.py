@@ -52,6 +52,9 @@ class Solver:
     executor : Executor
     fluxes : pair of arrays, optional
         See :class:`harmorph.Morph`.
+    known : tuple of arrays of shape (n,), optional
+        Mesh points on curves, counted from 0, their curves and their parameters; the parameters of other
+        points are found by projection.
     """
 
     def __init__(
@@ -62,6 +65,7 @@ class Solver:
         options: dict,
         executor: Executor,
         fluxes: Any = None,
+        known: Any = None,
     ) -> None:
         self.mesh = mesh
         self._alive = (curves, pairs, executor, fluxes)
@@ -77,6 +81,10 @@ class Solver:
             faces, values = fluxes
             fill(problem, n_fluxes=len(faces), flux_points=ffi.from_buffer("int32_t[]", faces),
                  fluxes=ffi.from_buffer("double[]", values))
+        if known is not None:
+            points, numbers, u = (known[0] + np.int32(mesh._c.index_base), *known[1:])
+            fill(problem, n_known=len(points), known_points=ffi.from_buffer("int32_t[]", points),
+                 known_curves=ffi.from_buffer("int32_t[]", numbers), known_u=ffi.from_buffer("double[]", u))
         analysis, plan = ffi.new("hm_analysis**"), ffi.new("hm_plan**")
         self._analysis_block = call_with_memory(lib.hm_analysis_init, analysis, MEMORY, problem, struct,
                                                 names=mesh.names)

@@ -7,6 +7,7 @@ from typing import Any, Dict, Optional, Type, TypeVar
 
 from .basis import Basis
 from .curves import Curves
+from .errors import Error
 from .mesh import Mesh
 from .reports import Report
 from .words import ENGINES, OPERATORS
@@ -26,6 +27,9 @@ class Stored:
     _executor: Any
     _problem: Optional[Mesh]
     _analysed: Any
+    _known: Any
+    _moved: Any
+    _lost: Optional[Error]
 
     def save(self, path: Any) -> None:
         """Write the basis to a file, which C, Fortran and, for meshes that were read, the program
@@ -42,7 +46,11 @@ class Stored:
             A file of :meth:`save`, or of C, Fortran or the program.
         mesh : Mesh, optional
             The mesh of the basis, which is compared. Without it only `displacement`, `morph` with
-            `points`, and `adjoint` are possible.
+            `points`, and `adjoint` are possible. The mesh may have moved by the functions of the basis: `curves`
+            are those after the movement, if this movement can be found, and points keep their places on the
+            curves. Then :meth:`solve` makes functions of the mesh as it is, without which :meth:`safe` is
+            refused. Rigid bodies, rotated offsets and lines of points that slip are those of `mesh` after
+            :meth:`solve`, not those of the first analysis.
         threads : int
             See :class:`Morph`.
 
@@ -58,7 +66,25 @@ class Stored:
         """
         basis = Basis.load(path, mesh)
         pairs = basis.conditions(mesh) if mesh else []
-        return cls._attached(basis, mesh, basis.curves(), pairs, threads)
+        self = cls._attached(basis, mesh, basis.curves(), pairs, threads)
+        if self._problem is not None:
+            self._known = basis.known()
+            self._find_curves(basis)
+        return self
+
+    def _find_curves(self, basis: Basis) -> None:
+        """Find the curves at the coordinates of the mesh, to which all bodies have moved with them."""
+        if basis.shape[0] == 0:
+            return
+        try:
+            moved = basis.recover(self._problem.points)
+        except Error as reason:
+            if basis.has_moved or reason.code == Error.BAD_MESH:  # or the basis has not all of its functions
+                self._lost = reason
+            return
+        if moved.any():
+            self.curves = basis.curves(moved)
+            basis.before = None if basis.has_moved else moved
 
     @classmethod
     def _attached(cls: Type[Self], basis: Basis, mesh: Any, curves: Any, pairs: Any, threads: int) -> Self:
@@ -78,14 +104,18 @@ class Stored:
             "mesh": self.mesh, "start": self._problem, "analysed": self._analysed,
             "curves": self.curves, "pairs": self._pairs, "options": self._options,
             "threads": self._executor.threads, "fluxes": self._fluxes,
-            "basis": self._open().to_bytes(), "report": self.solve_report,
+            "basis": self._open().to_bytes(), "report": self.solve_report, "before": self._open().before,
+            "places": (self._known, self._moved, self._lost),
         }
 
     def __setstate__(self, state: Dict[str, Any]) -> None:
         self._options = state["options"]
         self._own(state["mesh"], state["curves"], state["pairs"], state["threads"], state["fluxes"])
         self._problem, self._analysed = state["start"], state["analysed"]
-        self._set_basis(Basis.attach(state["basis"], self._problem))
+        self._known, self._moved, self._lost = state["places"]
+        basis = Basis.attach(state["basis"], self._problem)
+        basis.before = state["before"]
+        self._set_basis(basis)
         self.solve_report = state["report"]
 
     def __copy__(self: Self) -> Self:
@@ -93,6 +123,7 @@ class Stored:
         other._options = dict(self._options)
         other._own(self.mesh, self.curves, self._pairs, self._executor.threads, self._fluxes)
         other._problem, other._analysed = self._problem, self._analysed
+        other._known, other._moved, other._lost = self._known, self._moved, self._lost
         other._set_basis(basis)
         other.solve_report = copy.copy(self.solve_report)
         return other

@@ -132,6 +132,10 @@ def test_refusals(geometry):
         geometry.update("far")
     with pytest.raises(harmorph.Error, match="6 values"):
         geometry.setDesignVars({"shape": np.zeros(5)})
+    for value in (np.nan, np.inf):
+        with pytest.raises(ValueError, match="Value 2 of the group 'box'"):
+            geometry.setDesignVars({"shape": np.ones(6), "box": [0, 0, value, 0, 0, 0, 0, 0]})
+    assert not any(values.any() for values in geometry.getValues().values())
     geometry.addPointSet(outline(airfoil), "surface")
     with pytest.raises(harmorph.Error, match="shape"):
         geometry.totalSensitivity(np.zeros((2, 3)), "surface")

@@ -185,3 +185,13 @@ def test_crossing_walls_are_refused(given):
     with pytest.raises(harmorph.Error) as refused:
         given.displace(wall, given.start)
     assert refused.value.code == harmorph.Error.CROSSING
+
+
+@pytest.mark.parametrize("given_reference", [False, True])
+def test_better_cells_after_solving_again(curves, given_reference):
+    """`start` is the reference also where it is not the mesh of the first analysis."""
+    morph = harmorph.Morph(ring_mesh(), curves, operator="laplace")
+    morph.solve(morph.morph(0.1 * large(morph)))
+    moved = morph.morph(0.1 * large(morph))
+    better, found = morph.improve(moved, reference=morph.start if given_reference else None)
+    assert morph.assess(points=better, reference=morph.start).quality.min_quality == pytest.approx(found.min_quality)

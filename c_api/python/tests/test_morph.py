@@ -127,6 +127,24 @@ def test_a_rigid_body(mesh):
         morph.measure("area")
 
 
+def test_a_rigid_body_that_has_turned_turns_on(mesh):
+    """Functions belong to the first place of the body; with `before` the body keeps its size."""
+    centre = (0.2, 0.1)
+    morph = harmorph.Morph(mesh, conditions={"wall": harmorph.Condition("rigid", centre=centre)})
+    wall, c = mesh.wall("wall")[0], centre[0] + 1j * centre[1]
+    first = morph.start[wall] @ [1, 1j] - c
+    morph.solve(morph.morph(harmorph.rigid(degrees=20)))
+    turned = morph.morph(harmorph.rigid(degrees=20, before=(20, 1)))[wall] @ [1, 1j] - c
+    assert abs(abs(turned) - abs(first)).max() < 1e-12
+    assert abs(turned - first * np.exp(1j * np.radians(40))).max() < 1e-12
+    morph.solve(morph.morph(harmorph.rigid(degrees=20, scale=1.1, before=(20, 1))))
+    turned = morph.morph(harmorph.rigid((0.02, 0.01), -40, 1 / 1.1, before=(40, 1.1)))[wall] @ [1, 1j] - c
+    assert abs(turned - first - 0.02 - 0.01j).max() < 1e-12
+    assert np.array_equal(harmorph.rigid((1, 2), 30, 1.5, before=(0, 1)), harmorph.rigid((1, 2), 30, 1.5))
+    with pytest.raises(harmorph.Error, match="before must have two entries"):
+        harmorph.rigid(before=3)
+
+
 def test_the_start_is_a_copy(curves, move):
     mesh = ring_mesh()
     morph = harmorph.Morph(mesh, curves)
@@ -353,3 +371,103 @@ def test_functions_as_a_dense_array(curves, move, operator, planes):
 def test_wrong_conditions_are_refused_when_they_are_made(arguments, words):
     with pytest.raises(harmorph.Error, match=words):
         harmorph.Condition(**arguments)
+
+
+@pytest.mark.parametrize("shift", [0.003, 0.1, 5.0])
+@pytest.mark.parametrize("options", [dict(), dict(operator="laplace"), dict(offset_correction=True)], ids=str)
+@pytest.mark.filterwarnings("ignore::harmorph.HarmorphWarning")
+def test_loading_on_a_mesh_that_has_moved(curves, move, options, shift, tmp_path):
+    """Points keep their places on the curves, so that functions are those of solve(points) in the first object."""
+    along = np.zeros_like(move)
+    along[:, 0] = shift
+    mesh = ring_mesh()
+    first = harmorph.Morph(mesh, curves, **options)
+    first.save(tmp_path / "first.basis")
+    moved = mesh.points + (along[0] if shift > 1 else first.displacement(along))
+    ref = copy.copy(first)
+    ref.solve(moved)
+    ref.save(tmp_path / "second.basis")
+    here = mesh.with_points(moved)
+    loaded = harmorph.Morph.load(tmp_path / "first.basis", here)
+    assert loaded.curves.control == pytest.approx(curves.control + along, abs=1e-11)
+    assert loaded.recover(ref.morph(move)) == pytest.approx(along + move, abs=1e-10)
+    with pytest.raises(harmorph.Error, match="the mesh has moved since the (basis was solved|first analysis)"):
+        loaded.safe(move)
+    loaded.solve()
+    second = harmorph.Morph.load(tmp_path / "second.basis", here)
+    if options.get("offset_correction"):
+        with pytest.raises(harmorph.Error, match="the mesh has moved since the first analysis"):
+            second.safe(move)
+        second.solve()
+    part = along * (0.01 / shift)  # no body rotates
+    copies = [copy.copy(second), pickle.loads(pickle.dumps(second))]
+    for one in (loaded, second, *copies):
+        assert abs(one.displacement(move) - ref.displacement(move)).max() < 1e-12
+        assert abs(one.safe(part).points - ref.safe(part).points).max() < 1e-9
+        assert one.recover(ref.morph(move)) == pytest.approx(move, abs=1e-10)
+        assert one.measure("area", move=move).values == pytest.approx(ref.measure("area", move=move).values, rel=1e-9)
+        one.release()
+        one.solve()
+        assert abs(one.displacement(move) - ref.displacement(move)).max() < 1e-12
+        assert one.recover(ref.morph(move)) == pytest.approx(move, abs=1e-10)
+
+
+def test_measures_after_solving_again(curves, move, random):
+    """The section is that of the mesh, and movements are found from `start`."""
+    chord = ((-1.4, 0), (1.4, 0))
+    morph = harmorph.Morph(ring_mesh(), curves)
+
+    def is_moved_by(so_far, one):
+        expected = curves.moved(so_far).measure("area", "centroid_y", ("thickness", 0.5), chord=chord)
+        found = one.measure("area", "centroid_y", ("thickness", 0.5), chord=chord)
+        assert found.values == pytest.approx(expected.values, abs=1e-10)
+        assert found.gradients == pytest.approx(expected.gradients, abs=1e-9)
+        ahead = one.measure("area", move=move, chord=chord).values
+        assert ahead == pytest.approx(curves.moved(so_far + move).measure("area", chord=chord).values, abs=1e-10)
+        assert one.recover(one.morph(0.3 * move)) == pytest.approx(0.3 * move, abs=1e-10)
+        box = one.variables("ffd", degrees=(1, 1)).matrix
+        assert box == pytest.approx(curves.moved(so_far).variables("ffd", degrees=(1, 1)).matrix, abs=1e-9)
+        assert np.array_equal(one.curves.control, curves.control)
+
+    so_far = np.zeros_like(move)
+    for _ in range(3):
+        step = 0.5 * move + 0.005 * random.normal(size=move.shape)
+        morph.solve(morph.morph(step))
+        so_far += step
+        for one in (morph, copy.copy(morph), pickle.loads(pickle.dumps(morph))):
+            is_moved_by(so_far, one)
+    found = morph.safe(0.2 * move, derivative=True).derivative
+    assert found.recover(found.morph(0.1 * move)) == pytest.approx(0.1 * move, abs=1e-10)
+    bad = morph.start.copy()
+    bad[70] = bad[0] * 0.5
+    with pytest.raises(harmorph.Error):
+        morph.solve(bad)
+    is_moved_by(so_far, morph)
+    morph.solve(ring().reshape(-1, 2))
+    is_moved_by(0 * move, morph)
+
+
+def test_a_section_that_no_movement_leads_to(curves, move, tmp_path):
+    mesh = ring_mesh()
+    morph = harmorph.Morph(mesh, curves)
+    other = morph.start.copy()
+    other[mesh.wall("wall")[0][5]] *= 0.98
+    morph.solve(other)
+    morph.save(tmp_path / "other.basis")
+    assert morph.recover(morph.morph(0.3 * move)) == pytest.approx(0.3 * move, abs=1e-10)
+    for use in (lambda one: one.measure("area"), lambda one: one.variables("ffd", degrees=(1, 1))):
+        for one in (morph, copy.copy(morph), pickle.loads(pickle.dumps(morph))):
+            with pytest.raises(harmorph.Error, match="`start` are unknown: the wall is on no curve") as refused:
+                use(one)
+            assert refused.value.code == harmorph.Error.BAD_MESH and refused.value.kind == "point"
+    morph.solve(ring().reshape(-1, 2))
+    assert morph.measure("area").values == pytest.approx(curves.measure("area").values)
+    harmorph.Morph(mesh, curves).save(tmp_path / "first.basis")
+    with pytest.warns(harmorph.HarmorphWarning, match="other coordinates"):
+        loaded = harmorph.Morph.load(tmp_path / "first.basis", mesh.with_points(other))
+    with pytest.raises(harmorph.Error, match="unknown"):
+        loaded.measure("area")
+    with pytest.warns(harmorph.HarmorphWarning, match="away from its curve"):
+        loaded.solve()
+    with pytest.raises(harmorph.Error, match="unknown"):
+        loaded.measure("area")
