@@ -24,7 +24,7 @@ void CarriedOffsets::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(control, 2 * Offset{counts.functions()});
 }
 
-void CarriedOffsets::init(Basis const& basis, MovementPath const& path, Points start) noexcept {
+void CarriedOffsets::init(Basis const& basis, MovementPath const& path) noexcept {
     forget();
     has_groups = false;
     Real largest = 0, extent = 0;
@@ -33,7 +33,7 @@ void CarriedOffsets::init(Basis const& basis, MovementPath const& path, Points s
         if (!basis.is_on_curve(slot) || path.groups[path.group_of_slot(basis, slot)].is_straight())
             continue;
         Curve const curve = basis.curve(basis.wall_curve[slot]);
-        wall[slot] = start[basis.wall_point[slot]] - curve_point(curve, basis.wall_u[slot]) -
+        wall[slot] = basis.wall_start[slot] - curve_point(curve, basis.wall_u[slot]) -
                      basis.wall_offset[slot];
         largest = max(largest, length(wall[slot]));
         extent = max(extent, length(path.start[curve.control_point(0)]));
@@ -131,7 +131,7 @@ void MovingMesh::lay_out(Arena& arena, Plan const& plan, BasisCounts const& coun
 
 void MovingMesh::init(Plan const& plan, Basis const& basis, const Real* move) noexcept {
     path.init(basis, move);
-    carried.init(basis, path, plan.mesh().points);
+    carried.init(basis, path);
     for (Index k = 0; k < plan.mesh().n_points; ++k) {
         bool const is_unknown = plan.unknowns().is_unknown(k);
         ends[k] = !is_unknown                ? KnownEnd::prescribed

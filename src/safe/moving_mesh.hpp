@@ -42,9 +42,10 @@ struct CarriedOffsets {
     const void* found_with = nullptr;
 
     void lay_out(Arena& arena, BasisCounts const& counts) noexcept;
-    // Finds the residuals at the start, which are zero on a wall whose offsets are in the functions
-    // (Method::offset_correction).
-    void init(Basis const& basis, MovementPath const& path, Points start) noexcept;
+    // Finds the residuals when the basis was made, which are zero on a wall whose offsets are in
+    // the functions (Method::offset_correction). The mesh may have moved since then, while the
+    // curves of the basis are those before.
+    void init(Basis const& basis, MovementPath const& path) noexcept;
     // Must be called when the mesh or its functions have changed.
     void forget() noexcept { found_with = nullptr; }
     // Finds the group and the fade of all points at their start, unless they are known. Tangle

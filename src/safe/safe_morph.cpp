@@ -166,14 +166,14 @@ Status SafeMorph::several_steps(Work& work) noexcept {
     bool const straightens = !work.arrives(work.best()) && may_straighten && mesh.path.is_bent();
     if (straightens) {
         mesh.path.straighten(work.basis);
-        mesh.carried.init(work.basis, mesh.path, work.mesh().points);
+        mesh.carried.init(work.basis, mesh.path);
         HARMORPH_TRY(substeps(work));
     }
     if (!work.arrives(work.best()) && work.options.tries(Strategy::linear))
         longest_linear_step(work);
     if (straightens && work.best().fraction == before) {
         mesh.path.bend(work.basis);
-        mesh.carried.init(work.basis, mesh.path, work.mesh().points);
+        mesh.carried.init(work.basis, mesh.path);
     }
     return Status::ok;
 }

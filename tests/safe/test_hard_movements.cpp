@@ -193,6 +193,35 @@ TEST_CASE("a body turns with its points and heights, also where a fit is coarse"
     CHECK(safe.boundary_error(shift) < 1e-15);
 }
 
+TEST_CASE("a body that was moved and solved again turns as one that was fitted there") {
+    Outline const outline = naca4({}, 40);
+    Case moved, there;
+    moved.mesh = o_mesh(outline, stretched(1e-4, 8, 40));
+    moved.curves = fitted_loop(outline.points, 20);
+    moved.put_on_curves(body);
+    there = moved;
+    for (double& x : there.mesh.x) x += 5;
+    for (std::size_t k = 0; k < there.curves.control.size(); k += 2) there.curves.control[k] += 5;
+    Safe again(moved);
+    Solved const& solved = again.solved();
+    moved.mesh.x = there.mesh.x;
+    hm_points const at{moved.mesh.x.data(), moved.mesh.y.data(), 1};
+    REQUIRE(hm_plan_factor(solved.plan, &at, nullptr) == HM_OK);
+    REQUIRE(hm_plan_solve(solved.plan, solved.basis, nullptr, nullptr) == HM_OK);
+    std::vector<double> const move =
+        similarity_move(there.curves, std::polar(1.0, pi / 4), Complex(5.25, 0));
+    REQUIRE(again.run(move) == HM_OK);
+    Safe fresh(there);
+    REQUIRE(fresh.run(move) == HM_OK);
+    double largest = 0;
+    for (std::int32_t const k : points_on(there.mesh, body)) {
+        std::size_t const point = std::size_t(k);
+        largest = std::fmax(largest, std::hypot(again.x[point] - fresh.x[point],
+                                                again.y[point] - fresh.y[point]));
+    }
+    CHECK(largest < 1e-11);
+}
+
 TEST_CASE("heights are restored as far as quality permits, and the report says how far") {
     Case floor = channel(14, 16, 0.004, 20), airfoil;
     airfoil.mesh = o_mesh(naca4({}, 40), stretched(1e-4, 8, 40));

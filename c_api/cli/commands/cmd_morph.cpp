@@ -7,6 +7,7 @@
 #include "files/output_file.hpp"
 #include "formats/format.hpp"
 #include "formats/vtu.hpp"
+#include "mesh/point_numbers.hpp"
 #include "options/place_options.hpp"
 #include "page/report_data.hpp"
 #include "pictures/draw_curves.hpp"
@@ -53,10 +54,12 @@ void write_moved_curves_csv(std::ostream& out, const Mesh& mesh, const Basis& ba
         out << '\n';
     }
     const hm_basis_info& info = basis.info();
+    const PointNumbers numbers(mesh);
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
         const auto point = static_cast<std::size_t>(info.curve_point[k]);
         const bool on_curve = info.point_curve[k] < info.curves;
-        out << "mesh," << (on_curve ? std::to_string(info.point_curve[k] + 1) : "") << ',' << point
+        out << "mesh," << (on_curve ? std::to_string(info.point_curve[k] + 1) : "") << ','
+            << numbers.number(info.curve_point[k])
             << ',' << (on_curve ? exact(info.point_u[k]) : "");
         pair(mesh.x[point], mesh.y[point]);
         pair(morph.moved.x[point], morph.moved.y[point]);

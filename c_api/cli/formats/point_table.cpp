@@ -13,6 +13,7 @@
 #include "formats/vtk_cells.hpp"
 #include "formats/vtk_parallel.hpp"
 #include "formats/vtk_xml_file.hpp"
+#include "mesh/point_numbers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -414,14 +415,17 @@ private:
 std::string place_text(double x, double y) { return "(" + brief(x) + ", " + brief(y) + ")"; }
 
 std::int32_t by_number(const PointTable& table, std::size_t row, std::size_t column,
-                       const Mesh& mesh) {
+                       const PointNumbers& numbers) {
     const double number = table.at(row, column);
-    if (number != std::floor(number) || number < 0 || number >= mesh.points()) {
+    std::int32_t point = -1;
+    if (number == std::floor(number) && std::fabs(number) < 1e15)
+        point = numbers.point(static_cast<std::int64_t>(number));
+    if (point < 0) {
         throw Failure(exit_file, table.place(row) + ": the mesh has points 0 to " +
-                                     std::to_string(mesh.points() - 1) + ", and no point " +
+                                     std::to_string(numbers.count() - 1) + ", and no point " +
                                      brief(number));
     }
-    return static_cast<std::int32_t>(number);
+    return point;
 }
 
 [[noreturn]] void refuse_place(const PointTable& table, std::size_t row, const Mesh& mesh,
@@ -445,7 +449,8 @@ std::int32_t by_number(const PointTable& table, std::size_t row, std::size_t col
 }
 
 // Refuses rows that nothing assigns to points, unless their order does.
-void check_order(const PointTable& table, const Mesh& mesh, bool in_order) {
+void check_order(const PointTable& table, const Mesh& mesh, const PointNumbers& numbers,
+                 bool in_order) {
     if (!in_order && !table.has_file_points) {
         throw Failure(exit_file,
                       table.file->path() +
@@ -454,6 +459,13 @@ void check_order(const PointTable& table, const Mesh& mesh, bool in_order) {
                           table.name_list() +
                           ". Name such columns so, or give --in-order if the rows are all points "
                           "of the mesh in the order of its file");
+    }
+    if (!numbers.are_those_of_mesh()) {
+        throw Failure(exit_file,
+                      table.file->path() +
+                          ": the mesh is one cell thick, and its file does not begin with the "
+                          "points of one plane, so that rows need the numbers of points in the "
+                          "file, or their coordinates");
     }
     if (table.rows() != mesh.x.size()) {
         throw Failure(exit_file,
@@ -535,13 +547,14 @@ PointTable read_point_table(const std::string& path) {
 std::vector<std::int32_t> points_of(const PointTable& table, const Mesh& mesh, bool in_order) {
     const PointColumns columns = table.point_columns();
     const bool is_numbered = columns.has_numbers(), is_placed = columns.has_places();
-    if (!is_numbered && !is_placed) check_order(table, mesh, in_order);
+    const PointNumbers numbers(mesh);
+    if (!is_numbered && !is_placed) check_order(table, mesh, numbers, in_order);
     const double reach = reach_of(mesh);
     const PointFinder finder(mesh);
     std::vector<std::int32_t> points;
     std::vector<bool> taken(mesh.x.size());
     for (std::size_t row = 0; row < table.rows(); ++row) {
-        std::int32_t point = is_numbered ? by_number(table, row, columns.number, mesh)
+        std::int32_t point = is_numbered ? by_number(table, row, columns.number, numbers)
                                          : static_cast<std::int32_t>(row);
         if (is_placed) {
             const double x = table.at(row, columns.place[0]), y = table.at(row, columns.place[1]);

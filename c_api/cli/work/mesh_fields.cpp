@@ -6,6 +6,7 @@
 #include "formats/point_table.hpp"
 #include "formats/vtu.hpp"
 #include "mesh/mesh_analysis.hpp"
+#include "mesh/point_numbers.hpp"
 
 #include <cmath>
 #include <utility>
@@ -49,8 +50,9 @@ void write_csv(std::ostream& out, const Mesh& mesh, const std::vector<Column>& c
     out << "point,x,y";
     for (const Column& column : columns) out << ',' << csv_cell(column.name);
     out << '\n';
+    const PointNumbers numbers(mesh);
     for (std::size_t point = 0; point < mesh.x.size(); ++point) {
-        out << point << ',' << exact(mesh.x[point]) << ',' << exact(mesh.y[point]);
+        out << numbers.number(static_cast<std::int32_t>(point)) << ',' << exact(mesh.x[point]) << ',' << exact(mesh.y[point]);
         for (const Column& column : columns) out << ',' << exact(column.values[point]);
         out << '\n';
     }

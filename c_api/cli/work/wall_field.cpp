@@ -6,6 +6,7 @@
 #include "files/text_file.hpp"
 #include "formats/deflate.hpp"
 #include "formats/point_table.hpp"
+#include "mesh/point_numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,14 +21,17 @@ namespace {
 // A point that two markers share may have two lines.
 WallField read_lines(const TextFile& file, const Mesh& mesh) {
     LineReader lines(file, '#');
+    const PointNumbers numbers(mesh);
     WallField field;
     while (lines.next()) {
         const auto& words = lines.words();
-        std::int32_t point = 0;
+        std::int64_t number = 0;
         double d[2] = {0, 0};
         if (words.size() != 3) lines.expected("point dx dy");
-        if (!parse(words[0], point) || point < 0 || point >= mesh.points()) {
-            lines.expected("a point between 0 and " + std::to_string(mesh.points() - 1), words[0]);
+        const std::int32_t point = parse(words[0], number) ? numbers.point(number) : -1;
+        if (point < 0) {
+            lines.expected("a point between 0 and " + std::to_string(numbers.count() - 1),
+                           words[0]);
         }
         for (std::size_t i = 0; i < 2; ++i) {
             if (!parse(words[i + 1], d[i])) lines.expected("a finite number", words[i + 1]);
@@ -96,15 +100,17 @@ FluxList read_fluxes(const std::string& path, const Mesh& mesh, std::int32_t n_c
     FluxList list;
     std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> face_of;
     std::set<std::pair<std::size_t, std::int32_t>> named;
+    const PointNumbers numbers(mesh);
     while (lines.next()) {
         const auto& words = lines.words();
         if (words.size() != 4) lines.expected("point point control-point value");
         std::int32_t ends[2] = {0, 0}, control = 0;
         for (const std::size_t i : {0, 1}) {
-            if (!parse(words[i], ends[i]) || ends[i] < 0 || ends[i] >= mesh.points()) {
-                lines.expected("a point between 0 and " + std::to_string(mesh.points() - 1),
+            std::int64_t number = 0;
+            ends[i] = parse(words[i], number) ? numbers.point(number) : -1;
+            if (ends[i] < 0)
+                lines.expected("a point between 0 and " + std::to_string(numbers.count() - 1),
                                words[i]);
-            }
         }
         if (!parse(words[2], control) || control < 1 || control > n_control) {
             lines.expected("a control point between 1 and " + std::to_string(n_control), words[2]);

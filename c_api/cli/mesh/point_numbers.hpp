@@ -1,0 +1,31 @@
+// The numbers that the points of a mesh have in its file. A mesh that is one cell thick is that of
+// one plane, whose points are numbered anew, while tables of other programs, and the tables that
+// this program writes, have the numbers of the file.
+#pragma once
+
+#include "mesh/mesh_file.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace cli {
+
+class PointNumbers {
+public:
+    explicit PointNumbers(const Mesh& mesh);
+
+    std::int64_t count() const { return count_; }  // of points in the file
+    // Returns the point of the mesh that follows a point of the file, or -1 if there is none.
+    std::int32_t point(std::int64_t number) const;
+    // Returns the smallest number of a point in the file.
+    std::int64_t number(std::int32_t point) const;
+    // Tells whether the points of the mesh are the first ones of the file, in the same order.
+    bool are_those_of_mesh() const { return number_.empty(); }
+
+private:
+    std::int64_t count_;
+    std::vector<std::int32_t> point_;   // empty: the same numbers
+    std::vector<std::int64_t> number_;  // empty: the same numbers
+};
+
+}  // namespace cli
