@@ -121,6 +121,12 @@ C     THE AREA, AND ITS DERIVATIVES: GROWN BY 1 PER CENT, BY 2.01.
      &            'AREA AFTER A MOVEMENT', ' ')
       CALL HMMEAS (W, 7, 0.5D0, DP, BIG, G, IERR, MSG)
       CALL CHECK (IERR .EQ. -4, 'NO TRAILING EDGE: ', MSG)
+      CALL CHECK (INDEX(MSG, 'quantity 0') .EQ. 0, 'NUMBER 0: ', MSG)
+      CALL HMMEAS (W, 7, 1.5D0, DP, BIG, G, IERR, MSG)
+      CALL CHECK (IERR .EQ. -2 .AND. INDEX(MSG, 'quantity 0') .EQ. 0,
+     &            'NO STATION: ', MSG)
+      CALL HMERR (W, K, ICELL, J, NINV, S, XY)
+      CALL CHECK (K .EQ. 14 .AND. ICELL .EQ. 1, 'THE QUANTITY: ', MSG)
       DO 12 K = 1, NCP
          DP(1,K) = 0D0
          DP(2,K) = 0D0
