@@ -274,6 +274,8 @@ C     ONE CELL THICK, IN THE PLANE X-Z: TWO LAYERS OF POINTS.
          GY(K) = 5D0
          GZ(K) = COS(3D0*K)
   150 CONTINUE
+      CALL HMPMRF (W, DP, EX, Y3, EY, -1, IERR, MSG)
+      CALL CHECK (INDEX(MSG, 'INC is -1') .EQ. 1, 'NO STRIDE: ', MSG)
       CALL HMPMRF (W, DP, EX, Y3, EY, 1, IERR, MSG)
       HERE = 0D0
       M = 0

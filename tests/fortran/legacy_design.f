@@ -17,8 +17,10 @@ C     FUNCTIONS BY TABLE.
       DOUBLE PRECISION AREA, S, T, BIG, RESID, DMAX, DIFFER, BOUND(2)
       INTEGER IWALL(NA), N, M, NV, I, J, K, KIND, NINV, IERR, ICROSS
       CHARACTER*112 MSG
+      CHARACTER*3 TEXT
       INTEGER NPASS, NFAIL
       COMMON /COUNTS/ NPASS, NFAIL
+      DATA TEXT /'NaN'/
       DATA U /0.31D0, 0.72D0/
       DATA CHORD /-0.52D0, 0D0, 0.48D0, 0D0/
       DATA POLY /-0.1D0, 0D0, 0.1D0, 0.01D0, 0D0, -0.02D0/
@@ -227,6 +229,20 @@ C     THE CONTROL POINTS DO THAT THE VARIABLES MOVE.
          CALL CHECK (DIFFER(NP, DX, DY, EX, EY) .LT. 1D-15,
      &               'THE SAME MOVEMENT', ' ')
   120 CONTINUE
+C     PEAKS THAT ARE NEGATIVE OR NO NUMBERS ARE NOT THOSE BY DEFAULT.
+      DO 125 KIND = 2, 3
+         DO 122 K = 1, 10
+            PAR(K) = 0D0
+  122    CONTINUE
+         CALL HMVARS (W, KIND, 1, 0, PAR, LA, A, NV, ERR, IERR, MSG)
+         CALL CHECK (IERR .EQ. 0, 'PEAKS BY DEFAULT: ', MSG)
+         PAR(4-KIND) = -0.3D0
+         CALL HMVARS (W, KIND, 1, 0, PAR, LA, A, NV, ERR, IERR, MSG)
+         CALL CHECK (IERR .EQ. -2, 'A NEGATIVE PEAK: ', MSG)
+         READ (TEXT, *) PAR(4-KIND)
+         CALL HMVARS (W, KIND, 1, 0, PAR, LA, A, NV, ERR, IERR, MSG)
+         CALL CHECK (IERR .EQ. -2, 'A PEAK THAT IS NONE: ', MSG)
+  125 CONTINUE
       CALL HMVARS (W, 4, 3, 2, PAR, LA, A, NV, ERR, IERR, MSG)
       CALL CHECK (IERR .LT. 0, 'NO SUCH KIND: ', MSG)
       DO 130 K = 1, 40
@@ -300,7 +316,104 @@ C     A COMPLEX MODE, Z - (-.1, 0): (COS T - 1, SIN T) TURNS THE WALL.
      &             SIN(0.1D0)*(X(K) + 0.1D0) - COS(0.1D0)*Y(K)))
   190 CONTINUE
       CALL CHECK (BIG .LT. 1D-15, 'IT TURNS', ' ')
+      DO 200 K = 0, 1
+         CALL AGAIN (W, LW, K, NA, NR, X, Y, XN, YN, CELLS, FACES,
+     &               MARKS)
+  200 CONTINUE
       CALL RESULT
+      END
+
+C     HMSOLV AFTER THE MESH HAS MOVED: THE CURVES ARE THOSE OF THE MOVED
+C     WALL, AND A MOVEMENT MOVES THE WALL AS BY THE FIRST FUNCTIONS. THE
+C     CURVE HAS SO FEW CONTROL POINTS THAT OFFSETS OF POINTS ARE LARGE.
+C     BODY 1: THE OUTER BOUNDARY IS A RIGID BODY.
+      SUBROUTINE AGAIN (W, LW, BODY, NA, NR, X, Y, XN, YN, CELLS, FACES,
+     &                  MARKS)
+      INTEGER LW, BODY, NA, NR, CELLS(4,*), FACES(2,*), MARKS(*)
+      DOUBLE PRECISION W(LW), X(NA*NR), Y(NA*NR), XN(NA*NR), YN(NA*NR)
+      DOUBLE PRECISION XW(100), YW(100), P(2,20), Q(2,20), D(2,20)
+      DOUBLE PRECISION B(2,20), G(2,20), DMAX, RESID, S, AREA, BIG
+      DOUBLE PRECISION DIFFER
+      INTEGER NP, NC, N, NF, STEP, I, K, IERR
+      CHARACTER*112 MSG
+      NP = NA*NR
+      NC = NA*(NR - 1)
+      NF = 2*NA
+      CALL MAKE (NA, NR, X, Y, CELLS, FACES, MARKS)
+      CALL HMOPEN (W, LW, IERR, MSG)
+      CALL HMMESH (W, NP, NC, 4, CELLS, NF, FACES, MARKS, IERR, MSG)
+      CALL HMOPT (W, 'OPERATOR', 1, IERR, MSG)
+      CALL HMFIT (W, 7, X, Y, 1, 8, 3, 3, DMAX, IERR, MSG)
+      CALL HMCOND (W, 7, 0, 1, 0, IERR, MSG)
+      IF (BODY .EQ. 1) CALL HMRIGD (W, 9, 1, 0D0, 0D0, IERR, MSG)
+      CALL HMSOLV (W, X, Y, 1, RESID, IERR, MSG)
+      CALL CHECK (IERR .GE. 0, 'BEFORE THE SHIFT: ', MSG)
+      CALL HMGETP (W, 20, P, N, IERR, MSG)
+C     B SHIFTS ALL BY (0, 0.01), AND THEN BENDS THE CURVE.
+      DO 60 STEP = 1, 2
+         DO 10 K = 1, 20
+            B(1,K) = 0D0
+            B(2,K) = 0D0
+            D(1,K) = 0D0
+            D(2,K) = 0D0
+   10    CONTINUE
+         DO 20 K = 1, N
+            B(2,K) = 0.01D0
+            IF (STEP .EQ. 2) B(2,K) = 0.02D0*SIN(2D0*K)
+            D(1,K) = 0.01D0*SIN(1.7D0*K)
+            D(2,K) = 0.01D0*COS(2.9D0*K)
+   20    CONTINUE
+         IF (BODY .EQ. 1) B(2,N+1) = 0.01D0
+         CALL HMMEAS (W, 0, 0D0, B, AREA, G, IERR, MSG)
+         CALL HMMORF (W, B, X, Y, 1, IERR, MSG)
+         CALL COPY (NP, X, Y, XN, YN)
+         CALL HMMORF (W, D, XN, YN, 1, IERR, MSG)
+         CALL COPY (NA, XN, YN, XW, YW)
+         DO 50 I = 1, 3
+            IF (I .NE. 2) CALL HMSOLV (W, X, Y, 1, RESID, IERR, MSG)
+            IF (I .EQ. 2) CALL HMFACT (W, X, Y, 1, RESID, IERR, MSG)
+            CALL CHECK (IERR .GE. 0, 'SOLVED AFTER A MOVEMENT: ', MSG)
+            CALL COPY (NP, X, Y, XN, YN)
+            CALL HMMORF (W, D, XN, YN, 1, IERR, MSG)
+            CALL CHECK (DIFFER(NA, XN, YN, XW, YW) .LT. 1D-12,
+     &                  'THE WALL FOLLOWS AS BEFORE', ' ')
+            CALL HMGETP (W, 20, Q, N, IERR, MSG)
+            BIG = 0D0
+            DO 30 K = 1, N
+               BIG = MAX(BIG, ABS(Q(1,K) - P(1,K) - B(1,K)),
+     &                   ABS(Q(2,K) - P(2,K) - B(2,K)))
+   30       CONTINUE
+            CALL CHECK (BIG .LT. 1D-12, 'CONTROL POINTS MOVED', ' ')
+            CALL HMRECO (W, X, Y, 1, G, S, IERR, MSG)
+            BIG = 0D0
+            DO 40 K = 1, N
+               BIG = MAX(BIG, ABS(G(1,K)), ABS(G(2,K)))
+   40       CONTINUE
+            CALL CHECK (IERR .EQ. 0 .AND. BIG .LT. 1D-12,
+     &                  'NO MOVEMENT SINCE HMSOLV: ', MSG)
+   50    CONTINUE
+         CALL HMSAFE (W, D, X, Y, XN, YN, 1, G, S, K, IERR, MSG)
+         BIG = DIFFER(NA, XN, YN, XW, YW)
+         CALL CHECK (IERR .EQ. 0 .AND. BIG .LT. 1D-12 + 1D-5*BODY,
+     &               'AND SAFELY: ', MSG)
+         CALL HMMEAS (W, 0, 0D0, B(1,N+2), S, G, IERR, MSG)
+         CALL CHECK (ABS(S - AREA) .LT. 1D-12, 'THE AREA MOVED', ' ')
+         DO 55 K = 1, N
+            P(1,K) = Q(1,K)
+            P(2,K) = Q(2,K)
+   55    CONTINUE
+   60 CONTINUE
+C     A WALL ON NO CURVE OF THE FUNCTIONS IS PROJECTED ONTO THE CURVE.
+      DO 70 K = 1, NA
+         X(K) = X(K) + 1D-3*COS(40D0*X(K) + 60D0*Y(K))
+   70 CONTINUE
+      CALL HMRECO (W, X, Y, 1, G, S, IERR, MSG)
+      CALL CHECK (IERR .LT. 0, 'A WALL ON NO CURVE: ', MSG)
+      CALL HMSOLV (W, X, Y, 1, RESID, IERR, MSG)
+      CALL CHECK (IERR .GE. 0, 'IS PROJECTED: ', MSG)
+      CALL HMGETP (W, 20, Q, N, IERR, MSG)
+      CALL CHECK (DIFFER(2*N, P, P, Q, Q) .LE. 0D0,
+     &            'ONTO THE SAME CURVE', ' ')
       END
 
 C     POINTS AFTER THE DISPLACEMENT E + S*D.

@@ -110,6 +110,8 @@ C     THE KNOTS OF THIS CURVE FALL.
       CALL HMSOLV (W, X, Y, 1, RESID, IERR, MSG)
       CALL CHECK (IERR .EQ. 0, 'CONDITIONS, TOO: ', MSG)
 
+      CALL STRIDE (W, NCP, NP, X, Y, EX, EY, DP, G, IDX)
+
 C     NUMBERS THAT ARE NOT FINITE.
       CALL HMDISP (W, DP, DX, DY, 1, IERR, MSG)
       CALL COPY (NP, X, Y, EX, EY)
@@ -207,6 +209,54 @@ C     THAN THE FIRST.
 
       CALL STRIP (W, LW)
       CALL RESULT
+      END
+
+C     INC MUST BE AT LEAST 1 IN EVERY CALL.
+      SUBROUTINE STRIDE (W, NCP, NP, X, Y, EX, EY, DP, G, LIST)
+      INTEGER NCP, NP, LIST(*), I, K, M, N, INC, IERR
+      DOUBLE PRECISION W(*), X(NP), Y(NP), EX(NP), EY(NP), DP(2,NCP)
+      DOUBLE PRECISION G(2,NCP), R, S, AXIS(6)
+      CHARACTER*112 MSG
+      DATA AXIS /6*0D0/
+      CALL COPY (NP, X, Y, EX, EY)
+      DO 20 INC = -2, 0, 2
+         DO 10 I = 1, 18
+            MSG = ' '
+            IERR = 0
+            K = 0
+            IF (I .EQ. 1) CALL HMWALL (W, 7, X, Y, INC, 60, LIST, N, M,
+     &                                 IERR, MSG)
+            IF (I .EQ. 2) CALL HMFIT (W, 7, X, Y, INC, NCP, 3, 0, S,
+     &                                IERR, MSG)
+            IF (I .EQ. 3) CALL HMSOLV (W, X, Y, INC, S, IERR, MSG)
+            IF (I .EQ. 4) CALL HMFACT (W, X, Y, INC, S, IERR, MSG)
+            IF (I .EQ. 5) CALL HMMORF (W, DP, EX, EY, INC, IERR, MSG)
+            IF (I .EQ. 6) CALL HMSAFE (W, DP, X, Y, EX, EY, INC, G, S,
+     &                                 K, IERR, MSG)
+            IF (I .EQ. 7) CALL HMRECO (W, X, Y, INC, G, S, IERR, MSG)
+            IF (I .EQ. 8) CALL HMDISP (W, DP, EX, EY, INC, IERR, MSG)
+            IF (I .EQ. 9) CALL HMADJ (W, X, Y, INC, G, IERR, MSG)
+            IF (I .EQ. 10) CALL HMSLIP (W, X, Y, EX, EY, INC, IERR, MSG)
+            IF (I .EQ. 11) CALL HMSTEP (W, X, Y, EX, EY, INC, S, K,
+     &                                  IERR, MSG)
+            IF (I .EQ. 12) CALL HMQUAL (W, X, Y, INC, M, N, R, S, IERR,
+     &                                  MSG)
+            IF (I .EQ. 13) CALL HMBOUN (W, 0, 0D0, X, Y, X, Y, INC, S,
+     &                                  EX, EY, IERR, MSG)
+            IF (I .EQ. 14) CALL HMGIVE (W, 1, LIST, X, Y, EX, EY, INC,
+     &                                  IERR, MSG)
+            IF (I .EQ. 15) CALL HMGADJ (W, 1, LIST, X, Y, INC, EX, EY,
+     &                                  IERR, MSG)
+            IF (I .EQ. 16) CALL HMBGET (W, 1, X, Y, 1, EX, EY, INC,
+     &                                  IERR, MSG)
+            IF (I .EQ. 17) CALL HMPLAN (W, NP, X, Y, Y, INC, 1, 4, LIST,
+     &                                  1, LIST, LIST, 0, AXIS, N, IERR,
+     &                                  MSG)
+            IF (I .EQ. 18) CALL HMLOAD (W, 9, X, Y, INC, IERR, MSG)
+            CALL CHECK (IERR .EQ. -2 .AND. INDEX(MSG, 'INC is') .EQ. 1,
+     &                  'NO STRIDE: ', MSG)
+   10    CONTINUE
+   20 CONTINUE
       END
 
 C     THE MESH WITH A MARKER OF GIVEN DISPLACEMENTS, IN L WORDS.
