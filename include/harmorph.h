@@ -770,7 +770,10 @@ HM_API hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, h
  * The functions do not change when the mesh moves: but for rounding, a sum of movements gives the
  * same mesh in one morph or in many. The basis serves as long as hm_assess finds the next movement
  * good. Where its admissible step is no longer well above 1, or the smallest quality is too low,
- * solve again on the last good mesh (hm_plan_factor with `at`, hm_plan_solve). */
+ * solve again on the last good mesh (hm_plan_factor with `at`, hm_plan_solve). Control points and
+ * the places z of bodies remain those of hm_analysis_init: a body that has got s, by one or many
+ * movements, gets s_new by the movement s_new - s; by s_new - 1 the body would change its size.
+ */
 HM_API hm_status hm_morph(const hm_basis* basis, const double* move, const hm_points* from,
                           const hm_points_out* to, const hm_executor* executor, hm_error* err);
 /* The transpose of hm_morph. dj: derivatives of an objective J with respect to the mesh points

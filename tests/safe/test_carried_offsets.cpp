@@ -39,7 +39,7 @@ struct Carried {
         };
         block = laid_out(lay_out);
         path.init(basis, move.data());
-        carried.init(basis, path, plan.mesh().points);
+        carried.init(basis, path);
         CHECK(block->guards_intact());
     }
     Complex start(Index slot) const { return number(plan.mesh().points[basis.wall_point[slot]]); }

@@ -73,12 +73,31 @@ void smooth(const Mesh& mesh, const Basis& basis, double length, std::vector<dou
     });
 }
 
-// The design variables of --variables, at the values of --at.
+// The design variables of --variables, at the values of --at on the curves with which the basis was
+// solved; without values, at 0 on the curves of the mesh, from where a morph goes on.
 struct VariablesAt {
     std::string path;
     VariableMap map;
     std::vector<double> values;  // pairs
+    const hm_curves* curves;
 };
+
+// Refuses values by which the mesh, which has moved, has not moved.
+void check_values(const Arguments& arguments, const Basis& basis, const VariablesAt& at) {
+    if (!basis.mesh_has_moved()) return;
+    constexpr double digits_of_files = 1e-4;
+    const hm_curves &start = basis.curves_at_start(), &now = basis.curves();
+    const std::vector<double> moves = at.map.control_moves(start, at.values, at.path);
+    double off = 0, largest = 0;
+    for (std::size_t k = 0; k < moves.size(); ++k) {
+        off = std::max(off, std::fabs(start.control[k] + moves[k] - now.control[k]));
+        largest = std::max(largest, std::fabs(now.control[k]));
+    }
+    if (off > digits_of_files * largest)
+        arguments.refuse(
+            "--at: these values do not move the curve to where the mesh is; without "
+            "--at, derivatives are those of the next morph of the mesh");
+}
 
 std::optional<VariablesAt> variables_at(const Arguments& arguments, const Basis& basis) {
     if (!arguments.has("--variables")) {
@@ -86,10 +105,15 @@ std::optional<VariablesAt> variables_at(const Arguments& arguments, const Basis&
         return {};
     }
     const std::string path = arguments.text("--variables");
-    VariablesAt at = {path, read_variables(path), {}};
+    VariablesAt at = {path, read_variables(path), {}, &basis.curves_at_start()};
     check_curves(at.map, basis.curves_at_start(), path);
     at.values.resize(2 * static_cast<std::size_t>(at.map.variables));
-    if (arguments.has("--at")) at.values = read_values(arguments.text("--at"), at.map);
+    if (!arguments.has("--at")) {
+        if (!at.map.movements.empty()) at.curves = &basis.curves();
+        return at;
+    }
+    at.values = read_values(arguments.text("--at"), at.map);
+    check_values(arguments, basis, at);
     return at;
 }
 
@@ -120,8 +144,8 @@ Gradient gradient_of(const Arguments& arguments, const std::string& path, const 
     }
     found.admissible_descent = admissible_descent(mesh, basis, found.by_functions, threads);
     if (variables) {
-        found.by_variables = variables->map.variable_gradient(
-            basis.curves_at_start(), variables->values, found.by_functions, variables->path);
+        found.by_variables = variables->map.variable_gradient(*variables->curves, variables->values,
+                                                              found.by_functions, variables->path);
     }
     return found;
 }

@@ -87,7 +87,7 @@ std::vector<Wanted> wanted_of(const Arguments& arguments, const std::vector<doub
         {"min_radius", "smallest radius", quantity_of(HM_MIN_RADIUS)},
         {"curvature_variation", "curvature variation", quantity_of(HM_CURVATURE_VARIATION)}};
     if (arguments.has("--stations")) {
-        for (const double station : arguments.number_list("--stations")) {
+        for (const double station : stations_of(arguments)) {
             all.push_back({"thickness_" + brief(station), "thickness at " + brief(station),
                            quantity_of(HM_THICKNESS, station)});
             all.push_back({"camber_" + brief(station), "camber at " + brief(station),
@@ -133,12 +133,10 @@ void print_measures(const Arguments& arguments, const Curves& curves) {
 
 void run_curve(const Arguments& arguments) {
     const Curves curves = changed(arguments, read_curves(arguments.operand(0)));
-    if (arguments.has("-o")) {
-        OutputFiles files;
-        write_curve_file(files, arguments.text("-o"), curves);
-        files.commit();
-    }
+    OutputFiles files;
+    if (arguments.has("-o")) write_curve_file(files, arguments.text("-o"), curves);
     print_measures(arguments, curves);
+    files.commit();
 }
 
 }  // namespace cli

@@ -59,8 +59,8 @@ void write_moved_curves_csv(std::ostream& out, const Mesh& mesh, const Basis& ba
         const auto point = static_cast<std::size_t>(info.curve_point[k]);
         const bool on_curve = info.point_curve[k] < info.curves;
         out << "mesh," << (on_curve ? std::to_string(info.point_curve[k] + 1) : "") << ','
-            << numbers.number(info.curve_point[k])
-            << ',' << (on_curve ? exact(info.point_u[k]) : "");
+            << numbers.number(info.curve_point[k]) << ','
+            << (on_curve ? exact(info.point_u[k]) : "");
         pair(mesh.x[point], mesh.y[point]);
         pair(morph.moved.x[point], morph.moved.y[point]);
         out << '\n';

@@ -4,6 +4,9 @@
 #include "basics/numbers.hpp"
 #include "basics/text.hpp"
 
+#include <set>
+#include <string>
+
 namespace cli {
 
 std::optional<Box> window_of(const Arguments& arguments) {
@@ -28,6 +31,20 @@ hm_section section_of(const Arguments& arguments) {
     section.trailing_x = chord[2];
     section.trailing_y = chord[3];
     return section;
+}
+
+std::vector<double> stations_of(const Arguments& arguments) {
+    const std::vector<double> stations = arguments.number_list("--stations");
+    std::set<std::string> names;
+    for (const double station : stations) {
+        if (!(station > 0 && station < 1))
+            arguments.refuse("--stations: a station must lie between 0 and 1, not " +
+                             brief(station));
+        if (!names.insert(brief(station)).second)
+            arguments.refuse("--stations: two stations have the name " + brief(station) +
+                             ", as names have four digits");
+    }
+    return stations;
 }
 
 }  // namespace cli

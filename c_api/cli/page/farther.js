@@ -90,6 +90,6 @@ class Farther {
         } finally {
             given.free();
         }
-        app.show_reached(`The wall points of ${name} are displaced`);
+        app.show_reached(`The wall points of ${name} are displaced`, true);
     }
 }

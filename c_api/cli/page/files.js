@@ -8,6 +8,13 @@ class Files {
 
     save() {
         const { shape, panel } = this.app;
+        if (this.app.displaced) {
+            this.say(
+                "Not saved: displacements of wall points are no movement of control points; harmorph displace --wall " +
+                    "makes this mesh from their file",
+            );
+            return;
+        }
         this.write("moves.txt", [shape.text() + panel.design.states.text()], "text/plain");
         this.say(
             this.app.is_valid() && this.app.reached === ""

@@ -19,6 +19,7 @@ class App {
         this.moves = this.shape.moves();
         this.still = true;
         this.reached = ""; // how the mesh was reached, if not by the functions alone
+        this.displaced = false; // by displacements of wall points, which are no movement of control points
         this.times = { morph: 0, judge: 0, draw: 0 }; // of the last frame [ms]
         this.camera = new Camera();
         this.view = new View(this);
@@ -128,6 +129,7 @@ class App {
         const begin = performance.now();
         this.must_follow = false;
         this.reached = "";
+        this.displaced = false;
         this.still = this.moves.every((move) => move === 0);
         this.curves.move(this.moves);
         this.model.move(this.moves);
@@ -145,8 +147,8 @@ class App {
     }
 
     // Shows a mesh that was not reached by the functions alone; reached says how it was reached.
-    show_reached(reached) {
-        this.reached = reached;
+    show_reached(reached, displaced = false) {
+        Object.assign(this, { reached, displaced });
         this.judge();
         this.panel.update();
         this.panel.speak_verdict();

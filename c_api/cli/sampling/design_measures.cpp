@@ -39,10 +39,7 @@ SectionMeasures::SectionMeasures(const Arguments& arguments, const hm_curves& cu
     add("leading_edge_radius", HM_LEADING_EDGE_RADIUS);
     add("trailing_edge_angle", HM_TRAILING_EDGE_ANGLE);
     if (!arguments.has("--stations")) return;
-    for (const double station : arguments.number_list("--stations")) {
-        if (!(station > 0 && station < 1))
-            arguments.refuse("--stations: a station must lie between 0 and 1, not " +
-                             brief(station));
+    for (const double station : stations_of(arguments)) {
         add("thickness_" + brief(station), HM_THICKNESS, station);
         add("camber_" + brief(station), HM_CAMBER, station);
     }

@@ -52,7 +52,8 @@ void write_csv(std::ostream& out, const Mesh& mesh, const std::vector<Column>& c
     out << '\n';
     const PointNumbers numbers(mesh);
     for (std::size_t point = 0; point < mesh.x.size(); ++point) {
-        out << numbers.number(static_cast<std::int32_t>(point)) << ',' << exact(mesh.x[point]) << ',' << exact(mesh.y[point]);
+        out << numbers.number(static_cast<std::int32_t>(point)) << ',' << exact(mesh.x[point])
+            << ',' << exact(mesh.y[point]);
         for (const Column& column : columns) out << ',' << exact(column.values[point]);
         out << '\n';
     }

@@ -97,15 +97,20 @@ class Boundary {
     conditions(curves) {
         const words = [];
         this.groups("curve").forEach((group, k) => words.push("--curve", `${Boundary.places(group)}=${curves[k]}`));
+        return [...words, ...this.beside()];
+    }
+    // Returns the options for walls that follow no curve.
+    beside() {
+        const words = [];
         for (const group of this.groups("rigid")) words.push("--rigid", Boundary.places(group));
         for (const group of this.groups("slip")) words.push("--slip", Boundary.places(group));
         return words;
     }
-    // Returns what lines of moves can name.
-    moving() {
-        return [...this.groups("curve"), ...this.groups("rigid")].map(Boundary.places);
+    // Returns what lines that turn, shift, scale or deflect a section can name.
+    sections() {
+        return this.groups("curve").map(Boundary.places);
     }
     moves() {
-        return this.moving().length > 0;
+        return this.groups("curve").length + this.groups("rigid").length > 0;
     }
 }

@@ -40,8 +40,8 @@ class Drag {
         this.frame?.contentWindow?.postMessage({ harmorph: "theme", dark }, "*");
     }
 
-    // Asks the page what has moved; returns { moves, reached, valid }, or null where there is no page, or one that
-    // is not ready.
+    // Asks the page what has moved; returns { moves, reached, displaced, valid }, or null where there is no page, or
+    // one that is not ready.
     ask() {
         if (this.frame === null || !this.is_ready) return Promise.resolve(null);
         return new Promise((done) => {
@@ -59,7 +59,8 @@ class Drag {
         if (data?.harmorph === "moves" && typeof data.moves === "string" && this.asked !== null) {
             const answer = this.asked;
             this.asked = null;
-            answer({ moves: data.moves, reached: String(data.reached), valid: data.valid === true });
+            const [displaced, valid] = [data.displaced === true, data.valid === true];
+            answer({ moves: data.moves, reached: String(data.reached), displaced, valid });
         }
     }
 }

@@ -30,7 +30,7 @@ class Morph {
         this.result = null;
         element("moves").value = "";
         element("result_box").hidden = true;
-        element("line_of").replaceChildren(...this.bench.boundary.moving().map((place) => new Option(place, place)));
+        element("line_of").replaceChildren(...this.bench.boundary.sections().map((place) => new Option(place, place)));
         element("save_curve").disabled = this.bench.prepare.curves.length === 0;
         for (const control of element("how").children)
             control.disabled = control.dataset.value !== "table" && this.bench.basis === null;
@@ -39,7 +39,9 @@ class Morph {
     // Takes the movements of the page.
     async enter() {
         const told = await this.bench.drag.ask();
-        if (told === null || told.moves === this.told) return;
+        if (told?.displaced)
+            this.bench.view.say("Displacements of wall points are no movement; choose their table instead.");
+        if (told === null || told.displaced || told.moves === this.told) return;
         this.told = told.moves;
         element("moves").value = told.moves;
         element("safe").checked = !told.valid || told.reached !== "";
@@ -87,9 +89,13 @@ class Morph {
         const { bench } = this,
             words = [];
         if (this.how === "table") {
-            const walls = bench.boundary.groups("curve").flat();
+            const { boundary } = bench,
+                walls = boundary.groups("curve").flat(),
+                operator = element("operator").value;
+            if (walls.length === 0) throw new Error("Choose a wall that follows a curve: its points are displaced.");
             words.push("displace", operand(bench.mesh), "--given", Boundary.places(walls));
-            words.push("--wall", operand(this.tables.table));
+            words.push("--wall", operand(this.tables.table), ...boundary.beside());
+            if (operator !== "conformal") words.push("--operator", operator);
         } else {
             words.push("morph", operand(bench.mesh), bench.basis);
             if (this.how === "moves") words.push("--move", this.moves_path);

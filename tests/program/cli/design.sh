@@ -18,7 +18,10 @@ runs "functions of the finer curve" 0 solve "$mesh" --curve airfoil="$tmp/finer.
 refuses "a knot outside" 2 'not inside' curve "$airfoil" --insert 7
 refuses "no number" 2 'expects numbers' curve "$airfoil" --insert x
 refuses "three numbers for a chord" 2 'four numbers' curve "$airfoil" --chord 0,0,1
-refuses "a station outside" 2 'it must lie between 0 and 1' curve "$airfoil" --stations 1.5
+refuses "a station outside" 2 'a station must lie between 0 and 1' curve "$airfoil" --stations 1.5
+refuses "two stations of one name" 2 'two stations have the name 0.1234' curve "$airfoil" --stations 0.12341,0.12344
+refuses "a station outside: no curve file" 2 'a station must lie between 0 and 1' curve "$airfoil" --stations 0 \
+    -o "$tmp/x"
 for kind in "--cst 6,6" "--ffd 3,1" "--hicks-henne 2,2" "--naca 0.4"; do
     runs "variables $kind" 0 variables "$airfoil" $kind -o "$tmp/map" --json
     check "variables $kind: errors" test "$(grep -o rms_error "$tmp/out" | wc -l)" -ge 2

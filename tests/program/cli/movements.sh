@@ -90,6 +90,23 @@ gradient() { # gradient NAME STEP VALUES OPTION...
         $1 == 1 { d = (b - a) / (.02 * h); e = d - $2; print d, $2; if (e < 0) e = -e
             if (d < 0) d = -d; ok = e < 2e-4 * d + 1e-6 } END { exit !ok }' "$tmp/by-values"
 }
+# Without --at, the derivatives are those of the next morph of a mesh that has moved.
+makes variables "$airfoil" --turn 0.3,0.1 --scale 0,0 -o "$tmp/next.map"
+makes morph "$mesh" "$basis" --by 'turn airfoil 7' --by '6 0.01 -0.02' -o "$tmp/next.su2"
+runs "movements: the next morph: adjoint" 0 adjoint "$tmp/next.su2" "$basis" --sensitivity "$tmp/sens.txt" \
+    --variables "$tmp/next.map" -o "$tmp/next.gradient"
+for variable in 1 2; do
+    for sign in -1 1; do
+        echo "$variable ${sign}e-4" >"$tmp/beside"
+        makes morph "$tmp/next.su2" "$basis" --variables "$tmp/next.map" --move "$tmp/beside" -o "$tmp/beside$sign.su2"
+    done
+    check "movements: the next morph: adjoint and differences of $variable" awk -v k="$variable" \
+        -v a="$(objective "$tmp/beside-1.su2")" -v b="$(objective "$tmp/beside1.su2")" '
+        $1 == k { d = (b - a) / 2e-4; e = d - $2; exit !(e * e < 1e-12 * (1 + d * d)) }' "$tmp/next.gradient"
+done
+echo '1 5' >"$tmp/at"
+refuses "movements: values that are not those of the mesh" 2 'do not move the curve to where the mesh is' adjoint \
+    "$tmp/next.su2" "$basis" --sensitivity "$tmp/sens.txt" --variables "$tmp/next.map" --at "$tmp/at" -o "$tmp/x"
 gradient "flap, scale, turn, shift" 1 5 --flap 0.7,0 --scale 0.5,0 --turn 0.25,0 --shift
 gradient "camber and thickness" 0.01 5 --camber-thickness 3,2
 gradient "PARSEC" 0.001 11 --parsec

@@ -142,3 +142,25 @@ refuses "ugrid: a face that no cell has" \
 echo "2 2 2 8*0 8*0 8*0" >"$tmp/one-point.p3d"
 refuses "plot3d: a cell that is one point" 'not one cell thick: there are no two planes' "$harmorph" \
     check "$tmp/one-point.p3d"
+# Points in tables have the numbers that they have in the file, also where the file does not begin with one plane.
+mesh=$tmp/text.ugrid body=$(body_of "$tmp/text.ugrid")
+numbered() { # numbered CSV: column 1 of each row is the point of the file with the coordinates in columns 2 and 3
+    awk -F '[, ]+' 'FNR == NR { for (k = 1; k <= NF; k++) if ($k != "") word[n++] = $k; next }
+        FNR > 1 { at = 7 + 3 * $1; d = word[at] - $2; e = word[at + 2] - $3; seen++
+            if (d * d + e * e > 1e-12) exit 1 } END { exit seen < 24 }' "$mesh" "$1"
+}
+check "numbers: solve" "$harmorph" solve "$mesh" --curve "$body=$tmp/curve" -o "$tmp/basis"
+check "numbers: export" "$harmorph" export "$mesh" "$tmp/basis" --function 1 --csv "$tmp/values.csv"
+check "numbers: export: those of the file" numbered "$tmp/values.csv"
+check "numbers: morph" "$harmorph" morph "$mesh" "$tmp/basis" --by '1 .01 .02' -o "$tmp/x.ugrid" --csv "$tmp/wall.csv"
+awk -F, '$1 == "mesh" { print $3, .01, .02 * $5 }' "$tmp/wall.csv" >"$tmp/by-number.txt"
+awk -F, 'BEGIN { print "x,y,dx,dy" } $1 == "mesh" { print $5 "," $6 "," .01 "," .02 * $5 }' "$tmp/wall.csv" \
+    >"$tmp/by-place.csv"
+for table in by-number.txt by-place.csv; do
+    check "numbers: displace: $table" "$harmorph" displace "$mesh" --given "$body" --wall "$tmp/$table" \
+        -o "$tmp/$table.ugrid"
+done
+check "numbers: displace: the same mesh" cmp "$tmp/by-number.txt.ugrid" "$tmp/by-place.csv.ugrid"
+echo '999999 0 0' >"$tmp/behind.txt"
+refuses "numbers: a number behind the last point" 'the file needs a point between 0 and' "$harmorph" displace "$mesh" \
+    --given "$body" --wall "$tmp/behind.txt" -o "$tmp/x"
