@@ -33,7 +33,7 @@ counted() {   # what, command...
     "$@" >"$log" 2>&1 || fail "$what" "$log"
     passed=$((passed + $(sed -n 's/^\([0-9][0-9]*\) passed, .*/\1/p' "$log" | tail -n 1 | grep . || echo 0)))
 }
-counted "hostile files in node" timeout 300 node tests/program/workbench/hostile.mjs "$build/web" "$meshes" 200
+counted "hostile files in node" timeout 900 node tests/program/workbench/hostile.mjs "$build/web" "$meshes" 200
 
 # What the tests drop.
 naca=$meshes/naca0012.su2
@@ -64,7 +64,7 @@ moved() (
         for end in igs step dat; do "$harmorph" curve moved.su2.curve -o moved.$end; done
 )
 if [ -n "$chromium" ]; then
-    counted "the workbench in use" timeout 300 node tests/program/workbench/use.mjs "$chromium" "$page" "$tmp"
+    counted "the workbench in use" timeout 900 node tests/program/workbench/use.mjs "$chromium" "$page" "$tmp"
     check "the program with the saved moves.txt" moved
     check "the saved curve has the bytes of harmorph fit" same airfoil.curve airfoil.curve
     check "the saved basis has the bytes of harmorph solve" same mesh.basis mesh.basis
@@ -73,7 +73,7 @@ if [ -n "$chromium" ]; then
     check "and that of a rigid body" same packed-morphed.su2 rigid.su2
     check "the moved curve, too" same naca0012-morphed.su2.curve moved.su2.curve
     for end in igs step dat; do check "the curve as .$end" same naca0012-morphed.su2.$end moved.$end; done
-    counted "hostile files in the browser" timeout 300 node tests/program/workbench/names.mjs \
+    counted "hostile files in the browser" timeout 900 node tests/program/workbench/names.mjs \
         "$chromium" "$page" "$naca" "$tmp"
 else
     skip "the workbench in a browser" "no Chromium is found (Debian's package chromium, or CHROMIUM=path)"

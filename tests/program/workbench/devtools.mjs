@@ -119,7 +119,7 @@ export class Session {
         return result.value;
     }
     // Waits until an expression is true.
-    async until(expression, seconds = 300) {
+    async until(expression, seconds = 200) {
         for (const end = Date.now() + 1000 * seconds; Date.now() < end; ) {
             if (await this.value(expression).catch(() => false)) return;
             await new Promise((done) => setTimeout(done, 30));
