@@ -143,11 +143,27 @@ export class Session {
         await this.mouse("mousePressed", x, y);
         await this.mouse("mouseReleased", x, y);
     }
-    // Drops files of the disk at a place of the page.
+    // Drops files of the disk at a place of the page, or of a frame, which forwards them. Until the page has answered
+    // where the pointer is over it, Chromium does not know that the page takes files, and saves them instead: they are
+    // then dropped again.
     async drop(files, x = 150, y = 300) {
-        const data = { items: [], files, dragOperationsMask: 1 };
-        for (const type of ["dragEnter", "dragOver", "drop"])
-            await this.send("Input.dispatchDragEvent", { type, x, y, data });
+        const data = { items: [], files, dragOperationsMask: 1 },
+            send = (type) => this.send("Input.dispatchDragEvent", { type, x, y, data }),
+            pause = () => new Promise((done) => setTimeout(done, 100));
+        await this.value(`globalThis.drops = 0;
+            if (!globalThis.counts_drops) {
+                globalThis.counts_drops = true;
+                document.addEventListener("drop", () => ++globalThis.drops, true);
+                addEventListener("message", ({ data }) => { if (data?.harmorph === "files") ++globalThis.drops; });
+            }`);
+        for (let trial = 0; trial < 20; ++trial) {
+            await send("dragEnter");
+            for (let over = 0; over < 2; ++over) await send("dragOver").then(pause);
+            await send("drop");
+            await pause();
+            if (await this.value("globalThis.drops") > 0) return;
+        }
+        throw new Error("the page takes no files");
     }
     async picture(file) {
         const { data } = await this.send("Page.captureScreenshot", { format: "png" });
