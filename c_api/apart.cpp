@@ -39,6 +39,9 @@ Status Apart::check(const char* name, const double* array, Offset n, Fault& faul
     if (count_ == before) return Status::ok;
     for (Index k = 0; k < before; ++k) {
         if (!have_common(arrays_[k], arrays_[before])) continue;
+        if (arrays_[k].name == name)
+            return fault.refuse_argument(
+                name, "two arrays of % have numbers in common; give separate arrays");
         return fault.refuse_arguments(name, arrays_[k].name,
                                       "% and & have numbers in common; give separate arrays");
     }

@@ -12,11 +12,11 @@ namespace {
 
 constexpr Index max_others = 64;
 
-using SafeLimit = Limit<hm_safe_options>;
 constexpr Limit<hm_safe_target> target_limits[] = {
     {&hm_safe_target::reserved, 0, 0, "target.reserved must be 0, not #"},
 };
 
+using SafeLimit = Limit<hm_safe_options>;
 constexpr SafeLimit safe_limits[] = {
     {&hm_safe_options::skipped_strategies, 0, (2 << HM_STRATEGY_IMPROVED) - 1,
      "options.skipped_strategies is #, but it must be a sum of 1 << HM_STRATEGY_..., that is "

@@ -107,13 +107,13 @@ Status check_layer(Walls const& walls, Points before, Points at, Fault& fault) n
     };
     for (Index slot = 0; slot < layer.wall.count; ++slot) {
         Index const foot = layer.wall.point[slot], top = layer.above[slot];
-        if (!in_range(foot) || (top != none && !in_range(top))) {
-            return fault.refuse(Status::bad_mesh,
-                                "point # has a coordinate that is not finite or beyond 1e100, in "
-                                "`at` or in `before`",
-                                point_item(in_range(foot) ? top : foot));
-        }
+        if (in_range(foot) && (top == none || in_range(top))) continue;
+        return fault.refuse(Status::bad_mesh,
+                            "point # has a coordinate that is not finite or beyond 1e100, in `at` "
+                            "or in `before`",
+                            point_item(in_range(foot) ? top : foot));
     }
+    // A height needs the neighbours of its wall point, which are in range now.
     for (Index slot = 0; slot < layer.wall.count && before.given(); ++slot) {
         if (layer.above[slot] == none || layer.height(slot, before) != 0) continue;
         return fault.refuse(Status::bad_mesh,

@@ -21,15 +21,14 @@ struct MeshImprovement {
     static Status check(Plan const& plan, Points reference, Points from, Fault& fault) noexcept;
     // The arrays `reference` and `from` are coordinates of the plan's mesh before and after a
     // movement, which check() has accepted; the improved coordinates are left in `result`. A mesh
-    // that is its own reference is not changed. The tops of the first layer are
-    // the ends of those edges that leave walls most nearly along the normal. Where the mesh has a
-    // layer (see has_layer()), they are put where the wall carries them, with their former height
-    // and angle, and are held there. If that would make cells poor, the first steps, at most a
-    // third of them, pull the tops to these places with all points free; then each top goes as far
-    // as no cell is inverted. If the smallest quality falls meanwhile, is then far below that of
-    // `from`, or ends below it, the rest of the steps begins again with the tops where they are in
-    // `from`, as far as their cells are not poor there. The plan's distances are left at the
-    // reference.
+    // that is its own reference is not changed. The tops of the first layer are the ends of those
+    // edges that leave walls most nearly along the normal. Where the mesh has a layer (see
+    // has_layer()), they are put where the wall carries them, with their former height and angle,
+    // and are held there. If that would make cells poor, the first steps, at most a third of them,
+    // pull the tops to these places with all points free; then each top goes as far as no cell is
+    // inverted. If the smallest quality falls meanwhile, is then far below that of `from`, or ends
+    // below it, the rest of the steps begins again with the tops where they are in `from`, as far
+    // as their cells are not poor there. The plan's distances are left at the reference.
     void run(Plan& plan, ImproveOptions const& options, Points reference, Points from,
              ImproveReport& report) noexcept;
     void write(MutablePoints to) const noexcept {

@@ -10,6 +10,7 @@
 #include <fixtures/memory.hpp>
 
 #include <functional>
+#include <memory>
 #include <set>
 #include <string>
 
@@ -52,14 +53,27 @@ struct Ready {
     Memory memory{mesh};
     hm_points at{memory.at_x(), memory.at_y(mesh), 1};
     hm_error error{};
+    std::unique_ptr<Guarded> walls_block;
+
+    // The walls of the first condition, once.
+    hm_walls* walls() {
+        std::int32_t const marker = setup.conditions[0].marker;
+        std::size_t bytes = 0;
+        REQUIRE(fixtures::walls_size(solved.analysis, 1, &marker, &bytes, &error) == HM_OK);
+        walls_block = std::make_unique<Guarded>(bytes);
+        hm_walls* made = nullptr;
+        REQUIRE(hm_walls_init(&made, fixtures::Memory(walls_block->data(), bytes), solved.analysis,
+                              1, &marker, nullptr, &error) == HM_OK);
+        return made;
+    }
 };
 
 void check_refused(Memory const& memory, hm_status status, hm_error const& error,
                    std::string const& first, std::string const& second) {
     INFO(error.text);
     CHECK(status == HM_BAD_ARGUMENT);
-    CHECK(std::string(error.text) ==
-          first + " and " + second + " have numbers in common; give separate arrays");
+    std::string const named = first == second ? "two arrays of " + first : first + " and " + second;
+    CHECK(std::string(error.text) == named + " have numbers in common; give separate arrays");
     CHECK(memory.is_unchanged());
 }
 
@@ -109,7 +123,7 @@ TEST_CASE("arrays of different steps that have a number in common are refused") 
 
 TEST_CASE("fields of moving meshes and adjoints") {
     Ready ready;
-    auto& [setup, mesh, n, solved, view, memory, at, error] = ready;
+    auto& [setup, mesh, n, solved, view, memory, at, error, walls_block] = ready;
     double* const x = memory.at_x();
 
     check_refused(memory, hm_adjoint(solved.basis, &at, x + n - 1, nullptr, &error), error,
@@ -125,13 +139,7 @@ TEST_CASE("fields of moving meshes and adjoints") {
     check_refused(memory, hm_swept_areas(&view, &at, &at, nullptr, nullptr, x + n, nullptr, &error),
                   error, "halves", "from");
 
-    std::int32_t const marker = setup.conditions[0].marker;
-    std::size_t bytes = 0;
-    REQUIRE(fixtures::walls_size(solved.analysis, 1, &marker, &bytes, &error) == HM_OK);
-    Guarded block(bytes);
-    hm_walls* walls = nullptr;
-    REQUIRE(hm_walls_init(&walls, fixtures::Memory(block.data(), bytes), solved.analysis, 1,
-                          &marker, nullptr, &error) == HM_OK);
+    hm_walls* const walls = ready.walls();
     std::vector<std::int32_t> face(std::size_t(n), view.index_base);
     double* const free = memory.free(mesh, 10);
     check_refused(
@@ -167,14 +175,8 @@ TEST_CASE("fields of moving meshes and adjoints") {
 
 TEST_CASE("both derivatives of distances may be in the same arrays, but not with another step") {
     Ready ready;
-    auto& [setup, mesh, n, solved, view, memory, at, error] = ready;
-    std::int32_t const marker = setup.conditions[0].marker;
-    std::size_t bytes = 0;
-    REQUIRE(fixtures::walls_size(solved.analysis, 1, &marker, &bytes, &error) == HM_OK);
-    Guarded block(bytes);
-    hm_walls* walls = nullptr;
-    REQUIRE(hm_walls_init(&walls, fixtures::Memory(block.data(), bytes), solved.analysis, 1,
-                          &marker, nullptr, &error) == HM_OK);
+    auto& [setup, mesh, n, solved, view, memory, at, error, walls_block] = ready;
+    hm_walls* const walls = ready.walls();
     std::vector<std::int32_t> const face(std::size_t(n), view.index_base);
     double* const free = memory.free(mesh, 10);
     double* const dj = free + 10 * n;
@@ -191,14 +193,8 @@ TEST_CASE("both derivatives of distances may be in the same arrays, but not with
 
 TEST_CASE("the first layer is refused where the mesh before has none") {
     Ready ready;
-    auto& [setup, mesh, n, solved, view, memory, at, error] = ready;
-    std::int32_t const marker = setup.conditions[0].marker;
-    std::size_t bytes = 0;
-    REQUIRE(fixtures::walls_size(solved.analysis, 1, &marker, &bytes, &error) == HM_OK);
-    Guarded block(bytes);
-    hm_walls* walls = nullptr;
-    REQUIRE(hm_walls_init(&walls, fixtures::Memory(block.data(), bytes), solved.analysis, 1,
-                          &marker, nullptr, &error) == HM_OK);
+    auto& [setup, mesh, n, solved, view, memory, at, error, walls_block] = ready;
+    hm_walls* const walls = ready.walls();
     std::vector<double> x = mesh.x, y(mesh.y.size(), 0.0), ratios(mesh.x.size(), 5.0);
     hm_points const flat{x.data(), y.data(), 1};
     CHECK(hm_first_layer(walls, &flat, &at, nullptr, ratios.data(), nullptr, &error) ==
@@ -215,7 +211,7 @@ TEST_CASE("the first layer is refused where the mesh before has none") {
 
 TEST_CASE("the derivative of slipping points, and curves moved by a basis") {
     Ready ready;
-    auto& [setup, mesh, n, solved, view, memory, at, error] = ready;
+    auto& [setup, mesh, n, solved, view, memory, at, error, walls_block] = ready;
     double* const free = memory.free(mesh, 10);
     hm_points const velocity{free, free + n, 1};
     hm_points_out const on_from{memory.at_x(), memory.at_y(mesh), 1};
@@ -240,7 +236,7 @@ TEST_CASE("the derivative of slipping points, and curves moved by a basis") {
 
 TEST_CASE("x and y of moved points are apart, with coordinates before and without") {
     Ready ready;
-    auto& [setup, mesh, n, solved, view, memory, at, error] = ready;
+    auto& [setup, mesh, n, solved, view, memory, at, error, walls_block] = ready;
     std::vector<double> const move(2 * std::size_t(setup.curves.n_control()), 0.01);
     double* const free = memory.free(mesh, 10);
     hm_points const* const none = nullptr;
@@ -272,7 +268,7 @@ TEST_CASE("x and y of moved points are apart, with coordinates before and withou
 
 TEST_CASE("interpolated fields") {
     Ready ready;
-    auto& [setup, mesh, n, solved, view, memory, at, error] = ready;
+    auto& [setup, mesh, n, solved, view, memory, at, error, walls_block] = ready;
     std::size_t bytes = 0;
     REQUIRE(fixtures::interpolation_size(solved.analysis, n, &bytes, &error) == HM_OK);
     Guarded block(bytes);
@@ -301,7 +297,7 @@ TEST_CASE("interpolated fields") {
 
 TEST_CASE("gradients of bounds of the quality") {
     Ready ready;
-    auto& [setup, mesh, n, solved, view, memory, at, error] = ready;
+    auto& [setup, mesh, n, solved, view, memory, at, error, walls_block] = ready;
     std::size_t bytes = 0;
     REQUIRE(fixtures::quality_size(solved.basis, &view, &bytes, &error) == HM_OK);
     Guarded block(bytes);

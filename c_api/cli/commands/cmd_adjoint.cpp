@@ -117,24 +117,18 @@ std::optional<VariablesAt> variables_at(const Arguments& arguments, const Basis&
     return at;
 }
 
-// Where points slip along curves and the mesh has moved, a morph ends with these points put onto
-// the curves: turns the derivatives into those by the points before that.
-void take_off_curves(const Mesh& mesh, const Basis& basis, const Threads& threads, Field& by) {
-    const Task task = task_of(basis);
-    if (!task.slips() || !basis.mesh_has_moved()) return;
-    Solver(mesh, task, threads).take_off_curves(by);
-}
-
+// slip: puts points that slip along curves onto these curves after a morph; nullptr: a morph is
+// linear.
 Gradient gradient_of(const Arguments& arguments, const std::string& path, const Mesh& mesh,
                      const Basis& basis, const std::optional<VariablesAt>& variables,
-                     const Threads& threads) {
+                     const Threads& threads, Solver* slip) {
     Sensitivity sensitivity =
         read_sensitivity(path, columns_of(arguments), mesh, arguments.has("--in-order"));
     Gradient found;
     found.objective = path;
     found.points = sensitivity.rows;
     found.by_functions.resize(2 * static_cast<std::size_t>(basis.functions()));
-    take_off_curves(mesh, basis, threads, sensitivity.by);
+    if (slip != nullptr) slip->take_off_curves(sensitivity.by);
     const hm_points by = sensitivity.by.read();
     call(mesh, hm_adjoint, basis.get(), &by, found.by_functions.data(), threads.executor());
     if (arguments.has("--smooth")) {
@@ -159,9 +153,13 @@ void run_adjoint(const Arguments& arguments) {
     const Basis basis(arguments.operand(1), mesh);
     const Threads threads(threads_of(arguments));
     const std::optional<VariablesAt> variables = variables_at(arguments, basis);
+    const Task task = task_of(basis);
+    std::optional<Solver> slip;
+    if (task.slips() && basis.mesh_has_moved()) slip.emplace(mesh, task, threads);
     std::vector<Gradient> gradients;
     for (const std::string& path : paths)
-        gradients.push_back(gradient_of(arguments, path, mesh, basis, variables, threads));
+        gradients.push_back(
+            gradient_of(arguments, path, mesh, basis, variables, threads, slip ? &*slip : nullptr));
     if (arguments.has("-o")) {
         OutputFiles files;
         const std::string& path = arguments.text("-o");

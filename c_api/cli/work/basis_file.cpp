@@ -167,7 +167,7 @@ Basis::Basis(const TextFile& file, const Mesh& mesh)
     refuse_unknown_markers(conditions_, path_, mesh);
     find_slip_curves();
     moved_curves_ = curves_;
-    if (mesh_has_moved_) find_curves(mesh);
+    if (mesh_has_moved_) find_movement(mesh);
 }
 
 // Finds the curves along which points slip. Conditions whose curves have the same arrays in the
@@ -191,8 +191,9 @@ void Basis::find_slip_curves() {
     }
 }
 
-// Finds the curves from the movement that the mesh has made since the basis was solved.
-void Basis::find_curves(const Mesh& mesh) {
+// Finds the movement that the mesh has made since the basis was solved, and from it the curves and
+// which bodies have moved.
+void Basis::find_movement(const Mesh& mesh) {
     Block work;
     std::vector<double> moves(2 * static_cast<std::size_t>(info_.functions) + 1);  // never empty
     const hm_points at = mesh.coordinates();
@@ -224,10 +225,10 @@ void Basis::find_curves(const Mesh& mesh) {
     }
 }
 
-Rotation Basis::body_rotation(std::int32_t body) const {
+std::complex<double> Basis::body_rotation(std::int32_t body) const {
     if (!why_on_no_curve_.empty())
         throw Failure(exit_unusable, why_on_no_curve_ + "; solve again on this mesh");
-    if (recovered_.empty()) return {};
+    if (recovered_.empty()) return 1;
     const double* const of_body = &recovered_[2 * place(n_control() + 2 * body)];
     return {1 + of_body[2], of_body[3]};
 }

@@ -12,20 +12,13 @@
 #include "mesh/mesh_file.hpp"
 #include "options/arguments.hpp"
 
+#include <complex>
 #include <iosfwd>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace cli {
-
-// A complex number: scale times (cosine, sine) of an angle.
-struct Rotation {
-    double x = 1, y = 0;
-    Rotation times(const Rotation& other) const {
-        return {x * other.x - y * other.y, x * other.y + y * other.x};
-    }
-};
 
 // A basis that is read from a file, or copied from a solution, and attached to its mesh. Refuses a
 // file without names, a mesh with other markers, conditions on markers that the mesh does not have,
@@ -55,10 +48,10 @@ public:
     // The curves that conditions point to.
     const std::vector<std::shared_ptr<const CurveSet>>& slip_curves() const { return slip_curves_; }
     std::int32_t functions() const { return info_.functions; }
-    // Returns scale times (cosine, sine) of what the mesh has turned this body by since the basis
-    // was solved; the functions of bodies belong to the places of that mesh. Throws a Failure as
-    // curves() if the movement is unknown.
-    Rotation body_rotation(std::int32_t body) const;
+    // Returns scale times (cosine + i sine) of what the mesh has turned this body by since the
+    // basis was solved; the functions of bodies belong to the places of that mesh. Throws a Failure
+    // as curves() if the movement is unknown.
+    std::complex<double> body_rotation(std::int32_t body) const;
     // Whether the mesh has moved a body since the basis was solved.
     bool has_moved_bodies() const { return has_moved_bodies_; }
     // Returns component `number` of the values of a function, at every point of the mesh.
@@ -66,7 +59,7 @@ public:
 
 private:
     Basis(const TextFile& file, const Mesh& mesh);
-    void find_curves(const Mesh& mesh);
+    void find_movement(const Mesh& mesh);
     void find_slip_curves();
 
     std::string path_;

@@ -267,16 +267,15 @@ private:
         moves_[2 * function] += number(words[2]);
         moves_[2 * function + 1] += number(words[3]);
         const auto [sine, cosine] = sine_cosine(angle);
-        const Rotation by = {scale * cosine - 1, scale * sine};
-        if (by.x == 0 && by.y == 0) return;
+        const std::complex<double> by = {scale * cosine - 1, scale * sine};
+        if (by == 0.0) return;
         // The function turns the body of the mesh that was solved on, and so what the body has
         // turned by since then is turned, too.
         double* const to = &moves_[2 * function + 2];
-        Rotation before;
-        if (movable_.body_rotation) before = movable_.body_rotation(body);
-        const Rotation more = by.times({before.x + to[0], before.y + to[1]});
-        to[0] += more.x;
-        to[1] += more.y;
+        std::complex<double> turned = {1 + to[0], to[1]};
+        if (movable_.body_rotation) turned += movable_.body_rotation(body) - 1.0;
+        to[0] += (by * turned).real();
+        to[1] += (by * turned).imag();
     }
 
     void read_mode() {
@@ -375,13 +374,11 @@ bool has_section_movements(const TextFile& text) {
 }
 
 void write_body(std::ostream& out, const Mesh& mesh, const hm_condition& condition,
-                const double* function, const Rotation& before) {
-    const double square = before.x * before.x + before.y * before.y;
-    const Rotation back = {before.x / square, -before.y / square};
-    const Rotation by = back.times({function[2], function[3]});
+                const double* function, std::complex<double> before) {
+    const std::complex<double> by = 1.0 + std::complex<double>(function[2], function[3]) / before;
     out << "rigid " << mesh.name_of(condition) << ' ' << exact(function[0]) << ' '
-        << exact(function[1]) << ' ' << exact(angle_of(1 + by.x, by.y) * 180 / pi) << ' '
-        << exact(length_of(1 + by.x, by.y)) << '\n';
+        << exact(function[1]) << ' ' << exact(angle_of(by.real(), by.imag()) * 180 / pi) << ' '
+        << exact(length_of(by.real(), by.imag())) << '\n';
 }
 
 void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis,

@@ -12,6 +12,7 @@
 #include "work/basis_file.hpp"
 #include "work/to_airfoil.hpp"
 
+#include <complex>
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
@@ -27,7 +28,7 @@ struct Movable {
     std::vector<hm_condition> conditions;
     std::function<const hm_curves&()> curves;  // throws a Failure if their places are unknown
     // Basis::body_rotation(); empty: no body has turned.
-    std::function<Rotation(std::int32_t)> body_rotation = {};
+    std::function<std::complex<double>(std::int32_t)> body_rotation = {};
     std::vector<std::int32_t> mover = {};  // these two: see ConditionsOfMesh
     std::int32_t n_curves = 0;
 
@@ -46,7 +47,7 @@ bool has_section_movements(const TextFile& text);
 // Writes the line of the body of this condition. function: its two pairs; before: its rotation
 // before the movement.
 void write_body(std::ostream& out, const Mesh& mesh, const hm_condition& condition,
-                const double* function, const Rotation& before = {});
+                const double* function, std::complex<double> before = 1);
 void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis,
                  const Mesh& mesh);
 

@@ -7,6 +7,7 @@
 #include "files/text_file.hpp"
 
 #include <cmath>
+#include <complex>
 #include <map>
 #include <ostream>
 
@@ -26,11 +27,11 @@ void add_bodies(std::vector<Row>& rows, const std::vector<double>& g, const Basi
         const auto at = static_cast<std::size_t>(2 * basis.n_control() + 4 * condition.body);
         // A body that has turned by s0 is moved by (s - 1) s0 with s = scale (cos a, sin a): the
         // derivatives by the angle and by the scale are i s0 and s0.
-        const Rotation s0 = basis.body_rotation(condition.body);
-        const double by_angle = g[at + 3] * s0.x - g[at + 2] * s0.y,
-                     by_scale = g[at + 2] * s0.x + g[at + 3] * s0.y;
-        rows.push_back(
-            {"rigid", mesh.name_of(condition), {g[at], g[at + 1], by_angle * pi / 180, by_scale}});
+        const std::complex<double> s0 = basis.body_rotation(condition.body),
+                                   by = std::complex<double>(g[at + 2], g[at + 3]) * std::conj(s0);
+        rows.push_back({"rigid",
+                        mesh.name_of(condition),
+                        {g[at], g[at + 1], by.imag() * pi / 180, by.real()}});
     });
 }
 
