@@ -122,11 +122,13 @@ void WallMovement::set_up(Basis const& basis) noexcept {
             }
         }
     }
-    factor(regularise(basis));
+    regularise(basis);
+    factor();
 }
 
-// Adds the regularisation. Returns the smallest entry that a diagonal may have.
-Real WallMovement::regularise(Basis const& basis) noexcept {
+// Adds the regularisation. Half of what a diagonal entry gets, which `step` receives, is the
+// smallest pivot of its row.
+void WallMovement::regularise(Basis const& basis) noexcept {
     Offset const n = unknown.count();
     Index const shapes = basis.header->counts.shapes();
     Real sum = 0;
@@ -135,16 +137,17 @@ Real WallMovement::regularise(Basis const& basis) noexcept {
     Real const mean = sum > 0 ? sum / shapes : 1;
     for (Index i = 0; i < n; ++i) {
         Real& diagonal = matrix[i * n + i].x;
-        diagonal += regularisation * (i < shapes || diagonal == 0 ? mean : diagonal);
+        Real const added = regularisation * (i < shapes || diagonal == 0 ? mean : diagonal);
+        diagonal += added;
+        step[i] = {added / 2, 0};
     }
-    return 0.5 * regularisation * mean;
 }
 
-void WallMovement::factor(Real smallest_pivot) noexcept {
+void WallMovement::factor() noexcept {
     Offset const n = unknown.count();
     for (Offset k = 0; k < n; ++k) {
         // Rounding may remove from a small entry what was added to it.
-        Real const pivot = sqrt(max(matrix[k * n + k].x, smallest_pivot));
+        Real const pivot = sqrt(max(matrix[k * n + k].x, step[k].x));
         matrix[k * n + k] = {pivot, 0};
         for (Offset i = k + 1; i < n; ++i) matrix[i * n + k] = (1 / pivot) * matrix[i * n + k];
         for (Offset i = k + 1; i < n; ++i) {

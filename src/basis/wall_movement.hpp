@@ -33,7 +33,7 @@ struct WallMovement {
     // [unknowns] The numbers of the functions, then for each curve (r - 1) times the scale of the
     // curve.
     Span<Vec2> unknown;
-    Span<Vec2> step;   // [unknowns]
+    Span<Vec2> step;   // [unknowns] A correction, or the smallest pivots.
     Span<Vec2> first;  // [unknowns] The solution in which no offset rotates.
     // [curves] The largest offset of a point from the curve; 0 if no offset rotates.
     Span<Real> scale;
@@ -52,8 +52,8 @@ private:
     BoundaryError find_solution(Basis const& basis, Points at) noexcept;
     void measure(Basis const& basis, Points at) noexcept;
     void set_up(Basis const& basis) noexcept;
-    Real regularise(Basis const& basis) noexcept;
-    void factor(Real smallest_pivot) noexcept;
+    void regularise(Basis const& basis) noexcept;
+    void factor() noexcept;
     void solve() noexcept;
 };
 

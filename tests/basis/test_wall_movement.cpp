@@ -138,6 +138,30 @@ TEST_CASE("the movement so far is the sum of all morphs for every kind of basis"
     }
 }
 
+TEST_CASE("the movement so far of a rigid body is found in any unit of length") {
+    for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
+        for (double const unit : {1e-60, 1e-8, 1.0, 1e60}) {
+            INFO(operator_kind, ' ', unit);
+            Case setup;
+            setup.mesh = annulus(4, 12, unit, 3 * unit);
+            setup.set_rigid(body, 0.5 * unit, 0.25 * unit);
+            Solved solved(setup.problem(), options_of(operator_kind));
+            REQUIRE(solved.status >= 0);
+            // A translation in units of length, and s - 1 of a rotation with a scale.
+            std::vector<double> const move = {0.3 * unit, -0.2 * unit, 0.1, 0.4};
+            std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
+            REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
+                             nullptr) == HM_OK);
+            Recovered const found(solved.basis, x, y);
+            INFO(found.error.text);
+            REQUIRE(found.status == HM_OK);
+            CHECK(found.residual < 1e-14 * unit);
+            for (std::size_t k = 0; k < 4; ++k)
+                CHECK(std::fabs(found.move[k] - move[k]) < 1e-12 * (k < 2 ? unit : 1));
+        }
+    }
+}
+
 TEST_CASE("the movement so far is found for design variables and for modes at given points") {
     Case setup = curve_and_table();
     Solved solved(setup.problem(), options_of(HM_CONFORMAL));
