@@ -136,6 +136,46 @@ void SolutionCheck::quality(hm_points const& to, std::vector<Point> const& at) {
         expect(report.crossing_points[0] == -1, "points of a crossing that is none");
 }
 
+std::vector<Point> SolutionCheck::next_mesh() {
+    Numbers dx(n_, 7), dy(n_, 7), x(n_), y(n_);
+    displace_by(its_.basis, move_, dx, dy);
+    hm_points const by{dx.data(), dy.data(), 1};
+    hm_step_report report = sized<hm_step_report>();
+    expect_done(hm_assess(its_.basis, &problem_.mesh, nullptr, &by, nullptr, nullptr, &report,
+                          nullptr, &error_),
+                error_, "a step");
+    double const part = std::min(1.0, 0.5 * std::min(report.admissible, report.boundary));
+    for (std::size_t k = 0; k < n_; ++k) {
+        x[k] = problem_.domain.points[k].x + part * dx[k];
+        y[k] = problem_.domain.points[k].y + part * dy[k];
+    }
+    slide(x, y);
+    std::vector<Point> const at = moved(x, y);
+    bool const is_mesh =
+        inverted_cells(judged_, at, 1e-9) == 0 && !find_crossings(problem_.domain, at).crosses;
+    return is_mesh ? at : std::vector<Point>();
+}
+
+void SolutionCheck::recovered_from(std::vector<Point> const& origin) {
+    hm_points const at = problem_.mesh.points;
+    std::size_t bytes = 0;
+    expect_done(fixtures::recover_movement_size(its_.basis, &bytes, &error_), error_,
+                "the size of a movement");
+    Numbers found(move_.size(), 7), dx(n_, 7), dy(n_, 7);
+    expect_done(
+        hm_recover_movement(its_.basis, &at, 0, found.data(), nullptr,
+                            fixtures::Memory(its_.blocks.take(bytes).data(), bytes), &error_),
+        error_, "the movement of a mesh");
+    displace_by(its_.basis, found, dx, dy);
+    for (std::int32_t slot = 0; slot < info_.curve_points; ++slot) {
+        std::size_t const k = std::size_t(info_.curve_point[slot]);
+        Point const to = problem_.domain.points[k];
+        expect(std::hypot(origin[k].x + dx[k] - to.x, origin[k].y + dy[k] - to.y) <=
+                   1e-9 * problem_.size(),
+               "the movement that is found does not lead the wall to where it is");
+    }
+}
+
 // <g, sum F dP> = <F^T g, dP>.
 void SolutionCheck::adjoint() {
     Numbers gx(n_), gy(n_), dx(n_), dy(n_), gradient(move_.size());

@@ -224,16 +224,26 @@ void SolutionCheck::field_follows(hm_basis* derivative, hm_safe_options const& g
            "the derivative of one linear step differs from differences by " + shown(worst));
 }
 
-// Points of curves have moved as the B-spline of the movement that was reached, but for offsets
-// that turned along.
+// Points of rigid bodies have moved as hm_morph moves them by the movement that was reached, points
+// of curves as the B-spline, but for offsets that turned along.
 void SolutionCheck::wall_is_at(std::vector<Point> const& at, Numbers const& reached,
                                double rotated_offset) {
     double const size = problem_.size();
     double largest = size;
     for (double const number : reached) largest = std::max(largest, std::abs(number));
+    Numbers body_x(n_, 7), body_y(n_, 7);
+    displace_by(its_.basis, reached, body_x, body_y);
     for (std::int32_t slot = 0; slot < info_.curve_points; ++slot) {
         std::int32_t const curve = info_.point_curve[slot];
-        if (curve >= info_.curves || info_.offset_correction != 0) continue;
+        if (curve >= info_.curves) {
+            std::size_t const point = std::size_t(info_.curve_point[slot]);
+            Point const from = problem_.domain.points[point];
+            expect(std::hypot(at[point].x - from.x - body_x[point],
+                              at[point].y - from.y - body_y[point]) <= 1e-12 * largest,
+                   "a point of a rigid body is not where the movement leads");
+            continue;
+        }
+        if (info_.offset_correction != 0) continue;
         Numbers const basis = basis_functions(problem_.on_walls.view, curve, info_.point_u[slot]);
         std::size_t const k = std::size_t(info_.curve_point[slot]);
         Wide dx = 0, dy = 0;

@@ -229,6 +229,15 @@ double Problem::size() const {
     return size;
 }
 
+void Problem::move_to(std::vector<Point> const& points) {
+    domain.points = points;
+    std::size_t const stride = std::size_t(std::max<std::int64_t>(mesh.points.stride, 1));
+    double* const x = coordinates.data() + (mesh.points.x - coordinates.data());
+    double* const y = coordinates.data() + (mesh.points.y - coordinates.data());
+    for (std::size_t k = 0; k < points.size(); ++k)
+        x[k * stride] = points[k].x, y[k * stride] = points[k].y;
+}
+
 std::unique_ptr<Problem> make_problem(Input& input, Cells cells) {
     std::unique_ptr<Problem> out = std::make_unique<Problem>();
     Problem& problem = *out;

@@ -65,8 +65,9 @@ struct Problem {
     Options options;
     hm_executor executor;
 
-    std::int32_t functions() const;  // of all control points and bodies
-    double size() const;             // the largest coordinate
+    std::int32_t functions() const;                  // of all control points and bodies
+    double size() const;                             // the largest coordinate
+    void move_to(std::vector<Point> const& points);  // in the arrays of the mesh
 };
 enum class Cells { triangles_and_quads, polygons };
 std::unique_ptr<Problem> make_problem(Input& input, Cells cells = Cells::triangles_and_quads);

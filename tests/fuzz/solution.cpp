@@ -14,7 +14,10 @@ Solution::Solution(Problem const& given_problem, Input& input)
              init_by(hm_analysis_init, &analysis, &problem.problem, &problem.options)) &&
         make(size_by(fixtures::plan_size, analysis), init_by(hm_plan_init, &plan, analysis)) &&
         make(size_by(fixtures::basis_size, analysis), init_by(hm_basis_init, &basis, analysis));
-    if (!made) return;
+    if (made) solve();
+}
+
+void Solution::solve() {
     status = hm_plan_factor(plan, nullptr, &error);
     expect_told(status, error);
     if (status < 0) return;

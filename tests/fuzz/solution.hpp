@@ -11,6 +11,7 @@ namespace fuzz {
 class Solution {
 public:
     Solution(Problem const& problem, Input& input);
+    void solve();  // at the coordinates of the mesh, which may have moved
 
     Problem const& problem;
     hm_analysis* analysis = nullptr;

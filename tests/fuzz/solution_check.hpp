@@ -11,8 +11,14 @@ namespace fuzz {
 // All checks of one solution, with one random movement of its control points and bodies.
 class SolutionCheck {
 public:
-    SolutionCheck(Solution& solution, Input& input);
+    // judged: the mesh at which the problem was analysed, where polygons are divided for good.
+    SolutionCheck(Solution& solution, Judged judged, Input& input);
     void all();
+    // The points after a part of the movement that leaves a mesh valid; none if there is no such
+    // mesh.
+    std::vector<Point> next_mesh();
+    // That the movement of the points from `origin`, where the basis was made, is found.
+    void recovered_from(std::vector<Point> const& origin);
 
 private:
     using Numbers = std::vector<double>;
