@@ -10,6 +10,7 @@
 #include "failure.hpp"
 #include "files/text_file.hpp"
 #include "scratch_folder.hpp"
+#include "silence.hpp"
 #include "target.hpp"
 #include "work/basis_file.hpp"
 #include "work/moves_file.hpp"
@@ -20,7 +21,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fcntl.h>
 #include <set>
 #include <sstream>
 #include <sys/wait.h>
@@ -28,27 +28,6 @@
 
 namespace fuzz {
 namespace {
-
-// What is written to an open file, as to the standard output, goes nowhere while this exists.
-class Silence {
-public:
-    explicit Silence(std::FILE* stream) : stream_(stream), kept_(dup(fileno(stream))) {
-        std::fflush(stream_);
-        int const nowhere = open("/dev/null", O_WRONLY);
-        dup2(nowhere, fileno(stream_));
-        close(nowhere);
-    }
-    ~Silence() {
-        std::fflush(stream_);
-        dup2(kept_, fileno(stream_));
-        close(kept_);
-    }
-    Silence(Silence const&) = delete;
-
-private:
-    std::FILE* stream_;
-    int kept_;
-};
 
 // The mesh box(), and bases of it: of a curve with slipping sides, and of a rigid body between
 // periodic sides.

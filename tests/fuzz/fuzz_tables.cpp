@@ -1,10 +1,12 @@
 // Damaged tables of movements and of sensitivities. What the program accepts must mean what a
 // second reader finds in the text: this one is written from the pages of the formats, splits lines
-// by hand, and reads numbers by strtod. Lines whose meaning needs more than the text (names in
-// quotes, patterns of names, the quarter chord, flaps) are not compared.
+// by hand, and reads numbers by strtod. Two movements, one after the other, must add up. Lines
+// whose meaning needs more than the text (names in quotes, patterns of names, the quarter chord,
+// flaps) are not compared.
 #include "commands/commands.hpp"
 #include "failure.hpp"
 #include "scratch_folder.hpp"
+#include "silence.hpp"
 #include "target.hpp"
 #include "work/basis_file.hpp"
 #include "work/moves_file.hpp"
@@ -333,6 +335,55 @@ void check_moves(TableFiles const& files, bool is_body, Input& input) {
     compare_with([&] { return MovesByText(control).read(text); }, found, 1e-12 * largest, text);
 }
 
+// Two lines, the second for the mesh that the first one has left: curves and bodies go on from
+// their places, a body about its moved centre. The corners of the block are its control points.
+void check_second_morph(TableFiles const& files, bool is_body, Input& input) {
+    std::vector<double> const corners{2, 2, 4, 2, 4, 4, 2, 4};
+    auto const some = [&](double low, double high) {
+        return ' ' + shown(input.between(low, high));
+    };
+    auto const line = [&] {
+        if (is_body)
+            return "rigid block" + some(-.3, .3) + some(-.3, .3) + some(-9, 9) + some(.8, 1.2);
+        std::string const at = some(2, 4) + ',' + shown(input.between(2, 4));
+        switch (input.below(4)) {
+            case 0: return "shift block" + some(-.3, .3) + some(-.3, .3);
+            case 1: return "turn block" + some(-9, 9) + at;
+            case 2: return "scale block" + some(.8, 1.2) + at;
+            default: return shown(input.from(1, 4)) + some(-.3, .3) + some(-.3, .3);
+        }
+    };
+    std::string from = files.mesh_path, texts;
+    std::vector<double> expected = corners;
+    Place centre{3, 3};
+    for (char const* const name : {"1.su2", "2.su2"}) {
+        std::string const text = line(), to = files.folder.file(name);
+        texts += text + '\n';
+        try {
+            cli::run_command({"morph", from, is_body ? files.body_basis : files.curve_basis, "--by",
+                              text, "-o", to, "--force"});
+        } catch (cli::Failure const&) {
+            return;
+        }  // the cells do not allow this movement
+        std::vector<double> const moves =
+            MovesByText(is_body ? std::vector<double>() : expected).read(text);
+        for (std::size_t k = 0; k < expected.size(); k += 2) {
+            double const a = expected[k] - centre.x, b = expected[k + 1] - centre.y;
+            expected[k] += is_body ? moves[0] + moves[2] * a - moves[3] * b : moves[k];
+            expected[k + 1] += is_body ? moves[1] + moves[2] * b + moves[3] * a : moves[k + 1];
+        }
+        if (is_body) centre = {centre.x + moves[0], centre.y + moves[1]};
+        from = to;
+    }
+    cli::Mesh const moved = cli::read_mesh(from);
+    std::vector<double> found = corners;
+    for (std::size_t point = 0; point < moved.x.size(); ++point)
+        for (std::size_t k = 0; k < corners.size(); k += 2)
+            if (files.mesh.x[point] == corners[k] && files.mesh.y[point] == corners[k + 1])
+                found[k] = moved.x[point], found[k + 1] = moved.y[point];
+    compare(found, expected, 1e-11, texts);
+}
+
 void check_sensitivities(TableFiles const& files, Input& input) {
     bool const has_names = input.one_in(2);
     std::string text = has_names ? "PointID,x,y,Sensitivity_x,Sensitivity_y\n" : "# plain\n";
@@ -361,11 +412,18 @@ void check_sensitivities(TableFiles const& files, Input& input) {
 }  // namespace
 
 Outcome run_tables(Input& input) {
+    Silence const output(stdout);
+#ifndef LIBFUZZER  // which writes to the standard error itself, as the sanitizers do
+    Silence const warnings(stderr);
+#endif
     static TableFiles const files;
     try {
-        switch (input.below(3)) {
-            case 0: check_moves(files, false, input); break;
-            case 1: check_moves(files, true, input); break;
+        switch (input.below(8)) {
+            case 0:
+            case 1: check_moves(files, false, input); break;
+            case 2:
+            case 3: check_moves(files, true, input); break;
+            case 4: check_second_morph(files, input.one_in(2), input); break;
             default: check_sensitivities(files, input);
         }
     } catch (cli::Failure const& failure) {
