@@ -15,7 +15,7 @@ namespace fuzz {
 
 // That a refusal has a code, and a text of one line.
 inline void expect_told(hm_status status, hm_error const& error) {
-    expect(status >= HM_CROSSING && status <= HM_POOR, "a status that does not exist");
+    expect(status >= HM_CROSSING && status <= HM_FAR_FROM_POINTS, "a status that does not exist");
     expect(error.code == status, "error.code is not the status");
     std::size_t const length = strnlen(error.text, sizeof error.text);
     expect(length < sizeof error.text, "a text without an end");

@@ -116,7 +116,8 @@ Outcome run_with(Cells cells, Input& input) {
         Exceptions::expect_none(solution.status >= 0 ? "a broken problem that is solved"
                                                      : solution.error.text);
     if (!is_broken && solution.analysis != nullptr)
-        expect(inverted_cells(judge_by_header(problem->domain), problem->domain.points) == 0,
+        expect(inverted_cells(judge_by_header(problem->domain), problem->domain.points,
+                              rounding_of_turns(problem->domain)) == 0,
                "a mesh with inverted cells is taken");
     if (solution.status < 0) return Outcome::refused;
     if (is_broken) return Outcome::done;

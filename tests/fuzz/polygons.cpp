@@ -154,12 +154,10 @@ Judged judge_by_header(Domain const& domain) {
     for (std::size_t c = 0; c < domain.cells.size(); ++c) {
         Cell const& cell = domain.cells[c];
         std::size_t const n = cell.size();
-        // Differences first: of large numbers nothing would be left.
-        Point const origin = domain.points[static_cast<std::size_t>(cell[0])];
-        std::vector<WidePoint> at;
+        std::vector<WidePoint> at;  // exact: differences with a common origin would be rounded
         for (std::int32_t const k : cell) {
             Point const p = domain.points[static_cast<std::size_t>(k)];
-            at.push_back({Wide(p.x) - origin.x, Wide(p.y) - origin.y});
+            at.push_back({p.x, p.y});
         }
         std::vector<Kind> kinds;
         for (std::size_t k = 0; k < n; ++k)

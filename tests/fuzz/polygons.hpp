@@ -24,6 +24,9 @@ struct Judged {
     std::int32_t ambiguous = 0;  // cells with two divisions that are equally good: no triangles
 };
 
+// The sine of a turned corner has rounding errors: smaller sines may have either sign.
+inline double rounding_of_turns(Domain const& domain) { return domain.has_polygons ? -1e-15 : 0; }
+
 // The corners of cells are taken as they are listed, counter-clockwise. Divisions are found by
 // recursion, in more digits than the library has.
 Judged judge_by_header(Domain const& domain);

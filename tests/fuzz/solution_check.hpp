@@ -51,8 +51,6 @@ private:
     double extent() const;
     std::vector<Point> moved(Numbers const& x, Numbers const& y) const;
     bool marker_slides(std::int32_t marker) const;
-    // The sine of a turned corner has rounding errors: smaller sines may have either sign.
-    double rounding_of_turns() const { return problem_.domain.has_polygons ? -1e-15 : 0; }
     bool is_real() const { return info_.numbers_per_value == 1; }
 
     Solution& its_;
