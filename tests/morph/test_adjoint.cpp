@@ -1,4 +1,5 @@
 // The adjoint is exact to rounding, and has the same bits however the points are shared out.
+#include "base/executor.hpp"
 #include "private.h"
 #include <doctest/doctest.h>
 
@@ -44,7 +45,8 @@ TEST_CASE("the same bits on threads, in any order of their tasks") {
         Backwards order;
         hm_executor const executor = order.executor(threads);
         CHECK(same_bits(adjoint(solved.basis, g, &executor), expected));
-        CHECK(order.tasks > 2 * order.calls);
+        if (harmorph::sharing(2) == 2)
+            CHECK(order.tasks > 2 * order.calls);  // where flags are atomic
         g.x.back() = std::nan("");
         for (double const value : adjoint(solved.basis, g, &executor)) CHECK(std::isnan(value));
         g.x.back() = 0;
