@@ -322,7 +322,7 @@ void Residual::lay_out(Arena& arena, Index unknowns, Index couplings, MatrixKind
     arena.take(latest, waits ? unknowns : 0);
     arena.take(next, waits ? Offset{unknowns} + couplings : 0);
     arena.take(passed, waits ? unknowns : 0);
-    arena.take(norms, waits ? 2 * max_subtrees * width : 0);
+    arena.take(norms, waits ? 2 * max_subtrees * max_width : 0);
 }
 
 void Residual::choose_subtrees(AssemblyTree const& tree, Executor const& by) noexcept {

@@ -104,13 +104,13 @@ struct Residual {
     Span<Index> next;  // [n + couplings] The entry of the same list before this one.
     // [n] For each listed row, the number of entries before the one by which the row is listed.
     Span<Index> passed;
-    Span<Real> norms;  // [subtrees x width x 2] The sums of each subtree for Norms.
+    Span<Real> norms;  // [subtrees x max_width x 2] The sums of each subtree for Norms.
     // The subtrees are the same for any number of threads; if there are none, all rows are summed
     // one after the other.
     SubtreeRanges subtrees;
     Executor executor;
 
-    Real* norms_of_subtree(Index i) const noexcept { return norms.data() + 2 * i * width; }
+    Real* norms_of_subtree(Index i) const noexcept { return norms.data() + 2 * i * max_width; }
     void lay_out(Arena& arena, Index unknowns, Index couplings, MatrixKind kind,
                  Index n_columns = 6) noexcept;
     // Chooses the subtrees; rows are in the order of elimination of this tree.

@@ -305,7 +305,8 @@ TEST_CASE("kernels give the same bits, of whole blocks of columns and of parts o
 
 TEST_CASE("subtrees of rows have the residuals of rows in turn for any number of threads") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
-        Case setup = ring_case(60, 130, 0.5, 2, Cells::hybrid, 3, 8);
+        Index const n_functions = 8;
+        Case setup = ring_case(60, 130, 0.5, 2, Cells::hybrid, 3, n_functions);
         Options const options = with(kind, HM_DIRECT);
         Solved const solved(setup, &options);
         harmorph::Plan const& plan = inside(solved.plan);
@@ -316,8 +317,10 @@ TEST_CASE("subtrees of rows have the residuals of rows in turn for any number of
         REQUIRE(residual.subtrees.count > 4);
         REQUIRE(matrix.fixed_row.count() > 0);
         Index const n = residual.width, wrong = matrix.n / 3;
-        dofs.at(wrong)[1] += 1e-3;  // what is left is not rounding alone
+        REQUIRE(n < n_functions);
+        for (Index const column : {1, n}) dofs.at(wrong)[column] += 1e-3;  // more than rounding
         residual.choose_subtrees({}, {});
+        harmorph::Residual::Norms const beyond = residual.compute(matrix, dofs, n, n_functions - n);
         harmorph::Residual::Norms const plain = residual.compute(matrix, dofs, 0, n);
         std::vector<double> const expected(residual.value.begin(), residual.value.end());
         std::vector<double> first;
@@ -336,6 +339,14 @@ TEST_CASE("subtrees of rows have the residuals of rows in turn for any number of
                 CHECK(std::fabs(shared.rest[k] - plain.rest[k]) < 1e-9 * plain.rest[1]);
                 found.push_back(shared.right_hand_side[k]);
                 found.push_back(shared.rest[k]);
+            }
+            // The norms alone, of more columns than are stored at a time.
+            harmorph::Residual::Norms const all = residual.measure(matrix, dofs, 0, n_functions);
+            for (Index k = 0; k < n_functions; ++k) {
+                double const expected_rest = k < n ? plain.rest[k] : beyond.rest[k - n];
+                CHECK(std::fabs(all.rest[k] - expected_rest) < 1e-9 * plain.rest[1]);
+                found.push_back(all.right_hand_side[k]);
+                found.push_back(all.rest[k]);
             }
             if (first.empty()) first = found;
             CHECK(same_bits(found, first));
