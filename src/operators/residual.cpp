@@ -221,20 +221,15 @@ Residual::Norms find_balances(Residual const& work, Matrix const& matrix, DofVal
     Index left_over[max_subtrees];
     work.executor.for_each(subtrees.count, [&](Index i) {
         BalancedRows task{subtrees.subtree[i], subtrees.subtree[i].end};
-        Residual::Norms of_subtree;
-        find(work, matrix, dofs, first, n, task, stores, of_subtree);
-        Real* const numbers = work.norms_of_subtree(i);
-        for (Index k = 0; k < n; ++k) {
-            numbers[2 * k] = of_subtree.right_hand_side[k];
-            numbers[2 * k + 1] = of_subtree.rest[k];
-        }
+        work.norms_of_subtree[i] = {};
+        find(work, matrix, dofs, first, n, task, stores, work.norms_of_subtree[i]);
         left_over[i] = task.left_over;
     });
     for (Index i = 0; i < subtrees.count; ++i) {
-        const Real* const numbers = work.norms_of_subtree(i);
+        Residual::Norms const& of_subtree = work.norms_of_subtree[i];
         for (Index k = 0; k < n; ++k) {
-            norms.right_hand_side[k] += numbers[2 * k];
-            norms.rest[k] += numbers[2 * k + 1];
+            norms.right_hand_side[k] += of_subtree.right_hand_side[k];
+            norms.rest[k] += of_subtree.rest[k];
         }
         list_rows_left_over(work, matrix, left_over[i]);
     }
@@ -322,7 +317,7 @@ void Residual::lay_out(Arena& arena, Index unknowns, Index couplings, MatrixKind
     arena.take(latest, waits ? unknowns : 0);
     arena.take(next, waits ? Offset{unknowns} + couplings : 0);
     arena.take(passed, waits ? unknowns : 0);
-    arena.take(norms, waits ? 2 * max_subtrees * max_width : 0);
+    arena.take(norms_of_subtree, waits ? max_subtrees : 0);
 }
 
 void Residual::choose_subtrees(AssemblyTree const& tree, Executor const& by) noexcept {

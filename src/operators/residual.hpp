@@ -94,6 +94,13 @@ struct DofValues {
 struct Residual {
     static constexpr Index max_width = 24;
 
+    // The squared 2-norms of b and of b - A F for the columns first .. first+n-1.
+    struct Norms {
+        Real right_hand_side[max_width] = {}, rest[max_width] = {};
+        // Returns |b - A F| / |b|, or the numerator alone if b is 0.
+        Real relative(Index k) const noexcept;
+    };
+
     Index width = 6;                   // The width is at most `max_width`.
     Kernel kernel = Kernel::baseline;  // All kernels give the same bits.
     // [n x planes x width] Rows by position: b - A F, real and then imaginary parts.
@@ -104,23 +111,17 @@ struct Residual {
     Span<Index> next;  // [n + couplings] The entry of the same list before this one.
     // [n] For each listed row, the number of entries before the one by which the row is listed.
     Span<Index> passed;
-    Span<Real> norms;  // [subtrees x max_width x 2] The sums of each subtree for Norms.
+    Span<Norms> norms_of_subtree;
     // The subtrees are the same for any number of threads; if there are none, all rows are summed
     // one after the other.
     SubtreeRanges subtrees;
     Executor executor;
 
-    Real* norms_of_subtree(Index i) const noexcept { return norms.data() + 2 * i * max_width; }
     void lay_out(Arena& arena, Index unknowns, Index couplings, MatrixKind kind,
                  Index n_columns = 6) noexcept;
     // Chooses the subtrees; rows are in the order of elimination of this tree.
     void choose_subtrees(AssemblyTree const& tree, Executor const& by) noexcept;
-    // The squared 2-norms of b and of b - A F for the columns first .. first+n-1, n <= width.
-    struct Norms {
-        Real right_hand_side[max_width] = {}, rest[max_width] = {};
-        // Returns |b - A F| / |b|, or the numerator alone if b is 0.
-        Real relative(Index k) const noexcept;
-    };
+    // Stores the residuals, n <= width.
     Norms compute(Matrix const& matrix, DofValues const& dofs, Index first, Index n) const noexcept;
     // Computes the norms alone, n <= max_width; not if x and y are coupled.
     Norms measure(Matrix const& matrix, DofValues const& dofs, Index first, Index n) const noexcept;

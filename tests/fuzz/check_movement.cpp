@@ -113,7 +113,7 @@ void SolutionCheck::quality(hm_points const& to, std::vector<Point> const& at) {
            "no quality");
     // Four differences, two products and their difference are rounded to 2^-53 each: 4.5e-16 of the
     // sides' lengths.
-    double const rounding = std::max(5e-16, -rounding_of_turns(problem_.domain));
+    double const rounding = std::max(5e-16, rounding_of_turns(problem_.domain));
     std::int32_t const least = inverted_cells(judged_, at, -rounding),
                        most = inverted_cells(judged_, at, rounding) + judged_.ambiguous;
     expect(report.inverted >= least && report.inverted <= most,

@@ -30,7 +30,7 @@ void SolutionCheck::improvement() {
                                                                     &options, &report, e);
                                               });
     if (status < 0) return expect_untouched(x), expect_untouched(y);
-    expect(inverted_cells(judged_, moved(x, y), rounding_of_turns(problem_.domain)) == 0,
+    expect(inverted_cells(judged_, moved(x, y), -rounding_of_turns(problem_.domain)) == 0,
            "an improved mesh has inverted cells");
     expect(report.min_quality > 0, "the report of an improvement has inverted cells");
     expect(report.min_quality >= report.min_quality_before,
@@ -90,7 +90,7 @@ void SolutionCheck::safe_morph() {
     for (Point const& p : at)
         expect(std::isfinite(p.x) && std::isfinite(p.y),
                "a safe morph leads to what is not finite");
-    std::int32_t const inverted = inverted_cells(judged_, at, rounding_of_turns(problem_.domain));
+    std::int32_t const inverted = inverted_cells(judged_, at, -rounding_of_turns(problem_.domain));
     expect(inverted == 0, std::to_string(inverted) + " inverted cells after a safe morph");
     expect(report.inverted == 0, "the report of a safe morph counts inverted cells");
     if (!find_crossings(problem_.domain, problem_.domain.points).crosses)

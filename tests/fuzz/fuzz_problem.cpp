@@ -117,7 +117,7 @@ Outcome run_with(Cells cells, Input& input) {
                                                      : solution.error.text);
     if (!is_broken && solution.analysis != nullptr)
         expect(inverted_cells(judge_by_header(problem->domain), problem->domain.points,
-                              rounding_of_turns(problem->domain)) == 0,
+                              -rounding_of_turns(problem->domain)) == 0,
                "a mesh with inverted cells is taken");
     if (solution.status < 0) return Outcome::refused;
     if (is_broken) return Outcome::done;

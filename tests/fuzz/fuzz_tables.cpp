@@ -363,8 +363,8 @@ void check_second_morph(TableFiles const& files, bool is_body, Input& input) {
             cli::run_command({"morph", from, is_body ? files.body_basis : files.curve_basis, "--by",
                               text, "-o", to, "--force"});
         } catch (cli::Failure const&) {
-            return;
-        }  // the cells do not allow this movement
+            return;  // a boundary that would cross itself, for instance
+        }
         std::vector<double> const moves =
             MovesByText(is_body ? std::vector<double>() : expected).read(text);
         for (std::size_t k = 0; k < expected.size(); k += 2) {

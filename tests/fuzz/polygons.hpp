@@ -25,7 +25,7 @@ struct Judged {
 };
 
 // The sine of a turned corner has rounding errors: smaller sines may have either sign.
-inline double rounding_of_turns(Domain const& domain) { return domain.has_polygons ? -1e-15 : 0; }
+inline double rounding_of_turns(Domain const& domain) { return domain.has_polygons ? 1e-15 : 0; }
 
 // The corners of cells are taken as they are listed, counter-clockwise. Divisions are found by
 // recursion, in more digits than the library has.
