@@ -478,6 +478,11 @@ void check_order(const PointTable& table, const Mesh& mesh, const PointNumbers& 
 
 }  // namespace
 
+bool has_points_of_file(const PointTable& table, const Mesh& mesh) {
+    return table.has_file_points && mesh.in_file.n_points > 0 &&
+           mesh.in_file.n_points == static_cast<std::int64_t>(table.rows());
+}
+
 double reach_of(const Mesh& mesh) {
     if (mesh.x.empty()) return 0;
     const auto x = std::minmax_element(mesh.x.begin(), mesh.x.end());
@@ -545,6 +550,12 @@ PointTable read_point_table(const std::string& path) {
 }
 
 std::vector<std::int32_t> points_of(const PointTable& table, const Mesh& mesh, bool in_order) {
+    if (has_points_of_file(table, mesh) && table.rows() != mesh.x.size()) {
+        throw Failure(exit_file, table.file->path() +
+                                     ": the file has values at all points in space of the mesh, "
+                                     "which is one cell thick; give values at the points of one "
+                                     "plane, such as a CSV table with the columns x and y");
+    }
     const PointColumns columns = table.point_columns();
     const bool is_numbered = columns.has_numbers(), is_placed = columns.has_places();
     const PointNumbers numbers(mesh);

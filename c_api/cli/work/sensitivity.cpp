@@ -171,12 +171,6 @@ Field boundary_normals(const Mesh& mesh) {
     return normals;
 }
 
-// Returns whether the rows are the points of the mesh's own file, which has three coordinates.
-bool has_points_of_file(const PointTable& table, const Mesh& mesh) {
-    return table.has_file_points && mesh.in_file.n_points > 0 &&
-           mesh.in_file.n_points == static_cast<std::int64_t>(table.rows());
-}
-
 // Adds to the derivatives by each point of the mesh those by all coordinates of the file that move
 // with this point, in both planes of a mesh that is one cell thick.
 Sensitivity by_points_of_file(const PointTable& table, const SensitivityColumns& columns,
