@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
@@ -109,6 +109,15 @@ def listed(mesh: Mesh, curves: Optional[Curves], given: Given) -> List[Tuple[int
         raise Error("No marker is on a curve, rigid or given; give `conditions`, or curves that were "
                     "fitted to markers of the mesh.", Error.BAD_CONDITION)
     return result
+
+
+def with_moved_centres(pairs: List[Tuple[int, Condition]], shifts: Any) -> List[Tuple[int, Condition]]:
+    """Return the pairs with the centres of rigid bodies translated by `shifts`, shape (bodies, 2) [length]."""
+    def moved(one: Condition) -> Condition:
+        x, y = pair(one.centre, "centre")
+        return replace(one, centre=(x + shifts[one.body][0], y + shifts[one.body][1]))
+
+    return [(marker, moved(one) if one.kind == "rigid" else one) for marker, one in pairs]
 
 
 def flux_arrays(curves: Optional[Curves], fluxes: Any) -> Any:

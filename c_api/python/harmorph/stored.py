@@ -6,6 +6,7 @@ import copy
 from typing import Any, Dict, Optional, Type, TypeVar
 
 from .basis import Basis
+from .conditions import with_moved_centres
 from .curves import Curves
 from .errors import Error
 from .mesh import Mesh
@@ -50,7 +51,8 @@ class Stored:
             are those after the movement, if this movement can be found, and points keep their places on the
             curves. Then :meth:`solve` makes functions of the mesh as it is, without which :meth:`safe` is
             refused. Rigid bodies, rotated offsets and lines of points that slip are those of `mesh` after
-            :meth:`solve`, not those of the first analysis.
+            :meth:`solve`, not those of the first analysis: the centre of a body is where the movement has taken
+            it, and :func:`harmorph.rigid` needs no `before` for what the body did before :meth:`load`.
         threads : int
             See :class:`Morph`.
 
@@ -73,7 +75,7 @@ class Stored:
         return self
 
     def _find_curves(self, basis: Basis) -> None:
-        """Find the curves at the coordinates of the mesh, to which all bodies have moved with them."""
+        """Find the curves and the centres of bodies at the coordinates of the mesh."""
         if basis.shape[0] == 0:
             return
         try:
@@ -84,6 +86,8 @@ class Stored:
             return
         if moved.any():
             self.curves = basis.curves(moved)
+            first = basis.shape[0] - basis.info.modes - 2 * basis.info.bodies
+            self._pairs = with_moved_centres(self._pairs, moved[first::2])
             basis.before = None if basis.has_moved else moved
 
     @classmethod
