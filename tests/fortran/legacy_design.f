@@ -326,17 +326,20 @@ C     A COMPLEX MODE, Z - (-.1, 0): (COS T - 1, SIN T) TURNS THE WALL.
 C     HMSOLV AFTER THE MESH HAS MOVED: THE CURVES ARE THOSE OF THE MOVED
 C     WALL, AND A MOVEMENT MOVES THE WALL AS BY THE FIRST FUNCTIONS. THE
 C     CURVE HAS SO FEW CONTROL POINTS THAT OFFSETS OF POINTS ARE LARGE.
-C     BODY 1: THE OUTER BOUNDARY IS A RIGID BODY.
+C     BODY 1: THE OUTER BOUNDARY IS A RIGID BODY, WHICH ROTATES ABOUT THE
+C     CENTRE THAT HAS MOVED WITH IT.
       SUBROUTINE AGAIN (W, LW, BODY, NA, NR, X, Y, XN, YN, CELLS, FACES,
      &                  MARKS)
       INTEGER LW, BODY, NA, NR, CELLS(4,*), FACES(2,*), MARKS(*)
       DOUBLE PRECISION W(LW), X(NA*NR), Y(NA*NR), XN(NA*NR), YN(NA*NR)
       DOUBLE PRECISION XW(100), YW(100), P(2,20), Q(2,20), D(2,20)
+      DOUBLE PRECISION XF(100), YF(100)
       DOUBLE PRECISION B(2,20), G(2,20), DMAX, RESID, S, AREA, BIG
       DOUBLE PRECISION DIFFER
-      INTEGER NP, NC, N, NF, STEP, I, K, IERR
+      INTEGER NP, NC, N, NF, STEP, I, K, L, IERR
       CHARACTER*112 MSG
       NP = NA*NR
+      L = NP - NA + 1
       NC = NA*(NR - 1)
       NF = 2*NA
       CALL MAKE (NA, NR, X, Y, CELLS, FACES, MARKS)
@@ -363,12 +366,17 @@ C     B SHIFTS ALL BY (0, 0.01), AND THEN BENDS THE CURVE.
             D(1,K) = 0.01D0*SIN(1.7D0*K)
             D(2,K) = 0.01D0*COS(2.9D0*K)
    20    CONTINUE
-         IF (BODY .EQ. 1) B(2,N+1) = 0.01D0
+         IF (BODY .EQ. 1) THEN
+            B(2,N+1) = 0.01D0
+            D(1,N+2) = COS(0.05D0) - 1D0
+            D(2,N+2) = SIN(0.05D0)
+         END IF
          CALL HMMEAS (W, 0, 0D0, B, AREA, G, IERR, MSG)
          CALL HMMORF (W, B, X, Y, 1, IERR, MSG)
          CALL COPY (NP, X, Y, XN, YN)
          CALL HMMORF (W, D, XN, YN, 1, IERR, MSG)
          CALL COPY (NA, XN, YN, XW, YW)
+         CALL COPY (NA, XN(L), YN(L), XF, YF)
          DO 50 I = 1, 3
             IF (I .NE. 2) CALL HMSOLV (W, X, Y, 1, RESID, IERR, MSG)
             IF (I .EQ. 2) CALL HMFACT (W, X, Y, 1, RESID, IERR, MSG)
@@ -377,6 +385,8 @@ C     B SHIFTS ALL BY (0, 0.01), AND THEN BENDS THE CURVE.
             CALL HMMORF (W, D, XN, YN, 1, IERR, MSG)
             CALL CHECK (DIFFER(NA, XN, YN, XW, YW) .LT. 1D-12,
      &                  'THE WALL FOLLOWS AS BEFORE', ' ')
+            CALL CHECK (DIFFER(NA, XN(L), YN(L), XF, YF) .LT. 1D-12,
+     &                  'THE OUTER BOUNDARY, TOO', ' ')
             CALL HMGETP (W, 20, Q, N, IERR, MSG)
             BIG = 0D0
             DO 30 K = 1, N
@@ -392,6 +402,8 @@ C     B SHIFTS ALL BY (0, 0.01), AND THEN BENDS THE CURVE.
             CALL CHECK (IERR .EQ. 0 .AND. BIG .LT. 1D-12,
      &                  'NO MOVEMENT SINCE HMSOLV: ', MSG)
    50    CONTINUE
+         D(1,N+2) = 0D0
+         D(2,N+2) = 0D0
          CALL HMSAFE (W, D, X, Y, XN, YN, 1, G, S, K, IERR, MSG)
          BIG = DIFFER(NA, XN, YN, XW, YW)
          CALL CHECK (IERR .EQ. 0 .AND. BIG .LT. 1D-12 + 1D-5*BODY,
