@@ -24,6 +24,7 @@ program use
     use polygons_tests
     use refusals_tests
     use safe_tests
+    use sequences_tests
     use slip_tests
     use storage_tests
     use structured_tests
@@ -96,6 +97,7 @@ program use
     call numbers_in_errors()
     call refusals()
     call shared_points()
+    call sequences()
     call tell_counts()
 
 contains
