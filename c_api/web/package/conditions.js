@@ -61,6 +61,15 @@ export function of_basis(library, mesh, basis, Curves) {
     });
 }
 
+/** Returns the pairs with the centres of rigid bodies translated; moves: four numbers for each body. */
+export function with_moved_centres(pairs, moves) {
+    return pairs.map(([marker, condition]) => {
+        if (condition.kind !== "rigid") return [marker, condition];
+        const { body, centre: [x, y] } = condition;
+        return [marker, { ...condition, centre: [x + moves[4 * body], y + moves[4 * body + 1]] }];
+    });
+}
+
 /** Writes an array of hm_condition into a scope and returns the address. */
 export function describe(scope, mesh, curves, pairs) {
     const alongs = new Map(); // conditions along the same curves share them, so that points slip on

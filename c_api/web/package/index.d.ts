@@ -293,11 +293,19 @@ export class Morph implements Owner {
     displaceAdjoint(fields: readonly NumbersIn[], options?: { wallPoints?: Integers }): Float64Array[];
     /** safe() for given displacements of wall points; move: of curves and rigid bodies in the same call. */
     displaceSafe(wall: NumbersIn, options?: SafeOptions & { move?: NumbersIn; wallPoints?: Integers }): Safe;
-    /** Solves again, on other coordinates of the mesh points, which become `start`. */
+    /**
+     * Solves again, on other coordinates of the mesh points, which become `start`. Functions of rigid bodies belong to
+     * the first analysis: the second pair of a body is s - 1 there, s = scale (cos a, sin a), and then s_new - s_old.
+     */
     solve(points?: NumbersIn): void;
     /** The bytes of a basis file, which C, Fortran, Python and the program read. */
     save(): Uint8Array;
-    /** Attaches a basis file; without the mesh there are displacement, morph with points, adjoint and matrix. */
+    /**
+     * Attaches a basis file; without the mesh there are displacement, morph with points, adjoint and matrix. The mesh
+     * may have moved by the functions of the basis: solve() then makes functions of the mesh as it is, without which
+     * safe() is refused. If the movement can be found, `curves` are those after it, and after solve() rigid bodies
+     * turn about the places to which their centres have moved. Before solve(), recover() begins at the first analysis.
+     */
     static load(bytes: Uint8Array, mesh?: Mesh | null): Morph;
     /** Gives analysis and plan back; calls that need them make them again. */
     release(): void;

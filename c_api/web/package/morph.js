@@ -1,6 +1,6 @@
 // Morph: the functions of a mesh, and all that is done with them.
 import { choice, number, refuse, show, whole } from "./errors.js";
-import { describe, listed, of_basis } from "./conditions.js";
+import { describe, listed, of_basis, with_moved_centres } from "./conditions.js";
 import { disposable, Owner } from "./library.js";
 
 const OPERATORS = { conformal: "HM_CONFORMAL", laplace: "HM_LAPLACE", weighted: "HM_WEIGHTED" };
@@ -34,6 +34,8 @@ export class Morph extends Owner {
         this.progress = options.progress;
         this.solveReport = null;
         this.basis = this.solver = this.problem = null;
+        this.known = null; // places on curves that are not found by projection
+        this.before = null; // the movement from the first analysis to the start; null: none
         if (mesh !== null) this.copy_mesh(mesh);
     }
 
@@ -51,11 +53,26 @@ export class Morph extends Owner {
 
     // ---- Analysis, plan, basis ----
 
+    // The basis is made at the coordinates of the first analysis, from which movements are recovered; where no
+    // movement leads the wall from there to the start, at the start.
     factor_and_solve() {
+        this.solve_from((body) => this.at_first(body));
+        this.before = null;
+        if (this.problem.projected === null || this.functions === 0) return;
+        try {
+            const move = this.recovered(this.start);
+            if (move.some((one) => one !== 0)) this.before = move;
+        } catch (error) {
+            if (error.code !== "HM_BAD_MESH") throw error;
+            this.solve_from((body) => body());
+        }
+    }
+
+    solve_from(at) {
         const solver = this.ready(), { layout } = this.library;
         const scope = this.own();
         try {
-            const address = scope.object("hm_basis_init", solver.analysis);
+            const address = at(() => scope.object("hm_basis_init", solver.analysis));
             const report = scope.struct("hm_solve_report");
             if (this.info_of(scope, address).functions > 0) {
                 this.run((_progress) => this.library.call("hm_plan_solve", solver.plan, address, report));
@@ -65,6 +82,19 @@ export class Morph extends Owner {
         } catch (error) {
             this.disown(scope);
             throw error;
+        }
+    }
+
+    // Runs the body while the mesh has the coordinates of the first analysis.
+    at_first(body) {
+        const { mesh, start, projected } = this.problem;
+        if (projected === null) return body();
+        const now = this.start, numbers = () => this.library.memory.numbers(start, 2 * mesh.nPoints);
+        numbers().set(projected);
+        try {
+            return body();
+        } finally {
+            numbers().set(now);
         }
     }
 
@@ -101,18 +131,23 @@ export class Morph extends Owner {
 
     make_solver() {
         if (this.problem === null) refuse("This call needs the mesh; give it to Morph.load().", "HM_BAD_BASIS");
-        const { mesh, address, start, projected } = this.problem;
-        const scope = this.own();
-        const now = projected === null ? null : this.library.memory.numbers(start, 2 * mesh.nPoints).slice();
+        return this.at_first(() => this.solver_here()); // curve points keep the parameters of the first solution
+    }
+
+    solver_here() {
+        const { mesh, address } = this.problem, scope = this.own();
         try {
-            // Curve points keep the parameters of the first solution.
-            if (now !== null) this.library.memory.numbers(start, now.length).set(projected);
+            const known = this.known ?? { points: [], curves: [], u: [] };
             const curves = this.curves === null ? 0 : this.curves.describe(scope);
             const problem = scope.struct("hm_problem", {
                 mesh: address,
                 curves,
                 n_conditions: this.pairs.length,
                 conditions: describe(scope, mesh, this.curves, this.pairs),
+                n_known: known.points.length,
+                known_points: scope.integers(known.points, undefined, "known"),
+                known_curves: scope.integers(known.curves, undefined, "known"),
+                known_u: scope.numbers(known.u, undefined, "known"),
                 max_curve_distance: number(this.options.maxCurveDistance ?? 0, "maxCurveDistance"),
             });
             return this.run((progress) => {
@@ -126,8 +161,6 @@ export class Morph extends Owner {
         } catch (error) {
             this.disown(scope);
             throw error;
-        } finally {
-            if (now !== null) this.library.memory.numbers(start, now.length).set(now);
         }
     }
 
@@ -229,6 +262,12 @@ export class Morph extends Owner {
 
     /** Returns the movement that a mesh has made since the functions were solved. */
     recover(points, { tolerance = 0 } = {}) {
+        const move = this.recovered(points, tolerance);
+        return this.before === null ? move : move.map((one, k) => one - this.before[k]);
+    }
+
+    // The movement since the basis was made.
+    recovered(points, tolerance = 0) {
         const basis = this.open();
         return this.library.with((scope) => {
             const view = scope.points(points ?? [], this.nPoints, "points");
@@ -272,6 +311,11 @@ export class Morph extends Owner {
         try {
             this.run((_progress) => scope.with_memory((memory) =>
                 library.call("hm_move_safe", solver.plan, basis, target, to.points, memory, given, report)));
+        } catch (error) {
+            const is_of_place = this.info.bodies > 0 || this.info.offsetCorrection !== 0;
+            if (error.code !== "HM_BAD_BASIS" || this.known === null || !is_of_place) throw error;
+            refuse("The mesh has moved since the first analysis of this basis, on which its rigid bodies or offsets " +
+                "depend; call solve() first, or restore the coordinates.", "HM_BAD_BASIS");
         } finally {
             if (library.layout.get("hm_safe_report", report, "resolves") !== 0) this.solver.has_factor = false;
         }
@@ -394,7 +438,7 @@ export class Morph extends Owner {
     solve(points) {
         this.open();
         const solver = this.ready();
-        const { mesh, start } = this.problem, before = this.start;
+        const { mesh, start, projected } = this.problem, before = this.start;
         if (points !== undefined) {
             this.library.with((scope) => {
                 const from = scope.numbers(points, 2 * mesh.nPoints, "points");
@@ -403,9 +447,10 @@ export class Morph extends Owner {
             solver.has_factor = false;
         }
         try {
-            this.factor_and_solve();
             this.problem.projected ??= before;
+            this.factor_and_solve();
         } catch (error) {
+            this.problem.projected = projected;
             this.library.memory.numbers(start, before.length).set(before);
             solver.has_factor = false;
             throw error;
@@ -418,7 +463,7 @@ export class Morph extends Owner {
         return this.library.memory.u8.slice(address, address + this.info.bytes);
     }
 
-    /** Attaches a basis file. Without the mesh there are displacement, morph with points, adjoint. */
+    /** Attaches a basis file; see index.d.ts. */
     static load(bytes, mesh = null) {
         if (!(bytes instanceof Uint8Array)) refuse(`bytes must be a Uint8Array, not ${show(bytes)}.`);
         if (mesh !== null && typeof mesh.describe !== "function") refuse(`mesh must be a Mesh, not ${show(mesh)}.`);
@@ -429,9 +474,10 @@ export class Morph extends Owner {
             const block = scope.take(bytes.length);
             library.memory.u8.set(bytes, block);
             const slot = scope.take(4);
-            library.call("hm_basis_attach", slot, block, bytes.length, mesh === null ? 0 : mesh.address);
+            const status = library.call("hm_basis_attach", slot, block, bytes.length, mesh === null ? 0 : mesh.address);
             morph.take_basis(scope, library.memory.data.getUint32(slot, true));
             morph.restore();
+            if (mesh !== null && morph.functions > 0) morph.find_curves(status === library.constants.HM_MOVED);
         } catch (error) {
             morph.disown(scope);
             morph.free();
@@ -452,6 +498,39 @@ export class Morph extends Owner {
         };
         if (info.curves > 0) this.curves = Curves.of_basis("hm_basis_curves", info.curves, this.basis.address, 0, 0);
         if (problem !== null) this.pairs = of_basis(library, problem.mesh, this.basis.address, Curves);
+    }
+
+    // Finds the curves and the centres of bodies at the coordinates of the mesh. Points keep their places on curves.
+    find_curves(has_moved) {
+        this.known = this.places();
+        let move;
+        try {
+            move = this.recovered(this.start);
+        } catch (error) {
+            if (error.code !== "HM_BAD_MESH" && !(error.code === "HM_BAD_BASIS" && !has_moved)) throw error;
+            return;
+        }
+        if (move.every((one) => one === 0)) return;
+        const { Curves } = this.library.bound, { curves, controlPoints, modes, bodies } = this.info;
+        if (curves > 0) {
+            this.curves = this.library.with((scope) => Curves.of_basis("hm_basis_curves", curves, this.basis.address,
+                scope.copied(move), scope.take(16 * controlPoints)));
+        }
+        this.pairs = with_moved_centres(this.pairs, move.subarray(2 * (this.functions - modes - 2 * bodies)));
+        if (!has_moved) this.before = move;
+    }
+
+    // The mesh points on curves, their curves and their parameters.
+    places() {
+        return this.library.with((scope) => {
+            const { layout, memory } = this.library, info = scope.struct("hm_basis_info");
+            this.library.call("hm_basis_info_get", this.basis.address, info);
+            const of = (member) => layout.get("hm_basis_info", info, member), n = of("curve_points");
+            const points = [...memory.integers(of("curve_point"), n)];
+            const numbers = [...memory.integers(of("point_curve"), n)], u = [...memory.numbers(of("point_u"), n)];
+            const on_curve = (_, k) => numbers[k] < of("curves"); // the others belong to bodies, or are given
+            return { points: points.filter(on_curve), curves: numbers.filter(on_curve), u: u.filter(on_curve) };
+        });
     }
 
     /** Gives analysis and plan back. Calls that need them make them again, which takes time. */

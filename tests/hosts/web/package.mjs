@@ -1,5 +1,6 @@
 // usage: node package.mjs PACKAGE KERNEL   Every call of the package, by properties. Ends with "N passed, M failed".
 import { boundary, CONTROL, NI, NJ, POINTS, points, triangles } from "./case.mjs";
+import { sequence } from "./sequences.mjs";
 
 const { load } = await import(process.argv[2]);
 const warnings = [];
@@ -212,6 +213,15 @@ refused("loaded without a mesh: no plan", "HM_BAD_BASIS", () => alone.safe(a));
 near("loaded: analysis and plan are made again", loaded.safe(a).points, morph.safe(a).points, 0);
 loaded.free();
 alone.free();
+const solid = new hm.Morph(structured, null, new Map([[1, { kind: "rigid" }]])), shift = [0.01, 0, 0, 0];
+const shifted = new hm.Mesh(solid.morph(shift), { ni: NI, nj: NJ }, boundary());
+const on_shifted = hm.Morph.load(solid.save(), shifted);
+const { message } = refused("loaded on a mesh that has moved", "HM_BAD_BASIS", () => on_shifted.safe(shift));
+check("the refusal says what to do", message.includes("first analysis of this basis") && message.includes("solve()"),
+    message);
+on_shifted.solve();
+check("and safe() works after solve()", on_shifted.safe(shift).report.stepFraction === 1);
+for (const one of [on_shifted, shifted, solid]) one.free();
 
 // ---- Quality ----
 
@@ -396,6 +406,7 @@ survives("arguments of other types", () => {
     mesh.free?.();
 });
 structured.free();
+for (let k = 0; k < 20; ++k) sequence(hm, near, random);
 check("at the end nothing is in use but the error", hm.bytesInUse < 1000, `${hm.bytesInUse} bytes`);
 console.log(`${passed} passed, ${failed} failed`);
 process.exitCode = failed === 0 ? 0 : 1;
