@@ -198,7 +198,8 @@ void Contraction::weigh(Index point, Index most, Prolongation const& to) noexcep
             spread(point, j, entry);
         }
     });
-    Choice const choice = choose(most);
+    Choice choice;
+    choose(most, choice);
     // This is the diagonal with the entries that were moved to it. It is exactly -choice.all if the
     // row sum is 0, so that constants are interpolated exactly.
     Real const diagonal = rows.row_sum[point] - choice.all;
@@ -258,13 +259,14 @@ void Contraction::relax(Index point, Index most, Prolongation const& to) noexcep
             part_[to.column[f]] += entry * to.weight[f];
         }
     });
-    Choice const choice = choose(most);
+    Choice choice;
+    choose(most, choice);
     if (diagonal > 0 && choice.is_sound())
         put(point, choice, choice.count, clamp(deficit / diagonal, 0.0, 1.0), to);
 }
 
-Contraction::Choice Contraction::choose(Index most) const noexcept {
-    Choice out;
+// Not a result that is returned: g++ 11 at -O3 would say that it may be without values.
+void Contraction::choose(Index most, Choice& out) const noexcept {
     Weight* const weights = out.weights;
     for (Index c = 0; c < n_candidates_; ++c) {
         Index const column = candidates_[c];
@@ -279,7 +281,6 @@ Contraction::Choice Contraction::choose(Index most) const noexcept {
                                 Prolongation::smallest_weight * abs(weights[0].value))
         --out.count;
     for (Index k = 0; k < out.count; ++k) out.kept += weights[k].value;
-    return out;
 }
 
 // Writes the row of a fine point: `count` weights of the choice, in proportion to their parts.

@@ -211,7 +211,7 @@ private:
     void spread(Index point, Index over, Real entry) noexcept;
     void relax(Index point, Index most, Prolongation const& to) noexcept;
     void add_candidate(Index point, Index column) noexcept;
-    Choice choose(Index most) const noexcept;
+    void choose(Index most, Choice& out) const noexcept;
     void put(Index point, Choice const& choice, Index count, Real deficit,
              Prolongation const& to) noexcept;
     Offset close_gaps(Prolongation const& to) const noexcept;
