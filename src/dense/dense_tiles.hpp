@@ -395,9 +395,10 @@ void finish_tile(const Real* a, InSlabs<1> const& b, Index depth, const Real* in
     product.template add<Op::conjugate_transposed>(a, from, depth);
     product.finish(inverse, to, y, column_sums);
 }
-HARMORPH_INLINE void any_finish_tile(Index columns, const Real* a, InSlabs<1> const& b, Index depth,
-                                     const Real* inverse, InSlabs<1> const& d, const Real* y,
-                                     Real* column_sums) noexcept {
+[[maybe_unused]] HARMORPH_INLINE void any_finish_tile(Index columns, const Real* a,
+                                                      InSlabs<1> const& b, Index depth,
+                                                      const Real* inverse, InSlabs<1> const& d,
+                                                      const Real* y, Real* column_sums) noexcept {
     Index const vectors = vectors_of<1>(columns);
     auto const finish = vectors == 3   ? finish_tile<3>
                         : vectors == 2 ? finish_tile<2>
