@@ -112,8 +112,9 @@
  *                  with HM_BAD_ARGUMENT; what the rest would write is undefined.
  * NULL             NULL is allowed only where stated. hm_error may always be NULL.
  * Status           0: success. Positive: success with a warning, the result can be used. Negative:
- *                  the call was refused; outputs and blocks are as before the call, but a block
- *                  given for a new object may have been written.
+ *                  the call was refused; outputs and blocks are as before the call, unless the
+ *                  text of the call says otherwise; a block given for a new object may have been
+ *                  written.
  * Threads          There is no hidden state. Only one thread at a time may write an object (plan,
  *                  basis) or make other objects from one (analysis); any number may read (morph,
  *                  adjoint, assess). The library uses the threads of an hm_executor; executor NULL
@@ -243,7 +244,7 @@ HM_API const char* hm_status_name(hm_status status); /* "HM_OK", ...; "unknown s
 /* Memory for an object that a call makes, or for the work of a call until it returns.
  *
  * A call that takes an hm_memory is made twice. The first time block is NULL and bytes is 0: the
- * call only writes to `bytes` how many bytes it needs, to the last one. This size query reads those
+ * call only writes to `bytes` the exact number of bytes that it needs. This size query reads those
  * arguments that the text of the call names after "Bytes:"; all others may be NULL or 0, and no
  * output changes. The query checks only what it reads; the second call checks all input. The second
  * time block has that many bytes or more, at any alignment:
@@ -555,7 +556,8 @@ typedef struct hm_problem {
      * HM_LAPLACE). So a movement dP gives the displacements the normal derivative
      * sum_i fluxes[k*n_control + i] dP_i there. Other free faces, and the functions of rigid
      * bodies, have 0. The part of a flux normal to a slip line at its end is taken up by the line.
-     * Factored at other coordinates, the derivatives stay, and the lengths of the faces change.
+     * Where hm_plan_factor receives other coordinates, the derivatives stay, and are multiplied by
+     * the new lengths of the faces.
      * Refused: a face that is not free, or is named twice (HM_BAD_CONDITION); HM_ROTATION_PAIR, and
      * solving functions again that are combined or have modes beside them (HM_UNSUPPORTED). The
      * arrays must exist as long as the analysis; the plan has copies. */
@@ -593,7 +595,8 @@ enum {
 /* hm_options.engine */
 enum {
     /* Nested dissection and multifrontal Cholesky factorisation; the fastest engine. Plan and
-     * analysis take 840 bytes per point for 10 000 points, 1090 for a million. */
+     * analysis take 840 bytes per point for 10 000 points, 1090 for a million; with HM_CONFORMAL
+     * about 1.6 times as many. */
     HM_DIRECT = 0,
     /* Conjugate gradients, preconditioned by algebraic multigrid. The iterations hardly depend on
      * the number of points nor on the thickness of cells along the wall; with triangles that are
@@ -813,7 +816,8 @@ typedef struct hm_quality_report {
     int32_t min_quality_cell;
     /* 1: the boundary crosses itself or another body, or faces coincide. Two walls that have come
      * into contact count, the two sides of a wall without thickness do not, nor do the two sides
-     * of an HM_INTERFACE. With a displacement, two faces that cross each other before do not. */
+     * of an HM_INTERFACE. With a displacement, two faces that cross each other before the
+     * displacement do not count. */
     int32_t self_crossing;
     int32_t crossing_points[4]; /* first and last point of one face, then of the other; -1: none */
     /* [n_cells] Set by the caller: the array receives the quality of each cell, in the order of the
@@ -899,9 +903,9 @@ HM_API hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* po
 /* ---- Large movements that stay valid ---- */
 
 /* Strategies of hm_move_safe. They are tried in this order until the mesh is at the target and as
- * good as the options ask for. The result is the best mesh of all: of those at the target, or with
- * options.min_quality, the nearest to the target; of several at one place the one of better
- * quality. */
+ * good as the options ask for. The result is a mesh at the target; if there is none, the mesh
+ * nearest to the target of those that have options.min_quality, or of all meshes if none has; of
+ * several meshes at one place the one of better quality. */
 enum {
     HM_STRATEGY_LINEAR = 0, /* x + sum_i F_i dP_i, if the admissible step is larger than 1 */
     /* One linear step with each of options.others, in their order, or with the functions of the
@@ -948,14 +952,15 @@ typedef struct hm_safe_options {
     /* [2*functions] receives the movement that `to` has; NULL: not wanted. Where this is not the
      * whole movement, it differs from step_fraction * move, because bodies rotate on the way. */
     double* reached;
-    /* [0..1] smallest size-skew quality asked for, of a mesh at the target or after a part of the
-     * movement, relative to the start, in parts of the smallest quality of the start; 0 means 0.05;
-     * negative: any valid mesh, and the first one at the target is taken. Otherwise other operators
-     * are tried where that part is below 0.8, and an improvement (hm_improve) where it, or the mean
-     * quality in parts of that of the start, is below 0.98; the improvement is kept if the smallest
-     * quality does not fall and the product of smallest and mean quality rises by 2 % or more.
-     * Between substeps cells are improved where that part is below 0.5. With a derivative all these
-     * are left out; improvement is tried only where min_quality is missed. */
+    /* [0..1] The quality that is asked for, of a mesh at the target or after a part of the
+     * movement: the ratio of its smallest size-skew quality, relative to the start, to the smallest
+     * quality of the start. 0 means 0.05; negative: any valid mesh, and the first one at the target
+     * is taken. Otherwise other operators are tried where this ratio is below 0.8, and an
+     * improvement (hm_improve) where this ratio, or the ratio of the mean qualities, is below 0.98;
+     * the improvement is kept if the smallest quality does not fall and the product of smallest and
+     * mean quality rises by 2 % or more. Between substeps cells are improved where the ratio is
+     * below 0.5. With a derivative all these are left out; improvement is tried only where
+     * min_quality is missed. */
     double min_quality;
     /* [-] > 1: the largest factor by which heights of the first layer may grow or shrink; where
      * they exceed it, they are restored as far as that helps. 0: any */
