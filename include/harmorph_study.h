@@ -152,7 +152,9 @@ HM_API hm_status hm_plan_level(const hm_plan* plan, int32_t level, int32_t* cell
 
 /* The conditions that the basis was solved with: out [capacity], with out[0].struct_size set; *n:
  * number of conditions, also if the capacity is too small (HM_BAD_ARGUMENT). Curves, conditions and
- * parameters together restore the problem; hm_basis_along restores `along`, which is NULL here. */
+ * parameters together restore the problem; hm_basis_along restores `along`, which is NULL here. On
+ * a mesh that has moved since hm_basis_init, add what hm_recover_movement finds to the control
+ * points, and the translations of the bodies to their centres of rotation. */
 HM_API hm_status hm_basis_conditions(const hm_basis* basis, hm_condition* out, int32_t capacity,
                                      int32_t* n, hm_error* err);
 /* The curves along which the points of a condition with slip move: those that its `along` had
