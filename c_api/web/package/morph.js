@@ -507,7 +507,8 @@ export class Morph extends Owner {
         try {
             move = this.recovered(this.start);
         } catch (error) {
-            if (error.code !== "HM_BAD_MESH" && !(error.code === "HM_BAD_BASIS" && !has_moved)) throw error;
+            // The wall is on no curve of the basis, or the basis does not have all of its functions.
+            if (error.code !== "HM_BAD_MESH" && error.code !== "HM_BAD_BASIS") throw error;
             return;
         }
         if (move.every((one) => one === 0)) return;
