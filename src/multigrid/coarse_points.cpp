@@ -265,7 +265,7 @@ void Contraction::relax(Index point, Index most, Prolongation const& to) noexcep
         put(point, choice, choice.count, clamp(deficit / diagonal, 0.0, 1.0), to);
 }
 
-// Not a result that is returned: g++ 11 at -O3 would say that it may be without values.
+// The choice is an argument, because g++ 11 at -O3 warns that a returned choice may have no values.
 void Contraction::choose(Index most, Choice& out) const noexcept {
     Weight* const weights = out.weights;
     for (Index c = 0; c < n_candidates_; ++c) {
