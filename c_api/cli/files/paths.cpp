@@ -18,6 +18,10 @@ std::string without_ending(const std::string& path) {
     return fs::path(path).replace_extension().string();
 }
 
+std::string without_gz(const std::string& path) {
+    return ending_of(path) == ".gz" ? without_ending(path) : path;
+}
+
 std::string path_in(const std::string& folder, const std::string& name) {
     return (fs::path(folder) / name).string();
 }

@@ -12,6 +12,8 @@ std::string last_name(const std::string& path);  // behind the last slash
 // The ending of the last name, from its last dot on; empty if the name has none.
 std::string ending_of(const std::string& path);
 std::string without_ending(const std::string& path);
+// The path without the ending .gz, if the path has this ending.
+std::string without_gz(const std::string& path);
 // The path of `name` in a folder; an absolute name is that path.
 std::string path_in(const std::string& folder, const std::string& name);
 // The path without "." and "folder/..", for comparison.

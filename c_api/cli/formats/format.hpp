@@ -31,6 +31,9 @@ struct Format {
     void (*create)(std::ostream& out, const Mesh& mesh);
     bool has_markers = true;
     const char* not_in_names = "";  // characters that names of markers in new files cannot have
+    // Returns the file with the names of markers beside a mesh with this path; the file need not
+    // exist. NULL: the names are in the mesh.
+    std::string (*names_file)(const std::string& mesh) = nullptr;
 };
 
 extern const Format cgns_format, fluent_format, gmsh_format, openfoam_format, plot3d_format,
@@ -45,6 +48,10 @@ std::string mesh_file(const std::string& path);
 // The files beside the mesh with this path that belong to the mesh, as far as they exist: names of
 // markers (.nmf, .mapbc), and all other files of OpenFOAM's polyMesh.
 std::vector<std::string> files_beside_mesh(const std::string& path);
+
+// The file with names of markers beside a file of this mesh with this path; the file need not
+// exist. Empty: the names are in the mesh.
+std::string names_file(const Mesh& mesh, const std::string& path);
 
 // Returns the file that a morphed mesh with this path is written to, as mesh_file() does. If the
 // path is a time of a case of OpenFOAM, CASE/1, this is CASE/1/polyMesh/points; the folders are
@@ -65,8 +72,9 @@ void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const dou
 // Writes the mesh with these coordinates to a path, as one of `files`. The ending of the path
 // decides the format: the file of the mesh with other coordinates, as above, if the ending is that
 // of the mesh, of its format, or of no format; otherwise a new file, as `convert` writes it. The
-// ending of a format in which no new file can be written is refused. Returns the sentences of
-// make_writable().
+// ending of a format in which no new file can be written is refused. A file with names of markers
+// beside the mesh of the same format is copied to its place beside the path, unless a file is
+// there. Returns the sentences of make_writable(), and one about a file there that has other names.
 std::vector<std::string> write_moved(OutputFiles& files, const Mesh& mesh, const std::string& path,
                                      const double* x, const double* y);
 

@@ -95,10 +95,9 @@ std::string mesh_file(const std::string& path) {
 
 std::vector<std::string> files_beside_mesh(const std::string& path) {
     const std::string mesh = mesh_file(path), folder = folder_of(mesh), last = last_name(mesh);
-    std::vector<std::string> candidates = {without_ending(mesh) + ".nmf"};
-    for (std::string stem = mesh; !ending_of(stem).empty();) {
-        stem = without_ending(stem);
-        candidates.push_back(stem + ".mapbc");
+    std::vector<std::string> candidates;
+    for (const Format* format : formats) {
+        if (format->names_file != nullptr) candidates.push_back(format->names_file(mesh));
     }
     if (last == "points" || last == "points.gz") {
         for (const char* name : {"faces", "owner", "neighbour", "boundary"}) {
@@ -112,6 +111,11 @@ std::vector<std::string> files_beside_mesh(const std::string& path) {
     std::vector<std::string> files;
     std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(files), exists);
     return files;
+}
+
+std::string names_file(const Mesh& mesh, const std::string& path) {
+    const bool has_none = mesh.format == nullptr || mesh.format->names_file == nullptr;
+    return has_none ? "" : mesh.format->names_file(path);
 }
 
 namespace {
@@ -212,14 +216,29 @@ const Format* other_format(const Mesh& mesh, const std::string& path) {
     return is_known && other == nullptr ? &format_to_create("", path) : other;
 }
 
+// Writes the names of markers that lie beside the mesh beside its moved file, as one of `files`.
+std::vector<std::string> copy_names(OutputFiles& files, const Mesh& mesh, const std::string& path) {
+    const std::string from = names_file(mesh, mesh.file.path()), to = names_file(mesh, path);
+    if (from.empty() || !exists(from) || is_device(path) || is_same_file(from, to)) return {};
+    const TextFile names(from);
+    if (!exists(to)) {
+        files.add(to) << names.text();
+        return {};
+    }
+    if (TextFile(to).text() == names.text()) return {};
+    return {"the markers will have the names in " + to +
+            ", which was there before and differs from " + from};
+}
+
 }  // namespace
 
 std::vector<std::string> write_moved(OutputFiles& files, const Mesh& mesh, const std::string& path,
                                      const double* x, const double* y) {
     const Format* const other = other_format(mesh, path);
     if (other == nullptr) {
-        write_moved(files.add(moved_file(mesh, path)), mesh, x, y);
-        return {};
+        const std::string file = moved_file(mesh, path);
+        write_moved(files.add(file), mesh, x, y);
+        return copy_names(files, mesh, file);
     }
     Mesh moved = mesh;
     moved.x.assign(x, x + mesh.x.size());

@@ -217,9 +217,11 @@ private:
     std::int64_t blanked_ = 0;
 };
 
+std::string nmf_file(const std::string& mesh) { return without_ending(without_gz(mesh)) + ".nmf"; }
+
 void Plot3dReader::read() {
     read_points();
-    const std::string map = without_ending(mesh_.file.path()) + ".nmf";
+    const std::string map = nmf_file(mesh_.file.path());
     if (exists(map)) {
         std::vector<Index3> sizes;
         for (const Plot3dBlock& block : layout_.blocks) sizes.push_back(block.n);
@@ -557,6 +559,7 @@ void read_plot3d(Mesh& mesh, const ReadOptions&) {
 
 const Format plot3d_format = {
     "plot3d",     ".p3d",      "PLOT3D, 2D or one cell thick: text, binary, Fortran unformatted",
-    probe_plot3d, read_plot3d, nullptr};
+    probe_plot3d, read_plot3d, nullptr,
+    true,         "",          nmf_file};
 
 }  // namespace cli

@@ -89,12 +89,16 @@ Layout layout_of(const TextFile& file) {
     return layout;
 }
 
-std::map<std::int64_t, std::string> read_names(const std::string& mesh) {
-    std::string path = without_ending(mesh);  // .ugrid
+std::string mapbc_file(const std::string& mesh) {
+    std::string path = without_ending(without_gz(mesh));  // .ugrid
     for (const char* kind : {".b8", ".lb8", ".b4", ".lb4"}) {
         if (ending_of(path) == kind) path = without_ending(path);
     }
-    path += ".mapbc";
+    return path + ".mapbc";
+}
+
+std::map<std::int64_t, std::string> read_names(const std::string& mesh) {
+    const std::string path = mapbc_file(mesh);
     std::map<std::int64_t, std::string> names;
     if (!exists(path)) return names;
     const TextFile file(path);
@@ -224,6 +228,7 @@ void read_ugrid(Mesh& mesh, const ReadOptions&) {
 
 const Format ugrid_format = {
     "ugrid",     ".ugrid",   "UGRID, one cell thick: text, .b8, .lb8, .b4, .lb4",
-    probe_ugrid, read_ugrid, nullptr};
+    probe_ugrid, read_ugrid, nullptr,
+    true,        "",         mapbc_file};
 
 }  // namespace cli

@@ -141,8 +141,7 @@ void DesignFiles::write(const SampleFolder& folder, const MorphedDesign& design,
     }
     OutputFiles files;
     if (has_meshes_)
-        write_moved(files.add(folder.mesh_of(number, ending_)), mesh_, moved.x.data(),
-                    moved.y.data());
+        write_moved(files, mesh_, folder.mesh_of(number, ending_), moved.x.data(), moved.y.data());
     if (has_vtk_) {
         Field displacement(mesh_.x.size());
         for (std::size_t k = 0; k < mesh_.x.size(); ++k) {

@@ -63,7 +63,8 @@ def write(mesh: Any, path: Any, x: np.ndarray, y: np.ndarray, format: str) -> No
     x, y = np.ascontiguousarray(x, np.float64), np.ascontiguousarray(y, np.float64)
     text = ffi.new("char[]", _TEXT)
     name = os.fsencode(path)
-    if mesh._file and not format and _is_same_kind(mesh._file.path, Path(os.fsdecode(path))):
+    is_moved = mesh._file and not format and _is_same_kind(mesh._file.path, Path(os.fsdecode(path)))
+    if is_moved:
         written = lib.hmpy_moved(mesh._file.handle, name, ffi.from_buffer("double[]", x),
                                  ffi.from_buffer("double[]", y), text, _TEXT)
     else:
@@ -89,6 +90,8 @@ def write(mesh: Any, path: Any, x: np.ndarray, y: np.ndarray, format: str) -> No
     if not lib.hmpy_place(name, text, _TEXT):
         raise Error(f"The name {path!r} is too long.", Error.BAD_FILE)
     replace(os.fsdecode(ffi.string(text)), ffi.buffer(data, length[0]))
+    if is_moved:
+        _copy_names(mesh._file, name)
 
 
 def replace(path: str, *parts: Any) -> None:
@@ -115,6 +118,19 @@ def replace(path: str, *parts: Any) -> None:
     except OSError as error:
         os.unlink(temporary)
         raise Error(f"{path}: cannot be written: {error.strerror}", Error.BAD_FILE) from None
+
+
+def _copy_names(read: File, path: bytes) -> None:
+    """Copy the names of markers beside the file that was read to their place beside `path`, if no file is there."""
+    text = ffi.new("char[]", _TEXT)
+    places = []
+    for mesh in (os.fsencode(read.path), path):
+        if not lib.hmpy_names_place(read.handle, mesh, text, _TEXT):
+            raise Error(f"The name {os.fsdecode(mesh)!r} is too long.", Error.BAD_FILE)
+        places.append(os.fsdecode(ffi.string(text)))
+    source, target = places
+    if source and os.path.isfile(source) and not os.path.exists(target):
+        replace(target, Path(source).read_bytes())
 
 
 def _is_same_kind(read: Path, written: Path) -> bool:

@@ -214,8 +214,10 @@ class Mesh(Boundary):
         ----------
         path : path
             If the mesh was read from a file whose name has the same extension, the file is that
-            file, byte for byte, with other coordinates. Otherwise a new file is written, and the
-            extension tells its format: .su2, .msh, .vtk, .vtu.
+            file, byte for byte, with other coordinates, and names of markers in a file beside it
+            (.nmf, .mapbc) are copied to their place beside `path`, unless a file is there.
+            Otherwise a new file is written, and the extension tells its format: .su2, .msh, .vtk,
+            .vtu.
         points : array of shape (n_points, 2) or pair of arrays, optional
             Coordinates to be written; the default is `points` of the mesh.
         format : str

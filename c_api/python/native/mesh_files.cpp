@@ -60,6 +60,12 @@ cli::Mesh copied(const hm_mesh& view, std::int32_t n_markers, const char* const*
     return mesh;
 }
 
+std::int32_t say_place(const std::string& place, char* text, std::int32_t capacity) {
+    if (capacity < 0 || place.size() >= static_cast<std::size_t>(capacity)) return 0;
+    say(place.c_str(), text, capacity);
+    return 1;
+}
+
 }  // namespace
 
 hmpy_file* hmpy_read(const char* path, const char* format, const char* zone, char* text,
@@ -124,10 +130,12 @@ const char* hmpy_text_bytes(const hmpy_text* written, std::size_t* length) {
 void hmpy_text_free(hmpy_text* written) { delete written; }
 
 std::int32_t hmpy_place(const char* path, char* text, std::int32_t capacity) {
-    const std::string place = cli::mesh_file(path);
-    if (capacity < 0 || place.size() >= static_cast<std::size_t>(capacity)) return 0;
-    say(place.c_str(), text, capacity);
-    return 1;
+    return say_place(cli::mesh_file(path), text, capacity);
+}
+
+std::int32_t hmpy_names_place(const hmpy_file* file, const char* path, char* text,
+                              std::int32_t capacity) {
+    return say_place(cli::names_file(file->mesh, path), text, capacity);
 }
 
 hmpy_section* hmpy_read_section(const char* path, int32_t element, char* text, int32_t capacity) {

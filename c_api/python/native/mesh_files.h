@@ -37,6 +37,9 @@ void hmpy_text_free(hmpy_text* written);
 /* The file that a mesh with this path is read from and written to: for OpenFOAM the file of the
  * points. Writes the path to text [capacity] and returns 1, or returns 0 if there is no room. */
 int32_t hmpy_place(const char* path, char* text, int32_t capacity);
+/* The file with names of markers beside a file of this mesh with this path, in the same way; "":
+ * the names are in the mesh. */
+int32_t hmpy_names_place(const hmpy_file* file, const char* path, char* text, int32_t capacity);
 
 typedef struct hmpy_section hmpy_section; /* the outline of an airfoil file */
 /* Reads an airfoil file as the program does; element: from 1, or 0 for the only one. */

@@ -177,3 +177,21 @@ def test_the_formats_that_a_refusal_lists_are_those_of_the_package(tmp_path):
     with pytest.raises(harmorph.Error, match="plot3d") as refused:
         harmorph.Mesh.read(tmp_path / "a.su2", format="SU2")
     assert "cgns" not in str(refused.value)
+
+
+def test_names_beside_a_mesh_go_with_the_file(tmp_path):
+    names = "1\n1 9 3 2\nwall 1 5 1 2 1 9\nfar 1 6 1 2 1 9\none_to_one 1 3 1 3 1 2 1 4 1 3 1 2 false\n"
+    angle, radius = np.meshgrid(np.linspace(0, 2 * np.pi, 9), [1.0, 2.0, 4.0])
+    x, y = radius * np.cos(angle), radius * np.sin(angle)
+    values = [*x.flat, *x.flat, *y.flat, *y.flat, *np.zeros(27), *np.ones(27)]
+    (tmp_path / "ring.p3d").write_text("1\n9 3 2\n" + "\n".join(repr(float(one)) for one in values) + "\n")
+    (tmp_path / "ring.nmf").write_text(names)
+    mesh = harmorph.Mesh.read(tmp_path / "ring.p3d")
+    mesh.write(tmp_path / "wide.p3d", 2 * mesh.points)
+    assert (tmp_path / "wide.nmf").read_text() == names
+    assert list(harmorph.Mesh.read(tmp_path / "wide.p3d").markers) == list(mesh.markers)
+    (tmp_path / "wide.nmf").write_text(names.replace("wall", "wing"))
+    mesh.write(tmp_path / "wide.p3d")
+    assert "wing" in harmorph.Mesh.read(tmp_path / "wide.p3d").markers
+    mesh.write(tmp_path / "ring.su2")
+    assert not (tmp_path / "wide.mapbc").exists() and (tmp_path / "ring.nmf").read_text() == names

@@ -14,6 +14,18 @@ END
 check "plot3d: names of a .nmf file" "$harmorph" check "$tmp/text-k.p3d" --json
 says "plot3d: names of a .nmf file: a side of two parts" \
     '"farfield", "faces": 24}, {"name": "lower_wall", "faces": 12}, {"name": "upper_wall", "faces": 12}'
+morphs "plot3d: names of a .nmf file" "$tmp/text-k.p3d" lower_wall,upper_wall
+check "plot3d: the names go with the morphed mesh" cmp "$tmp/text-k.nmf" "$tmp/moved-text-k.nmf"
+check "plot3d: a sample" "$harmorph" sample "$tmp/text-k.p3d" "$tmp/basis" --count 2 --range=-.01,.01 --meshes \
+    -o "$tmp/named-sample"
+check "plot3d: the names go with each mesh of a sample" cmp "$tmp/text-k.nmf" "$tmp/named-sample/meshes/0000002.nmf"
+if has_zlib; then
+    gzip -c "$tmp/text-k.p3d" >"$tmp/text-k.p3d.gz"
+    check "plot3d: names of a compressed mesh" "$harmorph" check "$tmp/text-k.p3d.gz" --json
+    says "plot3d: names of a compressed mesh: a side of two parts" '{"name": "lower_wall", "faces": 12}'
+    rm "$tmp/text-k.p3d.gz"
+fi
+rm "$tmp/moved-text-k.nmf"
 sed -i.old 's/^1 25 7 2/1 25 8 2/' "$tmp/text-k.nmf"
 refuses "plot3d: .nmf of other sizes" \
     "text-k.nmf:3: the file needs the size of the block between 7 and 7 here, but '8' follows" \

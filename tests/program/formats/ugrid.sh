@@ -3,6 +3,21 @@ printf '4\n1 4000 body\n2 5000 outer rim\n3 6662 sym1\n4 6662 sym2\n' >"$tmp/pri
 check "ugrid: names of a .mapbc file" "$harmorph" check "$tmp/prisms.lb8.ugrid" --json
 says "ugrid: names of a .mapbc file: those that are not in the planes" \
     '"body", "faces": 24}, {"name": "outer", "faces": 24}]'
+mkdir "$tmp/named"
+cp "$tmp/prisms.lb8.ugrid" "$tmp/named/prisms.lb8.ugrid"
+cp "$tmp/prisms.mapbc" "$tmp/named/prisms.mapbc"
+morphs "ugrid: names of a .mapbc file" "$tmp/named/prisms.lb8.ugrid" body
+check "ugrid: the names go with the morphed mesh" cmp "$tmp/prisms.mapbc" "$tmp/named/moved-prisms.mapbc"
+check "ugrid: the basis fits the morphed mesh, which has the names" "$harmorph" morph "$moved" "$tmp/basis" \
+    --move "$tmp/moves.txt" -o "$tmp/named/again.lb8.ugrid"
+sed 's/body/wing/' "$tmp/prisms.mapbc" >"$tmp/named/again.mapbc"
+check "ugrid: other names at the place of the morphed mesh" "$harmorph" morph "$moved" "$tmp/basis" \
+    --move "$tmp/moves.txt" -o "$tmp/named/again.lb8.ugrid"
+says "ugrid: other names at the place of the morphed mesh: they are named" \
+    'again.mapbc, which was there before and differs from'
+check "ugrid: other names at the place of the morphed mesh: they stay" grep wing "$tmp/named/again.mapbc"
+check "ugrid: in place, the names stay" "$harmorph" morph "$moved" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved"
+check "ugrid: in place, the names stay: the same" cmp "$tmp/prisms.mapbc" "$tmp/named/moved-prisms.mapbc"
 echo 'body 5' >>"$tmp/prisms.mapbc"
 refuses "ugrid: a bad .mapbc file" 'prisms.mapbc:6: the file needs' "$harmorph" check "$tmp/prisms.lb8.ugrid"
 rm "$tmp/prisms.mapbc"
