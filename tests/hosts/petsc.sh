@@ -71,6 +71,17 @@ for what in ${MESHES:+"$MESHES"/*.su2} $LARGE; do
     for n in 1 2 3 4; do run "$dir" $n "$what"; done
 done
 
+# Both operators by PETSc and by harmorph_mpi: the last column of PETSc is the estimated error.
+measured() {
+    BUILD=$build MPICC=$MPICC MPIRUN=$MPIRUN SIZES=41:10 FUNCTIONS=4 FIRST=0 PROCESSES="1 2" \
+        sh tests/measure/bench/petsc.sh >"$dir/bench" 2>&1
+    cat "$dir/bench"
+    grep 'warning: ' "$dir/bench" && return 1
+    awk '$1 == "PETSc," { of_petsc = 1 } $1 == "harmorph_mpi," { of_petsc = 0 }
+        $2 == 410 && (!of_petsc || ($7 > 0 && $NF < 1e-8)) { ++n } END { exit n != 8 }' "$dir/bench"
+}
+check "make bench-petsc" measured
+
 for complex in /usr/lib/petscdir/petsc3*/*-complex/lib/pkgconfig/petsc.pc; do
     if [ ! -f "$complex" ]; then
         skip "PETSc with complex scalars" "Debian's libpetsc-complex-dev is not installed"

@@ -4,6 +4,8 @@
  * slowest process), iterations of the slowest function, seconds of a morph; megabytes of the
  * largest process: harmorph with its basis, the rest (PETSc and its solvers), and the most that the
  * process had at a time; estimated error. */
+#include "../../c_api/memory.h"
+
 #include <harmorph_petsc.h>
 
 #include <math.h>
@@ -129,20 +131,20 @@ int main(int argc, char** argv) {
         block = memory.block = malloc(memory.bytes);
         need(hm_petsc_solve(system, &rows, &memory, &report, MPI_COMM_WORLD, &error), &error);
         times[2] = seconds();
-        megabytes[0] = (double)report.bytes + (double)memory.bytes;
-        memory[1] = resident() - before - memory[0];
-        memory[2] = most_resident() - before;
+        megabytes[0] = 1e-6 * ((double)report.bytes + (double)memory.bytes);
+        megabytes[1] = 1e-6 * (resident() - before) - megabytes[0];
+        megabytes[2] = 1e-6 * (most_resident() - before);
         move = calloc(2 * (size_t)functions, sizeof *move);
         move[0] = 0.01;
         need(hm_morph(rows, move, &mesh.points, &(hm_points_out){x, y, 1}, NULL, &error), &error);
         times[3] = seconds();
         for (i = 3; i > 0; --i) times[i] -= times[i - 1];
         MPI_Allreduce(MPI_IN_PLACE, times + 1, 3, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
-        MPI_Allreduce(MPI_IN_PLACE, memory, 3, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+        MPI_Allreduce(MPI_IN_PLACE, megabytes, 3, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
         if (rank == 0) {
             printf("%d %ld %.2f %.2f %d %.4f %.1f %.1f %.1f %.1e\n", size, (long)ni * nj, times[1],
-                   times[2], (int)report.iterations, times[3], 1e-6 * memory[0], 1e-6 * memory[1],
-                   1e-6 * memory[2], report.error);
+                   times[2], (int)report.iterations, times[3], megabytes[0], megabytes[1],
+                   megabytes[2], report.error);
         }
         hm_petsc_free(&system);
     }
