@@ -69,13 +69,16 @@ const char* closed_name(std::int32_t closed) {
 
 CurvesView::CurvesView(const Curves& curves) : view_(sized<hm_curves>()) {
     for (const Curve& curve : curves.curves) {
+        indices_.push_back(curve.indices);
+        for (std::int32_t& index : indices_.back()) ++index;
         auto view = sized<hm_curve>();
         view.degree = curve.degree;
         view.n_indices = static_cast<std::int32_t>(curve.indices.size());
-        view.indices = curve.indices.data();
+        view.indices = indices_.back().data();
         view.knots = curve.knots.data();
         curve_.push_back(view);
     }
+    view_.index_base = 1;
     view_.n_control = curves.points();
     view_.control = curves.control.data();
     view_.weights = curves.weights.empty() ? nullptr : curves.weights.data();

@@ -4,6 +4,7 @@
 #include <harmorph.h>
 
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 namespace cli {
@@ -35,7 +36,8 @@ Curves copied(const hm_curves& from);
 
 const char* closed_name(std::int32_t closed);  // "open", "tied", "periodic"
 
-// Curves as an argument of the library. The view points into the curves, which must not change.
+// Curves as an argument of the library, whose messages count them, control points and knots from 1,
+// as the program does. The view points into the curves, which must not change.
 class CurvesView {
 public:
     explicit CurvesView(const Curves& curves);
@@ -43,6 +45,7 @@ public:
     const hm_curves* get() const { return &view_; }
 
 private:
+    std::deque<std::vector<std::int32_t>> indices_;  // of each curve, from 1
     std::vector<hm_curve> curve_;
     hm_curves view_;
 };

@@ -18,6 +18,7 @@ bad_curve "curve: index out of range" 8 'between 1 and 4' "degree 1\nclosed open
 bad_curve "curve: indices that do not close" 8 'closed tied' "degree 1\nclosed tied\n${square}indices 2\n1 2\n$line"
 printf "degree 1\nclosed tied\n${square}knots 7\n0 0 1 3 2 4 4\n" >"$tmp/bad.curve"
 refuses "curve: decreasing knots" 3 "$tmp/bad.curve" solve "$ring" --curve body="$tmp/bad.curve" -o "$tmp/x"
+check "curve: decreasing knots: counted from 1" says 'knot 5 of curve 1 is smaller than the knot before it'
 
 bad_moves() { # bad_moves NAME LINE CONTENT
     printf "$3" >"$tmp/bad.txt"
