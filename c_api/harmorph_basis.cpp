@@ -118,12 +118,7 @@ hm_status hm_basis_conditions(const hm_basis* basis, hm_condition* out, int32_t 
                                 "out has room for # conditions, but the basis has @",
                                 plain(capacity), plain(*n));
         }
-        for (Index i = *n;
-             i-- > 0;) {  // backwards, because the first struct contains the size of all
-            hm_condition* const to = element(out, i);
-            to->struct_size = out->struct_size;
-            write_struct(struct_of(b.conditions[i]), to);
-        }
+        for (Index i = 0; i < *n; ++i) write_element(struct_of(b.conditions[i]), out, i);
         return Status::ok;
     });
 }

@@ -86,8 +86,7 @@ struct BoundsCall {
         clear_gradient(gradient, quality.cells.mesh.n_points);
     }
     void finish(Index number, BoundAsked const& asked, SmoothMinimum const& found) const noexcept {
-        write_struct(value_of(asked, found, quality.cells.mesh.index_base),
-                     element(values, number));
+        write_element(value_of(asked, found, quality.cells.mesh.index_base), values, number);
     }
     void find_layer(Index number) const noexcept {
         BoundAsked const asked = bound(number);

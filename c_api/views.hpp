@@ -79,6 +79,14 @@ T* element(T* array, Index i) noexcept {
     return const_cast<T*>(element(static_cast<const T*>(array), i));
 }
 
+// Writes element i of an array of structs, of which only the first needs to have its size.
+template <class T>
+void write_element(T filled, T* array, Index i) noexcept {
+    T* const to = element(array, i);
+    to->struct_size = array->struct_size;
+    write_struct(filled, to);
+}
+
 // Returns the number of a point, cell or control point for a report, counted from index_base.
 constexpr Index numbered(Index item, Index index_base) noexcept {
     return item == none ? none : item + index_base;

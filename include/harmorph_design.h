@@ -106,9 +106,11 @@ HM_API hm_status hm_refine(const hm_curves** finer, const double** matrix, hm_me
 typedef struct hm_refit_report {
     uint64_t struct_size;
     double max_error, rms_error; /* [length] distances of the points from the moved curves */
-    double chord;                /* [length] of the points, from leading to trailing edge */
-    /* [length] width of the blunt base of the points, if the curve has no base: both sides were
-     * then tapered from the leading edge on, so that the base became one point; 0: no base */
+    /* [length of the curve] of the points where they were placed, from leading to trailing edge */
+    double chord;
+    /* [length of the curve] width of the blunt base of the points where they were placed, if the
+     * curve has no base: both sides were then tapered from the leading edge on, so that the base
+     * became one point; 0: no base */
     double closed_width;
     int32_t max_error_point; /* position in the list, counted from curves->index_base */
     int32_t closed;          /* how the outline of the points closes: HM_OPEN, ... */

@@ -99,7 +99,7 @@ typedef struct hm_bound {
  * the same formula with the signs of the values and of the bound changed, so bound >= m, the
  * largest value. */
 typedef struct hm_bound_value {
-    uint64_t struct_size; /* the same in all values of one call */
+    uint64_t struct_size; /* that of the first value holds for all; the call sets the others */
     double bound;
     double extreme;    /* m: the smallest value (HM_BOUND_STRETCH: the largest) */
     int32_t item_kind; /* HM_ITEM_CELL, or HM_ITEM_POINT for the first layer: a wall point */
@@ -109,7 +109,7 @@ typedef struct hm_bound_value {
 
 /* Computes n bounds, n >= 1, of the mesh at the coordinates `at` [n_points] (NULL: the mesh's own
  * coordinates now).
- *   values     [n] begin the first with HM_INIT, or set struct_size in each
+ *   values     [n] begin the first with HM_INIT
  *   gradients  [n] where gradients[k] receives the derivatives of bound k with respect to the mesh
  *              points: x: d/dx, y: d/dy [1/length], n_points each, 0 at points that no value uses.
  *              gradients[k].x NULL: not wanted; gradients NULL: none is wanted. The arrays must
@@ -131,8 +131,8 @@ HM_API hm_status hm_quality_bounds(const hm_quality* quality, const hm_points* a
 typedef struct hm_step_corner {
     double step; /* [-] where the area becomes 0: at the points from + step * displacement */
     int32_t cell;
-    /* The point before the corner, the corner, the point after the corner; counted from
-     * mesh.index_base. */
+    /* The point before the corner, the corner, the point after the corner, counter-clockwise around
+     * the cell; counted from mesh.index_base. */
     int32_t points[3];
     /* [1/length] x,y pairs of these points: the derivatives of `step` with respect to `from`. Those
      * with respect to the displacement are `step` times as large. */

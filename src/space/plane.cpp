@@ -83,7 +83,7 @@ Vec2 place_of(Plane const& plane, Index p) noexcept { return {plane.x[p], plane.
 
 void PlaneSearch::lay_out(Arena& arena, SpaceMesh const& mesh) noexcept {
     Index const max_points = mesh.max_plane_points();
-    arena.take(in_faces, mesh.n_points);
+    arena.take(known, mesh.n_points);
     arena.take(reach, max_points);
     arena.take(first_at_place, max_points);
     arena.take(next_at_place, max_points);
@@ -95,12 +95,12 @@ Status PlaneSearch::run(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexc
     plane.index_base = mesh.index_base;
     plane.n_space_points = mesh.n_points;
     plane.n_faces = mesh.n_faces;
-    fill(in_faces, std::uint8_t{0});
+    fill(known, std::uint8_t{0});
     for (Index i = 0; i < mesh.n_faces; ++i) {
         SpaceFace const face = mesh.face(i);
-        for (Index k = 0; k < face.n; ++k) in_faces[face.point(k)] = 1;
+        for (Index k = 0; k < face.n; ++k) known[face.point(k)] = 1;
     }
-    HARMORPH_TRY(find_frame(mesh, in_faces, plane.frame, fault));
+    HARMORPH_TRY(find_frame(mesh, known, plane.frame, fault));
     if (plane.frame.kind != SpaceKind::wedge) plane.rotation = {};
     number_points(mesh, plane);
     copy_cells(mesh, plane);
@@ -113,7 +113,6 @@ Status PlaneSearch::run(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexc
     });
     find_places(plane);
     HARMORPH_TRY(follow(mesh, plane, fault));
-    follow_sides(mesh, plane);
     HARMORPH_TRY(list_followers(plane, fault));
     return copy_sides(mesh, plane, fault);
 }
@@ -122,7 +121,7 @@ Status PlaneSearch::run(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexc
 void PlaneSearch::number_points(SpaceMesh const& mesh, Plane& plane) noexcept {
     plane.n_points = 0;
     for (Index k = 0; k < mesh.n_points; ++k) {
-        if (in_faces[k] == 0) continue;
+        if (known[k] == 0) continue;
         Index const p = plane.n_points++;
         Vec2 const place = plane.frame.in_plane(mesh.points[k]);
         plane.x[p] = place.x;
@@ -190,7 +189,7 @@ void PlaneSearch::find_places(Plane const& plane) noexcept {
 Status PlaneSearch::follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexcept {
     Size n_ambiguous = 0;
     for (Index k = 0; k < mesh.n_points; ++k) {
-        if (in_faces[k] != 0) continue;
+        if (known[k] != 0) continue;
         PlacedPoint const placed = plane.frame.placed(mesh.points[k]);
         auto const squared = [&](Index p) { return square(place_of(plane, p) - placed.place); };
         Nearest const near = tree.nearest(placed.place, {}, squared);
@@ -210,13 +209,39 @@ Status PlaneSearch::follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) no
         if (!plane.rotation.empty()) plane.rotation[k] = placed.rotation;
         if (next_at_place[first] != none) ambiguous[n_ambiguous++] = {first, k, placed.across};
     }
-    resolve(plane, n_ambiguous);
+    if (n_ambiguous > 0) {
+        follow_sides(mesh, plane);
+        resolve(plane, n_ambiguous);
+    }
     return Status::ok;
 }
 
-// If n points of the plane coincide, each layer normally has n points opposite to them. In the
-// order of their numbers, these follow the n points of the plane. If a layer has fewer points,
-// because it joins them, all follow the first point of the plane.
+// Layers may number several points at one place in different orders. An edge of a side from one
+// layer to the next says which point follows which, and so does the next edge for the layer behind.
+void PlaneSearch::follow_sides(SpaceMesh const& mesh, Plane& plane) noexcept {
+    for (bool found = true; found;) {
+        found = false;
+        for (Index i = 0; i < mesh.n_sides; ++i) {
+            for (Index k = 0; k < 4; ++k) {
+                Index const one = mesh.side_points[Offset{4} * i + k] - mesh.index_base;
+                Index const next = mesh.side_points[Offset{4} * i + (k + 1) % 4] - mesh.index_base;
+                if (known[one] == known[next]) continue;
+                Index const a = known[one] != 0 ? one : next, b = one + next - a;
+                Index const place = first_at_place[plane.follows[a] - plane.index_base];
+                bool const is_opposite =
+                    place == first_at_place[plane.follows[b] - plane.index_base];
+                if (!is_opposite || next_at_place[place] == none) continue;
+                plane.follows[b] = plane.follows[a];
+                known[b] = 1;
+                found = true;
+            }
+        }
+    }
+}
+
+// If n points of the plane coincide, each layer normally has n points opposite to them. If a layer
+// has fewer points, because it joins them, all that no side joins follow the first point of the
+// plane.
 void PlaneSearch::resolve(Plane& plane, Size n_ambiguous) noexcept {
     Span<Ambiguous> const all = ambiguous.first(n_ambiguous);
     sort(all, [](Ambiguous const& a, Ambiguous const& b) {
@@ -228,33 +253,30 @@ void PlaneSearch::resolve(Plane& plane, Size n_ambiguous) noexcept {
         Size n = 0, end = begin;
         for (Index p = place; p != none; p = next_at_place[p]) ++n;
         while (end < n_ambiguous && all[end].place == place) ++end;
-        for (Size layer = begin; (end - begin) % n == 0 && layer < end; layer += n) {
-            Span<Ambiguous> const opposite = all.from(layer, n);
-            sort(opposite,
-                 [](Ambiguous const& a, Ambiguous const& b) { return a.point < b.point; });
-            Index p = place;
-            for (Ambiguous const& one : opposite) {
-                plane.follows[one.point] = p + plane.index_base;
-                p = next_at_place[p];
-            }
-        }
+        for (Size layer = begin; (end - begin) % n == 0 && layer < end; layer += n)
+            follow_remaining(plane, place, all.from(layer, n));
         begin = end;
     }
 }
 
-// Layers may number several points at one place in different orders. An edge of a side from one
-// layer to the next says which point follows which.
-void PlaneSearch::follow_sides(SpaceMesh const& mesh, Plane& plane) noexcept {
-    for (Index i = 0; i < mesh.n_sides; ++i) {
-        for (Index k = 0; k < 4; ++k) {
-            Index const one = mesh.side_points[Offset{4} * i + k] - mesh.index_base;
-            Index const next = mesh.side_points[Offset{4} * i + (k + 1) % 4] - mesh.index_base;
-            if (in_faces[one] == in_faces[next]) continue;
-            Index const a = in_faces[one] != 0 ? one : next, b = one + next - a;
-            Index const p = plane.follows[a] - plane.index_base;
-            Index const now = plane.follows[b] - plane.index_base;
-            if (first_at_place[p] == first_at_place[now]) plane.follows[b] = plane.follows[a];
-        }
+// The points of a layer that no side joins, in the order of their numbers, follow those points of
+// the plane at the place that no other point of the layer follows.
+void PlaneSearch::follow_remaining(Plane& plane, Index place, Span<Ambiguous> layer) noexcept {
+    auto const order = [&](Ambiguous const& one) {
+        return known[one.point] != 0 ? plane.follows[one.point] : one.point;
+    };
+    sort(layer, [&](Ambiguous const& a, Ambiguous const& b) {
+        bool const of_a = known[a.point] != 0, of_b = known[b.point] != 0;
+        return of_a != of_b ? of_a : order(a) < order(b);
+    });
+    Size n_known = 0;
+    while (n_known < layer.size() && known[layer[n_known].point] != 0) ++n_known;
+    Size taken = 0, remaining = n_known;
+    for (Index p = place; p != none && remaining < layer.size(); p = next_at_place[p]) {
+        Size const before = taken;
+        while (taken < n_known && plane.follows[layer[taken].point] == p + plane.index_base)
+            ++taken;
+        if (taken == before) plane.follows[layer[remaining++].point] = p + plane.index_base;
     }
 }
 
@@ -286,9 +308,10 @@ Status PlaneSearch::copy_sides(SpaceMesh const& mesh, Plane& plane, Fault& fault
         Index n = 0;
         for (Index k = 0; k < 4; ++k) {
             Index const p = plane.follows[mesh.side_points[Offset{4} * i + k] - mesh.index_base];
-            bool known = false;
-            for (Index earlier = 0; earlier < n; ++earlier) known = known || ends[earlier] == p;
-            if (!known) ends[n++] = p;
+            bool is_listed = false;
+            for (Index earlier = 0; earlier < n; ++earlier)
+                is_listed = is_listed || ends[earlier] == p;
+            if (!is_listed) ends[n++] = p;
         }
         if (n != 2) {
             return fault.refuse(

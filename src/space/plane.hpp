@@ -63,11 +63,12 @@ struct PlaneSearch {
         Real across;
     };
 
-    Span<std::uint8_t> in_faces;  // [n_space_points]
-    Span<Real> reach;             // [n_points] the squared largest distance of a follower
-    Span<Index> first_at_place;   // [n_points] the first point at the same place
-    Span<Index> next_at_place;    // [n_points] the next point at the same place, or none
-    Span<Ambiguous> ambiguous;    // [n_space_points]
+    // [n_space_points] 1: the point is in a face, or a side joins it to the point that it follows.
+    Span<std::uint8_t> known;
+    Span<Real> reach;            // [n_points] the squared largest distance of a follower
+    Span<Index> first_at_place;  // [n_points] the first point at the same place
+    Span<Index> next_at_place;   // [n_points] the next point at the same place, or none
+    Span<Ambiguous> ambiguous;   // [n_space_points]
     BoxTree tree;
 
     void lay_out(Arena& arena, SpaceMesh const& mesh) noexcept;
@@ -79,8 +80,9 @@ private:
     void find_reach(Plane const& plane) noexcept;
     void find_places(Plane const& plane) noexcept;
     Status follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexcept;
-    void resolve(Plane& plane, Size n_ambiguous) noexcept;
     void follow_sides(SpaceMesh const& mesh, Plane& plane) noexcept;
+    void resolve(Plane& plane, Size n_ambiguous) noexcept;
+    void follow_remaining(Plane& plane, Index place, Span<Ambiguous> layer) noexcept;
     Status list_followers(Plane& plane, Fault& fault) noexcept;
     Status copy_sides(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexcept;
 };

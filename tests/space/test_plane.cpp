@@ -123,6 +123,30 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("layers may number the points at one place in any order, also those without a side") {
+    // Three triangles around a point of the wall have points of their own along the two cuts
+    // between them. The middle one, whose point at the wall has no side, lies between the others.
+    Mesh mesh;
+    Point const left{-1, 0}, wall{0, 0}, upper_left{-.5, 1}, upper_right{.5, 1}, right{1, 0};
+    for (Point const& p : {left, wall, upper_left, wall, upper_right, upper_left, wall, right,
+                           upper_right})
+        mesh.add_point(p);
+    for (std::int32_t k = 0; k < 9; ++k) mesh.cells.push_back(k);
+    mesh.cell_start = {0, 3, 6, 9};
+    mesh.faces = {0, 1, 2, 0, 4, 5, 6, 7, 7, 8};
+    mesh.face_markers = {1, 2, 2, 1, 2};
+    for (int const layers : {2, 3, 4, 5}) {
+        for (unsigned seed = 1; seed <= 40; ++seed) {
+            Extruded const space(mesh, along_axis(2), layers, seed);
+            Plane const plane(space.view());
+            INFO(layers << " layers, seed " << seed << ": " << plane.error.text);
+            REQUIRE(plane.status == HM_OK);
+            CHECK(plane.info.layers == layers);
+            CHECK(all_follow(plane, space));
+        }
+    }
+}
+
 TEST_CASE("threads, strides, index bases and four entries for each face give the same plane") {
     Case setup = tiny_case();
     Extruded const space(setup.mesh, along_axis(1), 2, 8);
