@@ -244,6 +244,14 @@ void OutputFile::fail_to_write() {
     fail();
 }
 
+std::ostream& OutputFiles::add(const std::string& path) {
+    for (const OutputFile& other : files_) {
+        if (is_same_file(other.path(), path))
+            throw Failure(exit_usage, path + ": two outputs need two files");
+    }
+    return files_.emplace_back(path).stream();
+}
+
 // Signals wait between the first and the last renaming.
 void OutputFiles::commit() {
     for (OutputFile& file : files_) file.finish();

@@ -46,6 +46,7 @@ public:
     OutputFile& operator=(const OutputFile&) = delete;
 
     std::ostream& stream() { return stream_; }
+    const std::string& path() const { return path_; }
     void finish();  // throws a Failure if not everything has been written
 
     // Gives the file its final name, in place of an older file of that name. If undo() may be
@@ -68,7 +69,7 @@ private:
 // The files of one command: either all of them appear, or none.
 class OutputFiles {
 public:
-    std::ostream& add(const std::string& path) { return files_.emplace_back(path).stream(); }
+    std::ostream& add(const std::string& path);  // refuses a file that it has already
     void commit();
 
 private:

@@ -219,15 +219,11 @@ const Format* other_format(const Mesh& mesh, const std::string& path) {
 // Writes the names of markers that lie beside the mesh beside its moved file, as one of `files`.
 std::vector<std::string> copy_names(OutputFiles& files, const Mesh& mesh, const std::string& path) {
     const std::string from = names_file(mesh, mesh.file.path()), to = names_file(mesh, path);
-    if (from.empty() || !exists(from) || is_device(path) || is_same_file(from, to)) return {};
-    const TextFile names(from);
-    if (!exists(to)) {
-        files.add(to) << names.text();
-        return {};
-    }
-    if (TextFile(to).text() == names.text()) return {};
-    return {"the markers will have the names in " + to +
-            ", which was there before and differs from " + from};
+    if (from.empty() || is_device(path) || is_same_file(from, to)) return {};
+    if (exists(from) && !exists(to)) files.add(to) << TextFile(from).text();
+    if (!exists(to) || (exists(from) && TextFile(from).text() == TextFile(to).text())) return {};
+    return {"the markers will have the names in " + to + ", which was there before" +
+            (exists(from) ? " and differs from " + from : "; " + from + " does not exist")};
 }
 
 }  // namespace

@@ -312,6 +312,8 @@ void Plot3dReader::join_points() {
     }
     Places on_sides(rounding_of_cuts * largest);
     point_of_.reserve(in_file_.x[0].size());
+    points_.number.reserve(in_file_.x[0].size());
+    points_.n_in_file = in_file_.points();
     for (std::size_t d = 0; d < 3; ++d) {
         points_.x[d].reserve(in_file_.x[0].size());
         points_.offset[d].reserve(in_file_.x[0].size());
@@ -322,7 +324,7 @@ void Plot3dReader::join_points() {
             for (index[1] = 0; index[1] < block.n[1]; ++index[1]) {
                 for (index[0] = 0; index[0] < block.n[0]; ++index[0]) {
                     const std::size_t k = point_of_.size();
-                    SpaceCopy copy = {points_.points(), {}, {}};
+                    SpaceCopy copy = {points_.points(), {}, {}, static_cast<std::int32_t>(k)};
                     for (std::size_t d = 0; d < 3; ++d) {
                         copy.x[d] = in_file_.x[d][k];
                         copy.offset[d] = in_file_.offset[d][k];
@@ -334,6 +336,7 @@ void Plot3dReader::join_points() {
                         copies_.push_back(copy);
                         continue;
                     }
+                    points_.number.push_back(copy.number);
                     for (std::size_t d = 0; d < 3; ++d) {
                         points_.x[d].push_back(copy.x[d]);
                         points_.offset[d].push_back(copy.offset[d]);

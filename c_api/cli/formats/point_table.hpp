@@ -47,19 +47,4 @@ PointTable read_point_table(const std::shared_ptr<const TextFile>& file);
 // Tells whether the table is text in lines "point value value", whose columns have no names.
 bool is_plain_table(const TextFile& file);
 
-// Returns whether the rows are the points of the mesh's own file, which has three coordinates.
-bool has_points_of_file(const PointTable& table, const Mesh& mesh);
-
-// Returns the distance within which a place in a table is a point of the mesh. Coordinates in text
-// have 6 digits or more.
-double reach_of(const Mesh& mesh);
-
-// Returns the mesh point of each row: by its number, or else by its coordinates, which are compared
-// with the mesh if the table has both. Refuses rows whose coordinates are not those of a point of
-// the mesh, points that occur twice, and values at all points in space of a mesh that is one cell
-// thick. Where a table has neither, the rows must be all points of the mesh in their order: such a
-// table is refused, with the list of its columns, unless `in_order` is set or the kind of file says
-// so (fields of OpenFOAM).
-std::vector<std::int32_t> points_of(const PointTable& table, const Mesh& mesh, bool in_order);
-
 }  // namespace cli

@@ -10,10 +10,13 @@ PointNumbers::PointNumbers(const Mesh& mesh) : count_(mesh.points()) {
     count_ = mesh.in_file.n_points;
     point_.assign(n, -1);
     number_.assign(mesh.x.size(), -1);
+    followers_.assign(mesh.x.size(), 0);
     for (const CoordinateSlot& slot : mesh.in_file.slots) {
         if (slot.number < 0 || slot.point >= mesh.points()) continue;
         const std::int64_t number = slot.number / 3;
-        point_[static_cast<std::size_t>(number)] = slot.point;
+        std::int32_t& followed = point_[static_cast<std::size_t>(number)];
+        if (followed < 0) ++followers_[place(slot.point)];
+        followed = slot.point;
         std::int64_t& smallest = number_[place(slot.point)];
         if (smallest < 0 || number < smallest) smallest = number;
     }
@@ -27,6 +30,10 @@ std::int32_t PointNumbers::point(std::int64_t number) const {
     if (number < 0 || number >= count_) return -1;
     return point_.empty() ? static_cast<std::int32_t>(number)
                           : point_[static_cast<std::size_t>(number)];
+}
+
+std::int32_t PointNumbers::points_in_file(std::int32_t point) const {
+    return followers_.empty() ? 1 : followers_[place(point)];
 }
 
 std::int64_t PointNumbers::number(std::int32_t point) const {

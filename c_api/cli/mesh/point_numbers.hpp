@@ -19,13 +19,16 @@ public:
     std::int32_t point(std::int64_t number) const;
     // Returns the smallest number of a point in the file.
     std::int64_t number(std::int32_t point) const;
+    // Returns how many points of the file follow a point of the mesh.
+    std::int32_t points_in_file(std::int32_t point) const;
     // Tells whether the points of the mesh are the first ones of the file, in the same order.
     bool are_those_of_mesh() const { return number_.empty(); }
 
 private:
     std::int64_t count_;
-    std::vector<std::int32_t> point_;   // empty: the same numbers
-    std::vector<std::int64_t> number_;  // empty: the same numbers
+    std::vector<std::int32_t> point_;      // empty: the same numbers
+    std::vector<std::int64_t> number_;     // empty: the same numbers
+    std::vector<std::int32_t> followers_;  // empty: one for each point
 };
 
 }  // namespace cli

@@ -163,7 +163,8 @@ void take_flat(Mesh& mesh, const SpacePoints& points, const std::vector<SpaceCop
                       3 * points.number_of(k) + static_cast<std::int64_t>(d));
         }
         for (const SpaceCopy& copy : copies)
-            slots.add(copy.offset[d], copy.x[d], copy.original, direction, -1);
+            slots.add(copy.offset[d], copy.x[d], copy.original, direction,
+                      3 * std::int64_t{copy.number} + static_cast<std::int64_t>(d));
     }
 }
 
@@ -223,7 +224,8 @@ void add_slots(Mesh& mesh, const SpaceMesh& space, const hm_plane_info& info,
     for (const SpaceMiddle& middle : space.middles) add_middle(mesh, info, middle, slots);
     for (const SpaceCopy& copy : space.copies) {
         for (std::size_t d = 0; d < 3; ++d)
-            add(static_cast<std::size_t>(copy.original), d, copy.offset[d], copy.x[d], -1);
+            add(static_cast<std::size_t>(copy.original), d, copy.offset[d], copy.x[d],
+                3 * std::int64_t{copy.number} + static_cast<std::int64_t>(d));
     }
 }
 

@@ -30,6 +30,7 @@ struct SpaceCopy {
     std::int32_t original;
     std::array<double, 3> x;
     std::array<std::size_t, 3> offset;
+    std::int32_t number;  // among all points of the file
 };
 
 // A node of an element of second order that is no corner.

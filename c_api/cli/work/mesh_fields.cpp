@@ -3,7 +3,7 @@
 #include "basics/library.hpp"
 #include "basics/numbers.hpp"
 #include "files/text_file.hpp"
-#include "formats/point_table.hpp"
+#include "formats/table_points.hpp"
 #include "formats/vtu.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "mesh/point_numbers.hpp"

@@ -187,7 +187,7 @@ Sensitivity by_points_of_file(const PointTable& table, const SensitivityColumns&
                                table.names.size()};
     const PointColumns at = table.point_columns();
     const bool has_places = at.has_places() && at.place[2] != PointColumns::none;
-    const double reach = reach_of(mesh);
+    const double noise = smallest_reach * extent_of(mesh);
     Sensitivity found{Field(mesh.x.size()), table.rows()};
     for (const CoordinateSlot& slot : mesh.in_file.slots) {
         if (slot.number < 0) continue;
@@ -197,7 +197,8 @@ Sensitivity by_points_of_file(const PointTable& table, const SensitivityColumns&
         Direction along = {{slot.rule == takes_x ? 1.0 : 0.0, slot.rule == takes_y ? 1.0 : 0.0}};
         if (slot.rule >= 0) along = mesh.in_file.directions[static_cast<std::size_t>(slot.rule)];
         const double place = slot.rule == takes_x ? mesh.x[point] : mesh.y[point];
-        if (has_places && slot.rule < 0 && std::fabs(table.at(row, at.place[d]) - place) > reach) {
+        if (has_places && slot.rule < 0 &&
+            std::fabs(table.at(row, at.place[d]) - place) > 6e-6 * std::fabs(place) + noise) {
             throw Failure(exit_file, table.place(row) +
                                          ": the values are those of another mesh: coordinate " +
                                          std::string(1, "xyz"[d]) + " is " +
@@ -219,14 +220,14 @@ Sensitivity read_sensitivity(const std::string& path, const SensitivityColumns& 
     const PointTable table = read_point_table(path);
     if (columns.normal.empty() && has_points_of_file(table, mesh))
         return by_points_of_file(table, columns, mesh);
-    const std::vector<std::int32_t> points = points_of(table, mesh, in_order);
+    const std::vector<std::int32_t> points = points_of(table, mesh, in_order, JoinedRows::taken);
     Sensitivity found{Field(mesh.x.size()), points.size()};
     if (columns.normal.empty()) {
         const std::size_t x = table.column(columns.x), y = table.column(columns.y);
         for (std::size_t row = 0; row < points.size(); ++row) {
             const auto point = static_cast<std::size_t>(points[row]);
-            found.by.x[point] = finite(table, row, x);
-            found.by.y[point] = finite(table, row, y);
+            found.by.x[point] += finite(table, row, x);
+            found.by.y[point] += finite(table, row, y);
         }
         return found;
     }
@@ -243,8 +244,8 @@ Sensitivity read_sensitivity(const std::string& path, const SensitivityColumns& 
         }
         if (!columns.into_fluid) value = -value;
         const double factor = columns.per_length ? value : value / length;
-        found.by.x[point] = factor * nx;
-        found.by.y[point] = factor * ny;
+        found.by.x[point] += factor * nx;
+        found.by.y[point] += factor * ny;
     }
     return found;
 }

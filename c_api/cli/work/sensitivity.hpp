@@ -4,7 +4,7 @@
 
 #include "basics/geometry.hpp"
 #include "basics/json.hpp"
-#include "formats/point_table.hpp"
+#include "formats/table_points.hpp"
 #include "work/basis_file.hpp"
 
 #include <iosfwd>

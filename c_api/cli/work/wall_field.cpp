@@ -1,11 +1,12 @@
 #include "work/wall_field.hpp"
 
+#include "basics/elementary.hpp"
 #include "basics/failure.hpp"
 #include "basics/geometry.hpp"
 #include "basics/numbers.hpp"
 #include "files/text_file.hpp"
 #include "formats/deflate.hpp"
-#include "formats/point_table.hpp"
+#include "formats/table_points.hpp"
 #include "mesh/point_numbers.hpp"
 
 #include <algorithm>
@@ -61,9 +62,10 @@ WallField take_rows(const PointTable& table, const Mesh& mesh,
     const std::string x = table.has("dx") ? "dx" : "displacement_x",
                       y = table.has("dx") ? "dy" : "displacement_y";
     const std::size_t columns[2] = {table.column(x), table.column(y)};
-    const std::vector<std::int32_t> points = points_of(table, mesh, in_order);
+    const std::vector<std::int32_t> points = points_of(table, mesh, in_order, JoinedRows::taken);
     std::vector<bool> is_given(mesh.x.size(), true);
-    if (points.size() == mesh.x.size()) is_given = given_points(mesh, conditions);
+    if (std::set<std::int32_t>(points.begin(), points.end()).size() == mesh.x.size())
+        is_given = given_points(mesh, conditions);
     WallField field;
     for (std::size_t row = 0; row < points.size(); ++row) {
         if (!is_given[place(points[row])]) continue;
@@ -79,13 +81,30 @@ WallField take_rows(const PointTable& table, const Mesh& mesh,
     return field;
 }
 
+// Points of the file at one place, which are one point of the mesh, move alike: the displacement of
+// the first one stands for those that differ by rounding. The library refuses larger differences.
+void join(WallField& field, const Mesh& mesh) {
+    const double rounding = smallest_reach * extent_of(mesh);
+    std::map<std::int32_t, std::size_t> first_of;
+    for (std::size_t row = 0; row < field.points.size(); ++row) {
+        const std::size_t first = first_of.emplace(field.points[row], row).first->second;
+        if (length_of(field.x[row] - field.x[first], field.y[row] - field.y[first]) > rounding)
+            continue;
+        field.x[row] = field.x[first];
+        field.y[row] = field.y[first];
+    }
+}
+
 }  // namespace
 
 WallField read_wall_field(const std::string& path, const Mesh& mesh,
                           const std::vector<hm_condition>& conditions, bool in_order) {
     const auto file = std::make_shared<const TextFile>(read_unpacked(path));
-    if (is_plain_table(*file)) return read_lines(*file, mesh);
-    return take_rows(read_point_table(file), mesh, conditions, in_order);
+    WallField field = is_plain_table(*file)
+                          ? read_lines(*file, mesh)
+                          : take_rows(read_point_table(file), mesh, conditions, in_order);
+    join(field, mesh);
+    return field;
 }
 
 void FluxList::give_to(hm_problem& problem) const {

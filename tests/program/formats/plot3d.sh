@@ -32,6 +32,40 @@ refuses "plot3d: .nmf of other sizes" \
     "$harmorph" \
     check "$tmp/text-k.p3d"
 rm "$tmp/text-k.nmf"
+# Points of several blocks have the numbers of the file, also those that blocks have in common.
+two=$tmp/two-text-iblank.p3d
+body=$(body_of "$two")
+check "plot3d: two blocks: fit" "$harmorph" fit "$two" --marker "$body" --points 8 -o "$tmp/curve"
+check "plot3d: two blocks: solve" "$harmorph" solve "$two" --curve "$body=$tmp/curve" -o "$tmp/basis"
+check "plot3d: two blocks: export" "$harmorph" export "$two" "$tmp/basis" --function 1 --csv "$tmp/two.csv"
+points_of_blocks() { tr -s ' \n' '\n' <"$two" | awk 'NF { v[n++] = $1 }
+    END { at = 1 + 2 * v[0]
+        for (b = 0; b < v[0]; b++) {
+            m = v[1 + 2 * b] * v[2 + 2 * b]
+            for (k = 0; k < m; k++) print point++, v[at + k], v[at + m + k]
+            at += 3 * m
+        } }'; }
+points_of_blocks >"$tmp/in-file"
+are_those_of_the_file() { tail -n +2 "$tmp/two.csv" | tr , ' ' | awk '
+    FILENAME != "-" { x[$1] = $2; y[$1] = $3; next }
+    { d = (x[$1] - $2) ^ 2 + (y[$1] - $3) ^ 2; if (!($1 in x) || d > 1e-20) bad = 1; n++ }
+    END { exit bad || n == 0 }' "$tmp/in-file" -; }
+check "plot3d: two blocks: points have the numbers of the file" are_those_of_the_file
+# A row for each point of the file: derivatives at common points are added.
+awk '{ print $1, sin($1), cos($1) }' "$tmp/in-file" >"$tmp/by-number.txt"
+awk 'BEGIN { print "x,y,Sensitivity_x,Sensitivity_y" } { print $2 "," $3 "," sin($1) "," cos($1) }' "$tmp/in-file" \
+    >"$tmp/by-place.csv"
+for table in by-number.txt by-place.csv; do
+    check "plot3d: two blocks: adjoint, $table" "$harmorph" adjoint "$two" "$tmp/basis" --sensitivity "$tmp/$table" \
+        -o "$tmp/gradient.txt"
+    grep -v '^#' "$tmp/gradient.txt" >"$tmp/rows-$table"
+done
+check "plot3d: two blocks: the same gradient by numbers and by places" alike 1e-12 "$tmp/rows-by-number.txt" \
+    "$tmp/rows-by-place.csv"
+{ echo "x,y,dx,dy"; awk '{ print $2 "," $3 "," .01 * $2 "," .02 * $3 }' "$tmp/in-file"; } >"$tmp/all.csv"
+check "plot3d: two blocks: displacements of all points of the file" "$harmorph" displace "$two" --given "$body" \
+    --wall "$tmp/all.csv" -o "$tmp/displaced.p3d"
+
 # Runs of equal numbers in a line as n*number, and the sizes, too: the same mesh.
 tr '\n' ' ' <"$tmp/text-k.p3d" | awk '{
     line = ""

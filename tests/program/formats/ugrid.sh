@@ -16,6 +16,22 @@ check "ugrid: other names at the place of the morphed mesh" "$harmorph" morph "$
 says "ugrid: other names at the place of the morphed mesh: they are named" \
     'again.mapbc, which was there before and differs from'
 check "ugrid: other names at the place of the morphed mesh: they stay" grep wing "$tmp/named/again.mapbc"
+mkdir "$tmp/stale"
+cp "$tmp/prisms.lb8.ugrid" "$tmp/stale/unnamed.lb8.ugrid"
+cp "$tmp/prisms.mapbc" "$tmp/stale/moved-unnamed.mapbc"
+check "ugrid: no names: fit" "$harmorph" fit "$tmp/stale/unnamed.lb8.ugrid" --marker 1 --points 8 -o "$tmp/curve"
+check "ugrid: no names: solve" "$harmorph" solve "$tmp/stale/unnamed.lb8.ugrid" --curve "1=$tmp/curve" \
+    -o "$tmp/stale/basis"
+check "ugrid: names at the place of the morphed mesh of a mesh without names" "$harmorph" morph \
+    "$tmp/stale/unnamed.lb8.ugrid" "$tmp/stale/basis" --move "$tmp/moves.txt" -o "$tmp/stale/moved-unnamed.lb8.ugrid"
+says "ugrid: names at the place of the morphed mesh of a mesh without names: they are named" \
+    'moved-unnamed.mapbc, which was there before;'
+"$harmorph" morph "$tmp/named/prisms.lb8.ugrid" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/stale/x.lb8.ugrid" \
+    --vtu "$tmp/stale/x.mapbc" >"$tmp/out" 2>&1
+code=$?
+says "ugrid: another output in the place of the names: refused by name" 'x.mapbc: two outputs need two files'
+check "ugrid: another output in the place of the names: refused" test $code = 2
+check "ugrid: another output in the place of the names: nothing is written" test ! -e "$tmp/stale/x.lb8.ugrid"
 check "ugrid: in place, the names stay" "$harmorph" morph "$moved" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved"
 check "ugrid: in place, the names stay: the same" cmp "$tmp/prisms.mapbc" "$tmp/named/moved-prisms.mapbc"
 echo 'body 5' >>"$tmp/prisms.mapbc"
