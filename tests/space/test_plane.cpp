@@ -128,8 +128,8 @@ TEST_CASE("layers may number the points at one place in any order, also those wi
     // between them. The middle one, whose point at the wall has no side, lies between the others.
     Mesh mesh;
     Point const left{-1, 0}, wall{0, 0}, upper_left{-.5, 1}, upper_right{.5, 1}, right{1, 0};
-    for (Point const& p : {left, wall, upper_left, wall, upper_right, upper_left, wall, right,
-                           upper_right})
+    for (Point const& p :
+         {left, wall, upper_left, wall, upper_right, upper_left, wall, right, upper_right})
         mesh.add_point(p);
     for (std::int32_t k = 0; k < 9; ++k) mesh.cells.push_back(k);
     mesh.cell_start = {0, 3, 6, 9};

@@ -26,7 +26,7 @@ namespace {
 // Prints the command that a user would type, and runs the command.
 void step(const std::string& purpose, const std::vector<std::string>& words) {
     std::string line = "harmorph";
-    for (const std::string& word : words) line += " " + word;
+    for (const std::string& word : words) line += " " + word_of_shell(word);
     print("\n# %s\n$ %s\n", purpose.c_str(), line.c_str());
     run_command(words);
 }

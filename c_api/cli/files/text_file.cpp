@@ -80,7 +80,7 @@ void TextFile::fail(std::size_t offset, std::string_view message) const {
         throw Failure(exit_file, path_ +
                                      ": the file is a basis, which `harmorph solve` writes; "
                                      "another file is expected in this place");
-    throw Failure(exit_file, (place(offset) + ": ").append(message));
+    throw Failure(is_option_ ? exit_usage : exit_file, (place(offset) + ": ").append(message));
 }
 
 void TextFile::listen(std::function<void(double)> listener) {

@@ -75,6 +75,11 @@ public:
     }
 
 private:
+    static double power_of_ten(int exponent) {
+        double value = 0;
+        parse("1e" + std::to_string(exponent), value);
+        return value;
+    }
     static bool is_same(char style, int digits, double value) {
         std::string text;
         append_number(text, style, digits, value);
@@ -89,9 +94,9 @@ private:
     // Half a unit of the last digit, but not more than in a table of 6 digits.
     double of(double value) const {
         const double size = std::fabs(value);
-        double unit = decimals_ < 17 ? std::pow(10.0, -decimals_) : 0;
+        double unit = decimals_ < 17 ? power_of_ten(-decimals_) : 0;
         if (size > 0)
-            unit = std::max(unit, std::pow(10.0, std::floor(std::log10(size)) + 1 - significant_));
+            unit = std::max(unit, power_of_ten(decimal_exponent(size) + 1 - significant_));
         if (is_single_) unit = std::max(unit, 1.2e-7 * size);
         return std::min(.501 * unit, 2e-6 * extent_) + 1e-15 * size;
     }

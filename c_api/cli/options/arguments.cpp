@@ -39,9 +39,6 @@ void Arguments::apply_settings() {
     }
 }
 
-namespace {
-
-// Returns the word as a shell takes it.
 std::string word_of_shell(const std::string& word) {
     const auto is_plain = [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) ||
@@ -52,8 +49,6 @@ std::string word_of_shell(const std::string& word) {
     for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
     return quoted + "'";
 }
-
-}  // namespace
 
 std::string Arguments::written_out() const {
     std::string line = "harmorph " + command_.name;

@@ -83,4 +83,7 @@ private:
 
 std::int32_t threads_of(const Arguments& arguments);  // every command that computes has --threads
 
+// Returns the word as a shell takes it.
+std::string word_of_shell(const std::string& word);
+
 }  // namespace cli

@@ -1,6 +1,10 @@
 # The demo on the shipped mesh.
 
-runs "demo" 0 demo "$tmp/demo" --mesh "$meshes/naca0012.su2"
+mkdir -p "$tmp/a b's"
+runs "demo" 0 demo "$tmp/a b's/../demo" --mesh "$meshes/naca0012.su2"
+line=$(sed -n 's/^\$ harmorph \(fit .*\)/\1/p' "$tmp/out")
+repeats_the_command() { test -n "$line" && eval "\"$harmorph\" $line"; }
+check "demo: a printed command can be repeated, also with blanks in names" repeats_the_command
 for file in mesh.su2 airfoil.curve airfoil.basis moves.txt morphed.su2 morphed.su2.curve morphed.vtu morph.svg \
     function.svg far.txt far.su2 fine.su2 fine.basis report.html page.html; do
     check "demo leaves $file" test -s "$tmp/demo/$file"

@@ -96,9 +96,9 @@ refuses "an option with wrong letters" 2 "'--markre' is unknown; did you mean '-
     --markre body -o "$tmp/x"
 refuses "a marker with wrong letters" 2 "did you mean 'body'?" fit "$ring" --marker Boddy -o "$tmp/x"
 refuses "no condition" 2 '--curve MARKER=FILE' solve "$ring" -o "$tmp/x"
-refuses "an unknown movement" 3 'turn, shift, scale, flap, rigid or mode' morph "$ring" "$basis" \
+refuses "an unknown movement" 2 'turn, shift, scale, flap, rigid or mode' morph "$ring" "$basis" \
     --by 'trun body 3' -o "$tmp/x"
-refuses "a line of moves is no file" 3 "harmorph: --by '1 2': the option needs index dx dy here" \
+refuses "a line of moves is no file" 2 "harmorph: --by '1 2': the option needs index dx dy here" \
     morph "$ring" "$basis" --by '1 2' -o "$tmp/x"
 runs "morph without -o" 0 morph "$ring" "$basis" --move "$no_moves"
 check "morph without -o: nothing is written" grep '^morphed mesh  *not written: -o FILE' "$tmp/out"

@@ -44,7 +44,7 @@ bodies() { # bodies W H NAME WORD
     runs "$what: the place may be another one" 0 morph "$mesh" "$grammar/b.basis" \
         --by "rigid $word@$(($1 - 1)):1 .1 0 5" -o "$grammar/other.su2"
     check "$what: the place may be another one: same mesh" cmp "$grammar/one.su2" "$grammar/other.su2"
-    refuses "$what: the name alone is both" 3 'a piece MARKER@X:Y' morph "$mesh" "$grammar/b.basis" \
+    refuses "$what: the name alone is both" 2 'a piece MARKER@X:Y' morph "$mesh" "$grammar/b.basis" \
         --by "rigid $word .1 0 5" -o "$tmp/x"
     runs "$what: what is written" 0 morph "$mesh" "$grammar/b.basis" --by "rigid $word@$far_x:$y .1 0 5" --safe \
         --reached "$grammar/reached.txt" -o "$grammar/safe.su2"

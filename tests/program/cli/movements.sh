@@ -50,13 +50,13 @@ END { print worst; exit compared != 132 || worst > 1e-28 }
 AWK
 check "movements: displace: the wall is that of morph" awk -f "$tmp/same_wall.awk" "$tmp/flap.su2" "$tmp/displaced.su2"
 
-refuses "movements: a marker without a curve" 3 'a marker on a curve' morph "$mesh" "$basis" \
+refuses "movements: a marker without a curve" 2 'a marker on a curve' morph "$mesh" "$basis" \
     --by 'turn farfield 3' -o "$tmp/x"
-refuses "movements: no number" 3 "--by 'turn airfoil x': the option needs a finite number" morph "$mesh" "$basis" \
+refuses "movements: no number" 2 "--by 'turn airfoil x': the option needs a finite number" morph "$mesh" "$basis" \
     --by 'shift airfoil 0 0' --by 'turn airfoil x' -o "$tmp/x"
-refuses "movements: too few words" 3 'flap MARKER X,Y degrees' morph "$mesh" "$basis" --by 'flap airfoil 3' -o "$tmp/x"
-refuses "movements: a factor of 0" 3 'a factor above 0' morph "$mesh" "$basis" --by 'scale airfoil 0' -o "$tmp/x"
-refuses "movements: too many degrees" 3 'out of range' morph "$mesh" "$basis" --by 'turn airfoil 400' -o "$tmp/x"
+refuses "movements: too few words" 2 'flap MARKER X,Y degrees' morph "$mesh" "$basis" --by 'flap airfoil 3' -o "$tmp/x"
+refuses "movements: a factor of 0" 2 'a factor above 0' morph "$mesh" "$basis" --by 'scale airfoil 0' -o "$tmp/x"
+refuses "movements: too many degrees" 2 'out of range' morph "$mesh" "$basis" --by 'turn airfoil 400' -o "$tmp/x"
 refuses "movements: --by and --variables" 2 'exclude each other' morph "$mesh" "$basis" --by 'turn airfoil 4' \
     --variables "$airfoil" --move "$airfoil" -o "$tmp/x"
 
