@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <string>
 #include <utility>
 #include <fixtures/memory.hpp>
 
@@ -57,7 +58,9 @@ public:
         for (std::size_t k = 0; k < points.size(); ++k)
             for (std::size_t other = 0; other < k; ++other) {
                 double const dx = points[k].x - points[other].x, dy = points[k].y - points[other].y;
-                has_twins = has_twins || std::hypot(dx, dy) <= 1e-6 * reach;
+                double const distance = std::hypot(dx, dy);
+                has_twins = has_twins || distance <= 1e-6 * reach;
+                is_accurate = is_accurate && (distance == 0 || distance > 1e-6 * reach);
             }
         std::size_t const n = domain_.points.size();
         std::vector<std::int32_t> order(n * at(layers_));
@@ -128,6 +131,7 @@ public:
     Numbers x, y, z;
     // Points of the plane are in one place but for rounding: numbers decide who follows whom.
     bool has_twins = false;
+    bool is_accurate = true;  // all other points are apart, in spite of the rounding in space
     std::vector<std::int32_t> plane_point;  // of each point of space: the point of the domain
 
 private:
@@ -164,6 +168,18 @@ public:
             expect(followed >= 0 && followed < info_.n_points, "a point follows none");
             auto const found = leader.insert({space_.plane_point[at(k)], followed}).first;
             expect(found->second == followed, "layers follow different points");
+        }
+    }
+
+    // Both ends of an edge from one layer to the next follow one point of the plane.
+    void sides() const {
+        hm_space_mesh const& space = space_.space;
+        for (std::int32_t i = 0; i < space.n_sides; ++i) {
+            auto const followed = [&](std::int32_t k) {
+                return info_.follows[space.side_points[4 * i + k] - space.index_base];
+            };
+            expect(followed(0) == followed(3) && followed(1) == followed(2),
+                   "the two ends of an edge between layers follow different points");
         }
     }
 
@@ -227,8 +243,13 @@ Outcome run_plane(Input& input) {
     hm_plane* plane = nullptr;
     hm_status const status = blocks.make(error, size_by(fixtures::plane_size, &space.space),
                                          init_by(hm_plane_init, &plane, &space.space));
+    std::string const text = error.text;
+    bool const is_apart = text.find("has no opposite point") != text.npos ||
+                          text.find("points of the plane, but must") != text.npos;
+    if (!is_broken && space.is_accurate) expect(!is_apart, error.text);
     if (status < 0) return Outcome::refused;
     Layers layers(space, plane);
+    if (!is_broken) layers.sides();
     if (!is_broken && !space.has_twins) layers.followers();
     layers.transpose(input);
     blocks.expect_intact();
