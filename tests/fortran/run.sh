@@ -23,12 +23,13 @@ quietly() { "$@" 2>&1 | tee "$dir/warnings"; test ! -s "$dir/warnings"; }
 # are programs of other tests, or shared with them.
 shared="counts meshes body_mesh kept"
 topics=$(ls tests/fortran | sed -n 's/\.f90$//p' | grep -vxE "use|layout|o_mesh|read_su2|$(echo $shared | tr ' ' '|')")
+# The tests themselves are not optimised (of several levels the last one counts): that would take most of the time.
 build_and_run() {   # where, flags...: its own modules and objects in each place
     place=$dir/$1; shift
     mkdir -p "$place"
     check "module with $*" quietly $FC $strict $FFLAGS "$@" -J"$place" -c "$build/harmorph.f90" -o "$place/harmorph.o"
     for test in $shared $topics use; do
-        check "$test.f90 with $*" quietly $FC $strict $loose $FFLAGS "$@" -I"$place" -J"$place" \
+        check "$test.f90 with $*" quietly $FC $strict $loose $FFLAGS "$@" -O0 -I"$place" -J"$place" \
             -c tests/fortran/$test.f90 -o "$place/$test.o"
     done
     check "link with $*" $FC $FFLAGS "$@" "$place"/*.o "$build/libharmorph.a" -o "$place/use"
@@ -59,7 +60,7 @@ if [ -n "$openmp" ]; then build_and_run openmp $openmp; fi
 if [ -n "$address" ]; then
     echo 'end' >"$dir/empty.f90"
     if $FC $address "$dir/empty.f90" -o "$dir/empty" 2>/dev/null && "$dir/empty"; then
-        build_and_run address -O0 -g $address
+        build_and_run address -O0 $address
     else
         skip "the address sanitizer" "$FC has none"
     fi
