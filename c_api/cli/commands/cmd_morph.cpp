@@ -159,7 +159,8 @@ void warn_of_earlier_movement(const Arguments& arguments, const Basis& basis) {
                               arguments.has("--variables");
     if (needs_curves) basis.curves();
     if (basis.info().curves > 0 && !basis.why_on_no_curve().empty())
-        return warn(basis.why_on_no_curve() + "; the morphed mesh is written without a curve");
+        return warn(basis.why_on_no_curve() +
+                    "; the curves of the moved mesh are unknown and are not written");
     warn("the mesh has moved since the basis was solved: wall points are up to " +
          brief(basis.distance_from_curves()) +
          " from the places to which a movement of the basis "

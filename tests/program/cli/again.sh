@@ -51,5 +51,5 @@ refuses "again: on no curve: --to-airfoil" 1 'the wall is on no curve' morph "$t
 refuses "again: on no curve: explore" 1 'the wall is on no curve' explore "$tmp/dented.su2" "$basis" -o "$tmp/x"
 runs "again: on no curve: the mesh alone" 0 morph "$tmp/dented.su2" "$basis" --move "$tmp/small.txt" \
     -o "$tmp/dented-moved.su2"
-check "again: on no curve: a warning" says 'written without a curve'
+check "again: on no curve: a warning" says 'are unknown and are not written'
 check "again: on no curve: no file of it" test ! -e "$tmp/dented-moved.su2.curve"
