@@ -25,8 +25,22 @@ public:
     explicit PointFinder(const Mesh& mesh) : mesh_(mesh) {
         for (std::int32_t point = 0; point < mesh.points(); ++point) order_.push_back(point);
         std::sort(order_.begin(), order_.end(), [&](std::int32_t a, std::int32_t b) {
-            return x(a) != x(b) ? x(a) < x(b) : a < b;
+            return x(a) != x(b) ? x(a) < x(b) : y(a) != y(b) ? y(a) < y(b) : a < b;
         });
+    }
+    // Returns a point with exactly these coordinates, or -1; of several one that is_free(point)
+    // names, if there is one.
+    template <class IsFree>
+    std::int32_t at(double at_x, double at_y, const IsFree& is_free) const {
+        auto next = std::lower_bound(order_.begin(), order_.end(), 0, [&](std::int32_t p, int) {
+            return x(p) != at_x ? x(p) < at_x : y(p) < at_y;
+        });
+        std::int32_t found = -1;
+        for (; next != order_.end() && x(*next) == at_x && y(*next) == at_y; ++next) {
+            if (found < 0 || is_free(*next)) found = *next;
+            if (is_free(found)) break;
+        }
+        return found;
     }
     // Returns the point nearest to a place, or -1 if no point is within `reach`; of points at one
     // place one that is_free(point) names, if there is one.
@@ -117,15 +131,16 @@ public:
     template <class IsFree>
     std::int32_t find(double x, double y, std::int32_t number, bool is_named,
                       const IsFree& is_free) const {
-        if (number >= 0 && distance(number, x, y) == 0) return number;
+        const auto k = static_cast<std::size_t>(number);
+        if (number >= 0 && mesh_.x[k] == x && mesh_.y[k] == y) return number;
+        const bool may_be = number >= 0 && rounding_.may_be(mesh_.x[k], mesh_.y[k], x, y);
+        const std::int32_t exact = finder_.at(x, y, is_free);
+        if (may_be && (is_named || exact < 0 || !is_free(exact))) return number;
+        if (exact >= 0) return is_named ? -1 : exact;
         const std::int32_t nearest = finder_.nearest(x, y, rounding_.reach(x, y), is_free);
         if (nearest < 0 || number < 0) return nearest;
-        const double least = distance(nearest, x, y);
-        const auto k = static_cast<std::size_t>(number);
-        const bool may_be = rounding_.may_be(mesh_.x[k], mesh_.y[k], x, y) &&
-                            (is_named || least > 0 || !is_free(nearest));
-        const bool is_nearest = distance(number, x, y) == least;
-        return is_nearest || may_be ? number : is_named ? -1 : nearest;
+        const bool is_nearest = distance(number, x, y) == distance(nearest, x, y);
+        return is_nearest ? number : is_named ? -1 : nearest;
     }
 
 private:
