@@ -221,22 +221,25 @@ Status PlaneSearch::follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) no
 void PlaneSearch::follow_sides(SpaceMesh const& mesh, Plane& plane) noexcept {
     for (bool found = true; found;) {
         found = false;
-        for (Index i = 0; i < mesh.n_sides; ++i) {
-            for (Index k = 0; k < 4; ++k) {
-                Index const one = mesh.side_points[Offset{4} * i + k] - mesh.index_base;
-                Index const next = mesh.side_points[Offset{4} * i + (k + 1) % 4] - mesh.index_base;
-                if (known[one] == known[next]) continue;
-                Index const a = known[one] != 0 ? one : next, b = one + next - a;
-                Index const place = first_at_place[plane.follows[a] - plane.index_base];
-                bool const is_opposite =
-                    place == first_at_place[plane.follows[b] - plane.index_base];
-                if (!is_opposite || next_at_place[place] == none) continue;
-                plane.follows[b] = plane.follows[a];
-                known[b] = 1;
-                found = true;
-            }
+        for (Offset k = 0; k < Offset{4} * mesh.n_sides; ++k) {
+            Offset const next = k % 4 == 3 ? k - 3 : k + 1;
+            found = follow_edge(mesh.side_points[k] - mesh.index_base,
+                                mesh.side_points[next] - mesh.index_base, plane) ||
+                    found;
         }
     }
+}
+
+// Returns whether the edge of a side has said which point one of its ends follows.
+bool PlaneSearch::follow_edge(Index one, Index next, Plane& plane) noexcept {
+    if (known[one] == known[next]) return false;
+    Index const a = known[one] != 0 ? one : next, b = one + next - a;
+    Index const place = first_at_place[plane.follows[a] - plane.index_base];
+    bool const is_opposite = place == first_at_place[plane.follows[b] - plane.index_base];
+    if (!is_opposite || next_at_place[place] == none) return false;
+    plane.follows[b] = plane.follows[a];
+    known[b] = 1;
+    return true;
 }
 
 // If n points of the plane coincide, each layer normally has n points opposite to them. If a layer

@@ -81,6 +81,7 @@ private:
     void find_places(Plane const& plane) noexcept;
     Status follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexcept;
     void follow_sides(SpaceMesh const& mesh, Plane& plane) noexcept;
+    bool follow_edge(Index one, Index next, Plane& plane) noexcept;
     void resolve(Plane& plane, Size n_ambiguous) noexcept;
     void follow_remaining(Plane& plane, Index place, Span<Ambiguous> layer) noexcept;
     Status list_followers(Plane& plane, Fault& fault) noexcept;

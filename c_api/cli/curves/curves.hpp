@@ -36,8 +36,8 @@ Curves copied(const hm_curves& from);
 
 const char* closed_name(std::int32_t closed);  // "open", "tied", "periodic"
 
-// Curves as an argument of the library, whose messages count them, control points and knots from 1,
-// as the program does. The view points into the curves, which must not change.
+// Curves as an argument of the library. Messages of the library then count curves, control points
+// and knots from 1, as the program does. The view points into the curves, which must not change.
 class CurvesView {
 public:
     explicit CurvesView(const Curves& curves);

@@ -80,12 +80,13 @@ public:
     }
     // Returns whether a place of the mesh, written with these digits, may be that of a row.
     bool may_be(double of_mesh_x, double of_mesh_y, double x, double y) const {
-        return std::fabs(of_mesh_x - x) <= of(x) && std::fabs(of_mesh_y - y) <= of(y);
+        return std::fabs(of_mesh_x - x) <= half_unit(x) && std::fabs(of_mesh_y - y) <= half_unit(y);
     }
     // Returns within what distance a point of the mesh is that of a row: other programs may have
     // computed in single precision.
     double reach(double x, double y) const {
-        return length_of(of(x), of(y)) + 1e-6 * length_of(x, y) + smallest_reach * extent_;
+        return length_of(half_unit(x), half_unit(y)) + 1e-6 * length_of(x, y) +
+               smallest_reach * extent_;
     }
 
 private:
@@ -94,19 +95,20 @@ private:
         parse("1e" + std::to_string(exponent), value);
         return value;
     }
-    static bool is_same(char style, int digits, double value) {
+    // Returns whether the number, printed with these digits, is read back as the same number.
+    static bool has_digits(char style, int digits, double value) {
         std::string text;
         append_number(text, style, digits, value);
         double read = 0;
         return parse(text, read) && read == value;
     }
     void add(double value) {
-        while (significant_ < 17 && !is_same('e', significant_ - 1, value)) ++significant_;
-        while (decimals_ < 17 && !is_same('f', decimals_, value)) ++decimals_;
+        while (significant_ < 17 && !has_digits('e', significant_ - 1, value)) ++significant_;
+        while (decimals_ < 17 && !has_digits('f', decimals_, value)) ++decimals_;
         is_single_ = is_single_ && static_cast<double>(static_cast<float>(value)) == value;
     }
     // Half a unit of the last digit, but not more than in a table of 6 digits.
-    double of(double value) const {
+    double half_unit(double value) const {
         const double size = std::fabs(value);
         double unit = decimals_ < 17 ? power_of_ten(-decimals_) : 0;
         if (size > 0)
@@ -123,19 +125,18 @@ private:
 // The point of the mesh to which a row with coordinates belongs. `number`: the point that the row
 // names, or of which the row has the place in the table; -1: none. Returns -1 if no point of the
 // mesh has these coordinates.
-class PlaceOfRow {
+class PointOfRow {
 public:
-    PlaceOfRow(const PointTable& table, const PointColumns& columns, const Mesh& mesh)
+    PointOfRow(const PointTable& table, const PointColumns& columns, const Mesh& mesh)
         : mesh_(mesh), rounding_(table, columns, extent_of(mesh)), finder_(mesh) {}
 
     template <class IsFree>
     std::int32_t find(double x, double y, std::int32_t number, bool is_named,
                       const IsFree& is_free) const {
-        const auto k = static_cast<std::size_t>(number);
-        if (number >= 0 && mesh_.x[k] == x && mesh_.y[k] == y) return number;
-        const bool may_be = number >= 0 && rounding_.may_be(mesh_.x[k], mesh_.y[k], x, y);
+        if (number >= 0 && distance(number, x, y) == 0) return number;
         const std::int32_t exact = finder_.at(x, y, is_free);
-        if (may_be && (is_named || exact < 0 || !is_free(exact))) return number;
+        const bool is_other = exact >= 0 && is_free(exact) && !is_named;
+        if (number >= 0 && !is_other && may_be(number, x, y)) return number;
         if (exact >= 0) return is_named ? -1 : exact;
         const std::int32_t nearest = finder_.nearest(x, y, rounding_.reach(x, y), is_free);
         if (nearest < 0 || number < 0) return nearest;
@@ -144,6 +145,10 @@ public:
     }
 
 private:
+    bool may_be(std::int32_t point, double x, double y) const {
+        const auto k = static_cast<std::size_t>(point);
+        return rounding_.may_be(mesh_.x[k], mesh_.y[k], x, y);
+    }
     double distance(std::int32_t point, double x, double y) const {
         const auto k = static_cast<std::size_t>(point);
         return length_of(mesh_.x[k] - x, mesh_.y[k] - y);
@@ -163,20 +168,26 @@ std::int32_t by_number(const PointTable& table, std::size_t row, std::size_t col
     if (number == std::floor(number) && std::fabs(number) < 1e15)
         point = numbers.point(static_cast<std::int64_t>(number));
     if (point < 0) {
-        throw Failure(exit_file, table.place(row) + ": the mesh has points 0 to " +
-                                     std::to_string(numbers.count() - 1) + ", and no point " +
-                                     brief(number));
+        const bool is_in_file = number == std::floor(number) && number >= 0 &&
+                                number < static_cast<double>(numbers.count());
+        throw Failure(exit_file, table.place(row) +
+                                     (is_in_file ? ": point " + brief(number) +
+                                                       " of the mesh file is no corner of a cell"
+                                                 : ": the mesh file has points 0 to " +
+                                                       std::to_string(numbers.count() - 1) +
+                                                       ", and no point " + brief(number)));
     }
     return point;
 }
 
 [[noreturn]] void refuse_place(const PointTable& table, std::size_t row, const Mesh& mesh,
-                               const PointColumns& columns, std::int32_t point) {
+                               const PointColumns& columns, const PointNumbers& numbers,
+                               std::int32_t point) {
     std::string where = "this mesh has no point at ";
     std::string remedy;
     if (point >= 0) {
         const auto k = static_cast<std::size_t>(point);
-        where = "point " + std::to_string(point) + " of this mesh is at " +
+        where = "point " + std::to_string(numbers.number(point)) + " of this mesh is at " +
                 place_text(mesh.x[k], mesh.y[k]) + ", not at ";
         if (columns.has_numbers()) {
             remedy = "; if the numbers " + in_quotes(table.names[columns.number]) +
@@ -205,9 +216,9 @@ void check_order(const PointTable& table, const Mesh& mesh, const PointNumbers& 
     if (!numbers.are_those_of_mesh()) {
         throw Failure(exit_file,
                       table.file->path() +
-                          ": the mesh is one cell thick, and its file does not begin with the "
-                          "points of one plane, so that rows need the numbers of points in the "
-                          "file, or their coordinates");
+                          ": the points of the mesh are not the first points of its file, which "
+                          "has a second plane or several points at one place, so that rows need "
+                          "the numbers of points in the file, or their coordinates");
     }
     if (table.rows() != mesh.x.size()) {
         throw Failure(exit_file,
@@ -216,14 +227,6 @@ void check_order(const PointTable& table, const Mesh& mesh, const PointNumbers& 
                           " without numbers and coordinates of points, but the mesh has " +
                           plural(mesh.points(), "point"));
     }
-}
-
-// Notes that a row names a point of the file. Returns whether another row has done so.
-bool name(double number, std::vector<bool>& is_named) {
-    const auto k = static_cast<std::size_t>(number);
-    const bool before = is_named[k];
-    is_named[k] = true;
-    return before;
 }
 
 }  // namespace
@@ -237,15 +240,15 @@ std::vector<std::int32_t> points_of(const PointTable& table, const Mesh& mesh, b
                                     JoinedRows joined) {
     if (has_points_of_file(table, mesh) && table.rows() != mesh.x.size()) {
         throw Failure(exit_file, table.file->path() +
-                                     ": the file has values at all points in space of the mesh, "
-                                     "which is one cell thick; give values at the points of one "
-                                     "plane, such as a CSV table with the columns x and y");
+                                     ": the file has values at all points of the mesh file, "
+                                     "of which several are one point of the mesh; give one value "
+                                     "for each, such as in a CSV table with the columns x and y");
     }
     const PointColumns columns = table.point_columns();
     const bool is_numbered = columns.has_numbers(), is_placed = columns.has_places();
     const PointNumbers numbers(mesh);
     if (!is_numbered && !is_placed) check_order(table, mesh, numbers, in_order);
-    const PlaceOfRow places(table, columns, mesh);
+    const PointOfRow point_of_row(table, columns, mesh);
     std::vector<std::int32_t> points;
     std::vector<std::int32_t> rows_of(mesh.x.size());
     std::vector<bool> is_named(static_cast<std::size_t>(numbers.count()));
@@ -255,11 +258,17 @@ std::vector<std::int32_t> points_of(const PointTable& table, const Mesh& mesh, b
         if (is_placed) {
             const auto is_free = [&](std::int32_t p) { return rows_of[place(p)] == 0; };
             const std::int32_t given = point < mesh.points() ? point : -1;
-            point = places.find(table.at(row, columns.place[0]), table.at(row, columns.place[1]),
-                                given, is_numbered, is_free);
-            if (point < 0) refuse_place(table, row, mesh, columns, is_numbered ? given : -1);
+            point = point_of_row.find(table.at(row, columns.place[0]),
+                                      table.at(row, columns.place[1]), given, is_numbered, is_free);
+            if (point < 0)
+                refuse_place(table, row, mesh, columns, numbers, is_numbered ? given : -1);
         }
-        const bool is_named_again = is_numbered && name(table.at(row, columns.number), is_named);
+        bool is_named_again = false;
+        if (is_numbered) {
+            const auto number = static_cast<std::size_t>(table.at(row, columns.number));
+            is_named_again = is_named[number];
+            is_named[number] = true;
+        }
         const std::int32_t most = joined == JoinedRows::refused ? 1 : numbers.points_in_file(point);
         if (is_named_again || ++rows_of[place(point)] > most)
             throw Failure(exit_file, table.place(row) + ": point " +

@@ -187,6 +187,7 @@ Sensitivity by_points_of_file(const PointTable& table, const SensitivityColumns&
                                table.names.size()};
     const PointColumns at = table.point_columns();
     const bool has_places = at.has_places() && at.place[2] != PointColumns::none;
+    constexpr double six_digits = 6e-6;  // of a coordinate: text has 6 digits or more
     const double noise = smallest_reach * extent_of(mesh);
     Sensitivity found{Field(mesh.x.size()), table.rows()};
     for (const CoordinateSlot& slot : mesh.in_file.slots) {
@@ -198,7 +199,7 @@ Sensitivity by_points_of_file(const PointTable& table, const SensitivityColumns&
         if (slot.rule >= 0) along = mesh.in_file.directions[static_cast<std::size_t>(slot.rule)];
         const double place = slot.rule == takes_x ? mesh.x[point] : mesh.y[point];
         if (has_places && slot.rule < 0 &&
-            std::fabs(table.at(row, at.place[d]) - place) > 6e-6 * std::fabs(place) + noise) {
+            std::fabs(table.at(row, at.place[d]) - place) > six_digits * std::fabs(place) + noise) {
             throw Failure(exit_file, table.place(row) +
                                          ": the values are those of another mesh: coordinate " +
                                          std::string(1, "xyz"[d]) + " is " +

@@ -193,5 +193,5 @@ def test_names_beside_a_mesh_go_with_the_file(tmp_path):
     (tmp_path / "wide.nmf").write_text(names.replace("wall", "wing"))
     mesh.write(tmp_path / "wide.p3d")
     assert "wing" in harmorph.Mesh.read(tmp_path / "wide.p3d").markers
-    mesh.write(tmp_path / "ring.su2")
-    assert not (tmp_path / "wide.mapbc").exists() and (tmp_path / "ring.nmf").read_text() == names
+    mesh.write(tmp_path / "other.su2")
+    assert not (tmp_path / "other.nmf").exists() and (tmp_path / "ring.nmf").read_text() == names

@@ -264,13 +264,13 @@ for file in thick_sens.vtk dJ; do
         /^#/ { next } NR == FNR { x[$1] = $2; y[$1] = $3; next }
         { d = (x[$1] - $2) ^ 2 + (y[$1] - $3) ^ 2; if (d > 1e-24) bad = 1; ++n } END { exit bad || n != 20 }' \
         "$tmp/flat" "$tmp/other"
-    refuses "interpolate: thick: $file" 3 'values at all points in space of the mesh' interpolate "$tmp/thick.vtk" \
+    refuses "interpolate: thick: $file" 3 'values at all points of the mesh file' interpolate "$tmp/thick.vtk" \
         "$tmp/$file" "$tmp/plain.vtk" -o "$tmp/x"
 done
 runs "interpolate: thick: values at one plane" 0 interpolate "$tmp/thick.vtk" "$tmp/sens-placed.csv" "$tmp/plain.vtk" \
     --field jx -o "$tmp/jx.csv"
 sed 's/^VECTORS Sensitivity/VECTORS displacement/' "$tmp/thick_sens.vtk" >"$tmp/bad"
-refuses "displace: thick" 3 'such as a CSV table with the columns x and y' displace "$tmp/thick.vtk" \
+refuses "displace: thick" 3 'such as in a CSV table with the columns x and y' displace "$tmp/thick.vtk" \
     --given boundary1 --wall "$tmp/bad" -o "$tmp/x"
 sed '20s/([^ ]*/(nan/' "$tmp/dJ" >"$tmp/bad"
 refuses "adjoint: OpenFOAM: NaN" 3 'bad:' adjoint "$tmp/thick.vtk" "$tmp/thick.basis" \

@@ -228,7 +228,6 @@ sed '7s/,[^,]*$//' "$tables/paraview.csv" >"$tables/bad.csv"
 refused_gradient "a cell too few" 'bad.csv:7: the file needs 8 columns as in the first line here' "$tables/bad.csv"
 
 # Edges far shorter than the extent of the mesh, as at a wall: 1e-5 of a mesh of 100 chords. The field is 1e5 times y.
-# fine FORMAT ROWS...: a table of these rows; printf's format of x and y.
 fine=$tables/fine.su2
 awk 'BEGIN {
     split("0 1 100", x); split("0 1e-5 2e-5 1 100", y)
@@ -240,7 +239,8 @@ awk 'BEGIN {
     for (i = 0; i < 2; i++) print 3, 5*i, 5*i + 5 "\n" 3, 5*i + 9, 5*i + 4
     for (j = 0; j < 4; j++) print 3, j + 1, j "\n" 3, 10 + j, 11 + j
 }' >"$fine"
-fine() {
+# fine_table FORMAT ROWS...: a table of the rows NUMBER:POINT, with x and y in printf's format.
+fine_table() {
     format=$1; shift
     awk -v format="$format" -v rows="$*" '/^NPOIN/ { inside = 1; next } /^[A-Z]/ { inside = 0 }
         inside { x[n] = $1; y[n++] = $2 }
@@ -257,20 +257,20 @@ swapped="0:1 1:0 2:2 3:3 4:4 5:6 6:7 7:5 8:8 9:9 10:10 11:11 12:12 13:13 14:14"
 moved="1:1 2:2 3:3 4:4 5:5 6:6 7:7 8:8 9:9 10:10 11:11 12:12 13:13 14:14 0:0"
 for format in %.17g %.9g %.6g %.6f; do
     for rows in "$in_order" "$swapped" "$moved"; do
-        fine $format $rows | sed 's/^PointID/n/' >"$tables/fine.csv"
+        fine_table $format $rows | sed 's/^PointID/n/' >"$tables/fine.csv"
         runs "tables: short edges, $format: $rows" 0 interpolate "$fine" "$tables/fine.csv" "$fine" \
             --field f -o "$tables/out.csv"
         check "tables: short edges, $format: $rows: values of their points" field_is_right
     done
-    fine $format $moved >"$tables/fine.csv"
+    fine_table $format $moved >"$tables/fine.csv"
     runs "tables: short edges, $format: numbers" 0 interpolate "$fine" "$tables/fine.csv" "$fine" -o "$tables/out.csv"
     check "tables: short edges, $format: numbers: values of their points" field_is_right
-    fine $format $swapped >"$tables/fine.csv"
+    fine_table $format $swapped >"$tables/fine.csv"
     refuses "tables: short edges, $format: numbers of other points" 3 'point 0 of this mesh is at (0, 0), not at (0, ' \
         interpolate "$fine" "$tables/fine.csv" "$fine" -o "$tmp/x"
 done
 # Digits that do not tell neighbours apart: rows in the order of the mesh belong to the points of their places.
-fine %.4f $in_order | sed 's/^PointID/n/' >"$tables/four.csv"
+fine_table %.4f $in_order | sed 's/^PointID/n/' >"$tables/four.csv"
 runs "tables: equal digits in the order of the mesh" 0 interpolate "$fine" "$tables/four.csv" "$fine" --field f \
     -o "$tables/out.csv"
 check "tables: equal digits in the order of the mesh: values of their points" field_is_right

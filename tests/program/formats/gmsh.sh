@@ -70,3 +70,12 @@ END
 else
     echo "gmsh is not installed: its own files are not tested (Debian's gmsh)"
 fi
+# A row of a table at a node that is no corner.
+mesh=$tmp/quadratic.msh
+body=$(body_of "$mesh")
+check "gmsh: second order: fit" "$harmorph" fit "$mesh" --marker "$body" --points 8 -o "$tmp/curve"
+check "gmsh: second order: solve" "$harmorph" solve "$mesh" --curve "$body=$tmp/curve" -o "$tmp/basis"
+last=$(($(sed -n '/^\$Nodes/{n;p;}' "$mesh") - 1))
+echo "$last 1 0" >"$tmp/middle.txt"
+refuses "gmsh: second order: a value at the middle of an edge" "point $last of the mesh file is no corner of a cell" \
+    "$harmorph" adjoint "$mesh" "$tmp/basis" --sensitivity "$tmp/middle.txt" -o "$tmp/gradient.txt"
