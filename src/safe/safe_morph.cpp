@@ -530,8 +530,9 @@ Status SafeMorph::finish(Work& work) noexcept {
         if (work.farthest_poor > best.fraction) {
             return work.fault.refuse_at(
                 worst.centre.x, worst.centre.y, Status::short_of_target,
-                "the mesh could follow ~ of the movement; beyond that, the smallest quality would "
-                "be less than was asked for: cell # at $",
+                "the mesh could follow ~ of the movement; the meshes found farther on have a "
+                "smaller "
+                "quality than was asked for; the worst cell here: cell # at $",
                 cell_item(worst.cell), {}, best.fraction);
         }
         Index const cell = work.mesh().number(report.limit.cell);

@@ -1,8 +1,8 @@
 #!/bin/sh
 # usage: run.sh BUILD   (FC, FFLAGS, CC, CFLAGS from the environment)
-# The Fortran module and the legacy calls: compiled without a warning and with all run-time checks (not optimised, which
-# would take most of the time), then with default integers and reals of 8 bytes, and, optimised, with OpenMP; each time
-# all tests run.
+# The Fortran module and the legacy calls: compiled without a warning and with all run-time checks, those of the address
+# sanitizer among them (not optimised, which would take most of the time), then optimised, with OpenMP and with default
+# integers and reals of 8 bytes; each time all tests run.
 : "${FC:=gfortran}" "${FFLAGS:=-O2}" "${CC:=cc}" "${CFLAGS:=-O2}"
 build=$(cd "${1:?usage: run.sh BUILD}" && pwd)
 dir=$build/fortran
@@ -10,12 +10,20 @@ rm -rf "$dir"
 mkdir -p "$dir"
 topic=Fortran log=$dir/log
 . "$(dirname "$0")/../count.sh"
-strict=-std=f2008 legacy= checks= long= openmp= address=
+strict=-std=f2008 legacy= checks= long= address=
 if $FC --version 2>/dev/null | grep -q '^GNU'; then
     strict="-std=f2008 -Wall -Wextra -Werror" legacy="-std=legacy -Wall -Wextra -Werror"
-    checks="-fcheck=all,no-array-temps -ffpe-trap=invalid,zero,overflow" long="-fdefault-integer-8 -fdefault-real-8" \
-        openmp=-fopenmp
+    checks="-fcheck=all,no-array-temps -ffpe-trap=invalid,zero,overflow"
+    long="-fopenmp -fdefault-integer-8 -fdefault-real-8"
     address="-fsanitize=address -fno-omit-frame-pointer"
+fi
+if [ -n "$address" ]; then
+    echo 'end' >"$dir/empty.f90"
+    if $FC $address "$dir/empty.f90" -o "$dir/empty" 2>/dev/null && "$dir/empty"; then
+        checks="$checks $address"
+    else
+        skip "the address sanitizer" "$FC has none"
+    fi
 fi
 loose="-Wno-conversion -Wno-compare-reals"    # of the tests: numbers that must be equal
 quietly() { "$@" 2>&1 | tee "$dir/warnings"; test ! -s "$dir/warnings"; }
@@ -55,16 +63,7 @@ assign_mesh a mesh cannot be assigned
 assign_plan a plan cannot be assigned
 assign_basis a basis cannot be assigned
 END
-if [ -n "$long" ]; then build_and_run long -O0 $long; fi
-if [ -n "$openmp" ]; then build_and_run openmp $openmp; fi
-if [ -n "$address" ]; then
-    echo 'end' >"$dir/empty.f90"
-    if $FC $address "$dir/empty.f90" -o "$dir/empty" 2>/dev/null && "$dir/empty"; then
-        build_and_run address -O0 $address
-    else
-        skip "the address sanitizer" "$FC has none"
-    fi
-fi
+if [ -n "$long" ]; then build_and_run long $long; fi
 
 # Another compiler, which passes arrays in other ways. FLANG=... says which.
 for flang in $FLANG flang flang-new flang-new-22 flang-new-20 flang-new-19 flang-19; do
@@ -134,7 +133,7 @@ compare_layouts() {   # folder that contains include/, folder of the module's ob
         -c tests/fortran/layout.c -o "$place/layout_c.o"
     check "layout.f90" quietly $FC $strict $FFLAGS $checks -I"$place" -J"$place" -c tests/fortran/layout.f90 \
         -o "$place/layout.o"
-    check "link of layout" $FC $FFLAGS "$place/layout.o" "$place/layout_c.o" "$place/harmorph.o" \
+    check "link of layout" $FC $FFLAGS $checks "$place/layout.o" "$place/layout_c.o" "$place/harmorph.o" \
         "$build/libharmorph.a" -o "$place/layout"
     "$place/layout" || fail "$place/layout"
 }
@@ -218,12 +217,12 @@ legacy_calls() {   # place, flags...
     sed -n '/^```fortran/,/^```$/p' fortran/harmorph77/README.md | grep -v '^```' >"$place/legacy_page.inc"
     for test in legacy legacy_cells legacy_design legacy_fields legacy_refused legacy_page; do
         check "$test.f with $*" $FC $legacy $FFLAGS "$@" -I"$place" -c tests/fortran/$test.f -o "$place/$test.o"
-        check "link of $test with $*" $FC $FFLAGS "$place/$test.o" "$place/legacy_tools.o" "$place/harmorph77.o" \
+        check "link of $test with $*" $FC $FFLAGS "$@" "$place/$test.o" "$place/legacy_tools.o" "$place/harmorph77.o" \
             "$place/harmorph.o" "$build/libharmorph.a" -o "$place/$test"
         "$place/$test" || fail "$place/$test"
     done
 }
-legacy_calls checked $checks
+legacy_calls checked -O0 $checks
 if [ -n "$long" ]; then legacy_calls long $long -fdefault-double-8; fi
 # Options that make default or single precision double: the example with reals of the default kind prints what the
 # example prints.

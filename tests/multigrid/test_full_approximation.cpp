@@ -217,9 +217,9 @@ TEST_CASE("the number of improved cycles does not grow with the mesh, and that o
         Solved const solved(setup, &options);
         return solved.report.iterations;
     };
-    CHECK(cycles(86, 1, 1) < 1.3 * cycles(43, 1, 1));  // squares, 4000 and 16 000 points
-    CHECK(cycles(96, 1e-3, 1.2) <
-          1.3 * cycles(48, 1e-3, 1.2));  // thin cells at the wall, 6000 and 24 000 points
+    CHECK(cycles(60, 1, 1) < 1.3 * cycles(30, 1, 1));  // squares, 2000 and 8000 points
+    CHECK(cycles(68, 1e-3, 1.2) <
+          1.3 * cycles(34, 1e-3, 1.2));  // thin cells at the wall, 3000 and 12 000 points
     options = fas(HM_CYCLE_PAPER);
     CHECK(cycles(60, 1, 1) > 1.3 * cycles(30, 1, 1));
 }

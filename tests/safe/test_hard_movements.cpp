@@ -151,7 +151,8 @@ TEST_CASE("one linear step goes as far as cells are good, however short, and the
         CHECK(safe.report.min_quality >= wanted * safe.report.start_quality);
         CHECK(safe.report.step_fraction > 0);
         CHECK(safe.report.step_fraction < last);
-        CHECK(says(safe.error, "the smallest quality would be less than was asked for"));
+        CHECK(says(safe.error,
+                   "the meshes found farther on have a smaller quality than was asked for"));
         last = safe.report.step_fraction;
     }
     CHECK(last < 0.1 * safe.report.admissible);
@@ -232,7 +233,7 @@ TEST_CASE("heights are restored as far as quality permits, and the report says h
     int given_up = 0, restored = 0;
     for (bool const is_airfoil : {false, true}) {
         Safe safe(is_airfoil ? airfoil : floor);
-        for (int seed = 7; seed <= 14; ++seed) {
+        for (int seed = 7; seed <= 14; seed += is_airfoil ? 1 : 2) {
             std::vector<double> move = deform::random_bump(20, std::uint64_t(seed), 0.5);
             for (std::size_t k = 0; is_airfoil && k < move.size(); k += 2) {  // camber and a wave
                 double const x = airfoil.curves.control[k];

@@ -140,6 +140,7 @@ Gradient gradient_of(const Arguments& arguments, const std::string& path, const 
     if (variables) {
         found.by_variables = variables->map.variable_gradient(*variables->curves, variables->values,
                                                               found.by_functions, variables->path);
+        found.variables_are_movements = !variables->map.movements.empty();
     }
     return found;
 }

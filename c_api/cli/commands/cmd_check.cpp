@@ -73,7 +73,7 @@ void print_markers(const Mesh& mesh) {
     }
     if (printed == n) return;
     print("marker        ... and %s more\n", std::to_string(n - printed).c_str());
-    const BoundaryLoops loops(mesh.face_points, mesh.points());
+    const BoundaryLoops loops = loops_of(mesh);
     const std::vector<Box> boxes = boxes_of_loops(loops, mesh);
     std::vector<std::int32_t> faces(boxes.size());
     for (const std::int32_t loop : loops.of_edge) ++faces[place(loop)];

@@ -12,17 +12,19 @@ namespace {
 // A point as part of one marker: where two markers meet, their pieces end.
 using PointOfMarker = std::pair<std::int32_t, std::int32_t>;
 
-std::vector<PointOfMarker> points_of_markers(const Mesh& mesh) {
+std::vector<PointOfMarker> points_of_markers(const Mesh& mesh,
+                                             const std::vector<std::int32_t>& joined) {
     std::vector<PointOfMarker> all;
-    for (std::size_t end = 0; end < mesh.face_points.size(); ++end)
-        all.emplace_back(mesh.face_markers[end / 2], mesh.face_points[end]);
+    for (std::size_t end = 0; end < joined.size(); ++end)
+        all.emplace_back(mesh.face_markers[end / 2], joined[end]);
     return all;
 }
 
 }  // namespace
 
 std::vector<BoundarySegment> marker_pieces(const Mesh& mesh) {
-    const std::vector<PointOfMarker> ends = points_of_markers(mesh);
+    const std::vector<std::int32_t> joined = joined_ends(mesh);
+    const std::vector<PointOfMarker> ends = points_of_markers(mesh, joined);
     std::vector<PointOfMarker> sorted = ends;
     std::sort(sorted.begin(), sorted.end());
     sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
@@ -33,7 +35,7 @@ std::vector<BoundarySegment> marker_pieces(const Mesh& mesh) {
         ++faces_at[place(numbers.back())];
     }
     const BoundaryLoops pieces(numbers, static_cast<std::int32_t>(sorted.size())),
-        loops(mesh.face_points, mesh.points());
+        loops(joined, mesh.points());
     const std::int32_t outer = outer_loop(boxes_of_loops(loops, mesh));
     std::vector<BoundarySegment> result(place(pieces.count));
     for (std::size_t end = 0; end < ends.size(); ++end) {

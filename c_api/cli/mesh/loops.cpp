@@ -1,9 +1,11 @@
 #include "mesh/loops.hpp"
 
+#include "basics/elementary.hpp"
 #include "basics/geometry.hpp"
 #include "basics/text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace cli {
@@ -83,6 +85,58 @@ std::vector<std::vector<std::int32_t>> edge_chains(const std::vector<Edge>& edge
     return chains;
 }
 
+std::unordered_map<std::int32_t, std::int32_t> points_by_place(
+    const Mesh& mesh, const std::vector<std::int32_t>& points) {
+    const auto x = [&](std::int32_t p) { return mesh.x[static_cast<std::size_t>(p)]; };
+    const auto y = [&](std::int32_t p) { return mesh.y[static_cast<std::size_t>(p)]; };
+    const auto along = [&](std::int32_t p) { return x(p) + 0.7548776662466927 * y(p); };
+    std::vector<std::int32_t> order(points);
+    std::sort(order.begin(), order.end());
+    order.erase(std::unique(order.begin(), order.end()), order.end());
+    const auto by_x = [&](std::int32_t a, std::int32_t b) { return x(a) < x(b); };
+    const auto by_y = [&](std::int32_t a, std::int32_t b) { return y(a) < y(b); };
+    std::unordered_map<std::int32_t, std::int32_t> place;
+    if (order.empty()) return place;
+    const auto [left, right] = std::minmax_element(order.begin(), order.end(), by_x);
+    const auto [low, high] = std::minmax_element(order.begin(), order.end(), by_y);
+    const double largest = std::max(
+        {std::fabs(x(*left)), std::fabs(x(*right)), std::fabs(y(*low)), std::fabs(y(*high))});
+    const double tolerance =
+        std::max(1e-12 * length_of(x(*right) - x(*left), y(*high) - y(*low)), 1e-15 * largest);
+    std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+        return along(a) != along(b) ? along(a) < along(b) : a < b;
+    });
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const std::int32_t here = order[k];
+        place[here] = here;
+        for (std::size_t before = k; before-- > 0;) {
+            const std::int32_t other = order[before];
+            if (along(here) - along(other) > 4 * tolerance) break;
+            const double apart =
+                std::max(std::fabs(x(here) - x(other)), std::fabs(y(here) - y(other)));
+            if (apart <= tolerance) place[here] = place[other];
+        }
+    }
+    return place;
+}
+
+std::vector<std::int32_t> joined_ends(const Mesh& mesh) {
+    std::vector<bool> is_end(mesh.x.size());
+    for (const std::int32_t point : mesh.face_points) is_end[place(point)] = !is_end[place(point)];
+    std::vector<std::int32_t> ends;
+    for (std::size_t point = 0; point < is_end.size(); ++point) {
+        if (is_end[point]) ends.push_back(static_cast<std::int32_t>(point));
+    }
+    const auto at = points_by_place(mesh, ends);
+    std::unordered_map<std::int32_t, std::int32_t> smallest;  // by the first point of a place
+    for (const std::int32_t point : ends) smallest.emplace(at.at(point), point);
+    std::vector<std::int32_t> faces = mesh.face_points;
+    for (std::int32_t& point : faces) {
+        if (is_end[place(point)]) point = smallest.at(at.at(point));
+    }
+    return faces;
+}
+
 BoundaryLoops::BoundaryLoops(const std::vector<std::int32_t>& ends, std::int32_t n_points) {
     // The points of one loop have one root, which is the smallest of them.
     std::vector<std::int32_t> parent(place(n_points));
@@ -106,6 +160,8 @@ BoundaryLoops::BoundaryLoops(const std::vector<std::int32_t>& ends, std::int32_t
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
         of_edge.push_back(number[place(root(ends[i]))]);
 }
+
+BoundaryLoops loops_of(const Mesh& mesh) { return {joined_ends(mesh), mesh.points()}; }
 
 std::vector<Box> boxes_of_loops(const BoundaryLoops& loops, const Mesh& mesh) {
     std::vector<Box> boxes(place(loops.count));
@@ -144,7 +200,7 @@ std::int32_t loops_around(const Mesh& mesh, const BoundaryLoops& loops, std::int
 }  // namespace
 
 std::string why_bodies_cannot_be_there(const Mesh& mesh, const Field& moved) {
-    const BoundaryLoops loops(mesh.face_points, mesh.points());
+    const BoundaryLoops loops = loops_of(mesh);
     std::vector<bool> is_done(place(loops.count));
     for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
         const std::int32_t loop = loops.of_edge[face], point = mesh.face_points[2 * face];

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <unordered_map>
 #include <vector>
 
 namespace cli {
@@ -40,6 +41,16 @@ std::vector<Edge> mesh_edges(const Mesh& mesh, const std::function<bool(Edge)>& 
 std::vector<std::vector<std::int32_t>> edge_chains(const std::vector<Edge>& edges,
                                                    std::int32_t n_points);
 
+// Returns for each of the points one point at its place: the first one in an order along a
+// direction to which hardly any cut is normal. Places may differ by the rounding that the library
+// accepts in cuts (hm_mesh).
+std::unordered_map<std::int32_t, std::int32_t> points_by_place(
+    const Mesh& mesh, const std::vector<std::int32_t>& points);
+
+// Returns the two ends of each face of a mesh. A cut that reaches the boundary divides a point in
+// two, each with an odd number of faces: the smaller number stands for both.
+std::vector<std::int32_t> joined_ends(const Mesh& mesh);
+
 // Edges that are connected by their ends. Edges of a closed boundary form loops; edges of a part of
 // a boundary may form open chains. Both are called loops here.
 struct BoundaryLoops {
@@ -50,6 +61,9 @@ struct BoundaryLoops {
     // ends: two points of each edge, between 0 and n_points - 1.
     BoundaryLoops(const std::vector<std::int32_t>& ends, std::int32_t n_points);
 };
+
+// Returns the loops of the boundary of a mesh; cuts are closed.
+BoundaryLoops loops_of(const Mesh& mesh);
 
 // Returns the box around each loop of the boundary of a mesh.
 std::vector<Box> boxes_of_loops(const BoundaryLoops& loops, const Mesh& mesh);

@@ -170,7 +170,7 @@ private:
     }
 
     void add_loop(std::int32_t number, std::set<std::int32_t>& found) const {
-        const BoundaryLoops loops(mesh_.face_points, mesh_.points());
+        const BoundaryLoops loops = loops_of(mesh_);
         if (number < 1 || number > loops.count) {
             throw Failure(exit_usage, mesh_.file.path() + " has no loop:" + std::to_string(number) +
                                           ", because the boundary has " +

@@ -1,12 +1,10 @@
 #include "mesh/tidy.hpp"
 
-#include "basics/elementary.hpp"
 #include "basics/numbers.hpp"
 #include "files/threads.hpp"
 #include "mesh/loops.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -24,49 +22,11 @@ EdgeKey edge_of(std::int32_t a, std::int32_t b) {
     return std::uint64_t{high} << 32 | low;
 }
 
-// Returns for each point of the edges one point at its place: the first one in an order along a
-// direction to which hardly any cut is normal. Places may differ by the rounding that the library
-// accepts in cuts (hm_mesh).
-std::unordered_map<std::int32_t, std::int32_t> places_of(const Mesh& mesh,
-                                                         const std::vector<std::int32_t>& edges) {
-    const auto x = [&](std::int32_t p) { return mesh.x[static_cast<std::size_t>(p)]; };
-    const auto y = [&](std::int32_t p) { return mesh.y[static_cast<std::size_t>(p)]; };
-    const auto along = [&](std::int32_t p) { return x(p) + 0.7548776662466927 * y(p); };
-    std::vector<std::int32_t> order(edges);
-    std::sort(order.begin(), order.end());
-    order.erase(std::unique(order.begin(), order.end()), order.end());
-    const auto by_x = [&](std::int32_t a, std::int32_t b) { return x(a) < x(b); };
-    const auto by_y = [&](std::int32_t a, std::int32_t b) { return y(a) < y(b); };
-    std::unordered_map<std::int32_t, std::int32_t> place;
-    if (order.empty()) return place;
-    const auto [left, right] = std::minmax_element(order.begin(), order.end(), by_x);
-    const auto [low, high] = std::minmax_element(order.begin(), order.end(), by_y);
-    const double largest = std::max(
-        {std::fabs(x(*left)), std::fabs(x(*right)), std::fabs(y(*low)), std::fabs(y(*high))});
-    const double tolerance =
-        std::max(1e-12 * length_of(x(*right) - x(*left), y(*high) - y(*low)), 1e-15 * largest);
-    std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-        return along(a) != along(b) ? along(a) < along(b) : a < b;
-    });
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        const std::int32_t here = order[k];
-        place[here] = here;
-        for (std::size_t before = k; before-- > 0;) {
-            const std::int32_t other = order[before];
-            if (along(here) - along(other) > 4 * tolerance) break;
-            const double apart =
-                std::max(std::fabs(x(here) - x(other)), std::fabs(y(here) - y(other)));
-            if (apart <= tolerance) place[here] = place[other];
-        }
-    }
-    return place;
-}
-
 // Removes pairs of edges (two points each) at the same place. Such a pair is a cut, as in the wake
 // of a C-mesh or between the blocks of a grid; the library closes cuts whose edges have no marker.
 // Returns the pairs of points at one place that are both on remaining edges.
 std::vector<std::int32_t> drop_cuts(Mesh& mesh, std::vector<std::int32_t>& edges) {
-    std::unordered_map<std::int32_t, std::int32_t> place = places_of(mesh, edges);
+    std::unordered_map<std::int32_t, std::int32_t> place = points_by_place(mesh, edges);
     const auto ends_of = [&](std::size_t edge) {
         return edge_of(place[edges[2 * edge]], place[edges[2 * edge + 1]]);
     };

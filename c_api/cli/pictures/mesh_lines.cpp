@@ -134,7 +134,7 @@ Box box_of_faces(const Mesh& mesh) {
 }  // namespace
 
 std::optional<Box> window_of_bodies(const Mesh& mesh) {
-    const BoundaryLoops loops(mesh.face_points, mesh.points());
+    const BoundaryLoops loops = loops_of(mesh);
     if (loops.count < 2) return {};
     const std::vector<Box> boxes = boxes_of_loops(loops, mesh);
     const auto outer = boxes.begin() + outer_loop(boxes);

@@ -50,12 +50,16 @@ private:
 class Pieces {
 public:
     Pieces(const Mesh& mesh, std::int32_t marker) : mesh_(mesh) {
+        const std::vector<std::int32_t> all = joined_ends(mesh);
+        std::vector<std::int32_t> joined;
         for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
             if (mesh.face_markers[face] != marker) continue;
-            ends_.push_back(mesh.face_points[2 * face]);
-            ends_.push_back(mesh.face_points[2 * face + 1]);
+            for (const std::size_t end : {2 * face, 2 * face + 1}) {
+                ends_.push_back(mesh.face_points[end]);
+                joined.push_back(all[end]);
+            }
         }
-        of_face_ = BoundaryLoops(ends_, mesh.points()).of_edge;
+        of_face_ = BoundaryLoops(joined, mesh.points()).of_edge;
     }
 
     // Returns the number of the piece that is nearest to the place, or -1 without faces.

@@ -40,8 +40,10 @@ std::vector<Row> rows_of(const Gradient& gradient, const Basis& basis, const Mes
     std::vector<Row> rows;
     const std::vector<double>& by = gradient.by_variables;
     if (!by.empty()) {
-        for (std::size_t j = 0; j < by.size() / 2; ++j)
-            rows.push_back({"variable", std::to_string(j + 1), {by[2 * j], by[2 * j + 1]}});
+        for (std::size_t j = 0; j < by.size() / 2; ++j) {
+            rows.push_back({"variable", std::to_string(j + 1), {by[2 * j]}});
+            if (!gradient.variables_are_movements) rows.back().values.push_back(by[2 * j + 1]);
+        }
     } else {
         for (std::size_t i = 0; i < static_cast<std::size_t>(basis.n_control()); ++i)
             rows.push_back({"point", std::to_string(i + 1), {g[2 * i], g[2 * i + 1]}});
@@ -82,7 +84,8 @@ JsonObject gradients_json(const std::vector<Gradient>& gradients, const Basis& b
         for (const Row& row : rows_of(gradient, basis, mesh)) {
             JsonObject object;
             object.add("kind", row.kind).add("name", row.name);
-            object.add("dx", row.values[0]).add("dy", row.values[1]);
+            object.add("dx", row.values[0]);
+            if (row.values.size() > 1) object.add("dy", row.values[1]);
             if (row.values.size() == 4)
                 object.add("ddegrees", row.values[2]).add("dscale", row.values[3]);
             rows.push_back(object);

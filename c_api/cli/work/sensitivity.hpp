@@ -23,7 +23,8 @@ struct Gradient {
     // Pairs by the design variables. If not empty, they are written in place of the derivatives by
     // control points.
     std::vector<double> by_variables;
-    double admissible_descent = 0;  // see hm_assess
+    bool variables_are_movements = false;  // of which each has one value
+    double admissible_descent = 0;         // see hm_assess
 };
 
 // The extension of the path selects the format: .json, .csv, or else text.

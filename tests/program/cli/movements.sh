@@ -104,6 +104,9 @@ for variable in 1 2; do
         -v a="$(objective "$tmp/beside-1.su2")" -v b="$(objective "$tmp/beside1.su2")" '
         $1 == k { d = (b - a) / 2e-4; e = d - $2; exit !(e * e < 1e-12 * (1 + d * d)) }' "$tmp/next.gradient"
 done
+awk '!/^#/ { $2 *= 1e-9 } 1' "$tmp/next.gradient" >"$tmp/values"
+runs "movements: the next morph goes along the gradient, as adjoint has written its lines" 0 morph "$tmp/next.su2" \
+    "$basis" --variables "$tmp/next.map" --move "$tmp/values" -o "$tmp/along.su2"
 echo '1 5' >"$tmp/at"
 refuses "movements: values that are not those of the mesh" 2 'do not move the curve to where the mesh is' adjoint \
     "$tmp/next.su2" "$basis" --sensitivity "$tmp/sens.txt" --variables "$tmp/next.map" --at "$tmp/at" -o "$tmp/x"

@@ -132,8 +132,8 @@ turn 0 30 >"$tmp/outside.txt" # through the side and out of the square
 refuses "--safe: out of the domain" 1 'outside the boundary' morph "$box" "$tmp/conformal.basis" \
     --move "$tmp/outside.txt" --safe
 turn 150 3.767949192 >"$tmp/outside.txt" # but for 4e-10 at the side: no step of several, nor untangling, gets there
-refuses "--safe: short of the target" 1 'would be less than was asked for: cell' morph "$box" "$tmp/conformal.basis" \
-    --move "$tmp/outside.txt" --safe -o "$tmp/outside.su2" --json
+refuses "--safe: short of the target" 1 'farther on have a smaller quality than was asked for' morph "$box" \
+    "$tmp/conformal.basis" --move "$tmp/outside.txt" --safe -o "$tmp/outside.su2" --json
 has_keys "--safe: short of the target: JSON all the same" inverted self_crossing boundary_error min_quality \
     mean_quality \
     morph_seconds step_fraction steps resolves strategy last_step_admissible heights reached_moves \

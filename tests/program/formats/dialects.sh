@@ -184,6 +184,12 @@ parallel() { # parallel LEVEL SOURCE...
 parallel 0 parallel/half-1.vtu parallel/half-2.vtu >"$tmp/halves.pvtu"
 "$harmorph" check "$tmp/halves.pvtu" --json >"$tmp/out" 2>&1
 says "PVTU: the boundary" '[{"name": "boundary1", "faces": 24}, {"name": "boundary2", "faces": 24}]'
+says "PVTU: the body, which the cut divides, is one piece" '"faces": 24, "loop": 1, "closed": true, "body": true'
+says "PVTU: the outer boundary is one piece" '"faces": 24, "loop": 2, "closed": true, "body": false'
+check "PVTU: the body is loop 1" "$harmorph" solve "$tmp/halves.pvtu" --rigid loop:1 -o "$tmp/basis"
+echo 'rigid boundary1@0:1 .1 0 5 1' >"$tmp/turn.txt"
+check "PVTU: a piece is the whole body" "$harmorph" morph "$tmp/halves.pvtu" "$tmp/basis" --move "$tmp/turn.txt" \
+    -o "$tmp/turned.vtu"
 check "PVTU: fit" "$harmorph" fit "$tmp/halves.pvtu" --marker boundary1 --points 8 -o "$tmp/curve"
 check "PVTU: solve" "$harmorph" solve "$tmp/halves.pvtu" --curve "boundary1=$tmp/curve" -o "$tmp/basis"
 check "PVTU: morph" "$harmorph" morph "$tmp/halves.pvtu" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/joined.vtu"
