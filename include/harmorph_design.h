@@ -132,11 +132,12 @@ typedef struct hm_refit_report {
  *   on_chord  1: the points are first rotated, scaled and translated so that the line from their
  *             leading to their trailing edge becomes that of the curve; 0: they stay in place
  * Between the points the outline is a cubic spline, with a corner where the points have one. The
- * leading edge is the point farthest from the trailing edge. An outline without a corner, whose
- * trailing edge is round, begins where the chord of the curve ends (on_chord: at the largest x).
- * report may be NULL. Refused with HM_BAD_CURVE: points that hm_fit refuses, a curve or points that
- * are no such outline, points with a sharp trailing edge for a curve with a blunt base. A failed
- * call leaves movement as it was. (W. Wang, H. Pottmann, Y. Liu, ACM Trans. Graph. 25 (2006) 214.)
+ * leading edge is the place of the outline farthest from the trailing edge. An outline without a
+ * corner, whose trailing edge is round, begins where the chord of the curve ends (on_chord: at the
+ * largest x). report may be NULL. Refused with HM_BAD_CURVE: points that hm_fit refuses, a curve or
+ * points that are no such outline, points with a sharp trailing edge for a curve with a blunt base.
+ * A failed call leaves movement as it was. (W. Wang, H. Pottmann, Y. Liu, ACM Trans. Graph. 25
+ * (2006) 214.)
  * Bytes: curves, curve, n. */
 HM_API hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_points* points,
                           int32_t n, int32_t is_loop, int32_t on_chord, double* movement,
@@ -398,8 +399,9 @@ typedef struct hm_section_move {
  * points that are dense compared with `length` make the difference small (hm_refine). All others
  * but a family move the outline in the least-squares sense of HM_LINEAR. The camber line is the
  * polynomial s (1-s) p(s), p of degree 5, that is nearest to the middles of the thickness normal to
- * this line, at 33 stations. section as in hm_measure; rotate, shift, scale, HM_FFD and families do
- * without a chord, and a family alone without a section.
+ * this line, at 33 stations; behind a round nose the line from which a section was constructed may
+ * be steeper by several degrees. section as in hm_measure; rotate, shift, scale, HM_FFD and
+ * families do without a chord, and a family alone without a section.
  *
  * Refused, outputs unchanged: values that are not finite, degrees beyond 360, a factor that is not
  * > 0, a metal angle beyond 85 degrees from the chord, a PARSEC crest outside the chord or radius

@@ -2,9 +2,39 @@
 
 namespace harmorph {
 
+namespace {
+
+// Between samples of a smooth leading edge the direction changes by less than 37 degrees.
+constexpr Real min_cosine = 0.8;
+
+}  // namespace
+
 void AirfoilLine::lay_out(Arena& arena, Index max_points) noexcept {
     arena.take(at, max_points);
     arena.take(share, max_points);
+}
+
+// Between the farthest sample and its neighbours the line is a parabola, so that the leading edge
+// moves smoothly with the line; a sharp leading edge is the sample itself.
+Real AirfoilLine::find_leading_edge(Index farthest) noexcept {
+    leading = at[farthest];
+    if (farthest == 0 || farthest == n - 1) return share[farthest];
+    Real const before = share[farthest - 1] - share[farthest],
+               after = share[farthest + 1] - share[farthest];
+    Vec2 const back = (1 / before) * (at[farthest - 1] - leading),
+               ahead = (1 / after) * (at[farthest + 1] - leading);
+    if (dot(back, ahead) < min_cosine) return share[farthest];
+    // The second divided differences of the line and of the square of the distance.
+    Vec2 const bend = (1 / (after - before)) * (ahead - back);
+    Real const distance = square(leading - trailing),
+               towards_back = (square(at[farthest - 1] - trailing) - distance) / before,
+               towards_ahead = (square(at[farthest + 1] - trailing) - distance) / after,
+               curvature = (towards_ahead - towards_back) / (after - before);
+    if (!(curvature < 0)) return share[farthest];
+    Real const top =
+        clamp((before * curvature - towards_back) / (2 * curvature), 0.5 * before, 0.5 * after);
+    leading = leading + top * (back + (top - before) * bend);
+    return share[farthest] + top;
 }
 
 bool AirfoilLine::measure() noexcept {
@@ -15,12 +45,11 @@ bool AirfoilLine::measure() noexcept {
         share[k] = share[k - 1] + length(at[k] - at[k - 1]);
         if (square(at[k] - trailing) > square(at[farthest] - trailing)) farthest = k;
     }
-    leading = at[farthest];
-    Real const first_side = share[farthest], second_side = share[n - 1] - first_side;
+    Real const first_side = find_leading_edge(farthest), second_side = share[n - 1] - first_side;
     if (!(first_side > 0 && second_side > 0)) return false;
     for (Index k = 0; k < n; ++k) {
-        share[k] =
-            k <= farthest ? share[k] / first_side : 1 + (share[k] - first_side) / second_side;
+        share[k] = share[k] <= first_side ? share[k] / first_side
+                                          : 1 + (share[k] - first_side) / second_side;
     }
     return true;
 }

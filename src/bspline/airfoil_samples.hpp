@@ -36,8 +36,8 @@ struct AirfoilLine {
     // The share of the arc is 0 at the beginning, 1 at the leading edge, and 2 at the end.
     Span<Real> share;
     Index n = 0;  // the number of points
-    // The trailing edge is the middle between both ends; the leading edge is the point farthest
-    // from the trailing edge.
+    // The trailing edge is the middle between both ends; the leading edge is the place of the line
+    // farthest from the trailing edge.
     Vec2 leading, trailing;
 
     void lay_out(Arena& arena, Index max_points) noexcept;
@@ -52,6 +52,11 @@ struct AirfoilLine {
     void begin_at(Index point) noexcept { begin_loop_at(at.first(n), point); }
     // Returns the interval that contains this share, and the position in the interval from 0 to 1.
     Index interval_of(Real wanted, Real& position) const noexcept;
+
+private:
+    // Finds the leading edge near the farthest sample. Returns the length of the arc before it;
+    // share is the length of the arc before each sample.
+    Real find_leading_edge(Index farthest) noexcept;
 };
 
 // Interpolates points in order by a cubic spline with continuous second derivatives; the parameter

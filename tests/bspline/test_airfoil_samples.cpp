@@ -63,6 +63,29 @@ TEST_CASE("samples lie on the section between the points, and the shares disting
     CHECK(length(run.samples.points.from_unit(line.leading)) < 5e-3);
 }
 
+TEST_CASE("the leading edge moves smoothly with the section, whichever point is the farthest") {
+    auto const leading = [](std::vector<Vec2> const& points) {
+        Sampled const run(points);
+        REQUIRE_MESSAGE(!failed(run.status), run.fault.sentence);
+        return run.samples.points.from_unit(run.samples.line.leading);
+    };
+    double largest = 0;
+    for (int k = 0; k <= 140; ++k) {
+        Naca4 const shape{0.0005 * k, 0.4, 0.12, false};
+        std::vector<Vec2> const fine = naca(shape, 20000);
+        Vec2 farthest{1, 0};
+        for (Vec2 const p : fine) {
+            if (length(p - Vec2{1, 0}) > length(farthest - Vec2{1, 0})) farthest = p;
+        }
+        largest = std::fmax(largest, length(leading(naca(shape, 80)) - farthest));
+    }
+    // The samples are 2e-4 to 1e-3 apart there.
+    CHECK(largest < 2e-5);
+    // A sharp leading edge is a point of the section.
+    CHECK(length(leading({{1, 0}, {0.4, 0.05}, {0, 0.013}, {0.5, -0.04}}) - Vec2{0, 0.013}) <
+          1e-14);
+}
+
 TEST_CASE("a loop may begin anywhere and run either way, and a closed line may begin elsewhere") {
     std::vector<Vec2> points = naca({0.02, 0.4, 0.12, false}, 40);
     Sampled const first(points);

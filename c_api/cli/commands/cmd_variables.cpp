@@ -247,7 +247,7 @@ MadeVariables make_family(const Arguments& arguments, const std::string& path,
     const auto columns = static_cast<std::size_t>(asked);
     double total = 0, captured = 0;
     for (const double s : singular) total += s * s;
-    made.table = "mode  singular value  share of the family\n";
+    made.table = "mode  singular value  share of the family so far\n";
     for (std::size_t j = 0; j < columns; ++j) {
         captured += singular[j] * singular[j];
         made.table += in_column(std::to_string(j + 1), 6) + in_column(brief(singular[j]), 16) +

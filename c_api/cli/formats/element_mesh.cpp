@@ -189,7 +189,7 @@ void ElementMesh::remark_middles(std::size_t n) {
     if (n == 0) return;
     mesh_.remark(
         "the mesh has the corners of quadratic elements; the nodes between move with them (" +
-        plural(static_cast<std::int64_t>(n), "point") + ")");
+        plural(static_cast<std::int64_t>(n), "point") + "), and are not in a converted mesh");
 }
 
 }  // namespace

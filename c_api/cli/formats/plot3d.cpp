@@ -246,7 +246,8 @@ void Plot3dReader::read() {
     drop_empty_markers(mesh_);
     if (blanked_ > 0)
         mesh_.remark(plural(blanked_, "point") +
-                     " with iblank 0: iblank is ignored, and kept in the file");
+                     " with iblank 0: iblank is ignored; a morphed mesh in the same format keeps "
+                     "the values");
 }
 
 void Plot3dReader::read_points() {

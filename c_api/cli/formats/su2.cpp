@@ -68,7 +68,7 @@ const Format su2_format = {"su2", ".su2", "SU2", probe_su2, read_su2, create_su2
 // Files differ: sections are in any order; there may be tabs, carriage returns, "KEY=value" and
 // "KEY= value", two counts after NPOIN, 2 to 4 numbers per point, elements with or without their
 // number, and periodic blocks and FFD boxes between or after them. One of
-// several zones (NZONE, IZONE) is read; the lines of the others are ignored, and kept in the file.
+// several zones (NZONE, IZONE) is read; a morphed mesh keeps the lines of the others.
 
 namespace {
 
@@ -375,7 +375,7 @@ void Su2Reader::read_face(const Words& words, std::int32_t marker) {
 // Passes over points that are shared with other parts or periodic partners: first SEND_RECV= 1, or
 // SEND_TO= 1, RECEIVE_FROM= 1, ...; then n lines such as "1 point transformation".
 void Su2Reader::pass_over_halo(std::int32_t n) {
-    mesh_.remark("SEND_RECEIVE blocks are ignored, and kept in the file");
+    mesh_.remark("SEND_RECEIVE blocks are ignored; a morphed mesh in the same format keeps them");
     mesh_.likely_fault =
         "the file has SEND_RECEIVE blocks: halo layers of a periodic or divided mesh, "
         "whose outer edges are on no marker; make the mesh without halo layers";
@@ -391,9 +391,12 @@ void Su2Reader::pass_over_section(const std::string& key) {
     if (key.compare(0, 3, "FFD") == 0) {
         mesh_.remark("FFD boxes are kept as they are: they do not move with the mesh");
     } else if (key.find("PERIODIC") != std::string::npos) {
-        mesh_.remark("sections about periodic boundaries are ignored, and kept in the file");
+        mesh_.remark(
+            "sections about periodic boundaries are ignored; a morphed mesh in the same format "
+            "keeps them");
     } else {
-        mesh_.remark("section " + in_quotes(key) + " is ignored, and kept in the file");
+        mesh_.remark("section " + in_quotes(key) +
+                     " is ignored; a morphed mesh in the same format keeps the section");
     }
 }
 

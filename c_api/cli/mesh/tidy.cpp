@@ -147,12 +147,13 @@ void drop_interior_faces(Mesh& mesh, bool remark) {
         if (dropped[marker] == 0 || !remark) continue;
         if (++named > max_named) {
             mesh.remark(
-                "faces of other markers between two cells are ignored, and kept in the file");
+                "faces of other markers between two cells are ignored; a morphed mesh in the same "
+                "format keeps them");
             break;
         }
         mesh.remark(plural(dropped[marker], "face") + " of marker " +
                     in_quotes(mesh.markers[marker]) +
-                    " between two cells are ignored, and kept in the file");
+                    " between two cells are ignored; a morphed mesh in the same format keeps them");
     }
 }
 
@@ -199,7 +200,7 @@ void join_double_faces(Mesh& mesh) {
     for (const auto& [markers, name] : joint) {
         mesh.remark("some edges are in several groups: their marker is " +
                     in_quotes(mesh.markers[static_cast<std::size_t>(name)]) +
-                    ", and each of the names selects it");
+                    ", which each of the names selects; a converted mesh has this marker alone");
     }
     drop_empty_markers(mesh);
 }

@@ -29,8 +29,12 @@ WallField read_lines(const TextFile& file, const Mesh& mesh) {
         std::int64_t number = 0;
         double d[2] = {0, 0};
         if (words.size() != 3) lines.expected("point dx dy");
-        const std::int32_t point = parse(words[0], number) ? numbers.point(number) : -1;
+        const bool is_whole = parse(words[0], number);
+        const std::int32_t point = is_whole ? numbers.point(number) : -1;
         if (point < 0) {
+            if (is_whole && number >= 0 && number < numbers.count())
+                lines.fail("point " + std::to_string(number) +
+                           " of the mesh file is no corner of a cell");
             lines.expected("a point between 0 and " + std::to_string(numbers.count() - 1),
                            words[0]);
         }

@@ -172,6 +172,15 @@ runs "sample: NACA sections" 0 sample "$mesh" "$airfoil" --naca --ranges "$tmp/r
 check "sample: NACA 0012: its thickness" awk -F, \
     'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "max_thickness") c = i; next }
     { exit !($c > .1199 && $c < .1201) }' "$tmp/naca/designs.csv"
+# Cambers between which another point of the section becomes the farthest from the trailing edge.
+printf 'camber,position,thickness\n.0538377582989,.4,.12\n.0538377582995,.4,.12\n' >"$tmp/near.csv"
+runs "sample: two sections that are nearly one" 0 sample "$mesh" "$airfoil" --naca --designs "$tmp/near.csv" \
+    -o "$tmp/near"
+"$tmp/read_npz" "$tmp/near/shards/00001.npz" coordinates >"$tmp/numbers"
+check "sample: two sections that are nearly one have nearly one mesh" awk '
+    NR == 1 { n = split($0, first); next }
+    { for (k = 1; k <= NF; k++) { d = $k - first[k]; if (d * d > worst) worst = d * d } }
+    END { exit !(NR == 2 && n > 1000 && worst < 1e-10) }' "$tmp/numbers"
 runs "sample: sections of class-shape transformation" 0 sample "$mesh" "$airfoil" --cst 4,4 --count 3 -o "$tmp/cst" \
     --json
 check "sample: class-shape transformation: accepted" test "$(number accepted)" = 3

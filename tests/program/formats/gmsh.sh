@@ -79,3 +79,6 @@ last=$(($(sed -n '/^\$Nodes/{n;p;}' "$mesh") - 1))
 echo "$last 1 0" >"$tmp/middle.txt"
 refuses "gmsh: second order: a value at the middle of an edge" "point $last of the mesh file is no corner of a cell" \
     "$harmorph" adjoint "$mesh" "$tmp/basis" --sensitivity "$tmp/middle.txt" -o "$tmp/gradient.txt"
+refuses "gmsh: second order: a displacement at the middle of an edge" \
+    "point $last of the mesh file is no corner of a cell" \
+    "$harmorph" displace "$mesh" --given "$body" --wall "$tmp/middle.txt" -o "$tmp/displaced.msh"
