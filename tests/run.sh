@@ -87,7 +87,8 @@ steps() {
     else absent PETSc "Debian's petsc-dev is not installed" tests/hosts/petsc.sh; fi
     if $PYTHON -c 'import numpy, cffi, pytest, setuptools, wheel, venv, ensurepip' 2>/dev/null; then
         step 2 "Python" sh tests/hosts/python.sh "$BUILD"
-        step 2 "given displacements on meshes" env MESHES="$MESHES" sh tests/measure/given/run.sh "$BUILD"
+        step 2 "given displacements on meshes" env MESHES="$MESHES" SEEDS="${SEEDS:-1}" \
+            sh tests/measure/given/run.sh "$BUILD"
     else
         lacks="$PYTHON lacks numpy, cffi, pytest, setuptools, wheel or venv"
         absent Python "$lacks" tests/hosts/python.sh
@@ -110,7 +111,7 @@ steps() {
     step 2 "moved shapes" sh tests/program/airfoils.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/airfoils-test"
     step 2 "pictures of the program" sh tests/program/pictures.sh "$BUILD/harmorph" "$BUILD/meshes" \
         "$BUILD/pictures-test"
-    step 1 "page of the program" sh tests/program/page.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/page-test"
+    step 2 "page of the program" sh tests/program/page.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/page-test"
     step 1 "workbench" sh tests/program/workbench.sh "$BUILD/harmorph" "$BUILD/meshes" "$BUILD/workbench-test" "$BUILD"
     step 2 "page of figures" sh tests/measure/figures_test.sh "$BUILD/figures-test" "$BUILD"
     step 2 "includes point downwards" sh tests/includes.sh

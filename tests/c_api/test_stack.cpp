@@ -88,7 +88,7 @@ TEST_CASE("analysis, factorisation and solution take at most the stated stack") 
 }
 
 TEST_CASE("morphs, adjoints and safe morphs take at most the stated stack") {
-    Case setup = two_body_case(Cells::hybrid, 30, 20);
+    Case setup = two_body_case(Cells::hybrid, 20, 12);
     for (std::int32_t const threads : {1, 64}) {
         Backwards backwards;
         hm_executor const executor = backwards.executor(threads);

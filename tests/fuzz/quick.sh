@@ -7,9 +7,9 @@ failed=0
 for cases in tests/fuzz/corpus/*; do
     "$build/fuzzer" "$(basename "$cases")" "$cases"/* || failed=1
 done
-for run in "problem 6000" "polygons 2000" "basis 3000" "sequence 2000" "files 4000" "shape 1500" "given 2000" \
-    "parts 1000" "plane 2000" "transfer 1000" "commands 1500" "model 1500" "fields 1500" \
-    "quality 2000" "sections 400" "tables 6000"; do
+for run in "problem 3000" "polygons 1000" "basis 1500" "sequence 1000" "files 2000" "shape 800" "given 1000" \
+    "parts 500" "plane 1000" "transfer 500" "commands 800" "model 800" "fields 800" \
+    "quality 1000" "sections 300" "tables 3000"; do
     "$build/fuzzer" $run 1 || failed=1
 done
 exit $failed

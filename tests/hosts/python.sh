@@ -19,6 +19,14 @@ package=$source/c_api/python
 cp "$build/libharmorph.a" "$dir/"
 quick_wheel() { CXXFLAGS=-O0 sh c_api/packaging/wheel.sh "$dir"; }
 check "a wheel, linked with the library" quick_wheel
+page_lines() (   # of the package's page, that install a wheel
+    mkdir "$dir/page" && cp "$dir"/wheel/*.whl "$package/examples/morph.py" "$dir/page" || exit 1
+    awk '/^#/ && !inside { here = /Installation of a wheel$/ } here && /^```/ { inside = !inside; if (!inside) exit; next }
+        inside' "$package/README.md" >"$dir/page/lines.sh"
+    cd "$dir/page" && { echo 'python3() { command $PYTHON "$@"; }'; cat lines.sh; } >run.sh && sh -e run.sh |
+        grep '^0 inverted cells; the mesh could follow'
+)
+check "the lines that install a wheel" page_lines
 for wheel in "$dir"/wheel/*.whl; do
     sh tests/release/wheel.sh "$wheel" "$dir" || wheel_failed=1   # which the line of counts that it prints says
 done

@@ -104,10 +104,26 @@ check "use of the library alone by pkg-config" by_pkg_config "$dir/library"
 check "use of the library alone by find_package" by_find_package "$dir/library"
 check "neither program nor share" sh -c '[ "$(ls "$0" | tr "\n" " ")" = "include lib " ]' "$dir/library"
 
-# CMake by itself, without optimisation and debugging information, to be quick.
+# CMake by itself, without optimisation and debugging information, to be quick. The module of pages is that of the
+# Makefile: in place of clang++, a program copies the objects of BUILD, and calls clang++ to link them.
+clang=$(command -v clang++)
+if [ -n "$clang" ]; then
+    mkdir -p "$dir/tools"
+    cat >"$dir/tools/clang++" <<END
+#!/bin/sh
+compiles= object=
+for word do
+    case \$word in -c) compiles=1 ;; */objects/*.o) object=\$word ;; esac
+done
+if [ -n "\$compiles" ] && cp "$build/objects/\${object##*/objects/}" "\$object" 2>/dev/null; then exit; fi
+exec "$clang" "\$@"
+END
+    chmod +x "$dir/tools/clang++"
+fi
 check "cmake configures" cmake -S . -B "$dir/cmake" -DBUILD_TESTING=OFF -DCMAKE_BUILD_TYPE=None \
     -DCMAKE_CXX_COMPILER="${CXX%% *}" -DCMAKE_C_COMPILER="${CC%% *}" -DCMAKE_INSTALL_LIBDIR=lib
-check "cmake builds" cmake --build "$dir/cmake" -j "${JOBS:-2}"
+with_tools() (PATH=$dir/tools:$PATH; "$@")
+check "cmake builds" with_tools cmake --build "$dir/cmake" -j "${JOBS:-2}"
 check "cmake installs" with_umask 077 cmake --install "$dir/cmake" --prefix "$dir/second"
 check "modes of folders and files by cmake" open_to_all "$dir/second"
 check "the list of files by cmake" same_files "$dir/second"

@@ -89,14 +89,6 @@ if $PYTHON -c 'import numpy, cffi, wheel, setuptools, venv, ensurepip' 2>/dev/nu
     block c_api/python/README.md python "Other codes" >"$dir/warp.py"
     warped() { "$dir/env/bin/python" "$dir/warp.py" | grep -E '^The wall is (0.0|[0-9.]+e-1[5-9]) away'; }
     check "the grid of ADflow is warped" warped
-    block c_api/python/README.md python "Installation of a wheel" >/dev/null   # tests/release/wheel.sh runs it
-    from_wheel() {
-        cp "$build/libharmorph.a" "$dir" &&
-            HARMORPH_MESHES=$build/meshes CXXFLAGS=-O0 sh c_api/packaging/wheel.sh "$dir" &&
-            cp "$dir"/wheel/*.whl "$dir" && path c_api/python/README.md "Installation of a wheel" \
-                "^0 inverted cells; the mesh could follow"
-    }
-    check "the lines that install a wheel" from_wheel
     if $PYTHON -c 'import torch' 2>/dev/null; then
         check "a data set to the end" path c_api/python/examples/dataset/README.md "A data set to the end" \
             "^test: .* times less"
@@ -105,14 +97,14 @@ if $PYTHON -c 'import numpy, cffi, wheel, setuptools, venv, ensurepip' 2>/dev/nu
         skip "a data set to the end" "PyTorch is not installed for $PYTHON"
     fi
 else
-    block c_api/python/README.md sh "Installation of a wheel" >/dev/null
-    block c_api/python/README.md python "Installation of a wheel" >/dev/null
     block c_api/python/examples/dataset/README.md sh "A data set to the end" >/dev/null
     block c_api/python/README.md sh "harmorph in Python" >/dev/null
     block c_api/python/README.md python "Other codes" >/dev/null
     skip "the program in Python" "numpy, cffi, wheel, setuptools or venv is not installed for $PYTHON"
 fi
 block c_api/packaging/README.md sh "In another project" >/dev/null   # tests/release/amalgamation.sh runs it
+block c_api/python/README.md sh "Installation of a wheel" >/dev/null       # tests/hosts/python.sh runs it
+block c_api/python/README.md python "Installation of a wheel" >/dev/null   # tests/release/wheel.sh runs it
 for language in js sh; do   # tests/hosts/web.sh runs them, where node is installed
     block c_api/web/README.md $language "harmorph in JavaScript" >/dev/null
 done
