@@ -86,6 +86,20 @@ TEST_CASE("the leading edge moves smoothly with the section, whichever point is 
           1e-14);
 }
 
+TEST_CASE(
+    "samples of a line at one place, as of a curve that stands still, keep all numbers finite") {
+    std::vector<Vec2> points = {{1, 0}, {0.5, 0.1}, {0, 0}, {0, 0}, {0.5, -0.1}, {1, 0}};
+    std::vector<double> shares(points.size());
+    AirfoilLine line;
+    line.at = {points.data(), points.size()};
+    line.share = {shares.data(), shares.size()};
+    line.n = Index(points.size());
+    CHECK(line.measure());
+    CHECK(length(line.leading) == 0);
+    for (std::size_t k = 1; k < shares.size(); ++k) CHECK(shares[k] >= shares[k - 1]);
+    CHECK(shares.back() == 2);
+}
+
 TEST_CASE("a loop may begin anywhere and run either way, and a closed line may begin elsewhere") {
     std::vector<Vec2> points = naca({0.02, 0.4, 0.12, false}, 40);
     Sampled const first(points);
