@@ -116,7 +116,8 @@ for word do
     case \$word in -c) compiles=1 ;; */objects/*.o) object=\$word ;; esac
 done
 if [ -n "\$compiles" ] && cp "$build/objects/\${object##*/objects/}" "\$object" 2>/dev/null; then exit; fi
-exec "$clang" "\$@"
+# A compiler cache of this name looks for the compiler in the path.
+PATH=\${PATH#"$dir/tools:"} exec "$clang" "\$@"
 END
     chmod +x "$dir/tools/clang++"
 fi
