@@ -159,8 +159,8 @@ fuzz coverage mutate sanitize dist amalgamation clean: checked
 
 # What is joined or generated from sources, and the rules of all objects and programs.
 rules: checked
-	@mkdir -p $(BUILD)/web $(BUILD)/meshes && cd $(BUILD) && mkdir -p objects/core objects/cli objects/unit objects/fuzz objects/mesh \
-	    objects/harmorph objects/harmorph_simd128 objects/node
+	@mkdir -p $(BUILD)/web $(BUILD)/meshes && (cd $(BUILD) && mkdir -p objects/core objects/cli objects/unit objects/fuzz \
+	    objects/mesh objects/harmorph objects/harmorph_simd128 objects/node)
 	@UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
 	    WASM_CXX='$(WASM_CXX)' \
 	    FLAGS='$(CXX) $(LEVEL) $(KERNEL_LEVEL) $(DENSE_LEVEL) $(PROGRAM_LEVEL) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' \
