@@ -21,7 +21,8 @@ Real AirfoilLine::find_leading_edge(Index farthest) noexcept {
     if (farthest == 0 || farthest == n - 1) return share[farthest];
     Real const before = share[farthest - 1] - share[farthest],
                after = share[farthest + 1] - share[farthest];
-    if (!(before < 0 && after > 0)) return share[farthest];  // samples at one place
+    // Samples of a curve that stands still are at one place.
+    if (!(before < 0 && after > 0)) return share[farthest];
     Vec2 const back = (1 / before) * (at[farthest - 1] - leading),
                ahead = (1 / after) * (at[farthest + 1] - leading);
     if (dot(back, ahead) < min_cosine) return share[farthest];

@@ -531,8 +531,7 @@ Status SafeMorph::finish(Work& work) noexcept {
             return work.fault.refuse_at(
                 worst.centre.x, worst.centre.y, Status::short_of_target,
                 "the mesh could follow ~ of the movement; the meshes found farther on have a "
-                "smaller "
-                "quality than was asked for; the worst cell here: cell # at $",
+                "smaller quality than was asked for; the worst cell here: cell # at $",
                 cell_item(worst.cell), {}, best.fraction);
         }
         Index const cell = work.mesh().number(report.limit.cell);

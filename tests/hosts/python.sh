@@ -21,11 +21,10 @@ quick_wheel() { CXXFLAGS=-O0 sh c_api/packaging/wheel.sh "$dir"; }
 check "a wheel, linked with the library" quick_wheel
 page_lines() (   # of the package's page, that install a wheel
     mkdir "$dir/page" && cp "$dir"/wheel/*.whl "$package/examples/morph.py" "$dir/page" || exit 1
-    awk '/^#/ && !inside { here = /Installation of a wheel$/ }
-        here && /^```/ { inside = !inside; if (!inside) exit; next }
-        inside' "$package/README.md" >"$dir/page/lines.sh"
-    cd "$dir/page" && { echo 'python3() { command $PYTHON "$@"; }'; cat lines.sh; } >run.sh && sh -e run.sh |
-        grep '^0 inverted cells; the mesh could follow'
+    { echo 'python3() { command $PYTHON "$@"; }'
+      awk -v language=sh -v heading="Installation of a wheel" -f tests/release/block.awk "$package/README.md"
+    } >"$dir/page/run.sh"
+    cd "$dir/page" && sh -e run.sh | grep '^0 inverted cells; the mesh could follow'
 )
 check "the lines that install a wheel" page_lines
 for wheel in "$dir"/wheel/*.whl; do

@@ -104,21 +104,14 @@ check "use of the library alone by pkg-config" by_pkg_config "$dir/library"
 check "use of the library alone by find_package" by_find_package "$dir/library"
 check "neither program nor share" sh -c '[ "$(ls "$0" | tr "\n" " ")" = "include lib " ]' "$dir/library"
 
-# CMake by itself, without optimisation and debugging information, to be quick. The module of pages is that of the
-# Makefile: in place of clang++, a program copies the objects of BUILD, and calls clang++ to link them.
+# CMake by itself, without optimisation and debugging information, to be quick. The module of pages, which CMake has
+# from the Makefile, is linked of the objects of BUILD.
 clang=$(command -v clang++)
 if [ -n "$clang" ]; then
     mkdir -p "$dir/tools"
-    cat >"$dir/tools/clang++" <<END
-#!/bin/sh
-compiles= object=
-for word do
-    case \$word in -c) compiles=1 ;; */objects/*.o) object=\$word ;; esac
-done
-if [ -n "\$compiles" ] && cp "$build/objects/\${object##*/objects/}" "\$object" 2>/dev/null; then exit; fi
-# A compiler cache of this name looks for the compiler in the path.
-PATH=\${PATH#"$dir/tools:"} exec "$clang" "\$@"
-END
+    # Without this folder in the path: a compiler cache that is called clang++ looks for clang++ there.
+    printf '#!/bin/sh\nPATH=${PATH#"%s:"}\nexec sh "%s" "%s" "%s" "$@"\n' "$dir/tools" \
+        "$source/tests/release/copy_objects.sh" "$build" "$clang" >"$dir/tools/clang++"
     chmod +x "$dir/tools/clang++"
 fi
 check "cmake configures" cmake -S . -B "$dir/cmake" -DBUILD_TESTING=OFF -DCMAKE_BUILD_TYPE=None \

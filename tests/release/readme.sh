@@ -18,16 +18,7 @@ git ls-files >"$dir/sources" 2>/dev/null && [ -s "$dir/sources" ] ||
     find . \( -name build -o -name .git \) -prune -o -type f -print | sed 's|^\./||' >"$dir/sources"
 pages=$(grep -E '(^|/)README\.md$' "$dir/sources")
 block() {   # page, language, heading [, number]: the first (or that) block of the language under this heading
-    awk -v begin="\`\`\`$2" -v heading="$3" -v wanted="${4:-1}" -v name="$1 $2" -v seen="$dir/looked_at" '
-        /^```/ && inside { inside = taken = 0; next }
-        /^```/ {
-            inside = 1
-            if ($0 == begin) { ++all; if (under && ++n == wanted) { taken = found = 1; print name, all >>seen } }
-            next
-        }
-        !inside && /^#+ / { under = substr($0, index($0, " ") + 1) == heading }
-        taken
-        END { if (!found) { print name ": no block under " heading | "cat >&2"; exit 1 } }' "$1"
+    awk -v language="$2" -v heading="$3" -v wanted="${4:-1}" -v seen="$dir/looked_at" -f tests/release/block.awk "$1"
 }
 cp c_api/examples/morph.c "$dir/morph.c"
 block README.md fortran "From Fortran" >"$dir/morph.f90"

@@ -244,10 +244,7 @@ void Plot3dReader::read() {
     if (solid_) solid_->finish();
     drop_interior_faces(mesh_, false);
     drop_empty_markers(mesh_);
-    if (blanked_ > 0)
-        mesh_.remark(plural(blanked_, "point") +
-                     " with iblank 0: iblank is ignored; a morphed mesh in the same format keeps "
-                     "the values");
+    if (blanked_ > 0) mesh_.remark_ignored("iblank, which is 0 at " + plural(blanked_, "point"));
 }
 
 void Plot3dReader::read_points() {

@@ -375,7 +375,7 @@ void Su2Reader::read_face(const Words& words, std::int32_t marker) {
 // Passes over points that are shared with other parts or periodic partners: first SEND_RECV= 1, or
 // SEND_TO= 1, RECEIVE_FROM= 1, ...; then n lines such as "1 point transformation".
 void Su2Reader::pass_over_halo(std::int32_t n) {
-    mesh_.remark("SEND_RECEIVE blocks are ignored; a morphed mesh in the same format keeps them");
+    mesh_.remark_ignored("SEND_RECEIVE blocks");
     mesh_.likely_fault =
         "the file has SEND_RECEIVE blocks: halo layers of a periodic or divided mesh, "
         "whose outer edges are on no marker; make the mesh without halo layers";
@@ -391,12 +391,9 @@ void Su2Reader::pass_over_section(const std::string& key) {
     if (key.compare(0, 3, "FFD") == 0) {
         mesh_.remark("FFD boxes are kept as they are: they do not move with the mesh");
     } else if (key.find("PERIODIC") != std::string::npos) {
-        mesh_.remark(
-            "sections about periodic boundaries are ignored; a morphed mesh in the same format "
-            "keeps them");
+        mesh_.remark_ignored("sections about periodic boundaries");
     } else {
-        mesh_.remark("section " + in_quotes(key) +
-                     " is ignored; a morphed mesh in the same format keeps the section");
+        mesh_.remark_ignored("section " + in_quotes(key));
     }
 }
 

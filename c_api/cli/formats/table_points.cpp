@@ -163,20 +163,13 @@ std::string place_text(double x, double y) { return "(" + brief(x) + ", " + brie
 
 std::int32_t by_number(const PointTable& table, std::size_t row, std::size_t column,
                        const PointNumbers& numbers) {
-    const double number = table.at(row, column);
-    std::int32_t point = -1;
-    if (number == std::floor(number) && std::fabs(number) < 1e15)
-        point = numbers.point(static_cast<std::int64_t>(number));
-    if (point < 0) {
-        const bool is_in_file = number == std::floor(number) && number >= 0 &&
-                                number < static_cast<double>(numbers.count());
-        throw Failure(exit_file, table.place(row) +
-                                     (is_in_file ? ": point " + brief(number) +
-                                                       " of the mesh file is no corner of a cell"
-                                                 : ": the mesh file has points 0 to " +
-                                                       std::to_string(numbers.count() - 1) +
-                                                       ", and no point " + brief(number)));
-    }
+    const double given = table.at(row, column);
+    if (given != std::floor(given) || std::fabs(given) >= 1e15)
+        throw Failure(exit_file,
+                      table.place(row) + ": " + brief(given) + " is no number of a point");
+    const auto number = static_cast<std::int64_t>(given);
+    const std::int32_t point = numbers.point(number);
+    if (point < 0) throw Failure(exit_file, table.place(row) + ": " + numbers.why_no_point(number));
     return point;
 }
 

@@ -23,7 +23,7 @@ std::vector<PointOfMarker> points_of_markers(const Mesh& mesh,
 }  // namespace
 
 std::vector<BoundarySegment> marker_pieces(const Mesh& mesh) {
-    const std::vector<std::int32_t> joined = joined_ends(mesh);
+    const std::vector<std::int32_t> joined = joined_ends(mesh, mesh.face_points);
     const std::vector<PointOfMarker> ends = points_of_markers(mesh, joined);
     std::vector<PointOfMarker> sorted = ends;
     std::sort(sorted.begin(), sorted.end());

@@ -120,21 +120,20 @@ std::unordered_map<std::int32_t, std::int32_t> points_by_place(
     return place;
 }
 
-std::vector<std::int32_t> joined_ends(const Mesh& mesh) {
-    std::vector<bool> is_end(mesh.x.size());
-    for (const std::int32_t point : mesh.face_points) is_end[place(point)] = !is_end[place(point)];
-    std::vector<std::int32_t> ends;
-    for (std::size_t point = 0; point < is_end.size(); ++point) {
-        if (is_end[point]) ends.push_back(static_cast<std::int32_t>(point));
+std::vector<std::int32_t> joined_ends(const Mesh& mesh, std::vector<std::int32_t> ends) {
+    std::vector<bool> is_odd(mesh.x.size());
+    for (const std::int32_t point : ends) is_odd[place(point)] = !is_odd[place(point)];
+    std::vector<std::int32_t> odd;
+    for (std::size_t point = 0; point < is_odd.size(); ++point) {
+        if (is_odd[point]) odd.push_back(static_cast<std::int32_t>(point));
     }
-    const auto at = points_by_place(mesh, ends);
+    const auto at = points_by_place(mesh, odd);
     std::unordered_map<std::int32_t, std::int32_t> smallest;  // by the first point of a place
-    for (const std::int32_t point : ends) smallest.emplace(at.at(point), point);
-    std::vector<std::int32_t> faces = mesh.face_points;
-    for (std::int32_t& point : faces) {
-        if (is_end[place(point)]) point = smallest.at(at.at(point));
+    for (const std::int32_t point : odd) smallest.emplace(at.at(point), point);
+    for (std::int32_t& point : ends) {
+        if (is_odd[place(point)]) point = smallest.at(at.at(point));
     }
-    return faces;
+    return ends;
 }
 
 BoundaryLoops::BoundaryLoops(const std::vector<std::int32_t>& ends, std::int32_t n_points) {
@@ -161,7 +160,9 @@ BoundaryLoops::BoundaryLoops(const std::vector<std::int32_t>& ends, std::int32_t
         of_edge.push_back(number[place(root(ends[i]))]);
 }
 
-BoundaryLoops loops_of(const Mesh& mesh) { return {joined_ends(mesh), mesh.points()}; }
+BoundaryLoops loops_of(const Mesh& mesh) {
+    return {joined_ends(mesh, mesh.face_points), mesh.points()};
+}
 
 std::vector<Box> boxes_of_loops(const BoundaryLoops& loops, const Mesh& mesh) {
     std::vector<Box> boxes(place(loops.count));

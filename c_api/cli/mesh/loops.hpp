@@ -47,9 +47,10 @@ std::vector<std::vector<std::int32_t>> edge_chains(const std::vector<Edge>& edge
 std::unordered_map<std::int32_t, std::int32_t> points_by_place(
     const Mesh& mesh, const std::vector<std::int32_t>& points);
 
-// Returns the two ends of each face of a mesh. A cut that reaches the boundary divides a point in
-// two, each with an odd number of faces: the smaller number stands for both.
-std::vector<std::int32_t> joined_ends(const Mesh& mesh);
+// Takes and returns the two ends of each edge of a boundary. A cut that reaches the boundary
+// divides a point in two, each at the end of an odd number of edges: the smaller number stands for
+// both.
+std::vector<std::int32_t> joined_ends(const Mesh& mesh, std::vector<std::int32_t> ends);
 
 // Edges that are connected by their ends. Edges of a closed boundary form loops; edges of a part of
 // a boundary may form open chains. Both are called loops here.

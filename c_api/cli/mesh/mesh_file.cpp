@@ -52,6 +52,10 @@ void Mesh::remark(const std::string& text) {
     if (std::find(remarks.begin(), remarks.end(), text) == remarks.end()) remarks.push_back(text);
 }
 
+void Mesh::remark_ignored(const std::string& contents) {
+    remark("ignored, but kept in a morphed mesh of the same format: " + contents);
+}
+
 void Mesh::add_point(double point_x, double point_y, std::size_t x_offset) {
     x.push_back(point_x);
     y.push_back(point_y);

@@ -134,6 +134,7 @@ struct Mesh {
     // remark() keeps a text once. Offsets are places in the file.
     std::int32_t add_marker(std::string_view tag);
     void remark(const std::string& text);
+    void remark_ignored(const std::string& contents);                      // of the file
     void add_point(double point_x, double point_y, std::size_t x_offset);  // of files in pairs
     template <class Points>
     void add_cell(const Points& points, std::size_t offset) {

@@ -32,6 +32,12 @@ std::int32_t PointNumbers::point(std::int64_t number) const {
                           : point_[static_cast<std::size_t>(number)];
 }
 
+std::string PointNumbers::why_no_point(std::int64_t number) const {
+    const std::string name = "point " + std::to_string(number);
+    if (number >= 0 && number < count_) return name + " of the mesh file is no corner of a cell";
+    return "the mesh file has points 0 to " + std::to_string(count_ - 1) + ", and no " + name;
+}
+
 std::int32_t PointNumbers::points_in_file(std::int32_t point) const {
     return followers_.empty() ? 1 : followers_[place(point)];
 }

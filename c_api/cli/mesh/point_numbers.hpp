@@ -6,6 +6,7 @@
 #include "mesh/mesh_file.hpp"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace cli {
@@ -19,6 +20,8 @@ public:
     std::int32_t point(std::int64_t number) const;
     // Returns the smallest number of a point in the file.
     std::int64_t number(std::int32_t point) const;
+    // Says why a point of the file has no point of the mesh.
+    std::string why_no_point(std::int64_t number) const;
     // Returns how many points of the file follow a point of the mesh.
     std::int32_t points_in_file(std::int32_t point) const;
     // Tells whether the points of the mesh are the first ones of the file, in the same order.

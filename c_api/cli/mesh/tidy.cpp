@@ -24,13 +24,11 @@ EdgeKey edge_of(std::int32_t a, std::int32_t b) {
 
 // Removes pairs of edges (two points each) at the same place. Such a pair is a cut, as in the wake
 // of a C-mesh or between the blocks of a grid; the library closes cuts whose edges have no marker.
-// Returns the pairs of points at one place that are both on remaining edges.
-std::vector<std::int32_t> drop_cuts(Mesh& mesh, std::vector<std::int32_t>& edges) {
+void drop_cuts(Mesh& mesh, std::vector<std::int32_t>& edges) {
     std::unordered_map<std::int32_t, std::int32_t> place = points_by_place(mesh, edges);
     const auto ends_of = [&](std::size_t edge) {
         return edge_of(place[edges[2 * edge]], place[edges[2 * edge + 1]]);
     };
-    std::vector<std::int32_t> pairs;
     std::vector<std::pair<EdgeKey, std::size_t>> order;
     for (std::size_t edge = 0; 2 * edge < edges.size(); ++edge)
         order.emplace_back(ends_of(edge), edge);
@@ -41,12 +39,8 @@ std::vector<std::int32_t> drop_cuts(Mesh& mesh, std::vector<std::int32_t>& edges
         if (order[k].first != order[k - 1].first) continue;
         is_cut[order[k].second] = is_cut[order[k - 1].second] = 1;
         ++cuts;
-        const std::size_t a = 2 * order[k - 1].second, b = 2 * order[k].second;
-        const bool turned = place[edges[a]] != place[edges[b]];
-        pairs.insert(pairs.end(), {edges[a], edges[b + (turned ? 1 : 0)], edges[a + 1],
-                                   edges[b + (turned ? 0 : 1)]});
     }
-    if (cuts == 0) return pairs;
+    if (cuts == 0) return;
     std::size_t kept = 0;
     for (std::size_t edge = 0; edge < is_cut.size(); ++edge) {
         if (is_cut[edge]) continue;
@@ -58,15 +52,6 @@ std::vector<std::int32_t> drop_cuts(Mesh& mesh, std::vector<std::int32_t>& edges
     mesh.remark(plural(cuts, "pair") +
                 " of boundary edges without a marker at the same places: they are a cut, which "
                 "stays closed");
-    std::vector<char> is_left(mesh.x.size(), 0);
-    for (const std::int32_t point : edges) is_left[static_cast<std::size_t>(point)] = 1;
-    std::vector<std::int32_t> left;
-    for (std::size_t k = 0; k < pairs.size(); k += 2) {
-        if (is_left[static_cast<std::size_t>(pairs[k])] &&
-            is_left[static_cast<std::size_t>(pairs[k + 1])])
-            left.insert(left.end(), {pairs[k], pairs[k + 1]});
-    }
-    return left;
 }
 
 }  // namespace
@@ -146,14 +131,11 @@ void drop_interior_faces(Mesh& mesh, bool remark) {
     for (std::size_t marker = 0; marker < dropped.size(); ++marker) {
         if (dropped[marker] == 0 || !remark) continue;
         if (++named > max_named) {
-            mesh.remark(
-                "faces of other markers between two cells are ignored; a morphed mesh in the same "
-                "format keeps them");
+            mesh.remark_ignored("faces of other markers between two cells");
             break;
         }
-        mesh.remark(plural(dropped[marker], "face") + " of marker " +
-                    in_quotes(mesh.markers[marker]) +
-                    " between two cells are ignored; a morphed mesh in the same format keeps them");
+        mesh.remark_ignored(plural(dropped[marker], "face") + " of marker " +
+                            in_quotes(mesh.markers[marker]) + " between two cells");
     }
 }
 
@@ -261,12 +243,9 @@ void name_open_boundary(Mesh& mesh, const std::string& name) {
             open.insert(open.end(), {side->first, side->second});
         }
     }
-    const std::vector<std::int32_t> meeting = drop_cuts(mesh, open);
+    drop_cuts(mesh, open);
     if (open.empty()) return;
-    std::vector<std::int32_t> connected =
-        open;  // with edges that connect both sides at ends of cuts
-    connected.insert(connected.end(), meeting.begin(), meeting.end());
-    const BoundaryLoops loops(connected, n);
+    const BoundaryLoops loops(joined_ends(mesh, open), n);
     for (std::size_t edge = 0; 2 * edge < open.size(); ++edge) {
         mesh.face_points.insert(mesh.face_points.end(), {open[2 * edge], open[2 * edge + 1]});
         mesh.face_markers.push_back(

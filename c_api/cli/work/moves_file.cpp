@@ -50,7 +50,7 @@ private:
 class Pieces {
 public:
     Pieces(const Mesh& mesh, std::int32_t marker) : mesh_(mesh) {
-        const std::vector<std::int32_t> all = joined_ends(mesh);
+        const std::vector<std::int32_t> all = joined_ends(mesh, mesh.face_points);
         std::vector<std::int32_t> joined;
         for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
             if (mesh.face_markers[face] != marker) continue;

@@ -29,15 +29,9 @@ WallField read_lines(const TextFile& file, const Mesh& mesh) {
         std::int64_t number = 0;
         double d[2] = {0, 0};
         if (words.size() != 3) lines.expected("point dx dy");
-        const bool is_whole = parse(words[0], number);
-        const std::int32_t point = is_whole ? numbers.point(number) : -1;
-        if (point < 0) {
-            if (is_whole && number >= 0 && number < numbers.count())
-                lines.fail("point " + std::to_string(number) +
-                           " of the mesh file is no corner of a cell");
-            lines.expected("a point between 0 and " + std::to_string(numbers.count() - 1),
-                           words[0]);
-        }
+        if (!parse(words[0], number)) lines.expected("the number of a point", words[0]);
+        const std::int32_t point = numbers.point(number);
+        if (point < 0) lines.fail(numbers.why_no_point(number));
         for (std::size_t i = 0; i < 2; ++i) {
             if (!parse(words[i + 1], d[i])) lines.expected("a finite number", words[i + 1]);
         }

@@ -184,7 +184,7 @@ adjoint "a row that is missing" 'but the mesh has' "$tmp/bad.csv" --in-order
 { cat "$tmp/sens.txt"; echo '4 1 1'; } >"$tmp/bad.txt"
 adjoint "a point twice" 'has values already' "$tmp/bad.txt"
 echo '999999 1 1' >"$tmp/bad.txt"
-adjoint "a point that is not there" 'no point 1e+06' "$tmp/bad.txt"
+adjoint "a point that is not there" 'no point 999999' "$tmp/bad.txt"
 : >"$tmp/bad.txt"
 adjoint "an empty file" 'has no numbers' "$tmp/bad.txt"
 refuses "adjoint: normals without a side" 2 '--into fluid or --into body' adjoint "$mesh" "$basis" \

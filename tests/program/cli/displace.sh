@@ -34,7 +34,7 @@ echo '3 nan 0' >"$tmp/nan.txt"
 refuses "displace: not a number" 3 "$tmp/nan.txt:1: the file needs a finite number here, but 'nan' follows" \
     displace "$ring" --given body --wall "$tmp/nan.txt" -o "$tmp/x"
 echo '624 0 0' >"$tmp/nan.txt"
-refuses "displace: no such point" 3 'between 0 and 623' displace "$ring" --given body --wall "$tmp/nan.txt" -o "$tmp/x"
+refuses "displace: no such point" 3 'and no point 624' displace "$ring" --given body --wall "$tmp/nan.txt" -o "$tmp/x"
 refuses "displace: no marker" 2 '--given is missing' displace "$ring" --wall "$tmp/wall.txt"
 refuses "displace: a marker both given and slipping" 2 'two conditions' \
     displace "$ring" --given body --slip body --wall "$tmp/wall.txt"

@@ -162,5 +162,5 @@ for table in by-number.txt by-place.csv; do
 done
 check "numbers: displace: the same mesh" cmp "$tmp/by-number.txt.ugrid" "$tmp/by-place.csv.ugrid"
 echo '999999 0 0' >"$tmp/behind.txt"
-refuses "numbers: a number behind the last point" 'the file needs a point between 0 and' "$harmorph" displace "$mesh" \
+refuses "numbers: a number behind the last point" 'and no point 999999' "$harmorph" displace "$mesh" \
     --given "$body" --wall "$tmp/behind.txt" -o "$tmp/x"
